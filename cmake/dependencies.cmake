@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+# Everything comes from the system's packages (Debian 12 names are in ./dev).
+find_package(Threads REQUIRED)
+find_package(glm REQUIRED)
+find_package(OpenEXR REQUIRED)
+find_package(pugixml REQUIRED)
+find_package(libzip REQUIRED)
+find_package(assimp REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(Vulkan REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(TBB REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(GTest REQUIRED)
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(FFMPEG REQUIRED IMPORTED_TARGET libavcodec libavformat libavutil libswscale)
+find_program(GLSLC glslc REQUIRED)
+
+if(NOT TARGET glm::glm)
+    add_library(glm::glm INTERFACE IMPORTED)
+endif()
+
+find_path(STB_INCLUDE stb/stb_image.h REQUIRED)
+add_library(ghost_stb INTERFACE)
+target_include_directories(ghost_stb SYSTEM INTERFACE ${STB_INCLUDE})

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+# How our own targets are built: warnings are errors, includes start at src/ and shaders/.
+
+function(ghost_options target)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Wnon-virtual-dtor -Werror)
+    target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR}/src ${CMAKE_SOURCE_DIR}/shaders)
+    if(GHOST_SANITIZE)
+        target_compile_options(${target} PUBLIC -fsanitize=${GHOST_SANITIZE} -fno-omit-frame-pointer
+            -fno-sanitize-recover=all)
+        target_link_options(${target} PUBLIC -fsanitize=${GHOST_SANITIZE})
+    endif()
+endfunction()
+
+# ghost_library(name PUBLIC ... PRIVATE ...): static library ghost_<name> of src/<name>/*.cpp.
+function(ghost_library name)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
+    if(sources)
+        add_library(ghost_${name} STATIC ${sources})
+        ghost_options(ghost_${name})
+        target_link_libraries(ghost_${name} ${ARGN})
+    else()
+        add_library(ghost_${name} INTERFACE)
+    endif()
+endfunction()
+
+# ghost_test(folder libraries...): test binary test_<folder> of tests/<folder>/*_test.cpp.
+function(ghost_test folder)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${folder}/*_test.cpp)
+    if(NOT sources)
+        return()
+    endif()
+    add_executable(test_${folder} ${sources})
+    ghost_options(test_${folder})
+    target_compile_definitions(test_${folder} PRIVATE GHOST_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
+        GHOST_BINARY_DIR="${CMAKE_BINARY_DIR}")
+    target_link_libraries(test_${folder} PRIVATE ${ARGN} GTest::gtest_main)
+    add_test(NAME ${folder} COMMAND test_${folder} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+    set_tests_properties(${folder} PROPERTIES TIMEOUT 1200)
+endfunction()
+
+# ghost_fuzz(name libraries...): libFuzzer target fuzz_<name> of tests/fuzz/<name>_fuzz.cpp.
+function(ghost_fuzz name)
+    add_executable(fuzz_${name} ${CMAKE_SOURCE_DIR}/tests/fuzz/${name}_fuzz.cpp)
+    ghost_options(fuzz_${name})
+    target_compile_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+    target_link_options(fuzz_${name} PRIVATE -fsanitize=fuzzer)
+    target_link_libraries(fuzz_${name} PRIVATE ${ARGN})
+endfunction()
+
+# ghost_shaders(library): compiles shaders/*.comp to SPIR-V and embeds it; C++ reads it through
+# <build>/generated/shaders/<name>.h as kShader_<name>.
+function(ghost_shaders library)
+    file(GLOB shaders CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.comp)
+    file(GLOB shared CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/shared/*.h ${CMAKE_SOURCE_DIR}/shaders/*.glsl)
+    set(headers)
+    foreach(shader ${shaders})
+        get_filename_component(name ${shader} NAME_WE)
+        set(spirv ${CMAKE_BINARY_DIR}/generated/shaders/${name}.spv)
+        set(header ${CMAKE_BINARY_DIR}/generated/shaders/${name}.h)
+        add_custom_command(OUTPUT ${header}
+            COMMAND ${GLSLC} --target-env=vulkan1.3 -O -Werror -I ${CMAKE_SOURCE_DIR}/shaders -o ${spirv} ${shader}
+            COMMAND ${CMAKE_COMMAND} -DINPUT=${spirv} -DOUTPUT=${header} -DNAME=kShader_${name}
+                    -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
+            DEPENDS ${shader} ${shared} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
+            COMMENT "shader ${name}" VERBATIM)
+        list(APPEND headers ${header})
+    endforeach()
+    if(headers AND TARGET ghost_${library})
+        add_custom_target(ghost_shader_headers DEPENDS ${headers})
+        get_target_property(kind ghost_${library} TYPE)
+        if(NOT kind STREQUAL "INTERFACE_LIBRARY")
+            add_dependencies(ghost_${library} ghost_shader_headers)
+            target_include_directories(ghost_${library} PRIVATE ${CMAKE_BINARY_DIR}/generated)
+        endif()
+    endif()
+endfunction()

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/files.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace ghost {
+namespace fs = std::filesystem;
+namespace {
+
+Error errno_error(const std::string& action, const fs::path& path) {
+    return Error{action + ": " + std::strerror(errno), path.string()};
+}
+
+// Closes on every way out.
+struct Descriptor {
+    int fd = -1;
+    ~Descriptor() {
+        if (fd >= 0) ::close(fd);
+    }
+};
+
+template <class Container>
+Result<Container> read_into(const fs::path& path, std::uintmax_t limit_bytes) {
+    std::error_code code;
+    if (!fs::exists(path, code)) return Error{"no such file", path.string()};
+    if (!fs::is_regular_file(path, code)) return Error{"not a plain file", path.string()};
+    const std::uintmax_t size = fs::file_size(path, code);
+    if (code) return Error{"cannot read its size: " + code.message(), path.string()};
+    if (size > limit_bytes)
+        return Error{"is " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(limit_bytes),
+                     path.string()};
+    const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+    if (file.fd < 0) return errno_error("cannot open", path);
+    Container content(static_cast<std::size_t>(size), typename Container::value_type{});
+    std::size_t done = 0;
+    while (done < content.size()) {
+        const ssize_t got = ::read(file.fd, content.data() + done, content.size() - done);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return errno_error("cannot read", path);
+        if (got == 0) break; // cut short meanwhile
+        done += static_cast<std::size_t>(got);
+    }
+    content.resize(done);
+    return content;
+}
+
+} // namespace
+
+Result<std::vector<std::uint8_t>> read_file(const fs::path& path, std::uintmax_t limit_bytes) {
+    return read_into<std::vector<std::uint8_t>>(path, limit_bytes);
+}
+
+Result<std::string> read_text_file(const fs::path& path, std::uintmax_t limit_bytes) {
+    return read_into<std::string>(path, limit_bytes);
+}
+
+fs::path temporary_beside(const fs::path& path) {
+    static std::atomic<unsigned> counter{0};
+    fs::path result = path;
+    // The extension stays last: writers choose their format by it.
+    result.replace_filename("." + path.stem().string() + ".part" + std::to_string(::getpid()) + "_" +
+                            std::to_string(counter++) + path.extension().string());
+    return result;
+}
+
+Result<void> commit_temporary(const fs::path& temporary, const fs::path& path) {
+    {
+        const Descriptor file{::open(temporary.c_str(), O_RDONLY | O_CLOEXEC)};
+        if (file.fd < 0) return errno_error("cannot reopen to flush", temporary);
+        if (::fsync(file.fd) != 0) {
+            const Error error = errno_error("cannot flush to disk", path);
+            ::unlink(temporary.c_str());
+            return error;
+        }
+    }
+    if (::rename(temporary.c_str(), path.c_str()) != 0) {
+        const Error error = errno_error("cannot put into place", path);
+        ::unlink(temporary.c_str());
+        return error;
+    }
+    return {};
+}
+
+Result<void> write_file_atomic(const fs::path& path, Bytes bytes) {
+    const fs::path temporary = temporary_beside(path);
+    {
+        const Descriptor file{::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
+        if (file.fd < 0) return errno_error("cannot create", path);
+        std::size_t done = 0;
+        while (done < bytes.size()) {
+            const ssize_t wrote = ::write(file.fd, bytes.data() + done, bytes.size() - done);
+            if (wrote < 0 && errno == EINTR) continue;
+            if (wrote < 0) {
+                const Error error = errno_error("cannot write", path);
+                ::unlink(temporary.c_str());
+                return error;
+            }
+            done += static_cast<std::size_t>(wrote);
+        }
+    }
+    return commit_temporary(temporary, path);
+}
+
+Result<void> write_file_atomic(const fs::path& path, std::string_view text) {
+    return write_file_atomic(path, Bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+} // namespace ghost
