@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+// The beam: candela that a light sends towards a point. The only definition; surfaces, haze, baker and the photometry in
+// C++ all call it. Follows Screen Space Re-Rendering 2.1 (mask by axis, angle and two orthogonal gate axes) with the
+// photometric profile of IES/CIE: beam angle at 50 %, field angle at 10 % of the peak.
+//
+// Both sides supply gobo_sample: transmission of a gobo layer at gate coordinates (-1..1), blurred over a disc of the
+// given radius. In C++ it needs the images, so there the functions take them as a last argument.
+#ifndef GHOST_SHARED_BEAM_H
+#define GHOST_SHARED_BEAM_H
+#include "shared/types.h"
+
+#ifdef __cplusplus
+#include "shared/gobos.h"
+#define WITH_GOBOS , const ::ghost::shared::Gobos& gobos
+#define PASS_GOBOS , gobos
+#else
+#define WITH_GOBOS
+#define PASS_GOBOS
+vec3 gobo_sample(uint layer, vec2 gate, float blur);
+#endif
+
+SHARED_BEGIN
+
+// Slots of a wheel stand this far apart, in gate radii.
+SHARED_CONST float kSlotSpacing = 2.4f;
+
+SHARED_FN float beam_profile(float radius2, float power, float scale) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return exp2(-scale * exp2(power * log2(max(radius2, 1e-12f))));
+}
+
+// Radius of the blur disc in gate units at distance z along the beam: a thin lens of radius R focused at 1/focus_per_m.
+SHARED_FN float beam_blur(Light light, float z) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float R = light.lens_radius_m;
+    return light.edge + R * abs(1.0f - z * light.focus_per_m) / (R + z * light.tan_field);
+}
+
+// Light that the aperture (field stop or iris) lets through at a gate radius, blurred by a disc of the given radius.
+SHARED_FN float beam_aperture(float radius, float aperture, float blur) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float t = clamp((aperture - radius) / (2.0f * blur) + 0.5f, 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+SHARED_FN vec3 wheel_sample(Wheel wheel, vec2 gate, float blur WITH_GOBOS) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    // Which of the two slots covers this place, and where its centre is now.
+    float centre_a = -wheel.shift * kSlotSpacing;
+    bool second = gate.x > centre_a + 0.5f * kSlotSpacing;
+    vec2 g = gate - vec2(second ? centre_a + kSlotSpacing : centre_a, 0.0f);
+    uint layer = second ? wheel.layer_b : wheel.layer_a;
+    // Off-centre slots end at their own rim; a centred one is limited by the aperture alone.
+    float rim = wheel.shift == 0.0f ? 1.0f : beam_aperture(length(g), 1.0f, max(blur, 0.01f));
+    vec2 turned = vec2(wheel.cosine * g.x + wheel.sine * g.y, wheel.cosine * g.y - wheel.sine * g.x);
+    return gobo_sample(layer, turned, blur PASS_GOBOS) * rim;
+}
+
+// Candela (RGB) towards gate position q, metres from the apex.
+SHARED_FN vec3 beam_candela(Light light, vec3 q WITH_GOBOS) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float z = max(q.z, 1e-4f);
+    vec2 gate = vec2(q.x, q.y) / (z * light.tan_field);
+    float radius2 = dot(gate, gate);
+    float blur = beam_blur(light, z);
+    float value = beam_profile(radius2, light.profile_power, light.profile_scale) *
+                  beam_aperture(sqrt(radius2), light.iris_radius, blur);
+    // Nothing leaves backwards, and nothing beyond the cut.
+    value = (q.z > 1e-4f && radius2 < light.cut_radius * light.cut_radius) ? value : 0.0f;
+    vec3 colour = light.intensity_cd * value;
+    float side = clamp((gate.x - light.split) * 4.0f + 0.5f, 0.0f, 1.0f);
+    colour *= vec3(1.0f) + (light.colour_b - vec3(1.0f)) * side;
+    for (uint k = 0u; k < light.wheel_count; ++k) colour *= wheel_sample(light.wheel[k], gate, blur PASS_GOBOS);
+    return colour;
+}
+
+// Gate coordinates of a world offset from the apex (or of a direction).
+SHARED_FN vec3 to_gate(Light light, vec3 offset) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return vec3(dot(offset, light.axis_u), dot(offset, light.axis_v), dot(offset, light.axis_w));
+}
+
+// Part [x, y] of the ray q + t dq, t in [0, far], inside the cone (q.x^2 + q.y^2 <= (k q.z)^2, q.z > 0); x >= y where
+// it misses. Screen Space Re-Rendering 2.2: samples are moved into the illuminated part.
+SHARED_FN vec2 clip_to_cone(vec3 q, vec3 dq, float k, float far) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float k2 = k * k;
+    float a = dq.x * dq.x + dq.y * dq.y - k2 * dq.z * dq.z;
+    float b = q.x * dq.x + q.y * dq.y - k2 * q.z * dq.z;
+    float c = q.x * q.x + q.y * q.y - k2 * q.z * q.z;
+    a = abs(a) < 1e-9f ? 1e-9f : a;
+    float discriminant = b * b - a * c;
+    float root = sqrt(max(discriminant, 0.0f));
+    float t0 = (-b - root) / a;
+    float t1 = (-b + root) / a;
+    float low = min(t0, t1);
+    float high = max(t0, t1);
+    // a > 0: the ray crosses one nappe, between the roots. a < 0: inside before the lower and after the upper root, one
+    // of them on the nappe that is lit.
+    bool forward = dq.z > 0.0f;
+    float begin = a > 0.0f ? low : (forward ? high : -1e30f);
+    float end = a > 0.0f ? high : (forward ? 1e30f : low);
+    bool hit = a < 0.0f || (discriminant > 0.0f && q.z + 0.5f * (low + high) * dq.z > 0.0f);
+    begin = max(begin, 0.0f);
+    end = min(end, far);
+    return hit ? vec2(begin, end) : vec2(1.0f, 0.0f);
+}
+
+SHARED_END
+#endif

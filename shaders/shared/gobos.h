@@ -1,0 +1,63 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Gobos: the images in all gates of a show, as a stack of square RGBA8 layers with mip levels. Level k holds the image
+// averaged over a disc of radius kGoboBlurUnit 2^k gate units (averaged inside the gate only: the aperture is the beam's
+// business). Layer 0 is open. C++ samples it as the shaders' sampler does: trilinear, clamped. Values only.
+#ifdef __cplusplus
+#include "shared/types.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace ghost::shared {
+
+inline constexpr int kGoboSize = 256;
+inline constexpr int kGoboLevels = 7; // 256 .. 4
+inline constexpr float kGoboBlurUnit = 2.0f / kGoboSize;
+
+struct Gobos {
+    int layers = 0;
+    // texels[level]: layers x side x side x RGBA, side = kGoboSize >> level.
+    std::vector<std::uint8_t> texels[kGoboLevels];
+};
+
+inline vec3 gobo_texel(const Gobos& gobos, int level, uint layer, int x, int y) {
+    const int side = kGoboSize >> level;
+    x = std::clamp(x, 0, side - 1);
+    y = std::clamp(y, 0, side - 1);
+    const std::size_t at =
+        ((static_cast<std::size_t>(layer) * static_cast<std::size_t>(side) + static_cast<std::size_t>(y)) *
+             static_cast<std::size_t>(side) + static_cast<std::size_t>(x)) * 4;
+    const std::uint8_t* t = gobos.texels[level].data() + at;
+    return vec3(t[0], t[1], t[2]) * (1.0f / 255.0f);
+}
+
+inline vec3 gobo_bilinear(const Gobos& gobos, int level, uint layer, vec2 uv) {
+    const float side = static_cast<float>(kGoboSize >> level);
+    const float x = uv.x * side - 0.5f;
+    const float y = uv.y * side - 0.5f;
+    const float x0 = std::floor(x);
+    const float y0 = std::floor(y);
+    const int ix = static_cast<int>(x0);
+    const int iy = static_cast<int>(y0);
+    const float fx = x - x0;
+    const float fy = y - y0;
+    const vec3 top = gobo_texel(gobos, level, layer, ix, iy) * (1 - fx) + gobo_texel(gobos, level, layer, ix + 1, iy) * fx;
+    const vec3 bottom =
+        gobo_texel(gobos, level, layer, ix, iy + 1) * (1 - fx) + gobo_texel(gobos, level, layer, ix + 1, iy + 1) * fx;
+    return top * (1 - fy) + bottom * fy;
+}
+
+// The same texture coordinates and level as gobo_sample in shaders/gobo_texture.glsl.
+inline vec3 gobo_sample(uint layer, vec2 gate, float blur, const Gobos& gobos) {
+    if (layer == 0u || static_cast<int>(layer) >= gobos.layers) return vec3(1.0f);
+    const vec2 uv = glm::clamp(gate * vec2(0.5f, -0.5f) + vec2(0.5f), vec2(0.0f), vec2(1.0f));
+    const float level = std::clamp(std::log2(std::max(blur / kGoboBlurUnit, 1.0f)), 0.0f, kGoboLevels - 1.0f);
+    const int low = static_cast<int>(level);
+    const int high = std::min(low + 1, kGoboLevels - 1);
+    const float f = level - static_cast<float>(low);
+    return gobo_bilinear(gobos, low, layer, uv) * (1 - f) + gobo_bilinear(gobos, high, layer, uv) * f;
+}
+
+} // namespace ghost::shared
+#endif

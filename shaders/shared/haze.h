@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scattering in homogeneous haze: transmittance and the two-term Henyey-Greenstein phase function.
+#ifndef GHOST_SHARED_HAZE_H
+#define GHOST_SHARED_HAZE_H
+#include "shared/types.h"
+
+SHARED_BEGIN
+
+// Henyey-Greenstein, 1/sr; cosine of the angle between the light's way and the scattered way (1 = straight on).
+SHARED_FN float henyey_greenstein(float g, float cosine) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float base = max(1.0f + g * g - 2.0f * g * cosine, 1e-4f);
+    return (1.0f - g * g) / (4.0f * kPi * base * sqrt(base));
+}
+
+SHARED_FN float haze_phase(Haze haze, float cosine) {
+    return (1.0f - haze.back_weight) * henyey_greenstein(haze.forward_g, cosine) +
+           haze.back_weight * henyey_greenstein(haze.back_g, cosine);
+}
+
+SHARED_FN float haze_transmittance(Haze haze, float distance_m) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return exp(-haze.extinction_per_m * distance_m);
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// The structs that C++ and the shaders share: one definition, compiled by both. Scalar layout; every size is pinned by a
+// static_assert. Units: metres, radians, candela, cd/m^2 per cd, 1/m; colour is linear Rec.2020. World: right-handed, Z up.
+#ifndef GHOST_SHARED_TYPES_H
+#define GHOST_SHARED_TYPES_H
+
+#ifdef __cplusplus
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+#define SHARED_BEGIN namespace ghost::shared {
+#define SHARED_END }
+#define SHARED_SIZE(type, bytes) static_assert(sizeof(type) == (bytes), "layout differs from the shaders")
+#define SHARED_FN inline
+#define SHARED_CONST inline constexpr
+#define SHARED_INOUT(type) type&
+namespace ghost::shared {
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using uint = std::uint32_t;
+} // namespace ghost::shared
+#else
+#define SHARED_BEGIN
+#define SHARED_END
+#define SHARED_SIZE(type, bytes)
+#define SHARED_FN
+#define SHARED_CONST const
+#define SHARED_INOUT(type) inout type
+#endif
+
+SHARED_BEGIN
+
+// One gobo wheel as it stands in the beam. Between two slots, the gate shows a part of both.
+struct Wheel {
+    uint layer_a; // gobo layer of the slot at the optical axis, 0 = open
+    uint layer_b; // the next slot
+    float shift;  // 0 = slot a centred .. 1 = slot b centred
+    float cosine; // rotation of the gobo in its slot, seen along the beam
+    float sine;
+};
+SHARED_SIZE(Wheel, 20);
+
+// What one fixture emits now. Gate coordinates: q = (along axis_u, along axis_v, along axis_w) from the apex;
+// (q.x, q.y) / (q.z tan_field) is 1 at the field angle.
+struct Light {
+    vec3 position_m;       // apex of the beam: the pivot of the head
+    float lens_m;          // the beam leaves the lens at this distance from the apex
+    vec3 axis_u;           // unit, right in the gate seen along the beam
+    float tan_field;       // tangent of half the field angle
+    vec3 axis_v;           // unit, up in the gate
+    float cut_radius;      // gate radius beyond which nothing is emitted
+    vec3 axis_w;           // unit, direction of the beam
+    float profile_power;   // shape = exp2(-profile_scale (r^2)^profile_power)
+    vec3 intensity_cd;     // on the axis, open gate, through the first colour; dimmer and shutter included
+    float profile_scale;
+    vec3 colour_b;         // second colour of a split, relative to the first
+    float split;           // gate coordinate of the split; at or above kNoSplit there is none
+    float iris_radius;     // gate radius of the aperture
+    float edge;            // half width of the aperture's soft edge where the beam is in focus, gate units
+    float focus_per_m;     // 1 / focus distance
+    float lens_radius_m;   // blur of a point out of focus grows with it
+    Wheel wheel[2];
+    uint wheel_count;      // how many of wheel[] shape the beam
+    uint pass_a;           // passes of the two track stops beside the light (equal where it does not travel)
+    uint pass_b;
+    float pass_mix;        // 0 = pass_a .. 1 = pass_b
+    uint haze_samples;     // samples of the cone integrator
+};
+SHARED_SIZE(Light, 176);
+
+// Homogeneous haze: extinction, scattering and the two-term Henyey-Greenstein phase function.
+struct Haze {
+    float extinction_per_m;
+    float scattering_per_m;
+    float forward_g;
+    float back_g;
+    float back_weight; // share of the backward lobe
+};
+SHARED_SIZE(Haze, 20);
+
+// A pinhole camera: the ray through image point (x, y) in pixels, y down, is forward + right (2x/w - 1) + up (1 - 2y/h).
+struct View {
+    vec3 eye_m;
+    uint width;
+    vec3 forward; // unit
+    uint height;
+    vec3 right;   // scaled by the tangent of half the horizontal field of view
+    float far_m;  // length of a ray that meets no surface
+    vec3 up;      // scaled by the tangent of half the vertical field of view
+    float unused;
+    Haze haze;
+};
+SHARED_SIZE(View, 84);
+
+SHARED_CONST float kNoSplit = 8.0f;
+SHARED_CONST float kPi = 3.14159265358979f;
+
+SHARED_END
+#endif
