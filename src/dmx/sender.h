@@ -1,0 +1,52 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Sender: sends levels as sACN or Art-Net, for `play` and tests. Unicast to one address, else sACN multicast
+// and Art-Net broadcast through the chosen interface. The caller paces: send() sends every universe once. One
+// thread.
+
+#include "base/result.h"
+#include "dmx/packet.h"
+#include "dmx/receiver.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace ghost::dmx {
+
+class UdpSocket;
+
+struct SenderOptions {
+    Protocol protocol = Protocol::sacn;
+    std::string destination; // IPv4 address; empty: sACN multicast, Art-Net broadcast of the interface
+    std::string interface;   // name or IPv4 address; empty: the system's choice
+    std::uint8_t priority = 100;
+    std::string source_name = "Ghostlight";
+    int artnet_offset = 1;
+    std::uint16_t port = 0; // 0: the protocol's own
+};
+
+class Sender {
+public:
+    static Result<Sender> open(const SenderOptions& options);
+    Sender(Sender&&) noexcept;
+    ~Sender();
+
+    Result<void> send(const Universes& universes);
+    // sACN: three stream-terminated packets per universe that was sent (E1.31 6.2.6); Art-Net: nothing.
+    Result<void> terminate();
+    std::uint64_t packets() const { return packets_; }
+
+private:
+    Sender(SenderOptions options, std::unique_ptr<UdpSocket> socket, std::uint32_t broadcast);
+    std::uint32_t destination(std::uint16_t universe) const;
+
+    SenderOptions options_;
+    std::unique_ptr<UdpSocket> socket_;
+    std::uint32_t target_ = 0; // host byte order; 0 = multicast group of the universe
+    std::array<std::uint8_t, 16> cid_{};
+    std::map<std::uint16_t, std::uint8_t> sequence_;
+    std::uint64_t packets_ = 0;
+};
+
+} // namespace ghost::dmx
