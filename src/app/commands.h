@@ -1,0 +1,18 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// The commands, one file each (command_NAME.cpp). add_NAME puts a subcommand into the parser; when it is
+// chosen, it runs and sets exit_code: 0 done, 1 the input was at fault, 2 wrong usage. Main thread.
+
+#include <CLI/CLI.hpp>
+
+namespace ghost::app {
+
+void add_bake(CLI::App& app, int& exit_code);
+void add_bench(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
+void add_monitor(CLI::App& app, int& exit_code);
+void add_play(CLI::App& app, int& exit_code);
+void add_record(CLI::App& app, int& exit_code);
+void add_render(CLI::App& app, int& exit_code);
+
+} // namespace ghost::app
