@@ -19,13 +19,16 @@
 
 namespace ghost::scene {
 
+// LightPass::radiance is stored times this: cd/m^2 per cd are around 1e-5 in the dark, below the normal range of half floats.
+inline constexpr float kRadianceScale = 1024.0f;
+
 struct LightPass {
     std::string fixture;    // name in the show
     int stop = 0;           // of its track
     glm::vec3 position_m{0}; // of the point source
     std::filesystem::path file;
     std::string key; // hash of all that it depends on
-    // Half floats R, G, B, 0 per fragment: what the GPU reads. Empty until load_light_pass.
+    // Half floats R, G, B, 0 per fragment, times kRadianceScale: what the GPU reads. Empty where it could not be read.
     std::vector<std::uint16_t> radiance;
 };
 
