@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/buffer.h"
+
+#include "base/check.h"
+#include "gpu/commands.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace ghost::gpu {
+namespace {
+
+VkMemoryPropertyFlags wanted_memory(Access access) {
+    constexpr VkMemoryPropertyFlags kMapped =
+        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
+    switch (access) {
+    case Access::readback:
+        return kMapped | VK_MEMORY_PROPERTY_HOST_CACHED_BIT;
+    case Access::upload:
+        return kMapped;
+    case Access::device:
+        break;
+    }
+    return VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT;
+}
+
+} // namespace
+
+Buffer::Buffer(const Device& device, std::uint64_t bytes, Access access)
+    : device_(&device), bytes_(std::max<std::uint64_t>(bytes, 16)) {
+    VkBufferCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+    info.size = bytes_;
+    info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
+                 VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    VK_CALL(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_));
+    VkMemoryRequirements needs;
+    vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
+    VkMemoryAllocateFlagsInfo flags{};
+    flags.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO;
+    flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
+    VkMemoryAllocateInfo allocate{};
+    allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    allocate.pNext = &flags;
+    allocate.allocationSize = needs.size;
+    allocate.memoryTypeIndex = device.memory_type(needs.memoryTypeBits, wanted_memory(access));
+    VK_CALL(vkAllocateMemory(device.handle(), &allocate, nullptr, &memory_));
+    VK_CALL(vkBindBufferMemory(device.handle(), buffer_, memory_, 0));
+    VkBufferDeviceAddressInfo address{};
+    address.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
+    address.buffer = buffer_;
+    address_ = vkGetBufferDeviceAddress(device.handle(), &address);
+    // Mapping fails where the memory is not visible to the host; only then is staging needed.
+    VkPhysicalDeviceMemoryProperties memory;
+    vkGetPhysicalDeviceMemoryProperties(device.physical(), &memory);
+    const VkMemoryPropertyFlags has = memory.memoryTypes[allocate.memoryTypeIndex].propertyFlags;
+    if ((has & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) && (has & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT))
+        VK_CALL(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_));
+    CHECK(mapped_ != nullptr || access == Access::device);
+}
+
+Buffer::~Buffer() {
+    if (!device_) return;
+    vkDestroyBuffer(device_->handle(), buffer_, nullptr);
+    vkFreeMemory(device_->handle(), memory_, nullptr);
+}
+
+void Buffer::swap(Buffer& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(buffer_, other.buffer_);
+    std::swap(memory_, other.memory_);
+    std::swap(address_, other.address_);
+    std::swap(bytes_, other.bytes_);
+    std::swap(mapped_, other.mapped_);
+}
+
+void Buffer::write(const void* data, std::uint64_t bytes) {
+    CHECK(bytes <= bytes_);
+    if (bytes == 0) return;
+    if (mapped_) {
+        std::memcpy(mapped_, data, bytes);
+        return;
+    }
+    const Buffer staging(*device_, bytes, Access::upload);
+    std::memcpy(staging.mapped(), data, bytes);
+    Commands commands(*device_);
+    commands.begin();
+    commands.copy(staging, *this, bytes);
+    commands.submit_and_wait();
+}
+
+} // namespace ghost::gpu

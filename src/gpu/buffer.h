@@ -1,0 +1,57 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Buffer: memory that shaders reach by address. Moves, never copies; frees itself; must not outlive its
+// Device. Every buffer is mapped where the device allows it (integrated GPUs, lavapipe, resizable BAR);
+// write() stages otherwise.
+
+#include "gpu/device.h"
+
+#include <span>
+#include <utility>
+
+namespace ghost::gpu {
+
+enum class Access {
+    device,   // written by shaders or by write(), read by shaders
+    readback, // written by shaders, read by us through mapped()
+    upload,   // written by us through mapped(), read by shaders
+};
+
+class Buffer {
+public:
+    Buffer() = default;
+    // bytes 0 gives a buffer of 16 bytes, so that its address is valid.
+    Buffer(const Device& device, std::uint64_t bytes, Access access);
+    ~Buffer();
+    Buffer(Buffer&& other) noexcept { swap(other); }
+    Buffer& operator=(Buffer&& other) noexcept {
+        swap(other);
+        return *this;
+    }
+
+    VkBuffer handle() const { return buffer_; }
+    std::uint64_t address() const { return address_; }
+    std::uint64_t bytes() const { return bytes_; }
+    bool valid() const { return buffer_ != VK_NULL_HANDLE; }
+    // Null where the memory is not visible to us; never null for readback and upload.
+    void* mapped() const { return mapped_; }
+
+    // Copies data to the start of the buffer and waits until it is there. Not while the GPU uses the buffer.
+    void write(const void* data, std::uint64_t bytes);
+    template <class T>
+    void write(std::span<const T> data) {
+        write(data.data(), data.size_bytes());
+    }
+
+private:
+    void swap(Buffer& other) noexcept;
+
+    const Device* device_ = nullptr;
+    VkBuffer buffer_ = VK_NULL_HANDLE;
+    VkDeviceMemory memory_ = VK_NULL_HANDLE;
+    std::uint64_t address_ = 0;
+    std::uint64_t bytes_ = 0;
+    void* mapped_ = nullptr;
+};
+
+} // namespace ghost::gpu

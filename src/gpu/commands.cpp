@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/commands.h"
+
+#include "gpu/buffer.h"
+#include "gpu/texture_array.h"
+
+namespace ghost::gpu {
+namespace {
+
+constexpr std::uint32_t kMaxSpans = 32;
+
+}
+
+Program::Program(const Device& device, std::span<const std::uint32_t> spirv) : device_(device) {
+    VkShaderModuleCreateInfo module_info{};
+    module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+    module_info.codeSize = spirv.size_bytes();
+    module_info.pCode = spirv.data();
+    VkShaderModule module = VK_NULL_HANDLE;
+    VK_CALL(vkCreateShaderModule(device.handle(), &module_info, nullptr, &module));
+    VkComputePipelineCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+    info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+    info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
+    info.stage.module = module;
+    info.stage.pName = "main";
+    info.layout = device.layout();
+    VK_CALL(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_));
+    vkDestroyShaderModule(device.handle(), module, nullptr);
+}
+
+Program::~Program() {
+    vkDestroyPipeline(device_.handle(), pipeline_, nullptr);
+}
+
+Commands::Commands(const Device& device) : device_(device) {
+    VkCommandPoolCreateInfo pool{};
+    pool.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+    pool.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
+    pool.queueFamilyIndex = device.queue_family();
+    VK_CALL(vkCreateCommandPool(device.handle(), &pool, nullptr, &pool_));
+    VkCommandBufferAllocateInfo allocate{};
+    allocate.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+    allocate.commandPool = pool_;
+    allocate.commandBufferCount = 1;
+    VK_CALL(vkAllocateCommandBuffers(device.handle(), &allocate, &commands_));
+    VkFenceCreateInfo fence{};
+    fence.sType = VK_STRUCTURE_TYPE_FENCE_CREATE_INFO;
+    VK_CALL(vkCreateFence(device.handle(), &fence, nullptr, &fence_));
+    VkQueryPoolCreateInfo queries{};
+    queries.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
+    queries.queryType = VK_QUERY_TYPE_TIMESTAMP;
+    queries.queryCount = kMaxSpans + 1;
+    VK_CALL(vkCreateQueryPool(device.handle(), &queries, nullptr, &queries_));
+}
+
+Commands::~Commands() {
+    vkDestroyQueryPool(device_.handle(), queries_, nullptr);
+    vkDestroyFence(device_.handle(), fence_, nullptr);
+    vkDestroyCommandPool(device_.handle(), pool_, nullptr);
+}
+
+void Commands::begin() {
+    VkCommandBufferBeginInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+    info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    VK_CALL(vkBeginCommandBuffer(commands_, &info));
+    vkCmdResetQueryPool(commands_, queries_, 0, kMaxSpans + 1);
+    names_.clear();
+}
+
+void Commands::bind(const TextureArray& texture) {
+    const VkDescriptorImageInfo image{texture.sampler(), texture.view(), VK_IMAGE_LAYOUT_GENERAL};
+    VkWriteDescriptorSet write{};
+    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    write.descriptorCount = 1;
+    write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    write.pImageInfo = &image;
+    device_.push_descriptors()(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, device_.layout(), 0, 1, &write);
+}
+
+void Commands::dispatch_bytes(const Program& program, const void* push, std::uint32_t bytes, std::uint32_t x,
+                              std::uint32_t y) {
+    vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.handle());
+    vkCmdPushConstants(commands_, device_.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, bytes, push);
+    vkCmdDispatch(commands_, x, y, 1);
+}
+
+void Commands::barrier() {
+    VkMemoryBarrier2 memory{};
+    memory.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
+    memory.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
+    memory.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
+    memory.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT;
+    memory.dstAccessMask = VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT;
+    VkDependencyInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+    info.memoryBarrierCount = 1;
+    info.pMemoryBarriers = &memory;
+    vkCmdPipelineBarrier2(commands_, &info);
+}
+
+void Commands::copy(const Buffer& from, const Buffer& to, std::uint64_t bytes) {
+    const VkBufferCopy region{0, 0, bytes};
+    vkCmdCopyBuffer(commands_, from.handle(), to.handle(), 1, &region);
+    barrier();
+}
+
+void Commands::begin_span(const std::string& name) {
+    if (names_.size() >= kMaxSpans) return;
+    vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
+                         static_cast<std::uint32_t>(names_.size()));
+    names_.push_back(name);
+}
+
+void Commands::submit_and_wait() {
+    const auto count = static_cast<std::uint32_t>(names_.size());
+    if (count > 0) vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_, count);
+    barrier();
+    VK_CALL(vkEndCommandBuffer(commands_));
+    VkCommandBufferSubmitInfo buffer{};
+    buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
+    buffer.commandBuffer = commands_;
+    VkSubmitInfo2 submit{};
+    submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
+    submit.commandBufferInfoCount = 1;
+    submit.pCommandBufferInfos = &buffer;
+    VK_CALL(vkQueueSubmit2(device_.queue(), 1, &submit, fence_));
+    VK_CALL(vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX));
+    VK_CALL(vkResetFences(device_.handle(), 1, &fence_));
+
+    spans_.clear();
+    if (count == 0) return;
+    std::vector<std::uint64_t> ticks(count + 1);
+    VK_CALL(vkGetQueryPoolResults(device_.handle(), queries_, 0, count + 1,
+                                  ticks.size() * sizeof(std::uint64_t), ticks.data(), sizeof(std::uint64_t),
+                                  VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT));
+    for (std::uint32_t i = 0; i < count; ++i)
+        spans_.push_back(
+            {names_[i], static_cast<double>(ticks[i + 1] - ticks[i]) * device_.timestamp_period_ns() * 1e-6});
+}
+
+} // namespace ghost::gpu

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/device.h"
+
+#include "base/log.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace ghost::gpu {
+namespace {
+
+constexpr std::uint32_t kPushBytes = 128; // the least that every Vulkan device has
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+bool has_extension(VkPhysicalDevice physical, const char* wanted) {
+    std::uint32_t count = 0;
+    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, nullptr);
+    std::vector<VkExtensionProperties> all(count);
+    vkEnumerateDeviceExtensionProperties(physical, nullptr, &count, all.data());
+    return std::any_of(all.begin(), all.end(), [&](const VkExtensionProperties& e) {
+        return std::strcmp(e.extensionName, wanted) == 0;
+    });
+}
+
+// What a device lacks for us, or "".
+std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties& properties) {
+    if (properties.apiVersion < VK_API_VERSION_1_3) return "Vulkan 1.3";
+    VkPhysicalDeviceVulkan13Features f13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES, nullptr};
+    VkPhysicalDeviceVulkan12Features f12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &f13};
+    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &f12, {}};
+    vkGetPhysicalDeviceFeatures2(physical, &features);
+    if (!f12.bufferDeviceAddress) return "bufferDeviceAddress";
+    if (!f12.scalarBlockLayout) return "scalarBlockLayout";
+    if (!f13.synchronization2) return "synchronization2";
+    if (!f13.maintenance4) return "maintenance4";
+    if (!has_extension(physical, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME))
+        return VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME;
+    return "";
+}
+
+int rank(VkPhysicalDeviceType type) {
+    switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+        return 3;
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+        return 2;
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+        return 1;
+    default:
+        return 0;
+    }
+}
+
+} // namespace
+
+void vulkan_failed(const char* call, const char* file, int line, VkResult result) {
+    std::fprintf(stderr, "%s:%d: %s failed with VkResult %d%s\n", file, line, call, static_cast<int>(result),
+                 result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY
+                     ? " (out of memory)"
+                     : "");
+    std::exit(3);
+}
+
+VKAPI_ATTR VkBool32 VKAPI_CALL Device::on_validation(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                                     VkDebugUtilsMessageTypeFlagsEXT,
+                                                     const VkDebugUtilsMessengerCallbackDataEXT* data,
+                                                     void* user) {
+    ++static_cast<Device*>(user)->validation_errors_;
+    log_error(std::string("Vulkan validation: ") + data->pMessage);
+    return VK_FALSE;
+}
+
+Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
+    std::unique_ptr<Device> device(new Device);
+    TRY_VOID(device->make_instance(options.validation));
+    TRY_VOID(device->choose_physical(options.name));
+    device->make_device();
+    return device;
+}
+
+Result<void> Device::make_instance(bool validation) {
+    std::vector<const char*> layers;
+    std::vector<const char*> extensions;
+    if (validation) {
+        std::uint32_t count = 0;
+        vkEnumerateInstanceLayerProperties(&count, nullptr);
+        std::vector<VkLayerProperties> all(count);
+        vkEnumerateInstanceLayerProperties(&count, all.data());
+        const bool there = std::any_of(all.begin(), all.end(), [](const VkLayerProperties& layer) {
+            return std::strcmp(layer.layerName, kValidationLayer) == 0;
+        });
+        if (!there)
+            return Error{"the Vulkan validation layer is not installed (package vulkan-validationlayers)",
+                         ""};
+        layers.push_back(kValidationLayer);
+        extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    }
+    VkApplicationInfo application{
+        VK_STRUCTURE_TYPE_APPLICATION_INFO, nullptr, "ghostlight", 1, "ghostlight", 1, VK_API_VERSION_1_3};
+    VkInstanceCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+    info.pApplicationInfo = &application;
+    info.enabledLayerCount = static_cast<std::uint32_t>(layers.size());
+    info.ppEnabledLayerNames = layers.data();
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
+    if (vkCreateInstance(&info, nullptr, &instance_) != VK_SUCCESS)
+        return Error{"no Vulkan driver found; Mesa's software driver is Debian's package mesa-vulkan-drivers",
+                     ""};
+    if (validation) {
+        VkDebugUtilsMessengerCreateInfoEXT messenger{};
+        messenger.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+        messenger.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+        messenger.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
+        messenger.pfnUserCallback = &Device::on_validation;
+        messenger.pUserData = this;
+        const auto create = reinterpret_cast<PFN_vkCreateDebugUtilsMessengerEXT>(
+            vkGetInstanceProcAddr(instance_, "vkCreateDebugUtilsMessengerEXT"));
+        VK_CALL(create(instance_, &messenger, nullptr, &messenger_));
+    }
+    return {};
+}
+
+Result<void> Device::choose_physical(const std::string& wanted) {
+    std::uint32_t count = 0;
+    VK_CALL(vkEnumeratePhysicalDevices(instance_, &count, nullptr));
+    std::vector<VkPhysicalDevice> all(count);
+    if (count > 0) VK_CALL(vkEnumeratePhysicalDevices(instance_, &count, all.data()));
+
+    std::string found;
+    int best = -1;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        VkPhysicalDeviceProperties properties;
+        vkGetPhysicalDeviceProperties(all[i], &properties);
+        const std::string lack = missing(all[i], properties);
+        found += "\n  " + std::to_string(i) + ": " + properties.deviceName +
+                 (lack.empty() ? "" : " (lacks " + lack + ")");
+        if (!lack.empty()) continue;
+        const bool matches = wanted.empty() || wanted == std::to_string(i) ||
+                             lower(properties.deviceName).find(lower(wanted)) != std::string::npos;
+        if (!matches || rank(properties.deviceType) <= best) continue;
+        best = rank(properties.deviceType);
+        physical_ = all[i];
+        name_ = properties.deviceName;
+        timestamp_period_ns_ = static_cast<double>(properties.limits.timestampPeriod);
+    }
+    if (physical_ != VK_NULL_HANDLE) return {};
+    const std::string list =
+        found.empty() ? " none; Mesa's software driver is Debian's package mesa-vulkan-drivers" : found;
+    if (wanted.empty()) return Error{"no Vulkan device serves; found:" + list, ""};
+    return Error{"no Vulkan device named '" + wanted + "' serves; found:" + list, "--device"};
+}
+
+void Device::make_device() {
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, families.data());
+    constexpr VkQueueFlags kBoth = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const bool both = (families[i].queueFlags & kBoth) == kBoth;
+        if (both || (families[i].queueFlags & VK_QUEUE_COMPUTE_BIT)) queue_family_ = i;
+        if (both) break;
+    }
+
+    const float priority = 1.0f;
+    VkDeviceQueueCreateInfo queue{};
+    queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+    queue.queueFamilyIndex = queue_family_;
+    queue.queueCount = 1;
+    queue.pQueuePriorities = &priority;
+
+    VkPhysicalDeviceVulkan13Features f13{};
+    f13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    f13.synchronization2 = VK_TRUE;
+    f13.maintenance4 = VK_TRUE; // glslc writes LocalSizeId
+    VkPhysicalDeviceVulkan12Features f12{};
+    f12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    f12.pNext = &f13;
+    f12.bufferDeviceAddress = VK_TRUE;
+    f12.scalarBlockLayout = VK_TRUE;
+
+    const char* extension = VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME;
+    VkDeviceCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+    info.pNext = &f12;
+    info.queueCreateInfoCount = 1;
+    info.pQueueCreateInfos = &queue;
+    info.enabledExtensionCount = 1;
+    info.ppEnabledExtensionNames = &extension;
+    VK_CALL(vkCreateDevice(physical_, &info, nullptr, &device_));
+    vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
+    push_descriptors_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
+        vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
+
+    // One layout serves every program: buffers come as addresses in the push constants, and binding 0 is the
+    // gobo stack.
+    VkDescriptorSetLayoutBinding binding{};
+    binding.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    binding.descriptorCount = 1;
+    binding.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
+    VkDescriptorSetLayoutCreateInfo set{};
+    set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    set.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
+    set.bindingCount = 1;
+    set.pBindings = &binding;
+    VK_CALL(vkCreateDescriptorSetLayout(device_, &set, nullptr, &set_layout_));
+    const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, kPushBytes};
+    VkPipelineLayoutCreateInfo layout{};
+    layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    layout.setLayoutCount = 1;
+    layout.pSetLayouts = &set_layout_;
+    layout.pushConstantRangeCount = 1;
+    layout.pPushConstantRanges = &push;
+    VK_CALL(vkCreatePipelineLayout(device_, &layout, nullptr, &layout_));
+
+    vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
+    for (std::uint32_t i = 0; i < memory_.memoryHeapCount; ++i)
+        if (memory_.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)
+            local_memory_bytes_ = std::max<std::uint64_t>(local_memory_bytes_, memory_.memoryHeaps[i].size);
+}
+
+std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const {
+    std::uint32_t best = 0;
+    int best_score = -1;
+    for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
+        if (!(allowed & (1u << i))) continue;
+        const VkMemoryPropertyFlags has = memory_.memoryTypes[i].propertyFlags;
+        int score = 0;
+        for (std::uint32_t bit = 0; bit < 32; ++bit)
+            if ((wanted & (1u << bit)) && (has & (1u << bit))) ++score;
+        if (score > best_score) {
+            best_score = score;
+            best = i;
+        }
+    }
+    return best;
+}
+
+Device::~Device() {
+    if (device_ != VK_NULL_HANDLE) {
+        vkDeviceWaitIdle(device_);
+        vkDestroyPipelineLayout(device_, layout_, nullptr);
+        vkDestroyDescriptorSetLayout(device_, set_layout_, nullptr);
+        vkDestroyDevice(device_, nullptr);
+    }
+    if (messenger_ != VK_NULL_HANDLE) {
+        const auto destroy = reinterpret_cast<PFN_vkDestroyDebugUtilsMessengerEXT>(
+            vkGetInstanceProcAddr(instance_, "vkDestroyDebugUtilsMessengerEXT"));
+        destroy(instance_, messenger_, nullptr);
+    }
+    if (instance_ != VK_NULL_HANDLE) vkDestroyInstance(instance_, nullptr);
+}
+
+} // namespace ghost::gpu

@@ -1,0 +1,79 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Device: one Vulkan 1.3 device with one queue. Whoever creates it keeps it alive until all that was made
+// from it is gone. A failing Vulkan call prints the call, file and line and ends the program (VK_CALL):
+// memory and driver faults leave nothing to go on with. Main thread.
+
+#include "base/result.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+#include <vulkan/vulkan.h>
+
+namespace ghost::gpu {
+
+struct DeviceOptions {
+    std::string
+        name; // part of a device's name (case does not count), or its number in list_devices; empty: the best
+    bool validation = false; // report misuse through the Khronos validation layer where it is installed
+};
+
+class Device {
+public:
+    // Error: no Vulkan 1.3 device with the features that we need; the text lists what was found.
+    static Result<std::unique_ptr<Device>> create(const DeviceOptions& options);
+    ~Device();
+    Device(const Device&) = delete;
+    Device& operator=(const Device&) = delete;
+
+    VkDevice handle() const { return device_; }
+    VkPhysicalDevice physical() const { return physical_; }
+    VkQueue queue() const { return queue_; }
+    std::uint32_t queue_family() const { return queue_family_; }
+    VkPipelineLayout layout() const { return layout_; }
+    VkDescriptorSetLayout set_layout() const { return set_layout_; }
+    PFN_vkCmdPushDescriptorSetKHR push_descriptors() const { return push_descriptors_; }
+
+    const std::string& name() const { return name_; } // "llvmpipe (LLVM 15.0.6, 256 bits)"
+    double timestamp_period_ns() const { return timestamp_period_ns_; }
+    std::uint64_t local_memory_bytes() const { return local_memory_bytes_; }
+    std::size_t validation_errors() const { return validation_errors_; }
+
+    // Index of a memory type among `allowed` with all wanted properties, or with as many of them as there is.
+    std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const;
+
+private:
+    Device() = default;
+    static VKAPI_ATTR VkBool32 VKAPI_CALL on_validation(VkDebugUtilsMessageSeverityFlagBitsEXT,
+                                                        VkDebugUtilsMessageTypeFlagsEXT,
+                                                        const VkDebugUtilsMessengerCallbackDataEXT*, void*);
+    Result<void> make_instance(bool validation);
+    Result<void> choose_physical(const std::string& name);
+    void make_device();
+
+    VkInstance instance_ = VK_NULL_HANDLE;
+    VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
+    VkPhysicalDevice physical_ = VK_NULL_HANDLE;
+    VkDevice device_ = VK_NULL_HANDLE;
+    VkQueue queue_ = VK_NULL_HANDLE;
+    VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
+    VkPipelineLayout layout_ = VK_NULL_HANDLE;
+    PFN_vkCmdPushDescriptorSetKHR push_descriptors_ = nullptr;
+    VkPhysicalDeviceMemoryProperties memory_{};
+    std::uint32_t queue_family_ = 0;
+    std::string name_;
+    double timestamp_period_ns_ = 1;
+    std::uint64_t local_memory_bytes_ = 0;
+    std::size_t validation_errors_ = 0;
+};
+
+[[noreturn]] void vulkan_failed(const char* call, const char* file, int line, VkResult result);
+
+} // namespace ghost::gpu
+
+#define VK_CALL(call)                                                                                        \
+    do {                                                                                                     \
+        const VkResult vk_result = (call);                                                                   \
+        if (vk_result != VK_SUCCESS) ghost::gpu::vulkan_failed(#call, __FILE__, __LINE__, vk_result);        \
+    } while (false)
