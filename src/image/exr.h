@@ -1,12 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// OpenEXR files: linear images with named channels and chromaticities. Reading is limited to 16384 x 16384 pixels and 16
-// channels; errors name the file and what was expected. Writing is atomic. Any thread.
+// OpenEXR files: linear images with named channels and chromaticities. Reading is limited to 16384 pixels a
+// side, 64 channels and 512 Mi samples; errors name the file and what was expected. Writing is atomic. Any
+// thread.
 
 #include "base/result.h"
+#include "image/colour.h"
 #include "image/image.h"
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -17,21 +18,23 @@ namespace ghost::image {
 
 enum class ExrSample { half, full };
 
-// CIE xy of red, green, blue, white.
-using Chromaticities = std::array<float, 8>;
-inline constexpr Chromaticities kRec709{0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
-inline constexpr Chromaticities kRec2020{0.708f, 0.292f, 0.170f, 0.797f, 0.131f, 0.046f, 0.3127f, 0.3290f};
-
 struct ExrFile {
-    ImageF pixels;
-    std::vector<std::string> channels; // name of each channel of pixels, e.g. R G B (this order where all are there)
+    ImageF pixels; // the display window; black where the file has no data
+    // Name of each channel of pixels: R G B A first, then the others by name. A layer prefix is taken off
+    // ("ViewLayer.Combined.R" is R) unless two channels would then have one name: a layer called Combined has
+    // the short names, the others keep their long ones.
+    std::vector<std::string> channels;
     std::optional<Chromaticities> chromaticities;
     std::map<std::string, std::string> text; // string attributes
+
+    // Index of the channel of this name in pixels, or -1.
+    int find_channel(const std::string& name) const;
 };
 
 Result<ExrFile> read_exr(const std::filesystem::path& path);
 
-// Channel k of file.pixels is written as file.channels[k]. ZIP compression (lossless).
+// Channel k of file.pixels is written as file.channels[k]. ZIP compression (lossless). Finite values beyond
+// the range of half are stored as its largest, 65504.
 Result<void> write_exr(const std::filesystem::path& path, const ExrFile& file, ExrSample sample);
 
 } // namespace ghost::image

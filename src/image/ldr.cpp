@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/ldr.h"
+
+#include "base/check.h"
+#include "base/files.h"
+
+#define STBI_NO_STDIO
+#define STBI_ONLY_PNG
+#define STBI_ONLY_JPEG
+#define STBI_MAX_DIMENSIONS 16384
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_WRITE_NO_STDIO
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STB_IMAGE_WRITE_STATIC
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace ghost::image {
+namespace {
+
+constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{512} << 20;
+
+// stb shows what it has of a JPEG that ends early; the end marker tells.
+bool jpeg_cut_short(Bytes bytes) {
+    constexpr std::array<std::uint8_t, 2> kStart{0xff, 0xd8};
+    constexpr std::array<std::uint8_t, 2> kEnd{0xff, 0xd9};
+    return bytes.size() > 2 && std::equal(kStart.begin(), kStart.end(), bytes.begin()) &&
+           std::find_end(bytes.begin(), bytes.end(), kEnd.begin(), kEnd.end()) == bytes.end();
+}
+
+void append(void* target, void* data, int size) {
+    auto* bytes = static_cast<std::vector<std::uint8_t>*>(target);
+    const auto* begin = static_cast<const std::uint8_t*>(data);
+    bytes->insert(bytes->end(), begin, begin + size);
+}
+
+} // namespace
+
+Result<Image8> decode_ldr(Bytes bytes, const std::string& name) {
+    if (bytes.size() > kMaxFileBytes) return Error{"picture file is larger than the limit of 512 MiB", name};
+    if (jpeg_cut_short(bytes)) return Error{"the JPEG picture is cut short (no end marker)", name};
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
+        stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height, &channels, 4),
+        stbi_image_free);
+    if (!pixels)
+        return Error{std::string("not a readable PNG or JPEG picture of at most 16384 pixels a side: ") +
+                         stbi_failure_reason(),
+                     name};
+    Image8 image;
+    image.width = width;
+    image.height = height;
+    image.channels = 4;
+    image.samples.assign(pixels.get(), pixels.get() + static_cast<std::size_t>(width) *
+                                                          static_cast<std::size_t>(height) * 4);
+    return image;
+}
+
+Result<Image8> read_ldr(const std::filesystem::path& path) {
+    TRY(const auto bytes, read_file(path, kMaxFileBytes));
+    return decode_ldr(bytes, path.string());
+}
+
+Result<void> write_png(const std::filesystem::path& path, const Image8& pixels) {
+    CHECK(pixels.width > 0 && pixels.height > 0);
+    CHECK(pixels.channels == 3 || pixels.channels == 4);
+    std::vector<std::uint8_t> bytes;
+    if (!stbi_write_png_to_func(append, &bytes, pixels.width, pixels.height, pixels.channels,
+                                pixels.samples.data(), pixels.width * pixels.channels))
+        return Error{"cannot encode as PNG", path.string()};
+    return write_file_atomic(path, bytes);
+}
+
+} // namespace ghost::image

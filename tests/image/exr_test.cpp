@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "image/exr.h"
+
+#include "base/files.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <csignal>
+#include <cstdint>
+#include <limits>
+#include <sys/resource.h>
+
+namespace ghost::image {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path scratch(const std::string& name) {
+    const fs::path folder = fs::path(testing::TempDir()) / "ghost_exr_test";
+    fs::create_directories(folder);
+    return folder / name;
+}
+
+ExrFile sample_file(std::vector<std::string> channels) {
+    ExrFile file;
+    file.pixels = ImageF(37, 19, static_cast<int>(channels.size()));
+    std::uint32_t state = 1;
+    for (float& value : file.pixels.samples) {
+        state = state * 1664525u + 1013904223u;
+        value = std::bit_cast<float>((state & 0x007fffffu) | 0x3f000000u) * 3.0f;
+    }
+    file.channels = std::move(channels);
+    return file;
+}
+
+TEST(Exr, FloatRoundTripIsBitExact) {
+    ExrFile file = sample_file({"R", "G", "B", "A", "V", "X"});
+    file.pixels.samples[0] = -0.0f;
+    file.pixels.samples[1] = 1e-42f;
+    file.pixels.samples[2] = std::numeric_limits<float>::infinity();
+    file.pixels.samples[3] = std::numeric_limits<float>::quiet_NaN();
+    file.chromaticities = kRec2020;
+    file.text["ghost:key"] = "abc";
+    const fs::path path = scratch("float.exr");
+    ASSERT_TRUE(write_exr(path, file, ExrSample::full).ok());
+    const auto back = read_exr(path);
+    ASSERT_TRUE(back.ok()) << back.error().text();
+    EXPECT_EQ(back->channels, file.channels);
+    ASSERT_EQ(back->pixels.samples.size(), file.pixels.samples.size());
+    for (std::size_t k = 0; k < file.pixels.samples.size(); ++k)
+        ASSERT_EQ(std::bit_cast<std::uint32_t>(back->pixels.samples[k]),
+                  std::bit_cast<std::uint32_t>(file.pixels.samples[k]))
+            << k;
+    EXPECT_EQ(back->chromaticities, kRec2020);
+    EXPECT_EQ(back->text.at("ghost:key"), "abc");
+    EXPECT_EQ(back->find_channel("V"), 4);
+    EXPECT_EQ(back->find_channel("Z"), -1);
+}
+
+TEST(Exr, HalfKeepsHalfValuesAndStaysFinite) {
+    ExrFile file = sample_file({"R"});
+    file.pixels = ImageF(5, 1, 1);
+    file.pixels.samples = {1.0f, 0.333251953125f, -65504.0f, 1e9f, 5.9604644775390625e-08f};
+    const fs::path path = scratch("half.exr");
+    ASSERT_TRUE(write_exr(path, file, ExrSample::half).ok());
+    const auto back = read_exr(path);
+    ASSERT_TRUE(back.ok());
+    EXPECT_EQ(back->pixels.samples,
+              (std::vector<float>{1.0f, 0.333251953125f, -65504.0f, 65504.0f, 5.9604644775390625e-08f}));
+    EXPECT_FALSE(back->chromaticities.has_value());
+}
+
+TEST(Exr, ColourChannelsComeFirst) {
+    const fs::path path = scratch("order.exr");
+    ASSERT_TRUE(write_exr(path, sample_file({"A", "B", "G", "Index", "R", "Z"}), ExrSample::full).ok());
+    const auto back = read_exr(path);
+    ASSERT_TRUE(back.ok());
+    EXPECT_EQ(back->channels, (std::vector<std::string>{"R", "G", "B", "A", "Index", "Z"}));
+}
+
+TEST(Exr, BlenderLayerNamesAreTakenOff) {
+    const fs::path path = scratch("blender.exr");
+    ASSERT_TRUE(
+        write_exr(path,
+                  sample_file({"ViewLayer.Combined.B", "ViewLayer.Combined.G", "ViewLayer.Combined.R",
+                               "ViewLayer.Position.X", "ViewLayer.Position.Y", "ViewLayer.Position.Z"}),
+                  ExrSample::full)
+            .ok());
+    const auto back = read_exr(path);
+    ASSERT_TRUE(back.ok());
+    EXPECT_EQ(back->channels, (std::vector<std::string>{"R", "G", "B", "X", "Y", "Z"}));
+}
+
+TEST(Exr, CombinedLayerWinsTheShortName) {
+    const fs::path path = scratch("layers.exr");
+    ASSERT_TRUE(
+        write_exr(path, sample_file({"RenderLayer.Combined.R", "RenderLayer.DiffDir.R"}), ExrSample::full)
+            .ok());
+    const auto back = read_exr(path);
+    ASSERT_TRUE(back.ok());
+    EXPECT_EQ(back->channels, (std::vector<std::string>{"R", "RenderLayer.DiffDir.R"}));
+    ASSERT_TRUE(write_exr(path, sample_file({"Combined.R", "L.Combined.R", "R"}), ExrSample::full).ok());
+    const auto plain = read_exr(path);
+    ASSERT_TRUE(plain.ok());
+    EXPECT_EQ(plain->channels, (std::vector<std::string>{"R", "Combined.R", "L.Combined.R"}));
+}
+
+TEST(Exr, EveryTruncationIsAnError) {
+    const fs::path path = scratch("whole.exr");
+    ASSERT_TRUE(write_exr(path, sample_file({"R", "G", "B"}), ExrSample::half).ok());
+    const auto bytes = read_file(path, 1 << 20);
+    ASSERT_TRUE(bytes.ok());
+    const fs::path cut = scratch("cut.exr");
+    for (std::size_t length = 0; length < bytes->size(); length += 7) {
+        ASSERT_TRUE(write_file_atomic(cut, Bytes(*bytes).first(length)).ok());
+        const auto back = read_exr(cut);
+        ASSERT_FALSE(back.ok()) << "accepted " << length << " of " << bytes->size() << " bytes";
+        EXPECT_EQ(back.error().where, cut.string());
+    }
+}
+
+TEST(Exr, MissingFileAndFolder) {
+    EXPECT_NE(read_exr(scratch("absent.exr")).error().what.find("no such file"), std::string::npos);
+    EXPECT_NE(read_exr(scratch("x").parent_path()).error().what.find("not a plain file"), std::string::npos);
+}
+
+// A limit on the size of files fails writes as a full disk does.
+TEST(Exr, FullDiskIsAnErrorAndLeavesTheOldFile) {
+    const fs::path path = scratch("full/picture.exr");
+    fs::remove_all(path.parent_path());
+    fs::create_directories(path.parent_path());
+    ASSERT_TRUE(write_file_atomic(path, "old").ok());
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit limit{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
+    const rlimit small{1000, limit.rlim_max};
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const auto written = write_exr(path, sample_file({"R", "G", "B"}), ExrSample::full);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+    ASSERT_FALSE(written.ok());
+    EXPECT_EQ(written.error().where, path.string());
+    EXPECT_EQ(*read_text_file(path, 100), "old");
+    EXPECT_EQ(std::distance(fs::directory_iterator(path.parent_path()), fs::directory_iterator()), 1);
+}
+
+} // namespace
+} // namespace ghost::image
