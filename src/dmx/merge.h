@@ -59,8 +59,12 @@ public:
     void feed(const Packet& packet, std::chrono::nanoseconds now);
     // Lets silent sources go. Call a few times a second.
     void tick(std::chrono::nanoseconds now);
+    // Something changed since the last call of universes().
+    bool pending() const { return !dirty_.empty(); }
     // The levels after everything fed so far.
     const Universes& universes();
+    // What universes() returned last.
+    const Universes& current() const { return universes_; }
 
     std::vector<SourceStatus> sources(std::chrono::nanoseconds now) const;
     const MergeCounters& counters() const { return counters_; }
@@ -88,6 +92,7 @@ private:
     struct Input {
         std::vector<Source> sources;
         std::chrono::nanoseconds arrival{0};
+        bool seen = false; // levels arrived at least once
         bool dirty = false;
     };
 

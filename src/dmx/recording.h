@@ -19,7 +19,7 @@
 namespace ghost::dmx {
 
 inline constexpr std::uintmax_t kMaxRecordingBytes = 512u << 20;
-inline constexpr std::size_t kMaxRecordingFrames = 2'000'000;
+inline constexpr std::size_t kMaxRecordingFrames = 1'000'000;
 
 struct RecordedFrame {
     std::chrono::milliseconds time{0}; // since the first frame
@@ -65,7 +65,7 @@ private:
     std::filesystem::path path_;
     std::FILE* file_ = nullptr;
     std::map<std::uint16_t, Written> written_;
-    std::chrono::milliseconds start_{0}, last_{0};
+    std::chrono::milliseconds last_{0};
     std::size_t frames_ = 0;
     std::uintmax_t bytes_ = 0;
 };
@@ -83,7 +83,12 @@ public:
 
 private:
     Recording recording_;
-    std::map<std::uint16_t, std::vector<std::size_t>> by_universe_; // indices into frames, by time
+    struct Step {
+        std::chrono::milliseconds time;
+        std::size_t frame;
+        std::uint64_t revision;
+    };
+    std::map<std::uint16_t, std::vector<Step>> by_universe_; // by time
 };
 
 } // namespace ghost::dmx

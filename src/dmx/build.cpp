@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dmx/build.h"
+
+#include "base/check.h"
+
+#include <algorithm>
+
+namespace ghost::dmx {
+
+namespace {
+
+void put_u16(std::vector<std::uint8_t>& out, std::size_t value) {
+    out.push_back(static_cast<std::uint8_t>(value >> 8));
+    out.push_back(static_cast<std::uint8_t>(value));
+}
+
+void put_u32(std::vector<std::uint8_t>& out, std::uint32_t value) {
+    put_u16(out, value >> 16);
+    put_u16(out, value & 0xFFFFu);
+}
+
+void put_text(std::vector<std::uint8_t>& out, const std::string& text, std::size_t size) {
+    const std::size_t used = std::min(text.size(), size - 1);
+    out.insert(out.end(), text.begin(), text.begin() + static_cast<std::ptrdiff_t>(used));
+    out.insert(out.end(), size - used, 0);
+}
+
+} // namespace
+
+std::vector<std::uint8_t> build_sacn(std::uint16_t universe, Bytes slots, std::uint8_t sequence,
+                                     std::uint8_t priority, const std::array<std::uint8_t, 16>& cid,
+                                     const std::string& source_name, std::uint8_t options,
+                                     std::uint8_t start_code) {
+    CHECK(slots.size() <= kSlots);
+    const std::size_t size = 126 + slots.size();
+    const auto layer = [size](std::size_t offset) { return 0x7000u | (size - offset); };
+    std::vector<std::uint8_t> out;
+    out.reserve(size);
+    put_u16(out, 0x0010);
+    put_u16(out, 0);
+    for (const char letter : {'A', 'S', 'C', '-', 'E', '1', '.', '1', '7', '\0', '\0', '\0'})
+        out.push_back(static_cast<std::uint8_t>(letter));
+    put_u16(out, layer(16));
+    put_u32(out, 4);
+    out.insert(out.end(), cid.begin(), cid.end());
+    put_u16(out, layer(38));
+    put_u32(out, 2);
+    put_text(out, source_name, 64);
+    out.push_back(priority);
+    put_u16(out, 0); // no synchronisation
+    out.push_back(sequence);
+    out.push_back(options);
+    put_u16(out, universe);
+    put_u16(out, layer(115));
+    out.push_back(2);
+    out.push_back(0xA1);
+    put_u16(out, 0);
+    put_u16(out, 1);
+    put_u16(out, slots.size() + 1);
+    out.push_back(start_code);
+    out.insert(out.end(), slots.begin(), slots.end());
+    CHECK_EQ(out.size(), size);
+    return out;
+}
+
+std::vector<std::uint8_t> build_artdmx(std::uint16_t port_address, Bytes slots, std::uint8_t sequence) {
+    CHECK(slots.size() <= kSlots && port_address < 0x8000);
+    const std::size_t length = slots.size() + slots.size() % 2;
+    std::vector<std::uint8_t> out{'A', 'r', 't', '-', 'N', 'e', 't', 0, 0x00, 0x50, 0, 14};
+    out.reserve(18 + length);
+    out.push_back(sequence);
+    out.push_back(0); // Physical
+    out.push_back(static_cast<std::uint8_t>(port_address));
+    out.push_back(static_cast<std::uint8_t>(port_address >> 8));
+    put_u16(out, length);
+    out.insert(out.end(), slots.begin(), slots.end());
+    out.resize(18 + length);
+    return out;
+}
+
+std::array<std::uint8_t, 239> build_poll_reply(const PollReply& reply) {
+    CHECK(reply.port_address < 0x8000);
+    std::vector<std::uint8_t> out{'A', 'r', 't', '-', 'N', 'e', 't', 0, 0x00, 0x21};
+    put_u32(out, reply.ipv4);
+    out.push_back(0x36); // port 6454, low byte first
+    out.push_back(0x19);
+    put_u16(out, 1);                                                   // firmware version
+    out.push_back(static_cast<std::uint8_t>(reply.port_address >> 8)); // NetSwitch
+    out.push_back((reply.port_address >> 4) & 15);                     // SubSwitch
+    put_u16(out, 0x00FF);                                              // OEM code: unknown
+    out.push_back(0);                                                  // no UBEA
+    out.push_back(0xE0); // Status1: indicators normal, set from the network
+    put_u16(out, 0);     // no ESTA manufacturer code
+    put_text(out, reply.short_name, 18);
+    put_text(out, reply.long_name, 64);
+    put_text(out, reply.report, 64);
+    put_u16(out, 1);                              // one port
+    out.insert(out.end(), {0x80, 0, 0, 0});       // PortTypes: DMX512 output
+    out.insert(out.end(), 4, 0);                  // GoodInput
+    out.push_back(reply.receiving ? 0x80 : 0x00); // GoodOutputA
+    out.insert(out.end(), 3 + 4, 0);              // rest of it, SwIn
+    out.push_back(reply.port_address & 15);       // SwOut
+    out.insert(out.end(), 3 + 3 + 3, 0);          // rest of it; AcnPriority, SwMacro, SwRemote; spare
+    out.push_back(0);                             // Style: node, because some desks send to nothing else
+    out.insert(out.end(), 6, 0);                  // MAC address not told
+    put_u32(out, reply.ipv4);                     // BindIp
+    out.push_back(reply.bind_index);
+    out.push_back(0x08); // Status2: 15-bit Port-Address
+    CHECK_EQ(out.size(), 213u);
+    std::array<std::uint8_t, 239> bytes{};
+    std::copy(out.begin(), out.end(), bytes.begin());
+    return bytes;
+}
+
+} // namespace ghost::dmx

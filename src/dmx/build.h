@@ -1,0 +1,40 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Packets we send: levels as sACN (ANSI E1.31-2018) or ArtDmx, and ArtPollReply (Art-Net 4, 239 bytes, one
+// port each). Pure; bytes as they go on the wire.
+
+#include "dmx/packet.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ghost::dmx {
+
+// slots: at most 512, sent as they are. options: 0x80 preview, 0x40 stream terminated.
+std::vector<std::uint8_t> build_sacn(std::uint16_t universe, Bytes slots, std::uint8_t sequence,
+                                     std::uint8_t priority, const std::array<std::uint8_t, 16>& cid,
+                                     const std::string& source_name, std::uint8_t options = 0,
+                                     std::uint8_t start_code = 0);
+
+// port_address: 15 bits. An odd number of slots gets one more, of level 0 (Art-Net lengths are even).
+std::vector<std::uint8_t> build_artdmx(std::uint16_t port_address, Bytes slots, std::uint8_t sequence);
+
+struct PollReply {
+    std::uint32_t ipv4 = 0; // ours, host byte order
+    std::uint16_t port_address = 0;
+    std::uint8_t bind_index = 1; // 1-based; past 255 the index stays 255
+    bool receiving = false;      // levels arrive for this port right now
+    std::string short_name;      // at most 17 bytes are sent
+    std::string long_name;       // at most 63
+    std::string report;          // at most 63
+};
+std::array<std::uint8_t, 239> build_poll_reply(const PollReply& reply);
+
+// The multicast group of a universe, 239.255.hi.lo, host byte order.
+constexpr std::uint32_t sacn_group(std::uint16_t universe) {
+    return 0xEFFF0000u | universe;
+}
+
+} // namespace ghost::dmx

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// ANSI E1.31-2018 sections 4 to 7: root, framing and DMP layer of a data packet.
+#include "dmx/packet.h"
+
+#include <algorithm>
+
+namespace ghost::dmx {
+
+namespace {
+
+constexpr std::uint8_t kIdentifier[16] = {0x00, 0x10, 0x00, 0x00, 'A', 'S', 'C', '-',
+                                          'E',  '1',  '.',  '1',  '7', 0,   0,   0};
+constexpr std::uint32_t kRootData = 4, kRootExtended = 8;
+constexpr std::uint32_t kFramingData = 2, kFramingSync = 1, kFramingDiscovery = 2;
+constexpr std::uint32_t kFramingDraftDiscovery =
+    4; // the 2014 draft, still sent by OLA 0.10.9, with the root of data
+
+} // namespace
+
+Parsed parse_sacn(Bytes bytes, std::uint32_t from_ipv4) {
+    ByteReader reader(bytes);
+    const Bytes identifier = reader.take(sizeof kIdentifier);
+    if (!reader.ok()) return Drop::too_short;
+    if (!std::equal(identifier.begin(), identifier.end(), kIdentifier)) return Drop::not_ours;
+
+    Packet packet;
+    packet.protocol = Protocol::sacn;
+    packet.source.protocol = Protocol::sacn;
+    packet.from_ipv4 = from_ipv4;
+    reader.skip(2); // flags and length: real senders get it wrong, so the size of the datagram decides
+    const std::uint32_t root = reader.u32_be();
+    const Bytes cid = reader.take(16);
+    reader.skip(2);
+    const std::uint32_t framing = reader.u32_be();
+    if (!reader.ok()) return Drop::too_short;
+    std::copy(cid.begin(), cid.end(), packet.source.id.begin());
+    if (root == kRootExtended) {
+        if (framing == kFramingSync) return Notice::sync;
+        return framing == kFramingDiscovery ? Parsed(Notice::discovery) : Parsed(Drop::bad_vector);
+    }
+    if (root == kRootData && framing == kFramingDraftDiscovery) return Notice::discovery;
+    if (root != kRootData || framing != kFramingData) return Drop::bad_vector;
+
+    const Bytes name = reader.take(64);
+    packet.priority = reader.u8();
+    packet.sync_universe = reader.u16_be();
+    packet.sequence = reader.u8();
+    const std::uint8_t options = reader.u8();
+    packet.universe = reader.u16_be();
+    reader.skip(2);
+    const std::uint8_t dmp_vector = reader.u8();
+    const std::uint8_t address_type = reader.u8();
+    const std::uint16_t first = reader.u16_be();
+    const std::uint16_t increment = reader.u16_be();
+    const std::uint16_t count = reader.u16_be();
+    packet.start_code = reader.u8();
+    if (!reader.ok() || count == 0) return Drop::too_short;
+    if (dmp_vector != 2 || address_type != 0xA1 || first != 0 || increment != 1) return Drop::bad_vector;
+    if (packet.priority > 200) return Drop::bad_priority;
+    if (packet.universe < 1 || packet.universe > kMaxUniverse) return Drop::bad_universe;
+    if (packet.start_code != 0x00 && packet.start_code != 0xDD) return Drop::bad_start_code;
+
+    const auto name_end = std::find(name.begin(), std::prev(name.end()), std::uint8_t{0});
+    packet.source_name.assign(name.begin(), name_end);
+    packet.preview = (options & 0x80) != 0;
+    packet.terminated = (options & 0x40) != 0;
+    const std::size_t slots = std::min({static_cast<std::size_t>(count) - 1, reader.left(), kSlots});
+    const Bytes levels = reader.take(slots);
+    std::copy(levels.begin(), levels.end(), packet.slots.begin());
+    packet.slot_count = static_cast<std::uint16_t>(slots);
+    return packet;
+}
+
+} // namespace ghost::dmx

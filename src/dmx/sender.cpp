@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dmx/sender.h"
+
+#include "dmx/build.h"
+#include "dmx/socket.h"
+
+#include <random>
+
+namespace ghost::dmx {
+
+Sender::Sender(SenderOptions options, std::unique_ptr<UdpSocket> socket, std::uint32_t target)
+    : options_(std::move(options)), socket_(std::move(socket)), target_(target) {
+    if (options_.port == 0) options_.port = options_.protocol == Protocol::sacn ? kSacnPort : kArtnetPort;
+    // A new source each time: the receivers' sequence rules start afresh.
+    std::random_device random;
+    for (auto& byte : cid_) byte = static_cast<std::uint8_t>(random());
+    cid_[6] = static_cast<std::uint8_t>((cid_[6] & 0x0F) | 0x40); // a version 4 UUID
+    cid_[8] = static_cast<std::uint8_t>((cid_[8] & 0x3F) | 0x80);
+}
+
+Sender::Sender(Sender&&) noexcept = default;
+Sender::~Sender() = default;
+
+Result<Sender> Sender::open(const SenderOptions& options) {
+    std::uint32_t target = 0;
+    TRY(auto socket, UdpSocket::open(0, 0, 64 << 10));
+    if (!options.destination.empty()) {
+        TRY(target, parse_ipv4(options.destination));
+    }
+    if (!options.interface.empty()) {
+        TRY(const NetInterface interface, find_interface(options.interface));
+        TRY_VOID(socket->send_multicast_through(interface));
+        if (target == 0 && options.protocol == Protocol::artnet) target = interface.broadcast;
+    }
+    if (target == 0 && options.protocol == Protocol::artnet) target = 0xFFFFFFFFu;
+    return Sender(options, std::move(socket), target);
+}
+
+std::uint32_t Sender::destination(std::uint16_t universe) const {
+    return target_ ? target_ : sacn_group(universe);
+}
+
+Result<void> Sender::send(const Universes& universes) {
+    for (const Universe& universe : universes.list) {
+        std::uint8_t& sequence = sequence_[universe.number];
+        ++sequence;
+        std::vector<std::uint8_t> bytes;
+        if (options_.protocol == Protocol::sacn) {
+            bytes = build_sacn(universe.number, *universe.levels, sequence, options_.priority, cid_,
+                               options_.source_name);
+        } else {
+            const int port_address = universe.number - options_.artnet_offset;
+            if (port_address < 0 || port_address > 0x7FFF)
+                return Error{"universe " + std::to_string(universe.number) +
+                                 " has no Art-Net Port-Address, expected " +
+                                 std::to_string(options_.artnet_offset) + " to " +
+                                 std::to_string(0x7FFF + options_.artnet_offset),
+                             ""};
+            if (sequence == 0) sequence = 1; // 0 would mean "not numbered"
+            bytes = build_artdmx(static_cast<std::uint16_t>(port_address), *universe.levels, sequence);
+        }
+        TRY_VOID(socket_->send(bytes, destination(universe.number), options_.port));
+        ++packets_;
+    }
+    return {};
+}
+
+Result<void> Sender::terminate() {
+    if (options_.protocol != Protocol::sacn) return {};
+    for (int round = 0; round < 3; ++round) {
+        for (auto& [number, sequence] : sequence_) {
+            const auto bytes =
+                build_sacn(number, {}, ++sequence, options_.priority, cid_, options_.source_name, 0x40);
+            TRY_VOID(socket_->send(bytes, destination(number), options_.port));
+        }
+    }
+    return {};
+}
+
+} // namespace ghost::dmx
