@@ -34,9 +34,14 @@ bool has_extension(VkPhysicalDevice physical, const char* wanted) {
 // What a device lacks for us, or "".
 std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties& properties) {
     if (properties.apiVersion < VK_API_VERSION_1_3) return "Vulkan 1.3";
-    VkPhysicalDeviceVulkan13Features f13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES, nullptr};
-    VkPhysicalDeviceVulkan12Features f12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &f13};
-    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &f12, {}};
+    VkPhysicalDeviceVulkan13Features f13{};
+    f13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
+    VkPhysicalDeviceVulkan12Features f12{};
+    f12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
+    f12.pNext = &f13;
+    VkPhysicalDeviceFeatures2 features{};
+    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    features.pNext = &f12;
     vkGetPhysicalDeviceFeatures2(physical, &features);
     if (!f12.bufferDeviceAddress) return "bufferDeviceAddress";
     if (!f12.scalarBlockLayout) return "scalarBlockLayout";

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shader side of gobo_sample (shared/beam.h): the stack of shared/gobos.h as a texture array.
+layout(set = 0, binding = 0) uniform sampler2DArray gobo_stack;
+
+const float kGoboBlurUnit = 2.0 / 256.0;
+const float kGoboTopLevel = 6.0;
+
+vec3 gobo_sample(uint layer, vec2 gate, float blur) {
+    vec2 uv = gate * vec2(0.5, -0.5) + 0.5;
+    float level = clamp(log2(max(blur / kGoboBlurUnit, 1.0)), 0.0, kGoboTopLevel);
+    return textureLod(gobo_stack, vec3(uv, float(layer)), level).rgb;
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// Development: exposure in EV100 and a tone curve in the manner of AgX (Troy Sobotka; sigmoid as the polynomial fit by
+// Benjamin Wrensch), linear Rec.2020 cd/m^2 in, sRGB-encoded display values out. One definition for screen, PNG, film and
+// the metrics.
+#ifndef GHOST_SHARED_DEVELOP_H
+#define GHOST_SHARED_DEVELOP_H
+#include "shared/types.h"
+
+#ifdef __cplusplus
+namespace ghost::shared {
+using glm::mat3;
+}
+#endif
+
+SHARED_BEGIN
+
+SHARED_CONST float kMeterFloor = 0.01f; // cd/m^2; darker pixels are the hall, not the show
+SHARED_CONST float kAutoBias = 0.7f;    // a lit stage in a dark hall is exposed for its highlights
+SHARED_CONST float kAgxMinEv = -12.47393f;
+SHARED_CONST float kAgxMaxEv = 4.026069f;
+
+// Display factor: saturation-based speed, L_max = 1.2 2^EV100.
+SHARED_FN float exposure_of(float ev100) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return 1.0f / (1.2f * exp2(ev100));
+}
+
+SHARED_FN float luminance_of(vec3 rec2020) { return rec2020.x * 0.2627f + rec2020.y * 0.6780f + rec2020.z * 0.0593f; }
+
+SHARED_FN vec3 srgb_encode(vec3 linear) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    vec3 c = clamp(linear, vec3(0.0f), vec3(1.0f));
+    vec3 low = c * 12.92f;
+    vec3 high = 1.055f * pow(c, vec3(1.0f / 2.4f)) - 0.055f;
+    return vec3(c.x < 0.0031308f ? low.x : high.x, c.y < 0.0031308f ? low.y : high.y, c.z < 0.0031308f ? low.z : high.z);
+}
+
+SHARED_FN vec3 develop(vec3 rec2020, float exposure) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    mat3 inset = mat3(vec3(0.856627153315983f, 0.137318972929847f, 0.11189821299995f),
+                      vec3(0.0951212405381588f, 0.761241990602591f, 0.0767994186031903f),
+                      vec3(0.0482516061458583f, 0.101439036467562f, 0.811302368396859f));
+    mat3 outset = mat3(vec3(1.1271005818144368f, -0.1413297634984383f, -0.14132976349843826f),
+                       vec3(-0.11060664309660323f, 1.157823702216272f, -0.11060664309660294f),
+                       vec3(-0.016493938717834573f, -0.016493938717834257f, 1.2519364065950405f));
+    mat3 to_rec709 = mat3(vec3(1.660491f, -0.124550f, -0.018151f), vec3(-0.587641f, 1.132900f, -0.100579f),
+                          vec3(-0.072850f, -0.008349f, 1.118730f));
+    vec3 c = inset * max(rec2020 * exposure, vec3(0.0f));
+    c = clamp((log2(max(c, vec3(1e-10f))) - kAgxMinEv) / (kAgxMaxEv - kAgxMinEv), vec3(0.0f), vec3(1.0f));
+    vec3 c2 = c * c;
+    vec3 c4 = c2 * c2;
+    c = 15.5f * c4 * c2 - 40.14f * c4 * c + 31.96f * c4 - 6.868f * c2 * c + 0.4298f * c2 + 0.1191f * c - 0.00232f;
+    // A little of the saturation that the curve takes away: stage light is coloured on purpose.
+    float grey = dot(c, vec3(0.2126f, 0.7152f, 0.0722f));
+    c = vec3(grey) + 1.25f * (c - vec3(grey));
+    c = pow(max(outset * c, vec3(0.0f)), vec3(2.2f));
+    return srgb_encode(to_rec709 * c);
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,28 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// The gobo stack of a show: every picture on the wheels of its fixtures, blurred as shaders/shared/gobos.h
+// says. Built once when a show is opened; values.
+
+#include "scene/show.h"
+#include "shared/gobos.h"
+
+#include <map>
+#include <utility>
+
+namespace ghost::scene {
+
+struct GoboStack {
+    shared::Gobos images;
+    // (type, index into Type::media) -> layer; what is not in here is open (layer 0).
+    std::map<std::pair<const fixture::Type*, int>, std::uint32_t> layers;
+
+    std::uint32_t layer(const fixture::Type* type, int media) const;
+};
+
+// At most 2048 layers; more are left open, with a message.
+GoboStack build_gobos(const Show& show, Report& report);
+
+// One picture (RGBA8, sRGB, any size) appended as a new layer. Exposed for tests and measurements.
+void append_gobo(shared::Gobos& gobos, const std::uint8_t* rgba, int width, int height);
+
+} // namespace ghost::scene

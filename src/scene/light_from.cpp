@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// Physical values of a fixture -> shared::Light. Order of the optics: lamp (flux, colour temperature), dimmer
+// and shutter, CMY flags, colour wheels, gobo wheels, iris, zoom, focus.
+#include "image/colour.h"
+#include "scene/photometry.h"
+#include "scene/rig.h"
+#include "shared/beam.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::scene {
+namespace {
+
+using glm::vec3;
+
+// What the full flags let through, Rec.2020: dichroics of a touring CMY system, not ideal block dyes.
+const vec3 kCyanFull{0.03f, 0.72f, 0.90f};
+const vec3 kMagentaFull{0.80f, 0.03f, 0.75f};
+const vec3 kYellowFull{0.95f, 0.80f, 0.02f};
+
+constexpr std::uint32_t kOpenSamples = 4; // Screen Space Re-Rendering, section 2.2
+constexpr std::uint32_t kGoboSamples = 10;
+constexpr float kMinLens_m = 0.01f;
+constexpr float kSlotCentred = 0.004f; // of a slot; nearer than a wheel can stand
+
+// A flag that is half in the beam filters half as densely (Beer's law), as graded dichroic flags are cut to
+// do.
+vec3 flag(const vec3& full, float saturation) {
+    return glm::pow(full, vec3(std::clamp(saturation, 0.0f, 1.0f)));
+}
+
+vec3 slot_colour(const fixture::Type& type, const fixture::Slot& slot) {
+    const fixture::ColorCie& color =
+        slot.filter >= 0 ? type.filters[static_cast<std::size_t>(slot.filter)].color : slot.color;
+    return glm::max(image::xyy_to_rec2020({color.x, color.y, color.Y / 100.0f}), vec3(0.0f));
+}
+
+struct SlotPair {
+    const fixture::Slot* a = nullptr;
+    const fixture::Slot* b = nullptr;
+    float shift = 0; // 0 = a centred .. 1 = b centred
+};
+
+SlotPair slots_at(const fixture::Type& type, const fixture::WheelState& state) {
+    SlotPair pair;
+    if (state.wheel < 0) return pair;
+    const std::vector<fixture::Slot>& slots = type.wheels[static_cast<std::size_t>(state.wheel)].slots;
+    if (slots.empty()) return pair;
+    const float position = std::max(state.position, 0.0f);
+    const auto first = static_cast<std::size_t>(position) % slots.size();
+    pair.a = &slots[first];
+    pair.b = &slots[(first + 1) % slots.size()];
+    pair.shift = position - std::floor(position);
+    if (pair.shift < kSlotCentred) pair.shift = 0;
+    if (pair.shift > 1.0f - kSlotCentred) {
+        pair.a = pair.b;
+        pair.shift = 0;
+    }
+    return pair;
+}
+
+vec3 lamp_colour(const fixture::Beam& beam, const fixture::Optics& optics) {
+    if (optics.emitters.empty())
+        return image::cct_to_rec2020(optics.cct_k > 0 ? optics.cct_k : beam.color_temperature_k);
+    vec3 sum(0.0f);
+    for (const fixture::EmitterLevel& emitter : optics.emitters)
+        sum += image::xyy_to_rec2020({emitter.color.x, emitter.color.y, emitter.color.Y / 100.0f}) *
+               emitter.level;
+    return glm::max(sum, vec3(0.0f));
+}
+
+} // namespace
+
+shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
+                         const vec3& position_m, const GoboStack& gobos) {
+    const fixture::Optics& optics = beam.optics;
+    const fixture::Beam& source = *type.geometries[static_cast<std::size_t>(beam.geometry)].beam;
+    const bool hard_edge =
+        source.beam_type == fixture::BeamType::spot || source.beam_type == fixture::BeamType::rectangle;
+
+    const float field_deg = optics.zoom_deg;
+    const float beam_deg = field_deg * source.beam_angle_deg / std::max(source.field_angle_deg, 0.01f);
+    const Profile profile = make_profile(beam_deg, field_deg, hard_edge);
+
+    const glm::mat3 axes(to_world * beam.to_fixture);
+    shared::Light light{};
+    light.position_m = position_m;
+    light.axis_u = glm::normalize(axes[0]);
+    light.axis_v = glm::normalize(axes[1]);
+    light.axis_w = -glm::normalize(axes[2]);
+    const vec3 lens_m = vec3(to_world * beam.to_fixture * glm::vec4(0, 0, 0, 1));
+    light.lens_m = std::max(glm::dot(lens_m - position_m, light.axis_w), kMinLens_m);
+    light.tan_field = profile.tan_field;
+    light.cut_radius = profile.cut_radius;
+    light.profile_power = profile.power;
+    light.profile_scale = profile.scale;
+    light.edge = profile.edge;
+    light.iris_radius = profile.aperture * (hard_edge ? std::clamp(optics.iris, 0.02f, 1.0f) : 1.0f);
+    light.lens_radius_m = hard_edge ? source.beam_radius_m : 0.0f;
+    light.focus_per_m = 1.0f / std::max(optics.focus_m + light.lens_m, 0.1f);
+
+    vec3 colour = lamp_colour(source, optics);
+    colour *=
+        flag(kCyanFull, optics.cyan) * flag(kMagentaFull, optics.magenta) * flag(kYellowFull, optics.yellow);
+    light.colour_b = vec3(1.0f);
+    light.split = shared::kNoSplit;
+    for (const fixture::WheelState& wheel : optics.color_wheels) {
+        const SlotPair pair = slots_at(type, wheel);
+        if (!pair.a) continue;
+        const vec3 a = glm::max(slot_colour(type, *pair.a), vec3(1e-4f));
+        colour *= a;
+        if (pair.shift == 0.0f) continue;
+        // One wheel at a time stands between two slots in practice; the last one wins.
+        light.colour_b = slot_colour(type, *pair.b) / a;
+        light.split = shared::kSlotSpacing * (0.5f - pair.shift);
+    }
+    light.intensity_cd =
+        colour * (peak_candela(profile, source.luminous_flux_lm) * optics.dimmer * optics.shutter);
+
+    for (const fixture::WheelState& wheel : optics.gobo_wheels) {
+        if (light.wheel_count >= 2) break;
+        const SlotPair pair = slots_at(type, wheel);
+        if (!pair.a) continue;
+        shared::Wheel gate{};
+        gate.layer_a = gobos.layer(&type, pair.a->media);
+        gate.layer_b = pair.shift > 0 ? gobos.layer(&type, pair.b->media) : gate.layer_a;
+        gate.shift = pair.shift;
+        if (gate.layer_a == 0 && gate.layer_b == 0 && gate.shift == 0.0f) continue;
+        const float turn = wheel.gobo_deg * shared::kPi / 180.0f;
+        gate.cosine = std::cos(turn);
+        gate.sine = std::sin(turn);
+        light.wheel[light.wheel_count++] = gate;
+    }
+    light.haze_samples = light.wheel_count > 0 ? kGoboSamples : kOpenSamples;
+    return light;
+}
+
+} // namespace ghost::scene

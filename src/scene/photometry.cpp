@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/photometry.h"
+
+#include "shared/beam.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::scene {
+namespace {
+
+constexpr float kMinAngleDeg = 0.1f;
+constexpr float kMaxAngleDeg = 170.0f;
+constexpr float kMaxPower = 10.0f; // equal beam and field angle: nearly flat
+constexpr int kSteps = 512;
+
+float tan_half(float angle_deg) {
+    return std::tan(angle_deg * 0.5f * shared::kPi / 180.0f);
+}
+
+} // namespace
+
+Profile make_profile(float beam_angle_deg, float field_angle_deg, bool hard_edge) {
+    const float field_deg = std::clamp(field_angle_deg, kMinAngleDeg, kMaxAngleDeg);
+    const float beam_deg = std::clamp(beam_angle_deg, kMinAngleDeg, field_deg);
+    Profile profile;
+    profile.tan_field = tan_half(field_deg);
+    const float ratio = profile.tan_field / tan_half(beam_deg);
+    // 50 % at the beam angle and 10 % at the field angle fix the exponent: scale = ratio^n = log2 10.
+    const float n = ratio > 1.0001f ? std::log(std::log2(10.0f)) / std::log(ratio) : 1e9f;
+    profile.power = std::clamp(0.5f * n, 0.25f, kMaxPower);
+    profile.scale = std::pow(ratio, 2.0f * profile.power);
+    if (hard_edge) {
+        profile.cut_radius = 1.25f;
+    } else {
+        // Where the profile has fallen to 0.4 %.
+        const float end = std::pow(8.0f / profile.scale, 0.5f / profile.power);
+        profile.cut_radius = std::clamp(end, 1.05f, 2.5f);
+        profile.edge = 0.1f * profile.cut_radius;
+        profile.aperture = profile.cut_radius - profile.edge;
+    }
+    return profile;
+}
+
+float peak_candela(const Profile& profile, float flux_lm) {
+    // Integral of the shape over solid angle, in gate radii: dOmega = 2 pi r tan^2 / (1 + r^2 tan^2)^(3/2)
+    // dr.
+    const double tan2 = static_cast<double>(profile.tan_field) * static_cast<double>(profile.tan_field);
+    const double dr = static_cast<double>(profile.cut_radius) / kSteps;
+    double solid_angle = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double r = (i + 0.5) * dr;
+        const auto r_float = static_cast<float>(r);
+        const double shape =
+            static_cast<double>(shared::beam_profile(r_float * r_float, profile.power, profile.scale) *
+                                shared::beam_aperture(r_float, profile.aperture, profile.edge));
+        solid_angle += shape * 2.0 * static_cast<double>(shared::kPi) * r * tan2 /
+                       std::pow(1.0 + r * r * tan2, 1.5) * dr;
+    }
+    return solid_angle > 0 ? static_cast<float>(static_cast<double>(flux_lm) / solid_angle) : 0.0f;
+}
+
+} // namespace ghost::scene

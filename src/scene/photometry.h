@@ -1,0 +1,27 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Photometry: from what a data sheet says (lumens, beam and field angle) to the profile and the peak
+// intensity that shaders/shared/beam.h uses. Beam angle: 50 % of the peak, field angle: 10 % (IES/CIE): I(r)
+// = I0 exp2(-scale r^(2 power)) in gate radii r = tan / tan(field / 2). Pure.
+
+#include "shared/types.h"
+
+namespace ghost::scene {
+
+struct Profile {
+    float tan_field = 0;
+    float power = 1;
+    float scale = 1;
+    float aperture = 1;   // gate radius of the open aperture
+    float edge = 0.01f;   // its softness
+    float cut_radius = 1; // nothing beyond
+};
+
+// Full angles in degrees, clamped to 0.1..170; a field below the beam angle is taken as equal. hard_edge:
+// spots and profiles, whose field stop cuts the light at the field angle; otherwise it fades out softly.
+Profile make_profile(float beam_angle_deg, float field_angle_deg, bool hard_edge);
+
+// Candela on the axis of an open beam of this profile that carries flux_lm.
+float peak_candela(const Profile& profile, float flux_lm);
+
+} // namespace ghost::scene

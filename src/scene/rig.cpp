@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/rig.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::scene {
+namespace {
+
+fixture::Patch patch_of(const PatchedFixture& fixture) {
+    fixture::Patch patch;
+    patch.name = fixture.name;
+    patch.type = fixture.type.get();
+    patch.mode = fixture.mode;
+    patch.addresses = {{fixture.universe, fixture.address}};
+    return patch;
+}
+
+// Same place on the track: no second pass, no blend.
+constexpr float kAtStop = 1e-4f;
+
+} // namespace
+
+Rig::Rig(const Show& show) : show_(show), track_(show.fixtures.size(), 0.0f) {
+    for (const PatchedFixture& fixture : show.fixtures) {
+        patches_.push_back(patch_of(fixture));
+        states_.push_back(fixture.type ? fixture::make_state(patches_.back()) : fixture::State{});
+    }
+}
+
+void Rig::step(const dmx::Universes& universes, double dt_s) {
+    fixture::Levels levels;
+    for (const dmx::Universe& universe : universes.list) levels.set(universe.number, *universe.levels);
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+        if (!patches_[i].type) continue;
+        fixture::step(states_[i], patches_[i], fixture::decode(patches_[i], levels), dt_s);
+        const auto& track = show_.fixtures[i].track;
+        if (!track) continue;
+        const auto universe = static_cast<std::uint16_t>(track->universe);
+        const int value =
+            universes.level(universe, track->address) * 256 + universes.level(universe, track->address + 1);
+        track_[i] = static_cast<float>(value) / 65535.0f * static_cast<float>(track->stops_m.size() - 1);
+    }
+}
+
+std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const Passes& passes) const {
+    std::vector<shared::Light> lights;
+    const auto dark_pass = static_cast<std::uint32_t>(passes.lights.size());
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+        const PatchedFixture& fixture = show_.fixtures[i];
+        if (!fixture.type) continue;
+        const auto stop = static_cast<std::size_t>(track_[i]);
+        const float between = track_[i] - static_cast<float>(stop);
+        const bool at_stop = between < kAtStop;
+        const auto pass_of = [&](std::size_t s) {
+            const int found = passes.find(fixture.name, static_cast<int>(s));
+            return found < 0 ? dark_pass : static_cast<std::uint32_t>(found);
+        };
+        const std::uint32_t pass_a = pass_of(stop);
+        const std::uint32_t pass_b = at_stop ? pass_a : pass_of(stop + 1);
+        // A pass rendered elsewhere says where its light stood; that place is the truth for the masks, too.
+        const auto place = [&](std::uint32_t pass, std::size_t s) {
+            return pass < dark_pass ? passes.lights[pass].position_m : light_position_m(fixture, s);
+        };
+        glm::vec3 position_m = place(pass_a, stop);
+        if (!at_stop) position_m = glm::mix(position_m, place(pass_b, stop + 1), between);
+        const glm::mat4 to_world = fixture_to_world(fixture, stop);
+        for (const fixture::BeamState& beam : states_[i].beams) {
+            shared::Light light = light_from(*fixture.type, beam, to_world, position_m, gobos);
+            light.pass_a = pass_a;
+            light.pass_b = pass_b;
+            light.pass_mix = at_stop ? 0.0f : between;
+            lights.push_back(light);
+        }
+    }
+    return lights;
+}
+
+} // namespace ghost::scene
