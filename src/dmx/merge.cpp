@@ -94,6 +94,7 @@ void Merge::feed(const Packet& packet, std::chrono::nanoseconds now) {
         input.dirty = true;
     };
     if (packet.terminated) {
+        if (input.dirty) rebuild(packet.universe, input); // a look that came just before is the one to hold
         const auto gone =
             std::erase_if(input.sources, [&](const Source& source) { return source.key == packet.source; });
         counters_.sources_terminated += gone;
@@ -128,6 +129,8 @@ void Merge::tick(std::chrono::nanoseconds now) {
         const auto silent = [&](const Source& source) {
             return now - source.last_levels > loss_after(source.key.protocol);
         };
+        if (input.dirty && std::any_of(input.sources.begin(), input.sources.end(), silent))
+            rebuild(number, input);
         const auto gone = std::erase_if(input.sources, silent);
         counters_.sources_lost += gone;
         bool changed = gone > 0;

@@ -22,6 +22,8 @@ std::filesystem::path part_of(const std::filesystem::path& path) {
 } // namespace
 
 Result<Recorder> Recorder::create(const std::filesystem::path& path) {
+    if (std::filesystem::is_directory(path))
+        return Error{"this is a folder, expected a file name", path.string()};
     const std::filesystem::path part = part_of(path);
     std::FILE* file = std::fopen(part.c_str(), "wb");
     if (!file) return Error{std::string("cannot write: ") + std::strerror(errno), part.string()};

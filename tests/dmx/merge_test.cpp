@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dmx/merge.h"
+
+#include <gtest/gtest.h>
+
+namespace ghost::dmx {
+namespace {
+
+using namespace std::chrono_literals;
+using std::chrono::nanoseconds;
+
+// One sACN source that counts its packets.
+struct Desk {
+    std::uint8_t id = 1;
+    std::uint8_t priority = 100;
+    std::uint16_t universe = 1;
+    std::uint8_t sequence = 0;
+
+    Packet packet(std::initializer_list<int> levels) {
+        Packet result;
+        result.source.id[0] = id;
+        result.universe = universe;
+        result.priority = priority;
+        result.sequence = ++sequence;
+        for (const int level : levels) result.slots[result.slot_count++] = static_cast<std::uint8_t>(level);
+        return result;
+    }
+};
+
+Packet art(std::uint8_t ip, std::uint8_t sequence, std::initializer_list<int> levels) {
+    Desk desk{ip, 100, 1, static_cast<std::uint8_t>(sequence - 1)};
+    Packet packet = desk.packet(levels);
+    packet.protocol = packet.source.protocol = Protocol::artnet;
+    return packet;
+}
+
+std::vector<int> levels(Merge& merge, int count, std::uint16_t universe = 1) {
+    std::vector<int> result;
+    for (int address = 1; address <= count; ++address)
+        result.push_back(merge.universes().level(universe, address));
+    return result;
+}
+
+using Ints = std::vector<int>;
+
+TEST(Merge, one_source) {
+    Merge merge;
+    Desk a;
+    merge.feed(a.packet({20, 30}), 5s);
+    EXPECT_EQ(levels(merge, 3), (Ints{20, 30, 0}));
+    const Universe* universe = merge.universes().find(1);
+    ASSERT_NE(universe, nullptr);
+    EXPECT_EQ(universe->arrival, nanoseconds(5s));
+    EXPECT_FALSE(universe->lost);
+    EXPECT_EQ(merge.universes().find(2), nullptr);
+    EXPECT_EQ(merge.universes().level(1, 0), 0);
+    EXPECT_EQ(merge.universes().level(1, 513), 0);
+}
+
+TEST(Merge, equal_priority_is_highest_takes_precedence) {
+    Merge merge;
+    Desk a{1, 20}, b{2, 20};
+    merge.feed(a.packet({1, 1, 100, 100}), 0s);
+    merge.feed(b.packet({100, 100, 1, 1}), 0s);
+    EXPECT_EQ(levels(merge, 4), (Ints{100, 100, 100, 100}));
+    merge.feed(a.packet({1, 1, 100, 0}), 0s);
+    merge.feed(b.packet({100, 0, 1, 1}), 0s);
+    EXPECT_EQ(levels(merge, 4), (Ints{100, 1, 100, 1}));
+}
+
+TEST(Merge, higher_priority_wins_and_may_change) {
+    Merge merge;
+    Desk a{1, 20}, b{2, 10};
+    merge.feed(a.packet({20}), 0s);
+    merge.feed(b.packet({10}), 0s);
+    EXPECT_EQ(levels(merge, 1), Ints{20});
+    b.priority = 30;
+    merge.feed(b.packet({10}), 0s);
+    EXPECT_EQ(levels(merge, 1), Ints{10});
+    b.priority = 10;
+    merge.feed(b.packet({10}), 0s);
+    EXPECT_EQ(levels(merge, 1), Ints{20});
+}
+
+TEST(Merge, one_source_may_lower_its_priority) {
+    Merge merge;
+    Desk a{1, 100};
+    merge.feed(a.packet({5}), 0s);
+    a.priority = 99;
+    merge.feed(a.packet({99}), 0s);
+    EXPECT_EQ(levels(merge, 1), Ints{99});
+    a.priority = 0;
+    merge.feed(a.packet({7}), 0s);
+    EXPECT_EQ(levels(merge, 1), Ints{7});
+}
+
+TEST(Merge, a_short_source_does_not_hold_the_slots_it_does_not_send) {
+    Merge merge;
+    Desk full{1, 100}, remote{2, 150};
+    merge.feed(full.packet({11, 12, 13, 14, 15, 16}), 0s);
+    merge.feed(remote.packet({1, 2, 3, 4}), 0s);
+    EXPECT_EQ(levels(merge, 6), (Ints{1, 2, 3, 4, 15, 16}));
+}
+
+TEST(Merge, per_address_priority) {
+    Merge merge;
+    Desk a{1, 100}, b{2, 100};
+    merge.feed(a.packet({10, 10, 10, 10}), 0s);
+    merge.feed(b.packet({20, 20, 20, 20}), 0s);
+    Packet priorities = b.packet({0, 99, 101}); // not ours, below, above; the fourth is missing: not ours
+    priorities.start_code = 0xDD;
+    merge.feed(priorities, 0s);
+    EXPECT_EQ(levels(merge, 4), (Ints{10, 10, 20, 10}));
+    merge.feed(a.packet({10, 10, 10, 10}), 2600ms);
+    merge.feed(b.packet({20, 20, 20, 20}), 2600ms);
+    merge.tick(2600ms); // priorities stopped: back to the packet's
+    EXPECT_EQ(levels(merge, 4), (Ints{20, 20, 20, 20}));
+}
+
+TEST(Merge, priorities_alone_make_no_universe) {
+    Merge merge;
+    Desk a;
+    Packet priorities = a.packet({100});
+    priorities.start_code = 0xDD;
+    merge.feed(priorities, 0s);
+    EXPECT_TRUE(merge.universes().list.empty());
+}
+
+TEST(Merge, last_look_is_held_after_loss) {
+    Merge merge;
+    Desk a;
+    merge.feed(a.packet({20}), 0s);
+    merge.tick(2500ms);
+    EXPECT_FALSE(merge.universes().find(1)->lost);
+    merge.tick(2501ms);
+    EXPECT_TRUE(merge.universes().find(1)->lost);
+    EXPECT_EQ(levels(merge, 1), Ints{20});
+    EXPECT_EQ(merge.counters().sources_lost, 1u);
+    merge.feed(a.packet({21}), 9s);
+    EXPECT_FALSE(merge.universes().find(1)->lost);
+    EXPECT_EQ(levels(merge, 1), Ints{21});
+}
+
+TEST(Merge, loss_of_one_of_two_leaves_the_other) {
+    Merge merge;
+    Desk a{1, 150}, b{2, 100};
+    merge.feed(a.packet({100}), 0s);
+    for (auto t = 0ms; t <= 2600ms; t += 100ms) {
+        merge.feed(b.packet({10}), t);
+        merge.tick(t);
+        EXPECT_EQ(levels(merge, 1), Ints{t <= 2500ms ? 100 : 10}) << t.count();
+    }
+    EXPECT_FALSE(merge.universes().find(1)->lost);
+}
+
+TEST(Merge, termination_is_immediate_and_its_slots_are_never_used) {
+    Merge merge;
+    Desk a, b{2, 100};
+    merge.feed(a.packet({30}), 0s);
+    Packet bye = a.packet({10});
+    bye.terminated = true;
+    merge.feed(bye, 0s);
+    EXPECT_TRUE(merge.universes().find(1)->lost);
+    EXPECT_EQ(levels(merge, 1), Ints{30});
+    merge.feed(bye, 0s); // sent three times
+    EXPECT_EQ(merge.counters().sources_terminated, 1u);
+    merge.feed(a.packet({30}), 1s);
+    merge.feed(b.packet({5}), 1s);
+    bye = a.packet({200});
+    bye.terminated = true;
+    merge.feed(bye, 1s);
+    EXPECT_FALSE(merge.universes().find(1)->lost); // one of two went
+    EXPECT_EQ(levels(merge, 1), Ints{5});
+}
+
+TEST(Merge, late_and_repeated_packets_are_dropped) {
+    Merge merge;
+    Desk a;
+    a.sequence = 99;
+    merge.feed(a.packet({255}), 0s); // 100
+    for (const int late : {100, 99, 90, 81}) {
+        a.sequence = static_cast<std::uint8_t>(late - 1);
+        merge.feed(a.packet({0}), 0s);
+        EXPECT_EQ(levels(merge, 1), Ints{255}) << late;
+    }
+    EXPECT_EQ(merge.counters().out_of_sequence, 4u);
+    a.sequence = 79; // 80 is 20 behind: the source started again
+    merge.feed(a.packet({1}), 0s);
+    EXPECT_EQ(levels(merge, 1), Ints{1});
+}
+
+TEST(Merge, sequence_wraps_to_0_or_1_without_loss) {
+    for (const int after : {0, 1}) {
+        Merge merge;
+        Desk a;
+        a.sequence = 253;
+        merge.feed(a.packet({1}), 0s); // 254
+        merge.feed(a.packet({2}), 0s); // 255
+        a.sequence = static_cast<std::uint8_t>(after - 1);
+        merge.feed(a.packet({3}), 0s);
+        EXPECT_EQ(levels(merge, 1), Ints{3}) << after;
+        EXPECT_EQ(merge.counters().missed, 0u);
+        a.sequence = static_cast<std::uint8_t>(after + 3);
+        merge.feed(a.packet({4}), 0s);
+        EXPECT_EQ(merge.counters().missed, 3u);
+    }
+}
+
+TEST(Merge, sequences_are_per_source_and_universe) {
+    Merge merge;
+    Desk a{1, 100, 1, 50}, b{2, 100, 1, 10}, c{1, 100, 2, 20};
+    merge.feed(a.packet({1}), 0s);
+    merge.feed(b.packet({2}), 0s);
+    merge.feed(c.packet({3}), 0s);
+    EXPECT_EQ(merge.counters().out_of_sequence, 0u);
+    EXPECT_EQ(levels(merge, 1), Ints{2});
+    EXPECT_EQ(levels(merge, 1, 2), Ints{3});
+}
+
+TEST(Merge, a_dropped_packet_does_not_keep_a_source_alive) {
+    Merge merge;
+    Desk a;
+    merge.feed(a.packet({9}), 0s);
+    a.sequence = 0;
+    merge.feed(a.packet({9}), 2s); // the same number again
+    merge.tick(2600ms);
+    EXPECT_TRUE(merge.universes().find(1)->lost);
+}
+
+TEST(Merge, artnet_zero_sequence_is_not_numbered) {
+    Merge merge;
+    for (const int level : {1, 2, 3}) merge.feed(art(1, 0, {level}), 0s);
+    EXPECT_EQ(levels(merge, 1), Ints{3});
+    for (const int sequence : {254, 255, 0, 1, 2})
+        merge.feed(art(1, static_cast<std::uint8_t>(sequence), {sequence}), 0s);
+    EXPECT_EQ(levels(merge, 1), Ints{2});
+    EXPECT_EQ(merge.counters().out_of_sequence, 0u);
+    merge.feed(art(1, 1, {77}), 0s);
+    EXPECT_EQ(levels(merge, 1), Ints{2});
+}
+
+TEST(Merge, artnet_lives_ten_seconds_and_merges_two) {
+    Merge merge;
+    merge.feed(art(1, 0, {10, 0}), 0s);
+    merge.feed(art(2, 0, {0, 20}), 0s);
+    merge.feed(art(3, 0, {99, 99}), 0s);
+    EXPECT_EQ(levels(merge, 2), (Ints{10, 20}));
+    EXPECT_EQ(merge.counters().too_many_sources, 1u);
+    merge.tick(10s);
+    EXPECT_FALSE(merge.universes().find(1)->lost);
+    merge.tick(10s + 1ms);
+    EXPECT_TRUE(merge.universes().find(1)->lost);
+    EXPECT_EQ(levels(merge, 2), (Ints{10, 20}));
+}
+
+TEST(Merge, artnet_and_sacn_share_a_universe) {
+    Merge merge;
+    Desk a{1, 101};
+    merge.feed(art(1, 0, {10, 200}), 0s);
+    merge.feed(a.packet({50, 50}), 0s);
+    EXPECT_EQ(levels(merge, 2), (Ints{50, 50}));
+    a.priority = 100;
+    merge.feed(a.packet({50, 50}), 0s);
+    EXPECT_EQ(levels(merge, 2), (Ints{50, 200}));
+}
+
+TEST(Merge, preview_is_left_out_unless_asked_for) {
+    Merge merge, curious(MergeOptions{true});
+    Desk a;
+    Packet packet = a.packet({9});
+    packet.preview = true;
+    merge.feed(packet, 0s);
+    curious.feed(packet, 0s);
+    EXPECT_TRUE(merge.universes().list.empty());
+    EXPECT_EQ(merge.counters().preview, 1u);
+    EXPECT_EQ(levels(curious, 1), Ints{9});
+}
+
+TEST(Merge, revision_grows_with_the_levels_only) {
+    Merge merge;
+    Desk a, b{2, 100, 2};
+    merge.feed(a.packet({1}), 1s);
+    merge.feed(b.packet({1}), 1s);
+    const Universes first = merge.universes();
+    merge.feed(a.packet({1}), 2s);
+    EXPECT_TRUE(merge.pending());
+    const Universes second = merge.universes();
+    EXPECT_FALSE(merge.pending());
+    EXPECT_EQ(second.revision, first.revision);
+    EXPECT_EQ(second.find(1)->levels, first.find(1)->levels); // shared
+    EXPECT_EQ(second.find(1)->arrival, nanoseconds(2s));
+    merge.feed(a.packet({2}), 3s);
+    const Universes third = merge.universes();
+    EXPECT_GT(third.revision, second.revision);
+    EXPECT_GT(third.find(1)->revision, second.find(1)->revision);
+    EXPECT_EQ(third.find(2)->revision, second.find(2)->revision);
+    EXPECT_EQ(second.level(1, 1), 1); // a copy stays what it was
+}
+
+TEST(Merge, a_first_look_of_all_zero_counts_as_a_look) {
+    Merge merge;
+    Desk a;
+    merge.feed(a.packet({0}), 0s);
+    ASSERT_NE(merge.universes().find(1), nullptr);
+    EXPECT_GT(merge.universes().find(1)->revision, 0u);
+}
+
+TEST(Merge, sources_are_limited) {
+    Merge merge;
+    for (int i = 0; i < 20; ++i) {
+        Desk desk{static_cast<std::uint8_t>(i)};
+        merge.feed(desk.packet({i}), 0s);
+    }
+    EXPECT_EQ(merge.sources(0s).size(), kMaxSourcesPerUniverse);
+    EXPECT_EQ(merge.counters().too_many_sources, 20 - kMaxSourcesPerUniverse);
+    EXPECT_EQ(levels(merge, 1), Ints{15});
+}
+
+TEST(Merge, universes_are_limited) {
+    Merge merge;
+    for (std::size_t i = 1; i <= kMaxUniverses + 10; ++i) {
+        Desk desk{1, 100, static_cast<std::uint16_t>(i)};
+        merge.feed(desk.packet({1}), 0s);
+    }
+    EXPECT_EQ(merge.universes().list.size(), kMaxUniverses);
+    EXPECT_EQ(merge.counters().too_many_universes, 10u);
+}
+
+TEST(Merge, status_of_a_source) {
+    Merge merge;
+    Desk a{0xAB, 120, 7};
+    for (int i = 0; i <= 44; ++i) {
+        Packet packet = a.packet({1, 2, 3});
+        packet.source_name = "Desk";
+        packet.from_ipv4 = 0x0A000001;
+        merge.feed(packet, std::chrono::milliseconds(i * 1000 / 44));
+    }
+    merge.tick(1s);
+    const auto sources = merge.sources(1500ms);
+    ASSERT_EQ(sources.size(), 1u);
+    EXPECT_EQ(sources[0].universe, 7);
+    EXPECT_EQ(sources[0].id, "ab000000000000000000000000000000");
+    EXPECT_EQ(sources[0].name, "Desk");
+    EXPECT_EQ(sources[0].priority, 120);
+    EXPECT_EQ(sources[0].slot_count, 3);
+    EXPECT_EQ(sources[0].packets, 45u);
+    EXPECT_NEAR(sources[0].rate_hz, 45.0, 0.01);
+    EXPECT_EQ(sources[0].age, nanoseconds(500ms));
+
+    Merge nodes;
+    Packet packet = art(10, 0, {1});
+    packet.source.id[3] = 2;
+    packet.source.id[4] = 1;
+    nodes.feed(packet, 0s);
+    EXPECT_EQ(nodes.sources(0s).at(0).id, "10.0.0.2/1");
+}
+
+} // namespace
+} // namespace ghost::dmx
