@@ -2,7 +2,8 @@
 # How our own targets are built: warnings are errors, includes start at src/ and shaders/.
 
 function(ghost_options target)
-    target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Wnon-virtual-dtor -Werror)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Wnon-virtual-dtor
+        -Wno-missing-field-initializers -Werror)
     target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR}/src ${CMAKE_SOURCE_DIR}/shaders)
     if(GHOST_SANITIZE)
         target_compile_options(${target} PUBLIC -fsanitize=${GHOST_SANITIZE} -fno-omit-frame-pointer

@@ -67,7 +67,7 @@ struct Light {
     float pass_mix;        // 0 = pass_a .. 1 = pass_b
     uint haze_samples;     // samples of the cone integrator
 };
-SHARED_SIZE(Light, 176);
+SHARED_SIZE(Light, 172);
 
 // Homogeneous haze: extinction, scattering and the two-term Henyey-Greenstein phase function.
 struct Haze {

@@ -1,0 +1,97 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Relighter: draws one camera of a show from its passes, live (Screen Space Re-Rendering). Surfaces by pass x
+// beam, haze by the march or cone integrator, images of resting lights kept in a binary tree. Lights in, HDR
+// frame and display picture out. Light number i means the same fixture in every draw. Main thread; the device
+// must outlive it.
+
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "gpu/texture_array.h"
+#include "image/image.h"
+#include "render/light_tree.h"
+#include "scene/passes.h"
+#include "shared/gobos.h"
+#include "shared/push.h"
+#include "shared/types.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace ghost::render {
+
+enum class Beams {
+    cone,  // the paper: samples only inside the cone, jittered
+    march, // the thesis: equal steps along the whole ray
+};
+
+struct Settings {
+    shared::Haze haze{};
+    float ambient_lux = 0;
+    Beams beams = Beams::cone;
+    int march_steps = 110;
+    float ev100 = 6;
+    bool auto_exposure = false;
+    bool surfaces = true; // both on but for measurements
+    bool air = true;
+    std::uint64_t image_memory_bytes = std::uint64_t{1} << 30; // for kept images of the light tree
+    bool reuse = true;                                         // false: every light is drawn in every frame
+};
+
+struct FrameStatistics {
+    int changed = 0;              // lights that differ from the last frame
+    int drawn = 0;                // lights drawn, the changed ones and those without a kept image
+    int additions = 0;            // of two images
+    double draw_ms = 0;           // whole draw(), waiting included
+    std::vector<gpu::Span> spans; // GPU time
+};
+
+class Relighter {
+public:
+    // passes: copied to the device; its pictures are not needed afterwards. light_count: lights given to each
+    // draw.
+    Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
+              int light_count, const Settings& settings);
+    ~Relighter();
+
+    FrameStatistics draw(const std::vector<shared::Light>& lights);
+
+    int width() const { return width_; }
+    int height() const { return height_; }
+    image::Image8 picture() const; // RGBA, sRGB: the developed frame
+    image::ImageF frame() const;   // RGB, linear Rec.2020, cd/m^2
+    float ev100_used() const;
+    std::uint64_t memory_bytes() const; // on the device
+
+private:
+    void draw_sum(const ImageSum& sum);
+    void develop();
+
+    const gpu::Device& device_;
+    Settings settings_;
+    int width_;
+    int height_;
+    std::uint32_t tiles_x_;
+    std::uint32_t tiles_y_;
+    int light_count_;
+    LightTree tree_;
+    std::vector<shared::Light> last_lights_;
+
+    gpu::Program cull_, relight_, meter_, develop_;
+    gpu::TextureArray gobos_;
+    gpu::Commands commands_;
+    gpu::Buffer view_, lights_, fragments_, extra_first_, tile_far_, base_, frame_, exposure_, pixels_,
+        dark_pass_;
+    gpu::Buffer pass_table_, lists_, addends_, tile_count_, tile_light_;
+    std::vector<gpu::Buffer> passes_;
+    std::vector<gpu::Buffer> images_; // slots of the tree, made when first used
+    std::size_t list_used_ = 0;       // places of lists_ and addends_ taken in this frame
+    std::size_t addends_used_ = 0;
+    std::uint64_t image_bytes_ = 0;
+};
+
+// Images that fit into a memory budget, at most what a full tree needs.
+int image_slots(std::uint64_t memory_bytes, int width, int height, int light_count);
+
+} // namespace ghost::render
