@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// What Assimp does not check or know about glTF binaries (Khronos glTF 2.0, section 4.4).
+#include "scene/model_file.h"
+
+#include <nlohmann/json.hpp>
+
+namespace ghost::scene {
+namespace {
+
+constexpr std::uint32_t kMagic = 0x46546c67;     // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a; // "JSON"
+
+float number_at(const nlohmann::json& json, const char* place, float fallback, float high) {
+    const nlohmann::json::json_pointer pointer(place);
+    if (!json.is_object() || !json.contains(pointer) || !json[pointer].is_number()) return fallback;
+    const float value = json[pointer].get<float>();
+    return value >= 0.0f && value <= high ? value : fallback;
+}
+
+} // namespace
+
+Result<void> check_glb(Bytes bytes, const std::string& name) {
+    ByteReader reader(bytes);
+    const std::uint32_t magic = reader.u32_le();
+    const std::uint32_t version = reader.u32_le();
+    const std::uint32_t length = reader.u32_le();
+    if (!reader.ok())
+        return Error{"is cut short: " + std::to_string(bytes.size()) + " bytes, no glTF header", name};
+    if (magic != kMagic) return Error{"not a glTF binary: it does not begin with 'glTF'", name};
+    if (version != 2) return Error{"is glTF version " + std::to_string(version) + ", expected 2", name};
+    if (length > bytes.size())
+        return Error{"is cut short: the header says " + std::to_string(length) + " bytes, the file has " +
+                         std::to_string(bytes.size()),
+                     name};
+    bool has_json = false;
+    while (reader.position() + 8 <= length) {
+        const std::uint32_t chunk_length = reader.u32_le();
+        has_json |= reader.u32_le() == kJsonChunk;
+        if (chunk_length > length - reader.position())
+            return Error{"a chunk of " + std::to_string(chunk_length) + " bytes does not fit into the file",
+                         name};
+        reader.skip(chunk_length);
+    }
+    if (!has_json) return Error{"has no JSON chunk", name};
+    return {};
+}
+
+std::vector<GltfExtras> gltf_extras(Bytes glb) {
+    ByteReader reader(glb);
+    reader.skip(12);
+    const std::uint32_t chunk_length = reader.u32_le();
+    if (reader.u32_le() != kJsonChunk) return {};
+    const Bytes text = reader.take(chunk_length);
+    const auto json = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
+    std::vector<GltfExtras> result;
+    if (!json.is_object() || !json.contains("materials") || !json["materials"].is_array()) return result;
+    for (const auto& material : json["materials"]) {
+        GltfExtras extras;
+        extras.emissive_strength =
+            number_at(material, "/extensions/KHR_materials_emissive_strength/emissiveStrength", 1.0f, 1e6f);
+        extras.specular =
+            number_at(material, "/extensions/KHR_materials_specular/specularFactor", 1.0f, 1.0f);
+        result.push_back(extras);
+    }
+    return result;
+}
+
+} // namespace ghost::scene

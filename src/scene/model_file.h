@@ -1,0 +1,52 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Model files (GLB, glTF, 3DS, OBJ, FBX) into a Stage, through Assimp. Each mesh is stored once, nodes become
+// instances, Y up becomes Z up, Rec.709 becomes Rec.2020. Nothing here is for users of the scene: they call
+// load_stage_file.
+
+#include "base/byte_reader.h"
+#include "base/result.h"
+#include "scene/report.h"
+#include "scene/stage.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+struct aiMesh;
+struct aiScene;
+
+namespace ghost::scene {
+
+// extension: "glb", "3ds", ... without the dot. name: for messages. folder: where external textures are
+// looked for. Error: unreadable, cut short, nothing to draw, over the limits; smaller losses go to the
+// report.
+Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::string& name,
+                         const std::filesystem::path& folder, Report& report);
+
+// glTF binary: header and chunk lengths against the size of the file. Error: cut short, or no glTF 2.0
+// binary.
+Result<void> check_glb(Bytes bytes, const std::string& name);
+
+// Faces with vertices that are no numbers or do not exist are removed, broken normals are thrown away (Assimp
+// then makes smooth ones), broken texture coordinates become 0.
+void repair_meshes(aiScene& scene, const std::string& name, Report& report);
+
+// Triangles of one mesh; no indices where nothing is left of it.
+Mesh mesh_from(const aiMesh& source);
+
+// What Assimp 5.2 does not know of a glTF material.
+struct GltfExtras {
+    float emissive_strength = 1.0f; // KHR_materials_emissive_strength
+    float specular = 1.0f;          // KHR_materials_specular: specularFactor
+};
+std::vector<GltfExtras> gltf_extras(Bytes glb); // per material of the file
+
+// Materials in the order of the scene's, and the textures they use, each picture once. extras may be shorter.
+void add_materials(const aiScene& scene, const std::vector<GltfExtras>& extras, const std::string& name,
+                   const std::filesystem::path& folder, Stage& stage, Report& report);
+
+// "a, b, c and 7 more"
+std::string name_list(const std::vector<std::string>& names);
+
+} // namespace ghost::scene

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/files.h"
+#include "scene/model_file.h"
+#include "scene/show.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+namespace ghost::scene {
+namespace {
+
+constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{512} << 20;
+constexpr std::size_t kMaxDrawnTriangles = 20'000'000;
+constexpr std::size_t kMaxInstances = 1'000'000;
+
+// (x, y, z) with Y up -> (x, -z, y) with Z up.
+const glm::mat4 kToZUp({1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}, {0, 0, 0, 1});
+
+glm::mat4 matrix_from(const aiMatrix4x4& m) {
+    return {{m.a1, m.b1, m.c1, m.d1},
+            {m.a2, m.b2, m.c2, m.d2},
+            {m.a3, m.b3, m.c3, m.d3},
+            {m.a4, m.b4, m.c4, m.d4}};
+}
+
+bool usable(const glm::mat4& matrix) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(matrix[column][row])) return false;
+    const float determinant = glm::determinant(glm::mat3(matrix));
+    return std::isfinite(determinant) && determinant != 0.0f;
+}
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return text;
+}
+
+// Node tree -> instances. kept[mesh of the file] is the mesh of the stage, or kNone.
+void add_instances(const aiNode* root, const std::vector<int>& kept, const std::string& name, Stage& stage,
+                   Report& report) {
+    struct Entry {
+        const aiNode* node;
+        glm::mat4 parent;
+    };
+    std::vector<Entry> open{{root, kToZUp}};
+    std::vector<std::string> flat;
+    while (!open.empty()) {
+        const auto [node, parent] = open.back();
+        open.pop_back();
+        const glm::mat4 world = parent * matrix_from(node->mTransformation);
+        for (unsigned k = node->mNumChildren; k > 0; --k) open.push_back({node->mChildren[k - 1], world});
+        for (unsigned k = 0; k < node->mNumMeshes; ++k) {
+            const int mesh = node->mMeshes[k] < kept.size() ? kept[node->mMeshes[k]] : kNone;
+            if (mesh == kNone) continue;
+            if (usable(world))
+                stage.instances.push_back({node->mName.C_Str(), mesh, world, kNone});
+            else
+                flat.emplace_back(node->mName.C_Str());
+        }
+    }
+    if (!flat.empty())
+        report.add(Severity::error, name,
+                   "objects whose placement is not a number or has no volume are left out: " +
+                       name_list(flat));
+}
+
+Result<Stage> convert(const aiScene& scene, const std::vector<GltfExtras>& extras, const std::string& name,
+                      const std::filesystem::path& folder, Report& report) {
+    Stage stage;
+    add_materials(scene, extras, name, folder, stage, report);
+    std::vector<int> kept;
+    for (unsigned k = 0; k < scene.mNumMeshes; ++k) {
+        Mesh mesh = mesh_from(*scene.mMeshes[k]);
+        mesh.material = std::clamp(mesh.material, 0, static_cast<int>(stage.materials.size()) - 1);
+        kept.push_back(mesh.indices.empty() ? kNone : static_cast<int>(stage.meshes.size()));
+        if (!mesh.indices.empty()) stage.meshes.push_back(std::move(mesh));
+    }
+    add_instances(scene.mRootNode, kept, name, stage, report);
+    if (stage.instances.size() > kMaxInstances || stage.drawn_triangles() > kMaxDrawnTriangles)
+        return Error{"draws " + std::to_string(stage.drawn_triangles()) + " triangles in " +
+                         std::to_string(stage.instances.size()) +
+                         " objects, more than the limit of 20 million in 1 million",
+                     name};
+    if (stage.instances.empty()) return Error{"has no object with triangles", name};
+    return stage;
+}
+
+} // namespace
+
+Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::string& name,
+                         const std::filesystem::path& folder, Report& report) {
+    const std::string format = lower(extension);
+    const bool is_gltf = format == "glb" || format == "gltf";
+    if (format == "glb") TRY_VOID(check_glb(bytes, name));
+    try {
+        Assimp::Importer importer;
+        importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+        // A text format with a second file beside it has to be read by name; everything else from memory.
+        const aiScene* scene =
+            format == "gltf" || format == "obj"
+                ? importer.ReadFile((folder / std::filesystem::path(name).filename()).string(), 0)
+                : importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format.c_str());
+        if (!scene || !scene->mRootNode)
+            return Error{std::string("not a readable ") + format + " model: " + importer.GetErrorString(),
+                         name};
+        // The importer owns the scene and hands it out const, but post-processing must not see broken
+        // numbers.
+        repair_meshes(const_cast<aiScene&>(*scene), name, report);
+        // glTF is indexed by nature; joining its vertices again costs half of the loading time.
+        const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
+                               aiProcess_CalcTangentSpace | (is_gltf ? 0u : aiProcess_JoinIdenticalVertices);
+        scene = importer.ApplyPostProcessing(steps);
+        if (!scene) return Error{std::string("cannot prepare the model: ") + importer.GetErrorString(), name};
+        return convert(*scene, format == "glb" ? gltf_extras(bytes) : std::vector<GltfExtras>{}, name, folder,
+                       report);
+    } catch (const std::exception& problem) {
+        return Error{std::string("cannot read the model: ") + problem.what(), name};
+    }
+}
+
+Result<Stage> load_stage_file(const std::filesystem::path& path, Report& report) {
+    TRY(const auto bytes, read_file(path, kMaxFileBytes));
+    const std::string extension = path.extension().string();
+    if (extension.size() < 2) return Error{"has no extension, expected a model such as .glb", path.string()};
+    return load_model(bytes, extension.substr(1), path.string(), path.parent_path(), report);
+}
+
+} // namespace ghost::scene
