@@ -28,6 +28,7 @@ struct Material {
     float alpha = 1.0f;
     float roughness = 1.0f;
     float metalness = 0.0f;
+    float specular = 1.0f; // strength of the dielectric reflection (KHR_materials_specular); 0: pure Lambert
     glm::vec3 emission{0.0f}; // cd/m^2
     int base_texture = kNone;     // times base_colour; its alpha times alpha
     int normal_texture = kNone;   // tangent space, +Y up (glTF)
