@@ -30,6 +30,9 @@ struct LightPass {
     std::string key; // hash of all that it depends on
     // Half floats R, G, B, 0 per fragment, times kRadianceScale: what the GPU reads. Empty where it could not be read.
     std::vector<std::uint16_t> radiance;
+    // Bounced light, per pixel, in the same form; empty without `bake --bounces`. A beam's cone must not cut it: multiply it
+    // by the beam's flux / (4 pi), which is the isotropic source of the same flux.
+    std::vector<std::uint16_t> indirect;
 };
 
 struct Passes {
