@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fixture/decode.h"
+#include "scene/model_file.h"
+#include "scene/show.h"
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace ghost::scene {
+namespace {
+
+constexpr float kMinSize_m = 0.001f;
+
+// A model of a type, as instances in the stage's meshes; to be multiplied from the left by where it is.
+using Parts = std::vector<Instance>;
+
+struct Box {
+    glm::vec3 low{std::numeric_limits<float>::max()};
+    glm::vec3 high{std::numeric_limits<float>::lowest()};
+};
+
+Box bounds(const Stage& stage) {
+    Box box;
+    for (const Instance& instance : stage.instances)
+        for (const glm::vec3& position : stage.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
+            const glm::vec3 world(instance.world * glm::vec4(position, 1.0f));
+            box.low = glm::min(box.low, world);
+            box.high = glm::max(box.high, world);
+        }
+    return box;
+}
+
+// GDTF: a mesh is always scaled to the model's length, width and height; a size of 0 says nothing.
+glm::mat4 fit(const Box& box, const glm::vec3& size_m) {
+    glm::vec3 scale(1.0f);
+    for (int k = 0; k < 3; ++k) {
+        const float extent = box.high[k] - box.low[k];
+        if (size_m[k] > 0.0f && extent > 1e-6f) scale[k] = size_m[k] / extent;
+    }
+    return glm::scale(glm::mat4(1.0f), scale);
+}
+
+void add_quad(Mesh& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d,
+              const glm::vec3& normal_ab, const glm::vec3& normal_cd) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
+    mesh.normals.insert(mesh.normals.end(), {normal_ab, normal_ab, normal_cd, normal_cd});
+    for (const std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + k);
+}
+
+// A prism of side 1 about the origin: 4 sides make a box, many a cylinder, smooth then.
+Mesh unit_prism(int sides) {
+    Mesh mesh;
+    const bool is_box = sides == 4;
+    const float radius = is_box ? std::sqrt(0.5f) : 0.5f;
+    const auto rim = [&](int k, float z) {
+        const float angle = glm::radians(360.0f * (static_cast<float>(k) + 0.5f) / static_cast<float>(sides));
+        return glm::vec3(radius * std::cos(angle), radius * std::sin(angle), z);
+    };
+    for (int k = 0; k < sides; ++k) {
+        const glm::vec3 a = rim(k, -0.5f);
+        const glm::vec3 b = rim(k + 1, -0.5f);
+        const glm::vec3 flat = glm::normalize(glm::vec3(a.x + b.x, a.y + b.y, 0));
+        const glm::vec3 normal_a = is_box ? flat : glm::normalize(glm::vec3(a.x, a.y, 0));
+        const glm::vec3 normal_b = is_box ? flat : glm::normalize(glm::vec3(b.x, b.y, 0));
+        add_quad(mesh, rim(k, 0.5f), a, b, rim(k + 1, 0.5f), normal_a, normal_b);
+        for (const float z : {-0.5f, 0.5f}) {
+            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+            mesh.positions.insert(mesh.positions.end(), {glm::vec3(0, 0, z), rim(k, z), rim(k + 1, z)});
+            mesh.normals.insert(mesh.normals.end(), 3, glm::vec3(0, 0, z > 0 ? 1 : -1));
+            for (const std::uint32_t i : {0u, z > 0 ? 1u : 2u, z > 0 ? 2u : 1u})
+                mesh.indices.push_back(first + i);
+        }
+    }
+    return mesh;
+}
+
+// Moves all of the model into the stage and says where its instances are.
+Parts absorb(Stage model, const glm::mat4& place, Stage& stage) {
+    const auto textures = static_cast<int>(stage.textures.size());
+    const auto materials = static_cast<int>(stage.materials.size());
+    const auto meshes = static_cast<int>(stage.meshes.size());
+    const auto shift = [&](int& texture) {
+        if (texture != kNone) texture += textures;
+    };
+    for (Material& material : model.materials) {
+        shift(material.base_texture);
+        shift(material.normal_texture);
+        shift(material.surface_texture);
+        shift(material.emission_texture);
+        stage.materials.push_back(std::move(material));
+    }
+    for (Mesh& mesh : model.meshes) {
+        mesh.material += materials;
+        stage.meshes.push_back(std::move(mesh));
+    }
+    for (Texture& texture : model.textures) stage.textures.push_back(std::move(texture));
+    Parts parts;
+    for (const Instance& instance : model.instances)
+        parts.push_back({instance.name, instance.mesh + meshes, place * instance.world, kNone});
+    return parts;
+}
+
+// A stand-in of the model's size. The 1.1 primitives hang below their origin, the others are about it (GDTF,
+// Model).
+Stage primitive(const fixture::Model& model) {
+    Stage stage;
+    Material black;
+    black.name = "fixture body";
+    black.base_colour = glm::vec3(0.03f);
+    black.roughness = 0.4f;
+    stage.materials.push_back(std::move(black));
+    const bool is_round = model.primitive == "Cylinder" || model.primitive == "Sphere";
+    stage.meshes.push_back(unit_prism(is_round ? 24 : 4));
+    stage.meshes.back().name = model.name;
+    const bool hangs = model.primitive.ends_with("1_1");
+    const glm::mat4 place = glm::translate(glm::mat4(1.0f), glm::vec3(0, 0, hangs ? -0.5f : 0.0f));
+    stage.instances.push_back({model.name, 0, place, kNone});
+    return stage;
+}
+
+class BodyShop {
+public:
+    BodyShop(Stage& stage, Report& report) : stage_(stage), report_(report) {}
+
+    const Parts& parts_of(const fixture::Type& type, int index) {
+        const auto [entry, is_new] = models_.try_emplace({&type, index});
+        if (is_new) entry->second = build(type, type.models[static_cast<std::size_t>(index)]);
+        return entry->second;
+    }
+
+private:
+    Parts build(const fixture::Type& type, const fixture::Model& model) {
+        if (!model.mesh.empty()) {
+            auto loaded =
+                load_model(model.mesh, model.mesh_extension, type.name + ": " + model.mesh_file, {}, report_);
+            if (loaded.ok()) {
+                const glm::mat4 place = fit(bounds(*loaded), model.size_m);
+                return absorb(std::move(*loaded), place, stage_);
+            }
+            report_.add(Severity::error, loaded.error().where,
+                        loaded.error().what + "; a plain shape stands in for it");
+        } else if (model.primitive == "Undefined" || model.size_m == glm::vec3(0.0f)) {
+            return {};
+        }
+        const glm::mat4 size = glm::scale(glm::mat4(1.0f), glm::max(model.size_m, glm::vec3(kMinSize_m)));
+        return absorb(primitive(model), size, stage_);
+    }
+
+    Stage& stage_;
+    Report& report_;
+    std::map<std::pair<const fixture::Type*, int>, Parts> models_;
+};
+
+fixture::State home_state(const PatchedFixture& fixture) {
+    fixture::Patch patch;
+    patch.name = fixture.name;
+    patch.type = fixture.type.get();
+    patch.mode = fixture.mode;
+    fixture::State state = fixture::make_state(patch);
+    fixture::Targets targets = fixture::decode(patch, {});
+    for (std::size_t k = 0; k < targets.axes.size() && k < state.axes.size(); ++k)
+        targets.axes[k] = {false, state.axes[k].pan ? fixture.home_pan_deg : fixture.home_tilt_deg, 0.0f};
+    fixture::step(state, patch, targets, 0.0);
+    return state;
+}
+
+} // namespace
+
+Stage stage_with_bodies(const Show& show, Report& report) {
+    Stage stage = show.stage;
+    BodyShop shop(stage, report);
+    for (std::size_t k = 0; k < show.fixtures.size(); ++k) {
+        const PatchedFixture& fixture = show.fixtures[k];
+        if (!fixture.type) continue;
+        const glm::mat4 to_world = fixture_to_world(fixture, 0);
+        for (const fixture::PartState& part : home_state(fixture).parts) {
+            if (part.model < 0) continue;
+            for (const Instance& piece : shop.parts_of(*fixture.type, part.model))
+                stage.instances.push_back({fixture.name + ": " + piece.name, piece.mesh,
+                                           to_world * part.to_fixture * piece.world, static_cast<int>(k)});
+        }
+    }
+    return stage;
+}
+
+} // namespace ghost::scene

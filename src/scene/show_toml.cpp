@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/show_toml.h"
+
+#include "dmx/universes.h"
+#include "scene/toml_reader.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace ghost::scene {
+namespace {
+
+constexpr double kMaxCoordinate_m = 10'000;
+constexpr std::size_t kMaxCameras = 256;
+constexpr std::size_t kMaxFixtures = 10'000;
+constexpr std::size_t kMaxStops = 64;
+constexpr int kMaxPictureSide = 16384;
+constexpr std::size_t kMaxNameBytes = 100;
+
+// 3 to 6 m2 per gram for the droplets of a haze machine (Mie, 0.5 to 2 um); the middle.
+constexpr double kExtinctionPerConcentration = 0.0045; // 1/m per mg/m3
+
+template <class Target, class Value>
+void put(Target& target, const std::optional<Value>& value) {
+    if (value) target = static_cast<Target>(*value);
+}
+
+// Names become names of folders and files.
+bool is_good_name(const std::string& name) {
+    return !name.empty() && name.size() <= kMaxNameBytes && name[0] != '.' &&
+           name.find_first_of("/\\:*?\"<>|") == std::string::npos;
+}
+
+// The entry's name, made usable and unique.
+std::string name_of(TableReader& reader, const std::string& kind, std::size_t number,
+                    std::map<std::string, int>& line_of_name) {
+    std::string name = kind + " " + std::to_string(number);
+    if (const auto text = reader.text("name")) {
+        if (is_good_name(*text))
+            name = *text;
+        else
+            reader.problem(Severity::warning, "name",
+                           "'" + text->substr(0, 40) +
+                               "' cannot name a file (1 to 100 bytes, no leading dot, none of "
+                               "/\\:*?\"<>|); it is called '" +
+                               name + "'");
+    } else if (!reader.has("name")) {
+        reader.problem(Severity::warning, "name", "is missing; it is called '" + name + "'");
+    }
+    const std::string wanted = name;
+    for (int copy = 2; line_of_name.count(name); ++copy) name = wanted + " (" + std::to_string(copy) + ")";
+    if (name != wanted)
+        reader.problem(Severity::error, "name",
+                       "'" + wanted + "' is taken by line " + std::to_string(line_of_name[wanted]) +
+                           ", expected a name of its own; it is called '" + name + "'");
+    line_of_name[name] = reader.line_of("name");
+    return name;
+}
+
+void read_haze(const toml::table& table, const std::string& file, HazeSettings& haze, Report& report) {
+    TableReader reader(table, "[haze]", file, report);
+    const auto concentration = reader.number("concentration_mg_per_m3", 0, 1000);
+    if (concentration)
+        haze.extinction_per_m = static_cast<float>(*concentration * kExtinctionPerConcentration);
+    if (concentration && reader.has("extinction_per_m"))
+        reader.problem(Severity::warning, "concentration_mg_per_m3",
+                       "is not used: extinction_per_m is there, too");
+    put(haze.extinction_per_m, reader.number("extinction_per_m", 0, 10));
+    put(haze.albedo, reader.number("albedo", 0, 1));
+    put(haze.forward_g, reader.number("forward_g", -0.99, 0.99));
+    put(haze.back_g, reader.number("back_g", -0.99, 0.99));
+    put(haze.back_weight, reader.number("back_weight", 0, 1));
+    reader.finish();
+}
+
+Camera read_camera(TableReader& reader, const std::filesystem::path& folder) {
+    Camera camera;
+    const auto position = reader.vec3("position_m", kMaxCoordinate_m);
+    const auto target = reader.vec3("target_m", kMaxCoordinate_m);
+    if (!reader.has("position_m")) reader.missing("position_m", "where the eye is, [x, y, z]");
+    if (!reader.has("target_m"))
+        reader.missing("target_m", "a point in the middle of the picture, [x, y, z]");
+    put(camera.position_m, position);
+    put(camera.target_m, target);
+    if (glm::distance(camera.position_m, camera.target_m) < 1e-4f) {
+        reader.problem(Severity::error, "target_m",
+                       "is where the camera is, expected another point; it looks up-stage");
+        camera.target_m = camera.position_m + glm::vec3(0, 1, 0);
+    }
+    put(camera.fov_y_deg, reader.number("fov_y_deg", 0.1, 170));
+    if (const auto size = reader.numbers("size", 2, 1, kMaxPictureSide)) {
+        camera.width = static_cast<int>((*size)[0]);
+        camera.height = static_cast<int>((*size)[1]);
+    }
+    const auto ev100 = reader.number("ev100", -20, 30);
+    put(camera.ev100, ev100);
+    if (const auto exposure = reader.text("exposure")) {
+        camera.auto_exposure = *exposure == "auto";
+        if (*exposure != "auto")
+            reader.problem(Severity::error, "exposure",
+                           "is '" + exposure->substr(0, 40) +
+                               "', expected \"auto\" (or ev100 = a number instead)");
+        else if (ev100)
+            reader.problem(Severity::warning, "ev100", "is not used: exposure is \"auto\"");
+    }
+    if (const auto passes = reader.text("foreign_passes")) camera.foreign_passes = folder / *passes;
+    return camera;
+}
+
+std::optional<Track> read_track(const toml::table& table, const std::string& section, const std::string& file,
+                                Report& report) {
+    TableReader reader(table, section + " track", file, report);
+    Track track;
+    const auto stops = reader.vec3_list("stops_m", 2, kMaxStops, kMaxCoordinate_m);
+    const auto universe = reader.integer("universe", 1, dmx::kMaxUniverse);
+    const auto address = reader.integer("address", 1, 511);
+    for (const char* key : {"stops_m", "universe", "address"})
+        if (!reader.has(key)) reader.missing(key, "stops_m, universe and address of the travel (16 bit)");
+    reader.finish();
+    if (!stops || !universe || !address) return std::nullopt;
+    return Track{*stops, *universe, *address};
+}
+
+PatchedFixture read_fixture(TableReader& reader, const std::string& name, const std::string& file,
+                            FixtureSource& source, Report& report) {
+    const std::string section = "[[fixture]] '" + name + "'";
+    PatchedFixture fixture;
+    fixture.name = name;
+    source.line = reader.line();
+    if (const auto gdtf = reader.text("gdtf")) fixture.gdtf = *gdtf;
+    if (!reader.has("gdtf")) reader.missing("gdtf", "the name of a .gdtf file; the fixture stays dark");
+    source.gdtf_line = reader.line_of("gdtf");
+    source.mode = reader.text("mode").value_or("");
+    source.mode_line = reader.line_of("mode");
+
+    put(fixture.universe, reader.integer("universe", 1, dmx::kMaxUniverse));
+    const auto address = reader.integer("address", 1, 512);
+    fixture.address = address.value_or(0);
+    source.address_line = reader.line_of("address");
+    if (!reader.has("address"))
+        reader.problem(Severity::warning, "address",
+                       "is missing: the fixture is not patched and keeps its defaults");
+
+    if (const toml::table* track = reader.table("track")) {
+        fixture.track = read_track(*track, section, file, report);
+        source.track_line = reader.line_of("track");
+    }
+    const auto position = reader.vec3("position_m", kMaxCoordinate_m);
+    put(fixture.position_m, position);
+    if (fixture.track) {
+        fixture.position_m = fixture.track->stops_m.front();
+        if (position)
+            reader.problem(Severity::warning, "position_m", "is not used: the track says where it hangs");
+    } else if (!reader.has("position_m")) {
+        reader.missing("position_m", "where it hangs, [x, y, z]; it is at the origin");
+    }
+    put(fixture.rotation_deg, reader.vec3("rotation_deg", 360));
+    if (const auto home = reader.numbers("home_deg", 2, -720, 720)) {
+        fixture.home_pan_deg = static_cast<float>((*home)[0]);
+        fixture.home_tilt_deg = static_cast<float>((*home)[1]);
+    }
+    return fixture;
+}
+
+void read_sections(const toml::table& root, const std::string& file, ParsedShow& parsed, Report& report) {
+    Show& show = parsed.show;
+    TableReader top(root, "show file:", file, report);
+    if (const toml::table* table = top.table("show")) {
+        TableReader reader(*table, "[show]", file, report);
+        put(show.name, reader.text("name"));
+        if (const auto stage = reader.text("stage")) show.stage_file = show.folder / *stage;
+        if (!reader.has("stage")) reader.missing("stage", "the name of a model file (.glb)");
+        parsed.stage_line = reader.line_of("stage");
+        if (const auto recording = reader.text("recording")) show.recording = show.folder / *recording;
+        parsed.recording_line = reader.line_of("recording");
+        put(show.ambient_lux, reader.number("ambient_lux", 0, 200'000));
+        reader.finish();
+    } else if (!top.has("show")) {
+        top.missing("show", "a section [show] with name and stage");
+    }
+    if (const toml::table* table = top.table("haze")) read_haze(*table, file, show.haze, report);
+
+    std::map<std::string, int> cameras;
+    for (const toml::table* table : top.tables("camera", kMaxCameras)) {
+        TableReader reader(*table, "[[camera]]", file, report);
+        const std::string name = name_of(reader, "Camera", show.cameras.size() + 1, cameras);
+        show.cameras.push_back(read_camera(reader, show.folder));
+        show.cameras.back().name = name;
+        parsed.passes_lines.push_back(reader.line_of("foreign_passes"));
+        reader.finish();
+    }
+    std::map<std::string, int> fixtures;
+    for (const toml::table* table : top.tables("fixture", kMaxFixtures)) {
+        TableReader reader(*table, "[[fixture]]", file, report);
+        const std::string name = name_of(reader, "Fixture", show.fixtures.size() + 1, fixtures);
+        parsed.sources.emplace_back();
+        show.fixtures.push_back(read_fixture(reader, name, file, parsed.sources.back(), report));
+        reader.finish();
+    }
+    top.finish();
+}
+
+} // namespace
+
+Result<ParsedShow> parse_show(std::string_view text, const std::filesystem::path& file, Report& report) {
+    ParsedShow parsed;
+    parsed.show.file = file;
+    parsed.show.folder = file.parent_path();
+    parsed.show.name = file.parent_path().filename().string();
+    try {
+        const toml::table root = toml::parse(text, file.string());
+        read_sections(root, file.string(), parsed, report);
+    } catch (const toml::parse_error& problem) {
+        return Error{"is not TOML: " + std::string(problem.description()),
+                     file_line(file.string(), static_cast<int>(problem.source().begin.line))};
+    }
+    if (parsed.show.cameras.empty()) return Error{"has no [[camera]], expected at least one", file.string()};
+    return parsed;
+}
+
+} // namespace ghost::scene
