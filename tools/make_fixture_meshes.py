@@ -122,19 +122,19 @@ X_TO_Z = [[0, 0, -1], [0, 1, 0], [1, 0, 0]]  # turns a loft along Z into one alo
 def base():
     """0.494 x 0.382 x 0.105; the top plate at z = 0 hangs under the truss."""
     mesh = Mesh()
-    mesh.box("black paint", (-0.215, -0.191, -0.088), (0.215, 0.191, -0.012), 0.012)
+    mesh.box("black paint", (-0.215, -0.188, -0.088), (0.215, 0.188, -0.012), 0.012)
     mesh.box("dark casting", (-0.14, -0.10, -0.012), (0.14, 0.10, 0.0), 0.003)  # clamp plate
     mesh.loft("dark casting", [(-0.105, 0.085, 0.085, 2), (-0.087, 0.1, 0.1, 2)], 40)  # pan bearing
     for side in (-1, 1):  # carrying handles
         for y in (-0.09, 0.09):
             mesh.box("dark casting", *span((side * 0.21, y - 0.014, -0.066), (side * 0.24, y + 0.014, -0.038)), 0.003)
         mesh.box("dark casting", *span((side * 0.228, -0.104, -0.069), (side * 0.247, 0.104, -0.035)), 0.006)
-    mesh.box("label", (-0.12, -0.191, -0.072), (0.12, -0.188, -0.028), 0)  # front panel
-    mesh.box("display", (-0.1, -0.1918, -0.064), (-0.02, -0.186, -0.036), 0)
+    mesh.box("label", (-0.12, -0.1892, -0.072), (0.12, -0.18, -0.028), 0)  # front panel
+    mesh.box("display", (-0.1, -0.1902, -0.064), (-0.02, -0.186, -0.036), 0)
     for i in range(4):
-        mesh.box("dark casting", (0.01 + 0.024 * i, -0.1925, -0.058), (0.026 + 0.024 * i, -0.186, -0.042), 0)
+        mesh.box("dark casting", (0.01 + 0.024 * i, -0.191, -0.058), (0.026 + 0.024 * i, -0.186, -0.042), 0)
     for x in (-0.13, -0.06, 0.06, 0.13):  # sockets on the back
-        mesh.box("steel", (x - 0.014, 0.186, -0.064), (x + 0.014, 0.1925, -0.036), 0)
+        mesh.box("steel", (x - 0.014, 0.186, -0.064), (x + 0.014, 0.191, -0.036), 0)
     return mesh
 
 
@@ -190,12 +190,12 @@ def head(length, spot):
                               (back, 0.07, 0.06, 2.4)], 44, caps=(True, True))
     for side in (-1, 1):  # seams of the two covers
         mesh.box("dark casting", *span((side * 0.118, -0.003, -0.2), (side * 0.1272, 0.003, 0.04)), 0)
-        mesh.box("label", *span((side * 0.03, side * 0.1095, -0.02), (side * -0.03, side * 0.1124, 0.005)), 0)
     # Front ring and lens: the ring is the lowest part, the glass sits a little inside.
     radius = 0.078 if spot else 0.108
     outer = radius + (0.022 if spot else 0.012)
     outer = min(outer, hy)
-    mesh.loft("dark casting", [(-0.255, radius, radius, 2), (-0.255, outer, outer, 2), (-0.23, outer, outer, 2)], 44, caps=(False, False), flip=False)
+    mesh.loft("dark casting", [(-0.255, radius, radius, 2), (-0.255, outer, outer, 2), (-0.23, outer, outer, 2), (-0.225, 0.07, 0.07, 2)], 44,
+              caps=(False, True))
     mesh.loft("dark casting", [(-0.255, radius, radius, 2), (-0.238, radius, radius, 2)], 44, caps=(False, False), flip=True)
     dome = 0.008 if spot else 0.004
     rings = [(-0.238 - dome * math.cos(a), max(radius * math.sin(a), 1e-4), max(radius * math.sin(a), 1e-4), 2)

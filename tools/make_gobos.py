@@ -124,7 +124,7 @@ def night_sky(random, x, y):
 def leaf(u, v, length, width, vein=True):
     """Pointed leaf from (0,0) to (length,0): signed value, above 0 inside, and its vein."""
     t = np.clip(u / length, 0, 1)
-    half = width * np.power(np.sin(math.pi * np.power(t, 0.75)), 1.15)
+    half = width * np.power(np.clip(np.sin(math.pi * np.power(t, 0.75)), 0, 1), 1.15)
     inside = np.where((u > 0) & (u < length), half - np.abs(v), -1)
     if vein:
         inside = np.where((np.abs(v) < 0.0055 * (1.2 - t)) & (t < 0.86), -1, inside)
@@ -159,7 +159,6 @@ def vertical_bars(random, x, y):
         width = random.uniform(0.045, 0.11)
         light = np.maximum(light, smooth(left, x) * (1 - smooth(left + width, x)))
         left += width + random.uniform(0.05, 0.1)
-    # Steel gobos need bridges: short gaps hold the bars.
     return light
 
 
@@ -179,7 +178,7 @@ def block_breakup(random, x, y):
         nonlocal light
         w, h = x1 - x0, y1 - y0
         if depth == 0 or (max(w, h) < 0.34 and random.random() < 0.45) or max(w, h) < 0.16:
-            if random.random() < 0.62:
+            if random.random() < 0.7:
                 gap = 0.017
                 d = np.minimum(np.minimum(u - x0, x1 - u), np.minimum(v - y0, y1 - v))
                 light = np.maximum(light, smooth(gap, d))
@@ -218,10 +217,11 @@ def tribal_breakup(random, x, y):
 
 
 def liquid_breakup(random, x, y):
-    u = x + 0.22 * noise(random, x, y, 2.1) + 0.05 * noise(random, x, y, 6)
-    v = y + 0.22 * noise(random, x, y, 2.1) + 0.05 * noise(random, x, y, 6)
-    value = fractal(random, u, v, 3.1, 2, 0.35)
-    return smooth(0.16, np.abs(value) * -1 + 0.33, 0.01)
+    """Contour bands of a warped height field, as oil on water."""
+    push, pull = fractal(random, x, y, 1.7, 2, 0.4), fractal(random, x, y, 1.7, 2, 0.4)
+    height = fractal(random, x + 0.3 * push, y + 0.3 * pull, 1.5, 2, 0.35)
+    band = np.abs((height * 4.2) % 1 - 0.5) * 2
+    return smooth(0.5 + 0.28 * noise(random, x, y, 2.4), band, 0.06)
 
 
 def alpha_rays(random, x, y):
@@ -267,13 +267,11 @@ def gothic_window(random, x, y):
     whole = arch(0, 0.47, -0.80, 0.12)
     above = np.minimum(whole, -np.maximum(arch(-0.235, 0.235, -2, 0.10), arch(0.235, 0.235, -2, 0.10)))
     rose_d = np.hypot(x, y - 0.535)
-    angle = np.arctan2(y - 0.535, x)
     petal = np.maximum.reduce([0.062 - np.hypot(x - 0.082 * math.cos(a), y - 0.535 - 0.082 * math.sin(a))
                                for a in np.arange(6) * math.pi / 3 + math.pi / 6])
     light = np.maximum(light, smooth(0, petal))
     light = np.maximum(light, 1 - smooth(0.018, rose_d))
     tracery = np.minimum(np.minimum(above - 0.03, rose_d - 0.175), 1)
-    del angle
     return np.maximum(light, smooth(0, tracery))
 
 
