@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // From scene light to the display: exposure, tone curve, sRGB.
 #extension GL_GOOGLE_include_directive : require
-#include "shared/push.h"
+#extension GL_EXT_scalar_block_layout : require
 #include "shared/develop.h"
 
-layout(local_size_x = 256) in;
-layout(push_constant, scalar) uniform Push { DevelopPush p; };
+layout(local_size_x = 16, local_size_y = 8) in;
+layout(binding = 0) uniform sampler2DArray frame;
+layout(binding = 1, scalar) uniform Exposure { vec4 exposure; };
+layout(binding = 2, rgba8) writeonly uniform image2DArray picture;
 
 void main() {
-    uint at = gl_GlobalInvocationID.x;
-    if (at >= p.pixel_count) return;
-    vec3 shown = develop(p.frame.at[at].rgb, p.exposure.at[0].x);
-    p.pixels.at[at] = packUnorm4x8(vec4(shown, 1.0));
+    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(at, imageSize(picture).xy))) return;
+    imageStore(picture, ivec3(at, 0), vec4(develop(texelFetch(frame, ivec3(at, 0), 0).rgb, exposure.x), 1.0));
 }

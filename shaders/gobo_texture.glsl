@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shader side of gobo_sample (shared/beam.h): the stack of shared/gobos.h as a texture array.
-layout(set = 0, binding = 0) uniform sampler2DArray gobo_stack;
+layout(binding = 0) uniform sampler2DArray gobo_stack;
 
 const float kGoboBlurUnit = 2.0 / 256.0;
 const float kGoboTopLevel = 6.0;

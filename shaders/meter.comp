@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exposure: manual by EV100, or automatic by the log-average luminance of the lit pixels. One workgroup.
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
 #include "shared/develop.h"
 
 layout(local_size_x = 256) in;
+layout(binding = 0) uniform sampler2DArray frame;
+layout(binding = 1, scalar) writeonly buffer Exposure { vec4 exposure; }; // x: display value per cd/m^2, y: EV100
 layout(push_constant, scalar) uniform Push { MeterPush p; };
 
 shared float sums[256];
@@ -15,9 +18,9 @@ void main() {
     uint me = gl_LocalInvocationID.x;
     float sum = 0.0;
     float count = 0.0;
-    uint end = p.automatic != 0u ? p.pixel_count : 0u;
+    uint end = p.automatic != 0u ? p.width * p.height : 0u;
     for (uint i = me * 5u; i < end; i += 1280u) {
-        float luminance = luminance_of(p.frame.at[i].rgb);
+        float luminance = luminance_of(texelFetch(frame, ivec3(i % p.width, i / p.width, 0), 0).rgb);
         float lit = luminance > kMeterFloor ? 1.0 : 0.0;
         sum += lit * log2(max(luminance, kMeterFloor));
         count += lit;
@@ -35,6 +38,6 @@ void main() {
     if (me == 0u) {
         float average = counts[0] > 0.0 ? exp2(sums[0] / counts[0]) : 1.0;
         float ev = p.automatic != 0u ? log2(average * 100.0 / 12.5) + kAutoBias : p.ev100;
-        p.exposure.at[0] = vec4(exposure_of(ev), ev, 0.0, 0.0);
+        exposure = vec4(exposure_of(ev), ev, 0.0, 0.0);
     }
 }

@@ -31,25 +31,17 @@ Buffer::Buffer(const Device& device, std::uint64_t bytes, Access access)
     VkBufferCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
     info.size = bytes_;
-    info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_SHADER_DEVICE_ADDRESS_BIT |
+    info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
                  VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
     VK_CALL(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_));
     VkMemoryRequirements needs;
     vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
-    VkMemoryAllocateFlagsInfo flags{};
-    flags.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_FLAGS_INFO;
-    flags.flags = VK_MEMORY_ALLOCATE_DEVICE_ADDRESS_BIT;
     VkMemoryAllocateInfo allocate{};
     allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-    allocate.pNext = &flags;
     allocate.allocationSize = needs.size;
     allocate.memoryTypeIndex = device.memory_type(needs.memoryTypeBits, wanted_memory(access));
     VK_CALL(vkAllocateMemory(device.handle(), &allocate, nullptr, &memory_));
     VK_CALL(vkBindBufferMemory(device.handle(), buffer_, memory_, 0));
-    VkBufferDeviceAddressInfo address{};
-    address.sType = VK_STRUCTURE_TYPE_BUFFER_DEVICE_ADDRESS_INFO;
-    address.buffer = buffer_;
-    address_ = vkGetBufferDeviceAddress(device.handle(), &address);
     // Mapping fails where the memory is not visible to the host; only then is staging needed.
     VkPhysicalDeviceMemoryProperties memory;
     vkGetPhysicalDeviceMemoryProperties(device.physical(), &memory);
@@ -69,7 +61,6 @@ void Buffer::swap(Buffer& other) noexcept {
     std::swap(device_, other.device_);
     std::swap(buffer_, other.buffer_);
     std::swap(memory_, other.memory_);
-    std::swap(address_, other.address_);
     std::swap(bytes_, other.bytes_);
     std::swap(mapped_, other.mapped_);
 }

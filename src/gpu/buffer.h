@@ -1,13 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Buffer: memory that shaders reach by address. Moves, never copies; frees itself; must not outlive its
+// Buffer: memory that shaders bind. Moves, never copies; frees itself; must not outlive its
 // Device. Every buffer is mapped where the device allows it (integrated GPUs, lavapipe, resizable BAR);
 // write() stages otherwise.
 
 #include "gpu/device.h"
 
-#include <span>
 #include <utility>
+#include <vector>
 
 namespace ghost::gpu {
 
@@ -20,7 +20,7 @@ enum class Access {
 class Buffer {
 public:
     Buffer() = default;
-    // bytes 0 gives a buffer of 16 bytes, so that its address is valid.
+    // bytes 0 gives a buffer of 16 bytes, so that it can be bound.
     Buffer(const Device& device, std::uint64_t bytes, Access access);
     ~Buffer();
     Buffer(Buffer&& other) noexcept { swap(other); }
@@ -30,7 +30,6 @@ public:
     }
 
     VkBuffer handle() const { return buffer_; }
-    std::uint64_t address() const { return address_; }
     std::uint64_t bytes() const { return bytes_; }
     bool valid() const { return buffer_ != VK_NULL_HANDLE; }
     // Null where the memory is not visible to us; never null for readback and upload.
@@ -39,8 +38,8 @@ public:
     // Copies data to the start of the buffer and waits until it is there. Not while the GPU uses the buffer.
     void write(const void* data, std::uint64_t bytes);
     template <class T>
-    void write(std::span<const T> data) {
-        write(data.data(), data.size_bytes());
+    void write(const std::vector<T>& data) {
+        write(data.data(), data.size() * sizeof(T));
     }
 
 private:
@@ -49,7 +48,6 @@ private:
     const Device* device_ = nullptr;
     VkBuffer buffer_ = VK_NULL_HANDLE;
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
-    std::uint64_t address_ = 0;
     std::uint64_t bytes_ = 0;
     void* mapped_ = nullptr;
 };

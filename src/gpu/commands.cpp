@@ -1,17 +1,62 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/commands.h"
 
+#include "base/check.h"
 #include "gpu/buffer.h"
-#include "gpu/texture_array.h"
+#include "gpu/texture.h"
+
+#include <algorithm>
+#include <utility>
 
 namespace ghost::gpu {
 namespace {
 
 constexpr std::uint32_t kMaxSpans = 32;
+constexpr std::uint32_t kPushBytes = 128;          // the least that every Vulkan device has
+constexpr std::uint64_t kUniformBytes = 64 * 1024; // what every desktop device and lavapipe bind at once
 
+} // namespace
+
+Binding uniform(const Buffer& buffer, std::uint64_t offset) {
+    return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, &buffer, nullptr, offset};
+}
+Binding storage(const Buffer& buffer) {
+    return {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, &buffer, nullptr, 0};
+}
+Binding sampled(const Texture& texture) {
+    return {VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, nullptr, &texture, 0};
+}
+Binding stored(const Texture& texture) {
+    return {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, nullptr, &texture, 0};
 }
 
-Program::Program(const Device& device, std::span<const std::uint32_t> spirv) : device_(device) {
+Program::Program(const Device& device, std::span<const std::uint32_t> spirv,
+                 std::vector<VkDescriptorType> bindings)
+    : device_(device), bindings_(std::move(bindings)) {
+    std::vector<VkDescriptorSetLayoutBinding> places;
+    for (const VkDescriptorType type : bindings_) {
+        VkDescriptorSetLayoutBinding place{};
+        place.binding = static_cast<std::uint32_t>(places.size());
+        place.descriptorType = type;
+        place.descriptorCount = 1;
+        place.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
+        places.push_back(place);
+    }
+    VkDescriptorSetLayoutCreateInfo set{};
+    set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    set.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
+    set.bindingCount = static_cast<std::uint32_t>(places.size());
+    set.pBindings = places.data();
+    VK_CALL(vkCreateDescriptorSetLayout(device.handle(), &set, nullptr, &set_layout_));
+    const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, kPushBytes};
+    VkPipelineLayoutCreateInfo layout{};
+    layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    layout.setLayoutCount = 1;
+    layout.pSetLayouts = &set_layout_;
+    layout.pushConstantRangeCount = 1;
+    layout.pPushConstantRanges = &push;
+    VK_CALL(vkCreatePipelineLayout(device.handle(), &layout, nullptr, &layout_));
+
     VkShaderModuleCreateInfo module_info{};
     module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     module_info.codeSize = spirv.size_bytes();
@@ -24,13 +69,15 @@ Program::Program(const Device& device, std::span<const std::uint32_t> spirv) : d
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
     info.stage.module = module;
     info.stage.pName = "main";
-    info.layout = device.layout();
+    info.layout = layout_;
     VK_CALL(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_));
     vkDestroyShaderModule(device.handle(), module, nullptr);
 }
 
 Program::~Program() {
     vkDestroyPipeline(device_.handle(), pipeline_, nullptr);
+    vkDestroyPipelineLayout(device_.handle(), layout_, nullptr);
+    vkDestroyDescriptorSetLayout(device_.handle(), set_layout_, nullptr);
 }
 
 Commands::Commands(const Device& device) : device_(device) {
@@ -69,20 +116,34 @@ void Commands::begin() {
     names_.clear();
 }
 
-void Commands::bind(const TextureArray& texture) {
-    const VkDescriptorImageInfo image{texture.sampler(), texture.view(), VK_IMAGE_LAYOUT_GENERAL};
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-    write.descriptorCount = 1;
-    write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    write.pImageInfo = &image;
-    device_.push_descriptors()(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, device_.layout(), 0, 1, &write);
-}
-
-void Commands::dispatch_bytes(const Program& program, const void* push, std::uint32_t bytes, std::uint32_t x,
-                              std::uint32_t y) {
+void Commands::dispatch_bytes(const Program& program, const void* push, std::uint32_t bytes,
+                              const std::vector<Binding>& bindings, std::uint32_t x, std::uint32_t y) {
+    CHECK_EQ(bindings.size(), program.bindings().size());
+    std::vector<VkDescriptorBufferInfo> buffers(bindings.size());
+    std::vector<VkDescriptorImageInfo> images(bindings.size());
+    std::vector<VkWriteDescriptorSet> writes(bindings.size());
+    for (std::size_t i = 0; i < bindings.size(); ++i) {
+        const Binding& binding = bindings[i];
+        CHECK(binding.type == program.bindings()[i]);
+        writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        writes[i].dstBinding = static_cast<std::uint32_t>(i);
+        writes[i].descriptorCount = 1;
+        writes[i].descriptorType = binding.type;
+        if (binding.buffer) {
+            const std::uint64_t left = binding.buffer->bytes() - binding.offset;
+            const bool is_uniform = binding.type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+            buffers[i] = {binding.buffer->handle(), binding.offset,
+                          is_uniform ? std::min(left, kUniformBytes) : left};
+            writes[i].pBufferInfo = &buffers[i];
+        } else {
+            images[i] = {binding.texture->sampler(), binding.texture->view(), VK_IMAGE_LAYOUT_GENERAL};
+            writes[i].pImageInfo = &images[i];
+        }
+    }
+    device_.push_descriptors()(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.layout(), 0,
+                               static_cast<std::uint32_t>(writes.size()), writes.data());
     vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.handle());
-    vkCmdPushConstants(commands_, device_.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, bytes, push);
+    vkCmdPushConstants(commands_, program.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, bytes, push);
     vkCmdDispatch(commands_, x, y, 1);
 }
 
@@ -103,6 +164,14 @@ void Commands::barrier() {
 void Commands::copy(const Buffer& from, const Buffer& to, std::uint64_t bytes) {
     const VkBufferCopy region{0, 0, bytes};
     vkCmdCopyBuffer(commands_, from.handle(), to.handle(), 1, &region);
+    barrier();
+}
+
+void Commands::copy(const Texture& from, const Buffer& to) {
+    VkBufferImageCopy region{};
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    region.imageExtent = {from.shape().width, from.shape().height, 1};
+    vkCmdCopyImageToBuffer(commands_, from.image(), VK_IMAGE_LAYOUT_GENERAL, to.handle(), 1, &region);
     barrier();
 }
 

@@ -12,18 +12,37 @@
 namespace ghost::gpu {
 
 class Buffer;
-class TextureArray;
+class Texture;
 
+// What a shader finds at binding number i of set 0.
+struct Binding {
+    VkDescriptorType type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    const Buffer* buffer = nullptr;
+    const Texture* texture = nullptr;
+    std::uint64_t offset = 0; // into the buffer
+};
+Binding uniform(const Buffer& buffer, std::uint64_t offset = 0);
+Binding storage(const Buffer& buffer);
+Binding sampled(const Texture& texture);
+Binding stored(const Texture& texture);
+
+// A compute shader whose bindings 0, 1, .. have these types.
 class Program {
 public:
-    Program(const Device& device, std::span<const std::uint32_t> spirv);
+    Program(const Device& device, std::span<const std::uint32_t> spirv,
+            std::vector<VkDescriptorType> bindings);
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
     VkPipeline handle() const { return pipeline_; }
+    VkPipelineLayout layout() const { return layout_; }
+    const std::vector<VkDescriptorType>& bindings() const { return bindings_; }
 
 private:
     const Device& device_;
+    std::vector<VkDescriptorType> bindings_;
+    VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
+    VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline pipeline_ = VK_NULL_HANDLE;
 };
 
@@ -40,26 +59,26 @@ public:
     Commands& operator=(const Commands&) = delete;
 
     void begin();
-    void bind(const TextureArray& texture); // for the dispatches that follow
-    // push: at most 128 bytes; groups: workgroups in x, y.
+    // push: at most 128 bytes; bindings: as the program declares them; groups: workgroups in x, y.
     template <class Push>
-    void dispatch(const Program& program, const Push& push, std::uint32_t groups_x,
-                  std::uint32_t groups_y = 1) {
+    void dispatch(const Program& program, const Push& push, const std::vector<Binding>& bindings,
+                  std::uint32_t groups_x, std::uint32_t groups_y = 1) {
         static_assert(sizeof(Push) <= 128);
-        dispatch_bytes(program, &push, sizeof(Push), groups_x, groups_y);
+        dispatch_bytes(program, &push, sizeof(Push), bindings, groups_x, groups_y);
     }
     // All that was recorded is done and visible to what follows, shaders and host.
     void barrier();
     void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);
-    void begin_span(const std::string& name); // up to the next begin_span or the end
+    void copy(const Texture& from, const Buffer& to); // level 0, layer 0, tightly packed
+    void begin_span(const std::string& name);         // up to the next begin_span or the end
     void submit_and_wait();
 
     VkCommandBuffer handle() const { return commands_; }
     const std::vector<Span>& spans() const { return spans_; } // of the last submit_and_wait
 
 private:
-    void dispatch_bytes(const Program& program, const void* push, std::uint32_t bytes, std::uint32_t x,
-                        std::uint32_t y);
+    void dispatch_bytes(const Program& program, const void* push, std::uint32_t bytes,
+                        const std::vector<Binding>& bindings, std::uint32_t x, std::uint32_t y);
 
     const Device& device_;
     VkCommandPool pool_ = VK_NULL_HANDLE;

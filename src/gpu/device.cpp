@@ -12,7 +12,6 @@
 namespace ghost::gpu {
 namespace {
 
-constexpr std::uint32_t kPushBytes = 128; // the least that every Vulkan device has
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 
 std::string lower(std::string text) {
@@ -43,7 +42,6 @@ std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties&
     features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     features.pNext = &f12;
     vkGetPhysicalDeviceFeatures2(physical, &features);
-    if (!f12.bufferDeviceAddress) return "bufferDeviceAddress";
     if (!f12.scalarBlockLayout) return "scalarBlockLayout";
     if (!f13.synchronization2) return "synchronization2";
     if (!f13.maintenance4) return "maintenance4";
@@ -191,7 +189,6 @@ void Device::make_device() {
     VkPhysicalDeviceVulkan12Features f12{};
     f12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
     f12.pNext = &f13;
-    f12.bufferDeviceAddress = VK_TRUE;
     f12.scalarBlockLayout = VK_TRUE;
 
     const char* extension = VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME;
@@ -206,27 +203,6 @@ void Device::make_device() {
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
     push_descriptors_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
         vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
-
-    // One layout serves every program: buffers come as addresses in the push constants, and binding 0 is the
-    // gobo stack.
-    VkDescriptorSetLayoutBinding binding{};
-    binding.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    binding.descriptorCount = 1;
-    binding.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
-    VkDescriptorSetLayoutCreateInfo set{};
-    set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-    set.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
-    set.bindingCount = 1;
-    set.pBindings = &binding;
-    VK_CALL(vkCreateDescriptorSetLayout(device_, &set, nullptr, &set_layout_));
-    const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, kPushBytes};
-    VkPipelineLayoutCreateInfo layout{};
-    layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    layout.setLayoutCount = 1;
-    layout.pSetLayouts = &set_layout_;
-    layout.pushConstantRangeCount = 1;
-    layout.pPushConstantRanges = &push;
-    VK_CALL(vkCreatePipelineLayout(device_, &layout, nullptr, &layout_));
 
     vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
     for (std::uint32_t i = 0; i < memory_.memoryHeapCount; ++i)
@@ -254,8 +230,6 @@ std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags w
 Device::~Device() {
     if (device_ != VK_NULL_HANDLE) {
         vkDeviceWaitIdle(device_);
-        vkDestroyPipelineLayout(device_, layout_, nullptr);
-        vkDestroyDescriptorSetLayout(device_, set_layout_, nullptr);
         vkDestroyDevice(device_, nullptr);
     }
     if (messenger_ != VK_NULL_HANDLE) {

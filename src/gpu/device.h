@@ -31,8 +31,6 @@ public:
     VkPhysicalDevice physical() const { return physical_; }
     VkQueue queue() const { return queue_; }
     std::uint32_t queue_family() const { return queue_family_; }
-    VkPipelineLayout layout() const { return layout_; }
-    VkDescriptorSetLayout set_layout() const { return set_layout_; }
     PFN_vkCmdPushDescriptorSetKHR push_descriptors() const { return push_descriptors_; }
 
     const std::string& name() const { return name_; } // "llvmpipe (LLVM 15.0.6, 256 bits)"
@@ -57,8 +55,6 @@ private:
     VkPhysicalDevice physical_ = VK_NULL_HANDLE;
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
-    VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
-    VkPipelineLayout layout_ = VK_NULL_HANDLE;
     PFN_vkCmdPushDescriptorSetKHR push_descriptors_ = nullptr;
     VkPhysicalDeviceMemoryProperties memory_{};
     std::uint32_t queue_family_ = 0;

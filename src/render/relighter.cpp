@@ -19,7 +19,14 @@ namespace ghost::render {
 namespace {
 
 constexpr std::uint64_t kImageBytesPerPixel = 8; // four half floats
-constexpr float kNoSurface_m = 60.0f;            // length of a ray that leaves the hall
+constexpr std::uint64_t kChunkAlign = 256;       // offset of a uniform buffer, at most, on every device
+constexpr std::uint64_t kChunkBytes = shared::kLightsPerDispatch * sizeof(shared::Light);
+constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+constexpr std::uint64_t kMaxLayers = 2048; // of an image, on every device
+constexpr float kNoSurface_m = 60.0f;      // length of a ray that leaves the hall
 
 std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
     return (items + size - 1) / size;
@@ -84,77 +91,107 @@ std::vector<std::uint64_t> base_image(const scene::Passes& passes, float ambient
     return base;
 }
 
+// Index of the first extra fragment * 4 + their number, of every pixel.
+std::vector<std::uint32_t> packed_extras(const scene::Passes& passes) {
+    std::vector<std::uint32_t> packed(passes.pixel_count());
+    for (std::size_t pixel = 0; pixel < packed.size(); ++pixel) {
+        const std::uint32_t first = passes.extra_first[pixel];
+        const std::uint32_t count = passes.extra_first[pixel + 1] - first;
+        CHECK(count <= 3);
+        packed[pixel] = first * 4 + count;
+    }
+    return packed;
+}
+
 } // namespace
 
 int image_slots(std::uint64_t memory_bytes, int width, int height, int light_count) {
     const std::uint64_t image =
         static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * kImageBytesPerPixel;
     const auto full_tree = static_cast<std::uint64_t>(std::max(2 * light_count - 1, 1));
-    return static_cast<int>(std::min(memory_bytes / std::max<std::uint64_t>(image, 1), full_tree));
+    return static_cast<int>(
+        std::min({memory_bytes / std::max<std::uint64_t>(image, 1), full_tree, kMaxLayers}));
 }
 
 Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
                      int light_count, const Settings& settings)
-    : device_(device), settings_(settings), width_(passes.width), height_(passes.height),
-      tiles_x_(groups(static_cast<std::uint32_t>(passes.width), shared::kTileWidth)),
-      tiles_y_(groups(static_cast<std::uint32_t>(passes.height), shared::kTileHeight)),
-      light_count_(light_count),
-      tree_(light_count, image_slots(settings.image_memory_bytes, passes.width, passes.height, light_count)),
-      cull_(device, shaders::kShader_cull), relight_(device, shaders::kShader_relight),
-      meter_(device, shaders::kShader_meter), develop_(device, shaders::kShader_develop),
-      gobos_(device, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers), gobos.texels),
-      commands_(device) {
+    : device_(device), settings_(settings), width_(static_cast<std::uint32_t>(passes.width)),
+      height_(static_cast<std::uint32_t>(passes.height)), tiles_x_(groups(width_, shared::kTileWidth)),
+      tiles_y_(groups(height_, shared::kTileHeight)), light_count_(light_count),
+      slot_count_(image_slots(settings.image_memory_bytes, passes.width, passes.height, light_count)),
+      tree_(light_count, slot_count_),
+      cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage}),
+      relight_(
+          device, shaders::kShader_relight,
+          {kSampled, kUniform, kUniform, kStorage, kSampled, kSampled, kSampled, kSampled, kStored, kStored}),
+      meter_(device, shaders::kShader_meter, {kSampled, kStorage}),
+      develop_(device, shaders::kShader_develop, {kSampled, kUniform, kStored}), commands_(device) {
     using gpu::Access;
     using gpu::Buffer;
-    const std::uint64_t pixels = passes.pixel_count();
-    const auto lights = static_cast<std::uint64_t>(std::max(light_count, 1));
+    using gpu::Texture;
     const std::uint64_t tiles = static_cast<std::uint64_t>(tiles_x_) * tiles_y_;
-
-    const shared::View view = make_view(passes, settings.haze);
-    view_ = Buffer(device, sizeof view, Access::device);
-    view_.write(&view, sizeof view);
-    fragments_ = Buffer(device, passes.fragments.size() * sizeof(glm::vec4), Access::device);
-    fragments_.write(std::span(passes.fragments));
-    extra_first_ = Buffer(device, passes.extra_first.size() * sizeof(std::uint32_t), Access::device);
-    extra_first_.write(std::span(passes.extra_first));
-    const std::vector<float> far = farthest_per_tile(passes, tiles_x_, tiles_y_);
-    tile_far_ = Buffer(device, far.size() * sizeof(float), Access::device);
-    tile_far_.write(std::span(far));
-    const std::vector<std::uint64_t> base = base_image(passes, settings.ambient_lux, settings.haze);
-    base_ = Buffer(device, pixels * kImageBytesPerPixel, Access::device);
-    base_.write(std::span(base));
-
-    std::vector<std::uint64_t> table;
-    const std::vector<std::uint64_t> dark(passes.fragment_count(), 0);
-    dark_pass_ = Buffer(device, dark.size() * sizeof(std::uint64_t), Access::device);
-    dark_pass_.write(std::span(dark));
-    for (const scene::LightPass& pass : passes.lights) {
-        if (pass.radiance.empty()) {
-            table.push_back(dark_pass_.address());
-            continue;
-        }
-        CHECK_EQ(pass.radiance.size(), passes.fragment_count() * 4);
-        passes_.emplace_back(device, pass.radiance.size() * sizeof(std::uint16_t), Access::device);
-        passes_.back().write(std::span(pass.radiance));
-        table.push_back(passes_.back().address());
-    }
-    table.push_back(dark_pass_.address());
-    pass_table_ = Buffer(device, table.size() * sizeof(std::uint64_t), Access::device);
-    pass_table_.write(std::span(table));
-
-    lights_ = Buffer(device, lights * sizeof(shared::Light), Access::upload);
-    // In one frame every light is listed at most twice (drawn into an image and into the frame), every image
-    // added once.
-    lists_ = Buffer(device, 2 * lights * sizeof(std::uint32_t), Access::upload);
-    addends_ = Buffer(device, (4 * lights + 4) * sizeof(std::uint64_t), Access::upload);
-    tile_count_ = Buffer(device, tiles * sizeof(std::uint32_t), Access::device);
-    tile_light_ = Buffer(device, tiles * lights * sizeof(std::uint32_t), Access::device);
-    frame_ = Buffer(device, pixels * sizeof(glm::vec4), Access::readback);
-    pixels_ = Buffer(device, pixels * sizeof(std::uint32_t), Access::readback);
+    // In one frame every light is drawn at most twice: into an image to keep and into the frame. Each sum
+    // begins a chunk.
+    const std::uint64_t chunks = 2 * static_cast<std::uint64_t>(light_count) + 2;
+    lights_ = Buffer(device,
+                     chunks * kChunkAlign +
+                         2 * static_cast<std::uint64_t>(light_count) * sizeof(shared::Light) + kChunkBytes,
+                     Access::upload);
+    tile_mask_ = Buffer(device, tiles * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
     exposure_ = Buffer(device, sizeof(glm::vec4), Access::readback);
+    pixels_ = Buffer(device, passes.pixel_count() * 4, Access::readback);
+    images_ = Texture(device, {width_, height_, static_cast<std::uint32_t>(std::max(slot_count_, 1)), 1,
+                               VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    frame_ = Texture(device, {width_, height_, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
+    picture_ = Texture(device, {width_, height_, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
+    upload(passes, gobos);
 }
 
 Relighter::~Relighter() = default;
+
+void Relighter::upload(const scene::Passes& passes, const shared::Gobos& gobos) {
+    using gpu::Access;
+    using gpu::Buffer;
+    using gpu::Texture;
+    const shared::View view = make_view(passes, settings_.haze);
+    view_ = Buffer(device_, sizeof view, Access::device);
+    view_.write(&view, sizeof view);
+    const std::vector<float> far = farthest_per_tile(passes, tiles_x_, tiles_y_);
+    tile_far_ = Buffer(device_, far.size() * sizeof(float), Access::device);
+    tile_far_.write(far);
+    const std::vector<std::uint64_t> base = base_image(passes, settings_.ambient_lux, settings_.haze);
+    base_ = Texture(device_, {width_, height_, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT});
+    base_.write(0, base.data(), base.size() * sizeof(std::uint64_t));
+    const std::vector<std::uint32_t> extras = packed_extras(passes);
+    extras_ = Texture(device_, {width_, height_, 1, 1, VK_FORMAT_R32_UINT});
+    extras_.write(0, extras.data(), extras.size() * sizeof(std::uint32_t));
+
+    gobos_ = Texture(device_, {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
+                               shared::kGoboLevels, VK_FORMAT_R8G8B8A8_UNORM, false, true});
+    for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
+        gobos_.write(level, gobos.texels[level].data(), gobos.texels[level].size());
+
+    // Fragments lie as rows of the picture's width: the picture first, the extra ones below it.
+    const std::size_t rows = (passes.fragment_count() + width_ - 1) / width_;
+    std::vector<glm::vec4> fragments = passes.fragments;
+    fragments.resize(rows * width_);
+    fragments_ =
+        Texture(device_, {width_, static_cast<std::uint32_t>(rows), 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT});
+    fragments_.write(0, fragments.data(), fragments.size() * sizeof(glm::vec4));
+    const auto layers = static_cast<std::uint32_t>(passes.lights.size()) + 1; // the last one is dark
+    passes_ = Texture(device_,
+                      {width_, static_cast<std::uint32_t>(rows), layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT});
+    std::vector<std::uint16_t> radiance(rows * width_ * 4);
+    for (std::uint32_t layer = 0; layer < layers; ++layer) {
+        std::fill(radiance.begin(), radiance.end(), std::uint16_t{0});
+        if (layer + 1 < layers) {
+            const std::vector<std::uint16_t>& from = passes.lights[layer].radiance;
+            CHECK(from.empty() || from.size() == passes.fragment_count() * 4);
+            std::copy(from.begin(), from.end(), radiance.begin());
+        }
+        passes_.write_layer(layer, radiance.data(), radiance.size() * sizeof(std::uint16_t));
+    }
+}
 
 FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
     const auto start = std::chrono::steady_clock::now();
@@ -175,13 +212,9 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
     statistics.drawn = plan.drawn;
     statistics.additions = plan.additions;
     if (!plan.sums.empty()) {
-        if (!lights.empty())
-            std::memcpy(lights_.mapped(), lights.data(), lights.size() * sizeof(shared::Light));
-        list_used_ = 0;
-        addends_used_ = 0;
+        chunks_used_ = 0;
         commands_.begin();
-        commands_.bind(gobos_);
-        for (const ImageSum& sum : plan.sums) draw_sum(sum);
+        for (const ImageSum& sum : plan.sums) draw_sum(sum, lights);
         develop();
         commands_.submit_and_wait();
         statistics.spans = commands_.spans();
@@ -191,92 +224,82 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
     return statistics;
 }
 
-void Relighter::draw_sum(const ImageSum& sum) {
-    auto* list = static_cast<std::uint32_t*>(lists_.mapped()) + list_used_;
-    auto* addends = static_cast<std::uint64_t*>(addends_.mapped()) + addends_used_;
-    const auto list_count = static_cast<std::uint32_t>(sum.lights.size());
-    const bool is_frame = sum.target < 0;
+void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights) {
+    std::size_t light = 0;
+    std::size_t addend = 0;
+    // One dispatch holds a limited number of lights and images; a long sum takes several, each on top of the
+    // last.
+    for (bool first = true; first || light < sum.lights.size() || addend < sum.addends.size();
+         first = false) {
+        shared::RelightPush relight{};
+        auto* place =
+            reinterpret_cast<shared::Light*>(static_cast<std::uint8_t*>(lights_.mapped()) + chunks_used_);
+        const std::uint64_t offset = chunks_used_;
+        for (; light < sum.lights.size() && relight.light_count < shared::kLightsPerDispatch; ++light)
+            place[relight.light_count++] = lights[static_cast<std::size_t>(sum.lights[light])];
+        for (; addend < sum.addends.size() && relight.addend_count < shared::kMaxAddends; ++addend)
+            relight.addend[relight.addend_count++] = static_cast<std::uint32_t>(sum.addends[addend]);
+        chunks_used_ +=
+            (relight.light_count * sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
+        CHECK(chunks_used_ + kChunkBytes <= lights_.bytes() + kChunkAlign);
 
-    shared::CullPush cull{};
-    cull.view = view_.address();
-    cull.lights = lights_.address();
-    cull.list = lists_.address() + list_used_ * sizeof(std::uint32_t);
-    cull.tile_far = tile_far_.address();
-    cull.tile_count = tile_count_.address();
-    cull.tile_light = tile_light_.address();
-    cull.list_count = list_count;
-    cull.tiles_x = tiles_x_;
-    cull.tiles_y = tiles_y_;
-    CHECK((list_used_ + list_count) * sizeof(std::uint32_t) <= lists_.bytes());
-    for (const int light : sum.lights) *list++ = static_cast<std::uint32_t>(light);
-    list_used_ += list_count;
-
-    shared::RelightPush relight{};
-    relight.view = cull.view;
-    relight.lights = cull.lights;
-    relight.tile_count = cull.tile_count;
-    relight.tile_light = cull.tile_light;
-    relight.fragments = fragments_.address();
-    relight.extra_first = extra_first_.address();
-    relight.passes = pass_table_.address();
-    relight.addends = addends_.address() + addends_used_ * sizeof(std::uint64_t);
-    relight.frame = frame_.address();
-    for (const int slot : sum.addends) *addends++ = images_[static_cast<std::size_t>(slot)].address();
-    relight.addend_count = static_cast<std::uint32_t>(sum.addends.size());
-    if (is_frame) {
-        *addends++ = base_.address();
-        ++relight.addend_count;
-    } else {
-        const auto slot = static_cast<std::size_t>(sum.target);
-        if (slot >= images_.size()) images_.resize(slot + 1);
-        if (!images_[slot].valid()) {
-            const std::uint64_t bytes = static_cast<std::uint64_t>(width_) *
-                                        static_cast<std::uint64_t>(height_) * kImageBytesPerPixel;
-            images_[slot] = gpu::Buffer(device_, bytes, gpu::Access::device);
-            image_bytes_ += bytes;
-        }
-        relight.image = images_[slot].address();
+        const bool is_frame = sum.target < 0;
+        relight.tiles_x = tiles_x_;
+        relight.march_steps = static_cast<std::uint32_t>(std::max(settings_.march_steps, 1));
+        relight.target = static_cast<std::uint32_t>(std::max(sum.target, 0));
+        relight.flags =
+            (settings_.surfaces ? shared::kDrawSurfaces : 0u) | (settings_.air ? shared::kDrawHaze : 0u) |
+            (settings_.beams == Beams::march ? shared::kMarch : 0u) | (is_frame ? shared::kOutputFrame : 0u) |
+            (first ? 0u : shared::kAccumulate) | (first && is_frame ? shared::kAddBase : 0u);
+        const shared::CullPush cull{relight.light_count, tiles_x_, tiles_y_};
+        commands_.begin_span("cull");
+        commands_.dispatch(cull_, cull,
+                           {gpu::uniform(view_), gpu::uniform(lights_, offset), gpu::storage(tile_far_),
+                            gpu::storage(tile_mask_)},
+                           groups(tiles_x_ * tiles_y_, 64));
+        commands_.barrier();
+        commands_.begin_span("relight");
+        commands_.dispatch(relight_, relight,
+                           {gpu::sampled(gobos_), gpu::uniform(view_), gpu::uniform(lights_, offset),
+                            gpu::storage(tile_mask_), gpu::sampled(passes_), gpu::sampled(fragments_),
+                            gpu::sampled(extras_), gpu::sampled(base_), gpu::stored(images_),
+                            gpu::stored(frame_)},
+                           tiles_x_, tiles_y_);
+        commands_.barrier();
     }
-    addends_used_ += relight.addend_count;
-    CHECK(addends_used_ * sizeof(std::uint64_t) <= addends_.bytes());
-    relight.list_count = list_count;
-    relight.tiles_x = tiles_x_;
-    relight.march_steps = static_cast<std::uint32_t>(std::max(settings_.march_steps, 1));
-    relight.flags =
-        (settings_.surfaces ? shared::kDrawSurfaces : 0u) | (settings_.air ? shared::kDrawHaze : 0u) |
-        (settings_.beams == Beams::march ? shared::kMarch : 0u) | (is_frame ? shared::kOutputFloat : 0u);
-
-    commands_.begin_span("cull");
-    commands_.dispatch(cull_, cull, groups(tiles_x_ * tiles_y_, 64));
-    commands_.barrier();
-    commands_.begin_span("relight");
-    commands_.dispatch(relight_, relight, tiles_x_, tiles_y_);
-    commands_.barrier();
 }
 
 void Relighter::develop() {
-    const auto pixel_count = static_cast<std::uint32_t>(width_ * height_);
-    const shared::MeterPush meter{frame_.address(), exposure_.address(), pixel_count, settings_.ev100,
-                                  settings_.auto_exposure ? 1u : 0u};
+    const shared::MeterPush meter{width_, height_, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
     commands_.begin_span("meter");
-    commands_.dispatch(meter_, meter, 1);
+    commands_.dispatch(meter_, meter, {gpu::sampled(frame_), gpu::storage(exposure_)}, 1);
     commands_.barrier();
-    const shared::DevelopPush develop{frame_.address(), exposure_.address(), pixels_.address(), pixel_count};
     commands_.begin_span("develop");
-    commands_.dispatch(develop_, develop, groups(pixel_count, 256));
+    commands_.dispatch(develop_, std::uint32_t{0},
+                       {gpu::sampled(frame_), gpu::uniform(exposure_), gpu::stored(picture_)},
+                       groups(width_, 16), groups(height_, 8));
+    commands_.barrier();
+    commands_.begin_span("read back");
+    commands_.copy(picture_, pixels_);
 }
 
 image::Image8 Relighter::picture() const {
-    image::Image8 result(width_, height_, 4);
+    image::Image8 result(width(), height(), 4);
     std::memcpy(result.samples.data(), pixels_.mapped(), result.samples.size());
     return result;
 }
 
 image::ImageF Relighter::frame() const {
-    image::ImageF result(width_, height_, 3);
-    const auto* from = static_cast<const glm::vec4*>(frame_.mapped());
+    image::ImageF result(width(), height(), 3);
+    const gpu::Buffer buffer(device_, static_cast<std::uint64_t>(width_) * height_ * sizeof(glm::vec4),
+                             gpu::Access::readback);
+    commands_.begin();
+    commands_.copy(frame_, buffer);
+    commands_.submit_and_wait();
+    const auto* from = static_cast<const glm::vec4*>(buffer.mapped());
     for (std::size_t i = 0; i < result.samples.size() / 3; ++i)
-        for (int c = 0; c < 3; ++c) result.samples[i * 3 + static_cast<std::size_t>(c)] = from[i][c];
+        for (std::size_t c = 0; c < 3; ++c)
+            result.samples[i * 3 + c] = from[i][static_cast<glm::length_t>(c)];
     return result;
 }
 
@@ -285,12 +308,12 @@ float Relighter::ev100_used() const {
 }
 
 std::uint64_t Relighter::memory_bytes() const {
-    std::uint64_t sum = image_bytes_;
-    for (const gpu::Buffer& pass : passes_) sum += pass.bytes();
-    for (const gpu::Buffer* buffer :
-         {&view_, &lights_, &fragments_, &extra_first_, &tile_far_, &base_, &frame_, &exposure_, &pixels_,
-          &dark_pass_, &pass_table_, &lists_, &addends_, &tile_count_, &tile_light_})
+    std::uint64_t sum = 0;
+    for (const gpu::Buffer* buffer : {&view_, &lights_, &tile_far_, &tile_mask_, &exposure_, &pixels_})
         sum += buffer->bytes();
+    for (const gpu::Texture* texture :
+         {&gobos_, &passes_, &fragments_, &extras_, &base_, &images_, &frame_, &picture_})
+        sum += texture->bytes();
     return sum;
 }
 

@@ -7,7 +7,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
-#include "gpu/texture_array.h"
+#include "gpu/texture.h"
 #include "image/image.h"
 #include "render/light_tree.h"
 #include "scene/passes.h"
@@ -57,38 +57,34 @@ public:
 
     FrameStatistics draw(const std::vector<shared::Light>& lights);
 
-    int width() const { return width_; }
-    int height() const { return height_; }
+    int width() const { return static_cast<int>(width_); }
+    int height() const { return static_cast<int>(height_); }
     image::Image8 picture() const; // RGBA, sRGB: the developed frame
     image::ImageF frame() const;   // RGB, linear Rec.2020, cd/m^2
     float ev100_used() const;
     std::uint64_t memory_bytes() const; // on the device
 
 private:
-    void draw_sum(const ImageSum& sum);
+    void upload(const scene::Passes& passes, const shared::Gobos& gobos);
+    void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
     void develop();
 
     const gpu::Device& device_;
     Settings settings_;
-    int width_;
-    int height_;
+    std::uint32_t width_;
+    std::uint32_t height_;
     std::uint32_t tiles_x_;
     std::uint32_t tiles_y_;
     int light_count_;
+    int slot_count_;
     LightTree tree_;
     std::vector<shared::Light> last_lights_;
+    std::size_t chunks_used_ = 0; // of lights_, in this frame
 
     gpu::Program cull_, relight_, meter_, develop_;
-    gpu::TextureArray gobos_;
-    gpu::Commands commands_;
-    gpu::Buffer view_, lights_, fragments_, extra_first_, tile_far_, base_, frame_, exposure_, pixels_,
-        dark_pass_;
-    gpu::Buffer pass_table_, lists_, addends_, tile_count_, tile_light_;
-    std::vector<gpu::Buffer> passes_;
-    std::vector<gpu::Buffer> images_; // slots of the tree, made when first used
-    std::size_t list_used_ = 0;       // places of lists_ and addends_ taken in this frame
-    std::size_t addends_used_ = 0;
-    std::uint64_t image_bytes_ = 0;
+    mutable gpu::Commands commands_;
+    gpu::Buffer view_, lights_, tile_far_, tile_mask_, exposure_, pixels_;
+    gpu::Texture gobos_, passes_, fragments_, extras_, base_, images_, frame_, picture_;
 };
 
 // Images that fit into a memory budget, at most what a full tree needs.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gpu/texture_array.h"
+#include "gpu/texture.h"
 
 #include "base/check.h"
 #include "gpu/buffer.h"
@@ -9,22 +9,22 @@
 
 namespace ghost::gpu {
 
-TextureArray::TextureArray(const Device& device, std::uint32_t size, std::uint32_t layers,
-                           std::span<const std::vector<std::uint8_t>> levels)
-    : device_(device) {
-    const auto level_count = static_cast<std::uint32_t>(levels.size());
+Texture::Texture(const Device& device, const TextureShape& shape) : device_(&device), shape_(shape) {
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
     info.imageType = VK_IMAGE_TYPE_2D;
-    info.format = VK_FORMAT_R8G8B8A8_UNORM;
-    info.extent = {size, size, 1};
-    info.mipLevels = level_count;
-    info.arrayLayers = layers;
+    info.format = shape.format;
+    info.extent = {shape.width, shape.height, 1};
+    info.mipLevels = shape.levels;
+    info.arrayLayers = shape.layers;
     info.samples = VK_SAMPLE_COUNT_1_BIT;
-    info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    info.usage =
+        VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    if (shape.storage) info.usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     VK_CALL(vkCreateImage(device.handle(), &info, nullptr, &image_));
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(device.handle(), image_, &needs);
+    bytes_ = needs.size;
     VkMemoryAllocateInfo allocate{};
     allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
     allocate.allocationSize = needs.size;
@@ -36,15 +36,15 @@ TextureArray::TextureArray(const Device& device, std::uint32_t size, std::uint32
     view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
     view.image = image_;
     view.viewType = VK_IMAGE_VIEW_TYPE_2D_ARRAY;
-    view.format = info.format;
-    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, level_count, 0, layers};
+    view.format = shape.format;
+    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, shape.levels, 0, shape.layers};
     VK_CALL(vkCreateImageView(device.handle(), &view, nullptr, &view_));
 
     VkSamplerCreateInfo sampler{};
     sampler.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
-    sampler.magFilter = VK_FILTER_LINEAR;
-    sampler.minFilter = VK_FILTER_LINEAR;
-    sampler.mipmapMode = VK_SAMPLER_MIPMAP_MODE_LINEAR;
+    sampler.magFilter = shape.linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
+    sampler.minFilter = sampler.magFilter;
+    sampler.mipmapMode = shape.linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
     sampler.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     sampler.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     sampler.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
@@ -52,27 +52,6 @@ TextureArray::TextureArray(const Device& device, std::uint32_t size, std::uint32
     sampler.maxLod = VK_LOD_CLAMP_NONE;
     VK_CALL(vkCreateSampler(device.handle(), &sampler, nullptr, &sampler_));
 
-    std::uint64_t total = 0;
-    for (const std::vector<std::uint8_t>& level : levels) total += level.size();
-    const Buffer staging(device, total, Access::upload);
-    std::vector<VkBufferImageCopy> regions;
-    std::uint64_t offset = 0;
-    for (std::uint32_t k = 0; k < level_count; ++k) {
-        const std::uint32_t side = size >> k;
-        CHECK_EQ(levels[k].size(), static_cast<std::size_t>(side) * side * layers * 4);
-        std::memcpy(static_cast<std::uint8_t*>(staging.mapped()) + offset, levels[k].data(),
-                    levels[k].size());
-        VkBufferImageCopy region{};
-        region.bufferOffset = offset;
-        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, k, 0, layers};
-        region.imageExtent = {side, side, 1};
-        regions.push_back(region);
-        offset += levels[k].size();
-    }
-
-    Commands commands(device);
-    commands.begin();
-    // Every image lives in GENERAL: one transition for its whole life.
     VkImageMemoryBarrier2 to_general{};
     to_general.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
     to_general.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
@@ -86,17 +65,50 @@ TextureArray::TextureArray(const Device& device, std::uint32_t size, std::uint32
     dependency.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
     dependency.imageMemoryBarrierCount = 1;
     dependency.pImageMemoryBarriers = &to_general;
+    Commands commands(device);
+    commands.begin();
     vkCmdPipelineBarrier2(commands.handle(), &dependency);
-    vkCmdCopyBufferToImage(commands.handle(), staging.handle(), image_, VK_IMAGE_LAYOUT_GENERAL,
-                           static_cast<std::uint32_t>(regions.size()), regions.data());
     commands.submit_and_wait();
 }
 
-TextureArray::~TextureArray() {
-    vkDestroySampler(device_.handle(), sampler_, nullptr);
-    vkDestroyImageView(device_.handle(), view_, nullptr);
-    vkDestroyImage(device_.handle(), image_, nullptr);
-    vkFreeMemory(device_.handle(), memory_, nullptr);
+void Texture::write(std::uint32_t level, const void* data, std::uint64_t bytes) {
+    upload(level, 0, shape_.layers, data, bytes);
+}
+
+void Texture::write_layer(std::uint32_t layer, const void* data, std::uint64_t bytes) {
+    upload(0, layer, 1, data, bytes);
+}
+
+void Texture::upload(std::uint32_t level, std::uint32_t layer, std::uint32_t layers, const void* data,
+                     std::uint64_t bytes) {
+    CHECK(level < shape_.levels && layer + layers <= shape_.layers);
+    const Buffer staging(*device_, bytes, Access::upload);
+    std::memcpy(staging.mapped(), data, bytes);
+    VkBufferImageCopy region{};
+    region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, layer, layers};
+    region.imageExtent = {shape_.width >> level, shape_.height >> level, 1};
+    Commands commands(*device_);
+    commands.begin();
+    vkCmdCopyBufferToImage(commands.handle(), staging.handle(), image_, VK_IMAGE_LAYOUT_GENERAL, 1, &region);
+    commands.submit_and_wait();
+}
+
+Texture::~Texture() {
+    if (!device_) return;
+    vkDestroySampler(device_->handle(), sampler_, nullptr);
+    vkDestroyImageView(device_->handle(), view_, nullptr);
+    vkDestroyImage(device_->handle(), image_, nullptr);
+    vkFreeMemory(device_->handle(), memory_, nullptr);
+}
+
+void Texture::swap(Texture& other) noexcept {
+    std::swap(device_, other.device_);
+    std::swap(shape_, other.shape_);
+    std::swap(image_, other.image_);
+    std::swap(memory_, other.memory_);
+    std::swap(view_, other.view_);
+    std::swap(sampler_, other.sampler_);
+    std::swap(bytes_, other.bytes_);
 }
 
 } // namespace ghost::gpu

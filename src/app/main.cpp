@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands.h"
+#include "base/log.h"
+
+#include <exception>
+#include <iostream>
+
+int main(int argc, char** argv) {
+    CLI::App app{"Ghostlight: a concert-lighting visualiser. It draws a stage as a real lighting desk drives it.", "ghostlight"};
+    app.require_subcommand(1);
+    app.footer("Example: ghostlight render assets/demo -o demo.png --at 20");
+    app.set_version_flag("--version", "ghostlight 0.1.0");
+    int exit_code = 0;
+    ghost::app::add_bake(app, exit_code);
+    ghost::app::add_bench(app, exit_code);
+    ghost::app::add_check(app, exit_code);
+    ghost::app::add_monitor(app, exit_code);
+    ghost::app::add_play(app, exit_code);
+    ghost::app::add_record(app, exit_code);
+    ghost::app::add_render(app, exit_code);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        // CLI11 has a code of its own per fault; ours are 0 done (help, version) and 2 wrong usage.
+        return app.exit(error) == 0 ? 0 : 2;
+    } catch (const std::exception& error) {
+        ghost::log_error(std::string("unexpected: ") + error.what());
+        return 1;
+    }
+    return exit_code;
+}
