@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+// ghostlight monitor: who sends what, now. For the question "why is nothing moving?".
+#include "app/commands.h"
+#include "app/input_options.h"
+#include "app/interrupt.h"
+#include "base/log.h"
+#include "dmx/receiver.h"
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+namespace ghost::app {
+
+namespace {
+
+using namespace std::chrono_literals;
+using Json = nlohmann::ordered_json;
+
+struct MonitorOptions {
+    InputOptions input;
+    double seconds = 0.0;
+    double every_s = 1.0;
+    bool levels = false;
+    bool json = false;
+    bool quiet = false;
+};
+
+std::string address_text(std::uint32_t ipv4) {
+    return std::to_string(ipv4 >> 24) + "." + std::to_string((ipv4 >> 16) & 255) + "." +
+           std::to_string((ipv4 >> 8) & 255) + "." + std::to_string(ipv4 & 255);
+}
+
+// A name that somebody on the network chose, fit for a terminal.
+std::string printable(const std::string& text) {
+    std::string result;
+    for (const char letter : text)
+        result += static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F ? '?' : letter;
+    return result;
+}
+
+double seconds_of(std::chrono::nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+Json report_json(const dmx::Universes& universes, const dmx::Statistics& statistics, bool levels) {
+    Json report;
+    report["universes"] = Json::array();
+    for (const dmx::Universe& universe : universes.list) {
+        Json entry{{"universe", universe.number},
+                   {"lost", universe.lost},
+                   {"age_s", seconds_of(statistics.time - universe.arrival)}};
+        if (levels) entry["levels"] = *universe.levels;
+        report["universes"].push_back(std::move(entry));
+    }
+    report["sources"] = Json::array();
+    for (const dmx::SourceStatus& source : statistics.sources)
+        report["sources"].push_back({{"universe", source.universe},
+                                     {"protocol", dmx::protocol_name(source.protocol)},
+                                     {"id", source.id},
+                                     {"name", source.name},
+                                     {"from", address_text(source.from_ipv4)},
+                                     {"priority", source.priority},
+                                     {"per_address_priority", source.per_address_priority},
+                                     {"slots", source.slot_count},
+                                     {"packets", source.packets},
+                                     {"rate_hz", source.rate_hz},
+                                     {"missed", source.missed},
+                                     {"out_of_sequence", source.out_of_sequence},
+                                     {"age_s", seconds_of(source.age)}});
+    Json counters{{"packets_sacn", statistics.packets_sacn},
+                  {"packets_artnet", statistics.packets_artnet},
+                  {"unlisted", statistics.unlisted},
+                  {"kernel_overflow", statistics.overflow},
+                  {"poll_replies_sent", statistics.poll_replies_sent},
+                  {"preview", statistics.merge.preview},
+                  {"missed", statistics.merge.missed},
+                  {"out_of_sequence", statistics.merge.out_of_sequence},
+                  {"too_many_sources", statistics.merge.too_many_sources},
+                  {"too_many_universes", statistics.merge.too_many_universes},
+                  {"sources_lost", statistics.merge.sources_lost},
+                  {"sources_terminated", statistics.merge.sources_terminated}};
+    for (std::size_t i = 0; i < statistics.notices.size(); ++i)
+        counters["notices"][dmx::notice_name(static_cast<dmx::Notice>(i))] = statistics.notices[i];
+    for (std::size_t i = 0; i < statistics.drops.size(); ++i)
+        counters["drops"][dmx::drop_name(static_cast<dmx::Drop>(i))] = statistics.drops[i];
+    report["counters"] = std::move(counters);
+    return report;
+}
+
+void print_table(const dmx::Universes& universes, const dmx::Statistics& statistics) {
+    std::printf("%-8s %-7s %-15s %4s %5s %7s %7s %6s  %s\n", "universe", "from", "address", "prio", "slots",
+                "rate/s", "missed", "age s", "source");
+    for (const dmx::SourceStatus& source : statistics.sources)
+        std::printf("%-8d %-7s %-15s %4d %5d %7.1f %7llu %6.1f  %s%s\n", source.universe,
+                    dmx::protocol_name(source.protocol), address_text(source.from_ipv4).c_str(),
+                    source.priority, source.slot_count, source.rate_hz,
+                    static_cast<unsigned long long>(source.missed), seconds_of(source.age),
+                    source.protocol == dmx::Protocol::sacn ? printable(source.name).c_str()
+                                                           : source.id.c_str(),
+                    source.per_address_priority ? " (priority per address)" : "");
+    for (const dmx::Universe& universe : universes.list)
+        if (universe.lost)
+            std::printf("%-8d LOST, last look held for %.1f s\n", universe.number,
+                        seconds_of(statistics.time - universe.arrival));
+    if (statistics.packets_sacn + statistics.packets_artnet == 0)
+        std::printf("nothing arrives. A desk on this machine must send unicast to 127.0.0.1; another one "
+                    "needs the same "
+                    "network, no firewall on UDP 5568 and 6454, and --interface where there are several\n");
+    std::uint64_t dropped = 0;
+    for (const std::uint64_t count : statistics.drops) dropped += count;
+    std::printf(
+        "packets: sACN %llu, Art-Net %llu; not listed %llu, not understood %llu, preview %llu, late %llu, "
+        "kernel overflow %llu; polls answered with %llu replies\n\n",
+        static_cast<unsigned long long>(statistics.packets_sacn),
+        static_cast<unsigned long long>(statistics.packets_artnet),
+        static_cast<unsigned long long>(statistics.unlisted), static_cast<unsigned long long>(dropped),
+        static_cast<unsigned long long>(statistics.merge.preview),
+        static_cast<unsigned long long>(statistics.merge.out_of_sequence),
+        static_cast<unsigned long long>(statistics.overflow),
+        static_cast<unsigned long long>(statistics.poll_replies_sent));
+}
+
+int monitor(const MonitorOptions& options) {
+    if (options.quiet) set_log_level(LogLevel::error);
+    const auto input = receiver_options(options.input);
+    if (!input.ok()) {
+        log_error(input.error().text());
+        return 2;
+    }
+    const auto receiver = dmx::Receiver::start(*input);
+    if (!receiver.ok()) {
+        log_error(receiver.error().text());
+        return 1;
+    }
+    for (const std::string& warning : (*receiver)->warnings()) log_warning(warning);
+    catch_interrupts();
+
+    dmx::Universes universes;
+    dmx::Statistics statistics;
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    auto next = start;
+    for (bool running = true; running;) {
+        next += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.every_s));
+        while (Clock::now() < next && running) {
+            std::this_thread::sleep_for(20ms);
+            const double run_s = std::chrono::duration<double>(Clock::now() - start).count();
+            running = !interrupted() && (options.seconds <= 0.0 || run_s < options.seconds);
+        }
+        if (auto newest = (*receiver)->take()) universes = std::move(*newest);
+        if (auto newest = (*receiver)->take_statistics()) statistics = std::move(*newest);
+        if (options.json)
+            std::printf("%s\n", report_json(universes, statistics, options.levels)
+                                    .dump(-1, ' ', false, Json::error_handler_t::replace)
+                                    .c_str());
+        else
+            print_table(universes, statistics);
+        std::fflush(stdout);
+    }
+    return 0;
+}
+
+} // namespace
+
+void add_monitor(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<MonitorOptions>();
+    CLI::App* command =
+        app.add_subcommand("monitor", "who sends what, now: universes, sources, priorities, rates, loss");
+    command->footer("Example: ghostlight monitor --interface eth0 --universes 1-4");
+    add_input_options(*command, options->input);
+    command->add_option("--seconds", options->seconds, "stop after this long; default: until Ctrl-C")
+        ->check(CLI::NonNegativeNumber);
+    command->add_option("--every", options->every_s, "seconds between two reports")
+        ->check(CLI::Range(0.1, 3600.0))
+        ->capture_default_str();
+    command->add_flag("--levels", options->levels, "with --json: all 512 levels of each universe");
+    command->add_flag("--json", options->json, "one JSON object per line and report");
+    command->add_flag("--quiet", options->quiet, "no warnings");
+    command->callback([options, &exit_code] { exit_code = monitor(*options); });
+}
+
+} // namespace ghost::app

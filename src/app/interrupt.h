@@ -1,0 +1,11 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Ctrl-C and a polite kill (SIGINT, SIGTERM) as a question that long commands ask, so that they can finish
+// their files. A second signal ends the program at once. Main thread sets it up; any thread may ask.
+
+namespace ghost::app {
+
+void catch_interrupts();
+bool interrupted();
+
+} // namespace ghost::app
