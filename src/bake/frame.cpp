@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <tbb/parallel_for.h>
 
 namespace ghost::bake {
@@ -259,12 +260,10 @@ Frame trace_frame(const Tracer& tracer, const scene::Camera& camera, const Frame
     if (request.bounces > 0) frame.indirect.assign(request.lights_m.size(), Layer(pixels, glm::vec3(0)));
 
     FrameJob job(tracer, camera, request, frame);
-    std::atomic<int> done{0};
     tbb::parallel_for(0, frame.height, [&](int y) {
-        if (request.stop != nullptr && request.stop->load(std::memory_order_relaxed)) return;
+        if (request.stop && request.stop()) return;
         job.trace_row(y);
-        const int rows = ++done;
-        if (request.on_row) request.on_row(rows);
+        if (request.on_row) request.on_row();
     });
     job.gather();
     rays += job.rays();

@@ -10,7 +10,6 @@
 #include "bake/tracer.h"
 #include "scene/show.h"
 
-#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
@@ -19,6 +18,7 @@
 namespace ghost::bake {
 
 inline constexpr int kMaxSpp = 1024;
+inline constexpr int kMaxBounces = 16;
 
 struct Rect {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0; // x1, y1 excluded
@@ -52,8 +52,8 @@ struct FrameRequest {
     std::vector<glm::vec3> lights_m;
     std::vector<Rect>
         only; // empty: the whole picture; else all other pixels stay empty with one fragment each
-    const std::atomic<bool>* stop = nullptr;   // the frame is worthless once it is true
-    std::function<void(int rows_done)> on_row; // called from any thread
+    std::function<bool()> stop;    // the frame is worthless once it says true; asked from any thread
+    std::function<void()> on_row;            // after each row, called from any thread
 };
 
 // Adds the rays cast to rays.

@@ -45,7 +45,7 @@ Result<Passes> load_passes(const std::filesystem::path& folder, bool with_radian
     passes.fov_y_deg = manifest.fov_y_deg;
     if (auto ambient = read_layer(pictures, "ambient", table, kPictureCandela, manifest.layout_key, report);
         ambient.ok()) {
-        passes.ambient = with_zero(*ambient);
+        passes.ambient = with_zero(from_stored(table, *ambient));
     } else {
         report_lost(report, ambient.error(), "there is no ambient light");
         passes.ambient.assign(table.fragments.size(), glm::vec4(0.0f));
@@ -53,7 +53,7 @@ Result<Passes> load_passes(const std::filesystem::path& folder, bool with_radian
     if (manifest.has_emission) {
         if (auto emission = read_layer(pictures, "emission", table, 1.0f, manifest.layout_key, report);
             emission.ok())
-            passes.emission = with_zero(*emission);
+            passes.emission = with_zero(from_stored(table, *emission));
         else
             report_lost(report, emission.error(), "surfaces that glow are dark");
     }
@@ -68,7 +68,7 @@ Result<Passes> load_passes(const std::filesystem::path& folder, bool with_radian
             const std::string lost = "fixture '" + entry.fixture + "' is dark";
             if (auto values = read_layer(pictures, entry.picture, table, kPictureCandela, entry.key, report);
                 values.ok())
-                light.radiance = halves(*values);
+                light.radiance = halves(from_stored(table, *values));
             else
                 report_lost(report, values.error(), lost);
             if (entry.indirect) {

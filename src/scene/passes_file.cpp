@@ -103,39 +103,46 @@ Result<std::vector<glm::vec3>> read_picture(const fs::path& path, int width, int
     return values;
 }
 
-Result<void> write_layer(const fs::path& folder, const std::string& name, const FragmentTable& table,
-                         std::span<const glm::vec3> values, float scale, const TextAttributes& text) {
+StoredLayer to_stored(const FragmentTable& table, std::span<const glm::vec3> values) {
     CHECK_EQ(values.size(), table.fragments.size());
     const std::size_t pixels = table.extra_first.size() - 1;
-    std::vector<glm::vec3> whole(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(pixels));
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(pixels);
+    StoredLayer layer{{values.begin(), middle}, {middle, values.end()}};
     for (std::size_t p = 0; p < pixels; ++p)
         for (std::uint32_t k = table.extra_first[p]; k < table.extra_first[p + 1]; ++k)
-            whole[p] += values[pixels + k];
-    if (values.size() > pixels) {
-        const std::span<const glm::vec3> extra = values.subspan(pixels);
-        TRY_VOID(write_picture(exr_path(folder, extra_name(name)), table.width,
-                               rows_for(extra.size(), table.width), extra, scale, text));
-    }
-    return write_picture(exr_path(folder, name), table.width, table.height, whole, scale, text);
+            layer.whole[p] += layer.extra[k];
+    return layer;
 }
 
-Result<std::vector<glm::vec3>> read_layer(const fs::path& folder, const std::string& name,
-                                          const FragmentTable& table, float scale, const std::string& key,
-                                          Report& report) {
-    TRY(std::vector<glm::vec3> values,
-        read_picture(exr_path(folder, name), table.width, table.height, scale, key, report));
-    const std::size_t pixels = values.size();
-    const std::size_t extras = table.fragments.size() - pixels;
-    if (extras == 0) return values;
-    TRY(const std::vector<glm::vec3> extra, read_picture(exr_path(folder, extra_name(name)), table.width,
-                                                         rows_for(extras, table.width), scale, key, report));
-    values.insert(values.end(), extra.begin(), extra.begin() + static_cast<std::ptrdiff_t>(extras));
-    for (std::size_t p = 0; p < pixels; ++p) {
-        for (std::uint32_t k = table.extra_first[p]; k < table.extra_first[p + 1]; ++k)
-            values[p] -= values[pixels + k];
-        values[p] = glm::max(values[p], glm::vec3(0.0f));
+std::vector<glm::vec3> from_stored(const FragmentTable& table, const StoredLayer& layer) {
+    std::vector<glm::vec3> values = layer.whole;
+    values.insert(values.end(), layer.extra.begin(), layer.extra.end());
+    for (std::size_t p = 0; p < layer.whole.size(); ++p) {
+        const std::uint32_t end = table.extra_first[p + 1];
+        for (std::uint32_t k = table.extra_first[p]; k < end; ++k) values[p] -= layer.extra[k];
+        if (table.extra_first[p] < end) values[p] = glm::max(values[p], glm::vec3(0.0f));
     }
     return values;
+}
+
+Result<void> write_layer(const fs::path& folder, const std::string& name, int width, int height,
+                         const StoredLayer& layer, float scale, const TextAttributes& text) {
+    if (!layer.extra.empty())
+        TRY_VOID(write_picture(exr_path(folder, extra_name(name)), width, rows_for(layer.extra.size(), width),
+                               layer.extra, scale, text));
+    return write_picture(exr_path(folder, name), width, height, layer.whole, scale, text);
+}
+
+Result<StoredLayer> read_layer(const fs::path& folder, const std::string& name, const FragmentTable& table,
+                               float scale, const std::string& key, Report& report) {
+    StoredLayer layer;
+    TRY(layer.whole, read_picture(exr_path(folder, name), table.width, table.height, scale, key, report));
+    const std::size_t extras = table.fragments.size() - layer.whole.size();
+    if (extras == 0) return layer;
+    TRY(layer.extra, read_picture(exr_path(folder, extra_name(name)), table.width,
+                                  rows_for(extras, table.width), scale, key, report));
+    layer.extra.resize(extras); // the rest of the last row
+    return layer;
 }
 
 Result<void> write_fragments(const fs::path& folder, const FragmentTable& table) {

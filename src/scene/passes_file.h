@@ -83,17 +83,25 @@ struct FragmentTable {
 Result<void> write_fragments(const std::filesystem::path& folder, const FragmentTable& table);
 Result<FragmentTable> read_fragments(const std::filesystem::path& folder, const PassManifest& manifest);
 
-// values: per fragment, times scale in the file. text: attributes for the curious ("ghost.key" must match on
-// reading).
-using TextAttributes = std::map<std::string, std::string>;
-Result<void> write_layer(const std::filesystem::path& folder, const std::string& name,
-                         const FragmentTable& table, std::span<const glm::vec3> values, float scale,
-                         const TextAttributes& text);
-// Back to per-fragment values: main fragment = picture - extra ones. Pixels that are no numbers become black
-// and are counted in the report. Error: missing, wrong size, another bake's key (where key is not empty).
-Result<std::vector<glm::vec3>> read_layer(const std::filesystem::path& folder, const std::string& name,
-                                          const FragmentTable& table, float scale, const std::string& key,
-                                          Report& report);
+using TextAttributes = std::map<std::string, std::string>; // "ghost.key" must match on reading
+
+// A layer as it lies on disk: the whole picture, and the extra fragments' shares of it.
+struct StoredLayer {
+    std::vector<glm::vec3> whole; // per pixel
+    std::vector<glm::vec3> extra;
+};
+// From and to one value per fragment: main fragment = picture - extra ones, at least 0.
+StoredLayer to_stored(const FragmentTable& table, std::span<const glm::vec3> values);
+std::vector<glm::vec3> from_stored(const FragmentTable& table, const StoredLayer& layer);
+
+// Values times scale in the file NAME.exr and NAME.extra.exr. On reading, pixels that are no numbers become
+// black and are counted in the report. Error: missing, wrong size, another bake's key (where key is not
+// empty).
+Result<void> write_layer(const std::filesystem::path& folder, const std::string& name, int width, int height,
+                         const StoredLayer& layer, float scale, const TextAttributes& text);
+Result<StoredLayer> read_layer(const std::filesystem::path& folder, const std::string& name,
+                               const FragmentTable& table, float scale, const std::string& key,
+                               Report& report);
 
 // One value per pixel, no fragments.
 Result<void> write_picture(const std::filesystem::path& path, int width, int height,

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "bake/bake_show.h"
+#include "bake/frame.h"
+#include "scene/show.h"
+
+#include "base/log.h"
+#include "base/progress.h"
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace ghost::app {
+namespace {
+
+struct BakeArguments {
+    std::string show;
+    std::vector<std::string> views;
+    int spp = 16;
+    int bounces = 0;
+    bool quiet = false;
+    bool json = false;
+};
+
+double steady_now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double mega_rays(std::uint64_t rays, double seconds) {
+    return seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0.0;
+}
+
+void print_json(const bake::BakeStats& stats, const scene::Report& report) {
+    nlohmann::json passes = nlohmann::json::array();
+    for (const bake::BakedPass& pass : stats.passes)
+        passes.push_back(
+            {{"camera", pass.camera}, {"name", pass.name}, {"ms", pass.ms}, {"rays", pass.rays}});
+    nlohmann::json messages = nlohmann::json::array();
+    for (const scene::Message& message : report.messages)
+        messages.push_back({{"where", message.where}, {"what", message.what}});
+    const nlohmann::json all = {{"cameras", stats.cameras},
+                                {"baked", stats.passes.size()},
+                                {"kept", stats.kept},
+                                {"patched", stats.patched},
+                                {"interrupted", stats.interrupted},
+                                {"seconds", stats.seconds},
+                                {"trace_seconds", stats.trace_seconds},
+                                {"rays", stats.rays},
+                                {"mrays_per_s", mega_rays(stats.rays, stats.trace_seconds)},
+                                {"passes", passes},
+                                {"messages", messages}};
+    std::printf("%s\n", all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+}
+
+void print_table(const bake::BakeStats& stats) {
+    for (const bake::BakedPass& pass : stats.passes)
+        std::printf("%-12s %-28s %8.0f ms\n", pass.camera.c_str(), pass.name.c_str(), pass.ms);
+    std::printf("%zu passes baked, %d patched, %d kept, %d cameras, %.2f s", stats.passes.size(),
+                stats.patched, stats.kept, stats.cameras, stats.seconds);
+    if (stats.rays > 0)
+        std::printf(", tracing %.2f s, %.1f Mrays/s", stats.trace_seconds,
+                    mega_rays(stats.rays, stats.trace_seconds));
+    std::printf("\n");
+}
+
+int run_bake(const BakeArguments& arguments) {
+    if (arguments.quiet) set_log_level(LogLevel::warning);
+    scene::Report report;
+    const Result<scene::Show> show = scene::load_show(arguments.show, true, report);
+    if (!show.ok()) {
+        log_error(show.error().text());
+        return 1;
+    }
+    catch_interrupts();
+    Progress progress("baking", arguments.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
+                      steady_now_s());
+    bake::BakeOptions options;
+    options.views = arguments.views;
+    options.spp = arguments.spp;
+    options.bounces = arguments.bounces;
+    options.stop = interrupted;
+    options.now_s = steady_now_s;
+    options.progress = [&](double share, const std::string& note) {
+        progress.update(share, steady_now_s(), note);
+    };
+    const Result<bake::BakeStats> stats = bake::bake_show(*show, options, report);
+    progress.finish();
+    for (const scene::Message& message : report.messages) {
+        const std::string line = message.where.empty() ? message.what : message.where + ": " + message.what;
+        if (message.severity == scene::Severity::note)
+            log_info(line);
+        else if (message.severity == scene::Severity::warning)
+            log_warning(line);
+        else
+            log_error(line);
+    }
+    if (!stats.ok()) {
+        log_error(stats.error().text());
+        return 1;
+    }
+    if (arguments.json)
+        print_json(*stats, report);
+    else if (!arguments.quiet)
+        print_table(*stats);
+    if (stats->interrupted) {
+        log_warning("interrupted; finished passes are kept, the same command goes on from there");
+        return 1;
+    }
+    return report.lost_anything() ? 1 : 0;
+}
+
+} // namespace
+
+void add_bake(CLI::App& app, int& exit_code) {
+    CLI::App* command =
+        app.add_subcommand("bake", "trace the passes of a show: one picture per light and camera");
+    const auto arguments = std::make_shared<BakeArguments>();
+    command->add_option("SHOW", arguments->show, "folder with show.toml")->required();
+    command->add_option("--view", arguments->views, "only this camera (may be repeated)")->type_name("NAME");
+    command->add_option("--spp", arguments->spp, "samples per pixel")
+        ->check(CLI::Range(1, bake::kMaxSpp))
+        ->capture_default_str();
+    command
+        ->add_option("--bounces", arguments->bounces,
+                     "bounces of indirect light, kept in pictures of their own")
+        ->check(CLI::Range(0, bake::kMaxBounces))
+        ->capture_default_str();
+    command->add_flag("--quiet", arguments->quiet, "print warnings and errors only");
+    command->add_flag("--json", arguments->json, "print the figures as JSON");
+    command->footer("Example: ghostlight bake assets/demo --view foh");
+    command->callback([arguments, &exit_code] { exit_code = run_bake(*arguments); });
+}
+
+} // namespace ghost::app

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/bake_show.h"
+
+#include "bake/camera_bake.h"
+#include "bake/keys.h"
+#include "bake/tracer.h"
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <tbb/task_arena.h>
+
+namespace ghost::bake {
+namespace {
+
+Result<BakeStats> bake_all(const scene::Show& show, const BakeOptions& options, scene::Report& report) {
+    const auto now_s = [&] { return options.now_s ? options.now_s() : 0.0; };
+    const double begin_s = now_s();
+    std::vector<std::size_t> chosen;
+    for (const std::string& view : options.views) {
+        TRY(const std::size_t index, show.find_camera(view));
+        if (std::find(chosen.begin(), chosen.end(), index) == chosen.end()) chosen.push_back(index);
+    }
+    if (options.views.empty())
+        for (std::size_t k = 0; k < show.cameras.size(); ++k) chosen.push_back(k);
+    for (const scene::PatchedFixture& fixture : show.fixtures)
+        if (fixture.type == nullptr)
+            report.add(scene::Severity::warning, show.file.string(),
+                       "fixture '" + fixture.name + "' has no readable type; no pass is baked for it");
+
+    const scene::Stage stage = scene::stage_with_bodies(show, report);
+    const StageKeys keys = stage_keys(stage, show.fixtures.size());
+    std::vector<std::unique_ptr<CameraBake>> jobs;
+    double work = 0;
+    BakeStats stats;
+    for (const std::size_t index : chosen) {
+        const scene::Camera& camera = show.cameras[index];
+        if (!camera.foreign_passes.empty()) {
+            report.add(scene::Severity::note, show.file.string(),
+                       "camera '" + camera.name +
+                           "' shows passes rendered elsewhere; nothing is baked for it");
+            continue;
+        }
+        jobs.push_back(std::make_unique<CameraBake>(show, stage, keys, camera, options));
+        work += jobs.back()->plan();
+        ++stats.cameras;
+    }
+
+    // Building the ray tracer takes longer than finding out that nothing changed.
+    std::optional<Tracer> tracer;
+    if (work > 0) tracer.emplace(stage);
+    std::mutex mutex;
+    double done = 0;
+    std::string note;
+    const auto on_samples = [&](double samples) {
+        const std::lock_guard lock(mutex);
+        done += samples;
+        if (options.progress) options.progress(work > 0 ? done / work : 1.0, note);
+    };
+    std::size_t at = 0;
+    for (const auto& job : jobs) {
+        {
+            const std::lock_guard lock(mutex);
+            note = "camera " + std::to_string(++at) + " of " + std::to_string(jobs.size());
+        }
+        if (!tracer) {
+            stats.kept += job->light_count();
+            continue;
+        }
+        TRY_VOID(job->run(*tracer, on_samples, stats));
+    }
+    stats.interrupted = options.stop && options.stop();
+    stats.seconds = now_s() - begin_s;
+    return stats;
+}
+
+} // namespace
+
+Result<BakeStats> bake_show(const scene::Show& show, const BakeOptions& options, scene::Report& report) {
+    if (options.spp < 1 || options.spp > kMaxSpp)
+        return Error{"samples per pixel must be 1 to " + std::to_string(kMaxSpp), ""};
+    if (options.bounces < 0 || options.bounces > kMaxBounces)
+        return Error{"bounces must be 0 to " + std::to_string(kMaxBounces), ""};
+    if (options.threads <= 0) return bake_all(show, options, report);
+    tbb::task_arena arena(options.threads);
+    std::optional<Result<BakeStats>> result;
+    arena.execute([&] { result.emplace(bake_all(show, options, report)); });
+    return std::move(*result);
+}
+
+} // namespace ghost::bake

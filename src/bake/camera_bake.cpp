@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/camera_bake.h"
+
+#include "image/exr.h"
+
+#include "base/files.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace ghost::bake {
+namespace fs = std::filesystem;
+namespace {
+
+// Lights traced together share the camera rays. More would save little and lose more work when interrupted.
+constexpr std::size_t kBatch = 8;
+// Rays per sample of the surroundings: the camera's, and those to the sky.
+constexpr double kSurroundingsCost = 5.0;
+
+constexpr char kSurroundings[] = "surroundings";
+
+scene::FragmentTable take_table(Frame& frame) {
+    return {frame.width, frame.height, std::move(frame.extra_first), std::move(frame.fragments)};
+}
+
+scene::TextAttributes attributes(const std::string& key) {
+    return {{"ghost.key", key}, {"software", "Ghostlight"}};
+}
+
+bool is_file(const fs::path& path) {
+    std::error_code code;
+    return fs::is_regular_file(path, code);
+}
+
+std::string pass_name(const scene::ManifestLight& light) {
+    return light.fixture + (light.stop > 0 ? " stop " + std::to_string(light.stop) : "");
+}
+
+// Dirty pixels from the patch, the others from the old picture.
+template <class T>
+std::vector<T> merge_pixels(const std::vector<T>& old, const std::vector<T>& fresh,
+                            const std::vector<bool>& dirty) {
+    std::vector<T> result = old;
+    for (std::size_t p = 0; p < result.size(); ++p)
+        if (dirty[p]) result[p] = fresh[p];
+    return result;
+}
+
+template <class T>
+std::vector<T> merge_extras(const std::vector<T>& old, const std::vector<std::uint32_t>& old_first,
+                            const std::vector<T>& fresh, const std::vector<std::uint32_t>& fresh_first,
+                            const std::vector<bool>& dirty) {
+    std::vector<T> result;
+    for (std::size_t p = 0; p < dirty.size(); ++p) {
+        const std::vector<T>& from = dirty[p] ? fresh : old;
+        const std::vector<std::uint32_t>& first = dirty[p] ? fresh_first : old_first;
+        result.insert(result.end(), from.begin() + first[p], from.begin() + first[p + 1]);
+    }
+    return result;
+}
+
+// Centre pictures: X Y Z A or R G B, full floats.
+Result<void> write_floats(const fs::path& path, int width, int height, const std::vector<float>& samples,
+                          const std::vector<std::string>& channels, const std::string& key) {
+    image::ExrFile file;
+    file.channels = channels;
+    file.pixels = image::ImageF(width, height, static_cast<int>(channels.size()));
+    file.pixels.samples = samples;
+    file.text = attributes(key);
+    if (channels[0] == "R") file.chromaticities = image::kRec2020;
+    return image::write_exr(path, file, image::ExrSample::full);
+}
+
+struct CentrePicture {
+    const char* name;
+    std::vector<std::string> channels;
+    std::vector<float> (*samples)(const Frame&);
+};
+
+template <class T>
+std::vector<float> flat(const std::vector<T>& values, int count) {
+    std::vector<float> result;
+    result.reserve(values.size() * static_cast<std::size_t>(count));
+    for (const T& value : values)
+        for (int c = 0; c < count; ++c) result.push_back(value[c]);
+    return result;
+}
+
+const std::array<CentrePicture, 4>& centre_pictures() {
+    static const std::array<CentrePicture, 4> all{{
+        {"P", {"R", "G", "B", "A"}, [](const Frame& f) { return flat(f.centre_position, 4); }},
+        {"N", {"R", "G", "B"}, [](const Frame& f) { return flat(f.centre_normal, 3); }},
+        {"albedo", {"R", "G", "B"}, [](const Frame& f) { return flat(f.centre_albedo, 3); }},
+        {"depth", {"Z"}, [](const Frame& f) { return f.centre_distance_m; }},
+    }};
+    return all;
+}
+
+bool any_light(const Layer& layer) {
+    return std::any_of(layer.begin(), layer.end(),
+                       [](const glm::vec3& value) { return value != glm::vec3(0.0f); });
+}
+
+} // namespace
+
+CameraBake::CameraBake(const scene::Show& show, const scene::Stage& stage, const StageKeys& keys,
+                       const scene::Camera& camera, const BakeOptions& options)
+    : camera_(camera), options_(options), folder_(scene::passes_folder(show, camera.name)) {
+    wanted_.camera = camera.name;
+    wanted_.camera_to_world = scene::camera_to_world(camera);
+    wanted_.fov_y_deg = camera.fov_y_deg;
+    wanted_.width = camera.width;
+    wanted_.height = camera.height;
+    wanted_.spp = options.spp;
+    wanted_.geometry_key = geometry_key(keys, camera, options.spp);
+    Hasher layout;
+    layout.text(wanted_.geometry_key);
+    std::set<std::string> names;
+    for (std::size_t k = 0; k < show.fixtures.size(); ++k) {
+        const scene::PatchedFixture& fixture = show.fixtures[k];
+        const Rect rect = body_rect(stage, static_cast<int>(k), camera);
+        if (!keys.bodies[k].empty() && !rect.empty()) {
+            wanted_.bodies.push_back({fixture.name, keys.bodies[k], {rect.x0, rect.y0, rect.x1, rect.y1}});
+            layout.text(keys.bodies[k]);
+        }
+        if (fixture.type == nullptr) continue;
+        for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop) {
+            scene::ManifestLight light;
+            light.fixture = fixture.name;
+            light.stop = static_cast<int>(stop);
+            light.position_m = scene::light_position_m(fixture, stop);
+            light.key = light_key(wanted_.geometry_key, light.position_m, options.bounces);
+            light.indirect = options.bounces > 0;
+            light.picture = "light_" + scene::file_name_of(fixture.name) + "_" + std::to_string(stop);
+            while (!names.insert(light.picture).second) light.picture += "_";
+            wanted_.lights.push_back(std::move(light));
+        }
+    }
+    wanted_.layout_key = layout.hex();
+    wanted_.folder = wanted_.layout_key.substr(0, 12);
+    done_.assign(wanted_.lights.size(), false);
+}
+
+bool CameraBake::complete(const scene::ManifestLight& light, const std::string& folder) const {
+    const fs::path base = folder_ / folder;
+    return is_file(base / (light.picture + ".exr")) &&
+           (old_->extra_count == 0 || is_file(base / (light.picture + ".extra.exr"))) &&
+           (!light.indirect || is_file(base / (light.picture + "_indirect.exr")));
+}
+
+double CameraBake::plan() {
+    // A manifest that cannot be read is no manifest: everything is baked.
+    if (auto manifest = scene::read_manifest(folder_); manifest.ok()) old_ = std::move(*manifest);
+    const double pixels = static_cast<double>(camera_.width) * camera_.height;
+    double patch_pixels = 0;
+    if (old_ && old_->geometry_key == wanted_.geometry_key &&
+        is_file(folder_ / old_->folder / "fragments.exr")) {
+        layout_ = Layout::kept;
+        if (old_->layout_key != wanted_.layout_key) {
+            layout_ = Layout::patched;
+            const auto differing = [&](const std::vector<scene::ManifestBody>& from,
+                                       const std::vector<scene::ManifestBody>& other) {
+                for (const scene::ManifestBody& body : from) {
+                    const bool same =
+                        std::any_of(other.begin(), other.end(), [&](const scene::ManifestBody& b) {
+                            return b.key == body.key && b.rect == body.rect;
+                        });
+                    if (!same) dirty_.push_back({body.rect[0], body.rect[1], body.rect[2], body.rect[3]});
+                }
+            };
+            differing(old_->bodies, wanted_.bodies);
+            differing(wanted_.bodies, old_->bodies);
+            for (const Rect& rect : dirty_)
+                patch_pixels += static_cast<double>(rect.x1 - rect.x0) * (rect.y1 - rect.y0);
+            if (patch_pixels > 0.5 * pixels) layout_ = Layout::traced;
+        }
+    }
+    if (layout_ != Layout::traced) {
+        for (std::size_t k = 0; k < wanted_.lights.size(); ++k) {
+            const auto found =
+                std::find_if(old_->lights.begin(), old_->lights.end(), [&](const scene::ManifestLight& l) {
+                    return l.key == wanted_.lights[k].key && l.picture == wanted_.lights[k].picture;
+                });
+            done_[k] = found != old_->lights.end() && complete(*found, old_->folder);
+        }
+    }
+    const auto kept = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), true));
+    const auto missing = static_cast<double>(wanted_.lights.size() - kept);
+    const double per_light = 1.0 + 2.0 * options_.bounces;
+    double work = missing * pixels * per_light;
+    if (layout_ == Layout::traced) work += pixels * kSurroundingsCost;
+    if (layout_ == Layout::patched)
+        work += std::max(1.0, patch_pixels) * (kSurroundingsCost + static_cast<double>(kept) * per_light);
+    // A fixture that went away leaves an entry behind.
+    if (work == 0 && old_ && old_->lights.size() != wanted_.lights.size()) work = 1;
+    return work * options_.spp;
+}
+
+Frame CameraBake::trace(const Tracer& tracer, FrameRequest request, std::size_t pixels,
+                        const std::function<void(double)>& on_samples, BakeStats& stats) {
+    request.spp = options_.spp;
+    request.bounces = options_.bounces;
+    request.stop = options_.stop;
+    const double per_pixel = (request.surroundings ? kSurroundingsCost : 0.0) +
+                             static_cast<double>(request.lights_m.size()) * (1.0 + 2.0 * options_.bounces);
+    const double per_row = static_cast<double>(pixels) * per_pixel * options_.spp / camera_.height;
+    request.on_row = [&] { on_samples(per_row); };
+    const double begin_s = now_s();
+    std::uint64_t rays = 0;
+    Frame frame = trace_frame(tracer, camera_, request, rays);
+    const double took_s = now_s() - begin_s;
+    stats.rays += rays;
+    stats.trace_seconds += took_s;
+    return frame;
+}
+
+Result<void> CameraBake::write_manifest() {
+    return write_file_atomic(folder_ / "manifest.json", scene::manifest_text(written_));
+}
+
+Result<void> CameraBake::write_surroundings(const scene::FragmentTable& table, const Frame& frame) {
+    const std::string& key = wanted_.layout_key;
+    TRY_VOID(scene::write_fragments(pictures(), table));
+    for (const CentrePicture& picture : centre_pictures())
+        TRY_VOID(write_floats(pictures() / (std::string(picture.name) + ".exr"), table.width, table.height,
+                              picture.samples(frame), picture.channels, key));
+    TRY_VOID(scene::write_layer(pictures(), "ambient", table.width, table.height,
+                                scene::to_stored(table, frame.ambient), scene::kPictureCandela,
+                                attributes(key)));
+    wanted_.has_emission = any_light(frame.emission);
+    if (wanted_.has_emission)
+        TRY_VOID(scene::write_layer(pictures(), "emission", table.width, table.height,
+                                    scene::to_stored(table, frame.emission), 1.0f, attributes(key)));
+    return {};
+}
+
+Result<void> CameraBake::trace_batch(const Tracer& tracer, bool surroundings,
+                                     const std::vector<std::size_t>& batch,
+                                     const std::function<void(double)>& on_samples, BakeStats& stats) {
+    FrameRequest request;
+    request.surroundings = surroundings;
+    for (const std::size_t light : batch) request.lights_m.push_back(wanted_.lights[light].position_m);
+    const std::uint64_t rays_before = stats.rays;
+    const double seconds_before = stats.trace_seconds;
+    Frame frame = trace(tracer, request,
+                        static_cast<std::size_t>(camera_.width) * static_cast<std::size_t>(camera_.height),
+                        on_samples, stats);
+    if (stopped()) return {};
+    const scene::FragmentTable table = take_table(frame);
+    if (surroundings) {
+        TRY_VOID(write_surroundings(table, frame));
+        wanted_.extra_count = table.fragments.size() - static_cast<std::size_t>(camera_.width) *
+                                                           static_cast<std::size_t>(camera_.height);
+        written_ = wanted_;
+        written_.lights.clear();
+        extra_first_ = table.extra_first;
+    } else if (table.extra_first != *extra_first_) {
+        return Error{
+            "the pictures there were traced on another kind of processor and do not fit; delete the folder "
+            "and bake again",
+            folder_.string()};
+    }
+    for (std::size_t k = 0; k < batch.size(); ++k) {
+        const scene::ManifestLight& light = wanted_.lights[batch[k]];
+        TRY_VOID(scene::write_layer(pictures(), light.picture, table.width, table.height,
+                                    scene::to_stored(table, frame.lights[k]), scene::kPictureCandela,
+                                    attributes(light.key)));
+        if (light.indirect)
+            TRY_VOID(scene::write_picture(pictures() / (light.picture + "_indirect.exr"), table.width,
+                                          table.height, frame.indirect[k], scene::kPictureCandela,
+                                          attributes(light.key)));
+        done_[batch[k]] = true;
+    }
+    written_.lights.clear();
+    for (std::size_t k = 0; k < wanted_.lights.size(); ++k)
+        if (done_[k]) written_.lights.push_back(wanted_.lights[k]);
+    TRY_VOID(write_manifest());
+
+    // The surroundings' share of the time, by their share of the rays.
+    const double lights = static_cast<double>(batch.size()) * (1.0 + 2.0 * options_.bounces);
+    const double share = surroundings ? kSurroundingsCost / (kSurroundingsCost + lights) : 0.0;
+    const double ms = (stats.trace_seconds - seconds_before) * 1000;
+    const auto rays = static_cast<double>(stats.rays - rays_before);
+    const auto add = [&](const std::string& name, double part) {
+        stats.passes.push_back({camera_.name, name, ms * part, static_cast<std::uint64_t>(rays * part)});
+    };
+    if (surroundings) add(kSurroundings, batch.empty() ? 1.0 : share);
+    for (const std::size_t light : batch)
+        add(pass_name(wanted_.lights[light]), (1.0 - share) / static_cast<double>(batch.size()));
+    return {};
+}
+
+Result<void> CameraBake::patch(const Tracer& tracer, const std::function<void(double)>& on_samples,
+                               BakeStats& stats) {
+    const fs::path from = folder_ / old_->folder;
+    TRY(const scene::FragmentTable old_table, scene::read_fragments(from, *old_));
+    FrameRequest request;
+    request.only = dirty_;
+    std::vector<std::size_t> kept;
+    for (std::size_t k = 0; k < wanted_.lights.size(); ++k) {
+        if (!done_[k]) continue;
+        kept.push_back(k);
+        request.lights_m.push_back(wanted_.lights[k].position_m);
+    }
+    std::vector<bool> dirty(old_table.extra_first.size() - 1, false);
+    for (const Rect& rect : dirty_)
+        for (int y = rect.y0; y < std::min(rect.y1, camera_.height); ++y)
+            for (int x = rect.x0; x < std::min(rect.x1, camera_.width); ++x)
+                dirty[static_cast<std::size_t>(y) * static_cast<std::size_t>(camera_.width) +
+                      static_cast<std::size_t>(x)] = true;
+    // No rectangle would mean the whole picture.
+    if (request.only.empty()) request.only.push_back({});
+    Frame fresh =
+        trace(tracer, request, static_cast<std::size_t>(std::count(dirty.begin(), dirty.end(), true)),
+              on_samples, stats);
+    if (stopped()) return {};
+    const scene::FragmentTable fresh_table = take_table(fresh);
+    const std::size_t pixels = dirty.size();
+
+    scene::FragmentTable table{camera_.width, camera_.height, {0}, {}};
+    for (std::size_t p = 0; p < pixels; ++p) {
+        const auto& first = dirty[p] ? fresh_table.extra_first : old_table.extra_first;
+        table.extra_first.push_back(table.extra_first.back() + first[p + 1] - first[p]);
+    }
+    const auto main_of = [&](const scene::FragmentTable& t) {
+        return std::vector<glm::vec4>(t.fragments.begin(),
+                                      t.fragments.begin() + static_cast<std::ptrdiff_t>(pixels));
+    };
+    const auto extra_of = [&](const scene::FragmentTable& t) {
+        return std::vector<glm::vec4>(t.fragments.begin() + static_cast<std::ptrdiff_t>(pixels),
+                                      t.fragments.end());
+    };
+    table.fragments = merge_pixels(main_of(old_table), main_of(fresh_table), dirty);
+    const auto extras = merge_extras(extra_of(old_table), old_table.extra_first, extra_of(fresh_table),
+                                     fresh_table.extra_first, dirty);
+    table.fragments.insert(table.fragments.end(), extras.begin(), extras.end());
+    TRY_VOID(scene::write_fragments(pictures(), table));
+
+    scene::Report report;
+    const auto patch_layer = [&](const std::string& name, const Layer& values, float scale,
+                                 const std::string& old_key, const std::string& key,
+                                 bool there) -> Result<bool> {
+        scene::StoredLayer old;
+        if (there) {
+            TRY(old, scene::read_layer(from, name, old_table, scale, old_key, report));
+        } else {
+            old.whole.assign(pixels, glm::vec3(0.0f));
+            old.extra.assign(old_table.fragments.size() - pixels, glm::vec3(0.0f));
+        }
+        const scene::StoredLayer add = scene::to_stored(fresh_table, values);
+        scene::StoredLayer merged{
+            merge_pixels(old.whole, add.whole, dirty),
+            merge_extras(old.extra, old_table.extra_first, add.extra, fresh_table.extra_first, dirty)};
+        if (!any_light(merged.whole) && name == "emission") return false;
+        TRY_VOID(
+            scene::write_layer(pictures(), name, table.width, table.height, merged, scale, attributes(key)));
+        return true;
+    };
+    for (const CentrePicture& picture : centre_pictures()) {
+        const std::string file = std::string(picture.name) + ".exr";
+        TRY(image::ExrFile old, image::read_exr(from / file));
+        const std::vector<float> samples = picture.samples(fresh);
+        const std::size_t channels = picture.channels.size();
+        if (old.pixels.samples.size() != samples.size() || old.channels != picture.channels)
+            return Error{"is not what this program writes; delete it and bake again", (from / file).string()};
+        for (std::size_t p = 0; p < pixels; ++p)
+            if (dirty[p])
+                std::copy_n(samples.begin() + static_cast<std::ptrdiff_t>(p * channels), channels,
+                            old.pixels.samples.begin() + static_cast<std::ptrdiff_t>(p * channels));
+        TRY_VOID(write_floats(pictures() / file, table.width, table.height, old.pixels.samples,
+                              picture.channels, wanted_.layout_key));
+    }
+    TRY(const bool ambient, patch_layer("ambient", fresh.ambient, scene::kPictureCandela, old_->layout_key,
+                                        wanted_.layout_key, true));
+    static_cast<void>(ambient);
+    TRY(wanted_.has_emission, patch_layer("emission", fresh.emission, 1.0f, old_->layout_key,
+                                          wanted_.layout_key, old_->has_emission));
+    written_ = wanted_;
+    written_.extra_count = wanted_.extra_count = table.fragments.size() - pixels;
+    written_.lights.clear();
+    for (std::size_t k = 0; k < kept.size(); ++k) {
+        const scene::ManifestLight& light = wanted_.lights[kept[k]];
+        TRY(const bool there,
+            patch_layer(light.picture, fresh.lights[k], scene::kPictureCandela, light.key, light.key, true));
+        static_cast<void>(there);
+        if (light.indirect) {
+            const std::string file = light.picture + "_indirect.exr";
+            TRY(const Layer old, scene::read_picture(from / file, table.width, table.height,
+                                                     scene::kPictureCandela, light.key, report));
+            TRY_VOID(scene::write_picture(pictures() / file, table.width, table.height,
+                                          merge_pixels(old, fresh.indirect[k], dirty), scene::kPictureCandela,
+                                          attributes(light.key)));
+        }
+        written_.lights.push_back(light);
+        ++stats.patched;
+    }
+    extra_first_ = table.extra_first;
+    return write_manifest();
+}
+
+Result<void> CameraBake::run(const Tracer& tracer, const std::function<void(double)>& on_samples,
+                             BakeStats& stats) {
+    std::error_code code;
+    fs::create_directories(pictures(), code);
+    if (code) return Error{"cannot create the folder: " + code.message(), pictures().string()};
+
+    const int kept = static_cast<int>(std::count(done_.begin(), done_.end(), true));
+    if (layout_ == Layout::patched) {
+        const int patched_before = stats.patched;
+        if (const Result<void> patched = patch(tracer, on_samples, stats); !patched.ok()) {
+            // The old pictures cannot be used: from scratch then, unless the disk is at fault, which shows
+            // again at once.
+            stats.patched = patched_before;
+            layout_ = Layout::traced;
+            done_.assign(done_.size(), false);
+        }
+        if (stopped()) return {};
+    } else if (layout_ == Layout::kept) {
+        written_ = *old_;
+        wanted_.extra_count = old_->extra_count;
+        wanted_.has_emission = old_->has_emission;
+        stats.kept += kept;
+        const bool all = kept == static_cast<int>(wanted_.lights.size());
+        if (!all || old_->lights.size() != wanted_.lights.size()) {
+            // Entries whose files are about to be replaced leave the manifest first.
+            written_ = wanted_;
+            written_.lights.clear();
+            for (std::size_t k = 0; k < wanted_.lights.size(); ++k)
+                if (done_[k]) written_.lights.push_back(wanted_.lights[k]);
+            TRY_VOID(write_manifest());
+        }
+        if (!all) {
+            auto table = scene::read_fragments(pictures(), *old_);
+            if (table.ok()) {
+                extra_first_ = std::move(table->extra_first);
+            } else {
+                layout_ = Layout::traced;
+                done_.assign(done_.size(), false);
+            }
+        }
+    }
+    bool surroundings = layout_ == Layout::traced;
+    for (;;) {
+        std::vector<std::size_t> batch;
+        for (std::size_t k = 0; k < done_.size() && batch.size() < kBatch; ++k)
+            if (!done_[k]) batch.push_back(k);
+        if (batch.empty() && !surroundings) break;
+        TRY_VOID(trace_batch(tracer, surroundings, batch, on_samples, stats));
+        if (stopped()) return {};
+        surroundings = false;
+    }
+    remove_leftovers();
+    return {};
+}
+
+void CameraBake::remove_leftovers() const {
+    std::set<std::string> files;
+    for (const CentrePicture& picture : centre_pictures()) files.insert(std::string(picture.name) + ".exr");
+    for (const char* name : {"fragments", "ambient", "ambient.extra", "emission", "emission.extra"})
+        files.insert(std::string(name) + ".exr");
+    for (const scene::ManifestLight& light : wanted_.lights) {
+        files.insert(light.picture + ".exr");
+        files.insert(light.picture + ".extra.exr");
+        if (light.indirect) files.insert(light.picture + "_indirect.exr");
+    }
+    std::error_code code;
+    for (const auto& entry : fs::directory_iterator(folder_, code))
+        if (entry.path().filename() != wanted_.folder && entry.path().filename() != "manifest.json")
+            fs::remove_all(entry.path(), code);
+    for (const auto& entry : fs::directory_iterator(pictures(), code))
+        if (!files.contains(entry.path().filename().string())) fs::remove(entry.path(), code);
+}
+
+} // namespace ghost::bake
