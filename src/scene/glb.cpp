@@ -4,10 +4,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include <optional>
+#include <set>
+
 namespace ghost::scene {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x46546c67;     // "glTF"
+constexpr std::size_t kTriangles = 4;            // primitive mode
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a; // "JSON"
 
 float number_at(const nlohmann::json& json, const char* place, float fallback, float high) {
@@ -15,6 +19,16 @@ float number_at(const nlohmann::json& json, const char* place, float fallback, f
     if (!json.is_object() || !json.contains(pointer) || !json[pointer].is_number()) return fallback;
     const float value = json[pointer].get<float>();
     return value >= 0.0f && value <= high ? value : fallback;
+}
+
+nlohmann::json list_at(const nlohmann::json& json, const char* key) {
+    if (!json.is_object() || !json.contains(key) || !json[key].is_array()) return nlohmann::json::array();
+    return json[key];
+}
+
+std::optional<std::size_t> index_at(const nlohmann::json& json, const char* key) {
+    if (!json.is_object() || !json.contains(key) || !json[key].is_number_unsigned()) return std::nullopt;
+    return json[key].get<std::size_t>();
 }
 
 } // namespace
@@ -45,24 +59,38 @@ Result<void> check_glb(Bytes bytes, const std::string& name) {
     return {};
 }
 
-std::vector<GltfExtras> gltf_extras(Bytes glb) {
+GltfExtras gltf_extras(Bytes glb) {
     ByteReader reader(glb);
     reader.skip(12);
     const std::uint32_t chunk_length = reader.u32_le();
     if (reader.u32_le() != kJsonChunk) return {};
     const Bytes text = reader.take(chunk_length);
     const auto json = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
-    std::vector<GltfExtras> result;
-    if (!json.is_object() || !json.contains("materials") || !json["materials"].is_array()) return result;
-    for (const auto& material : json["materials"]) {
-        GltfExtras extras;
-        extras.emissive_strength =
-            number_at(material, "/extensions/KHR_materials_emissive_strength/emissiveStrength", 1.0f, 1e6f);
-        extras.specular =
-            number_at(material, "/extensions/KHR_materials_specular/specularFactor", 1.0f, 1.0f);
-        result.push_back(extras);
+    if (!json.is_object()) return {};
+    GltfExtras extras;
+    for (const auto& material : list_at(json, "materials"))
+        extras.materials.push_back(
+            {number_at(material, "/extensions/KHR_materials_emissive_strength/emissiveStrength", 1.0f, 1e6f),
+             number_at(material, "/extensions/KHR_materials_specular/specularFactor", 1.0f, 1.0f)});
+
+    const nlohmann::json accessors = list_at(json, "accessors");
+    std::set<std::string> not_unique;
+    for (const auto& mesh : list_at(json, "meshes")) {
+        if (!mesh.is_object() || !mesh.contains("name") || !mesh["name"].is_string()) continue;
+        const nlohmann::json primitives = list_at(mesh, "primitives");
+        for (std::size_t k = 0; k < primitives.size(); ++k) {
+            const auto mode = index_at(primitives[k], "mode");
+            const auto accessor = index_at(primitives[k], "indices");
+            if (mode.value_or(kTriangles) != kTriangles || !accessor || *accessor >= accessors.size())
+                continue;
+            const std::string name =
+                mesh["name"].get<std::string>() + (primitives.size() > 1 ? "-" + std::to_string(k) : "");
+            const std::size_t count = index_at(accessors[*accessor], "count").value_or(0) / 3;
+            if (!extras.triangles.emplace(name, count).second) not_unique.insert(name);
+        }
     }
-    return result;
+    for (const std::string& name : not_unique) extras.triangles.erase(name);
+    return extras;
 }
 
 } // namespace ghost::scene

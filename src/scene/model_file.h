@@ -10,6 +10,7 @@
 #include "scene/stage.h"
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,23 +29,30 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
 // binary.
 Result<void> check_glb(Bytes bytes, const std::string& name);
 
-// Faces with vertices that are no numbers or do not exist are removed, broken normals are thrown away (Assimp
-// then makes smooth ones), broken texture coordinates become 0.
-void repair_meshes(aiScene& scene, const std::string& name, Report& report);
-
 // Triangles of one mesh; no indices where nothing is left of it.
 Mesh mesh_from(const aiMesh& source);
 
 // What Assimp 5.2 does not know of a glTF material.
-struct GltfExtras {
+struct GltfMaterialExtras {
     float emissive_strength = 1.0f; // KHR_materials_emissive_strength
     float specular = 1.0f;          // KHR_materials_specular: specularFactor
 };
-std::vector<GltfExtras> gltf_extras(Bytes glb); // per material of the file
+struct GltfExtras {
+    std::vector<GltfMaterialExtras> materials; // in the order of the file
+    // Triangles that a mesh should have, by Assimp's name for it; names that are not unique are left out.
+    // Assimp drops triangles with wrong indices without a word.
+    std::map<std::string, std::size_t> triangles;
+};
+GltfExtras gltf_extras(Bytes glb);
+
+// Faces with vertices that are no numbers or do not exist are removed, broken normals are thrown away (Assimp
+// then makes smooth ones), broken texture coordinates become 0.
+void repair_meshes(aiScene& scene, const GltfExtras& extras, const std::string& name, Report& report);
 
 // Materials in the order of the scene's, and the textures they use, each picture once. extras may be shorter.
-void add_materials(const aiScene& scene, const std::vector<GltfExtras>& extras, const std::string& name,
-                   const std::filesystem::path& folder, Stage& stage, Report& report);
+void add_materials(const aiScene& scene, const std::vector<GltfMaterialExtras>& extras,
+                   const std::string& name, const std::filesystem::path& folder, Stage& stage,
+                   Report& report);
 
 // "a, b, c and 7 more"
 std::string name_list(const std::vector<std::string>& names);

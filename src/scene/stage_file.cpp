@@ -74,10 +74,10 @@ void add_instances(const aiNode* root, const std::vector<int>& kept, const std::
                        name_list(flat));
 }
 
-Result<Stage> convert(const aiScene& scene, const std::vector<GltfExtras>& extras, const std::string& name,
+Result<Stage> convert(const aiScene& scene, const GltfExtras& extras, const std::string& name,
                       const std::filesystem::path& folder, Report& report) {
     Stage stage;
-    add_materials(scene, extras, name, folder, stage, report);
+    add_materials(scene, extras.materials, name, folder, stage, report);
     std::vector<int> kept;
     for (unsigned k = 0; k < scene.mNumMeshes; ++k) {
         Mesh mesh = mesh_from(*scene.mMeshes[k]);
@@ -113,16 +113,16 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
         if (!scene || !scene->mRootNode)
             return Error{std::string("not a readable ") + format + " model: " + importer.GetErrorString(),
                          name};
+        const GltfExtras extras = format == "glb" ? gltf_extras(bytes) : GltfExtras{};
         // The importer owns the scene and hands it out const, but post-processing must not see broken
         // numbers.
-        repair_meshes(const_cast<aiScene&>(*scene), name, report);
+        repair_meshes(const_cast<aiScene&>(*scene), extras, name, report);
         // glTF is indexed by nature; joining its vertices again costs half of the loading time.
         const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
                                aiProcess_CalcTangentSpace | (is_gltf ? 0u : aiProcess_JoinIdenticalVertices);
         scene = importer.ApplyPostProcessing(steps);
         if (!scene) return Error{std::string("cannot prepare the model: ") + importer.GetErrorString(), name};
-        return convert(*scene, format == "glb" ? gltf_extras(bytes) : std::vector<GltfExtras>{}, name, folder,
-                       report);
+        return convert(*scene, extras, name, folder, report);
     } catch (const std::exception& problem) {
         return Error{std::string("cannot read the model: ") + problem.what(), name};
     }

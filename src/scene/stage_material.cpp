@@ -149,8 +149,9 @@ Material material_from(const aiMaterial& source, TextureTable& table, bool& odd_
 
 } // namespace
 
-void add_materials(const aiScene& scene, const std::vector<GltfExtras>& extras, const std::string& name,
-                   const std::filesystem::path& folder, Stage& stage, Report& report) {
+void add_materials(const aiScene& scene, const std::vector<GltfMaterialExtras>& extras,
+                   const std::string& name, const std::filesystem::path& folder, Stage& stage,
+                   Report& report) {
     TextureTable table(scene, folder);
     std::vector<std::string> oddly_mapped;
     for (unsigned m = 0; m < scene.mNumMaterials; ++m) {

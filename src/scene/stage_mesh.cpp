@@ -64,14 +64,18 @@ std::string name_list(const std::vector<std::string>& names) {
     return text;
 }
 
-void repair_meshes(aiScene& scene, const std::string& name, Report& report) {
+void repair_meshes(aiScene& scene, const GltfExtras& extras, const std::string& name, Report& report) {
     std::vector<std::string> without_normals;
     std::vector<std::string> broken_uvs;
     std::vector<std::string> with_lines;
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
         aiMesh& mesh = *scene.mMeshes[m];
         const std::string mesh_name = mesh.mName.C_Str();
-        if (const unsigned removed = remove_broken_faces(mesh); removed > 0)
+        const auto declared = extras.triangles.find(mesh_name);
+        const std::size_t dropped = declared != extras.triangles.end() && declared->second > mesh.mNumFaces
+                                        ? declared->second - mesh.mNumFaces
+                                        : 0;
+        if (const std::size_t removed = remove_broken_faces(mesh) + dropped; removed > 0)
             report.add(Severity::error, name,
                        "object '" + mesh_name + "': " + std::to_string(removed) +
                            " faces have vertices that do not exist or are not numbers; they are left out");
