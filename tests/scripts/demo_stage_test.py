@@ -69,7 +69,7 @@ def main():
     fixtures = [n["name"] for n in gltf["nodes"] if re.match(r"FXB?_", n.get("name", ""))]
     uris = [item["uri"] for kind in ("buffers", "images") for item in gltf.get(kind, []) if "uri" in item]
     outside = [v for v in gltf["bufferViews"] if v.get("byteOffset", 0) + v["byteLength"] > bin_length]
-    floor = next(m for m in gltf["materials"] if m["name"] == "deck")
+    floor = next((m for m in gltf["materials"] if m["name"] == "deck"), {})
     print(f"{size / 1e6:.2f} MB, {drawn} triangles drawn, {stored} stored, {shared} instanced nodes, "
           f"{len(textured)} textured of {len(gltf['materials'])} materials")
     checks = {
@@ -83,7 +83,7 @@ def main():
         "no required extensions": not gltf.get("extensionsRequired"),
         "no lights, no cameras": "cameras" not in gltf and "KHR_lights_punctual" not in gltf.get("extensionsUsed", []),
         "factors between 0 and 1": all(0 <= f <= 1 for m in gltf["materials"] for f in factors(m)),
-        "the floor's gloss is a map": "metallicRoughnessTexture" in floor["pbrMetallicRoughness"],
+        "the floor's gloss is a map": "metallicRoughnessTexture" in floor.get("pbrMetallicRoughness", {}),
     }
     failed = [name for name, passed in checks.items() if not passed]
     for name in failed:

@@ -2,7 +2,7 @@
 """Performers and audience: jointed figures, dressed, then skinned by a distance field. A figure faces -y and stands on z = 0."""
 import math
 import random
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import bpy
 import numpy as np
@@ -10,7 +10,7 @@ from mathutils import Euler, Vector
 
 from . import backline, sdf
 from .layout import DECK_Z
-from .mesh_builder import IDENTITY, MeshBuilder, place
+from .mesh_builder import MeshBuilder, place
 from .sdf import Cone
 
 UPPER_ARM, FOREARM, THIGH, SHIN = 0.30, 0.27, 0.43, 0.43
@@ -45,9 +45,7 @@ class Dress:
     long_hair: bool = False
     woman: bool = False
     hat: bool = False
-    belt: bool = True
     beard: bool = False
-    materials: dict = field(default_factory=dict)
 
 
 def bend(root, tip, first, second, pole):
@@ -82,20 +80,17 @@ def figure(pose, dress):
     for s in (-1, 1):
         waist = (hip + chest) / 2
         waist_x = 0.05 if dress.woman else 0.07
-        add(hip_at(s * 0.075, 0, 0.04), waist + turn @ Vector((s * waist_x, 0, 0)), 0.11, 0.098, "top", 0.06)
-        add(waist + turn @ Vector((s * waist_x, 0, 0)), chest_at(s * 0.085 * wide, 0, 0.0), 0.098, 0.113, "top", 0.06)
+        add(hip_at(s * 0.072, 0, 0.02), waist + turn @ Vector((s * waist_x, 0, 0)), 0.108, 0.094, "top", 0.06)
+        add(waist + turn @ Vector((s * waist_x, 0, 0)), chest_at(s * 0.085 * wide, 0, 0.0), 0.094, 0.11, "top", 0.06)
         add(chest_at(s * 0.085 * wide, 0, 0), chest_at(s * 0.1 * wide, 0.01, 0.09), 0.112, 0.085, "top", 0.06)
         add(chest_at(s * 0.165 * wide, 0.01, 0.1), chest_at(s * 0.05, 0.02, 0.16), 0.062, 0.05, "top", 0.05)
-        add(hip_at(s * 0.085, 0.0, 0.02), hip_at(s * 0.09, 0.0, -0.06), 0.112, 0.105, "legs", 0.05)
-        add(hip_at(s * 0.07, 0.05, -0.02), hip_at(s * 0.075, 0.05, -0.06), 0.09, 0.09, "legs", 0.05)
+        add(hip_at(s * 0.072, 0.0, 0.02), hip_at(s * 0.08, 0.0, -0.06), 0.1, 0.098, "legs", 0.05)
+        add(hip_at(s * 0.06, 0.045, -0.02), hip_at(s * 0.065, 0.045, -0.06), 0.084, 0.084, "legs", 0.05)
         if dress.woman:
             add(chest_at(s * 0.075, -0.075, -0.02), chest_at(s * 0.075, -0.08, -0.02), 0.062, 0.06, "top", 0.05)
         if dress.coat:
-            add(hip_at(s * 0.08, 0, 0.05), hip_at(s * 0.1, 0.0, -dress.coat), 0.118, 0.128, "top", 0.06)
+            add(hip_at(s * 0.075, 0, 0.05), hip_at(s * 0.085, 0.0, -dress.coat), 0.11, 0.116, "top", 0.06)
     add(chest_at(0, -0.04, 0.02), chest_at(0, -0.03, -0.12), 0.085, 0.08, "top", 0.06)
-    if dress.belt and not dress.coat and not dress.skirt:
-        for s in (-1, 1):
-            add(hip_at(s * 0.08, 0, 0.062), hip_at(s * 0.08, 0, 0.066), 0.124, 0.124, "shoe", 0.03)
     if dress.skirt:
         for s in (-1, 1):
             for y in (-0.04, 0.05):
@@ -113,9 +108,8 @@ def figure(pose, dress):
     for s in (-1, 1):
         add(head_at(s * 0.018, -0.088, 0.042), head_at(s * 0.045, -0.078, 0.04), 0.014, 0.012, "skin", 0.014)
         add(head_at(s * 0.082, 0.015, 0.02), head_at(s * 0.08, 0.01, -0.02), 0.016, 0.011, "skin", 0.012)
-        add(head_at(s * 0.033, -0.106, 0.02), head_at(s * 0.036, -0.104, 0.02), 0.012, 0.012, "skin", 0.01, carve=True)
-        add(head_at(s * 0.032, -0.089, 0.021), head_at(s * 0.034, -0.089, 0.021), 0.0125, 0.0125, "shoe", 0.003)
-        add(head_at(s * 0.02, -0.1, 0.044), head_at(s * 0.05, -0.088, 0.043), 0.006, 0.005, "hair", 0.003)
+        add(head_at(s * 0.033, -0.104, 0.02), head_at(s * 0.038, -0.1, 0.02), 0.0135, 0.0135, "skin", 0.01, carve=True)
+        add(head_at(s * 0.02, -0.1, 0.044), head_at(s * 0.05, -0.088, 0.043), 0.0065, 0.006, "hair", 0.003)
     add(head_at(-0.018, -0.094, -0.045), head_at(0.018, -0.094, -0.045), 0.009, 0.009, "skin", 0.012)
     if dress.beard:
         add(head_at(-0.04, -0.05, -0.065), head_at(0, -0.075, -0.085), 0.036, 0.032, "hair", 0.03)
@@ -184,7 +178,7 @@ def legs(pose, dress, hip_at, add):
         top = hip_at(s * 0.095, 0, -0.04)
         knee, ankle = bend(top, ankle_at, THIGH, SHIN, Vector((s * pose.knee_out, -1, 0.1)))
         slim = 0.9 if dress.woman else 1.0
-        add(top, knee, 0.092 * slim, 0.064 * slim, skin, 0.04)
+        add(top, knee, 0.088 * slim, 0.062 * slim, skin, 0.04)
         calf = knee.lerp(ankle, 0.35) + Vector((0, 0.018, 0))
         add(knee, calf, 0.064 * slim, 0.062 * slim, skin, 0.04)
         add(calf, ankle, 0.062 * slim, 0.05 if skin == "legs" else 0.036, skin, 0.04)
@@ -253,7 +247,7 @@ def performers(stage):
          Dress("shirt_white", "leather_black", sleeve=0.62, hair="hair_brown", long_hair=True), place(0, 2.0, DECK_Z)),
         ("guitarist", Pose((-0.12, -0.27, 1.05), (0.47, -0.3, 1.27), (-0.27, -0.12, 0), (0.22, 0.1, 0), lean=(0.0, -0.05), shoulders=-0.15,
                            head=(0.3, 0.25)),
-         Dress("jacket_red", "denim", coat=0.1, long_hair=True, hair="hair_fair"), place(-2.9, 2.15, DECK_Z, rz=0.15)),
+         Dress("jacket_red", "denim", coat=0.04, long_hair=True, hair="hair_fair"), place(-2.9, 2.15, DECK_Z, rz=0.15)),
         ("bassist", Pose((-0.14, -0.27, 0.98), (0.52, -0.28, 1.3), (-0.2, 0.05, 0), (0.27, -0.12, 0), lean=(0.0, 0.0), shoulders=-0.1,
                          head=(0.1, 0.2)),
          Dress("shirt_black", "trousers_dark", "skin_dark", sleeve=0.4, hat=True, beard=True, shoe="leather_brown"),
@@ -313,7 +307,7 @@ def crowd(stage, size, dice):
     hair = ("hair_black", "hair_brown", "hair_fair")
     meshes = []
     for i, (pose, woman) in enumerate(raised):
-        dress = Dress(cloth[i % 4], ("denim", "trousers_dark", "trousers_dark")[i % 3], "crowd_skin", hair[i % 3], "shoe", (0.4, 1.0, 0.45, 0.0, 1.0, 0.4, 0.4, 0.3)[i], coat=0.1,
+        dress = Dress(cloth[i % 4], ("denim", "trousers_dark", "trousers_dark")[i % 3], "crowd_skin", hair[i % 3], "shoe", (0.4, 1.0, 0.45, 0.0, 1.0, 0.4, 0.4, 0.3)[i], coat=0.06,
                       long_hair=woman, woman=woman, hat=i == 4)
         meshes.append(skin_over(stage, f"crowd_{i}", figure(pose, dress), dress, 0.014, 2400))
     weights = (2, 3, 3, 2, 2, 2, 4, 1)
