@@ -179,7 +179,7 @@ def head(length, spot):
         sections[1] = (-0.20, 0.124, hy, 2.3)
     fin_z, fins = 0.045, 7
     pitch = (back - 0.055 - fin_z) / fins
-    mesh.loft("black paint", sections + [(fin_z, hx, hy, 3.2)], 44, caps=(False, False))
+    mesh.loft("black paint", sections + [(fin_z, hx, hy, 3.2)], 44, caps=(True, False))
     for i in range(fins):  # cooling fins round the lamp house
         z = fin_z + i * pitch
         shrink = 1.0 - 0.012 * i
