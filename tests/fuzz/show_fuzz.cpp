@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// show.toml from anybody: never a crash, and whatever is kept is within its limits.
+#include "base/check.h"
+#include "scene/show_toml.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    ghost::scene::Report report;
+    const auto parsed = ghost::scene::parse_show(std::string_view(reinterpret_cast<const char*>(data), size),
+                                                 "fuzz/show.toml", report);
+    if (!parsed.ok()) return 0;
+    const ghost::scene::Show& show = parsed->show;
+    CHECK(!show.cameras.empty());
+    CHECK_EQ(parsed->sources.size(), show.fixtures.size());
+    for (const auto& camera : show.cameras) {
+        CHECK(camera.width >= 1 && camera.height >= 1 && camera.width <= 16384 && camera.height <= 16384);
+        const glm::mat4 matrix = ghost::scene::camera_to_world(camera);
+        for (int k = 0; k < 4; ++k) CHECK(std::isfinite(matrix[k].x + matrix[k].y + matrix[k].z));
+    }
+    for (const auto& fixture : show.fixtures) {
+        CHECK(!fixture.name.empty() && fixture.name.find('/') == std::string::npos);
+        CHECK(fixture.address >= 0 && fixture.address <= 512 && fixture.universe >= 1);
+        for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop)
+            CHECK(std::isfinite(ghost::scene::fixture_to_world(fixture, stop)[3].x));
+    }
+    return 0;
+}
