@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// load_gdtf, decode and step on anything. Input that starts with "PK" is taken as the zip itself, other input
+// as the description.xml of one. Seeds: assets/fixtures/src/*/description.xml, assets/fixtures/*.gdtf.
+#include "fixture/decode.h"
+#include "fixture/gdtf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace ghost;
+using namespace ghost::fixture;
+
+void put(std::vector<std::uint8_t>& out, std::uint32_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+}
+
+std::uint32_t crc_of(Bytes data) {
+    std::uint32_t crc = 0xffffffffu;
+    for (const std::uint8_t byte : data) {
+        crc ^= byte;
+        for (int k = 0; k < 8; ++k) crc = (crc >> 1) ^ ((crc & 1u) ? 0xedb88320u : 0u);
+    }
+    return ~crc;
+}
+
+std::vector<std::uint8_t> zip_of(Bytes xml) {
+    constexpr std::string_view kName = "description.xml";
+    const auto size = static_cast<std::uint32_t>(xml.size());
+    std::vector<std::uint8_t> common;
+    for (const std::uint32_t field : {20u, 0u, 0u, 0u, 0x21u}) put(common, field, 2);
+    for (const std::uint32_t field : {crc_of(xml), size, size}) put(common, field, 4);
+    put(common, kName.size(), 2);
+    put(common, 0, 2);
+    std::vector<std::uint8_t> zip;
+    put(zip, 0x04034b50, 4);
+    zip.insert(zip.end(), common.begin(), common.end());
+    zip.insert(zip.end(), kName.begin(), kName.end());
+    zip.insert(zip.end(), xml.begin(), xml.end());
+    const auto start = static_cast<std::uint32_t>(zip.size());
+    put(zip, 0x02014b50, 4);
+    put(zip, 20, 2);
+    zip.insert(zip.end(), common.begin(), common.end());
+    for (const int bytes : {2, 2, 2, 4, 4}) put(zip, 0, bytes);
+    zip.insert(zip.end(), kName.begin(), kName.end());
+    const auto directory = static_cast<std::uint32_t>(zip.size()) - start;
+    put(zip, 0x06054b50, 4);
+    put(zip, 0, 4);
+    put(zip, 1, 2);
+    put(zip, 1, 2);
+    put(zip, directory, 4);
+    put(zip, start, 4);
+    put(zip, 0, 2);
+    return zip;
+}
+
+void drive(const Type& type, int mode, Bytes data) {
+    const Patch patch{.name = "fuzz", .type = &type, .mode = mode, .addresses = {{1, 1}, {2, 500}, {3, 512}}};
+    State state = make_state(patch);
+    Levels levels;
+    for (int universe = 1; universe <= 4; ++universe)
+        levels.set(universe, data.subspan(0, std::min<std::size_t>(data.size(), 512)));
+    for (const double dt_s : {0.0, 0.02, 1e6}) {
+        step(state, patch, decode(patch, levels), dt_s);
+        for (const BeamState& beam : state.beams) {
+            const Optics& optics = beam.optics;
+            if (!(optics.dimmer >= 0.0f && optics.dimmer <= 1.0f && optics.shutter >= 0.0f &&
+                  optics.shutter <= 1.0f && std::isfinite(optics.zoom_deg)))
+                std::abort();
+            for (const WheelState& wheel : optics.gobo_wheels)
+                if (!(wheel.position >= 0.0f &&
+                      wheel.position < static_cast<float>(
+                                           type.wheels[static_cast<std::size_t>(wheel.wheel)].slots.size())))
+                    std::abort();
+        }
+    }
+    (void)check_patch(patch);
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const Bytes bytes(data, size);
+    const bool is_zip = size >= 2 && data[0] == 'P' && data[1] == 'K';
+    const auto loaded = is_zip ? load_gdtf(bytes, "fuzz.gdtf") : load_gdtf(zip_of(bytes), "fuzz.gdtf");
+    if (!loaded) return 0;
+    const int modes = std::min(3, static_cast<int>(loaded->type.modes.size()));
+    for (int mode = 0; mode < modes; ++mode) drive(loaded->type, mode, bytes);
+    return 0;
+}
