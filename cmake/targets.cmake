@@ -5,6 +5,9 @@ function(ghost_options target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Wnon-virtual-dtor
         -Wno-missing-field-initializers -Werror)
     target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR}/src ${CMAKE_SOURCE_DIR}/shaders)
+    if(GHOST_FUZZ) # without counters in the libraries the fuzzer is blind to them
+        target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
+    endif()
     if(GHOST_SANITIZE)
         target_compile_options(${target} PUBLIC -fsanitize=${GHOST_SANITIZE} -fno-omit-frame-pointer
             -fno-sanitize-recover=all)
