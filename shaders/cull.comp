@@ -1,8 +1,8 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
-// Lists per tile the lights whose cone can meet the tile's bundle of camera rays. Conservative: the cone is widened by the
-// radius of the bundle at its far end (a cone moved back by r / sin holds all points within r of it), and only the ray
-// through the middle is tested.
+// Lists the tiles that a group of lights can reach, and per tile which of them. Conservative. Surfaces: the sphere round
+// the tile's fragments meets the cone. Haze: the tile's bundle of camera rays meets the cone, widened by the bundle's
+// radius at its far end (a cone moved back by r / sin holds all points within r of it), tested with the middle ray.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
@@ -11,40 +11,58 @@
 layout(local_size_x = 64) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
 layout(binding = 1, scalar) uniform LightBlock { Light lights[kLightsPerDispatch]; };
-layout(binding = 2, scalar) readonly buffer TileFar { float tile_far[]; };  // distance of the farthest fragment
-layout(binding = 3, scalar) writeonly buffer TileMask { uint tile_mask[]; }; // kMaskWords words a tile, a bit a light
+layout(binding = 2, scalar) readonly buffer TileBounds { vec4 tile_bounds[]; }; // 2 a tile: centre, radius; farthest, -, -, -
+layout(binding = 3, scalar) writeonly buffer Masks { uint mask_of[]; };         // surface words, then haze words, a tile
+layout(binding = 4, scalar) buffer Groups { TileGroups groups; };
+layout(binding = 5, scalar) writeonly buffer Lists { uint list[]; }; // surface tiles, then haze tiles
 layout(push_constant, scalar) uniform Push { CullPush p; };
 
 vec3 gobo_sample(uint layer, vec2 gate, float blur) { return vec3(1.0); }
 
 void main() {
     uint tile = gl_GlobalInvocationID.x;
-    if (tile >= p.tiles_x * p.tiles_y) return;
+    uint tiles = p.tiles_x * p.tiles_y;
+    if (tile >= tiles) return;
     vec2 size = vec2(view.width, view.height);
-    vec2 low = vec2(tile % p.tiles_x, tile / p.tiles_x) * vec2(kTileWidth, kTileHeight);
-    vec2 middle = low + 0.5 * vec2(kTileWidth, kTileHeight);
+    vec2 middle = (vec2(tile % p.tiles_x, tile / p.tiles_x) + 0.5) * vec2(kTileWidth, kTileHeight);
     vec2 ndc = vec2(2.0 * middle.x / size.x - 1.0, 1.0 - 2.0 * middle.y / size.y);
     vec3 ray = view.forward + view.right * ndc.x + view.up * ndc.y;
     float ray_length = length(ray);
     vec3 dir = ray / ray_length;
-    float far = tile_far[tile];
+    vec4 sphere = tile_bounds[tile * 2u];
+    float far = tile_bounds[tile * 2u + 1u].x;
     // Half the tile's diagonal as seen along the ray.
     float spread = length(view.right * (float(kTileWidth) / size.x) + view.up * (float(kTileHeight) / size.y)) / ray_length;
     float radius = far * spread * 1.05 + 1e-3;
 
-    for (uint word = 0u; word < kMaskWords; ++word) {
-        uint mask = 0u;
+    bool any_surface = false;
+    bool any_haze = false;
+    uint words = (p.light_count + 31u) / 32u;
+    for (uint word = 0u; word < words; ++word) {
+        uint surface_mask = 0u;
+        uint haze_mask = 0u;
         uint end = min(p.light_count, (word + 1u) * 32u);
         for (uint i = word * 32u; i < end; ++i) {
             Light light = lights[i];
             float k = light.tan_field * light.cut_radius;
-            float back = radius * sqrt(1.0 + k * k) / k;
-            vec3 q = to_gate(light, view.eye_m - light.position_m);
-            q.z += back;
-            vec2 part = clip_to_cone(q, to_gate(light, dir), k, far + radius);
+            float back_per_m = sqrt(1.0 + k * k) / k;
+            uint bit = 1u << (i & 31u);
             bool lit = max(light.intensity_cd.x, max(light.intensity_cd.y, light.intensity_cd.z)) > 0.0;
-            mask |= part.y > part.x && lit ? 1u << (i & 31u) : 0u;
+
+            vec3 q = to_gate(light, sphere.xyz - light.position_m);
+            q.z += sphere.w * back_per_m;
+            surface_mask |= lit && sphere.w >= 0.0 && q.z > 0.0 && dot(q.xy, q.xy) < k * k * q.z * q.z ? bit : 0u;
+
+            q = to_gate(light, view.eye_m - light.position_m);
+            q.z += radius * back_per_m;
+            vec2 part = clip_to_cone(q, to_gate(light, dir), k, far + radius);
+            haze_mask |= lit && light.haze_samples > 0u && part.y > part.x ? bit : 0u;
         }
-        tile_mask[tile * kMaskWords + word] = mask;
+        mask_of[tile * kMaskWords + word] = surface_mask;
+        mask_of[(tiles + tile) * kMaskWords + word] = haze_mask;
+        any_surface = any_surface || surface_mask != 0u;
+        any_haze = any_haze || haze_mask != 0u;
     }
+    if (any_surface && p.surfaces != 0u) list[atomicAdd(groups.surface[0], 1u)] = tile;
+    if (any_haze && p.air != 0u) list[tiles + atomicAdd(groups.haze[0], 1u)] = tile;
 }

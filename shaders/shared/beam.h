@@ -13,9 +13,13 @@
 #include "shared/gobos.h"
 #define WITH_GOBOS , const ::ghost::shared::Gobos& gobos
 #define PASS_GOBOS , gobos
+#define WHEEL_COUNT(light) (light).wheel_count
 #else
 #define WITH_GOBOS
 #define PASS_GOBOS
+// A shader is compiled once per number of wheels: lavapipe runs a loop body at least once, masked.
+layout(constant_id = 0) const uint kWheels = 0u;
+#define WHEEL_COUNT(light) kWheels
 vec3 gobo_sample(uint layer, vec2 gate, float blur);
 #endif
 
@@ -80,7 +84,7 @@ SHARED_FN vec3 beam_candela(Light light, vec3 q WITH_GOBOS) {
     vec3 colour = light.intensity_cd * value;
     float side = clamp((gate.x - light.split) * 4.0f + 0.5f, 0.0f, 1.0f);
     colour *= vec3(1.0f) + (light.colour_b - vec3(1.0f)) * side;
-    for (uint k = 0u; k < light.wheel_count; ++k) colour *= wheel_sample(light.wheel[k], gate, blur PASS_GOBOS);
+    for (uint k = 0u; k < WHEEL_COUNT(light); ++k) colour *= wheel_sample(light.wheel[k], gate, blur PASS_GOBOS);
     return colour;
 }
 

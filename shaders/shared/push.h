@@ -12,40 +12,47 @@ SHARED_CONST uint kTileHeight = 8u;
 
 // Lights of one dispatch: as many as a uniform buffer of 64 KiB holds, in whole mask words.
 SHARED_CONST uint kLightsPerDispatch = 256u;
-SHARED_CONST uint kMaskWords = 8u;
+SHARED_CONST uint kMaskWords = 8u; // a tile: a bit a light
 
-// Kept images hold cd/m^2 times this as half floats: 0.004 .. 4,000,000 cd/m^2 at full precision.
-SHARED_CONST float kImageScale = 1.0f / 64.0f;
 // See kRadianceScale in scene/passes.h.
 SHARED_CONST float kPassScale = 1024.0f;
 
-SHARED_CONST uint kDrawSurfaces = 1u;
-SHARED_CONST uint kDrawHaze = 2u;
-SHARED_CONST uint kMarch = 4u;      // samples over the whole ray instead of its part in the cone
-SHARED_CONST uint kOutputFrame = 8u; // the frame, else a kept image
-SHARED_CONST uint kAccumulate = 16u; // on top of what the output holds
-SHARED_CONST uint kAddBase = 32u;    // the picture without lights is added
-
-// Which lights can reach which tile.
+// Which lights can reach which tile; the tiles that any of them reaches are appended to the lists of the two passes below.
 struct CullPush {
     uint light_count;
     uint tiles_x;
     uint tiles_y;
+    uint surfaces; // 1: list tiles for the surface pass
+    uint air;      // 1: list tiles for the haze pass
 };
-SHARED_SIZE(CullPush, 12);
+SHARED_SIZE(CullPush, 20);
 
-// Sum of some lights and of some kept images into one image.
-SHARED_CONST uint kMaxAddends = 20u; // of one dispatch; the tree needs one per level
-struct RelightPush {
-    uint light_count;
-    uint addend_count;
-    uint tiles_x;
-    uint flags;
-    uint march_steps;
-    uint target;               // layer of the kept images
-    uint addend[kMaxAddends];  // layers of the kept images
+// Workgroups of the two indirect dispatches, as Vulkan wants them, with room between for its alignment.
+struct TileGroups {
+    uint surface[4];
+    uint haze[4];
 };
-SHARED_SIZE(RelightPush, 104);
+SHARED_SIZE(TileGroups, 32);
+
+// target = kept images (+ the picture without lights). Layer 0 is the frame.
+SHARED_CONST uint kMaxAddends = 20u; // of one dispatch; the tree needs one per level
+struct SumPush {
+    uint target;
+    uint accumulate; // 1: on top of what the target holds
+    uint add_base;
+    uint addend_count;
+    uint addend[kMaxAddends];
+};
+SHARED_SIZE(SumPush, 96);
+
+// target += lights, on the tiles of the list.
+struct RelightPush {
+    uint target;
+    uint light_count;
+    uint tiles_x;
+    uint march_steps; // 0: samples inside the cone; else over the whole ray
+};
+SHARED_SIZE(RelightPush, 16);
 
 struct MeterPush {
     uint width;

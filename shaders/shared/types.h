@@ -62,12 +62,10 @@ struct Light {
     float lens_radius_m;   // blur of a point out of focus grows with it
     Wheel wheel[2];
     uint wheel_count;      // how many of wheel[] shape the beam
-    uint pass_a;           // passes of the two track stops beside the light (equal where it does not travel)
-    uint pass_b;
-    float pass_mix;        // 0 = pass_a .. 1 = pass_b
-    uint haze_samples;     // samples of the cone integrator
+    uint pass;             // its picture as a point source
+    uint haze_samples;     // samples of the cone integrator; 0: surfaces only
 };
-SHARED_SIZE(Light, 172);
+SHARED_SIZE(Light, 164);
 
 // Homogeneous haze: extinction, scattering and the two-term Henyey-Greenstein phase function.
 struct Haze {

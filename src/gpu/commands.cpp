@@ -11,7 +11,7 @@
 namespace ghost::gpu {
 namespace {
 
-constexpr std::uint32_t kMaxSpans = 32;
+constexpr std::uint32_t kMaxSpans = 64;
 constexpr std::uint32_t kPushBytes = 128;          // the least that every Vulkan device has
 constexpr std::uint64_t kUniformBytes = 64 * 1024; // what every desktop device and lavapipe bind at once
 
@@ -31,7 +31,7 @@ Binding stored(const Texture& texture) {
 }
 
 Program::Program(const Device& device, std::span<const std::uint32_t> spirv,
-                 std::vector<VkDescriptorType> bindings)
+                 std::vector<VkDescriptorType> bindings, std::uint32_t constant)
     : device_(device), bindings_(std::move(bindings)) {
     std::vector<VkDescriptorSetLayoutBinding> places;
     for (const VkDescriptorType type : bindings_) {
@@ -69,6 +69,9 @@ Program::Program(const Device& device, std::span<const std::uint32_t> spirv,
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
     info.stage.module = module;
     info.stage.pName = "main";
+    const VkSpecializationMapEntry entry{0, 0, sizeof constant};
+    const VkSpecializationInfo specialisation{1, &entry, sizeof constant, &constant};
+    info.stage.pSpecializationInfo = &specialisation;
     info.layout = layout_;
     VK_CALL(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_));
     vkDestroyShaderModule(device.handle(), module, nullptr);
@@ -116,8 +119,8 @@ void Commands::begin() {
     names_.clear();
 }
 
-void Commands::dispatch_bytes(const Program& program, const void* push, std::uint32_t bytes,
-                              const std::vector<Binding>& bindings, std::uint32_t x, std::uint32_t y) {
+void Commands::prepare(const Program& program, const void* push, std::uint32_t bytes,
+                       const std::vector<Binding>& bindings) {
     CHECK_EQ(bindings.size(), program.bindings().size());
     std::vector<VkDescriptorBufferInfo> buffers(bindings.size());
     std::vector<VkDescriptorImageInfo> images(bindings.size());
@@ -144,7 +147,16 @@ void Commands::dispatch_bytes(const Program& program, const void* push, std::uin
                                static_cast<std::uint32_t>(writes.size()), writes.data());
     vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.handle());
     vkCmdPushConstants(commands_, program.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, bytes, push);
-    vkCmdDispatch(commands_, x, y, 1);
+}
+
+void Commands::dispatch_from(const Buffer& groups, std::uint64_t offset) {
+    vkCmdDispatchIndirect(commands_, groups.handle(), offset);
+}
+
+void Commands::write_bytes(const Buffer& to, const void* data, std::uint64_t bytes) {
+    barrier(); // earlier readers of the buffer are done
+    vkCmdUpdateBuffer(commands_, to.handle(), 0, bytes, data);
+    barrier();
 }
 
 void Commands::barrier() {

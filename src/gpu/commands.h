@@ -26,11 +26,12 @@ Binding storage(const Buffer& buffer);
 Binding sampled(const Texture& texture);
 Binding stored(const Texture& texture);
 
-// A compute shader whose bindings 0, 1, .. have these types.
+// A compute shader whose bindings 0, 1, .. have these types. constant: its specialisation constant 0, if it
+// has one.
 class Program {
 public:
     Program(const Device& device, std::span<const std::uint32_t> spirv,
-            std::vector<VkDescriptorType> bindings);
+            std::vector<VkDescriptorType> bindings, std::uint32_t constant = 0);
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -64,7 +65,21 @@ public:
     void dispatch(const Program& program, const Push& push, const std::vector<Binding>& bindings,
                   std::uint32_t groups_x, std::uint32_t groups_y = 1) {
         static_assert(sizeof(Push) <= 128);
-        dispatch_bytes(program, &push, sizeof(Push), bindings, groups_x, groups_y);
+        prepare(program, &push, sizeof(Push), bindings);
+        vkCmdDispatch(commands_, groups_x, groups_y, 1);
+    }
+    // The numbers of workgroups lie in a buffer, at an offset.
+    template <class Push>
+    void dispatch_indirect(const Program& program, const Push& push, const std::vector<Binding>& bindings,
+                           const Buffer& groups, std::uint64_t offset) {
+        static_assert(sizeof(Push) <= 128);
+        prepare(program, &push, sizeof(Push), bindings);
+        dispatch_from(groups, offset);
+    }
+    // Writes a small value (at most 64 KiB) to the start of a buffer, in order with the dispatches.
+    template <class Value>
+    void write(const Buffer& to, const Value& value) {
+        write_bytes(to, &value, sizeof(Value));
     }
     // All that was recorded is done and visible to what follows, shaders and host.
     void barrier();
@@ -77,8 +92,10 @@ public:
     const std::vector<Span>& spans() const { return spans_; } // of the last submit_and_wait
 
 private:
-    void dispatch_bytes(const Program& program, const void* push, std::uint32_t bytes,
-                        const std::vector<Binding>& bindings, std::uint32_t x, std::uint32_t y);
+    void prepare(const Program& program, const void* push, std::uint32_t bytes,
+                 const std::vector<Binding>& bindings);
+    void dispatch_from(const Buffer& groups, std::uint64_t offset);
+    void write_bytes(const Buffer& to, const void* data, std::uint64_t bytes);
 
     const Device& device_;
     VkCommandPool pool_ = VK_NULL_HANDLE;

@@ -4,22 +4,24 @@
 #include "base/check.h"
 #include "shaders/cull.h"
 #include "shaders/develop.h"
+#include "shaders/haze.h"
 #include "shaders/meter.h"
-#include "shaders/relight.h"
+#include "shaders/sum.h"
+#include "shaders/surface.h"
 #include "shared/haze.h"
 
 #include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
-#include <glm/gtc/packing.hpp>
 
 namespace ghost::render {
 namespace {
 
-constexpr std::uint64_t kImageBytesPerPixel = 8; // four half floats
-constexpr std::uint64_t kChunkAlign = 256;       // offset of a uniform buffer, at most, on every device
+constexpr std::uint64_t kImageBytesPerPixel = 16; // four floats
+constexpr std::uint64_t kChunkAlign = 256;        // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerDispatch * sizeof(shared::Light);
 constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
@@ -52,27 +54,47 @@ float distance_m(const glm::vec4& fragment, const glm::vec3& eye_m) {
     return fragment.w < 0 ? kNoSurface_m : glm::length(glm::vec3(fragment) - eye_m);
 }
 
-// Farthest fragment of every tile: no light beyond it can be seen there.
-std::vector<float> farthest_per_tile(const scene::Passes& passes, std::uint32_t tiles_x,
-                                     std::uint32_t tiles_y) {
+// Per tile: the sphere round its fragments (radius below zero: no surface), and the farthest of them, beyond
+// which no light can be seen.
+std::vector<glm::vec4> bounds_per_tile(const scene::Passes& passes, std::uint32_t tiles_x,
+                                       std::uint32_t tiles_y) {
     const glm::vec3 eye_m(passes.camera_to_world[3]);
-    std::vector<float> far(static_cast<std::size_t>(tiles_x) * tiles_y, 0.0f);
-    for (int y = 0; y < passes.height; ++y)
-        for (int x = 0; x < passes.width; ++x) {
-            const auto pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(passes.width) +
-                               static_cast<std::size_t>(x);
-            float& tile = far[static_cast<std::size_t>(y) / shared::kTileHeight * tiles_x +
-                              static_cast<std::size_t>(x) / shared::kTileWidth];
-            tile = std::max(tile, distance_m(passes.fragments[pixel], eye_m));
-            for (std::uint32_t k = passes.extra_first[pixel]; k < passes.extra_first[pixel + 1]; ++k)
-                tile = std::max(tile, distance_m(passes.fragments[passes.pixel_count() + k], eye_m));
+    const auto width = static_cast<std::uint32_t>(passes.width);
+    std::vector<glm::vec4> bounds;
+    std::vector<glm::vec3> points;
+    for (std::uint32_t tile = 0; tile < tiles_x * tiles_y; ++tile) {
+        points.clear();
+        float far = 0;
+        const auto add = [&](const glm::vec4& fragment) {
+            far = std::max(far, distance_m(fragment, eye_m));
+            if (fragment.w >= 0) points.emplace_back(fragment);
+        };
+        const std::uint32_t x0 = tile % tiles_x * shared::kTileWidth;
+        const std::uint32_t y0 = tile / tiles_x * shared::kTileHeight;
+        for (std::uint32_t y = y0;
+             y < std::min(y0 + shared::kTileHeight, static_cast<std::uint32_t>(passes.height)); ++y)
+            for (std::uint32_t x = x0; x < std::min(x0 + shared::kTileWidth, width); ++x) {
+                const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
+                add(passes.fragments[pixel]);
+                for (std::uint32_t k = passes.extra_first[pixel]; k < passes.extra_first[pixel + 1]; ++k)
+                    add(passes.fragments[passes.pixel_count() + k]);
+            }
+        glm::vec3 low(1e30f), high(-1e30f);
+        for (const glm::vec3& point : points) {
+            low = glm::min(low, point);
+            high = glm::max(high, point);
         }
-    return far;
+        const glm::vec3 centre = points.empty() ? glm::vec3(0) : (low + high) * 0.5f;
+        float radius = points.empty() ? -1.0f : 0.0f;
+        for (const glm::vec3& point : points) radius = std::max(radius, glm::length(point - centre));
+        bounds.emplace_back(centre, radius);
+        bounds.emplace_back(far, 0, 0, 0);
+    }
+    return bounds;
 }
 
 // The picture without lights: ambient and emission, seen through the haze.
-std::vector<std::uint64_t> base_image(const scene::Passes& passes, float ambient_lux,
-                                      const shared::Haze& haze) {
+std::vector<glm::vec4> base_image(const scene::Passes& passes, float ambient_lux, const shared::Haze& haze) {
     const glm::vec3 eye_m(passes.camera_to_world[3]);
     const auto light_of = [&](std::size_t fragment) {
         glm::vec3 sum(0.0f);
@@ -80,13 +102,12 @@ std::vector<std::uint64_t> base_image(const scene::Passes& passes, float ambient
         if (fragment < passes.emission.size()) sum += glm::vec3(passes.emission[fragment]);
         return sum * shared::haze_transmittance(haze, distance_m(passes.fragments[fragment], eye_m));
     };
-    std::vector<std::uint64_t> base(passes.pixel_count());
+    std::vector<glm::vec4> base(passes.pixel_count());
     for (std::size_t pixel = 0; pixel < base.size(); ++pixel) {
         glm::vec3 sum = light_of(pixel);
         for (std::uint32_t k = passes.extra_first[pixel]; k < passes.extra_first[pixel + 1]; ++k)
             sum += light_of(passes.pixel_count() + k);
-        base[pixel] =
-            glm::packHalf4x16(glm::vec4(glm::min(sum * shared::kImageScale, glm::vec3(65000.0f)), 0.0f));
+        base[pixel] = glm::vec4(sum, 0.0f);
     }
     return base;
 }
@@ -110,7 +131,7 @@ int image_slots(std::uint64_t memory_bytes, int width, int height, int light_cou
         static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * kImageBytesPerPixel;
     const auto full_tree = static_cast<std::uint64_t>(std::max(2 * light_count - 1, 1));
     return static_cast<int>(
-        std::min({memory_bytes / std::max<std::uint64_t>(image, 1), full_tree, kMaxLayers}));
+        std::min({memory_bytes / std::max<std::uint64_t>(image, 1), full_tree, kMaxLayers - 1}));
 }
 
 Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
@@ -120,29 +141,36 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
       tiles_y_(groups(height_, shared::kTileHeight)), light_count_(light_count),
       slot_count_(image_slots(settings.image_memory_bytes, passes.width, passes.height, light_count)),
       tree_(light_count, slot_count_),
-      cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage}),
-      relight_(
-          device, shaders::kShader_relight,
-          {kSampled, kUniform, kUniform, kStorage, kSampled, kSampled, kSampled, kSampled, kStored, kStored}),
+      cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),
+      sum_(device, shaders::kShader_sum, {kSampled, kStored}),
       meter_(device, shaders::kShader_meter, {kSampled, kStorage}),
       develop_(device, shaders::kShader_develop, {kSampled, kUniform, kStored}), commands_(device) {
     using gpu::Access;
     using gpu::Buffer;
     using gpu::Texture;
+    for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels) {
+        surface_[wheels] =
+            std::make_unique<gpu::Program>(device, shaders::kShader_surface,
+                                           std::vector{kSampled, kUniform, kUniform, kStorage, kStorage,
+                                                       kSampled, kStored, kSampled, kSampled},
+                                           wheels);
+        haze_[wheels] = std::make_unique<gpu::Program>(
+            device, shaders::kShader_haze,
+            std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kSampled, kStored}, wheels);
+    }
     const std::uint64_t tiles = static_cast<std::uint64_t>(tiles_x_) * tiles_y_;
-    // In one frame every light is drawn at most twice: into an image to keep and into the frame. Each sum
+    // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
     // begins a chunk.
-    const std::uint64_t chunks = 2 * static_cast<std::uint64_t>(light_count) + 2;
-    lights_ = Buffer(device,
-                     chunks * kChunkAlign +
-                         2 * static_cast<std::uint64_t>(light_count) * sizeof(shared::Light) + kChunkBytes,
-                     Access::upload);
-    tile_mask_ = Buffer(device, tiles * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
+    const std::uint64_t draws = 2 * static_cast<std::uint64_t>(light_count) + kClasses;
+    lights_ = Buffer(device, draws * kChunkAlign + kChunkBytes, Access::upload);
+    masks_ = Buffer(device, 2 * tiles * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
+    lists_ = Buffer(device, 2 * tiles * sizeof(std::uint32_t), Access::device);
+    groups_ = Buffer(device, sizeof(shared::TileGroups), Access::device);
     exposure_ = Buffer(device, sizeof(glm::vec4), Access::readback);
     pixels_ = Buffer(device, passes.pixel_count() * 4, Access::readback);
-    images_ = Texture(device, {width_, height_, static_cast<std::uint32_t>(std::max(slot_count_, 1)), 1,
-                               VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
-    frame_ = Texture(device, {width_, height_, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
+    // Layer 0 is the frame, the others are the slots of the tree.
+    images_ = Texture(device, {width_, height_, static_cast<std::uint32_t>(slot_count_) + 1, 1,
+                               VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
     picture_ = Texture(device, {width_, height_, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
     upload(passes, gobos);
 }
@@ -156,12 +184,12 @@ void Relighter::upload(const scene::Passes& passes, const shared::Gobos& gobos) 
     const shared::View view = make_view(passes, settings_.haze);
     view_ = Buffer(device_, sizeof view, Access::device);
     view_.write(&view, sizeof view);
-    const std::vector<float> far = farthest_per_tile(passes, tiles_x_, tiles_y_);
-    tile_far_ = Buffer(device_, far.size() * sizeof(float), Access::device);
-    tile_far_.write(far);
-    const std::vector<std::uint64_t> base = base_image(passes, settings_.ambient_lux, settings_.haze);
-    base_ = Texture(device_, {width_, height_, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT});
-    base_.write(0, base.data(), base.size() * sizeof(std::uint64_t));
+    const std::vector<glm::vec4> bounds = bounds_per_tile(passes, tiles_x_, tiles_y_);
+    tile_bounds_ = Buffer(device_, bounds.size() * sizeof(glm::vec4), Access::device);
+    tile_bounds_.write(bounds);
+    const std::vector<glm::vec4> base = base_image(passes, settings_.ambient_lux, settings_.haze);
+    base_ = Texture(device_, {width_, height_, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT});
+    base_.write(0, base.data(), base.size() * sizeof(glm::vec4));
     const std::vector<std::uint32_t> extras = packed_extras(passes);
     extras_ = Texture(device_, {width_, height_, 1, 1, VK_FORMAT_R32_UINT});
     extras_.write(0, extras.data(), extras.size() * sizeof(std::uint32_t));
@@ -212,7 +240,7 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
     statistics.drawn = plan.drawn;
     statistics.additions = plan.additions;
     if (!plan.sums.empty()) {
-        chunks_used_ = 0;
+        lights_used_ = 0;
         commands_.begin();
         for (const ImageSum& sum : plan.sums) draw_sum(sum, lights);
         develop();
@@ -225,46 +253,72 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
 }
 
 void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights) {
-    std::size_t light = 0;
-    std::size_t addend = 0;
-    // One dispatch holds a limited number of lights and images; a long sum takes several, each on top of the
-    // last.
-    for (bool first = true; first || light < sum.lights.size() || addend < sum.addends.size();
-         first = false) {
-        shared::RelightPush relight{};
-        auto* place =
-            reinterpret_cast<shared::Light*>(static_cast<std::uint8_t*>(lights_.mapped()) + chunks_used_);
-        const std::uint64_t offset = chunks_used_;
-        for (; light < sum.lights.size() && relight.light_count < shared::kLightsPerDispatch; ++light)
-            place[relight.light_count++] = lights[static_cast<std::size_t>(sum.lights[light])];
-        for (; addend < sum.addends.size() && relight.addend_count < shared::kMaxAddends; ++addend)
-            relight.addend[relight.addend_count++] = static_cast<std::uint32_t>(sum.addends[addend]);
-        chunks_used_ +=
-            (relight.light_count * sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
-        CHECK(chunks_used_ + kChunkBytes <= lights_.bytes() + kChunkAlign);
-
-        const bool is_frame = sum.target < 0;
-        relight.tiles_x = tiles_x_;
-        relight.march_steps = static_cast<std::uint32_t>(std::max(settings_.march_steps, 1));
-        relight.target = static_cast<std::uint32_t>(std::max(sum.target, 0));
-        relight.flags =
-            (settings_.surfaces ? shared::kDrawSurfaces : 0u) | (settings_.air ? shared::kDrawHaze : 0u) |
-            (settings_.beams == Beams::march ? shared::kMarch : 0u) | (is_frame ? shared::kOutputFrame : 0u) |
-            (first ? 0u : shared::kAccumulate) | (first && is_frame ? shared::kAddBase : 0u);
-        const shared::CullPush cull{relight.light_count, tiles_x_, tiles_y_};
-        commands_.begin_span("cull");
-        commands_.dispatch(cull_, cull,
-                           {gpu::uniform(view_), gpu::uniform(lights_, offset), gpu::storage(tile_far_),
-                            gpu::storage(tile_mask_)},
-                           groups(tiles_x_ * tiles_y_, 64));
+    const auto target = static_cast<std::uint32_t>(sum.target + 1);
+    std::size_t added = 0;
+    for (bool first = true; first || added < sum.addends.size(); first = false) {
+        shared::SumPush push{};
+        push.target = target;
+        push.accumulate = first ? 0u : 1u;
+        push.add_base = first && sum.target < 0 ? 1u : 0u;
+        for (; added < sum.addends.size() && push.addend_count < shared::kMaxAddends; ++added)
+            push.addend[push.addend_count++] = static_cast<std::uint32_t>(sum.addends[added] + 1);
+        commands_.begin_span("add");
+        commands_.dispatch(sum_, push, {gpu::sampled(base_), gpu::stored(images_)},
+                           groups(width_, shared::kTileWidth), groups(height_, shared::kTileHeight));
         commands_.barrier();
-        commands_.begin_span("relight");
-        commands_.dispatch(relight_, relight,
-                           {gpu::sampled(gobos_), gpu::uniform(view_), gpu::uniform(lights_, offset),
-                            gpu::storage(tile_mask_), gpu::sampled(passes_), gpu::sampled(fragments_),
-                            gpu::sampled(extras_), gpu::sampled(base_), gpu::stored(images_),
-                            gpu::stored(frame_)},
-                           tiles_x_, tiles_y_);
+    }
+    // Lights with the same number of gobo wheels share a shader that has just these.
+    for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels) {
+        std::vector<shared::Light> chunk;
+        for (const int index : sum.lights) {
+            const shared::Light& light = lights[static_cast<std::size_t>(index)];
+            if (light.wheel_count != wheels) continue;
+            chunk.push_back(light);
+            if (chunk.size() == shared::kLightsPerDispatch) {
+                draw_lights(chunk, wheels, target);
+                chunk.clear();
+            }
+        }
+        if (!chunk.empty()) draw_lights(chunk, wheels, target);
+    }
+}
+
+void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels,
+                            std::uint32_t target) {
+    const std::uint64_t offset = lights_used_;
+    const std::uint64_t bytes = lights.size() * sizeof(shared::Light);
+    CHECK(offset + kChunkBytes <= lights_.bytes());
+    std::memcpy(static_cast<std::uint8_t*>(lights_.mapped()) + offset, lights.data(), bytes);
+    lights_used_ += (bytes + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
+
+    const auto count = static_cast<std::uint32_t>(lights.size());
+    const shared::CullPush cull{count, tiles_x_, tiles_y_, settings_.surfaces ? 1u : 0u,
+                                settings_.air ? 1u : 0u};
+    commands_.begin_span("cull");
+    commands_.write(groups_, shared::TileGroups{{0, 1, 1, 0}, {0, 1, 1, 0}});
+    commands_.dispatch(cull_, cull,
+                       {gpu::uniform(view_), gpu::uniform(lights_, offset), gpu::storage(tile_bounds_),
+                        gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_)},
+                       groups(tiles_x_ * tiles_y_, 64));
+    commands_.barrier();
+    const std::uint32_t march_steps =
+        settings_.beams == Beams::march ? static_cast<std::uint32_t>(std::max(settings_.march_steps, 1)) : 0u;
+    const shared::RelightPush relight{target, count, tiles_x_, march_steps};
+    std::vector<gpu::Binding> bindings{
+        gpu::sampled(gobos_), gpu::uniform(view_),      gpu::uniform(lights_, offset), gpu::storage(masks_),
+        gpu::storage(lists_), gpu::sampled(fragments_), gpu::stored(images_)};
+    if (settings_.air) {
+        commands_.begin_span("haze");
+        commands_.dispatch_indirect(*haze_[wheels], relight, bindings, groups_,
+                                    offsetof(shared::TileGroups, haze));
+        commands_.barrier();
+    }
+    if (settings_.surfaces) {
+        bindings.push_back(gpu::sampled(passes_));
+        bindings.push_back(gpu::sampled(extras_));
+        commands_.begin_span("surfaces");
+        commands_.dispatch_indirect(*surface_[wheels], relight, bindings, groups_,
+                                    offsetof(shared::TileGroups, surface));
         commands_.barrier();
     }
 }
@@ -272,11 +326,11 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
 void Relighter::develop() {
     const shared::MeterPush meter{width_, height_, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
     commands_.begin_span("meter");
-    commands_.dispatch(meter_, meter, {gpu::sampled(frame_), gpu::storage(exposure_)}, 1);
+    commands_.dispatch(meter_, meter, {gpu::sampled(images_), gpu::storage(exposure_)}, 1);
     commands_.barrier();
     commands_.begin_span("develop");
     commands_.dispatch(develop_, std::uint32_t{0},
-                       {gpu::sampled(frame_), gpu::uniform(exposure_), gpu::stored(picture_)},
+                       {gpu::sampled(images_), gpu::uniform(exposure_), gpu::stored(picture_)},
                        groups(width_, 16), groups(height_, 8));
     commands_.barrier();
     commands_.begin_span("read back");
@@ -294,7 +348,7 @@ image::ImageF Relighter::frame() const {
     const gpu::Buffer buffer(device_, static_cast<std::uint64_t>(width_) * height_ * sizeof(glm::vec4),
                              gpu::Access::readback);
     commands_.begin();
-    commands_.copy(frame_, buffer);
+    commands_.copy(images_, buffer);
     commands_.submit_and_wait();
     const auto* from = static_cast<const glm::vec4*>(buffer.mapped());
     for (std::size_t i = 0; i < result.samples.size() / 3; ++i)
@@ -309,10 +363,11 @@ float Relighter::ev100_used() const {
 
 std::uint64_t Relighter::memory_bytes() const {
     std::uint64_t sum = 0;
-    for (const gpu::Buffer* buffer : {&view_, &lights_, &tile_far_, &tile_mask_, &exposure_, &pixels_})
+    for (const gpu::Buffer* buffer :
+         {&view_, &lights_, &tile_bounds_, &masks_, &lists_, &groups_, &exposure_, &pixels_})
         sum += buffer->bytes();
     for (const gpu::Texture* texture :
-         {&gobos_, &passes_, &fragments_, &extras_, &base_, &images_, &frame_, &picture_})
+         {&gobos_, &passes_, &fragments_, &extras_, &base_, &images_, &picture_})
         sum += texture->bytes();
     return sum;
 }

@@ -15,6 +15,7 @@
 #include "shared/push.h"
 #include "shared/types.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -67,6 +68,7 @@ public:
 private:
     void upload(const scene::Passes& passes, const shared::Gobos& gobos);
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
+    void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels, std::uint32_t target);
     void develop();
 
     const gpu::Device& device_;
@@ -79,12 +81,14 @@ private:
     int slot_count_;
     LightTree tree_;
     std::vector<shared::Light> last_lights_;
-    std::size_t chunks_used_ = 0; // of lights_, in this frame
+    std::uint64_t lights_used_ = 0; // bytes of lights_, in this frame
 
-    gpu::Program cull_, relight_, meter_, develop_;
+    static constexpr std::uint32_t kClasses = 3; // 0, 1, 2 gobo wheels
+    gpu::Program cull_, sum_, meter_, develop_;
+    std::array<std::unique_ptr<gpu::Program>, kClasses> surface_, haze_;
     mutable gpu::Commands commands_;
-    gpu::Buffer view_, lights_, tile_far_, tile_mask_, exposure_, pixels_;
-    gpu::Texture gobos_, passes_, fragments_, extras_, base_, images_, frame_, picture_;
+    gpu::Buffer view_, lights_, tile_bounds_, masks_, lists_, groups_, exposure_, pixels_;
+    gpu::Texture gobos_, passes_, fragments_, extras_, base_, images_, picture_;
 };
 
 // Images that fit into a memory budget, at most what a full tree needs.

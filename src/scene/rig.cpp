@@ -16,9 +16,6 @@ fixture::Patch patch_of(const PatchedFixture& fixture) {
     return patch;
 }
 
-// Same place on the track: no second pass, no blend.
-constexpr float kAtStop = 1e-4f;
-
 } // namespace
 
 Rig::Rig(const Show& show) : show_(show), track_(show.fixtures.size(), 0.0f) {
@@ -49,28 +46,38 @@ std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const Passes& pas
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const PatchedFixture& fixture = show_.fixtures[i];
         if (!fixture.type) continue;
-        const auto stop = static_cast<std::size_t>(track_[i]);
-        const float between = track_[i] - static_cast<float>(stop);
-        const bool at_stop = between < kAtStop;
-        const auto pass_of = [&](std::size_t s) {
-            const int found = passes.find(fixture.name, static_cast<int>(s));
+        const auto pass_of = [&](std::size_t stop) {
+            const int found = passes.find(fixture.name, static_cast<int>(stop));
             return found < 0 ? dark_pass : static_cast<std::uint32_t>(found);
         };
-        const std::uint32_t pass_a = pass_of(stop);
-        const std::uint32_t pass_b = at_stop ? pass_a : pass_of(stop + 1);
         // A pass rendered elsewhere says where its light stood; that place is the truth for the masks, too.
-        const auto place = [&](std::uint32_t pass, std::size_t s) {
-            return pass < dark_pass ? passes.lights[pass].position_m : light_position_m(fixture, s);
+        const auto place_of = [&](std::size_t stop) {
+            const std::uint32_t pass = pass_of(stop);
+            return pass < dark_pass ? passes.lights[pass].position_m : light_position_m(fixture, stop);
         };
-        glm::vec3 position_m = place(pass_a, stop);
-        if (!at_stop) position_m = glm::mix(position_m, place(pass_b, stop + 1), between);
+        const std::size_t last = fixture.track ? fixture.track->stops_m.size() - 1 : 0;
+        const std::size_t stop = std::min(static_cast<std::size_t>(track_[i]), last);
+        const std::size_t next = std::min(stop + 1, last);
+        const float between = track_[i] - static_cast<float>(stop);
+        const glm::vec3 position_m = glm::mix(place_of(stop), place_of(next), between);
         const glm::mat4 to_world = fixture_to_world(fixture, stop);
         for (const fixture::BeamState& beam : states_[i].beams) {
             shared::Light light = light_from(*fixture.type, beam, to_world, position_m, gobos);
-            light.pass_a = pass_a;
-            light.pass_b = pass_b;
-            light.pass_mix = at_stop ? 0.0f : between;
-            lights.push_back(light);
+            light.pass = pass_of(stop);
+            if (!fixture.track) {
+                lights.push_back(light);
+                continue;
+            }
+            // Between two stops the surfaces cross-fade from one pass to the other; the air needs no pass.
+            shared::Light second = light;
+            second.pass = pass_of(next);
+            second.haze_samples = 0;
+            second.intensity_cd *= between;
+            shared::Light first = light;
+            first.haze_samples = 0;
+            first.intensity_cd *= 1.0f - between;
+            light.pass = dark_pass;
+            lights.insert(lights.end(), {first, second, light});
         }
     }
     return lights;

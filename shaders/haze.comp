@@ -1,0 +1,72 @@
+#version 460
+// SPDX-License-Identifier: Apache-2.0
+// Haze by samples of the beam along the camera ray. cone: inside the part of the ray that lies in the cone, jittered (Screen
+// Space Re-Rendering, section 2.2); march: equal steps over the whole ray (the volumetric stage light thesis).
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "shared/push.h"
+#include "gobo_texture.glsl"
+#include "shared/beam.h"
+#include "shared/haze.h"
+
+layout(local_size_x = 16, local_size_y = 8) in;
+layout(binding = 1, scalar) uniform ViewBlock { View view; };
+layout(binding = 2, scalar) uniform LightBlock { Light lights[kLightsPerDispatch]; };
+layout(binding = 3, scalar) readonly buffer Masks { uint mask_of[]; };
+layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
+layout(binding = 5) uniform sampler2DArray fragments; // position, coverage; extra fragments in the rows below the picture
+layout(binding = 6, rgba32f) uniform image2DArray images;
+layout(push_constant, scalar) uniform Push { RelightPush p; };
+
+// The same in every frame, so that a light that did not change costs nothing; different for neighbours.
+float jitter(uvec2 pixel, uint light) {
+    vec2 at = vec2(pixel) + 5.588238 * float(light & 63u);
+    return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715))));
+}
+
+void main() {
+    uvec2 size = uvec2(view.width, view.height);
+    uint tiles = p.tiles_x * ((size.y + kTileHeight - 1u) / kTileHeight);
+    uint tile = list[tiles + gl_WorkGroupID.x];
+    uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
+    bool inside = pixel.x < size.x && pixel.y < size.y;
+    pixel = min(pixel, size - 1u);
+    ivec2 at = ivec2(pixel);
+    vec2 ndc = vec2(2.0 * (float(pixel.x) + 0.5) / float(size.x) - 1.0, 1.0 - 2.0 * (float(pixel.y) + 0.5) / float(size.y));
+    vec3 dir = normalize(view.forward + view.right * ndc.x + view.up * ndc.y);
+    vec4 surface = texelFetch(fragments, ivec3(at, 0), 0);
+    float far = surface.w >= 0.0 ? length(surface.xyz - view.eye_m) : view.far_m;
+    Haze haze = view.haze;
+    bool march = p.march_steps > 0u;
+    uint words = (p.light_count + 31u) / 32u;
+
+    vec3 sum = vec3(0.0);
+    for (uint word = 0u; word < words; ++word) {
+        uint mask = mask_of[(tiles + tile) * kMaskWords + word];
+        while (mask != 0u) {
+            Light light = lights[word * 32u + uint(findLSB(mask))];
+            mask &= mask - 1u;
+            vec3 q = to_gate(light, view.eye_m - light.position_m);
+            vec3 dq = to_gate(light, dir);
+            vec2 part = clip_to_cone(q, dq, light.tan_field * light.cut_radius, far);
+            bool hit = part.y > part.x;
+            part = march ? vec2(0.0, far) : part;
+            uint samples = hit ? (march ? p.march_steps : light.haze_samples) : 0u;
+            float step_m = (part.y - part.x) / float(max(samples, 1u));
+            float t = part.x + step_m * (march ? 0.5 : jitter(pixel, light.pass));
+            vec3 air = vec3(0.0);
+            for (uint s = 0u; s < samples; ++s) {
+                vec3 g = q + t * dq;
+                float distance2 = max(dot(g, g), 1e-6);
+                float distance_m = sqrt(distance2);
+                float weight =
+                    haze_transmittance(haze, t + distance_m) * haze_phase(haze, -dot(g, dq) / distance_m) / distance2;
+                weight = g.z > light.lens_m ? weight : 0.0;
+                air += beam_candela(light, g) * weight;
+                t += step_m;
+            }
+            sum += air * (haze.scattering_per_m * step_m);
+        }
+    }
+    if (inside) imageStore(images, ivec3(at, p.target), imageLoad(images, ivec3(at, p.target)) + vec4(sum, 0.0));
+}
