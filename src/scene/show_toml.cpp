@@ -89,9 +89,9 @@ Camera read_camera(TableReader& reader, const std::filesystem::path& folder) {
         camera.target_m = camera.position_m + glm::vec3(0, 1, 0);
     }
     put(camera.fov_y_deg, reader.number("fov_y_deg", 0.1, 170));
-    if (const auto size = reader.numbers("size", 2, 1, kMaxPictureSide)) {
-        camera.width = static_cast<int>((*size)[0]);
-        camera.height = static_cast<int>((*size)[1]);
+    if (const auto size = reader.integers("size", 2, 1, kMaxPictureSide)) {
+        camera.width = (*size)[0];
+        camera.height = (*size)[1];
     }
     const auto ev100 = reader.number("ev100", -20, 30);
     put(camera.ev100, ev100);

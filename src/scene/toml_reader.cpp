@@ -27,8 +27,14 @@ std::string range_text(double low, double high) {
 std::string shown(const toml::node& node) {
     std::ostringstream stream;
     node.visit([&](const auto& value) { stream << value; });
-    std::string text = stream.str();
-    std::replace(text.begin(), text.end(), '\n', ' ');
+    std::string text; // with every run of white space as one blank
+    for (const char c : stream.str()) {
+        const bool blank = c == ' ' || c == '\n' || c == '\t';
+        if (!blank)
+            text += c;
+        else if (!text.empty() && text.back() != ' ')
+            text += ' ';
+    }
     return text.size() > 60 ? text.substr(0, 57) + "..." : text;
 }
 
@@ -142,6 +148,19 @@ std::optional<std::vector<double>> TableReader::numbers(const std::string& key, 
     if (!values)
         wrong(key, std::to_string(count) + " numbers in brackets, each from " + range_text(low, high));
     return values;
+}
+
+std::optional<std::vector<int>> TableReader::integers(const std::string& key, std::size_t count, int low,
+                                                      int high) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const auto values = number_list(*node, count, low, high);
+    const toml::array* array = node->as_array();
+    if (values &&
+        std::all_of(array->begin(), array->end(), [](const toml::node& n) { return n.is_integer(); }))
+        return std::vector<int>(values->begin(), values->end());
+    wrong(key, std::to_string(count) + " whole numbers in brackets, each from " + range_text(low, high));
+    return std::nullopt;
 }
 
 std::optional<std::vector<glm::vec3>> TableReader::vec3_list(const std::string& key, std::size_t at_least,

@@ -31,6 +31,7 @@ public:
     std::optional<glm::vec3> vec3(const std::string& key, double limit); // components in -limit .. limit
     std::optional<std::vector<double>> numbers(const std::string& key, std::size_t count, double low,
                                                double high);
+    std::optional<std::vector<int>> integers(const std::string& key, std::size_t count, int low, int high);
     std::optional<std::vector<glm::vec3>> vec3_list(const std::string& key, std::size_t at_least,
                                                     std::size_t at_most, double limit);
     const toml::table* table(const std::string& key);

@@ -206,7 +206,7 @@ const Wrong kWrong[] = {
      13, Severity::error, "expected \"auto\""},
     {"picture_too_large",
      kHead + "[[camera]]\nname = \"b\"\nposition_m = [1, 2, 3]\ntarget_m = [0, 0, 0]\nsize = [1024, 20000]\n",
-     13, Severity::error, "2 numbers"},
+     13, Severity::error, "size is [ 1024, 20000 ], expected 2 whole numbers in brackets"},
     {"camera_name_twice",
      kHead + "[[camera]]\nposition_m = [1, 2, 3]\ntarget_m = [0, 0, 0]\nname = \"house\"\n", 12,
      Severity::error, "'house' is taken by line 5"},
