@@ -115,9 +115,9 @@ def figure(pose, dress):
         add(head_at(-0.04, -0.05, -0.065), head_at(0, -0.075, -0.085), 0.036, 0.032, "hair", 0.03)
         add(head_at(0.04, -0.05, -0.065), head_at(0, -0.075, -0.085), 0.036, 0.032, "hair", 0.03)
     if dress.hat:
-        add(head_at(0, 0.02, 0.08), head_at(0, 0.01, 0.09), 0.1, 0.096, "shoe", 0.03)
-        add(head_at(-0.04, -0.1, 0.075), head_at(0.04, -0.1, 0.075), 0.012, 0.012, "shoe", 0.02)
-        add(head_at(-0.03, -0.15, 0.068), head_at(0.03, -0.15, 0.068), 0.01, 0.01, "shoe", 0.03)
+        add(head_at(0, 0.02, 0.08), head_at(0, 0.01, 0.09), 0.1, 0.096, "top", 0.03)
+        add(head_at(-0.04, -0.1, 0.075), head_at(0.04, -0.1, 0.075), 0.012, 0.012, "top", 0.02)
+        add(head_at(-0.03, -0.15, 0.068), head_at(0.03, -0.15, 0.068), 0.01, 0.01, "top", 0.03)
     add(head_at(0, 0.045, 0.07), head_at(0, 0.005, 0.098), 0.094, 0.078, "hair", 0.03)
     add(head_at(0, 0.055, 0.05), head_at(0, 0.06, -0.02), 0.085, 0.06, "hair", 0.03)
     for s in (-1, 1):
@@ -186,11 +186,11 @@ def legs(pose, dress, hip_at, add):
             add(ankle + (knee - ankle).normalized() * 0.04, ankle - Vector((0, 0, 0.02)), 0.054, 0.058, "legs", 0.03)
         out = Vector((s * 0.25, -1, 0)).normalized()
         heel = Vector((ankle.x, ankle.y + 0.035, ankle.z - 0.045))
-        add(ankle, heel, 0.045, 0.042, "shoe", 0.02)
+        add(ankle, heel, 0.045, 0.042, "top", 0.02)
         for k in (-1, 1):
             side = Vector((-out.y, out.x, 0)) * 0.014 * k
-            add(heel + side * 0.6, heel + out * 0.16 + side - Vector((0, 0, 0.004)), 0.04, 0.037, "shoe", 0.02)
-            add(heel + out * 0.16 + side, heel + out * 0.225 + side * 0.6 - Vector((0, 0, 0.01)), 0.037, 0.03, "shoe", 0.02)
+            add(heel + side * 0.6, heel + out * 0.16 + side - Vector((0, 0, 0.004)), 0.04, 0.037, "top", 0.02)
+            add(heel + out * 0.16 + side, heel + out * 0.225 + side * 0.6 - Vector((0, 0, 0.01)), 0.037, 0.03, "top", 0.02)
 
 
 def folds(amount):
@@ -307,7 +307,7 @@ def crowd(stage, size, dice):
     hair = ("hair_black", "hair_brown", "hair_fair")
     meshes = []
     for i, (pose, woman) in enumerate(raised):
-        dress = Dress(cloth[i % 4], ("denim", "trousers_dark", "trousers_dark")[i % 3], "crowd_skin", hair[i % 3], "shoe", (0.4, 1.0, 0.45, 0.0, 1.0, 0.4, 0.4, 0.3)[i], coat=0.06,
+        dress = Dress(cloth[i % 4], ("denim", "trousers_dark", "trousers_dark")[i % 3], "crowd_skin", hair[i % 3], "top", (0.4, 1.0, 0.45, 0.0, 1.0, 0.4, 0.4, 0.3)[i], coat=0.06,
                       long_hair=woman, woman=woman, hat=i == 4)
         meshes.append(skin_over(stage, f"crowd_{i}", figure(pose, dress), dress, 0.014, 2400))
     weights = (2, 3, 3, 2, 2, 2, 4, 1)

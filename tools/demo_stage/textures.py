@@ -205,8 +205,10 @@ def kick_head(p, n):
     x, y = unit_square(n)
     radius = np.hypot(x - 0.5, y - 0.5)
     angle = np.arctan2(y - 0.5, x - 0.5)
-    star = radius < 0.2 + 0.13 * np.abs(((angle / (2 * np.pi) * 5) % 1) - 0.5) * 2
-    base = mix("e8e2d0", "b3261e", (star & (radius > 0.09)).astype(float))
+    tip, valley, half = 0.33, 0.135, np.pi / 5
+    turn = np.abs((((angle - np.pi / 2) / (2 * half) + 0.5) % 1) - 0.5) * 2 * half   # from the nearest tip
+    star = radius < tip * valley * np.sin(half) / (tip * np.sin(turn) + valley * np.sin(half - turn))
+    base = mix("e8e2d0", "b3261e", star.astype(float))
     return p.colour("kick", base * np.where(np.abs(radius - 0.42) < 0.015, 0.1, 1)[..., None]), None, None
 
 
