@@ -1,0 +1,119 @@
+#!/bin/bash
+# SPDX-License-Identifier: Apache-2.0
+# OLA (Debian packages ola, iproute2) as the lighting desk, in a network namespace of its own, drives our receiver in another:
+# sACN by multicast, Art-Net by unicast after OLA has seen our ArtPollReply. Arguments: source folder, build folder.
+set -u
+source_dir=$1
+ghostlight=$2/ghostlight
+skip() { echo "skipped: $1"; exit 77; }
+fail() { echo "FAILED: $1"; exit 1; }
+[ "$(id -u)" = 0 ] || skip "needs root for network namespaces"
+for tool in olad ola_patch ola_set_dmx ola_streaming_client ip setpriv; do
+    command -v $tool >/dev/null || skip "$tool is not installed (packages ola, iproute2, util-linux)"
+done
+[ -x "$ghostlight" ] || skip "$ghostlight is not built"
+. "$source_dir/tools/demo_show/desk_net.sh"
+
+work=$(mktemp -d)
+pids=
+cleanup() {
+    for pid in $pids; do kill $pid 2>/dev/null; done
+    sleep 0.3
+    desk_net_down
+    rm -rf "$work"
+}
+trap cleanup EXIT
+desk_net_up || skip "no network namespaces or veth here"
+
+conf=$work/ola
+mkdir "$conf"
+for plugin in dummy espnet ftdidmx gpio karate kinet milinst nanoleaf opendmx openpixelcontrol osc pathport renard sandnet \
+    shownet spi stageprofi uartdmx usbdmx usbserial; do
+    echo "enabled = false" >"$conf/ola-$plugin.conf"
+done
+printf 'cid = 00010203-0405-0607-0809-0a0b0c0d0e0f\ndraft_discovery = false\ndscp = 0\nenabled = true\nignore_preview = true
+input_ports = 4\nip = 127.1.0.1\noutput_ports = 4\nprepend_hostname = false\nrevision = 0.46\n' >"$conf/ola-e131.conf"
+printf 'always_broadcast = false\nenabled = true\nip = 127.1.0.1\nlong_name = OLA\nnet = 0\noutput_ports = 4\nshort_name = OLA
+subnet = 0\nuse_limited_broadcast = false\nuse_loopback = false\n' >"$conf/ola-artnet.conf"
+user=nobody
+id olad >/dev/null 2>&1 && user=olad
+chmod 755 "$work"
+chown -R $user "$conf"
+desk() { timeout 20 ip netns exec $DESK "$@"; }
+
+ip netns exec $VIS "$ghostlight" monitor --interface net0 --universes 1-4 --json --levels --every 0.5 --quiet \
+    >"$work/monitor.jsonl" &
+pids=$!
+ip netns exec $DESK setpriv --reuid=$user --regid=nogroup --clear-groups olad --no-http --no-register-with-dns-sd -l 2 -c "$conf" \
+    >"$work/olad.log" 2>&1 &
+pids="$pids $!"
+up=no
+for i in $(seq 40); do
+    timeout 10 ip netns exec $DESK ola_dev_info >"$work/devices" 2>/dev/null && grep -q E1.31 "$work/devices" && grep -q ArtNet "$work/devices" && up=yes && break
+    sleep 0.25
+done
+[ $up = yes ] || { cat "$work/olad.log"; fail "olad did not come up"; }
+sacn=$(sed -n 's/^Device \([0-9]*\).*E1.31.*/\1/p' "$work/devices")
+artnet=$(sed -n 's/^Device \([0-9]*\).*ArtNet.*/\1/p' "$work/devices")
+desk ola_patch -d $sacn -p 0 -u 1 || fail "ola_patch sACN"
+desk ola_patch -d $artnet -p 0 -u 2 || fail "ola_patch Art-Net"
+
+# last FILTER: value of a Python expression over the newest report r; u(n) is universe n, s(n) its sources
+last() {
+    timeout 10 /usr/bin/python3 - "$work/monitor.jsonl" "$1" <<'P'
+import json, sys
+lines = [l for l in open(sys.argv[1]) if l.endswith('\n')]
+r = json.loads(lines[-1]) if lines else {'universes': [], 'sources': [], 'counters': {}}
+u = lambda n: next((x for x in r['universes'] if x['universe'] == n), {'levels': [], 'lost': None})
+s = lambda n: [x for x in r['sources'] if x['universe'] == n]
+print(eval(sys.argv[2]))
+P
+}
+# Waits up to 25 s (OLA polls every 10 s) for the expression to become true. $3: sent again each time, because OLA sends a
+# look once and a single packet may fall into the time before we had joined.
+expect() {
+    for i in $(seq 50); do
+        [ -z "${3:-}" ] || $3
+        [ "$(last "$2")" = True ] && { echo "ok: $1"; return; }
+        sleep 0.5
+    done
+    tail -1 "$work/monitor.jsonl" | cut -c1-3000
+    fail "$1"
+}
+looks() {
+    desk ola_set_dmx -u 1 -d 10,20,30,255 >/dev/null
+    desk ola_set_dmx -u 2 -d 1,0,99 >/dev/null
+}
+expect "sACN multicast: OLA universe 1 is our universe 1" "u(1)['levels'][:5] == [10, 20, 30, 255, 0]" looks
+expect "Art-Net unicast: OLA universe 2 sends Port-Address 2, our universe 3" "u(3)['levels'][:4] == [1, 0, 99, 0]" looks
+expect "our poll replies were asked for and sent" "r['counters']['notices']['poll'] >= 1 and r['counters']['poll_replies_sent'] >= 4"
+expect "both sources are listed" "s(1)[0]['protocol'] == 'sACN' and s(1)[0]['id'] == '000102030405060708090a0b0c0d0e0f' and s(3)[0]['from'] == '127.1.0.1'"
+expect "nothing was missed or misread" "r['counters']['missed'] == 0 and sum(r['counters']['drops'].values()) == 0"
+desk ola_patch -r -d $sacn -p 0 -u 1
+expect "terminated: the last look is held and marked" "u(1)['lost'] is True and u(1)['levels'][:4] == [10, 20, 30, 255]"
+kill ${pids%% *}
+pids=${pids#* }
+
+desk ola_patch -d $sacn -p 0 -u 1
+ip netns exec $VIS "$ghostlight" record -o "$work/chase.show" --interface net0 --protocols sacn --universes 1 --seconds 4 --quiet &
+pids="$pids $!"
+recorder=$!
+sleep 0.5
+(for i in $(seq 160); do echo "$i,200,0,7"; sleep 0.023; done) | desk ola_streaming_client -u 1 --priority 150 >/dev/null
+wait $recorder || fail "record"
+/usr/bin/python3 - "$work/chase.show" <<'P' || fail "recorded slots"
+import sys
+lines = open(sys.argv[1]).read().splitlines()
+assert lines[0] == 'OLA Show', lines[0]
+frames = [l.split(' ', 1) for l in lines[1:] if ' ' in l]
+steps = []
+for universe, levels in frames:
+    assert universe == '1'
+    first, *rest = map(int, levels.split(','))
+    if rest[:3] == [200, 0, 7]:
+        assert not any(rest[3:]), rest
+        steps.append(first)
+assert steps == sorted(steps), steps
+assert len(steps) > 60, len(steps)
+print('ok: %d steps of the chase recorded, from %d to %d' % (len(steps), steps[0], steps[-1]))
+P
