@@ -17,7 +17,7 @@ namespace {
 // Lights traced together share the camera rays. More would save little and lose more work when interrupted.
 constexpr std::size_t kBatch = 8;
 // Rays per sample of the surroundings: the camera's, and those to the sky.
-constexpr double kSurroundingsCost = 5.0;
+constexpr double kSurroundingsCost = 3.0;
 
 constexpr char kSurroundings[] = "surroundings";
 

@@ -52,8 +52,8 @@ struct FrameRequest {
     std::vector<glm::vec3> lights_m;
     std::vector<Rect>
         only; // empty: the whole picture; else all other pixels stay empty with one fragment each
-    std::function<bool()> stop;    // the frame is worthless once it says true; asked from any thread
-    std::function<void()> on_row;            // after each row, called from any thread
+    std::function<bool()> stop;   // the frame is worthless once it says true; asked from any thread
+    std::function<void()> on_row; // after each row, called from any thread
 };
 
 // Adds the rays cast to rays.

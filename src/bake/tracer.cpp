@@ -17,6 +17,8 @@ constexpr unsigned kStageMask = 1;
 constexpr unsigned kBodyMask = 2;
 // Light that passes less than this of blended surfaces counts as stopped.
 constexpr float kStopped = 1e-3f;
+// A stage in a hall sees no sky at all: only what is nearer than this keeps even light away.
+constexpr float kSkyReach_m = 4.0f;
 constexpr unsigned kFlushAndDenormalsZero = 0x8040;
 
 struct RayContext {
@@ -299,7 +301,6 @@ void Tracer::occluded8(RTCRay8& rays, int count, float* shares) const {
     }
     RayContext context;
     rtcInitIntersectContext(&context.base);
-    context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     context.shares = shares;
     rtcOccluded8(valid, top_, &context.base, &rays);
     for (int k = 0; k < count; ++k)
@@ -334,7 +335,7 @@ void Tracer::open_sky(const Surface* const* surfaces, int count, const glm::vec3
         rays.dir_x[k] = directions[k].x;
         rays.dir_y[k] = directions[k].y;
         rays.dir_z[k] = directions[k].z;
-        rays.tfar[k] = 1e6f;
+        rays.tfar[k] = kSkyReach_m;
     }
     occluded8(rays, count, shares);
 }

@@ -61,7 +61,7 @@ public:
     // Share of light that passes from each surface (its shadow_origin) to the point, for count <= 8 surfaces.
     void visibility(const Surface* const* surfaces, int count, const glm::vec3& point, float* shares) const;
 
-    // The same along unit directions to infinity.
+    // The same along unit directions, as far as even light is kept away (4 m).
     void open_sky(const Surface* const* surfaces, int count, const glm::vec3* directions,
                   float* shares) const;
 

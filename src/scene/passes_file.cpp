@@ -69,7 +69,8 @@ Result<void> write_picture(const fs::path& path, int width, int height, std::spa
 }
 
 Result<std::vector<glm::vec3>> read_picture(const fs::path& path, int width, int height, float scale,
-                                            const std::string& key, Report& report) {
+                                            const std::string& key, Report& report,
+                                            const image::Chromaticities* assumed) {
     TRY(const image::ExrFile file, image::read_exr(path));
     if (file.pixels.width != width || file.pixels.height != height)
         return Error{"is " + std::to_string(file.pixels.width) + " x " + std::to_string(file.pixels.height) +
@@ -96,6 +97,10 @@ Result<std::vector<glm::vec3>> read_picture(const fs::path& path, int width, int
             values[k] = value / scale;
         else
             ++bad;
+    }
+    if (assumed != nullptr) {
+        const glm::mat3 to_working = image::rgb_to_rec2020(file.chromaticities.value_or(*assumed));
+        for (glm::vec3& value : values) value = to_working * value;
     }
     if (bad > 0)
         report.add(Severity::warning, path.string(),

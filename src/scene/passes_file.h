@@ -7,6 +7,7 @@
 // extra fragments. Any thread.
 
 #include "base/result.h"
+#include "image/colour.h"
 #include "scene/passes.h"
 #include "scene/show.h"
 
@@ -106,7 +107,10 @@ Result<StoredLayer> read_layer(const std::filesystem::path& folder, const std::s
 // One value per pixel, no fragments.
 Result<void> write_picture(const std::filesystem::path& path, int width, int height,
                            std::span<const glm::vec3> values, float scale, const TextAttributes& text);
+// assumed: primaries of a picture without a chromaticities attribute; null: Rec.2020, and what the attribute
+// says is not looked at.
 Result<std::vector<glm::vec3>> read_picture(const std::filesystem::path& path, int width, int height,
-                                            float scale, const std::string& key, Report& report);
+                                            float scale, const std::string& key, Report& report,
+                                            const image::Chromaticities* assumed = nullptr);
 
 } // namespace ghost::scene

@@ -33,8 +33,7 @@ image::ImageF relight_cpu(const Passes& passes, std::span<const shared::Light> l
             const glm::vec3 way = at - light.position_m;
             const glm::vec3 candela = shared::beam_candela(light, shared::to_gate(light, way), gobos);
             if (candela == glm::vec3(0.0f)) continue;
-            const glm::vec3 radiance = glm::mix(radiance_at(passes, light.pass_a, fragment),
-                                                radiance_at(passes, light.pass_b, fragment), light.pass_mix);
+            const glm::vec3 radiance = radiance_at(passes, light.pass, fragment);
             sum += candela * radiance * (seen * shared::haze_transmittance(haze, glm::length(way)));
         }
         return sum;

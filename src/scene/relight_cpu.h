@@ -13,7 +13,7 @@
 
 namespace ghost::scene {
 
-// Light::pass_a and pass_b index passes.lights. 3 channels.
+// Light::pass indexes passes.lights (beyond them: dark). 3 channels.
 image::ImageF relight_cpu(const Passes& passes, std::span<const shared::Light> lights,
                           const shared::Gobos& gobos, const shared::Haze& haze);
 
