@@ -10,11 +10,11 @@
 
 layout(local_size_x = 64) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
-layout(binding = 1, scalar) uniform LightBlock { Light lights[kLightsPerDispatch]; };
+layout(binding = 1, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
 layout(binding = 2, scalar) readonly buffer TileBounds { vec4 tile_bounds[]; }; // 2 a tile: centre, radius; farthest, -, -, -
-layout(binding = 3, scalar) writeonly buffer Masks { uint mask_of[]; };         // surface words, then haze words, a tile
-layout(binding = 4, scalar) buffer Groups { TileGroups groups; };
-layout(binding = 5, scalar) writeonly buffer Lists { uint list[]; }; // surface tiles, then haze tiles
+layout(binding = 3, scalar) writeonly buffer Masks { uint mask_of[]; };
+layout(binding = 4, scalar) buffer Groups { TileGroups groups[]; };
+layout(binding = 5, scalar) writeonly buffer Lists { uint list[]; };
 layout(push_constant, scalar) uniform Push { CullPush p; };
 
 vec3 gobo_sample(uint layer, vec2 gate, float blur) { return vec3(1.0); }
@@ -23,6 +23,9 @@ void main() {
     uint tile = gl_GlobalInvocationID.x;
     uint tiles = p.tiles_x * p.tiles_y;
     if (tile >= tiles) return;
+    uint batch = gl_WorkGroupID.y;
+    uint first = batch * p.batch_size;
+    uint count = min(p.light_count - first, p.batch_size);
     vec2 size = vec2(view.width, view.height);
     vec2 middle = (vec2(tile % p.tiles_x, tile / p.tiles_x) + 0.5) * vec2(kTileWidth, kTileHeight);
     vec2 ndc = vec2(2.0 * middle.x / size.x - 1.0, 1.0 - 2.0 * middle.y / size.y);
@@ -37,13 +40,13 @@ void main() {
 
     bool any_surface = false;
     bool any_haze = false;
-    uint words = (p.light_count + 31u) / 32u;
+    uint words = (count + 31u) / 32u;
     for (uint word = 0u; word < words; ++word) {
         uint surface_mask = 0u;
         uint haze_mask = 0u;
-        uint end = min(p.light_count, (word + 1u) * 32u);
+        uint end = min(count, (word + 1u) * 32u);
         for (uint i = word * 32u; i < end; ++i) {
-            Light light = lights[i];
+            Light light = lights[first + i];
             float k = light.tan_field * light.cut_radius;
             float back_per_m = sqrt(1.0 + k * k) / k;
             uint bit = 1u << (i & 31u);
@@ -58,11 +61,14 @@ void main() {
             vec2 part = clip_to_cone(q, to_gate(light, dir), k, far + radius);
             haze_mask |= lit && light.haze_samples > 0u && part.y > part.x ? bit : 0u;
         }
-        mask_of[tile * kMaskWords + word] = surface_mask;
-        mask_of[(tiles + tile) * kMaskWords + word] = haze_mask;
+        if (p.batch_size > 1u) {
+            mask_of[tile * kMaskWords + word] = surface_mask;
+            mask_of[(tiles + tile) * kMaskWords + word] = haze_mask;
+        }
         any_surface = any_surface || surface_mask != 0u;
         any_haze = any_haze || haze_mask != 0u;
     }
-    if (any_surface && p.surfaces != 0u) list[atomicAdd(groups.surface[0], 1u)] = tile;
-    if (any_haze && p.air != 0u) list[tiles + atomicAdd(groups.haze[0], 1u)] = tile;
+    uint base = 2u * batch * tiles;
+    if (any_surface && p.surfaces != 0u) list[base + atomicAdd(groups[batch].surface[0], 1u)] = tile;
+    if (any_haze && p.air != 0u) list[base + tiles + atomicAdd(groups[batch].haze[0], 1u)] = tile;
 }

@@ -5,8 +5,13 @@ layout(binding = 0) uniform sampler2DArray gobo_stack;
 const float kGoboBlurUnit = 2.0 / 256.0;
 const float kGoboTopLevel = 6.0;
 
+// Where neighbouring samples are averaged anyway (haze), a level is rounded up or down at random instead of blended: 0..1.
+// Below zero the levels are blended.
+float gobo_dither = -1.0;
+
 vec3 gobo_sample(uint layer, vec2 gate, float blur) {
     vec2 uv = gate * vec2(0.5, -0.5) + 0.5;
     float level = clamp(log2(max(blur / kGoboBlurUnit, 1.0)), 0.0, kGoboTopLevel);
+    level = gobo_dither < 0.0 ? level : floor(level + gobo_dither);
     return textureLod(gobo_stack, vec3(uv, float(layer)), level).rgb;
 }

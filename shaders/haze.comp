@@ -11,12 +11,13 @@
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 1, scalar) uniform ViewBlock { View view; };
-layout(binding = 2, scalar) uniform LightBlock { Light lights[kLightsPerDispatch]; };
+layout(binding = 2, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
 layout(binding = 3, scalar) readonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 5) uniform sampler2DArray fragments; // position, coverage; extra fragments in the rows below the picture
 layout(binding = 6, rgba32f) uniform image2DArray images;
 layout(push_constant, scalar) uniform Push { RelightPush p; };
+layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
 // The same in every frame, so that a light that did not change costs nothing; different for neighbours.
 float jitter(uvec2 pixel, uint light) {
@@ -24,10 +25,35 @@ float jitter(uvec2 pixel, uint light) {
     return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715))));
 }
 
+// Light that one beam scatters towards the camera on the ray from the eye, up to `far` metres.
+vec3 scattered(Light light, vec3 dir, float far, float offset) {
+    Haze haze = view.haze;
+    bool march = p.march_steps > 0u;
+    vec3 q = to_gate(light, view.eye_m - light.position_m);
+    vec3 dq = to_gate(light, dir);
+    vec2 part = clip_to_cone(q, dq, light.tan_field * light.cut_radius, far);
+    bool hit = part.y > part.x;
+    part = march ? vec2(0.0, far) : part;
+    uint samples = hit ? (march ? p.march_steps : light.haze_samples) : 0u;
+    float step_m = (part.y - part.x) / float(max(samples, 1u));
+    float t = part.x + step_m * (march ? 0.5 : offset);
+    vec3 air = vec3(0.0);
+    for (uint s = 0u; s < samples; ++s) {
+        vec3 g = q + t * dq;
+        float distance2 = max(dot(g, g), 1e-6);
+        float distance_m = sqrt(distance2);
+        float weight = haze_transmittance(haze, t + distance_m) * haze_phase(haze, -dot(g, dq) / distance_m) / distance2;
+        weight = g.z > light.lens_m ? weight : 0.0;
+        air += beam_candela(light, g) * weight;
+        t += step_m;
+    }
+    return air * (haze.scattering_per_m * step_m);
+}
+
 void main() {
     uvec2 size = uvec2(view.width, view.height);
-    uint tiles = p.tiles_x * ((size.y + kTileHeight - 1u) / kTileHeight);
-    uint tile = list[tiles + gl_WorkGroupID.x];
+    uint tiles = p.tiles_x * p.tiles_y;
+    uint tile = list[(2u * p.batch + 1u) * tiles + gl_WorkGroupID.x];
     uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
     bool inside = pixel.x < size.x && pixel.y < size.y;
     pixel = min(pixel, size - 1u);
@@ -36,36 +62,23 @@ void main() {
     vec3 dir = normalize(view.forward + view.right * ndc.x + view.up * ndc.y);
     vec4 surface = texelFetch(fragments, ivec3(at, 0), 0);
     float far = surface.w >= 0.0 ? length(surface.xyz - view.eye_m) : view.far_m;
-    Haze haze = view.haze;
-    bool march = p.march_steps > 0u;
-    uint words = (p.light_count + 31u) / 32u;
 
     vec3 sum = vec3(0.0);
-    for (uint word = 0u; word < words; ++word) {
-        uint mask = mask_of[(tiles + tile) * kMaskWords + word];
-        while (mask != 0u) {
-            Light light = lights[word * 32u + uint(findLSB(mask))];
-            mask &= mask - 1u;
-            vec3 q = to_gate(light, view.eye_m - light.position_m);
-            vec3 dq = to_gate(light, dir);
-            vec2 part = clip_to_cone(q, dq, light.tan_field * light.cut_radius, far);
-            bool hit = part.y > part.x;
-            part = march ? vec2(0.0, far) : part;
-            uint samples = hit ? (march ? p.march_steps : light.haze_samples) : 0u;
-            float step_m = (part.y - part.x) / float(max(samples, 1u));
-            float t = part.x + step_m * (march ? 0.5 : jitter(pixel, light.pass));
-            vec3 air = vec3(0.0);
-            for (uint s = 0u; s < samples; ++s) {
-                vec3 g = q + t * dq;
-                float distance2 = max(dot(g, g), 1e-6);
-                float distance_m = sqrt(distance2);
-                float weight =
-                    haze_transmittance(haze, t + distance_m) * haze_phase(haze, -dot(g, dq) / distance_m) / distance2;
-                weight = g.z > light.lens_m ? weight : 0.0;
-                air += beam_candela(light, g) * weight;
-                t += step_m;
+    if (kSingle) {
+        float offset = jitter(pixel, lights[p.batch].pass);
+        gobo_dither = offset;
+        sum = scattered(lights[p.batch], dir, far, offset);
+    } else {
+        uint words = (p.light_count + 31u) / 32u;
+        for (uint word = 0u; word < words; ++word) {
+            uint mask = mask_of[(tiles + tile) * kMaskWords + word];
+            while (mask != 0u) {
+                uint index = word * 32u + uint(findLSB(mask));
+                mask &= mask - 1u;
+                float offset = jitter(pixel, lights[index].pass);
+                gobo_dither = offset;
+                sum += scattered(lights[index], dir, far, offset);
             }
-            sum += air * (haze.scattering_per_m * step_m);
         }
     }
     if (inside) imageStore(images, ivec3(at, p.target), imageLoad(images, ivec3(at, p.target)) + vec4(sum, 0.0));

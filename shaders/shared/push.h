@@ -10,24 +10,29 @@ SHARED_BEGIN
 SHARED_CONST uint kTileWidth = 16u;
 SHARED_CONST uint kTileHeight = 8u;
 
-// Lights of one dispatch: as many as a uniform buffer of 64 KiB holds, in whole mask words.
-SHARED_CONST uint kLightsPerDispatch = 256u;
+// Lights of one uniform buffer (64 KiB).
+SHARED_CONST uint kLightsPerChunk = 256u;
+// The lights of a chunk are drawn in batches: on a GPU all at once, each pixel looping over a mask of the lights that reach
+// its tile; on lavapipe one by one, because there a value that is the same for all lanes is only cheap where the compiler
+// can see that it is (measured: 20 of 50 ms went into loading the light again for every lane).
 SHARED_CONST uint kMaskWords = 8u; // a tile: a bit a light
 
 // See kRadianceScale in scene/passes.h.
 SHARED_CONST float kPassScale = 1024.0f;
 
-// Which lights can reach which tile; the tiles that any of them reaches are appended to the lists of the two passes below.
+// Which lights of each batch can reach which tile; the tiles that any of them reaches are appended to the batch's lists for
+// the two passes below. Lists and masks of batch b: surface at (2 b) tiles, haze at (2 b + 1) tiles.
 struct CullPush {
     uint light_count;
+    uint batch_size; // 1 or kLightsPerChunk
     uint tiles_x;
     uint tiles_y;
     uint surfaces; // 1: list tiles for the surface pass
     uint air;      // 1: list tiles for the haze pass
 };
-SHARED_SIZE(CullPush, 20);
+SHARED_SIZE(CullPush, 24);
 
-// Workgroups of the two indirect dispatches, as Vulkan wants them, with room between for its alignment.
+// Workgroups of the two indirect dispatches of a batch, as Vulkan wants them.
 struct TileGroups {
     uint surface[4];
     uint haze[4];
@@ -48,11 +53,13 @@ SHARED_SIZE(SumPush, 96);
 // target += lights, on the tiles of the list.
 struct RelightPush {
     uint target;
-    uint light_count;
+    uint light_count; // of the chunk
+    uint batch;
     uint tiles_x;
+    uint tiles_y;
     uint march_steps; // 0: samples inside the cone; else over the whole ray
 };
-SHARED_SIZE(RelightPush, 16);
+SHARED_SIZE(RelightPush, 24);
 
 struct MeterPush {
     uint width;

@@ -31,7 +31,7 @@ Binding stored(const Texture& texture) {
 }
 
 Program::Program(const Device& device, std::span<const std::uint32_t> spirv,
-                 std::vector<VkDescriptorType> bindings, std::uint32_t constant)
+                 std::vector<VkDescriptorType> bindings, std::vector<std::uint32_t> constants)
     : device_(device), bindings_(std::move(bindings)) {
     std::vector<VkDescriptorSetLayoutBinding> places;
     for (const VkDescriptorType type : bindings_) {
@@ -69,8 +69,10 @@ Program::Program(const Device& device, std::span<const std::uint32_t> spirv,
     info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
     info.stage.module = module;
     info.stage.pName = "main";
-    const VkSpecializationMapEntry entry{0, 0, sizeof constant};
-    const VkSpecializationInfo specialisation{1, &entry, sizeof constant, &constant};
+    std::vector<VkSpecializationMapEntry> entries;
+    for (std::uint32_t i = 0; i < constants.size(); ++i) entries.push_back({i, i * 4, 4});
+    const VkSpecializationInfo specialisation{static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                              constants.size() * 4, constants.data()};
     info.stage.pSpecializationInfo = &specialisation;
     info.layout = layout_;
     VK_CALL(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_));

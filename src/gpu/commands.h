@@ -31,7 +31,7 @@ Binding stored(const Texture& texture);
 class Program {
 public:
     Program(const Device& device, std::span<const std::uint32_t> spirv,
-            std::vector<VkDescriptorType> bindings, std::uint32_t constant = 0);
+            std::vector<VkDescriptorType> bindings, std::vector<std::uint32_t> constants = {});
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
@@ -76,10 +76,10 @@ public:
         prepare(program, &push, sizeof(Push), bindings);
         dispatch_from(groups, offset);
     }
-    // Writes a small value (at most 64 KiB) to the start of a buffer, in order with the dispatches.
+    // Writes at most 64 KiB to the start of a buffer, in order with the dispatches.
     template <class Value>
-    void write(const Buffer& to, const Value& value) {
-        write_bytes(to, &value, sizeof(Value));
+    void write(const Buffer& to, const std::vector<Value>& values) {
+        write_bytes(to, values.data(), values.size() * sizeof(Value));
     }
     // All that was recorded is done and visible to what follows, shaders and host.
     void barrier();

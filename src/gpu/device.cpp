@@ -154,6 +154,7 @@ Result<void> Device::choose_physical(const std::string& wanted) {
         best = rank(properties.deviceType);
         physical_ = all[i];
         name_ = properties.deviceName;
+        is_cpu_ = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
         timestamp_period_ns_ = static_cast<double>(properties.limits.timestampPeriod);
     }
     if (physical_ != VK_NULL_HANDLE) return {};

@@ -34,6 +34,7 @@ public:
     PFN_vkCmdPushDescriptorSetKHR push_descriptors() const { return push_descriptors_; }
 
     const std::string& name() const { return name_; } // "llvmpipe (LLVM 15.0.6, 256 bits)"
+    bool is_cpu() const { return is_cpu_; }           // lavapipe and its like
     double timestamp_period_ns() const { return timestamp_period_ns_; }
     std::uint64_t local_memory_bytes() const { return local_memory_bytes_; }
     std::size_t validation_errors() const { return validation_errors_; }
@@ -59,6 +60,7 @@ private:
     VkPhysicalDeviceMemoryProperties memory_{};
     std::uint32_t queue_family_ = 0;
     std::string name_;
+    bool is_cpu_ = false;
     double timestamp_period_ns_ = 1;
     std::uint64_t local_memory_bytes_ = 0;
     std::size_t validation_errors_ = 0;

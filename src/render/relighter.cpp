@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::uint64_t kImageBytesPerPixel = 16; // four floats
 constexpr std::uint64_t kChunkAlign = 256;        // offset of a uniform buffer, at most, on every device
-constexpr std::uint64_t kChunkBytes = shared::kLightsPerDispatch * sizeof(shared::Light);
+constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
 constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
@@ -138,7 +138,8 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
                      int light_count, const Settings& settings)
     : device_(device), settings_(settings), width_(static_cast<std::uint32_t>(passes.width)),
       height_(static_cast<std::uint32_t>(passes.height)), tiles_x_(groups(width_, shared::kTileWidth)),
-      tiles_y_(groups(height_, shared::kTileHeight)), light_count_(light_count),
+      tiles_y_(groups(height_, shared::kTileHeight)),
+      batch_size_(device.is_cpu() ? 1 : shared::kLightsPerChunk), light_count_(light_count),
       slot_count_(image_slots(settings.image_memory_bytes, passes.width, passes.height, light_count)),
       tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),
@@ -148,24 +149,28 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
     using gpu::Access;
     using gpu::Buffer;
     using gpu::Texture;
+    const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
     for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels) {
         surface_[wheels] =
             std::make_unique<gpu::Program>(device, shaders::kShader_surface,
                                            std::vector{kSampled, kUniform, kUniform, kStorage, kStorage,
                                                        kSampled, kStored, kSampled, kSampled},
-                                           wheels);
+                                           std::vector{wheels, single});
         haze_[wheels] = std::make_unique<gpu::Program>(
             device, shaders::kShader_haze,
-            std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kSampled, kStored}, wheels);
+            std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kSampled, kStored},
+            std::vector{wheels, single});
     }
     const std::uint64_t tiles = static_cast<std::uint64_t>(tiles_x_) * tiles_y_;
     // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
     // begins a chunk.
     const std::uint64_t draws = 2 * static_cast<std::uint64_t>(light_count) + kClasses;
     lights_ = Buffer(device, draws * kChunkAlign + kChunkBytes, Access::upload);
+    const std::uint64_t batches =
+        batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1;
     masks_ = Buffer(device, 2 * tiles * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
-    lists_ = Buffer(device, 2 * tiles * sizeof(std::uint32_t), Access::device);
-    groups_ = Buffer(device, sizeof(shared::TileGroups), Access::device);
+    lists_ = Buffer(device, 2 * batches * tiles * sizeof(std::uint32_t), Access::device);
+    groups_ = Buffer(device, batches * sizeof(shared::TileGroups), Access::device);
     exposure_ = Buffer(device, sizeof(glm::vec4), Access::readback);
     pixels_ = Buffer(device, passes.pixel_count() * 4, Access::readback);
     // Layer 0 is the frame, the others are the slots of the tree.
@@ -274,7 +279,7 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
             const shared::Light& light = lights[static_cast<std::size_t>(index)];
             if (light.wheel_count != wheels) continue;
             chunk.push_back(light);
-            if (chunk.size() == shared::kLightsPerDispatch) {
+            if (chunk.size() == shared::kLightsPerChunk) {
                 draw_lights(chunk, wheels, target);
                 chunk.clear();
             }
@@ -292,33 +297,37 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
     lights_used_ += (bytes + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
 
     const auto count = static_cast<std::uint32_t>(lights.size());
-    const shared::CullPush cull{count, tiles_x_, tiles_y_, settings_.surfaces ? 1u : 0u,
-                                settings_.air ? 1u : 0u};
+    const std::uint32_t batches = groups(count, batch_size_);
+    const shared::CullPush cull{
+        count, batch_size_, tiles_x_, tiles_y_, settings_.surfaces ? 1u : 0u, settings_.air ? 1u : 0u};
     commands_.begin_span("cull");
-    commands_.write(groups_, shared::TileGroups{{0, 1, 1, 0}, {0, 1, 1, 0}});
+    commands_.write(groups_, std::vector<shared::TileGroups>(batches, {{0, 1, 1, 0}, {0, 1, 1, 0}}));
     commands_.dispatch(cull_, cull,
                        {gpu::uniform(view_), gpu::uniform(lights_, offset), gpu::storage(tile_bounds_),
                         gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_)},
-                       groups(tiles_x_ * tiles_y_, 64));
+                       groups(tiles_x_ * tiles_y_, 64), batches);
     commands_.barrier();
     const std::uint32_t march_steps =
         settings_.beams == Beams::march ? static_cast<std::uint32_t>(std::max(settings_.march_steps, 1)) : 0u;
-    const shared::RelightPush relight{target, count, tiles_x_, march_steps};
-    std::vector<gpu::Binding> bindings{
+    const std::vector<gpu::Binding> air{
         gpu::sampled(gobos_), gpu::uniform(view_),      gpu::uniform(lights_, offset), gpu::storage(masks_),
         gpu::storage(lists_), gpu::sampled(fragments_), gpu::stored(images_)};
-    if (settings_.air) {
-        commands_.begin_span("haze");
-        commands_.dispatch_indirect(*haze_[wheels], relight, bindings, groups_,
-                                    offsetof(shared::TileGroups, haze));
+    std::vector<gpu::Binding> surfaces = air;
+    surfaces.push_back(gpu::sampled(passes_));
+    surfaces.push_back(gpu::sampled(extras_));
+    shared::RelightPush push{target, count, 0, tiles_x_, tiles_y_, march_steps};
+    if (settings_.air) commands_.begin_span("haze");
+    for (push.batch = 0; settings_.air && push.batch < batches; ++push.batch) {
+        commands_.dispatch_indirect(*haze_[wheels], push, air, groups_,
+                                    push.batch * sizeof(shared::TileGroups) +
+                                        offsetof(shared::TileGroups, haze));
         commands_.barrier();
     }
-    if (settings_.surfaces) {
-        bindings.push_back(gpu::sampled(passes_));
-        bindings.push_back(gpu::sampled(extras_));
-        commands_.begin_span("surfaces");
-        commands_.dispatch_indirect(*surface_[wheels], relight, bindings, groups_,
-                                    offsetof(shared::TileGroups, surface));
+    if (settings_.surfaces) commands_.begin_span("surfaces");
+    for (push.batch = 0; settings_.surfaces && push.batch < batches; ++push.batch) {
+        commands_.dispatch_indirect(*surface_[wheels], push, surfaces, groups_,
+                                    push.batch * sizeof(shared::TileGroups) +
+                                        offsetof(shared::TileGroups, surface));
         commands_.barrier();
     }
 }

@@ -77,6 +77,7 @@ private:
     std::uint32_t height_;
     std::uint32_t tiles_x_;
     std::uint32_t tiles_y_;
+    std::uint32_t batch_size_; // lights of one dispatch, see shared/push.h
     int light_count_;
     int slot_count_;
     LightTree tree_;
