@@ -45,13 +45,15 @@ double seconds_of(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
 }
 
+double age_s(const dmx::Universe& universe) {
+    return seconds_of(std::chrono::steady_clock::now().time_since_epoch() - universe.arrival);
+}
+
 Json report_json(const dmx::Universes& universes, const dmx::Statistics& statistics, bool levels) {
     Json report;
     report["universes"] = Json::array();
     for (const dmx::Universe& universe : universes.list) {
-        Json entry{{"universe", universe.number},
-                   {"lost", universe.lost},
-                   {"age_s", seconds_of(statistics.time - universe.arrival)}};
+        Json entry{{"universe", universe.number}, {"lost", universe.lost}, {"age_s", age_s(universe)}};
         if (levels) entry["levels"] = *universe.levels;
         report["universes"].push_back(std::move(entry));
     }
@@ -103,8 +105,7 @@ void print_table(const dmx::Universes& universes, const dmx::Statistics& statist
                     source.per_address_priority ? " (priority per address)" : "");
     for (const dmx::Universe& universe : universes.list)
         if (universe.lost)
-            std::printf("%-8d LOST, last look held for %.1f s\n", universe.number,
-                        seconds_of(statistics.time - universe.arrival));
+            std::printf("%-8d LOST, last look held for %.1f s\n", universe.number, age_s(universe));
     if (statistics.packets_sacn + statistics.packets_artnet == 0)
         std::printf("nothing arrives. A desk on this machine must send unicast to 127.0.0.1; another one "
                     "needs the same "

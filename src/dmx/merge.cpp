@@ -211,7 +211,10 @@ std::vector<SourceStatus> Merge::sources(std::chrono::nanoseconds now) const {
             status.packets = source.packets;
             status.out_of_sequence = source.out_of_sequence;
             status.missed = source.missed;
-            status.rate_hz = source.rate_hz;
+            // Before the first whole second: over what has passed of it.
+            const double window_s = std::chrono::duration<double>(now - source.window_start).count();
+            const bool young = source.rate_hz == 0.0 && window_s > 0.2;
+            status.rate_hz = young ? static_cast<double>(source.window_packets) / window_s : source.rate_hz;
             status.age = now - source.last_levels;
             result.push_back(std::move(status));
         }
