@@ -35,6 +35,18 @@ bool is_file(const fs::path& path) {
     return fs::is_regular_file(path, code);
 }
 
+// "no such file x.glb, did you mean 'y.glb'?"
+std::string missing_file(const fs::path& path) {
+    constexpr std::size_t kLooked = 1000;
+    std::vector<std::string> names;
+    std::error_code code;
+    for (fs::directory_iterator entry(path.parent_path(), code), end;
+         !code && entry != end && names.size() < kLooked; entry.increment(code))
+        names.push_back(entry->path().filename().string());
+    const std::string what = "no such file " + path.string() + did_you_mean(path.filename().string(), names);
+    return what + (what.back() == '?' ? "" : ".");
+}
+
 // Each GDTF file once, however many fixtures use it.
 class TypeLibrary {
 public:
@@ -42,6 +54,10 @@ public:
                                               Report& report) {
         const auto [entry, is_new] = types_.try_emplace(path.lexically_normal());
         if (!is_new) return entry->second;
+        if (!is_file(path)) {
+            report.add(Severity::error, where, missing_file(path) + " Its fixtures stay dark.");
+            return nullptr;
+        }
         auto loaded = fixture::load_gdtf(path);
         if (!loaded.ok()) {
             report.add(Severity::error, where, loaded.error().text() + "; its fixtures stay dark");
@@ -130,16 +146,16 @@ void check_files(const ParsedShow& parsed, const std::string& file, Report& repo
     const Show& show = parsed.show;
     if (!show.recording.empty() && !is_file(show.recording))
         report.add(Severity::error, file_line(file, parsed.recording_line),
-                   "[show] recording: no such file " + show.recording.string());
+                   "[show] recording: " + missing_file(show.recording));
     if (!show.stage_file.empty() && !is_file(show.stage_file))
         report.add(Severity::error, file_line(file, parsed.stage_line),
-                   "[show] stage: no such file " + show.stage_file.string() + "; the stage is empty");
+                   "[show] stage: " + missing_file(show.stage_file) + " The stage is empty.");
     for (std::size_t k = 0; k < show.cameras.size(); ++k)
         if (const Camera& camera = show.cameras[k];
             !camera.foreign_passes.empty() && !is_file(camera.foreign_passes))
             report.add(Severity::error, file_line(file, parsed.passes_lines[k]),
-                       "[[camera]] '" + camera.name + "' foreign_passes: no such file " +
-                           camera.foreign_passes.string());
+                       "[[camera]] '" + camera.name +
+                           "' foreign_passes: " + missing_file(camera.foreign_passes));
 }
 
 } // namespace

@@ -337,8 +337,9 @@ TEST(Show, MissingFilesAreNamedAndTheRestStays) {
                 return true;
         return false;
     };
-    EXPECT_TRUE(has("12", "VL2600_Spot.gdtf")) << all_text(report);
-    EXPECT_TRUE(has("3", "tony.glb")) << all_text(report);
+    EXPECT_TRUE(has("12", "VL2600_Spot.gdtf, did you mean 'Vari-Lite@VL2500_Spot.gdtf'?"))
+        << all_text(report);
+    EXPECT_TRUE(has("3", "tony.glb, did you mean 'tiny.glb'?")) << all_text(report);
     EXPECT_TRUE(has("4", "gone.show")) << all_text(report);
     EXPECT_FALSE(show.fixtures[0].type);
     EXPECT_TRUE(show.fixtures[1].type);
