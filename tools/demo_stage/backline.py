@@ -123,7 +123,8 @@ def amp_head(made, width, depth, height, matrix, panel="brass"):
     made.box((width - 0.1, 0.02, height * 0.42), (0, -depth / 2, height * 0.35), panel, 0.003, matrix=matrix)
     for k in range(9):
         x = width * (0.09 * k - 0.36)
-        made.cylinder((x, -depth / 2 - 0.01, height * 0.35), (x, -depth / 2 - 0.035, height * 0.35), 0.012, "black_plastic", 12, matrix=matrix)
+        knob = [(x, -depth / 2 - out, height * 0.35) for out in (0.01, 0.035)]
+        made.cylinder(*knob, 0.012, "black_plastic", 12, matrix=matrix)
 
 
 def amplifiers(stage):
@@ -275,7 +276,8 @@ def cases(stage):
         for x in (-1, 1):
             made.box((0.03, 0.6, 0.03), (x * 0.545, 0, z), "truss_aluminium", 0.003)
     mesh = made.mesh(stage, "flight_case")
-    places = ((-6.3, 7.6, 0, 0.1), (-6.2, 6.7, 0, -0.15), (6.5, 7.4, 0, 0.3), (6.4, 6.4, 0, 0.0), (-6.3, 7.6, 0.8, 0.15), (6.45, 4.2, 0, 1.5))
+    places = ((-6.3, 7.6, 0, 0.1), (-6.2, 6.7, 0, -0.15), (6.5, 7.4, 0, 0.3), (6.4, 6.4, 0, 0.0), (-6.3, 7.6, 0.8, 0.15),
+              (6.45, 4.2, 0, 1.5))
     for i, (x, y, z, turn) in enumerate(places):
         stage.add(f"flight_case_{i}", mesh, place(x, y, DECK_Z + z, rz=turn))
 
@@ -285,12 +287,14 @@ def small_things(stage):
     made = MeshBuilder()
     for x, y, turn in ((0.15, 1.2, 0.1), (-2.6, 1.35, -0.2), (2.6, 1.4, 0.3)):
         made.box((0.21, 0.297, 0.001), (x, y, DECK_Z + 0.004), "tape_white", rotation=(0, 0, turn))
-    for x, y, z in ((0.42, 0.95, DECK_Z), (0.52, 1.0, DECK_Z), (-3.6, 5.05, DECK_Z + 1.8), (3.05, 5.2, DECK_Z + 1.39), (0.62, 7.6, DRUM_RISER_Z)):
+    for x, y, z in ((0.42, 0.95, DECK_Z), (0.52, 1.0, DECK_Z), (-3.4, 5.15, DECK_Z + 1.8), (3.15, 5.2, DECK_Z + 1.39),
+                    (0.62, 7.6, DRUM_RISER_Z)):
         made.lathe([(0.03, 0), (0.032, 0.01), (0.032, 0.15), (0.012, 0.19), (0.012, 0.215), (0, 0.215)], "bottle", 14, place(x, y, z))
     for x, y in ((-2.9, 1.2), (2.95, 1.25), (-2.45, 1.15)):   # effect pedals
         for k in range(3):
-            made.box((0.075, 0.125, 0.045), (x + 0.1 * k - 0.1, y, DECK_Z + 0.023), ("hoist_yellow", "bass_blue", "drum_lacquer")[k], 0.006)
-            made.cylinder((x + 0.1 * k - 0.1, y - 0.03, DECK_Z + 0.045), (x + 0.1 * k - 0.1, y - 0.03, DECK_Z + 0.06), 0.01, "chrome", 8)
+            at, finish = x + 0.1 * k - 0.1, ("hoist_yellow", "bass_blue", "drum_lacquer")[k]
+            made.box((0.075, 0.125, 0.045), (at, y, DECK_Z + 0.023), finish, 0.006)
+            made.cylinder((at, y - 0.03, DECK_Z + 0.045), (at, y - 0.03, DECK_Z + 0.06), 0.01, "chrome", 8)
     stage.add("clutter", made)
 
 

@@ -186,11 +186,11 @@ def legs(pose, dress, hip_at, add):
             add(ankle + (knee - ankle).normalized() * 0.04, ankle - Vector((0, 0, 0.02)), 0.054, 0.058, "legs", 0.03)
         out = Vector((s * 0.25, -1, 0)).normalized()
         heel = Vector((ankle.x, ankle.y + 0.035, ankle.z - 0.045))
-        add(ankle, heel, 0.045, 0.042, "top", 0.02)
+        add(ankle, heel, 0.045, 0.042, "shoe", 0.02)
         for k in (-1, 1):
             side = Vector((-out.y, out.x, 0)) * 0.014 * k
-            add(heel + side * 0.6, heel + out * 0.16 + side - Vector((0, 0, 0.004)), 0.04, 0.037, "top", 0.02)
-            add(heel + out * 0.16 + side, heel + out * 0.225 + side * 0.6 - Vector((0, 0, 0.01)), 0.037, 0.03, "top", 0.02)
+            add(heel + side * 0.6, heel + out * 0.16 + side - Vector((0, 0, 0.004)), 0.04, 0.037, "shoe", 0.02)
+            add(heel + out * 0.16 + side, heel + out * 0.225 + side * 0.6 - Vector((0, 0, 0.01)), 0.037, 0.03, "shoe", 0.02)
 
 
 def folds(amount):
@@ -242,25 +242,29 @@ def build(stage, crowd_size, seed):
 
 def performers(stage):
     cast = [
-        ("singer", Pose((-0.06, -0.24, 1.50), (0.60, -0.22, 1.62), (-0.24, -0.06, 0), (0.22, 0.12, 0), lean=(-0.02, 0.05), shoulders=0.2,
-                        head=(-0.12, -0.1)),
+        ("singer", Pose((-0.06, -0.24, 1.50), (0.60, -0.22, 1.62), (-0.24, -0.06, 0), (0.22, 0.12, 0), lean=(-0.02, 0.05),
+                        shoulders=0.2, head=(-0.12, -0.1)),
          Dress("shirt_white", "leather_black", sleeve=0.62, hair="hair_brown", long_hair=True), place(0, 2.0, DECK_Z)),
-        ("guitarist", Pose((-0.12, -0.27, 1.05), (0.47, -0.3, 1.27), (-0.27, -0.12, 0), (0.22, 0.1, 0), lean=(0.0, -0.05), shoulders=-0.15,
-                           head=(0.3, 0.25)),
+        ("guitarist", Pose((-0.12, -0.27, 1.05), (0.47, -0.3, 1.27), (-0.27, -0.12, 0), (0.22, 0.1, 0), lean=(0.0, -0.05),
+                           shoulders=-0.15, head=(0.3, 0.25)),
          Dress("jacket_red", "denim", coat=0.04, long_hair=True, hair="hair_fair"), place(-2.9, 2.15, DECK_Z, rz=0.15)),
         ("bassist", Pose((-0.14, -0.27, 0.98), (0.52, -0.28, 1.3), (-0.2, 0.05, 0), (0.27, -0.12, 0), lean=(0.0, 0.0), shoulders=-0.1,
                          head=(0.1, 0.2)),
          Dress("shirt_black", "trousers_dark", "skin_dark", sleeve=0.4, hat=True, beard=True, shoe="leather_brown"),
          place(2.9, 2.2, DECK_Z, rz=-0.15)),
-        ("drummer", Pose((-0.25, -0.5, 1.22), (0.36, -0.45, 0.9), (-0.24, -0.5, 0.06), (0.3, -0.48, 0.06), hip=(0, 0, 0.64), lean=(0, -0.06),
-                         knee_out=0.5, head=(0.05, -0.2)),
-         Dress("shirt_grey", "denim", sleeve=0.0, hair="hair_black", shoe="trainer_white", beard=True), place(0, 7.3, backline.DRUM_RISER_Z)),
+        ("drummer", Pose((-0.25, -0.5, 1.22), (0.36, -0.45, 0.9), (-0.24, -0.5, 0.06), (0.3, -0.48, 0.06), hip=(0, 0, 0.64),
+                         lean=(0, -0.06), knee_out=0.5, head=(0.05, -0.2)),
+         Dress("shirt_grey", "denim", sleeve=0.0, hair="hair_black", shoe="trainer_white", beard=True),
+         place(0, 7.3, backline.DRUM_RISER_Z)),
         ("keys", Pose((-0.28, -0.46, 1.05), (0.25, -0.46, 1.05), lean=(0, -0.07), head=(0.35, 0.1), grip=False),
          Dress("dress_green", "dress_green", sleeve=0.0, skirt=0.55, woman=True, long_hair=True, hair="hair_brown"),
          place(4.3 - 0.12, 6.48, backline.SIDE_RISER_Z, rz=0.2)),
-        ("voice_1", Pose((-0.3, -0.2, 1.22), (0.16, -0.3, 1.3), (-0.12, 0, 0), (0.16, -0.06, 0), lean=(0.03, 0), shoulders=0.15, grip=False),
-         Dress("jacket_red", "leather_black", "skin_dark", sleeve=0.0, woman=True, long_hair=True), place(-5.05, 6.35, backline.SIDE_RISER_Z)),
-        ("voice_2", Pose((-0.26, -0.1, 1.02), (0.3, -0.2, 1.86), (-0.16, 0, 0), (0.12, -0.05, 0), lean=(-0.04, 0), head=(-0.1, -0.2), grip=False),
+        ("voice_1", Pose((-0.3, -0.2, 1.22), (0.16, -0.3, 1.3), (-0.12, 0, 0), (0.16, -0.06, 0), lean=(0.03, 0), shoulders=0.15,
+                         grip=False),
+         Dress("jacket_red", "leather_black", "skin_dark", sleeve=0.0, woman=True, long_hair=True),
+         place(-5.05, 6.35, backline.SIDE_RISER_Z)),
+        ("voice_2", Pose((-0.26, -0.1, 1.02), (0.3, -0.2, 1.86), (-0.16, 0, 0), (0.12, -0.05, 0), lean=(-0.04, 0),
+                         head=(-0.1, -0.2), grip=False),
          Dress("jacket_red", "jacket_red", sleeve=0.0, skirt=0.5, woman=True, hair="hair_fair", long_hair=True),
          place(-4.15, 6.35, backline.SIDE_RISER_Z)),
     ]
@@ -286,8 +290,8 @@ def play(stage, name, at):
     hung = place(-0.05, -0.235, z, ry=-0.36, rz=0.06)
     stage.add("instrument_" + name, backline.guitar_mesh(stage, "instrument_" + name, finish, neck), at @ hung)
     strap = MeshBuilder()
-    path = [(-0.24, -0.2, z - 0.08), (-0.23, -0.05, z + 0.0), (-0.14, 0.13, z + 0.12), (0.02, 0.15, 1.4), (0.1, 0.08, 1.52), (0.11, -0.03, 1.535),
-            (0.11, -0.12, 1.45), (0.12, -0.17, 1.33), (0.12, -0.215, z + 0.17)]
+    path = [(-0.24, -0.2, z - 0.08), (-0.23, -0.05, z + 0.0), (-0.14, 0.13, z + 0.12), (0.02, 0.15, 1.4), (0.1, 0.08, 1.52),
+            (0.11, -0.03, 1.535), (0.11, -0.12, 1.45), (0.12, -0.17, 1.33), (0.12, -0.215, z + 0.17)]
     strap.tube(path, 0.014, "leather_brown", 8)
     stage.add("strap_" + name, strap, at)
 
