@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Stage: the geometry of a show, ready for the baker and the renderer. Metres, right-handed, Z up, X right seen from the
-// house, Y up-stage. Colours linear Rec.2020. Meshes are stored once and placed by instances. Plain values.
+// Stage: the geometry of a show, ready for the baker and the renderer. Metres, right-handed, Z up, X right
+// seen from the house, Y up-stage. Colours linear Rec.2020. Meshes are stored once and placed by instances.
+// Plain values.
 
 #include "image/image.h"
 
@@ -16,7 +17,7 @@ inline constexpr int kNone = -1;
 
 struct Texture {
     std::string name;
-    image::Image8 pixels; // RGBA
+    image::Image8 pixels;  // RGBA
     bool is_colour = true; // sRGB-encoded Rec.709 (base colour, emission); false: data (normals, roughness)
 };
 
@@ -29,10 +30,10 @@ struct Material {
     float roughness = 1.0f;
     float metalness = 0.0f;
     float specular = 1.0f; // strength of the dielectric reflection (KHR_materials_specular); 0: pure Lambert
-    glm::vec3 emission{0.0f}; // cd/m^2
-    int base_texture = kNone;     // times base_colour; its alpha times alpha
-    int normal_texture = kNone;   // tangent space, +Y up (glTF)
-    int surface_texture = kNone;  // green: roughness, blue: metalness (glTF), times the factors
+    glm::vec3 emission{0.0f};    // cd/m^2
+    int base_texture = kNone;    // times base_colour; its alpha times alpha
+    int normal_texture = kNone;  // tangent space, +Y up (glTF)
+    int surface_texture = kNone; // green: roughness, blue: metalness (glTF), times the factors
     int emission_texture = kNone;
     float normal_scale = 1.0f;
     AlphaMode alpha_mode = AlphaMode::opaque;
@@ -43,9 +44,9 @@ struct Material {
 struct Mesh {
     std::string name;
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3> normals;  // as many as positions
-    std::vector<glm::vec4> tangents; // as many as positions, or none; w: handedness
-    std::vector<glm::vec2> uvs;      // as many as positions, or none; v down (glTF)
+    std::vector<glm::vec3> normals;     // as many as positions
+    std::vector<glm::vec4> tangents;    // as many as positions, or none; w: handedness
+    std::vector<glm::vec2> uvs;         // as many as positions, or none; v down (glTF)
     std::vector<std::uint32_t> indices; // triangles
     int material = 0;
 };
@@ -54,7 +55,8 @@ struct Instance {
     std::string name;
     int mesh = 0;
     glm::mat4 world{1.0f};
-    int fixture = kNone; // index into Show::fixtures when it is part of a fixture's body: that fixture's own light passes
+    int fixture = kNone; // index into Show::fixtures when it is part of a fixture's body: that fixture's own
+                         // light passes
 };
 
 struct Stage {
