@@ -300,7 +300,7 @@ TEST(Receiver, load_of_512_universes_from_two_desks) {
     EXPECT_EQ(statistics.overflow, 0u);
     EXPECT_EQ(statistics.merge.missed, 0u);
     EXPECT_EQ(statistics.merge.out_of_sequence, 0u);
-    ASSERT_GT(latency_ms.size(), 40u);
+    ASSERT_GT(latency_ms.size(), 10u);
     std::sort(latency_ms.begin(), latency_ms.end());
     std::printf("burst of 512 universes, first byte sent to last universe readable: median %.2f ms, p99 %.2f "
                 "ms, max %.2f ms\n",
