@@ -311,7 +311,8 @@ def crowd(stage, size, dice):
     hair = ("hair_black", "hair_brown", "hair_fair")
     meshes = []
     for i, (pose, woman) in enumerate(raised):
-        dress = Dress(cloth[i % 4], ("denim", "trousers_dark", "trousers_dark")[i % 3], "crowd_skin", hair[i % 3], "top", (0.4, 1.0, 0.45, 0.0, 1.0, 0.4, 0.4, 0.3)[i], coat=0.06,
+        dress = Dress(cloth[i % 4], ("denim", "trousers_dark", "trousers_dark")[i % 3], "crowd_skin", hair[i % 3], "shoe",
+                      (0.4, 1.0, 0.45, 0.0, 1.0, 0.4, 0.4, 0.3)[i], coat=0.06,
                       long_hair=woman, woman=woman, hat=i == 4)
         meshes.append(skin_over(stage, f"crowd_{i}", figure(pose, dress), dress, 0.014, 2400))
     weights = (2, 3, 3, 2, 2, 2, 4, 1)
