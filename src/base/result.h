@@ -67,5 +67,8 @@ private:
     declaration = std::move(*GHOST_JOIN(result_, __LINE__))
 
 // TRY_VOID(call()): returns the error of a Result<void> to the caller.
-#define TRY_VOID(expression)                                                                                           \
-    if (auto result_void = (expression); !result_void.ok()) return result_void.error()
+#define TRY_VOID(expression)                                                                                 \
+    do {                                                                                                     \
+        if (auto GHOST_JOIN(void_, __LINE__) = (expression); !GHOST_JOIN(void_, __LINE__).ok())              \
+            return GHOST_JOIN(void_, __LINE__).error();                                                      \
+    } while (false)

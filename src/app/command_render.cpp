@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/commands.h"
+#include "app/input_options.h"
+#include "app/interrupt.h"
+#include "app/picture_writer.h"
+#include "app/session.h"
+#include "dmx/recording.h"
+
+#include "base/log.h"
+#include "base/progress.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace ghost::app {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct RenderArguments {
+    SessionOptions session;
+    InputOptions input;
+    std::string out;
+    std::string size;
+    std::string beams = "cone";
+    std::string replay;
+    double at_s = -1;
+    double from_s = -1;
+    double to_s = -1;
+    int fps = 30;
+    bool live_input = false;
+    double seconds = 10;
+    float ev100 = 0;
+    bool has_ev100 = false;
+    bool json = false;
+};
+
+struct Tally {
+    std::vector<double> draw_ms;
+    std::vector<double> latency_ms; // packet to picture
+    int late = 0;                   // film frames that repeat a picture because drawing took too long
+    int additions = 0;
+    int drawn = 0;
+
+    void add(const render::FrameStatistics& frame) {
+        draw_ms.push_back(frame.draw_ms);
+        additions += frame.additions;
+        drawn += frame.drawn;
+    }
+};
+
+double percentile(std::vector<double> values, double share) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+void print_tally(const RenderArguments& arguments, const Session& session, const Tally& tally) {
+    const double median = percentile(tally.draw_ms, 0.5);
+    const double p99 = percentile(tally.draw_ms, 0.99);
+    if (arguments.json) {
+        nlohmann::json row{{"out", arguments.out},
+                           {"device", session.device->name()},
+                           {"width", session.relighter->width()},
+                           {"height", session.relighter->height()},
+                           {"frames", tally.draw_ms.size()},
+                           {"draw_ms_median", median},
+                           {"draw_ms_p99", p99},
+                           {"lights_drawn", tally.drawn},
+                           {"additions", tally.additions},
+                           {"ev100", session.relighter->ev100_used()}};
+        if (arguments.live_input) {
+            row["late_frames"] = tally.late;
+            row["packet_to_picture_ms_median"] = percentile(tally.latency_ms, 0.5);
+            row["packet_to_picture_ms_p99"] = percentile(tally.latency_ms, 0.99);
+            row["frames_with_new_packets"] = tally.latency_ms.size();
+        }
+        std::printf("%s\n", row.dump().c_str());
+        return;
+    }
+    log_info(arguments.out + ": " + std::to_string(tally.draw_ms.size()) + " frames, " +
+             std::to_string(median) + " ms a frame (median), " + std::to_string(p99) + " ms (99 %)");
+    if (arguments.live_input)
+        log_info("packet to picture: " + std::to_string(percentile(tally.latency_ms, 0.5)) +
+                 " ms (median); " + std::to_string(tally.late) +
+                 " film frames repeat a picture because drawing took longer than a frame");
+}
+
+// The rig is run from the start of the recording, because wheels and gobos turn: a frame is the same wherever
+// it is asked from.
+Result<void> render_recording(const RenderArguments& arguments, Session& session, PictureWriter& writer,
+                              Tally& tally) {
+    const std::filesystem::path file = arguments.replay.empty()
+                                           ? session.show->folder / session.show->recording
+                                           : std::filesystem::path(arguments.replay);
+    if (arguments.replay.empty() && session.show->recording.empty())
+        return Error{"has no recording; name one with --replay FILE, or listen to a desk with --live-input",
+                     session.show->file.string()};
+    TRY(dmx::Recording recording, dmx::read_recording(file));
+    for (const Error& problem : recording.problems) log_warning(problem.text());
+    const dmx::Player player(std::move(recording));
+
+    const double fps = arguments.fps;
+    const bool still = arguments.from_s < 0 && arguments.to_s < 0;
+    const double at_s = arguments.at_s >= 0 ? arguments.at_s : 0.0;
+    const auto first = static_cast<long>(std::lround((still ? at_s : std::max(arguments.from_s, 0.0)) * fps));
+    const long last =
+        still ? first : std::lround((arguments.to_s >= 0 ? arguments.to_s : player.duration_s()) * fps) - 1;
+    if (last < first) return Error{"the range is empty: --to must be later than --from", "--from/--to"};
+
+    catch_interrupts();
+    const auto now_s = [] { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); };
+    Progress progress(
+        "rendering",
+        arguments.session.quiet || still ? Progress::Style::silent : Progress::style_for_stderr(), now_s());
+    for (long frame = 0; frame <= last; ++frame) {
+        session.rig->step(player.at(static_cast<double>(frame) / fps), 1.0 / fps);
+        if (frame < first) continue;
+        tally.add(session.draw());
+        TRY_VOID(writer.add(*session.relighter));
+        progress.update(static_cast<double>(frame - first + 1) / static_cast<double>(last - first + 1),
+                        now_s(), arguments.out);
+        if (interrupted()) {
+            log_warning("interrupted: " + arguments.out + " ends early");
+            break;
+        }
+    }
+    progress.finish();
+    return {};
+}
+
+// Film time is wall time: a picture that takes longer than a frame is shown for several.
+Result<void> render_live(const RenderArguments& arguments, Session& session, PictureWriter& writer,
+                         Tally& tally) {
+    TRY(const dmx::ReceiverOptions options, receiver_options(arguments.input));
+    TRY(const std::unique_ptr<dmx::Receiver> receiver, dmx::Receiver::start(options));
+    for (const std::string& warning : receiver->warnings()) log_warning(warning);
+    catch_interrupts();
+    log_info("listening for " + std::to_string(arguments.seconds) + " s");
+
+    dmx::Universes universes;
+    const Clock::time_point start = Clock::now();
+    Clock::time_point last_step = start;
+    const auto frame_time = std::chrono::duration<double>(1.0 / arguments.fps);
+    const long frames = std::max(1L, std::lround(arguments.seconds * arguments.fps));
+    long written = 0;
+    while (written < frames && !interrupted()) {
+        std::this_thread::sleep_until(
+            start + std::chrono::duration_cast<Clock::duration>(frame_time * static_cast<double>(written)));
+        bool fresh = false;
+        if (std::optional<dmx::Universes> newest = receiver->take()) {
+            fresh = newest->revision != universes.revision;
+            universes = std::move(*newest);
+        }
+        const Clock::time_point now = Clock::now();
+        session.rig->step(universes, std::chrono::duration<double>(now - last_step).count());
+        last_step = now;
+        tally.add(session.draw());
+        if (fresh) {
+            std::chrono::nanoseconds arrival{0};
+            for (const dmx::Universe& universe : universes.list)
+                arrival = std::max(arrival, universe.arrival);
+            tally.latency_ms.push_back(
+                std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch() - arrival).count());
+        }
+        const auto due = static_cast<long>(std::chrono::duration<double>(Clock::now() - start) / frame_time);
+        const long repeat = std::clamp(due - written, 1L, frames - written);
+        tally.late += static_cast<int>(repeat - 1);
+        for (long i = 0; i < repeat; ++i, ++written) TRY_VOID(writer.add(*session.relighter));
+    }
+    if (tally.latency_ms.empty())
+        log_warning(
+            "no packet arrived: the rig stayed at its defaults; 'ghostlight monitor' shows who sends what");
+    return {};
+}
+
+Result<void> run(RenderArguments& arguments) {
+    if (!arguments.size.empty()) {
+        char end = 0;
+        if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &arguments.session.width,
+                        &arguments.session.height, &end) != 2 ||
+            arguments.session.width < 16 || arguments.session.height < 16 || arguments.session.width > 8192 ||
+            arguments.session.height > 8192)
+            return Error{"'" + arguments.size + "' is not WIDTHxHEIGHT between 16x16 and 8192x8192",
+                         "--size"};
+    }
+    arguments.session.beams = arguments.beams == "march" ? render::Beams::march : render::Beams::cone;
+    if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
+    const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
+    TRY(const OutputKind kind, output_kind(arguments.out));
+    if (kind == OutputKind::film && !film)
+        return Error{"a film needs a range: --from and --to in seconds, or --live-input", arguments.out};
+
+    TRY(const std::unique_ptr<Session> session, open_session(arguments.session));
+    TRY(const std::unique_ptr<PictureWriter> writer,
+        PictureWriter::create(arguments.out, session->relighter->width(), session->relighter->height(),
+                              arguments.fps, film));
+    Tally tally;
+    TRY_VOID(arguments.live_input ? render_live(arguments, *session, *writer, tally) : render_recording(arguments, *session, *writer, tally));
+    TRY_VOID(writer->finish());
+    print_tally(arguments, *session, tally);
+    if (session->report.lost_anything())
+        return Error{"drawn, but something that the show asks for is missing (see above)",
+                     session->show->file.string()};
+    return {};
+}
+
+} // namespace
+
+void add_render(CLI::App& app, int& exit_code) {
+    CLI::App* command =
+        app.add_subcommand("render", "draw a show without a window: a picture (.png, .exr) or a film (.mp4)");
+    const auto a = std::make_shared<RenderArguments>();
+    command->add_option("SHOW", a->session.show, "folder with show.toml")->required();
+    command->add_option("-o,--out", a->out, ".png, .exr or .mp4; with a range, .png and .exr are numbered")
+        ->required();
+    command->add_option("--view", a->session.view, "camera (default: the first)")->type_name("NAME");
+    command->add_option("--size", a->size, "WIDTHxHEIGHT instead of the camera's; bakes passes of that size")
+        ->type_name("WxH");
+    command->add_option("--replay", a->replay, "DMX recording (default: the show's own)")->type_name("FILE");
+    command->add_option("--at", a->at_s, "second of the recording")->check(CLI::NonNegativeNumber);
+    command->add_option("--from", a->from_s, "first second of a film")->check(CLI::NonNegativeNumber);
+    command->add_option("--to", a->to_s, "last second of a film")->check(CLI::NonNegativeNumber);
+    command->add_option("--fps", a->fps, "frames a second")->check(CLI::Range(1, 240))->capture_default_str();
+    command->add_flag("--live-input", a->live_input, "draw what a desk sends now, by sACN or Art-Net");
+    command->add_option("--seconds", a->seconds, "length of --live-input")
+        ->check(CLI::Range(0.1, 86400.0))
+        ->capture_default_str();
+    command->add_option("--beams", a->beams, "cone (the paper) or march (the thesis)")
+        ->check(CLI::IsMember({"cone", "march"}))
+        ->capture_default_str();
+    command->add_option("--steps", a->session.march_steps, "steps of march")
+        ->check(CLI::Range(1, 4096))
+        ->capture_default_str();
+    CLI::Option* ev = command->add_option("--ev", a->ev100, "exposure EV100 instead of the camera's")
+                          ->check(CLI::Range(-10.0, 20.0));
+    command->add_option("--device", a->session.device, "Vulkan device: part of its name, or its number")
+        ->type_name("NAME");
+    command->add_flag("--validation", a->session.validation, "check our use of Vulkan");
+    command->add_flag("--quiet", a->session.quiet, "print warnings and errors only");
+    command->add_flag("--json", a->json, "print the figures as JSON");
+    add_input_options(*command, a->input);
+    command->footer("Example: ghostlight render assets/demo -o demo.mp4 --from 10 --to 20\n"
+                    "         ghostlight render assets/demo -o now.mp4 --live-input --seconds 20");
+    command->callback([a, ev, &exit_code] {
+        a->has_ev100 = ev->count() > 0;
+        if (a->session.quiet) set_log_level(LogLevel::warning);
+        const Result<void> done = run(*a);
+        if (done.ok()) return;
+        log_error(done.error().text());
+        exit_code = 1;
+    });
+}
+
+} // namespace ghost::app

@@ -1,0 +1,36 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// PictureWriter: what the relighter drew into a PNG, EXR (linear, Rec.2020, cd/m^2) or MP4, chosen by the
+// file's ending. Atomic. Main thread.
+
+#include "base/result.h"
+#include "render/relighter.h"
+#include "video/film.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace ghost::app {
+
+enum class OutputKind { png, exr, film };
+Result<OutputKind> output_kind(const std::filesystem::path& path);
+
+class PictureWriter {
+public:
+    // numbered: PNG and EXR become NAME-00000.png, NAME-00001.png, ...
+    static Result<std::unique_ptr<PictureWriter>> create(const std::filesystem::path& path, int width,
+                                                         int height, int fps, bool numbered);
+    Result<void> add(const render::Relighter& relighter);
+    Result<void> finish();
+
+private:
+    PictureWriter() = default;
+
+    std::filesystem::path path_;
+    OutputKind kind_ = OutputKind::png;
+    bool numbered_ = false;
+    int count_ = 0;
+    std::unique_ptr<video::FilmWriter> film_;
+};
+
+} // namespace ghost::app

@@ -1,0 +1,57 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Session: a show opened for drawing: fixtures, passes of one camera (baked where they are missing or older
+// than what they show), device and relighter. What render, bench and the window share. Main thread.
+
+#include "gpu/device.h"
+#include "render/relighter.h"
+#include "scene/gobos.h"
+#include "scene/passes.h"
+#include "scene/rig.h"
+#include "scene/show.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace ghost::app {
+
+struct SessionOptions {
+    std::string show;
+    std::string view; // empty: the first camera
+    int width = 0;    // 0: the camera's own size; else passes of this size are baked beside the others
+    int height = 0;
+    std::string device; // see gpu::DeviceOptions
+    bool validation = false;
+    bool bake = true; // false: missing passes are an error
+    bool quiet = false;
+    render::Beams beams = render::Beams::cone;
+    int march_steps = 110;
+    std::optional<float> ev100; // instead of the camera's
+    std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
+};
+
+struct Session {
+    scene::Report report;              // already printed
+    std::unique_ptr<scene::Show> show; // address is kept by the rig
+    std::size_t camera = 0;
+    scene::Passes passes; // without the light pictures, which are on the device
+    scene::GoboStack gobos;
+    std::unique_ptr<scene::Rig> rig;
+    std::unique_ptr<gpu::Device> device;
+    std::unique_ptr<render::Relighter> relighter;
+
+    // One frame of what the rig does now.
+    render::FrameStatistics draw() { return relighter->draw(rig->lights(gobos, passes)); }
+};
+
+Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);
+
+// Settings of the relighter for a camera of a show.
+render::Settings draw_settings(const scene::Show& show, const scene::Camera& camera,
+                               const SessionOptions& options);
+
+// Prints what a report holds beyond the first `skip` messages.
+void print_report(const scene::Report& report, std::size_t skip = 0);
+
+} // namespace ghost::app
