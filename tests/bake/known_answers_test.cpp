@@ -268,8 +268,10 @@ TEST(KnownAnswers, BrdfKeepsEnergy) {
             for (const float view_deg : {0.0f, 45.0f, 75.0f}) {
                 const shared::Brdf brdf = shared::brdf_of(glm::vec3(1.0f), roughness, metalness, 1.0f);
                 const float share = reflected(brdf, view_deg).x;
-                // glTF's own layering gives a little too much at grazing angles; a single GGX lobe never does.
-                EXPECT_LT(share, metalness > 0 ? 1.001f : 1.16f) << roughness << " " << metalness << " " << view_deg;
+                // glTF's own layering gives a little too much at grazing angles; a single GGX lobe never
+                // does.
+                EXPECT_LT(share, metalness > 0 ? 1.001f : 1.16f)
+                    << roughness << " " << metalness << " " << view_deg;
                 EXPECT_GT(share, 0.3f);
                 // The fit that lights a stage evenly, against the integral.
                 EXPECT_NEAR(shared::brdf_albedo(brdf, std::cos(glm::radians(view_deg))).x, share, 0.16f);
