@@ -15,15 +15,13 @@ layout(binding = 2, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; 
 layout(binding = 3, scalar) readonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 5) uniform sampler2DArray fragments; // position, coverage; extra fragments in the rows below the picture
-layout(binding = 6, rgba32f) uniform image2DArray images;
+layout(binding = 6, rgba32f) uniform image2DArray drawn;
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
-// The same in every frame, so that a light that did not change costs nothing; different for neighbours.
-float jitter(uvec2 pixel, uint light) {
-    vec2 at = vec2(pixel) + 5.588238 * float(light & 63u);
-    return fract(52.9829189 * fract(dot(at, vec2(0.06711056, 0.00583715))));
-}
+// Where in its step a pixel takes its sample: one of four places, all four in every 2x2 block (see sum.comp). The same in
+// every frame, so that a light that did not change costs nothing.
+float jitter(uvec2 pixel) { return 0.125 + 0.25 * float((pixel.x & 1u) * 2u + ((pixel.x ^ pixel.y) & 1u)); }
 
 // Light that one beam scatters towards the camera on the ray from the eye, up to `far` metres.
 vec3 scattered(Light light, vec3 dir, float far, float offset) {
@@ -36,7 +34,7 @@ vec3 scattered(Light light, vec3 dir, float far, float offset) {
     part = march ? vec2(0.0, far) : part;
     uint samples = hit ? (march ? p.march_steps : light.haze_samples) : 0u;
     float step_m = (part.y - part.x) / float(max(samples, 1u));
-    float t = part.x + step_m * (march ? 0.5 : offset);
+    float t = part.x + step_m * offset;
     vec3 air = vec3(0.0);
     for (uint s = 0u; s < samples; ++s) {
         vec3 g = q + t * dq;
@@ -58,15 +56,16 @@ void main() {
     bool inside = pixel.x < size.x && pixel.y < size.y;
     pixel = min(pixel, size - 1u);
     ivec2 at = ivec2(pixel);
-    vec2 ndc = vec2(2.0 * (float(pixel.x) + 0.5) / float(size.x) - 1.0, 1.0 - 2.0 * (float(pixel.y) + 0.5) / float(size.y));
+    // Through the corner of the pixel: sum.comp takes the mean of its four corners.
+    vec2 ndc = vec2(2.0 * float(pixel.x) / float(size.x) - 1.0, 1.0 - 2.0 * float(pixel.y) / float(size.y));
     vec3 dir = normalize(view.forward + view.right * ndc.x + view.up * ndc.y);
     vec4 surface = texelFetch(fragments, ivec3(at, 0), 0);
     float far = surface.w >= 0.0 ? length(surface.xyz - view.eye_m) : view.far_m;
 
+    float offset = jitter(pixel);
+    gobo_dither = offset;
     vec3 sum = vec3(0.0);
     if (kSingle) {
-        float offset = jitter(pixel, lights[p.batch].pass);
-        gobo_dither = offset;
         sum = scattered(lights[p.batch], dir, far, offset);
     } else {
         uint words = (p.light_count + 31u) / 32u;
@@ -75,11 +74,9 @@ void main() {
             while (mask != 0u) {
                 uint index = word * 32u + uint(findLSB(mask));
                 mask &= mask - 1u;
-                float offset = jitter(pixel, lights[index].pass);
-                gobo_dither = offset;
                 sum += scattered(lights[index], dir, far, offset);
             }
         }
     }
-    if (inside) imageStore(images, ivec3(at, p.target), imageLoad(images, ivec3(at, p.target)) + vec4(sum, 0.0));
+    if (inside) imageStore(drawn, ivec3(at, 1), imageLoad(drawn, ivec3(at, 1)) + vec4(sum, 0.0));
 }

@@ -45,21 +45,21 @@ struct SumPush {
     uint target;
     uint accumulate; // 1: on top of what the target holds
     uint add_base;
+    uint add_drawn;
     uint addend_count;
     uint addend[kMaxAddends];
 };
-SHARED_SIZE(SumPush, 96);
+SHARED_SIZE(SumPush, 100);
 
-// target += lights, on the tiles of the list.
+// drawn += lights, on the tiles of the list. Layer 0: surfaces, layer 1: haze.
 struct RelightPush {
-    uint target;
     uint light_count; // of the chunk
     uint batch;
     uint tiles_x;
     uint tiles_y;
     uint march_steps; // 0: samples inside the cone; else over the whole ray
 };
-SHARED_SIZE(RelightPush, 24);
+SHARED_SIZE(RelightPush, 20);
 
 struct MeterPush {
     uint width;

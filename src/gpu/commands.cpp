@@ -189,6 +189,15 @@ void Commands::copy(const Texture& from, const Buffer& to) {
     barrier();
 }
 
+void Commands::clear(const Texture& texture) {
+    barrier(); // earlier readers are done
+    const VkClearColorValue zero{};
+    const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, texture.shape().levels, 0,
+                                      texture.shape().layers};
+    vkCmdClearColorImage(commands_, texture.image(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &all);
+    barrier();
+}
+
 void Commands::begin_span(const std::string& name) {
     if (names_.size() >= kMaxSpans) return;
     vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,

@@ -85,6 +85,7 @@ public:
     void barrier();
     void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);
     void copy(const Texture& from, const Buffer& to); // level 0, layer 0, tightly packed
+    void clear(const Texture& texture);               // every layer to zero
     void begin_span(const std::string& name);         // up to the next begin_span or the end
     void submit_and_wait();
 

@@ -143,7 +143,7 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
       slot_count_(image_slots(settings.image_memory_bytes, passes.width, passes.height, light_count)),
       tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),
-      sum_(device, shaders::kShader_sum, {kSampled, kStored}),
+      sum_(device, shaders::kShader_sum, {kSampled, kSampled, kStored}),
       meter_(device, shaders::kShader_meter, {kSampled, kStorage}),
       develop_(device, shaders::kShader_develop, {kSampled, kUniform, kStored}), commands_(device) {
     using gpu::Access;
@@ -176,6 +176,7 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
     // Layer 0 is the frame, the others are the slots of the tree.
     images_ = Texture(device, {width_, height_, static_cast<std::uint32_t>(slot_count_) + 1, 1,
                                VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
+    drawn_ = Texture(device, {width_, height_, 2, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
     picture_ = Texture(device, {width_, height_, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
     upload(passes, gobos);
 }
@@ -258,19 +259,9 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
 }
 
 void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights) {
-    const auto target = static_cast<std::uint32_t>(sum.target + 1);
-    std::size_t added = 0;
-    for (bool first = true; first || added < sum.addends.size(); first = false) {
-        shared::SumPush push{};
-        push.target = target;
-        push.accumulate = first ? 0u : 1u;
-        push.add_base = first && sum.target < 0 ? 1u : 0u;
-        for (; added < sum.addends.size() && push.addend_count < shared::kMaxAddends; ++added)
-            push.addend[push.addend_count++] = static_cast<std::uint32_t>(sum.addends[added] + 1);
-        commands_.begin_span("add");
-        commands_.dispatch(sum_, push, {gpu::sampled(base_), gpu::stored(images_)},
-                           groups(width_, shared::kTileWidth), groups(height_, shared::kTileHeight));
-        commands_.barrier();
+    if (!sum.lights.empty()) {
+        commands_.begin_span("clear");
+        commands_.clear(drawn_);
     }
     // Lights with the same number of gobo wheels share a shader that has just these.
     for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels) {
@@ -280,16 +271,29 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
             if (light.wheel_count != wheels) continue;
             chunk.push_back(light);
             if (chunk.size() == shared::kLightsPerChunk) {
-                draw_lights(chunk, wheels, target);
+                draw_lights(chunk, wheels);
                 chunk.clear();
             }
         }
-        if (!chunk.empty()) draw_lights(chunk, wheels, target);
+        if (!chunk.empty()) draw_lights(chunk, wheels);
+    }
+    std::size_t added = 0;
+    for (bool first = true; first || added < sum.addends.size(); first = false) {
+        shared::SumPush push{};
+        push.target = static_cast<std::uint32_t>(sum.target + 1);
+        push.accumulate = first ? 0u : 1u;
+        push.add_base = first && sum.target < 0 ? 1u : 0u;
+        push.add_drawn = first && !sum.lights.empty() ? 1u : 0u;
+        for (; added < sum.addends.size() && push.addend_count < shared::kMaxAddends; ++added)
+            push.addend[push.addend_count++] = static_cast<std::uint32_t>(sum.addends[added] + 1);
+        commands_.begin_span("add");
+        commands_.dispatch(sum_, push, {gpu::sampled(base_), gpu::sampled(drawn_), gpu::stored(images_)},
+                           groups(width_, shared::kTileWidth), groups(height_, shared::kTileHeight));
+        commands_.barrier();
     }
 }
 
-void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels,
-                            std::uint32_t target) {
+void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels) {
     const std::uint64_t offset = lights_used_;
     const std::uint64_t bytes = lights.size() * sizeof(shared::Light);
     CHECK(offset + kChunkBytes <= lights_.bytes());
@@ -310,12 +314,13 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
     const std::uint32_t march_steps =
         settings_.beams == Beams::march ? static_cast<std::uint32_t>(std::max(settings_.march_steps, 1)) : 0u;
     const std::vector<gpu::Binding> air{
-        gpu::sampled(gobos_), gpu::uniform(view_),      gpu::uniform(lights_, offset), gpu::storage(masks_),
-        gpu::storage(lists_), gpu::sampled(fragments_), gpu::stored(images_)};
+        gpu::sampled(gobos_), gpu::uniform(view_),  gpu::uniform(lights_, offset),
+        gpu::storage(masks_), gpu::storage(lists_), gpu::sampled(fragments_),
+        gpu::stored(drawn_)};
     std::vector<gpu::Binding> surfaces = air;
     surfaces.push_back(gpu::sampled(passes_));
     surfaces.push_back(gpu::sampled(extras_));
-    shared::RelightPush push{target, count, 0, tiles_x_, tiles_y_, march_steps};
+    shared::RelightPush push{count, 0, tiles_x_, tiles_y_, march_steps};
     if (settings_.air) commands_.begin_span("haze");
     for (push.batch = 0; settings_.air && push.batch < batches; ++push.batch) {
         commands_.dispatch_indirect(*haze_[wheels], push, air, groups_,
@@ -376,7 +381,7 @@ std::uint64_t Relighter::memory_bytes() const {
          {&view_, &lights_, &tile_bounds_, &masks_, &lists_, &groups_, &exposure_, &pixels_})
         sum += buffer->bytes();
     for (const gpu::Texture* texture :
-         {&gobos_, &passes_, &fragments_, &extras_, &base_, &images_, &picture_})
+         {&gobos_, &passes_, &fragments_, &extras_, &base_, &images_, &drawn_, &picture_})
         sum += texture->bytes();
     return sum;
 }

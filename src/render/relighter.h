@@ -68,7 +68,7 @@ public:
 private:
     void upload(const scene::Passes& passes, const shared::Gobos& gobos);
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
-    void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels, std::uint32_t target);
+    void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels);
     void develop();
 
     const gpu::Device& device_;
@@ -89,7 +89,7 @@ private:
     std::array<std::unique_ptr<gpu::Program>, kClasses> surface_, haze_;
     mutable gpu::Commands commands_;
     gpu::Buffer view_, lights_, tile_bounds_, masks_, lists_, groups_, exposure_, pixels_;
-    gpu::Texture gobos_, passes_, fragments_, extras_, base_, images_, picture_;
+    gpu::Texture gobos_, passes_, fragments_, extras_, base_, images_, drawn_, picture_;
 };
 
 // Images that fit into a memory budget, at most what a full tree needs.
