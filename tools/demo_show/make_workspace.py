@@ -89,7 +89,8 @@ def pulses(t, count, name, fixtures, channel, high, low, beat_s=BEAT):
 
 
 def fan(y, z, width):
-    return {f: (x, y, z) for f, x in zip((0, 1, 2), (-width, 0.0, width))}
+    """Three beams from the back truss; the middle one stays low, under the eyes of the house."""
+    return {0: (-width, y, z), 1: (0.0, y, min(z, 0.5)), 2: (width, y, z)}
 
 
 # -- bars 0-3: dark; one slow spot finds the singer, its iris opens
@@ -107,23 +108,23 @@ set_at(6.0, 'Iris opens', {4: {IRIS: 190}}, 2.0)
 # -- bars 4-7: night. Blue washes on the cyclorama, leaves turning on the floor
 colour(7.0, 'deep blue', WASHES)
 light(8.0, 24.0, 'Night', WASHES, 0.75, 3.0, 1.0)
-light(8.0, 16.0, 'Singer stays', [4], 0.7, 0.5, 1.5)
-set_at(9.0, 'Leaves', each((0, 2, 3), {GOBO: FIXED['leaves'], ROTATING: ROTATE['foliage'], ZOOM: 200, EDGE: edge_dmx(6),
+light(8.0, 15.3, 'Singer stays', [4], 0.7, 0.5, 0.5)
+set_at(9.0, 'Leaves', each((0, 2, 3), {GOBO: FIXED['leaves'], ROTATING: ROTATE['foliage'], ZOOM: 110, EDGE: edge_dmx(6),
                                       **rotation_dmx(-0.05)}))
 colour(9.0, 'cyan', (0, 2, 3))
 look(9.0, 'Leaves on the floor', {0: (-3.0, 4.0, 1.2), 2: (3.0, 4.0, 1.2), 3: (0.0, 4.0, 1.2)})
-light(10.0, 16.0, 'Leaves', (0, 2, 3), 0.9, 2.0, 0.6)
-move(12.0, 4.0, 'Leaves drift', {0: (-1.0, 2.0, 1.2), 2: (1.0, 2.0, 1.2), 3: (-2.0, 6.0, 1.2)})
+light(10.0, 15.3, 'Leaves', (0, 2, 3), 1.0, 2.0, 0.5)
+move(12.0, 3.4, 'Leaves drift', {0: (-1.0, 2.0, 1.2), 2: (1.0, 2.0, 1.2), 3: (-2.0, 6.0, 1.2)})
 
 # -- bars 8-11: magenta groove. Fans out of the back truss, washes answer on the beat
-colour(16.0, 'magenta', SPOTS, 0.1)
-set_at(16.0, 'Open beams', each(SPOTS, {GOBO: 0, ROTATING: 0, ZOOM: 10, IRIS: 255, EDGE: edge_dmx(10), **rotation_dmx(0)}))
-look(16.0, 'Fan closed', {**fan(-3.0, 2.0, 0.8), 3: GUITAR, 4: BASS})
+colour(15.9, 'magenta', SPOTS)
+set_at(15.9, 'Open beams', each(SPOTS, {GOBO: 0, ROTATING: 0, ZOOM: 10, IRIS: 255, EDGE: edge_dmx(10), **rotation_dmx(0)}))
+look(15.9, 'Fan closed', {**fan(-3.0, 0.5, 0.8), 3: GUITAR, 4: BASS})
 light(16.0, 24.0, 'Fan', (0, 1, 2), 1.0, 0.2, 0.3)
 light(16.0, 24.0, 'Two players', (3, 4), 0.6, 1.0, 0.5)
 move(16.5, 3.0, 'Fan out', fan(-6.0, 3.5, 9.0))
 move(20.0, 1.5, 'Fan down', fan(0.5, 1.2, 3.0))
-move(21.8, 2.0, 'Fan crosses', {0: (7.0, -5.0, 3.0), 1: (0.0, -6.0, 5.0), 2: (-7.0, -5.0, 3.0)})
+move(21.8, 2.0, 'Fan crosses', {0: (7.0, -5.0, 1.0), 1: (0.0, -4.0, 0.5), 2: (-7.0, -5.0, 1.0)})
 beat = [w.scene('Blue third', {**each((5, 7), dict(zip((CYAN, YELLOW, MAGENTA), COLOURS['magenta']))),
                                **each((6, 8, 9), dict(zip((CYAN, YELLOW, MAGENTA), COLOURS['blue'])))}),
         w.scene('Magenta third', {**each((5, 7), dict(zip((CYAN, YELLOW, MAGENTA), COLOURS['blue']))),
@@ -156,7 +157,7 @@ move(33.0, 3.0, 'Columns lean out', {0: (-5.5, 1.0, 1.2), 1: (0.0, 1.5, 1.2), 2:
 set_at(36.0, 'Both wheels', {f: {GOBO: FIXED[('tribal', 'rays', 'tribal', 'pebbles', 'pebbles')[f]],
                                 **rotation_dmx((-0.4, 0.4, -0.4, 0.3, -0.3)[f])} for f in SPOTS})
 colour(36.0, 'lavender', (0, 2), 0.5)
-move(36.5, 3.0, 'Columns to the house', {0: (-3.0, -4.0, 2.5), 1: (0.0, -5.0, 3.5), 2: (3.0, -4.0, 2.5), 3: (-4.0, 7.0, 1.2),
+move(36.5, 3.0, 'Columns to the house', {0: (-3.0, -4.0, 2.5), 1: (0.0, -5.0, 2.5), 2: (3.0, -4.0, 2.5), 3: (-4.0, 7.0, 1.2),
                                         4: (4.0, 7.0, 1.2)})
 
 # -- bars 20-23: build. Split colours, narrow beams one after the other, strobe hit, then nothing
@@ -164,13 +165,14 @@ set_at(40.0, 'Build beams', {f: {GOBO: 0, ROTATING: 0, ZOOM: 0, IRIS: 150, EDGE:
                                 **rotation_dmx(0)} for f in SPOTS})
 colour(40.0, 'white', SPOTS)
 colour(40.0, 'red', WASHES, 0.2)
-look(40.0, 'Build aims', {0: (-2.0, -5, 2), 1: (0, -5, 4), 2: (2, -5, 2), 3: (-5.0, 8, 2), 4: (5.0, 8, 2)})
+look(40.0, 'Build aims', {0: (-2.0, -5, 0.5), 1: (0, -5, 0.5), 2: (2, -5, 0.5), 3: (-5.0, 8, 2), 4: (5.0, 8, 2)})
 ones = [w.scene('One %d' % (f + 1), {f: {DIM: 255}}, 0.0, 0.15) for f in (0, 1, 2, 4, 3)]
 w.place('Intensity', w.chaser('Round', ones, 0.0, 0.25, 0.15), 40.0, 2.5)
 w.place('Intensity', w.chaser('Round, faster', ones, 0.0, 0.12, 0.1), 42.5, 1.5)
 light(40.0, 44.0, 'Red rises', WASHES, 0.7, 4.0, 0.0)
 set_at(42.0, 'Split yellow and light blue', each(SPOTS, {COLOR: WHEEL['yellow'] + 9}))
-set_at(43.9, 'Strobe on', {**each(SPOTS, {SPOT_STROBE: 200, IRIS: 255, ZOOM: 150, COLOR: 0}), **each(WASHES, {WASH_STROBE: 220})})
+set_at(43.9, 'Strobe on', {**each(SPOTS, {SPOT_STROBE: 200, IRIS: 255, ZOOM: 60, COLOR: 0}), **each(WASHES, {WASH_STROBE: 220})})
+look(43.9, 'Strobe aims', {0: (-5.0, 1.5, 1.2), 1: (0.0, 0.5, 1.2), 2: (5.0, 1.5, 1.2), 3: (-3.0, 9.4, 4.0), 4: (3.0, 9.4, 4.0)})
 colour(43.9, 'white', range(10))
 light(44.0, 46.0, 'Strobe hit', range(10), 1.0, 0.0, 0.0)
 set_at(46.4, 'Strobe off', {**each(SPOTS, {SPOT_STROBE: 0}), **each(WASHES, {WASH_STROBE: 0})})
@@ -215,7 +217,7 @@ set_at(68.0, 'Rise beams', {**each(SPOTS, {IRIS: 255, ZOOM: 20, GOBO: 0, ROTATIN
 look(68.0, 'On the floor', {0: (-5.2, 6.0, 1.2), 1: (0.0, 6.0, 1.2), 2: (5.2, 6.0, 1.2), 3: (-4.6, 2.0, 1.2), 4: (4.6, 2.0, 1.2)})
 light(68.0, 76.0, 'Rise', SPOTS, 0.9, 0.4, 0.0)
 light(68.0, 76.0, 'Rise, washes', WASHES, 0.6, 6.0, 0.0)
-move(68.6, 6.6, 'Rise', {0: (-8.0, -6.0, 5.0), 1: (0.0, -8.0, 6.0), 2: (8.0, -6.0, 5.0), 3: (-5.5, 9.4, 5.0), 4: (5.5, 9.4, 5.0)})
+move(68.6, 6.6, 'Rise', {0: (-9.0, -6.0, 4.0), 1: (0.0, -7.0, 0.5), 2: (9.0, -6.0, 4.0), 3: (-5.5, 9.4, 5.0), 4: (5.5, 9.4, 5.0)})
 for t, name in ((70.0, 'pink'), (72.0, 'magenta'), (73.0, 'amber'), (74.0, 'red'), (74.5, 'orange'), (75.0, 'yellow')):
     set_at(t, 'Split ' + name, each(SPOTS, {COLOR: WHEEL[name] + 9}))
 flash = [w.scene('Flash', each(WASHES, {DIM: 255}), 0.0, 0.1), w.scene('No flash', each(WASHES, {DIM: 0}))]
@@ -224,7 +226,7 @@ for t, beat_s, until in ((70.0, 0.5, 72.0), (72.0, 0.25, 74.0), (74.0, 0.12, 76.
 
 # -- bars 38-44: finale
 colour(76.0, 'warm', WASHES)
-set_at(76.0, 'Finale beams', {f: {COLOR: WHEEL[('magenta', 'open', 'magenta', 'amber', 'amber')[f]], ZOOM: 60, IRIS: 255,
+set_at(76.0, 'Finale beams', {f: {COLOR: WHEEL[('pink', 'open', 'pink', 'amber', 'amber')[f]], ZOOM: 60, IRIS: 255,
                                  ROTATING: ROTATE[('rings', 'vortex', 'rings', 'open', 'open')[f]], EDGE: edge_dmx(10),
                                  **rotation_dmx((0.6, -0.6, 0.6, 0.0, 0.0)[f])} for f in SPOTS})
 light(76.0, 90.0, 'Finale', range(10), 1.0, 0.0, 0.0)
@@ -232,12 +234,12 @@ w.place('Position', w.efx('Finale, back', [(0, 0), (1, 180), (2, 0)], 'Eight', 4
 w.place('Position', w.efx('Finale, front', [(3, 0), (4, 180)], 'Circle', 4.0, (127, 26), (156, 30)), 76.0, 8.0)
 for t, name in ((78.0, 'magenta'), (80.0, 'amber'), (82.0, 'cyan'), (84.0, 'rose'), (86.0, 'amber'), (88.0, 'warm')):
     colour(t, name, WASHES, 0.15)
-set_at(80.0, 'Finale, both wheels', each((0, 1, 2), {GOBO: FIXED['rays'], **rotation_dmx(-0.7)}))
+set_at(80.0, 'Finale, both wheels', each((0, 1, 2), {GOBO: FIXED['rays'], ROTATING: ROTATE['vortex'], ZOOM: 30, **rotation_dmx(-0.7)}))
 set_at(84.0, 'Finale, open', each((0, 1, 2), {GOBO: 0, ROTATING: 0, COLOR: 0, ZOOM: 0}))
 angles.update({f: (0.0, -50.0) for f in (0, 1, 2)})
 angles.update({f: (0.0, 40.0) for f in (3, 4)})
-look(84.2, 'Great fan', {**fan(-5.0, 4.5, 10.0), 3: GUITAR, 4: BASS})
-move(85.0, 3.0, 'Great fan closes', {**fan(-3.0, 2.5, 0.5), 3: SINGER, 4: SINGER})
+look(84.2, 'Great fan', {**fan(-5.0, 4.0, 11.0), 3: GUITAR, 4: BASS})
+move(85.0, 3.0, 'Great fan closes', {**fan(-3.0, 0.5, 0.5), 3: SINGER, 4: SINGER})
 set_at(88.0, 'Accent', {**each(SPOTS, {SPOT_STROBE: 240}), **each(WASHES, {WASH_STROBE: 240})})
 set_at(89.0, 'Accent over', {**each(SPOTS, {SPOT_STROBE: 0, IRIS: 255, ZOOM: 80}), **each(WASHES, {WASH_STROBE: 0})})
 colour(89.0, 'warm', range(10))
