@@ -37,7 +37,10 @@ Recorder::Recorder(Recorder&& other) noexcept
       written_(std::move(other.written_)), last_(other.last_), frames_(other.frames_), bytes_(other.bytes_) {}
 
 Recorder::~Recorder() {
-    if (file_) std::fclose(file_);
+    if (!file_) return;
+    std::fclose(file_);
+    std::error_code ignored;
+    if (frames_ == 0) std::filesystem::remove(part_of(path_), ignored);
 }
 
 Result<void> Recorder::append(const std::string& line) {

@@ -45,7 +45,7 @@ public:
     static Result<Recorder> create(const std::filesystem::path& path);
     Recorder(Recorder&& other) noexcept;
     Recorder& operator=(Recorder&&) = delete;
-    ~Recorder(); // without finish(): closes and leaves the .part file
+    ~Recorder(); // without finish(): closes and leaves the .part file, unless it has no frame
 
     // Appends the universes whose levels changed. Time may start anywhere and must not go back.
     Result<void> feed(const Universes& universes, std::chrono::nanoseconds now);

@@ -197,6 +197,12 @@ TEST(Recorder, a_killed_one_leaves_a_readable_part_file_and_the_old_recording) {
     EXPECT_TRUE(fs::exists(path.string() + ".part"));
 }
 
+TEST(Recorder, one_that_saw_nothing_leaves_nothing) {
+    const Folder folder;
+    { ASSERT_TRUE(Recorder::create(folder.path / "a.show").ok()); }
+    EXPECT_TRUE(fs::is_empty(folder.path));
+}
+
 TEST(Recorder, errors_name_the_file) {
     const auto missing = Recorder::create("/nonexistent/folder/a.show");
     ASSERT_FALSE(missing.ok());
