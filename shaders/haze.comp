@@ -15,7 +15,7 @@ layout(binding = 2, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; 
 layout(binding = 3, scalar) readonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 5) uniform sampler2DArray fragments; // position, coverage; extra fragments in the rows below the picture
-layout(binding = 6, rgba32f) uniform image2DArray drawn;
+layout(binding = 6, rgba16f) uniform image2DArray drawn;
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
@@ -78,5 +78,5 @@ void main() {
             }
         }
     }
-    if (inside) imageStore(drawn, ivec3(at, 1), imageLoad(drawn, ivec3(at, 1)) + vec4(sum, 0.0));
+    if (inside) imageStore(drawn, ivec3(at, 1), min(imageLoad(drawn, ivec3(at, 1)) + vec4(sum, 0.0), vec4(kMostLight)));
 }

@@ -6,25 +6,25 @@
 #include "shared/push.h"
 
 layout(local_size_x = 16, local_size_y = 8) in;
-layout(binding = 0) uniform sampler2DArray base;  // the picture without lights
-layout(binding = 1) uniform sampler2DArray drawn; // lights drawn just now: layer 0 surfaces, layer 1 haze
-layout(binding = 2, rgba32f) uniform image2DArray images;
+layout(binding = 0, rgba32f) readonly uniform image2DArray base;  // the picture without lights
+layout(binding = 1, rgba16f) readonly uniform image2DArray drawn; // lights drawn just now: layer 0 surfaces, layer 1 haze
+layout(binding = 2, rgba16f) uniform image2DArray images;
 layout(push_constant, scalar) uniform Push { SumPush p; };
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
-    ivec2 last = textureSize(base, 0).xy - 1;
+    ivec2 last = imageSize(base).xy - 1;
     if (any(greaterThan(at, last))) return;
-    vec4 sum = p.add_base != 0u ? texelFetch(base, ivec3(at, 0), 0) : vec4(0.0);
+    vec4 sum = p.add_base != 0u ? imageLoad(base, ivec3(at, 0)) : vec4(0.0);
     for (uint once = p.add_drawn != 0u ? 0u : 1u; once < 1u; ++once) {
-        sum += texelFetch(drawn, ivec3(at, 0), 0);
+        sum += imageLoad(drawn, ivec3(at, 0));
         // Haze was sampled at the corners of the pixels, every corner of a 2x2 block at its own offset along the ray (interleaved
         // sampling, Keller & Heidrich 2001): the mean of the four corners has all offsets, everywhere, so no noise is left.
         ivec2 next = min(at + 1, last);
-        sum += 0.25 * (texelFetch(drawn, ivec3(at, 1), 0) + texelFetch(drawn, ivec3(next.x, at.y, 1), 0) +
-                       texelFetch(drawn, ivec3(at.x, next.y, 1), 0) + texelFetch(drawn, ivec3(next, 1), 0));
+        sum += 0.25 * (imageLoad(drawn, ivec3(at, 1)) + imageLoad(drawn, ivec3(next.x, at.y, 1)) +
+                       imageLoad(drawn, ivec3(at.x, next.y, 1)) + imageLoad(drawn, ivec3(next, 1)));
     }
     for (uint k = p.accumulate != 0u ? 0u : 1u; k < p.addend_count + 1u; ++k)
         sum += imageLoad(images, ivec3(at, k == 0u ? p.target : p.addend[k - 1u]));
-    imageStore(images, ivec3(at, p.target), sum);
+    imageStore(images, ivec3(at, p.target), min(sum, vec4(kMostLight)));
 }

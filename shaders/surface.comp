@@ -14,7 +14,7 @@ layout(binding = 2, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; 
 layout(binding = 3, scalar) readonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 5) uniform sampler2DArray fragments; // position, coverage; extra fragments in the rows below the picture
-layout(binding = 6, rgba32f) uniform image2DArray drawn;
+layout(binding = 6, rgba16f) uniform image2DArray drawn;
 layout(binding = 7) uniform sampler2DArray passes;  // radiance of every fragment, one layer a pass
 layout(binding = 8) uniform usampler2DArray extras; // of a pixel: index of its first extra fragment * 4 + their number
 layout(push_constant, scalar) uniform Push { RelightPush p; };
@@ -60,5 +60,5 @@ void main() {
         float seen = haze_transmittance(haze, length(fragment.xyz - view.eye_m)) / kPassScale;
         sum += light_sum * (fragment.w >= 0.0 ? seen : 0.0);
     }
-    if (inside) imageStore(drawn, ivec3(at, 0), imageLoad(drawn, ivec3(at, 0)) + vec4(sum, 0.0));
+    if (inside) imageStore(drawn, ivec3(at, 0), min(imageLoad(drawn, ivec3(at, 0)) + vec4(sum, 0.0), vec4(kMostLight)));
 }

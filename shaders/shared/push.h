@@ -17,6 +17,9 @@ SHARED_CONST uint kLightsPerChunk = 256u;
 // can see that it is (measured: 20 of 50 ms went into loading the light again for every lane).
 SHARED_CONST uint kMaskWords = 8u; // a tile: a bit a light
 
+// All pictures of light are half floats: 0.05 % steps, and a lens at close range is clipped here, in cd/m^2.
+SHARED_CONST float kMostLight = 65000.0f;
+
 // See kRadianceScale in scene/passes.h.
 SHARED_CONST float kPassScale = 1024.0f;
 

@@ -9,7 +9,7 @@
 
 namespace ghost::render {
 
-LightTree::LightTree(int light_count, int slot_count) : light_count_(light_count) {
+LightTree::LightTree(int light_count, int slot_count) : light_count_(light_count), slot_count_(slot_count) {
     CHECK(light_count >= 0 && slot_count >= 0);
     const auto leaves = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(light_count, 1))));
     leaf_base_ = leaves - 1;
@@ -115,8 +115,30 @@ Plan LightTree::plan(std::span<const int> changed) {
             if (node == 0) break;
         }
     }
+    std::vector<int> sorted(changed.begin(), changed.end());
+    std::sort(sorted.begin(), sorted.end());
+    const bool same_again = sorted == last_changed_;
+    last_changed_ = sorted;
+
     ImageSum frame;
-    if (light_count_ > 0) visit(0, dirty, plan, frame);
+    if (same_again && rest_valid_) {
+        frame.lights = std::move(sorted);
+        frame.addends = {rest_slot()};
+    } else {
+        if (light_count_ > 0) visit(0, dirty, plan, frame);
+        frame.base = true;
+        // A pattern that repeats will go on: keep what rests as one image, unless there was no room for some
+        // of it.
+        rest_valid_ = same_again && frame.lights.size() == sorted.size() && frame.addends.size() > 1;
+        if (rest_valid_) {
+            ImageSum rest;
+            rest.target = rest_slot();
+            rest.base = true;
+            rest.addends = std::exchange(frame.addends, {rest_slot()});
+            frame.base = false;
+            plan.sums.push_back(std::move(rest));
+        }
+    }
     plan.sums.push_back(std::move(frame));
     frame_valid_ = true;
 
@@ -132,6 +154,7 @@ void LightTree::invalidate_all() {
     for (Node& node : nodes_)
         if (node.slot >= 0) free_slots_.push_back(std::exchange(node.slot, -1));
     frame_valid_ = false;
+    rest_valid_ = false;
 }
 
 } // namespace ghost::render

@@ -20,8 +20,8 @@
 namespace ghost::render {
 namespace {
 
-constexpr std::uint64_t kImageBytesPerPixel = 16; // four floats
-constexpr std::uint64_t kChunkAlign = 256;        // offset of a uniform buffer, at most, on every device
+constexpr std::uint64_t kImageBytesPerPixel = 8; // four half floats
+constexpr std::uint64_t kChunkAlign = 256;       // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
 constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
@@ -131,7 +131,7 @@ int image_slots(std::uint64_t memory_bytes, int width, int height, int light_cou
         static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * kImageBytesPerPixel;
     const auto full_tree = static_cast<std::uint64_t>(std::max(2 * light_count - 1, 1));
     return static_cast<int>(
-        std::min({memory_bytes / std::max<std::uint64_t>(image, 1), full_tree, kMaxLayers - 1}));
+        std::min({memory_bytes / std::max<std::uint64_t>(image, 1), full_tree, kMaxLayers - 2}));
 }
 
 Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
@@ -143,7 +143,7 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
       slot_count_(image_slots(settings.image_memory_bytes, passes.width, passes.height, light_count)),
       tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),
-      sum_(device, shaders::kShader_sum, {kSampled, kSampled, kStored}),
+      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored}),
       meter_(device, shaders::kShader_meter, {kSampled, kStorage}),
       develop_(device, shaders::kShader_develop, {kSampled, kUniform, kStored}), commands_(device) {
     using gpu::Access;
@@ -173,10 +173,10 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
     groups_ = Buffer(device, batches * sizeof(shared::TileGroups), Access::device);
     exposure_ = Buffer(device, sizeof(glm::vec4), Access::readback);
     pixels_ = Buffer(device, passes.pixel_count() * 4, Access::readback);
-    // Layer 0 is the frame, the others are the slots of the tree.
-    images_ = Texture(device, {width_, height_, static_cast<std::uint32_t>(slot_count_) + 1, 1,
-                               VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
-    drawn_ = Texture(device, {width_, height_, 2, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
+    // Layer 0 is the frame, the others are the slots of the tree and its image of all that rests.
+    images_ = Texture(device, {width_, height_, static_cast<std::uint32_t>(slot_count_) + 2, 1,
+                               VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    drawn_ = Texture(device, {width_, height_, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     picture_ = Texture(device, {width_, height_, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
     upload(passes, gobos);
 }
@@ -194,7 +194,7 @@ void Relighter::upload(const scene::Passes& passes, const shared::Gobos& gobos) 
     tile_bounds_ = Buffer(device_, bounds.size() * sizeof(glm::vec4), Access::device);
     tile_bounds_.write(bounds);
     const std::vector<glm::vec4> base = base_image(passes, settings_.ambient_lux, settings_.haze);
-    base_ = Texture(device_, {width_, height_, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT});
+    base_ = Texture(device_, {width_, height_, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
     base_.write(0, base.data(), base.size() * sizeof(glm::vec4));
     const std::vector<std::uint32_t> extras = packed_extras(passes);
     extras_ = Texture(device_, {width_, height_, 1, 1, VK_FORMAT_R32_UINT});
@@ -282,12 +282,12 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         shared::SumPush push{};
         push.target = static_cast<std::uint32_t>(sum.target + 1);
         push.accumulate = first ? 0u : 1u;
-        push.add_base = first && sum.target < 0 ? 1u : 0u;
+        push.add_base = first && sum.base ? 1u : 0u;
         push.add_drawn = first && !sum.lights.empty() ? 1u : 0u;
         for (; added < sum.addends.size() && push.addend_count < shared::kMaxAddends; ++added)
             push.addend[push.addend_count++] = static_cast<std::uint32_t>(sum.addends[added] + 1);
         commands_.begin_span("add");
-        commands_.dispatch(sum_, push, {gpu::sampled(base_), gpu::sampled(drawn_), gpu::stored(images_)},
+        commands_.dispatch(sum_, push, {gpu::stored(base_), gpu::stored(drawn_), gpu::stored(images_)},
                            groups(width_, shared::kTileWidth), groups(height_, shared::kTileHeight));
         commands_.barrier();
     }
