@@ -1,5 +1,89 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/bench.h"
 #include "app/commands.h"
+
+#include "base/log.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
 namespace ghost::app {
-void add_bench(CLI::App& app, int& exit_code) { (void)app; (void)exit_code; }
+namespace {
+
+struct Table {
+    const char* name;
+    const char* title;
+    Result<void> (*run)(const BenchOptions&, const BenchSink&);
+};
+
+constexpr Table kTables[] = {
+    {"samples", "Cost of a sample (Screen Space Re-Rendering, table 1)", bench_samples},
+    {"paper", "The paper's scene: five spots with two gobos, five washes", bench_paper},
+    {"tree", "One light of n changes", bench_tree},
+    {"triangles", "Triangles do not matter", bench_triangles},
+    {"bake", "Baking", bench_bake},
+    {"start", "Start-up", bench_start},
+};
+
+struct BenchArguments {
+    BenchOptions options;
+    std::string table;
+    bool json = false;
+};
+
+void print_row(const BenchRow& row, bool json) {
+    if (json) {
+        nlohmann::ordered_json line{{"table", row.table}, {"name", row.name}};
+        for (const auto& [name, value] : row.figures) line[name] = value;
+        line["note"] = row.note;
+        std::printf("%s\n", line.dump().c_str());
+    } else {
+        std::printf("%-28s", row.name.c_str());
+        for (const auto& [name, value] : row.figures) std::printf("  %s %.4g", name.c_str(), value);
+        std::printf("  (%s)\n", row.note.c_str());
+    }
+    std::fflush(stdout);
 }
+
+int run_bench(const BenchArguments& arguments) {
+    set_log_level(LogLevel::warning);
+    int exit_code = 0;
+    for (const Table& table : kTables) {
+        if (!arguments.table.empty() && arguments.table != table.name) continue;
+        if (!arguments.json) std::printf("\n%s: %s\n", table.name, table.title);
+        const Result<void> done =
+            table.run(arguments.options, [&](const BenchRow& row) { print_row(row, arguments.json); });
+        if (done.ok()) continue;
+        log_error(std::string(table.name) + ": " + done.error().text());
+        exit_code = 1;
+    }
+    return exit_code;
+}
+
+} // namespace
+
+void add_bench(CLI::App& app, int& exit_code) {
+    CLI::App* command = app.add_subcommand("bench", "measure the published tables (docs/performance.md)");
+    const auto a = std::make_shared<BenchArguments>();
+    std::vector<std::string> names;
+    for (const Table& table : kTables) names.emplace_back(table.name);
+    command->add_option("NAME", a->table, "only this table")->check(CLI::IsMember(names));
+    command->add_option("--show", a->options.show, "show of the tables paper, bake and start")
+        ->capture_default_str();
+    command->add_option("--frames", a->options.frames, "frames measured per row")
+        ->check(CLI::Range(5, 10000))
+        ->capture_default_str();
+    command->add_option("--device", a->options.device, "Vulkan device: part of its name, or its number")
+        ->type_name("NAME");
+    command->add_flag("--json", a->json, "one line of JSON per row");
+    command->footer("Example: ghostlight bench paper --json");
+    command->callback([a, &exit_code] {
+        std::error_code code;
+        a->options.program = std::filesystem::read_symlink("/proc/self/exe", code).string();
+        exit_code = run_bench(*a);
+    });
+}
+
+} // namespace ghost::app

@@ -1,0 +1,54 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// The published tables, measured. Each function fills one table; rows are printed as they come. Main thread;
+// a table may take a minute on a machine without a GPU.
+
+#include "app/session.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ghost::app {
+
+// Named figures of one line, in order. Numbers are printed with 4 significant digits.
+struct BenchRow {
+    std::string table;
+    std::string name;
+    std::vector<std::pair<std::string, double>> figures; // name with unit, value
+    std::string note;
+};
+
+struct BenchOptions {
+    std::string show = "assets/demo";
+    std::string device;
+    int frames = 40;     // measured, after a few that are not
+    std::string program; // our own file, for the start-up table
+};
+
+using BenchSink = std::function<void(const BenchRow&)>;
+
+// Table 1 of Screen Space Re-Rendering: cost of a sample of a simple and of a gobo light.
+Result<void> bench_samples(const BenchOptions& options, const BenchSink& sink);
+// The scene of the paper: 1024x300, five spots with two gobos and five washes, DMX to image.
+Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink);
+// 1 to 512 lights, one changing.
+Result<void> bench_tree(const BenchOptions& options, const BenchSink& sink);
+// 10 thousand to a million triangles at one picture size.
+Result<void> bench_triangles(const BenchOptions& options, const BenchSink& sink);
+// Baking the first camera of the show.
+Result<void> bench_bake(const BenchOptions& options, const BenchSink& sink);
+// From nothing to the first picture, and the memory it takes.
+Result<void> bench_start(const BenchOptions& options, const BenchSink& sink);
+
+// Shared by the tables.
+double median(std::vector<double> values);
+// A picture of a floor and a wall, without baking: every pass is an even grey.
+scene::Passes bench_passes(int width, int height, int light_count);
+// A light over that stage; seconds moves it. wheels: 0 a wash, 2 a spot with two gobos.
+shared::Light bench_light(int index, std::uint32_t wheels, double seconds);
+shared::Gobos bench_gobos();
+render::Settings bench_settings();
+
+} // namespace ghost::app
