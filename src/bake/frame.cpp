@@ -17,7 +17,7 @@ namespace ghost::bake {
 namespace {
 
 // Directions to the sky per camera sample.
-constexpr int kSkyRays = 2;
+constexpr int kSkyRays = 4;
 // Bounced light takes highlights no sharper than this, or a few samples would sparkle.
 constexpr float kBounceAlpha = 0.25f;
 

@@ -68,7 +68,7 @@ TEST(ShowBake, SameBytesWhateverTheThreads) {
     options.bounces = 1;
     options.threads = 1;
     bake_or_fail(small_show(one.path, 2), options);
-    options.threads = 4;
+    options.threads = 2;
     bake_or_fail(small_show(many.path, 2), options);
     EXPECT_TRUE(contents(one.path) == contents(many.path));
 }
