@@ -113,7 +113,8 @@ Plane disc_blurred(const Plane& plane, int radius) {
                 sum += plane.at(sx, sy);
                 count += 1;
             }
-            result.at(x, y) = count > 0 ? sum / count : vec3(0.0f);
+            // Too far outside for any: the picture goes on as at the rim.
+            result.at(x, y) = count > 0 ? sum / count : plane.at(x, y);
         }
     return result;
 }

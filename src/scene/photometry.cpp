@@ -36,7 +36,8 @@ Profile make_profile(float beam_angle_deg, float field_angle_deg, bool hard_edge
         // Where the profile has fallen to 0.4 %.
         const float end = std::pow(8.0f / profile.scale, 0.5f / profile.power);
         profile.cut_radius = std::clamp(end, 1.05f, 2.5f);
-        profile.edge = 0.1f * profile.cut_radius;
+        // The fade to zero begins where the field ends, so that 10 % stays 10 %.
+        profile.edge = 0.5f * (profile.cut_radius - 1.0f);
         profile.aperture = profile.cut_radius - profile.edge;
     }
     return profile;
