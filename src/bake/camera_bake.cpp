@@ -182,10 +182,10 @@ Result<void> CameraBake::trace_batch(const Tracer& tracer, bool surroundings,
         written_.lights.clear();
         extra_first_ = table.extra_first;
     } else if (table.extra_first != *extra_first_) {
-        return Error{
-            "the pictures there were traced on another kind of processor and do not fit; delete the folder "
-            "and bake again",
-            folder_.string()};
+        // Another kind of processor traced the others: its rounding may hit other triangles. All anew, then.
+        extra_first_.reset();
+        done_.assign(done_.size(), false);
+        return {};
     }
     for (std::size_t k = 0; k < batch.size(); ++k) {
         const scene::ManifestLight& light = wanted_.lights[batch[k]];
@@ -230,7 +230,7 @@ Result<void> CameraBake::run(const Tracer& tracer, const std::function<void(doub
             // The old pictures cannot be used: from scratch then, unless the disk is at fault, which shows
             // again at once.
             stats.patched = patched_before;
-            layout_ = Layout::traced;
+            extra_first_.reset();
             done_.assign(done_.size(), false);
         }
         if (stopped()) return {};
@@ -248,25 +248,21 @@ Result<void> CameraBake::run(const Tracer& tracer, const std::function<void(doub
                 if (done_[k]) written_.lights.push_back(wanted_.lights[k]);
             TRY_VOID(write_manifest());
         }
-        if (!all) {
-            auto table = scene::read_fragments(pictures(), *old_);
-            if (table.ok()) {
-                extra_first_ = std::move(table->extra_first);
-            } else {
-                layout_ = Layout::traced;
-                done_.assign(done_.size(), false);
-            }
+        if (all) {
+            remove_leftovers();
+            return {};
         }
+        if (auto table = scene::read_fragments(pictures(), *old_); table.ok())
+            extra_first_ = std::move(table->extra_first);
+        else
+            done_.assign(done_.size(), false);
     }
-    bool surroundings = layout_ == Layout::traced;
-    for (;;) {
+    while (!extra_first_ || std::count(done_.begin(), done_.end(), false) > 0) {
         std::vector<std::size_t> batch;
         for (std::size_t k = 0; k < done_.size() && batch.size() < kBatch; ++k)
             if (!done_[k]) batch.push_back(k);
-        if (batch.empty() && !surroundings) break;
-        TRY_VOID(trace_batch(tracer, surroundings, batch, on_samples, stats));
+        TRY_VOID(trace_batch(tracer, !extra_first_, batch, on_samples, stats));
         if (stopped()) return {};
-        surroundings = false;
     }
     remove_leftovers();
     return {};

@@ -247,6 +247,27 @@ TEST(ShowBake, DamagedManifestOrFileIsBakedAgain) {
     EXPECT_TRUE(contents(folder.path) == before);
 }
 
+// As if another kind of processor had traced the pictures that are there.
+TEST(ShowBake, FragmentsThatDoNotFitAreTracedAnew) {
+    const TestFolder folder;
+    const scene::Show show = small_show(folder.path, 2);
+    bake_or_fail(show);
+    const auto before = contents(folder.path);
+    const std::filesystem::path passes = scene::passes_folder(show, "front");
+    auto manifest = scene::read_manifest(passes);
+    ASSERT_TRUE(manifest.ok());
+    auto table = scene::read_fragments(passes / manifest->folder, *manifest);
+    ASSERT_TRUE(table.ok());
+    table->extra_first.assign(table->extra_first.size(), 0);
+    table->fragments.resize(table->extra_first.size() - 1);
+    ASSERT_TRUE(scene::write_fragments(passes / manifest->folder, *table).ok());
+    manifest->extra_count = 0;
+    manifest->lights.pop_back();
+    std::ofstream(passes / "manifest.json") << scene::manifest_text(*manifest);
+    EXPECT_EQ(baked(bake_or_fail(show)), (Names{"front/surroundings", "front/Lamp 1", "front/Lamp 2"}));
+    EXPECT_TRUE(contents(folder.path) == before);
+}
+
 TEST(ShowBake, TrackBouncesAndForeignCameras) {
     const TestFolder folder;
     scene::Show show = small_show(folder.path, 1);
