@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tree of summed images without pixels: plans are executed with numbers instead of images.
+#include "render/light_tree.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <random>
+
+namespace ghost::render {
+namespace {
+
+int ceil_log2(int n) {
+    return static_cast<int>(std::bit_width(static_cast<unsigned>(n - 1)));
+}
+
+std::vector<int> all_of(int n) {
+    std::vector<int> lights(static_cast<std::size_t>(n));
+    std::iota(lights.begin(), lights.end(), 0);
+    return lights;
+}
+
+// Does with whole numbers what the relighter does with images. A slot that was never written is poison.
+class Numbers {
+public:
+    Numbers(int light_count, int slot_count)
+        : tree_(light_count, slot_count), light_(static_cast<std::size_t>(light_count)),
+          slot_(static_cast<std::size_t>(slot_count) + 1, kPoison), slot_count_(slot_count) {}
+
+    void change(int light, std::int64_t value) { light_[static_cast<std::size_t>(light)] = value; }
+    void invalidate_all() {
+        tree_.invalidate_all();
+        std::fill(slot_.begin(), slot_.end(), kPoison);
+    }
+
+    Plan draw(const std::vector<int>& changed) {
+        const Plan plan = tree_.plan(changed);
+        int drawn = 0;
+        int additions = 0;
+        for (std::size_t k = 0; k < plan.sums.size(); ++k) {
+            const ImageSum& sum = plan.sums[k];
+            EXPECT_EQ(sum.target < 0, k + 1 == plan.sums.size()) << "the frame comes last, and once";
+            std::int64_t value = sum.base ? kBase : 0;
+            for (const int light : sum.lights) value += light_.at(static_cast<std::size_t>(light));
+            for (const int slot : sum.addends) value += slot_.at(static_cast<std::size_t>(slot));
+            EXPECT_EQ(std::count(sum.addends.begin(), sum.addends.end(), sum.target), 0)
+                << "target is an addend";
+            (sum.target < 0 ? frame_ : slot_.at(static_cast<std::size_t>(sum.target))) = value;
+            if (sum.target >= 0) {
+                EXPECT_LE(sum.target, slot_count_);
+            }
+            drawn += static_cast<int>(sum.lights.size());
+            additions += std::max(static_cast<int>(sum.addends.size()) + (sum.lights.empty() ? 0 : 1) - 1, 0);
+        }
+        EXPECT_EQ(plan.drawn, drawn);
+        EXPECT_EQ(plan.additions, additions);
+        return plan;
+    }
+    std::int64_t frame() const { return frame_; }
+    std::int64_t expected() const { return std::accumulate(light_.begin(), light_.end(), kBase); }
+
+private:
+    static constexpr std::int64_t kPoison = std::int64_t{1} << 50;
+    static constexpr std::int64_t kBase = std::int64_t{1} << 40;
+    LightTree tree_;
+    std::vector<std::int64_t> light_;
+    std::vector<std::int64_t> slot_;
+    std::int64_t frame_ = kPoison;
+    int slot_count_;
+};
+
+TEST(light_tree, OneOfNChangingCostsLogN) {
+    int most = 0;
+    for (int n = 1; n <= 512; ++n) {
+        for (const int changing : {0, n / 3, n / 2, n - 1}) {
+            LightTree tree(n, 2 * n);
+            tree.plan(all_of(n));
+            for (int frame = 0; frame < 5; ++frame) {
+                const Plan plan = tree.plan(std::vector{changing});
+                ASSERT_LE(plan.additions, ceil_log2(n)) << n << " lights, frame " << frame;
+                if (frame > 0) {
+                    ASSERT_EQ(plan.drawn, 1) << n << " lights, frame " << frame;
+                }
+                most = std::max(most, plan.additions);
+            }
+            // From the third time on what rests is one image.
+            ASSERT_LE(tree.plan(std::vector{changing}).additions, 1);
+        }
+    }
+    EXPECT_EQ(most, 9);
+}
+
+// Another light every frame: its resting predecessor gets its images back on the way.
+TEST(light_tree, AnotherOfNChangingEveryFrameCostsTwiceLogNAtMost) {
+    std::mt19937 random(1);
+    int worst = 0;
+    double sum = 0;
+    int frames = 0;
+    for (const int n : {2, 3, 7, 10, 64, 100, 512}) {
+        LightTree tree(n, 2 * n);
+        tree.plan(all_of(n));
+        for (int light = 0; light < n; ++light) tree.plan(std::vector{light}); // every image made once
+        for (int frame = 0; frame < 400; ++frame) {
+            const Plan plan = tree.plan(std::vector{static_cast<int>(random() % static_cast<unsigned>(n))});
+            ASSERT_LE(plan.additions, 2 * ceil_log2(n)) << n;
+            ASSERT_LE(plan.drawn, 2) << n; // itself and its predecessor
+            if (n == 512) {
+                worst = std::max(worst, plan.additions);
+                sum += plan.additions;
+                ++frames;
+            }
+        }
+    }
+    std::printf("512 lights, another one every frame: %.2f additions on average, %d at most\n", sum / frames,
+                worst);
+}
+
+TEST(light_tree, NothingChangedNothingToDo) {
+    for (const int n : {0, 1, 2, 9, 10}) {
+        LightTree tree(n, 100);
+        EXPECT_EQ(tree.plan(all_of(n)).drawn, n);
+        for (int frame = 0; frame < 3; ++frame) {
+            const Plan plan = tree.plan({});
+            EXPECT_TRUE(plan.sums.empty());
+            EXPECT_EQ(plan.drawn + plan.additions, 0);
+        }
+        tree.invalidate_all();
+        EXPECT_EQ(tree.plan({}).drawn, n) << "forgotten images are drawn again, though no light changed";
+    }
+}
+
+TEST(light_tree, AllChangingIsDrawnStraightIntoTheFrame) {
+    LightTree tree(10, 19);
+    for (int frame = 0; frame < 4; ++frame) {
+        const Plan plan = tree.plan(all_of(10));
+        ASSERT_EQ(plan.sums.size(), 1u);
+        EXPECT_EQ(plan.drawn, 10);
+        EXPECT_EQ(plan.additions, 0);
+    }
+}
+
+// Any history and any budget of images: the frame is always the sum of all lights.
+TEST(light_tree, EveryHistoryGivesTheSumOfAllLights) {
+    std::mt19937 random(42);
+    const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+    for (int run = 0; run < 1500; ++run) {
+        const int n = run % 50 == 0 ? 100 + below(300) : below(24);
+        const int slots = run % 5 == 0 ? below(3) : below(2 * n + 2);
+        Numbers numbers(n, slots);
+        for (const int light : all_of(n)) numbers.change(light, below(1000));
+        numbers.draw(all_of(n));
+        ASSERT_EQ(numbers.frame(), numbers.expected()) << "run " << run;
+        std::vector<int> changed = all_of(n);
+        for (int frame = 0; frame < 40; ++frame) {
+            const int what = below(10);
+            if (what == 0) numbers.invalidate_all();
+            if (what < 3)
+                changed.clear();
+            else if (what < 6 && n > 0) { // another group, often a small one, in any order
+                changed = all_of(n);
+                std::shuffle(changed.begin(), changed.end(), random);
+                changed.resize(static_cast<std::size_t>(what == 3 ? below(n + 1) : std::min(below(3), n)));
+            } // else the same group again
+            for (const int light : changed) numbers.change(light, below(1000));
+            const Plan plan = numbers.draw(changed);
+            ASSERT_EQ(numbers.frame(), numbers.expected())
+                << "run " << run << ", " << n << " lights, " << slots << " slots, frame " << frame;
+            ASSERT_LE(plan.drawn, 2 * n) << "what the relighter has room for";
+        }
+    }
+}
+
+// Past the budget the cost grows with the lights that have no image, it never fails.
+TEST(light_tree, WithoutRoomEveryLightIsDrawn) {
+    LightTree tree(16, 0);
+    tree.plan(all_of(16));
+    for (int frame = 0; frame < 3; ++frame) {
+        const Plan plan = tree.plan(std::vector{5});
+        EXPECT_EQ(plan.drawn, 16);
+        EXPECT_EQ(plan.additions, 0);
+    }
+    // Room for the four subtrees beside one light is all that one changing light needs.
+    LightTree small(16, 4);
+    small.plan(all_of(16));
+    small.plan(std::vector{5});
+    EXPECT_EQ(small.plan(std::vector{5}).drawn, 1);
+}
+
+} // namespace
+} // namespace ghost::render
