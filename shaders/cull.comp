@@ -1,7 +1,7 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
 // Lists the tiles that a group of lights can reach, and per tile which of them. Conservative. Surfaces: the sphere round
-// the tile's fragments meets the cone. Haze: the tile's bundle of camera rays meets the cone, widened by the bundle's
+// the tile's (or block's) fragments meets the cone. Haze: the tile's bundle of camera rays meets the cone, widened by the bundle's
 // radius at its far end (a cone moved back by r / sin holds all points within r of it), tested with the middle ray.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
@@ -21,8 +21,7 @@ vec3 gobo_sample(uint layer, vec2 gate, float blur) { return vec3(1.0); }
 
 void main() {
     uint tile = gl_GlobalInvocationID.x;
-    uint tiles = p.tiles_x * p.tiles_y;
-    if (tile >= tiles) return;
+    if (tile >= p.tiles + p.blocks) return;
     uint batch = gl_WorkGroupID.y;
     uint first = batch * p.batch_size;
     uint count = min(p.light_count - first, p.batch_size);
@@ -59,16 +58,16 @@ void main() {
             q = to_gate(light, view.eye_m - light.position_m);
             q.z += radius * back_per_m;
             vec2 part = clip_to_cone(q, to_gate(light, dir), k, far + radius);
-            haze_mask |= lit && light.haze_samples > 0u && part.y > part.x ? bit : 0u;
+            haze_mask |= lit && light.haze_samples > 0u && tile < p.tiles && part.y > part.x ? bit : 0u;
         }
         if (p.batch_size > 1u) {
             mask_of[tile * kMaskWords + word] = surface_mask;
-            mask_of[(tiles + tile) * kMaskWords + word] = haze_mask;
+            mask_of[(p.tiles + p.blocks + tile) * kMaskWords + word] = haze_mask;
         }
         any_surface = any_surface || surface_mask != 0u;
         any_haze = any_haze || haze_mask != 0u;
     }
-    uint base = 2u * batch * tiles;
-    if (any_surface && p.surfaces != 0u) list[base + atomicAdd(groups[batch].surface[0], 1u)] = tile;
-    if (any_haze && p.air != 0u) list[base + tiles + atomicAdd(groups[batch].haze[0], 1u)] = tile;
+    uint base = batch * (2u * p.tiles + p.blocks);
+    if (any_haze && p.air != 0u) list[base + atomicAdd(groups[batch].haze[0], 1u)] = tile;
+    if (any_surface && p.surfaces != 0u) list[base + p.tiles + atomicAdd(groups[batch].surface[0], 1u)] = tile;
 }

@@ -50,8 +50,7 @@ vec3 scattered(Light light, vec3 dir, float far, float offset) {
 
 void main() {
     uvec2 size = uvec2(view.width, view.height);
-    uint tiles = p.tiles_x * p.tiles_y;
-    uint tile = list[(2u * p.batch + 1u) * tiles + gl_WorkGroupID.x];
+    uint tile = list[p.batch * (2u * p.tiles + p.blocks) + gl_WorkGroupID.x];
     uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
     bool inside = pixel.x < size.x && pixel.y < size.y;
     pixel = min(pixel, size - 1u);
@@ -70,7 +69,7 @@ void main() {
     } else {
         uint words = (p.light_count + 31u) / 32u;
         for (uint word = 0u; word < words; ++word) {
-            uint mask = mask_of[(tiles + tile) * kMaskWords + word];
+            uint mask = mask_of[(p.tiles + p.blocks + tile) * kMaskWords + word];
             while (mask != 0u) {
                 uint index = word * 32u + uint(findLSB(mask));
                 mask &= mask - 1u;

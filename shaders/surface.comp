@@ -1,6 +1,8 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces (Screen Space Re-Rendering, section 2.1): every fragment of the pixel shows its pass times the beam.
+// Surfaces (Screen Space Re-Rendering, section 2.1): every fragment shows its pass times the beam. A
+// workgroup is a tile of the picture or a block of extra fragments, which lie in the rows below it; fold.comp adds those to
+// their pixels.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
@@ -16,7 +18,6 @@ layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 5) uniform sampler2DArray fragments; // position, coverage; extra fragments in the rows below the picture
 layout(binding = 6, rgba16f) uniform image2DArray drawn;
 layout(binding = 7) uniform sampler2DArray passes;  // radiance of every fragment, one layer a pass
-layout(binding = 8) uniform usampler2DArray extras; // of a pixel: index of its first extra fragment * 4 + their number
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
@@ -28,37 +29,31 @@ vec3 shown(Light light, vec3 position_m, ivec2 row, Haze haze) {
 
 void main() {
     uvec2 size = uvec2(view.width, view.height);
-    uint tiles = p.tiles_x * p.tiles_y;
-    uint tile = list[2u * p.batch * tiles + gl_WorkGroupID.x];
+    uint tile = list[p.batch * (2u * p.tiles + p.blocks) + p.tiles + gl_WorkGroupID.x];
     uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
-    bool inside = pixel.x < size.x && pixel.y < size.y;
-    pixel = min(pixel, size - 1u);
+    uint extra = (tile - p.tiles) * kTilePixels + gl_LocalInvocationIndex;
+    bool is_extra = tile >= p.tiles;
+    bool inside = is_extra || (pixel.x < size.x && pixel.y < size.y);
+    pixel = is_extra ? uvec2(extra % size.x, size.y + extra / size.x) : min(pixel, size - 1u);
     ivec2 at = ivec2(pixel);
-    uint extra = texelFetch(extras, ivec3(at, 0), 0).x;
-    uint extra_first = extra >> 2;
-    uint count = 1u + (extra & 3u);
-    uint words = (p.light_count + 31u) / 32u;
     Haze haze = view.haze;
+    vec4 fragment = texelFetch(fragments, ivec3(at, 0), 0);
 
     vec3 sum = vec3(0.0);
-    for (uint f = 0u; f < count; ++f) {
-        uint index = extra_first + f - 1u;
-        ivec2 row = f == 0u ? at : ivec2(index % size.x, size.y + index / size.x);
-        vec4 fragment = texelFetch(fragments, ivec3(row, 0), 0);
-        vec3 light_sum = vec3(0.0);
-        if (kSingle) {
-            light_sum = shown(lights[p.batch], fragment.xyz, row, haze);
-        } else {
-            for (uint word = 0u; word < words; ++word) {
-                uint mask = mask_of[tile * kMaskWords + word];
-                while (mask != 0u) {
-                    light_sum += shown(lights[word * 32u + uint(findLSB(mask))], fragment.xyz, row, haze);
-                    mask &= mask - 1u;
-                }
+    if (kSingle) {
+        sum = shown(lights[p.batch], fragment.xyz, at, haze);
+    } else {
+        uint words = (p.light_count + 31u) / 32u;
+        for (uint word = 0u; word < words; ++word) {
+            uint mask = mask_of[tile * kMaskWords + word];
+            while (mask != 0u) {
+                sum += shown(lights[word * 32u + uint(findLSB(mask))], fragment.xyz, at, haze);
+                mask &= mask - 1u;
             }
         }
-        float seen = haze_transmittance(haze, length(fragment.xyz - view.eye_m)) / kPassScale;
-        sum += light_sum * (fragment.w >= 0.0 ? seen : 0.0);
     }
-    if (inside) imageStore(drawn, ivec3(at, 0), min(imageLoad(drawn, ivec3(at, 0)) + vec4(sum, 0.0), vec4(kMostLight)));
+    float seen = haze_transmittance(haze, length(fragment.xyz - view.eye_m)) / kPassScale;
+    sum *= fragment.w >= 0.0 ? seen : 0.0;
+    if (inside)
+        imageStore(drawn, ivec3(at, 0), min(imageLoad(drawn, ivec3(at, 0)) + vec4(sum, 0.0), vec4(kMostLight)));
 }

@@ -9,6 +9,7 @@ SHARED_BEGIN
 // A tile is one workgroup of the relight shader.
 SHARED_CONST uint kTileWidth = 16u;
 SHARED_CONST uint kTileHeight = 8u;
+SHARED_CONST uint kTilePixels = kTileWidth * kTileHeight;
 
 // Lights of one uniform buffer (64 KiB).
 SHARED_CONST uint kLightsPerChunk = 256u;
@@ -24,16 +25,17 @@ SHARED_CONST float kMostLight = 65000.0f;
 SHARED_CONST float kPassScale = 1024.0f;
 
 // Which lights of each batch can reach which tile; the tiles that any of them reaches are appended to the batch's lists for
-// the two passes below. Lists and masks of batch b: surface at (2 b) tiles, haze at (2 b + 1) tiles.
+// the two passes below. The list of batch b begins at b (2 tiles + blocks): first haze, then, after `tiles` places, surfaces.
 struct CullPush {
     uint light_count;
     uint batch_size; // 1 or kLightsPerChunk
     uint tiles_x;
-    uint tiles_y;
-    uint surfaces; // 1: list tiles for the surface pass
+    uint tiles;    // of the picture
+    uint blocks;   // of kTilePixels extra fragments, listed after the tiles
+    uint surfaces; // 1: list tiles and blocks for the surface pass
     uint air;      // 1: list tiles for the haze pass
 };
-SHARED_SIZE(CullPush, 24);
+SHARED_SIZE(CullPush, 28);
 
 // Workgroups of the two indirect dispatches of a batch, as Vulkan wants them.
 struct TileGroups {
@@ -59,10 +61,16 @@ struct RelightPush {
     uint light_count; // of the chunk
     uint batch;
     uint tiles_x;
-    uint tiles_y;
+    uint tiles;
+    uint blocks;
     uint march_steps; // 0: samples inside the cone; else over the whole ray
 };
-SHARED_SIZE(RelightPush, 20);
+SHARED_SIZE(RelightPush, 24);
+
+struct FoldPush {
+    uint edge_count; // pixels with extra fragments
+};
+SHARED_SIZE(FoldPush, 4);
 
 struct MeterPush {
     uint width;

@@ -3,6 +3,7 @@
 #include "app/bench.h"
 
 #include "bake/bake_show.h"
+#include "scene/passes_file.h"
 
 #include <algorithm>
 #include <chrono>
@@ -84,7 +85,7 @@ Result<void> bench_triangles(const BenchOptions& options, const BenchSink& sink)
         baking.now_s = steady_now_s;
         TRY(const bake::BakeStats stats, bake::bake_show(show, baking, report));
         TRY(const scene::Passes passes,
-            scene::load_passes(show.cache_folder() / "passes" / show.cameras[0].name, true, report));
+            scene::load_passes(scene::passes_folder(show, show.cameras[0].name), true, report));
         const int lights = static_cast<int>(passes.lights.size());
         render::Relighter relighter(*device, passes, gobos, lights, bench_settings());
         std::vector<double> ms;

@@ -95,9 +95,8 @@ void print_tally(const RenderArguments& arguments, const Session& session, const
 // it is asked from.
 Result<void> render_recording(const RenderArguments& arguments, Session& session, PictureWriter& writer,
                               Tally& tally) {
-    const std::filesystem::path file = arguments.replay.empty()
-                                           ? session.show->folder / session.show->recording
-                                           : std::filesystem::path(arguments.replay);
+    const std::filesystem::path file =
+        arguments.replay.empty() ? session.show->recording : std::filesystem::path(arguments.replay);
     if (arguments.replay.empty() && session.show->recording.empty())
         return Error{"has no recording; name one with --replay FILE, or listen to a desk with --live-input",
                      session.show->file.string()};
@@ -201,7 +200,8 @@ Result<void> run(RenderArguments& arguments) {
         PictureWriter::create(arguments.out, session->relighter->width(), session->relighter->height(),
                               arguments.fps, film));
     Tally tally;
-    TRY_VOID(arguments.live_input ? render_live(arguments, *session, *writer, tally) : render_recording(arguments, *session, *writer, tally));
+    TRY_VOID(arguments.live_input ? render_live(arguments, *session, *writer, tally)
+                                  : render_recording(arguments, *session, *writer, tally));
     TRY_VOID(writer->finish());
     print_tally(arguments, *session, tally);
     if (session->report.lost_anything())

@@ -6,7 +6,9 @@
 #include <iostream>
 
 int main(int argc, char** argv) {
-    CLI::App app{"Ghostlight: a concert-lighting visualiser. It draws a stage as a real lighting desk drives it.", "ghostlight"};
+    CLI::App app{
+        "Ghostlight: a concert-lighting visualiser. It draws a stage as a real lighting desk drives it.",
+        "ghostlight"};
     app.require_subcommand(1);
     app.footer("Example: ghostlight render assets/demo -o demo.png --at 20");
     app.set_version_flag("--version", "ghostlight 0.1.0");

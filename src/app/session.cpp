@@ -3,6 +3,7 @@
 
 #include "app/interrupt.h"
 #include "bake/bake_show.h"
+#include "scene/passes_file.h"
 
 #include "base/log.h"
 #include "base/progress.h"
@@ -25,7 +26,7 @@ bool is_stale(const scene::Show& show, const fs::path& manifest) {
     std::error_code code;
     const fs::file_time_type made = fs::last_write_time(manifest, code);
     if (code) return true;
-    std::set<fs::path> sources{show.file, show.folder / show.stage_file};
+    std::set<fs::path> sources{show.file, show.stage_file};
     for (const scene::PatchedFixture& fixture : show.fixtures) sources.insert(show.folder / fixture.gdtf);
     for (const fs::path& source : sources) {
         const fs::file_time_type changed = fs::last_write_time(source, code);
@@ -36,7 +37,7 @@ bool is_stale(const scene::Show& show, const fs::path& manifest) {
 
 Result<void> bake_view(scene::Show& show, const std::string& view, bool quiet, scene::Report& report) {
     if (show.stage.instances.empty()) {
-        TRY(show.stage, scene::load_stage_file(show.folder / show.stage_file, report));
+        TRY(show.stage, scene::load_stage_file(show.stage_file, report));
     }
     catch_interrupts();
     Progress progress("baking", quiet ? Progress::Style::silent : Progress::style_for_stderr(),
@@ -58,9 +59,8 @@ Result<void> bake_view(scene::Show& show, const std::string& view, bool quiet, s
 
 Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
                                  const SessionOptions& options, scene::Report& report) {
-    if (!camera.foreign_passes.empty())
-        return scene::load_foreign_passes(show.folder / camera.foreign_passes, report);
-    const fs::path folder = show.cache_folder() / "passes" / camera.name;
+    if (!camera.foreign_passes.empty()) return scene::load_foreign_passes(camera.foreign_passes, report);
+    const fs::path folder = scene::passes_folder(show, camera.name);
     const fs::path manifest = folder / "manifest.json";
     if (options.bake && is_stale(show, manifest)) {
         TRY_VOID(bake_view(show, camera.name, options.quiet, report));

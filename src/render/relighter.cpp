@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "shaders/cull.h"
 #include "shaders/develop.h"
+#include "shaders/fold.h"
 #include "shaders/haze.h"
 #include "shaders/meter.h"
 #include "shaders/sum.h"
@@ -54,43 +55,75 @@ float distance_m(const glm::vec4& fragment, const glm::vec3& eye_m) {
     return fragment.w < 0 ? kNoSurface_m : glm::length(glm::vec3(fragment) - eye_m);
 }
 
-// Per tile: the sphere round its fragments (radius below zero: no surface), and the farthest of them, beyond
-// which no light can be seen.
-std::vector<glm::vec4> bounds_per_tile(const scene::Passes& passes, std::uint32_t tiles_x,
-                                       std::uint32_t tiles_y) {
+// How the fragments lie on the device: the picture's rows first, then the extra ones, in the order of the
+// picture's tiles, so that a block of them is near together and can be culled like a tile.
+struct Layout {
+    std::vector<std::uint32_t> order; // device place -> fragment of the passes
+    std::vector<glm::uvec2> edges;    // pixels with extra fragments: pixel, first extra * 4 + number
+    std::vector<glm::vec4> bounds;    // two per tile, then two per block, see cull.comp
+    std::uint32_t blocks = 0;
+};
+
+// The sphere round some fragments (radius below zero: no surface among them), and the farthest of them,
+// beyond which no light can be seen.
+void add_bounds(const scene::Passes& passes, const std::vector<std::uint32_t>& fragments,
+                std::vector<glm::vec4>& bounds) {
     const glm::vec3 eye_m(passes.camera_to_world[3]);
+    float far = 0;
+    glm::vec3 low(1e30f), high(-1e30f);
+    for (const std::uint32_t i : fragments) {
+        far = std::max(far, distance_m(passes.fragments[i], eye_m));
+        if (passes.fragments[i].w < 0) continue;
+        low = glm::min(low, glm::vec3(passes.fragments[i]));
+        high = glm::max(high, glm::vec3(passes.fragments[i]));
+    }
+    const bool any = low.x <= high.x;
+    const glm::vec3 centre = any ? (low + high) * 0.5f : glm::vec3(0.0f);
+    float radius = any ? 0.0f : -1.0f;
+    for (const std::uint32_t i : fragments)
+        if (passes.fragments[i].w >= 0)
+            radius = std::max(radius, glm::length(glm::vec3(passes.fragments[i]) - centre));
+    bounds.emplace_back(centre, radius);
+    bounds.emplace_back(far, 0, 0, 0);
+}
+
+Layout make_layout(const scene::Passes& passes, std::uint32_t tiles_x, std::uint32_t tiles_y) {
     const auto width = static_cast<std::uint32_t>(passes.width);
-    std::vector<glm::vec4> bounds;
-    std::vector<glm::vec3> points;
+    const auto height = static_cast<std::uint32_t>(passes.height);
+    Layout layout;
+    for (std::uint32_t pixel = 0; pixel < passes.pixel_count(); ++pixel) layout.order.push_back(pixel);
+    std::vector<std::uint32_t> together;
     for (std::uint32_t tile = 0; tile < tiles_x * tiles_y; ++tile) {
-        points.clear();
-        float far = 0;
-        const auto add = [&](const glm::vec4& fragment) {
-            far = std::max(far, distance_m(fragment, eye_m));
-            if (fragment.w >= 0) points.emplace_back(fragment);
-        };
+        together.clear();
         const std::uint32_t x0 = tile % tiles_x * shared::kTileWidth;
         const std::uint32_t y0 = tile / tiles_x * shared::kTileHeight;
-        for (std::uint32_t y = y0;
-             y < std::min(y0 + shared::kTileHeight, static_cast<std::uint32_t>(passes.height)); ++y)
+        for (std::uint32_t y = y0; y < std::min(y0 + shared::kTileHeight, height); ++y)
             for (std::uint32_t x = x0; x < std::min(x0 + shared::kTileWidth, width); ++x) {
-                const std::size_t pixel = static_cast<std::size_t>(y) * width + x;
-                add(passes.fragments[pixel]);
-                for (std::uint32_t k = passes.extra_first[pixel]; k < passes.extra_first[pixel + 1]; ++k)
-                    add(passes.fragments[passes.pixel_count() + k]);
+                const std::uint32_t pixel = y * width + x;
+                together.push_back(pixel);
+                const std::uint32_t count = passes.extra_first[pixel + 1] - passes.extra_first[pixel];
+                CHECK(count <= 3);
+                if (count == 0) continue;
+                const auto first = static_cast<std::uint32_t>(layout.order.size() - passes.pixel_count());
+                layout.edges.emplace_back(pixel, first * 4 + count);
+                for (std::uint32_t k = 0; k < count; ++k) {
+                    const auto extra =
+                        static_cast<std::uint32_t>(passes.pixel_count()) + passes.extra_first[pixel] + k;
+                    layout.order.push_back(extra);
+                    together.push_back(extra);
+                }
             }
-        glm::vec3 low(1e30f), high(-1e30f);
-        for (const glm::vec3& point : points) {
-            low = glm::min(low, point);
-            high = glm::max(high, point);
-        }
-        const glm::vec3 centre = points.empty() ? glm::vec3(0) : (low + high) * 0.5f;
-        float radius = points.empty() ? -1.0f : 0.0f;
-        for (const glm::vec3& point : points) radius = std::max(radius, glm::length(point - centre));
-        bounds.emplace_back(centre, radius);
-        bounds.emplace_back(far, 0, 0, 0);
+        add_bounds(passes, together, layout.bounds);
     }
-    return bounds;
+    for (std::size_t begin = passes.pixel_count(); begin < layout.order.size();
+         begin += shared::kTilePixels) {
+        const std::size_t end = std::min(begin + shared::kTilePixels, layout.order.size());
+        together.assign(layout.order.begin() + static_cast<std::ptrdiff_t>(begin),
+                        layout.order.begin() + static_cast<std::ptrdiff_t>(end));
+        add_bounds(passes, together, layout.bounds);
+        ++layout.blocks;
+    }
+    return layout;
 }
 
 // The picture without lights: ambient and emission, seen through the haze.
@@ -110,18 +143,6 @@ std::vector<glm::vec4> base_image(const scene::Passes& passes, float ambient_lux
         base[pixel] = glm::vec4(sum, 0.0f);
     }
     return base;
-}
-
-// Index of the first extra fragment * 4 + their number, of every pixel.
-std::vector<std::uint32_t> packed_extras(const scene::Passes& passes) {
-    std::vector<std::uint32_t> packed(passes.pixel_count());
-    for (std::size_t pixel = 0; pixel < packed.size(); ++pixel) {
-        const std::uint32_t first = passes.extra_first[pixel];
-        const std::uint32_t count = passes.extra_first[pixel + 1] - first;
-        CHECK(count <= 3);
-        packed[pixel] = first * 4 + count;
-    }
-    return packed;
 }
 
 } // namespace
@@ -144,6 +165,7 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
       tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),
       sum_(device, shaders::kShader_sum, {kStored, kStored, kStored}),
+      fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored}),
       meter_(device, shaders::kShader_meter, {kSampled, kStorage}),
       develop_(device, shaders::kShader_develop, {kSampled, kUniform, kStored}), commands_(device) {
     using gpu::Access;
@@ -151,79 +173,83 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
     using gpu::Texture;
     const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
     for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels) {
-        surface_[wheels] =
-            std::make_unique<gpu::Program>(device, shaders::kShader_surface,
-                                           std::vector{kSampled, kUniform, kUniform, kStorage, kStorage,
-                                                       kSampled, kStored, kSampled, kSampled},
-                                           std::vector{wheels, single});
+        surface_[wheels] = std::make_unique<gpu::Program>(
+            device, shaders::kShader_surface,
+            std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kSampled, kStored, kSampled},
+            std::vector{wheels, single});
         haze_[wheels] = std::make_unique<gpu::Program>(
             device, shaders::kShader_haze,
             std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kSampled, kStored},
             std::vector{wheels, single});
     }
-    const std::uint64_t tiles = static_cast<std::uint64_t>(tiles_x_) * tiles_y_;
     // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
     // begins a chunk.
     const std::uint64_t draws = 2 * static_cast<std::uint64_t>(light_count) + kClasses;
     lights_ = Buffer(device, draws * kChunkAlign + kChunkBytes, Access::upload);
     const std::uint64_t batches =
         batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1;
-    masks_ = Buffer(device, 2 * tiles * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
-    lists_ = Buffer(device, 2 * batches * tiles * sizeof(std::uint32_t), Access::device);
     groups_ = Buffer(device, batches * sizeof(shared::TileGroups), Access::device);
     exposure_ = Buffer(device, sizeof(glm::vec4), Access::readback);
     pixels_ = Buffer(device, passes.pixel_count() * 4, Access::readback);
     // Layer 0 is the frame, the others are the slots of the tree and its image of all that rests.
     images_ = Texture(device, {width_, height_, static_cast<std::uint32_t>(slot_count_) + 2, 1,
                                VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
-    drawn_ = Texture(device, {width_, height_, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     picture_ = Texture(device, {width_, height_, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
-    upload(passes, gobos);
+    upload(passes, gobos, batches);
 }
 
 Relighter::~Relighter() = default;
 
-void Relighter::upload(const scene::Passes& passes, const shared::Gobos& gobos) {
+void Relighter::upload(const scene::Passes& passes, const shared::Gobos& gobos, std::uint64_t batches) {
     using gpu::Access;
     using gpu::Buffer;
     using gpu::Texture;
     const shared::View view = make_view(passes, settings_.haze);
     view_ = Buffer(device_, sizeof view, Access::device);
     view_.write(&view, sizeof view);
-    const std::vector<glm::vec4> bounds = bounds_per_tile(passes, tiles_x_, tiles_y_);
-    tile_bounds_ = Buffer(device_, bounds.size() * sizeof(glm::vec4), Access::device);
-    tile_bounds_.write(bounds);
+    const Layout layout = make_layout(passes, tiles_x_, tiles_y_);
+    blocks_ = layout.blocks;
+    edge_count_ = static_cast<std::uint32_t>(layout.edges.size());
+    tile_bounds_ = Buffer(device_, layout.bounds.size() * sizeof(glm::vec4), Access::device);
+    tile_bounds_.write(layout.bounds);
+    const std::uint64_t tiles = static_cast<std::uint64_t>(tiles_x_) * tiles_y_;
+    masks_ =
+        Buffer(device_, 2 * (tiles + blocks_) * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
+    lists_ = Buffer(device_, batches * (2 * tiles + blocks_) * sizeof(std::uint32_t), Access::device);
     const std::vector<glm::vec4> base = base_image(passes, settings_.ambient_lux, settings_.haze);
     base_ = Texture(device_, {width_, height_, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
     base_.write(0, base.data(), base.size() * sizeof(glm::vec4));
-    const std::vector<std::uint32_t> extras = packed_extras(passes);
-    extras_ = Texture(device_, {width_, height_, 1, 1, VK_FORMAT_R32_UINT});
-    extras_.write(0, extras.data(), extras.size() * sizeof(std::uint32_t));
+    std::vector<glm::uvec2> edges = layout.edges;
+    const std::uint32_t edge_rows = std::max(groups(edge_count_, width_), 1u);
+    edges.resize(static_cast<std::size_t>(edge_rows) * width_);
+    edges_ = Texture(device_, {width_, edge_rows, 1, 1, VK_FORMAT_R32G32_UINT});
+    edges_.write(0, edges.data(), edges.size() * sizeof(glm::uvec2));
 
     gobos_ = Texture(device_, {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
                                shared::kGoboLevels, VK_FORMAT_R8G8B8A8_UNORM, false, true});
     for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
         gobos_.write(level, gobos.texels[level].data(), gobos.texels[level].size());
 
-    // Fragments lie as rows of the picture's width: the picture first, the extra ones below it.
-    const std::size_t rows = (passes.fragment_count() + width_ - 1) / width_;
-    std::vector<glm::vec4> fragments = passes.fragments;
-    fragments.resize(rows * width_);
-    fragments_ =
-        Texture(device_, {width_, static_cast<std::uint32_t>(rows), 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT});
+    // Whole blocks, so that the last one needs no bound; what no fragment fills is no surface.
+    const std::uint32_t rows = height_ + groups(blocks_ * shared::kTilePixels, width_);
+    const std::size_t places = static_cast<std::size_t>(rows) * width_;
+    std::vector<glm::vec4> fragments(places, glm::vec4(0, 0, 0, -1));
+    for (std::size_t i = 0; i < layout.order.size(); ++i) fragments[i] = passes.fragments[layout.order[i]];
+    fragments_ = Texture(device_, {width_, rows, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT});
     fragments_.write(0, fragments.data(), fragments.size() * sizeof(glm::vec4));
+    drawn_ = Texture(device_, {width_, rows, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     const auto layers = static_cast<std::uint32_t>(passes.lights.size()) + 1; // the last one is dark
-    passes_ = Texture(device_,
-                      {width_, static_cast<std::uint32_t>(rows), layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT});
-    std::vector<std::uint16_t> radiance(rows * width_ * 4);
+    passes_ = Texture(device_, {width_, rows, layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT});
+    std::vector<std::uint64_t> radiance(places); // four half floats each
     for (std::uint32_t layer = 0; layer < layers; ++layer) {
-        std::fill(radiance.begin(), radiance.end(), std::uint16_t{0});
-        if (layer + 1 < layers) {
+        std::fill(radiance.begin(), radiance.end(), std::uint64_t{0});
+        if (layer + 1 < layers && !passes.lights[layer].radiance.empty()) {
             const std::vector<std::uint16_t>& from = passes.lights[layer].radiance;
-            CHECK(from.empty() || from.size() == passes.fragment_count() * 4);
-            std::copy(from.begin(), from.end(), radiance.begin());
+            CHECK_EQ(from.size(), passes.fragment_count() * 4);
+            for (std::size_t i = 0; i < layout.order.size(); ++i)
+                std::memcpy(&radiance[i], &from[std::size_t{4} * layout.order[i]], sizeof radiance[i]);
         }
-        passes_.write_layer(layer, radiance.data(), radiance.size() * sizeof(std::uint16_t));
+        passes_.write_layer(layer, radiance.data(), radiance.size() * sizeof(std::uint64_t));
     }
 }
 
@@ -277,6 +303,13 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         }
         if (!chunk.empty()) draw_lights(chunk, wheels);
     }
+    if (!sum.lights.empty() && settings_.surfaces && edge_count_ > 0) {
+        commands_.begin_span("fold");
+        commands_.dispatch(fold_, shared::FoldPush{edge_count_},
+                           {gpu::uniform(view_), gpu::sampled(edges_), gpu::stored(drawn_)},
+                           groups(edge_count_, 64));
+        commands_.barrier();
+    }
     std::size_t added = 0;
     for (bool first = true; first || added < sum.addends.size(); first = false) {
         shared::SumPush push{};
@@ -302,14 +335,15 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
 
     const auto count = static_cast<std::uint32_t>(lights.size());
     const std::uint32_t batches = groups(count, batch_size_);
+    const std::uint32_t tiles = tiles_x_ * tiles_y_;
     const shared::CullPush cull{
-        count, batch_size_, tiles_x_, tiles_y_, settings_.surfaces ? 1u : 0u, settings_.air ? 1u : 0u};
+        count, batch_size_, tiles_x_, tiles, blocks_, settings_.surfaces ? 1u : 0u, settings_.air ? 1u : 0u};
     commands_.begin_span("cull");
     commands_.write(groups_, std::vector<shared::TileGroups>(batches, {{0, 1, 1, 0}, {0, 1, 1, 0}}));
     commands_.dispatch(cull_, cull,
                        {gpu::uniform(view_), gpu::uniform(lights_, offset), gpu::storage(tile_bounds_),
                         gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_)},
-                       groups(tiles_x_ * tiles_y_, 64), batches);
+                       groups(tiles + blocks_, 64), batches);
     commands_.barrier();
     const std::uint32_t march_steps =
         settings_.beams == Beams::march ? static_cast<std::uint32_t>(std::max(settings_.march_steps, 1)) : 0u;
@@ -319,8 +353,7 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
         gpu::stored(drawn_)};
     std::vector<gpu::Binding> surfaces = air;
     surfaces.push_back(gpu::sampled(passes_));
-    surfaces.push_back(gpu::sampled(extras_));
-    shared::RelightPush push{count, 0, tiles_x_, tiles_y_, march_steps};
+    shared::RelightPush push{count, 0, tiles_x_, tiles, blocks_, march_steps};
     if (settings_.air) commands_.begin_span("haze");
     for (push.batch = 0; settings_.air && push.batch < batches; ++push.batch) {
         commands_.dispatch_indirect(*haze_[wheels], push, air, groups_,
@@ -381,7 +414,7 @@ std::uint64_t Relighter::memory_bytes() const {
          {&view_, &lights_, &tile_bounds_, &masks_, &lists_, &groups_, &exposure_, &pixels_})
         sum += buffer->bytes();
     for (const gpu::Texture* texture :
-         {&gobos_, &passes_, &fragments_, &extras_, &base_, &images_, &drawn_, &picture_})
+         {&gobos_, &passes_, &fragments_, &edges_, &base_, &images_, &drawn_, &picture_})
         sum += texture->bytes();
     return sum;
 }

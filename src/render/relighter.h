@@ -66,7 +66,7 @@ public:
     std::uint64_t memory_bytes() const; // on the device
 
 private:
-    void upload(const scene::Passes& passes, const shared::Gobos& gobos);
+    void upload(const scene::Passes& passes, const shared::Gobos& gobos, std::uint64_t batches);
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels);
     void develop();
@@ -77,6 +77,8 @@ private:
     std::uint32_t height_;
     std::uint32_t tiles_x_;
     std::uint32_t tiles_y_;
+    std::uint32_t blocks_ = 0; // of extra fragments
+    std::uint32_t edge_count_ = 0;
     std::uint32_t batch_size_; // lights of one dispatch, see shared/push.h
     int light_count_;
     int slot_count_;
@@ -85,11 +87,11 @@ private:
     std::uint64_t lights_used_ = 0; // bytes of lights_, in this frame
 
     static constexpr std::uint32_t kClasses = 3; // 0, 1, 2 gobo wheels
-    gpu::Program cull_, sum_, meter_, develop_;
+    gpu::Program cull_, sum_, fold_, meter_, develop_;
     std::array<std::unique_ptr<gpu::Program>, kClasses> surface_, haze_;
     mutable gpu::Commands commands_;
     gpu::Buffer view_, lights_, tile_bounds_, masks_, lists_, groups_, exposure_, pixels_;
-    gpu::Texture gobos_, passes_, fragments_, extras_, base_, images_, drawn_, picture_;
+    gpu::Texture gobos_, passes_, fragments_, edges_, base_, images_, drawn_, picture_;
 };
 
 // Images that fit into a memory budget, at most what a full tree needs.
