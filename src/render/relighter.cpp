@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 
 namespace ghost::render {
 namespace {
@@ -392,15 +393,15 @@ image::Image8 Relighter::picture() const {
 
 image::ImageF Relighter::frame() const {
     image::ImageF result(width(), height(), 3);
-    const gpu::Buffer buffer(device_, static_cast<std::uint64_t>(width_) * height_ * sizeof(glm::vec4),
+    const gpu::Buffer buffer(device_, static_cast<std::uint64_t>(width_) * height_ * kImageBytesPerPixel,
                              gpu::Access::readback);
     commands_.begin();
     commands_.copy(images_, buffer);
     commands_.submit_and_wait();
-    const auto* from = static_cast<const glm::vec4*>(buffer.mapped());
+    const auto* halves = static_cast<const std::uint16_t*>(buffer.mapped());
     for (std::size_t i = 0; i < result.samples.size() / 3; ++i)
         for (std::size_t c = 0; c < 3; ++c)
-            result.samples[i * 3 + c] = from[i][static_cast<glm::length_t>(c)];
+            result.samples[i * 3 + c] = glm::unpackHalf1x16(halves[i * 4 + c]);
     return result;
 }
 
