@@ -20,6 +20,8 @@ namespace {
 constexpr int kSkyRays = 4;
 // Bounced light takes highlights no sharper than this, or a few samples would sparkle.
 constexpr float kBounceAlpha = 0.25f;
+// The truss beside a lamp is never in its beam; lit by a bare point source it would sparkle in every bounce.
+constexpr float kBounceNearest_m = 3.0f;
 
 // The fragments beyond the first of one row of pixels.
 struct RowExtras {
@@ -221,7 +223,8 @@ private:
                 ++s.rays;
             }
             for (std::size_t light = 0; light < request_.lights_m.size(); ++light) {
-                light_samples(tracer_, s.bounced, request_.lights_m[light], s.radiance, s.rays);
+                light_samples(tracer_, s.bounced, request_.lights_m[light], s.radiance, s.rays,
+                              kBounceNearest_m);
                 glm::vec3 sum(0.0f);
                 for (std::size_t k = 0; k < s.bounced.size(); ++k) sum += s.throughput[k] * s.radiance[k];
                 frame_.indirect[light][pixel] += sum / spp;

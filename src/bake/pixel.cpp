@@ -20,7 +20,7 @@ void trace_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, s
 }
 
 void light_samples(const Tracer& tracer, std::span<const Surface> samples, const glm::vec3& light_m,
-                   std::span<glm::vec3> radiance, std::uint64_t& rays) {
+                   std::span<glm::vec3> radiance, std::uint64_t& rays, float nearest_m) {
     const Surface* packet[8] = {};
     std::size_t target[8] = {};
     int count = 0;
@@ -33,7 +33,7 @@ void light_samples(const Tracer& tracer, std::span<const Surface> samples, const
             if (shares[k] <= 0.0f) continue;
             const Surface& surface = *packet[k];
             const glm::vec3 way = light_m - surface.position;
-            const float distance2 = std::max(glm::dot(way, way), 1e-6f);
+            const float distance2 = std::max(glm::dot(way, way), nearest_m * nearest_m);
             radiance[target[k]] = shared::brdf_times_cosine(surface.brdf, surface.normal, surface.to_viewer,
                                                             way / std::sqrt(distance2)) *
                                   (shares[k] / distance2);

@@ -21,8 +21,9 @@ inline std::uint32_t pixel_seed(int x, int y, std::uint32_t seed) {
 void trace_pixel(const Tracer& tracer, const CameraRays& camera, int x, int y, std::uint32_t seed,
                  std::span<Surface> samples, std::uint64_t& rays);
 
-// radiance[k] of samples[k] under an isotropic point source of 1 cd.
+// radiance[k] of samples[k] under an isotropic point source of 1 cd. Nearer than nearest_m it gets no
+// brighter.
 void light_samples(const Tracer& tracer, std::span<const Surface> samples, const glm::vec3& light_m,
-                   std::span<glm::vec3> radiance, std::uint64_t& rays);
+                   std::span<glm::vec3> radiance, std::uint64_t& rays, float nearest_m = 1e-3f);
 
 } // namespace ghost::bake

@@ -208,9 +208,9 @@ TEST(KnownAnswers, EvenLightAndEmission) {
 TEST(KnownAnswers, BouncesInsideABall) {
     scene::Stage stage;
     const float rho = 0.6f;
-    place(stage, add_mesh(stage, sphere_mesh(2.0f, 64), add_material(stage, glm::vec3(rho))));
+    place(stage, add_mesh(stage, sphere_mesh(4.0f, 64), add_material(stage, glm::vec3(rho))));
     const Frame frame = frame_of(stage, looking({0, 0.5f, 0}, {0, 2, 0}, 60, 16, 16), {{0, 0, 0}}, 64, 2);
-    const double direct = static_cast<double>(rho) / 4 / 3.14159265;
+    const double direct = static_cast<double>(rho) / 16 / 3.14159265;
     double mean = 0;
     for (std::size_t p = 0; p < 256; ++p) {
         EXPECT_NEAR(frame.lights[0][p].x, direct, 0.01 * direct);
