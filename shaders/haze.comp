@@ -14,7 +14,7 @@ layout(binding = 1, scalar) uniform ViewBlock { View view; };
 layout(binding = 2, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
 layout(binding = 3, scalar) readonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
-layout(binding = 5) uniform sampler2DArray fragments; // position, coverage; extra fragments in the rows below the picture
+layout(binding = 5, rgba32f) readonly uniform image2DArray fragments; // position, coverage; extra fragments in the rows below the picture
 layout(binding = 6, rgba16f) uniform image2DArray drawn;
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
@@ -58,7 +58,7 @@ void main() {
     // Through the corner of the pixel: sum.comp takes the mean of its four corners.
     vec2 ndc = vec2(2.0 * float(pixel.x) / float(size.x) - 1.0, 1.0 - 2.0 * float(pixel.y) / float(size.y));
     vec3 dir = normalize(view.forward + view.right * ndc.x + view.up * ndc.y);
-    vec4 surface = texelFetch(fragments, ivec3(at, 0), 0);
+    vec4 surface = imageLoad(fragments, ivec3(at, 0));
     float far = surface.w >= 0.0 ? length(surface.xyz - view.eye_m) : view.far_m;
 
     float offset = jitter(pixel);

@@ -7,7 +7,7 @@
 #include "shared/develop.h"
 
 layout(local_size_x = 256) in;
-layout(binding = 0) uniform sampler2DArray frame;
+layout(binding = 0, rgba16f) readonly uniform image2DArray frame;
 layout(binding = 1, scalar) writeonly buffer Exposure { vec4 exposure; }; // x: display value per cd/m^2, y: EV100
 layout(push_constant, scalar) uniform Push { MeterPush p; };
 
@@ -20,7 +20,7 @@ void main() {
     float count = 0.0;
     uint end = p.automatic != 0u ? p.width * p.height : 0u;
     for (uint i = me * 5u; i < end; i += 1280u) {
-        float luminance = luminance_of(texelFetch(frame, ivec3(i % p.width, i / p.width, 0), 0).rgb);
+        float luminance = luminance_of(imageLoad(frame, ivec3(i % p.width, i / p.width, 0)).rgb);
         float lit = luminance > kMeterFloor ? 1.0 : 0.0;
         sum += lit * log2(max(luminance, kMeterFloor));
         count += lit;

@@ -15,15 +15,15 @@ layout(binding = 1, scalar) uniform ViewBlock { View view; };
 layout(binding = 2, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
 layout(binding = 3, scalar) readonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
-layout(binding = 5) uniform sampler2DArray fragments; // position, coverage; extra fragments in the rows below the picture
+layout(binding = 5, rgba32f) readonly uniform image2DArray fragments; // position, coverage; extra fragments in the rows below the picture
 layout(binding = 6, rgba16f) uniform image2DArray drawn;
-layout(binding = 7) uniform sampler2DArray passes;  // radiance of every fragment, one layer a pass
+layout(binding = 7, rgba16f) readonly uniform image2DArray passes;  // radiance of every fragment, one layer a pass
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
 vec3 shown(Light light, vec3 position_m, ivec2 row, Haze haze) {
     vec3 q = to_gate(light, position_m - light.position_m);
-    vec3 radiance = texelFetch(passes, ivec3(row, light.pass), 0).rgb;
+    vec3 radiance = imageLoad(passes, ivec3(row, light.pass)).rgb;
     return beam_candela(light, q) * radiance * haze_transmittance(haze, length(q));
 }
 
@@ -37,7 +37,7 @@ void main() {
     pixel = is_extra ? uvec2(extra % size.x, size.y + extra / size.x) : min(pixel, size - 1u);
     ivec2 at = ivec2(pixel);
     Haze haze = view.haze;
-    vec4 fragment = texelFetch(fragments, ivec3(at, 0), 0);
+    vec4 fragment = imageLoad(fragments, ivec3(at, 0));
 
     vec3 sum = vec3(0.0);
     if (kSingle) {

@@ -167,8 +167,8 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
       cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),
       sum_(device, shaders::kShader_sum, {kStored, kStored, kStored}),
       fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored}),
-      meter_(device, shaders::kShader_meter, {kSampled, kStorage}),
-      develop_(device, shaders::kShader_develop, {kSampled, kUniform, kStored}), commands_(device) {
+      meter_(device, shaders::kShader_meter, {kStored, kStorage}),
+      develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}), commands_(device) {
     using gpu::Access;
     using gpu::Buffer;
     using gpu::Texture;
@@ -176,11 +176,11 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
     for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels) {
         surface_[wheels] = std::make_unique<gpu::Program>(
             device, shaders::kShader_surface,
-            std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kSampled, kStored, kSampled},
+            std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kStored},
             std::vector{wheels, single});
         haze_[wheels] = std::make_unique<gpu::Program>(
             device, shaders::kShader_haze,
-            std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kSampled, kStored},
+            std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored},
             std::vector{wheels, single});
     }
     // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
@@ -236,11 +236,11 @@ void Relighter::upload(const scene::Passes& passes, const shared::Gobos& gobos, 
     const std::size_t places = static_cast<std::size_t>(rows) * width_;
     std::vector<glm::vec4> fragments(places, glm::vec4(0, 0, 0, -1));
     for (std::size_t i = 0; i < layout.order.size(); ++i) fragments[i] = passes.fragments[layout.order[i]];
-    fragments_ = Texture(device_, {width_, rows, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT});
+    fragments_ = Texture(device_, {width_, rows, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
     fragments_.write(0, fragments.data(), fragments.size() * sizeof(glm::vec4));
     drawn_ = Texture(device_, {width_, rows, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     const auto layers = static_cast<std::uint32_t>(passes.lights.size()) + 1; // the last one is dark
-    passes_ = Texture(device_, {width_, rows, layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT});
+    passes_ = Texture(device_, {width_, rows, layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     std::vector<std::uint64_t> radiance(places); // four half floats each
     for (std::uint32_t layer = 0; layer < layers; ++layer) {
         std::fill(radiance.begin(), radiance.end(), std::uint64_t{0});
@@ -350,10 +350,10 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
         settings_.beams == Beams::march ? static_cast<std::uint32_t>(std::max(settings_.march_steps, 1)) : 0u;
     const std::vector<gpu::Binding> air{
         gpu::sampled(gobos_), gpu::uniform(view_),  gpu::uniform(lights_, offset),
-        gpu::storage(masks_), gpu::storage(lists_), gpu::sampled(fragments_),
+        gpu::storage(masks_), gpu::storage(lists_), gpu::stored(fragments_),
         gpu::stored(drawn_)};
     std::vector<gpu::Binding> surfaces = air;
-    surfaces.push_back(gpu::sampled(passes_));
+    surfaces.push_back(gpu::stored(passes_));
     shared::RelightPush push{count, 0, tiles_x_, tiles, blocks_, march_steps};
     if (settings_.air) commands_.begin_span("haze");
     for (push.batch = 0; settings_.air && push.batch < batches; ++push.batch) {
@@ -374,11 +374,11 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
 void Relighter::develop() {
     const shared::MeterPush meter{width_, height_, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
     commands_.begin_span("meter");
-    commands_.dispatch(meter_, meter, {gpu::sampled(images_), gpu::storage(exposure_)}, 1);
+    commands_.dispatch(meter_, meter, {gpu::stored(images_), gpu::storage(exposure_)}, 1);
     commands_.barrier();
     commands_.begin_span("develop");
     commands_.dispatch(develop_, std::uint32_t{0},
-                       {gpu::sampled(images_), gpu::uniform(exposure_), gpu::stored(picture_)},
+                       {gpu::stored(images_), gpu::uniform(exposure_), gpu::stored(picture_)},
                        groups(width_, 16), groups(height_, 8));
     commands_.barrier();
     commands_.begin_span("read back");
