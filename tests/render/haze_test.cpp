@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+// Haze on the GPU against a march of 4096 steps in double on the CPU, written down here once more from the
+// formula: beam x phase x transmittance / d^2 along the ray. A pixel is the mean of its four corners, as on
+// the GPU, so that what is left is the error of the integrators.
+#include "shared/beam.h"
+#include "shared/haze.h"
+#include "test_view.h"
+
+#include <cstdio>
+
+namespace ghost::render {
+namespace {
+
+using glm::dvec3;
+using glm::vec3;
+
+using Haze = RelightTest;
+
+constexpr shared::Haze kHaze{0.022f, 0.022f, 0.77f, -0.6f, 0.035f};
+
+double phase(double g, double cosine) {
+    return (1 - g * g) / (4 * 3.14159265358979 * std::pow(1 + g * g - 2 * g * cosine, 1.5));
+}
+
+image::ImageF corners_of(const scene::Passes& passes, const std::vector<shared::Light>& lights) {
+    constexpr int kSteps = 4096;
+    image::ImageF picture(passes.width, passes.height, 3);
+    const dvec3 eye(eye_of(passes));
+    const double extinction = kHaze.extinction_per_m, back = kHaze.back_weight;
+    for (int y = 0; y < passes.height; ++y)
+        for (int x = 0; x < passes.width; ++x) {
+            const std::size_t p = static_cast<std::size_t>(y * passes.width + x);
+            const dvec3 dir(ray_through(passes, static_cast<float>(x), static_cast<float>(y)));
+            const glm::vec4 surface = passes.fragments[p];
+            const double far = surface.w < 0 ? 60.0 : glm::length(dvec3(surface) - eye);
+            const double step = far / kSteps;
+            dvec3 sum(0);
+            for (const shared::Light& light : lights)
+                for (int k = 0; k < kSteps; ++k) {
+                    const double t = (k + 0.5) * step;
+                    const dvec3 way = eye + t * dir - dvec3(light.position_m);
+                    const vec3 gate = shared::to_gate(light, vec3(way));
+                    if (gate.z <= light.lens_m) continue;
+                    const vec3 candela = shared::beam_candela(light, gate, test_gobos());
+                    if (candela == vec3(0)) continue;
+                    const double distance = glm::length(way);
+                    const double cosine = -glm::dot(way, dir) / distance;
+                    const double weight =
+                        ((1 - back) * phase(kHaze.forward_g, cosine) + back * phase(kHaze.back_g, cosine)) *
+                        std::exp(-extinction * (t + distance)) / (distance * distance);
+                    sum += dvec3(candela) * weight;
+                }
+            sum *= static_cast<double>(kHaze.scattering_per_m) * step;
+            for (int c = 0; c < 3; ++c) picture.at(x, y)[c] = static_cast<float>(sum[c]);
+        }
+    return picture;
+}
+
+image::ImageF reference_of(const scene::Passes& passes, const std::vector<shared::Light>& lights) {
+    const image::ImageF corners = corners_of(passes, lights);
+    image::ImageF picture(passes.width, passes.height, 3);
+    for (int y = 0; y < passes.height; ++y)
+        for (int x = 0; x < passes.width; ++x)
+            for (int c = 0; c < 3; ++c) {
+                const int x1 = std::min(x + 1, passes.width - 1);
+                const int y1 = std::min(y + 1, passes.height - 1);
+                picture.at(x, y)[c] = 0.25f * (corners.at(x, y)[c] + corners.at(x1, y)[c] +
+                                               corners.at(x, y1)[c] + corners.at(x1, y1)[c]);
+            }
+    return picture;
+}
+
+image::ImageF drawn(const scene::Passes& passes, const std::vector<shared::Light>& lights, Beams beams,
+                    int steps) {
+    Settings settings;
+    settings.haze = kHaze;
+    settings.beams = beams;
+    settings.march_steps = steps;
+    Relighter relighter(device(), passes, test_gobos(), static_cast<int>(lights.size()), settings);
+    relighter.draw(lights);
+    return relighter.frame();
+}
+
+struct View {
+    const char* name;
+    scene::Passes passes;
+    std::vector<shared::Light> lights;
+    // Limits a little above what was measured; rms as a share of the reference's mean. Four samples are few
+    // where the beam comes at the camera, 110 over the whole ray are few for a narrow beam beside its lens:
+    // that is how the papers have it.
+    double cone_bias;
+    double cone_rms;
+    double march_bias;
+    double march_rms;
+};
+
+std::vector<View> views() {
+    const auto wall = [](const vec3& eye, const vec3& target, float fov_deg) {
+        return wall_passes(camera_at(eye, target, fov_deg, 45, 27), 6.0f);
+    };
+    std::vector<View> all;
+    const scene::Passes house = wall({0, -12, 3}, {0, 4, 3}, 26);
+    // Across the picture.
+    all.push_back({"wash across",
+                   house,
+                   {aimed_light({-4, 2, 6}, {4, 2, 0.5f}, 30, 8000, false)},
+                   0.005,
+                   0.02,
+                   0.03,
+                   0.5});
+    all.push_back(
+        {"spot across", house, {aimed_light({-4, 2, 6}, {4, 2, 0.5f}, 14, 8000)}, 0.01, 0.2, 0.12, 2.0});
+    shared::Light gobo = aimed_light({-4, 2, 6}, {4, 2, 0.5f}, 30, 8000);
+    put_gobo(gobo, 1, 20);
+    all.push_back({"gobo across", house, {gobo}, 0.01, 0.12, 0.02, 0.25});
+    put_gobo(gobo, 2, 50);
+    all.push_back({"two gobos across", house, {gobo}, 0.01, 0.35, 0.02, 0.35});
+    all.push_back(
+        {"into the camera", house, {aimed_light({1, 5, 6}, {0, -12, 3}, 20, 2000)}, 0.12, 1.8, 0.005, 0.01});
+    shared::Light behind = aimed_light({0, -16, 5}, {0, 4, 2.5f}, 30, 8000);
+    all.push_back({"camera inside the cone", house, {behind}, 0.02, 0.03, 0.005, 0.005});
+    all.push_back({"away from the camera",
+                   house,
+                   {aimed_light({2, -9, 5}, {-1, 6, 2}, 25, 8000)},
+                   0.01,
+                   0.05,
+                   0.005,
+                   0.005});
+    all.push_back({"from below",
+                   wall({2, -6, 1.5f}, {0, 4, 3.5f}, 50),
+                   {aimed_light({0, 3, 0}, {1, 3, 9}, 18, 8000, false)},
+                   0.005,
+                   0.03,
+                   0.05,
+                   0.8});
+    all.push_back({"onto a near wall",
+                   wall({-3, -2, 2}, {0, 6, 2}, 60),
+                   {aimed_light({2, 0, 5}, {-1, 6, 1}, 12, 8000)},
+                   0.01,
+                   0.25,
+                   0.03,
+                   0.5});
+    return all;
+}
+
+TEST_F(Haze, ConeAndMarchAgreeWithTheReference) {
+    for (const View& view : views()) {
+        SCOPED_TRACE(view.name);
+        const image::ImageF reference = reference_of(view.passes, view.lights);
+        const Difference cone = compare(drawn(view.passes, view.lights, Beams::cone, 0), reference);
+        const Difference march = compare(drawn(view.passes, view.lights, Beams::march, 110), reference);
+        const Difference fine = compare(drawn(view.passes, view.lights, Beams::march, 4096), reference);
+        std::printf(
+            "%-22s cone: bias %6.2f %%, rms %5.1f %%;  march 110: bias %6.2f %%, rms %5.1f %%;  march 4096: "
+            "bias %6.3f %%, rms %5.2f %% of the mean\n",
+            view.name, 100 * cone.mean_bias, 100 * cone.rms, 100 * march.mean_bias, 100 * march.rms,
+            100 * fine.mean_bias, 100 * fine.rms);
+        EXPECT_LT(std::abs(cone.mean_bias), view.cone_bias);
+        EXPECT_LT(cone.rms, view.cone_rms);
+        EXPECT_LT(std::abs(march.mean_bias), view.march_bias);
+        EXPECT_LT(march.rms, view.march_rms);
+        // With as many steps as the reference, nothing but rounding is left, and the gobo's levels.
+        EXPECT_LT(std::abs(fine.mean_bias), view.lights[0].wheel_count > 0 ? 0.008 : 0.0015);
+        EXPECT_LT(fine.rms, view.lights[0].wheel_count > 0 ? 0.15 : 0.01);
+    }
+}
+
+TEST_F(Haze, ExtinctionAloneScattersNothing) {
+    const View view = views()[0];
+    Settings settings;
+    settings.haze = kHaze;
+    settings.haze.scattering_per_m = 0;
+    Relighter relighter(device(), view.passes, test_gobos(), 1, settings);
+    relighter.draw(view.lights);
+    for (const float value : relighter.frame().samples) ASSERT_EQ(value, 0.0f);
+}
+
+// What culling leaves out must be dark: every light alone, with the picture larger than one tile.
+TEST_F(Haze, EveryViewIsSeenWholeAtAnySize) {
+    const shared::Light light = aimed_light({-3, 3, 6}, {3, 2, 0}, 35, 8000, false);
+    for (const auto& [width, height] : {std::pair{37, 23}, {16, 8}, {130, 9}, {15, 60}}) {
+        const scene::Passes passes = wall_passes(camera_at({0, -10, 3}, {0, 4, 3}, 40, width, height), 6.0f);
+        const Difference difference =
+            compare(drawn(passes, {light}, Beams::cone, 0), reference_of(passes, {light}));
+        EXPECT_LT(std::abs(difference.mean_bias), 0.006) << width << "x" << height;
+        EXPECT_LT(difference.worst, 0.05) << width << "x" << height;
+    }
+}
+
+} // namespace
+} // namespace ghost::render
