@@ -67,6 +67,11 @@ struct RelightPush {
 };
 SHARED_SIZE(RelightPush, 24);
 
+struct BouncePush {
+    uint light_count; // of the chunk
+};
+SHARED_SIZE(BouncePush, 4);
+
 struct FoldPush {
     uint edge_count; // pixels with extra fragments
 };

@@ -64,8 +64,9 @@ struct Light {
     uint wheel_count;      // how many of wheel[] shape the beam
     uint pass;             // its picture as a point source
     uint haze_samples;     // samples of the cone integrator; 0: surfaces only
+    vec3 bounce_cd;        // of a point source that sends out as many lumens: scales the bounced light
 };
-SHARED_SIZE(Light, 164);
+SHARED_SIZE(Light, 176);
 
 // Homogeneous haze: extinction, scattering and the two-term Henyey-Greenstein phase function.
 struct Haze {

@@ -2,6 +2,7 @@
 #include "render/relighter.h"
 
 #include "base/check.h"
+#include "shaders/bounce.h"
 #include "shaders/cull.h"
 #include "shaders/develop.h"
 #include "shaders/fold.h"
@@ -166,6 +167,7 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
       tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),
       sum_(device, shaders::kShader_sum, {kStored, kStored, kStored}),
+      bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
       fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
       develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}), commands_(device) {
@@ -197,6 +199,7 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
                                VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     picture_ = Texture(device, {width_, height_, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
     upload(passes, gobos, batches);
+    upload_bounces(passes);
 }
 
 Relighter::~Relighter() = default;
@@ -251,6 +254,22 @@ void Relighter::upload(const scene::Passes& passes, const shared::Gobos& gobos, 
                 std::memcpy(&radiance[i], &from[std::size_t{4} * layout.order[i]], sizeof radiance[i]);
         }
         passes_.write_layer(layer, radiance.data(), radiance.size() * sizeof(std::uint64_t));
+    }
+}
+
+void Relighter::upload_bounces(const scene::Passes& passes) {
+    const bool any = std::any_of(passes.lights.begin(), passes.lights.end(),
+                                 [](const scene::LightPass& pass) { return !pass.indirect.empty(); });
+    if (!any) return;
+    const auto layers = static_cast<std::uint32_t>(passes.lights.size()) + 1;
+    bounces_ =
+        gpu::Texture(device_, {width_, height_, layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    const std::vector<std::uint16_t> none(passes.pixel_count() * 4, 0);
+    for (std::uint32_t layer = 0; layer < layers; ++layer) {
+        const bool has = layer + 1 < layers && !passes.lights[layer].indirect.empty();
+        const std::vector<std::uint16_t>& from = has ? passes.lights[layer].indirect : none;
+        CHECK_EQ(from.size(), none.size());
+        bounces_.write_layer(layer, from.data(), from.size() * sizeof(std::uint16_t));
     }
 }
 
@@ -362,6 +381,14 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
                                         offsetof(shared::TileGroups, haze));
         commands_.barrier();
     }
+    if (settings_.surfaces && bounces_.bytes() > 0) {
+        commands_.begin_span("bounces");
+        commands_.dispatch(bounce_, shared::BouncePush{count},
+                           {gpu::uniform(view_), gpu::uniform(lights_, offset), gpu::stored(fragments_),
+                            gpu::stored(bounces_), gpu::stored(drawn_)},
+                           tiles_x_, tiles_y_);
+        commands_.barrier();
+    }
     if (settings_.surfaces) commands_.begin_span("surfaces");
     for (push.batch = 0; settings_.surfaces && push.batch < batches; ++push.batch) {
         commands_.dispatch_indirect(*surface_[wheels], push, surfaces, groups_,
@@ -415,7 +442,7 @@ std::uint64_t Relighter::memory_bytes() const {
          {&view_, &lights_, &tile_bounds_, &masks_, &lists_, &groups_, &exposure_, &pixels_})
         sum += buffer->bytes();
     for (const gpu::Texture* texture :
-         {&gobos_, &passes_, &fragments_, &edges_, &base_, &images_, &drawn_, &picture_})
+         {&gobos_, &passes_, &fragments_, &edges_, &base_, &images_, &bounces_, &drawn_, &picture_})
         sum += texture->bytes();
     return sum;
 }

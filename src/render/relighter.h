@@ -67,6 +67,7 @@ public:
 
 private:
     void upload(const scene::Passes& passes, const shared::Gobos& gobos, std::uint64_t batches);
+    void upload_bounces(const scene::Passes& passes);
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels);
     void develop();
@@ -87,11 +88,11 @@ private:
     std::uint64_t lights_used_ = 0; // bytes of lights_, in this frame
 
     static constexpr std::uint32_t kClasses = 3; // 0, 1, 2 gobo wheels
-    gpu::Program cull_, sum_, fold_, meter_, develop_;
+    gpu::Program cull_, sum_, bounce_, fold_, meter_, develop_;
     std::array<std::unique_ptr<gpu::Program>, kClasses> surface_, haze_;
     mutable gpu::Commands commands_;
     gpu::Buffer view_, lights_, tile_bounds_, masks_, lists_, groups_, exposure_, pixels_;
-    gpu::Texture gobos_, passes_, fragments_, edges_, base_, images_, drawn_, picture_;
+    gpu::Texture gobos_, passes_, fragments_, edges_, base_, images_, bounces_, drawn_, picture_;
 };
 
 // Images that fit into a memory budget, at most what a full tree needs.

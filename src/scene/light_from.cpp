@@ -60,6 +60,17 @@ SlotPair slots_at(const fixture::Type& type, const fixture::WheelState& state) {
     return pair;
 }
 
+// Share of the light that a gobo lets through: its most blurred level, averaged.
+vec3 gobo_mean(const shared::Gobos& gobos, std::uint32_t layer) {
+    if (layer == 0) return vec3(1.0f);
+    constexpr int kLevel = shared::kGoboLevels - 1;
+    constexpr int kSide = shared::kGoboSize >> kLevel;
+    vec3 sum(0.0f);
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x) sum += shared::gobo_texel(gobos, kLevel, layer, x, y);
+    return sum / static_cast<float>(kSide * kSide);
+}
+
 vec3 lamp_colour(const fixture::Beam& beam, const fixture::Optics& optics) {
     if (optics.emitters.empty())
         return image::cct_to_rec2020(optics.cct_k > 0 ? optics.cct_k : beam.color_temperature_k);
@@ -132,6 +143,10 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         gate.sine = std::sin(turn);
         light.wheel[light.wheel_count++] = gate;
     }
+    light.bounce_cd =
+        light.intensity_cd * (beam_solid_angle(profile, light.iris_radius) / (4.0f * shared::kPi));
+    for (std::uint32_t k = 0; k < light.wheel_count; ++k)
+        light.bounce_cd *= gobo_mean(gobos.images, light.wheel[k].layer_a);
     light.haze_samples = light.wheel_count > 0 ? kGoboSamples : kOpenSamples;
     return light;
 }

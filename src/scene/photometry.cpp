@@ -43,9 +43,8 @@ Profile make_profile(float beam_angle_deg, float field_angle_deg, bool hard_edge
     return profile;
 }
 
-float peak_candela(const Profile& profile, float flux_lm) {
-    // Integral of the shape over solid angle, in gate radii: dOmega = 2 pi r tan^2 / (1 + r^2 tan^2)^(3/2)
-    // dr.
+float beam_solid_angle(const Profile& profile, float aperture) {
+    // In gate radii: dOmega = 2 pi r tan^2 / (1 + r^2 tan^2)^(3/2) dr.
     const double tan2 = static_cast<double>(profile.tan_field) * static_cast<double>(profile.tan_field);
     const double dr = static_cast<double>(profile.cut_radius) / kSteps;
     double solid_angle = 0;
@@ -54,11 +53,16 @@ float peak_candela(const Profile& profile, float flux_lm) {
         const auto r_float = static_cast<float>(r);
         const double shape =
             static_cast<double>(shared::beam_profile(r_float * r_float, profile.power, profile.scale) *
-                                shared::beam_aperture(r_float, profile.aperture, profile.edge));
+                                shared::beam_aperture(r_float, aperture, profile.edge));
         solid_angle += shape * 2.0 * static_cast<double>(shared::kPi) * r * tan2 /
                        std::pow(1.0 + r * r * tan2, 1.5) * dr;
     }
-    return solid_angle > 0 ? static_cast<float>(static_cast<double>(flux_lm) / solid_angle) : 0.0f;
+    return static_cast<float>(solid_angle);
+}
+
+float peak_candela(const Profile& profile, float flux_lm) {
+    const float solid_angle = beam_solid_angle(profile, profile.aperture);
+    return solid_angle > 0 ? flux_lm / solid_angle : 0.0f;
 }
 
 } // namespace ghost::scene

@@ -24,4 +24,8 @@ Profile make_profile(float beam_angle_deg, float field_angle_deg, bool hard_edge
 // Candela on the axis of an open beam of this profile that carries flux_lm.
 float peak_candela(const Profile& profile, float flux_lm);
 
+// Solid angle (steradian) that a beam would fill at its peak intensity: lumens per candela on the axis.
+// aperture: gate radius that the iris leaves open, profile.aperture where there is none.
+float beam_solid_angle(const Profile& profile, float aperture);
+
 } // namespace ghost::scene

@@ -73,9 +73,11 @@ std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const Passes& pas
             second.pass = pass_of(next);
             second.haze_samples = 0;
             second.intensity_cd *= between;
+            second.bounce_cd *= between;
             shared::Light first = light;
             first.haze_samples = 0;
             first.intensity_cd *= 1.0f - between;
+            first.bounce_cd *= 1.0f - between;
             light.pass = dark_pass;
             lights.insert(lights.end(), {first, second, light});
         }
