@@ -37,6 +37,7 @@ struct RenderArguments {
     double seconds = 10;
     float ev100 = 0;
     bool has_ev100 = false;
+    int image_memory_mb = 1024;
     bool json = false;
 };
 
@@ -189,6 +190,7 @@ Result<void> run(RenderArguments& arguments) {
                          "--size"};
     }
     arguments.session.beams = arguments.beams == "march" ? render::Beams::march : render::Beams::cone;
+    arguments.session.image_memory_bytes = static_cast<std::uint64_t>(arguments.image_memory_mb) << 20;
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
     TRY(const OutputKind kind, output_kind(arguments.out));
@@ -241,6 +243,9 @@ void add_render(CLI::App& app, int& exit_code) {
                           ->check(CLI::Range(-10.0, 20.0));
     command->add_option("--device", a->session.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
+    command->add_option("--image-memory", a->image_memory_mb, "megabytes for kept images of resting lights")
+        ->check(CLI::Range(0, 65536))
+        ->capture_default_str();
     command->add_flag("--validation", a->session.validation, "check our use of Vulkan");
     command->add_flag("--quiet", a->session.quiet, "print warnings and errors only");
     command->add_flag("--json", a->json, "print the figures as JSON");
