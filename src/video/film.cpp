@@ -55,6 +55,7 @@ struct FilmWriter::Encoder {
 };
 
 Result<void> FilmWriter::Encoder::open(int width, int height, int fps) {
+    av_log_set_level(AV_LOG_WARNING); // the encoder's figures would tear our progress bar
     const AVCodec* encoder = avcodec_find_encoder_by_name("libx264");
     if (!encoder) encoder = avcodec_find_encoder(AV_CODEC_ID_MPEG4);
     if (!encoder) return Error{"this FFmpeg has neither an H.264 nor an MPEG-4 encoder", path.string()};
