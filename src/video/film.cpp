@@ -122,7 +122,6 @@ Result<void> FilmWriter::Encoder::drain() {
 
 Result<std::unique_ptr<FilmWriter>> FilmWriter::create(const std::filesystem::path& path, int width,
                                                        int height, int fps) {
-    av_log_set_level(AV_LOG_ERROR); // the encoder would tell its life story otherwise
     auto encoder = std::make_unique<Encoder>();
     encoder->path = path;
     encoder->temporary = temporary_beside(path);
