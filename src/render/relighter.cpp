@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 
 namespace ghost::render {
 namespace {
