@@ -126,6 +126,35 @@ TEST(GoldenLimit, AMissingLightIsSeen) {
     EXPECT_GT(lit_psnr(session->relighter->picture(), whole), kLimit_db + 5);
 }
 
+// Kept images of lights that rest are added in another order than lights drawn at once: a step of rounding,
+// no more.
+TEST(GoldenLimit, AFrameAloneIsTheFrameInARange) {
+    const Still& still = kStills[1];
+    const image::Image8 alone = still_picture(still);
+    Still earlier = still;
+    earlier.t_s -= 10.0 / 30;
+    const auto session = session_of(earlier);
+    session->draw();
+    auto recording = dmx::read_recording(session->show->recording);
+    ASSERT_TRUE(recording.ok());
+    const dmx::Player player(std::move(*recording));
+    const auto first = static_cast<int>(std::lround(earlier.t_s * 30)) + 1;
+    int kept = 0;
+    for (int frame = first; frame < first + 10; ++frame) {
+        session->rig->step(player.at(frame / 30.0), 1.0 / 30);
+        const render::FrameStatistics statistics = session->draw();
+        kept += statistics.drawn < static_cast<int>(session->show->fixtures.size()) ? 1 : 0;
+    }
+    EXPECT_GT(kept, 0) << "no light rests here: choose another place";
+    const image::Image8 in_range = session->relighter->picture();
+    int worst = 0;
+    for (std::size_t k = 0; k < alone.samples.size(); ++k)
+        worst = std::max(
+            worst, std::abs(static_cast<int>(alone.samples[k]) - static_cast<int>(in_range.samples[k])));
+    EXPECT_LE(worst, 2) << "of 255";
+    std::printf("a frame alone and in a range: %d of 255 at most\n", worst);
+}
+
 // Not a test: makes the references anew. See tests/golden/README.md.
 TEST(GoldenLimit, DISABLED_WriteReferences) {
     for (const Still& still : kStills)

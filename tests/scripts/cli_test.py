@@ -1,0 +1,281 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The program as a user sees it: exit codes, messages, repeatable bytes, and what bad input gets. Usage:
+cli_test.py SOURCE_FOLDER BUILD_FOLDER. Works on a copy of the demo show; nothing but Python's own library is needed."""
+import json
+import os
+import pathlib
+import resource
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+SOURCE = pathlib.Path(sys.argv[1]).resolve()
+PROGRAM = pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
+SIZE = "96x54"
+FRAME_500 = "16.66667"
+WORK = None  # a folder of our own; WORK/demo is the show
+
+
+def run(*arguments, file_limit=None):
+    """stdout and stderr together are in .text."""
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (file_limit, file_limit))
+
+    done = subprocess.run([str(PROGRAM), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          timeout=300, preexec_fn=limit if file_limit else None,
+                          restore_signals=False)  # SIGXFSZ stays ignored: a write past the limit fails as on a full disk
+    done.text = done.stdout + done.stderr
+    return done
+
+
+def copy_demo(name):
+    folder = WORK / name
+    folder.mkdir()
+    demo = SOURCE / "assets" / "demo"
+    for large in ("stage.glb", "demo.show"):
+        (folder / large).symlink_to(demo / large)
+    shutil.copy(demo / "show.toml", folder / "show.toml")
+    return folder
+
+
+def edit(path, old, new):
+    text = path.read_text()
+    assert old in text, old
+    path.write_text(text.replace(old, new, 1))
+
+
+class Case(unittest.TestCase):
+    def fails(self, done, code, *parts):
+        self.assertEqual(done.returncode, code, done.text)
+        for part in parts:
+            self.assertIn(part, done.text)
+
+    def works(self, done):
+        self.assertEqual(done.returncode, 0, done.text)
+
+    def only(self, folder, *names):
+        self.assertEqual(sorted(p.name for p in folder.iterdir()), sorted(names))
+
+    def out(self):
+        """A new empty folder."""
+        return pathlib.Path(tempfile.mkdtemp(dir=WORK))
+
+
+class Usage(Case):
+    def test_no_command_or_a_wrong_one_is_wrong_usage(self):
+        self.fails(run(), 2)
+        self.fails(run("rendre"), 2)
+        self.fails(run("render"), 2, "SHOW")
+        self.fails(run("render", WORK / "demo"), 2, "--out")
+        self.fails(run("render", WORK / "demo", "-o", "a.png", "--beams", "zigzag"), 2, "cone", "march")
+        self.fails(run("render", WORK / "demo", "-o", "a.png", "--at", "-3"), 2, "--at")
+        self.fails(run("render", WORK / "demo", "-o", "a.png", "--nonsense"), 2, "--nonsense")
+        self.fails(run("bake", WORK / "demo", "--spp", "0"), 2, "--spp")
+
+    def test_help_has_an_example_for_every_command(self):
+        commands = ["bake", "bench", "check", "monitor", "play", "record", "render"]
+        self.works(run("--help"))
+        for command in commands:
+            done = run(command, "--help")
+            self.works(done)
+            self.assertIn("Example", done.text, command)
+
+    def test_bad_sizes(self):
+        for size in ("12", "8x8", "100x", "9000x9000", "-64x36", "64x36x3", "axb"):
+            done = run("render", WORK / "demo", "-o", self.out() / "a.png", "--size", size)
+            self.assertIn(done.returncode, (1, 2), done.text)
+            self.assertIn("--size", done.text)
+
+    def test_unknown_device_lists_devices(self):
+        done = run("render", WORK / "demo", "-o", self.out() / "a.png", "--size", SIZE, "--device", "GeForce 8600M")
+        self.fails(done, 1, "GeForce 8600M", "0:")
+
+    def test_unknown_view_names_the_views(self):
+        out = self.out()
+        done = run("render", WORK / "demo", "-o", out / "a.png", "--view", "huose")
+        self.fails(done, 1, "huose", "'house'")
+        self.only(out)
+        self.fails(run("bake", WORK / "demo", "--view", "huose"), 1, "'house'")
+
+    def test_output_must_be_a_kind_that_we_write(self):
+        self.fails(run("render", WORK / "demo", "-o", self.out() / "a.gif"), 1, ".png", ".exr", ".mp4")
+
+    def test_film_without_a_range(self):
+        self.fails(run("render", WORK / "demo", "-o", self.out() / "a.mp4"), 1, "--from", "--to")
+
+    def test_empty_range(self):
+        out = self.out()
+        done = run("render", WORK / "demo", "-o", out / "a.mp4", "--size", SIZE, "--from", 5, "--to", 4)
+        self.fails(done, 1, "--from")
+        self.only(out)
+
+    def test_missing_things_are_named(self):
+        self.fails(run("render", WORK / "nowhere", "-o", "a.png"), 1, "nowhere")
+        self.fails(run("render", WORK / "demo", "-o", self.out() / "a.png", "--size", SIZE, "--replay", WORK / "no.show"),
+                   1, "no.show")
+        self.fails(run("play", WORK / "no.show"), 1, "no.show")
+        self.fails(run("check", WORK / "no.gdtf"), 1, "no.gdtf")
+        self.fails(run("bake", WORK / "nowhere"), 1, "nowhere")
+
+
+class Pictures(Case):
+    def render(self, out, *arguments, **options):
+        return run("render", WORK / "demo", "-o", out, "--size", SIZE, *arguments, **options)
+
+    def test_same_recording_same_bytes(self):
+        out = self.out()
+        for ending in ("png", "exr"):
+            for name in ("a", "b"):
+                self.works(self.render(out / f"{name}.{ending}", "--at", FRAME_500))
+            self.assertEqual((out / f"a.{ending}").read_bytes(), (out / f"b.{ending}").read_bytes())
+        self.assertGreater((out / "a.png").stat().st_size, 1500)
+        # A range: the same bytes every time, and the show moves. (Frame 500 alone and in a range differ by rounding, see
+        # tests/app/golden_test.cpp: there, images of lights that rest are kept from frame to frame.)
+        for name in ("one", "two"):
+            self.works(self.render(out / f"{name}.png", "--from", "16.5", "--to", "16.8", "--fps", "30"))
+        one, two = ([p.read_bytes() for p in sorted(out.glob(f"{name}-*"))] for name in ("one", "two"))
+        self.assertEqual(len(one), 9)
+        self.assertEqual(one, two)
+        self.assertEqual(len(set(one)), 9)
+
+    def test_film(self):
+        out = self.out()
+        done = self.render(out / "a.mp4", "--from", "16", "--to", "16.4", "--fps", "25", "--json")
+        self.works(done)
+        row = json.loads(done.stdout)
+        self.assertEqual((row["frames"], row["width"], row["height"]), (10, 96, 54))
+        self.assertIn(b"ftyp", (out / "a.mp4").read_bytes()[:16])
+        self.assertNotIn("x264", done.text)
+        self.only(out, "a.mp4")
+
+    def test_vulkan_is_used_as_it_should_be(self):
+        done = self.render(self.out() / "a.png", "--at", "50", "--validation")
+        self.works(done)
+        self.assertNotIn("validation", done.text.lower())
+
+    def test_march_and_exposure_change_the_picture(self):
+        out = self.out()
+        self.works(self.render(out / "cone.png", "--at", "50"))
+        self.works(self.render(out / "march.png", "--at", "50", "--beams", "march", "--steps", "40"))
+        self.works(self.render(out / "bright.png", "--at", "50", "--ev", "3"))
+        pictures = {(out / name).read_bytes() for name in ("cone.png", "march.png", "bright.png")}
+        self.assertEqual(len(pictures), 3)
+
+    def test_quiet_is_quiet(self):
+        self.assertEqual(self.render(self.out() / "a.png", "--quiet").text, "")
+
+    def test_places_that_cannot_be_written(self):
+        self.fails(self.render(WORK / "no" / "such" / "a.png"), 1, "a.png", "No such file")
+        self.fails(self.render(WORK / "no" / "such" / "a.mp4", "--from", 0, "--to", 1), 1, "a.mp4")
+
+    def test_full_disk_leaves_nothing_behind(self):
+        out = self.out()
+        (out / "old.png").write_bytes(b"yesterday")
+        for name, extra in (("a.png", ()), ("old.png", ()), ("a.exr", ()), ("a.mp4", ("--from", 50, "--to", 51))):
+            done = self.render(out / name, "--at", "50", *extra, file_limit=600)
+            self.fails(done, 1, name)
+            self.only(out, "old.png")
+        self.assertEqual((out / "old.png").read_bytes(), b"yesterday")
+
+
+class BadShows(Case):
+    """The picture is drawn all the same, with a message and exit 1."""
+
+    def draws_with_a_message(self, show, *parts):
+        out = self.out()
+        done = run("render", show, "-o", out / "a.png", "--size", SIZE, "--at", "70")
+        self.fails(done, 1, *parts)
+        self.assertGreater((out / "a.png").stat().st_size, 1000, done.text)
+        return (out / "a.png").read_bytes()
+
+    def baked_copy(self, name):
+        show = copy_demo(name)
+        shutil.copytree(WORK / "demo" / ".ghost", show / ".ghost")
+        for manifest in show.rglob("manifest.json"):
+            os.utime(manifest, (time.time() + 5, time.time() + 5))
+        return show
+
+    def test_lost_and_wrong_passes(self):
+        whole = self.out() / "whole.png"
+        self.works(run("render", WORK / "demo", "-o", whole, "--size", SIZE, "--at", "70"))
+        show = self.baked_copy("lost_pass")
+        lost = next(show.rglob("light_Wash 1_0.exr"))
+        lost.unlink()
+        without = self.draws_with_a_message(show, "Wash 1", lost.name)
+        self.assertNotEqual(without, whole.read_bytes())
+        for content, name in ((b"", "empty"), (b"not an exr", "junk")):
+            lost.write_bytes(content)
+            self.assertEqual(self.draws_with_a_message(show, "Wash 1", lost.name), without, name)
+        # Of another size.
+        self.works(run("render", WORK / "demo", "-o", self.out() / "a.png", "--size", "48x30"))
+        other = [p for p in (WORK / "demo" / ".ghost").rglob(lost.name) if "48x30" in str(p)]
+        shutil.copy(other[0], lost)
+        self.assertEqual(self.draws_with_a_message(show, "Wash 1", lost.name), without)
+        # Cut short.
+        good = next(p for p in (WORK / "demo" / ".ghost").rglob(lost.name) if SIZE in str(p)).read_bytes()
+        lost.write_bytes(good[: len(good) // 2])
+        self.assertEqual(self.draws_with_a_message(show, "Wash 1", lost.name), without)
+
+    def test_missing_fixture_file(self):
+        show = self.baked_copy("no_gdtf")
+        edit(show / "show.toml", "VL2500_Wash.gdtf", "VL2500_Wahs.gdtf")
+        self.draws_with_a_message(show, "VL2500_Wahs.gdtf", "show.toml:")
+
+    def test_unknown_key_and_mode(self):
+        show = self.baked_copy("odd_keys")
+        edit(show / "show.toml", "ambient_lux", "ambiant_lux")
+        edit(show / "show.toml", "Standard 15 channels", "Standard 16 channels")
+        self.draws_with_a_message(show, "ambiant_lux", "ambient_lux", "Standard 16 channels", "Standard 15 channels")
+
+    def test_missing_recording(self):
+        show = self.baked_copy("no_recording")
+        (show / "demo.show").unlink()
+        self.fails(run("render", show, "-o", self.out() / "a.png", "--size", SIZE), 1, "demo.show")
+        edit(show / "show.toml", 'recording = "demo.show"\n', "")
+        self.fails(run("render", show, "-o", self.out() / "a.png", "--size", SIZE), 1, "--replay")
+
+    def test_stage_cut_short(self):
+        show = copy_demo("cut_stage")
+        data = (show / "stage.glb").read_bytes()
+        (show / "stage.glb").unlink()
+        (show / "stage.glb").write_bytes(data[: len(data) // 3])
+        self.fails(run("render", show, "-o", self.out() / "a.png", "--size", SIZE), 1, "stage.glb")
+        (show / "stage.glb").unlink()
+        self.fails(run("render", show, "-o", self.out() / "a.png", "--size", SIZE), 1, "stage.glb")
+
+    def test_not_toml(self):
+        show = copy_demo("no_toml")
+        (show / "show.toml").write_text("[show\nname = 3\n")
+        self.fails(run("render", show, "-o", self.out() / "a.png"), 1, "show.toml:1")
+
+    def test_full_disk_while_baking(self):
+        show = copy_demo("full_disk")
+        out = self.out()
+        arguments = ("render", show, "-o", out / "a.png", "--size", "48x30")
+        self.fails(run(*arguments, file_limit=3000), 1, ".ghost")
+        self.only(out)
+        self.works(run(*arguments))  # and goes on when there is room again
+        self.only(out, "a.png")
+        self.assertEqual([p for p in show.rglob("*") if "tmp" in p.name or p.name.endswith(".part")], [])
+
+
+def main():
+    global WORK
+    if not PROGRAM.exists():
+        print(f"skipped: {PROGRAM} is not built")
+        return 77
+    with tempfile.TemporaryDirectory(prefix="ghost_cli_") as folder:
+        WORK = pathlib.Path(folder)
+        (WORK / "fixtures").symlink_to(SOURCE / "assets" / "fixtures")
+        copy_demo("demo")
+        suite = unittest.defaultTestLoader.loadTestsFromModule(sys.modules["__main__"])
+        return 0 if unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
