@@ -5,6 +5,7 @@
 #include "shared/develop.h"
 #include "test_view.h"
 
+#include <array>
 #include <cstdio>
 #include <cstring>
 
@@ -119,6 +120,41 @@ TEST_F(Surfaces, AmbientAndEmissionWithoutAnyLight) {
         EXPECT_NEAR(picture.samples[3 * p], (1.0f + 5.0f) * seen, 6.0f * 1e-3f);
         EXPECT_NEAR(picture.samples[3 * p + 1], 2.0f * seen, 2.0f * 1e-3f);
         EXPECT_NEAR(picture.samples[3 * p + 2], (3.0f + 1.0f) * seen, 4.0f * 1e-3f);
+    }
+}
+
+// Bounced light: the picture of the bounces times the lumens over 4 pi, cut by no cone, dimmed on the way to
+// the camera.
+TEST_F(Surfaces, BouncedLightFollowsTheLumens) {
+    scene::Passes passes = white_wall(37, 23);
+    passes.fragments[30].w = -1;
+    const vec3 at(0, -2, 5);
+    for (int k = 0; k < 3; ++k) add_pass(passes, at, [](const vec3&) { return vec3(0.0f); });
+    for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) // pass 1 has none
+        for (std::size_t p = 0; p < passes.pixel_count(); ++p)
+            for (int c = 0; c < 4; ++c) {
+                const float value =
+                    p == 30 || c == 3 ? 0.0f : 0.001f * static_cast<float>((k + 1) * (p % 50));
+                passes.lights[k].indirect.push_back(glm::packHalf1x16(value * scene::kRadianceScale));
+            }
+    std::vector<shared::Light> lights(4,
+                                      aimed_light(at, at + vec3(0, -1, 0), 10, 3000)); // away from the wall
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+        lights[k].pass = static_cast<std::uint32_t>(k); // the last one has no pass at all
+        lights[k].bounce_cd = vec3(100, 200, 50) * static_cast<float>(k + 1);
+    }
+    put_gobo(lights[2], 1); // another class of shader
+    Settings settings = clear_air();
+    settings.haze.extinction_per_m = 0.05f;
+    const image::ImageF picture = drawn(passes, lights, settings);
+    for (std::size_t p = 0; p < passes.pixel_count(); ++p) {
+        const float seen =
+            p == 30 ? 0 : std::exp(-0.05f * glm::length(vec3(passes.fragments[p]) - eye_of(passes)));
+        const float value = 0.001f * static_cast<float>(p % 50) * seen * 100.0f * (1 * 1 + 3 * 3);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const float expected = value * std::array{1.0f, 2.0f, 0.5f}[c];
+            ASSERT_NEAR(picture.samples[3 * p + c], expected, 0.003f * expected + 1e-4f) << p;
+        }
     }
 }
 

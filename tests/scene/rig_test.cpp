@@ -209,6 +209,21 @@ TEST(rig, HalfGoboShowsBothSlots) {
     EXPECT_LT(desk.candela({0, 0}).y, 0.01f * kWidePeak_cd);
 }
 
+// The isotropic source of the same lumens: 10000 / (4 pi) = 795.77 cd.
+TEST(rig, BouncedLightHasTheLumensOfTheBeam) {
+    for (const char* kind : {"Spot", "Wash"})
+        expect_colour(Desk(kind).light().bounce_cd, 795.775f * kLamp, 0.002f);
+    expect_colour(Desk("Spot").set(12, 0).light().bounce_cd, 795.775f * kLamp, 0.002f); // any zoom
+    expect_colour(Desk("Spot").set(1, 51).light().bounce_cd, 159.155f * kLamp, 0.002f);
+    // A tenth of the radius: 1 % of an even disc; the middle is a little brighter than the mean.
+    const float narrow = Desk("Spot").set(17, 0).light().bounce_cd.y / (795.775f * kLamp.y);
+    EXPECT_GT(narrow, 0.009f);
+    EXPECT_LT(narrow, 0.02f);
+    const float through_gobo = Desk("Spot").set(13, 72).light().bounce_cd.y / (795.775f * kLamp.y);
+    EXPECT_GT(through_gobo, 0.02f);
+    EXPECT_LT(through_gobo, 0.9f);
+}
+
 TEST(rig, HeadPointsWhereTheDeskSays) {
     Desk desk("Spot");
     desk.set(2, 128).set(3, 0).set(4, 128).set(5, 0); // centred: straight down
