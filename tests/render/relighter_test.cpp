@@ -56,7 +56,8 @@ TEST_F(Surfaces, BeamOnTheGpuIsTheBeamInCpp) {
         const Difference difference = compare(picture, reference);
         std::printf("beam kind %zu: bias %.4f %%, worst %.3f %% of the peak\n", kind,
                     100 * difference.mean_bias, 100 * difference.worst);
-        EXPECT_LT(difference.worst, 0.01);
+        // Texture units have 8 bits for the place between two texels.
+        EXPECT_LT(difference.worst, kinds[kind].wheel_count > 0 ? 0.015 : 0.002);
         EXPECT_LT(std::abs(difference.mean_bias), 0.001);
     }
 }
@@ -275,7 +276,7 @@ TEST_F(Frames, HistoryDoesNotShow) {
     double worst = 0;
     for (int frame = 0; frame < 30; ++frame) {
         for (unsigned k = random() % 4; k > 0; --k) {
-            shared::Light& light = lights[(frame / 5 + k) % 11];
+            shared::Light& light = lights[(static_cast<unsigned>(frame) / 5 + k) % 11];
             light.intensity_cd = vec3(static_cast<float>(random() % 3000));
         }
         kept.draw(lights);
