@@ -22,5 +22,5 @@ void main() {
     for (uint i = 0u; i < p.light_count; ++i)
         sum += imageLoad(bounces, ivec3(at, lights[i].pass)).rgb * lights[i].bounce_cd;
     float seen = haze_transmittance(view.haze, length(imageLoad(fragments, ivec3(at, 0)).xyz - view.eye_m)) / kPassScale;
-    imageStore(drawn, ivec3(at, 0), min(imageLoad(drawn, ivec3(at, 0)) + vec4(sum * seen, 0.0), vec4(kMostLight)));
+    imageStore(drawn, ivec3(at, 0), light_to_store(imageLoad(drawn, ivec3(at, 0)) + vec4(sum * seen, 0.0)));
 }

@@ -20,5 +20,5 @@ void main() {
     vec4 sum = imageLoad(drawn, at);
     for (uint k = first; k < first + (edge.y & 3u); ++k)
         sum += imageLoad(drawn, ivec3(k % view.width, view.height + k / view.width, 0));
-    imageStore(drawn, at, min(sum, vec4(kMostLight)));
+    imageStore(drawn, at, light_to_store(sum));
 }

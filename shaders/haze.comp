@@ -77,5 +77,5 @@ void main() {
             }
         }
     }
-    if (inside) imageStore(drawn, ivec3(at, 1), min(imageLoad(drawn, ivec3(at, 1)) + vec4(sum, 0.0), vec4(kMostLight)));
+    if (inside) imageStore(drawn, ivec3(at, 1), light_to_store(imageLoad(drawn, ivec3(at, 1)) + vec4(sum, 0.0)));
 }

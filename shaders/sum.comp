@@ -26,5 +26,5 @@ void main() {
     }
     for (uint k = p.accumulate != 0u ? 0u : 1u; k < p.addend_count + 1u; ++k)
         sum += imageLoad(images, ivec3(at, k == 0u ? p.target : p.addend[k - 1u]));
-    imageStore(images, ivec3(at, p.target), min(sum, vec4(kMostLight)));
+    imageStore(images, ivec3(at, p.target), light_to_store(sum));
 }

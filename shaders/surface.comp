@@ -55,5 +55,5 @@ void main() {
     float seen = haze_transmittance(haze, length(fragment.xyz - view.eye_m)) / kPassScale;
     sum *= fragment.w >= 0.0 ? seen : 0.0;
     if (inside)
-        imageStore(drawn, ivec3(at, 0), min(imageLoad(drawn, ivec3(at, 0)) + vec4(sum, 0.0), vec4(kMostLight)));
+        imageStore(drawn, ivec3(at, 0), light_to_store(imageLoad(drawn, ivec3(at, 0)) + vec4(sum, 0.0)));
 }

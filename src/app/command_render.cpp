@@ -113,6 +113,9 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
         still ? first : std::lround((arguments.to_s >= 0 ? arguments.to_s : player.duration_s()) * fps) - 1;
     if (last < first) return Error{"the range is empty: --to must be later than --from", "--from/--to"};
 
+    if (static_cast<double>(first) / fps > player.duration_s())
+        log_warning("the recording ends at " + std::to_string(player.duration_s()) +
+                    " s; what is drawn is its last look");
     catch_interrupts();
     const auto now_s = [] { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); };
     Progress progress(
@@ -179,7 +182,8 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
     return {};
 }
 
-Result<void> run(RenderArguments& arguments) {
+// What the command line asks for, checked before anything is opened.
+Result<bool> check_usage(RenderArguments& arguments) {
     if (!arguments.size.empty()) {
         char end = 0;
         if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &arguments.session.width,
@@ -196,7 +200,12 @@ Result<void> run(RenderArguments& arguments) {
     TRY(const OutputKind kind, output_kind(arguments.out));
     if (kind == OutputKind::film && !film)
         return Error{"a film needs a range: --from and --to in seconds, or --live-input", arguments.out};
+    if (arguments.to_s >= 0 && arguments.to_s <= std::max(arguments.from_s, 0.0))
+        return Error{"the range is empty: --to must be later than --from", "--from/--to"};
+    return film;
+}
 
+Result<void> run(RenderArguments& arguments, bool film) {
     TRY(const std::unique_ptr<Session> session, open_session(arguments.session));
     TRY(const std::unique_ptr<PictureWriter> writer,
         PictureWriter::create(arguments.out, session->relighter->width(), session->relighter->height(),
@@ -225,9 +234,9 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_option("--size", a->size, "WIDTHxHEIGHT instead of the camera's; bakes passes of that size")
         ->type_name("WxH");
     command->add_option("--replay", a->replay, "DMX recording (default: the show's own)")->type_name("FILE");
-    command->add_option("--at", a->at_s, "second of the recording")->check(CLI::NonNegativeNumber);
-    command->add_option("--from", a->from_s, "first second of a film")->check(CLI::NonNegativeNumber);
-    command->add_option("--to", a->to_s, "last second of a film")->check(CLI::NonNegativeNumber);
+    command->add_option("--at", a->at_s, "second of the recording")->check(CLI::Range(0.0, 86400.0));
+    command->add_option("--from", a->from_s, "first second of a film")->check(CLI::Range(0.0, 86400.0));
+    command->add_option("--to", a->to_s, "last second of a film")->check(CLI::Range(0.0, 86400.0));
     command->add_option("--fps", a->fps, "frames a second")->check(CLI::Range(1, 240))->capture_default_str();
     command->add_flag("--live-input", a->live_input, "draw what a desk sends now, by sACN or Art-Net");
     command->add_option("--seconds", a->seconds, "length of --live-input")
@@ -255,7 +264,13 @@ void add_render(CLI::App& app, int& exit_code) {
     command->callback([a, ev, &exit_code] {
         a->has_ev100 = ev->count() > 0;
         if (a->session.quiet) set_log_level(LogLevel::warning);
-        const Result<void> done = run(*a);
+        const Result<bool> film = check_usage(*a);
+        if (!film.ok()) {
+            log_error(film.error().text());
+            exit_code = 2;
+            return;
+        }
+        const Result<void> done = run(*a, *film);
         if (done.ok()) return;
         log_error(done.error().text());
         exit_code = 1;

@@ -34,6 +34,12 @@ std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
     return (items + size - 1) / size;
 }
 
+std::uint32_t batch_size(const gpu::Device& device, const Settings& settings) {
+    if (settings.lights_per_dispatch > 0)
+        return settings.lights_per_dispatch == 1 ? 1 : shared::kLightsPerChunk;
+    return device.is_cpu() ? 1 : shared::kLightsPerChunk;
+}
+
 } // namespace
 
 int image_slots(std::uint64_t memory_bytes, int width, int height, int light_count) {
@@ -48,8 +54,8 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
                      int light_count, const Settings& settings)
     : device_(device), settings_(settings), width_(static_cast<std::uint32_t>(passes.width)),
       height_(static_cast<std::uint32_t>(passes.height)), tiles_x_(groups(width_, shared::kTileWidth)),
-      tiles_y_(groups(height_, shared::kTileHeight)),
-      batch_size_(device.is_cpu() ? 1 : shared::kLightsPerChunk), light_count_(light_count),
+      tiles_y_(groups(height_, shared::kTileHeight)), batch_size_(batch_size(device, settings)),
+      light_count_(light_count),
       slot_count_(image_slots(settings.image_memory_bytes, passes.width, passes.height, light_count)),
       tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),

@@ -37,7 +37,8 @@ struct Settings {
     bool surfaces = true; // both on but for measurements
     bool air = true;
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30; // for kept images of the light tree
-    bool reuse = true;                                         // false: every light is drawn in every frame
+    std::uint32_t lights_per_dispatch = 0; // 0: what suits the device; 1 or kLightsPerChunk (shared/push.h)
+    bool reuse = true;                     // false: every light is drawn in every frame
 };
 
 struct FrameStatistics {

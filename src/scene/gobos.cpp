@@ -93,28 +93,32 @@ Plane halved(const Plane& plane) {
     return result;
 }
 
-// Mean over a disc, counting only what lies in the gate.
+// Mean over a disc, counting only what lies in the gate. Each row of the disc is a difference of running
+// sums.
 Plane disc_blurred(const Plane& plane, int radius) {
-    std::vector<std::pair<int, int>> disc;
-    for (int dy = -radius; dy <= radius; ++dy)
-        for (int dx = -radius; dx <= radius; ++dx)
-            if (dx * dx + dy * dy <= radius * radius) disc.emplace_back(dx, dy);
-    Plane result(plane.side);
-    for (int y = 0; y < plane.side; ++y)
-        for (int x = 0; x < plane.side; ++x) {
-            vec3 sum(0.0f);
-            float count = 0;
-            for (const auto& [dx, dy] : disc) {
-                const int sx = x + dx;
-                const int sy = y + dy;
-                if (sx < 0 || sy < 0 || sx >= plane.side || sy >= plane.side ||
-                    gate_radius(plane, sx, sy) > 1.0f)
-                    continue;
-                sum += plane.at(sx, sy);
-                count += 1;
+    const int side = plane.side;
+    const auto stride = static_cast<std::size_t>(side) + 1;
+    std::vector<glm::vec4> sums(stride * static_cast<std::size_t>(side),
+                                glm::vec4(0.0f)); // w: pixels counted
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const std::size_t at = static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x);
+            const bool inside = gate_radius(plane, x, y) <= 1.0f;
+            sums[at + 1] = sums[at] + (inside ? glm::vec4(plane.at(x, y), 1.0f) : glm::vec4(0.0f));
+        }
+    Plane result(side);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            glm::vec4 sum(0.0f);
+            for (int dy = -radius; dy <= radius; ++dy) {
+                if (y + dy < 0 || y + dy >= side) continue;
+                const int half = static_cast<int>(std::sqrt(static_cast<float>(radius * radius - dy * dy)));
+                const std::size_t row = static_cast<std::size_t>(y + dy) * stride;
+                sum += sums[row + static_cast<std::size_t>(std::min(x + half + 1, side))] -
+                       sums[row + static_cast<std::size_t>(std::max(x - half, 0))];
             }
             // Too far outside for any: the picture goes on as at the rim.
-            result.at(x, y) = count > 0 ? sum / count : plane.at(x, y);
+            result.at(x, y) = sum.w > 0.5f ? vec3(sum) / sum.w : plane.at(x, y);
         }
     return result;
 }

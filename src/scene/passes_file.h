@@ -27,7 +27,7 @@ inline constexpr int kPassesVersion = 1;
 // Pictures are lit by this many candela, the others by this many lux: half floats hold that without loss (see
 // kRadianceScale).
 inline constexpr float kPictureCandela = kRadianceScale;
-inline constexpr std::size_t kMaxLightPasses = 4096;
+inline constexpr std::size_t kMaxLightPasses = 2047; // and a dark one: layers of an image, on every device
 
 struct ManifestLight {
     std::string fixture;

@@ -88,8 +88,7 @@ class Usage(Case):
     def test_bad_sizes(self):
         for size in ("12", "8x8", "100x", "9000x9000", "-64x36", "64x36x3", "axb"):
             done = run("render", WORK / "demo", "-o", self.out() / "a.png", "--size", size)
-            self.assertIn(done.returncode, (1, 2), done.text)
-            self.assertIn("--size", done.text)
+            self.fails(done, 2, "--size")
 
     def test_unknown_device_lists_devices(self):
         done = run("render", WORK / "demo", "-o", self.out() / "a.png", "--size", SIZE, "--device", "GeForce 8600M")
@@ -103,10 +102,10 @@ class Usage(Case):
         self.fails(run("bake", WORK / "demo", "--view", "huose"), 1, "'house'")
 
     def test_output_must_be_a_kind_that_we_write(self):
-        self.fails(run("render", WORK / "demo", "-o", self.out() / "a.gif"), 1, ".png", ".exr", ".mp4")
+        self.fails(run("render", WORK / "demo", "-o", self.out() / "a.gif"), 2, ".png", ".exr", ".mp4")
 
     def test_film_without_a_range(self):
-        self.fails(run("render", WORK / "demo", "-o", self.out() / "a.mp4"), 1, "--from", "--to")
+        self.fails(run("render", WORK / "demo", "-o", self.out() / "a.mp4"), 2, "--from", "--to")
 
     def test_empty_range(self):
         out = self.out()
