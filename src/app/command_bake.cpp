@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/session.h"
 #include "bake/bake_show.h"
 #include "bake/frame.h"
 #include "scene/show.h"
@@ -76,6 +77,14 @@ int run_bake(const BakeArguments& arguments) {
         log_error(show.error().text());
         return 1;
     }
+    std::error_code code;
+    if (show->stage.instances.empty() && !show->stage_file.empty() &&
+        std::filesystem::exists(show->cache_folder() / "passes", code)) {
+        print_report(report);
+        log_error(show->stage_file.string() +
+                  ": the stage cannot be read; the passes that are there are kept");
+        return 1;
+    }
     catch_interrupts();
     Progress progress("baking", arguments.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
                       steady_now_s());
@@ -90,15 +99,7 @@ int run_bake(const BakeArguments& arguments) {
     };
     const Result<bake::BakeStats> stats = bake::bake_show(*show, options, report);
     progress.finish();
-    for (const scene::Message& message : report.messages) {
-        const std::string line = message.where.empty() ? message.what : message.where + ": " + message.what;
-        if (message.severity == scene::Severity::note)
-            log_info(line);
-        else if (message.severity == scene::Severity::warning)
-            log_warning(line);
-        else
-            log_error(line);
-    }
+    print_report(report);
     if (!stats.ok()) {
         log_error(stats.error().text());
         return 1;
@@ -132,7 +133,7 @@ void add_bake(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     command->add_flag("--quiet", arguments->quiet, "print warnings and errors only");
     command->add_flag("--json", arguments->json, "print the figures as JSON");
-    command->footer("Example: ghostlight bake assets/demo --view foh");
+    command->footer("Example: ghostlight bake assets/demo --view house");
     command->callback([arguments, &exit_code] { exit_code = run_bake(*arguments); });
 }
 

@@ -2,7 +2,9 @@
 // check FILE...: the import doctor. What a .gdtf or a show would lose, and where.
 #include "app/commands.h"
 
+#include "dmx/recording.h"
 #include "fixture/gdtf.h"
+#include "scene/passes.h"
 #include "scene/show.h"
 
 #include <nlohmann/json.hpp>
@@ -103,6 +105,19 @@ Checked check_show(const fs::path& path) {
         return result;
     }
     (void)scene::stage_with_bodies(*show, result.report); // for what it says of the fixtures' meshes
+    if (std::error_code code; fs::is_regular_file(show->recording, code)) {
+        const auto recording = dmx::read_recording(show->recording);
+        if (!recording.ok())
+            result.report.add(Severity::error, recording.error().where, recording.error().what);
+        if (recording.ok())
+            for (const Error& problem : recording->problems)
+                result.report.add(Severity::error, problem.where, problem.what);
+    }
+    for (const scene::Camera& camera : show->cameras) {
+        if (camera.foreign_passes.empty()) continue;
+        const auto passes = scene::load_foreign_passes(camera.foreign_passes, result.report);
+        if (!passes.ok()) result.report.add(Severity::error, passes.error().where, passes.error().what);
+    }
     const auto dark = std::count_if(show->fixtures.begin(), show->fixtures.end(),
                                     [](const scene::PatchedFixture& fixture) { return !fixture.type; });
     const scene::Stage& stage = show->stage;

@@ -86,7 +86,7 @@ void print_tally(const RenderArguments& arguments, const Session& session, const
     }
     log_info(arguments.out + ": " + std::to_string(tally.draw_ms.size()) + " frames, " +
              std::to_string(median) + " ms a frame (median), " + std::to_string(p99) + " ms (99 %)");
-    if (arguments.live_input)
+    if (arguments.live_input && !tally.latency_ms.empty())
         log_info("packet to picture: " + std::to_string(percentile(tally.latency_ms, 0.5)) +
                  " ms (median); " + std::to_string(tally.late) +
                  " film frames repeat a picture because drawing took longer than a frame");
@@ -122,16 +122,13 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
         "rendering",
         arguments.session.quiet || still ? Progress::Style::silent : Progress::style_for_stderr(), now_s());
     for (long frame = 0; frame <= last; ++frame) {
+        if (interrupted()) break;
         session.rig->step(player.at(static_cast<double>(frame) / fps), 1.0 / fps);
         if (frame < first) continue;
         tally.add(session.draw());
         TRY_VOID(writer.add(*session.relighter));
         progress.update(static_cast<double>(frame - first + 1) / static_cast<double>(last - first + 1),
                         now_s(), arguments.out);
-        if (interrupted()) {
-            log_warning("interrupted: " + arguments.out + " ends early");
-            break;
-        }
     }
     progress.finish();
     return {};
@@ -200,6 +197,8 @@ Result<bool> check_usage(RenderArguments& arguments) {
     TRY(const OutputKind kind, output_kind(arguments.out));
     if (kind == OutputKind::film && !film)
         return Error{"a film needs a range: --from and --to in seconds, or --live-input", arguments.out};
+    if (!std::isfinite(arguments.at_s) || !std::isfinite(arguments.from_s) || !std::isfinite(arguments.to_s))
+        return Error{"seconds must be a number", "--at/--from/--to"};
     if (arguments.to_s >= 0 && arguments.to_s <= std::max(arguments.from_s, 0.0))
         return Error{"the range is empty: --to must be later than --from", "--from/--to"};
     return film;
@@ -214,6 +213,7 @@ Result<void> run(RenderArguments& arguments, bool film) {
     TRY_VOID(arguments.live_input ? render_live(arguments, *session, *writer, tally)
                                   : render_recording(arguments, *session, *writer, tally));
     TRY_VOID(writer->finish());
+    if (interrupted()) return Error{"interrupted: it ends early", arguments.out};
     print_tally(arguments, *session, tally);
     if (session->report.lost_anything())
         return Error{"drawn, but something that the show asks for is missing (see above)",
@@ -235,10 +235,16 @@ void add_render(CLI::App& app, int& exit_code) {
         ->type_name("WxH");
     command->add_option("--replay", a->replay, "DMX recording (default: the show's own)")->type_name("FILE");
     command->add_option("--at", a->at_s, "second of the recording")->check(CLI::Range(0.0, 86400.0));
-    command->add_option("--from", a->from_s, "first second of a film")->check(CLI::Range(0.0, 86400.0));
-    command->add_option("--to", a->to_s, "last second of a film")->check(CLI::Range(0.0, 86400.0));
+    command->add_option("--from", a->from_s, "first second of a film")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->excludes("--at");
+    command->add_option("--to", a->to_s, "last second of a film")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->excludes("--at");
     command->add_option("--fps", a->fps, "frames a second")->check(CLI::Range(1, 240))->capture_default_str();
-    command->add_flag("--live-input", a->live_input, "draw what a desk sends now, by sACN or Art-Net");
+    command->add_flag("--live-input", a->live_input, "draw what a desk sends now, by sACN or Art-Net")
+        ->excludes("--replay")
+        ->excludes("--at");
     command->add_option("--seconds", a->seconds, "length of --live-input")
         ->check(CLI::Range(0.1, 86400.0))
         ->capture_default_str();

@@ -3,12 +3,15 @@
 
 #include "app/interrupt.h"
 #include "bake/bake_show.h"
+#include "bake/keys.h"
 #include "scene/passes_file.h"
 
+#include "base/files.h"
 #include "base/log.h"
 #include "base/progress.h"
 
 #include <chrono>
+#include <cstdio>
 #include <set>
 
 namespace ghost::app {
@@ -16,29 +19,42 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uintmax_t kMaxSourceBytes = 1u << 30;
+constexpr float kSamePlace_m = 0.05f;
+
 double steady_now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Whether any file that the passes depend on is newer than they are. The bake itself compares contents; this
-// only says whether it has to be asked.
-bool is_stale(const scene::Show& show, const fs::path& manifest) {
-    std::error_code code;
-    const fs::file_time_type made = fs::last_write_time(manifest, code);
-    if (code) return true;
+// Hash of all that passes are made from: the show file, the stage, the fixture files and the baker. The bake
+// itself compares in detail; this only says whether it has to be asked.
+std::string fingerprint(const scene::Show& show) {
     std::set<fs::path> sources{show.file, show.stage_file};
     for (const scene::PatchedFixture& fixture : show.fixtures) sources.insert(show.folder / fixture.gdtf);
+    bake::Hasher hasher;
+    hasher.value(bake::kBakerVersion);
     for (const fs::path& source : sources) {
-        const fs::file_time_type changed = fs::last_write_time(source, code);
-        if (!code && changed > made) return true;
+        hasher.text(source.filename().string());
+        const auto bytes = read_file(source, kMaxSourceBytes);
+        if (bytes.ok()) hasher.list(*bytes);
     }
-    return false;
+    return hasher.hex();
 }
 
-Result<void> bake_view(scene::Show& show, const std::string& view, bool quiet, scene::Report& report) {
-    if (show.stage.instances.empty()) {
-        TRY(show.stage, scene::load_stage_file(show.stage_file, report));
+// The stage, if it can be read. A show without one still has its beams.
+bool load_stage(scene::Show& show, scene::Report& report) {
+    if (show.stage_file.empty() || !show.stage.instances.empty()) return true;
+    Result<scene::Stage> stage = scene::load_stage_file(show.stage_file, report);
+    if (!stage.ok()) {
+        report.add(scene::Severity::error, stage.error().where, stage.error().what);
+        return false;
     }
+    show.stage = std::move(*stage);
+    return !show.stage.instances.empty();
+}
+
+Result<void> bake_view(const scene::Show& show, const std::string& view, const fs::path& folder, bool quiet,
+                       scene::Report& report) {
     catch_interrupts();
     Progress progress("baking", quiet ? Progress::Style::silent : Progress::style_for_stderr(),
                       steady_now_s());
@@ -48,6 +64,11 @@ Result<void> bake_view(scene::Show& show, const std::string& view, bool quiet, s
     options.progress = [&](double share, const std::string& note) {
         progress.update(share, steady_now_s(), note);
     };
+    // As it was baked before: a long bake is not replaced by a short one.
+    if (const auto manifest = scene::read_manifest(folder); manifest.ok() && manifest->spp > 0) {
+        options.spp = manifest->spp;
+        options.bounces = manifest->bounces;
+    }
     const Result<bake::BakeStats> stats = bake::bake_show(show, options, report);
     progress.finish();
     if (!stats.ok()) return stats.error();
@@ -57,15 +78,55 @@ Result<void> bake_view(scene::Show& show, const std::string& view, bool quiet, s
     return {};
 }
 
+// A pass rendered elsewhere says where its light stood; where that is not where the show hangs it, the
+// picture is right for the pass and wrong for the show.
+void compare_positions(const scene::Show& show, const scene::Passes& passes, const std::string& file,
+                       scene::Report& report) {
+    for (const scene::PatchedFixture& fixture : show.fixtures) {
+        const int pass = passes.find(fixture.name, 0);
+        if (pass < 0 || !fixture.type) continue;
+        const glm::vec3 there = passes.lights[static_cast<std::size_t>(pass)].position_m;
+        const glm::vec3 here = scene::light_position_m(fixture, 0);
+        if (glm::length(there - here) < kSamePlace_m) continue;
+        const auto text = [](const glm::vec3& m) {
+            char buffer[64];
+            std::snprintf(buffer, sizeof buffer, "[%.2f, %.2f, %.2f]", static_cast<double>(m.x),
+                          static_cast<double>(m.y), static_cast<double>(m.z));
+            return std::string(buffer);
+        };
+        report.add(scene::Severity::warning, file,
+                   "the light of '" + fixture.name + "' stands at " + text(there) + ", the show has it at " +
+                       text(here) + "; the passes are believed");
+    }
+}
+
 Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
                                  const SessionOptions& options, scene::Report& report) {
-    if (!camera.foreign_passes.empty()) return scene::load_foreign_passes(camera.foreign_passes, report);
+    if (!camera.foreign_passes.empty()) {
+        if (options.width > 0)
+            return Error{"the passes of camera '" + camera.name +
+                             "' were rendered elsewhere and have one size only",
+                         "--size"};
+        TRY(scene::Passes passes, scene::load_foreign_passes(camera.foreign_passes, report));
+        compare_positions(show, passes, camera.foreign_passes.string(), report);
+        return passes;
+    }
     const fs::path folder = scene::passes_folder(show, camera.name);
-    const fs::path manifest = folder / "manifest.json";
-    if (options.bake && is_stale(show, manifest)) {
-        TRY_VOID(bake_view(show, camera.name, options.quiet, report));
-        std::error_code ignored;
-        fs::last_write_time(manifest, fs::file_time_type::clock::now(), ignored);
+    const fs::path sources = folder / "sources.txt";
+    const std::string wanted = fingerprint(show);
+    const auto had = read_text_file(sources, 1024);
+    if (options.bake && !(had.ok() && *had == wanted)) {
+        std::error_code code;
+        const bool baked_before = fs::exists(folder / "manifest.json", code);
+        const bool has_stage = load_stage(show, report);
+        if (has_stage || !baked_before) TRY_VOID(bake_view(show, camera.name, folder, options.quiet, report));
+        if (has_stage) {
+            if (const Result<void> written = write_file_atomic(sources, wanted); !written.ok())
+                report.add(scene::Severity::warning, written.error().where, written.error().what);
+        } else if (baked_before) {
+            report.add(scene::Severity::warning, folder.string(),
+                       "the stage cannot be read: these older passes are shown");
+        }
     }
     return scene::load_passes(folder, true, report);
 }

@@ -39,6 +39,7 @@ CameraBake::CameraBake(const scene::Show& show, const scene::Stage& stage, const
     wanted_.width = camera.width;
     wanted_.height = camera.height;
     wanted_.spp = options.spp;
+    wanted_.bounces = options.bounces;
     wanted_.geometry_key = geometry_key(keys, camera, options.spp);
     Hasher layout;
     layout.text(wanted_.geometry_key);

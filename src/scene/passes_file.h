@@ -53,6 +53,7 @@ struct PassManifest {
     int width = 0;
     int height = 0;
     int spp = 0;
+    int bounces = 0;
     std::string geometry_key; // stage, camera, spp, baker
     std::string layout_key;   // the same and the bodies in sight: which fragments there are
     std::string folder;       // of the pictures

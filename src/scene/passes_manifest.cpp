@@ -114,6 +114,7 @@ std::string manifest_text(const PassManifest& m) {
                       {"width", m.width},
                       {"height", m.height},
                       {"spp", m.spp},
+                      {"bounces", m.bounces},
                       {"primaries", "rec2020"},
                       {"intensity_cd", kPictureCandela},
                       {"geometry_key", m.geometry_key},
@@ -142,6 +143,7 @@ Result<PassManifest> parse_manifest(std::string_view text, const std::string& wh
     m.width = static_cast<int>(top.whole("width", 1, kMaxSide));
     m.height = static_cast<int>(top.whole("height", 1, kMaxSide));
     m.spp = static_cast<int>(top.whole("spp", 1, 1 << 20));
+    m.bounces = static_cast<int>(top.whole("bounces", 0, 64));
     if (const json* fov = top.find("fov_y_deg"); fov != nullptr) {
         if (fov->is_number() && fov->get<float>() > 0.0f && fov->get<float>() < 180.0f)
             m.fov_y_deg = fov->get<float>();
