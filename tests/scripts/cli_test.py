@@ -110,7 +110,7 @@ class Usage(Case):
     def test_empty_range(self):
         out = self.out()
         done = run("render", WORK / "demo", "-o", out / "a.mp4", "--size", SIZE, "--from", 5, "--to", 4)
-        self.fails(done, 1, "--from")
+        self.fails(done, 2, "--from")
         self.only(out)
 
     def test_missing_things_are_named(self):
@@ -175,8 +175,9 @@ class Pictures(Case):
     def test_full_disk_leaves_nothing_behind(self):
         out = self.out()
         (out / "old.png").write_bytes(b"yesterday")
-        for name, extra in (("a.png", ()), ("old.png", ()), ("a.exr", ()), ("a.mp4", ("--from", 50, "--to", 51))):
-            done = self.render(out / name, "--at", "50", *extra, file_limit=600)
+        still = ("--at", 50)
+        for name, when in (("a.png", still), ("old.png", still), ("a.exr", still), ("a.mp4", ("--from", 50, "--to", 51))):
+            done = self.render(out / name, *when, file_limit=600)
             self.fails(done, 1, name)
             self.only(out, "old.png")
         self.assertEqual((out / "old.png").read_bytes(), b"yesterday")
