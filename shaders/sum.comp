@@ -19,7 +19,7 @@ void main() {
     for (uint once = p.add_drawn != 0u ? 0u : 1u; once < 1u; ++once) {
         sum += imageLoad(drawn, ivec3(at, 0));
         // Haze was sampled at the corners of the pixels, every corner of a 2x2 block at its own offset along the ray (interleaved
-        // sampling, Keller & Heidrich 2001): the mean of the four corners has all offsets, everywhere, so no noise is left.
+        // sampling, Keller & Heidrich 2001): the mean of the four corners has all offsets, everywhere, so hardly any noise is left.
         ivec2 next = min(at + 1, last);
         sum += 0.25 * (imageLoad(drawn, ivec3(at, 1)) + imageLoad(drawn, ivec3(next.x, at.y, 1)) +
                        imageLoad(drawn, ivec3(at.x, next.y, 1)) + imageLoad(drawn, ivec3(next, 1)));

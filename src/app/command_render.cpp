@@ -141,7 +141,9 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
     TRY(const std::unique_ptr<dmx::Receiver> receiver, dmx::Receiver::start(options));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
     catch_interrupts();
-    log_info("listening for " + std::to_string(arguments.seconds) + " s");
+    char length[32];
+    std::snprintf(length, sizeof length, "listening for %g s", arguments.seconds);
+    log_info(length);
 
     dmx::Universes universes;
     const Clock::time_point start = Clock::now();

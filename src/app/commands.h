@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// The commands. Each add_ function adds one subcommand to the command line; its callback runs the command and sets exit_code:
-// 0 done, 1 the input was at fault, 2 wrong usage.
+// The commands. Each add_ function adds one subcommand to the command line; its callback runs the command and
+// sets exit_code: 0 done, 1 the input was at fault, 2 wrong usage.
 
 #include <CLI/CLI.hpp>
 

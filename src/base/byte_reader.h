@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// ByteReader: reads numbers from bytes that somebody else sent. Reading past the end gives 0 and makes ok() false; it
-// never touches memory outside the span.
+// ByteReader: reads numbers from bytes that somebody else sent. Reading past the end gives 0 and makes ok()
+// false; it never touches memory outside the span.
 
 #include <cstdint>
 #include <span>

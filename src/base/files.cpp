@@ -31,7 +31,8 @@ Result<Container> read_into(const fs::path& path, std::uintmax_t limit_bytes) {
     const std::uintmax_t size = fs::file_size(path, code);
     if (code) return Error{"cannot read its size: " + code.message(), path.string()};
     if (size > limit_bytes)
-        return Error{"is " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(limit_bytes),
+        return Error{"is " + std::to_string(size) + " bytes, more than the limit of " +
+                         std::to_string(limit_bytes),
                      path.string()};
     const Descriptor file{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
     if (file.fd < 0) return errno_error("cannot open", path);

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Whole files in and out. Reading has a limit, writing is atomic: a temporary file beside the target, fsync, rename; a
-// full disk or a kill leaves the old file. Any thread.
+// Whole files in and out. Reading has a limit, writing is atomic: a temporary file beside the target, fsync,
+// rename; a full disk or a kill leaves the old file. Any thread.
 
 #include "base/byte_reader.h"
 #include "base/result.h"

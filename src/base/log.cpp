@@ -17,10 +17,20 @@ void print(LogLevel level, const char* prefix, const std::string& text) {
 
 } // namespace
 
-void set_log_level(LogLevel level) { g_level = level; }
-void log_debug(const std::string& text) { print(LogLevel::debug, "", text); }
-void log_info(const std::string& text) { print(LogLevel::info, "", text); }
-void log_warning(const std::string& text) { print(LogLevel::warning, "warning: ", text); }
-void log_error(const std::string& text) { print(LogLevel::error, "error: ", text); }
+void set_log_level(LogLevel level) {
+    g_level = level;
+}
+void log_debug(const std::string& text) {
+    print(LogLevel::debug, "", text);
+}
+void log_info(const std::string& text) {
+    print(LogLevel::info, "", text);
+}
+void log_warning(const std::string& text) {
+    print(LogLevel::warning, "warning: ", text);
+}
+void log_error(const std::string& text) {
+    print(LogLevel::error, "error: ", text);
+}
 
 } // namespace ghost

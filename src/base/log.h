@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Messages for people, one line each, on standard error. Thread-safe. Standard output stays free for what a command is
-// asked to print.
+// Messages for people, one line each, on standard error. Thread-safe. Standard output stays free for what a
+// command is asked to print.
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Mailbox<T>: hands the newest value from one thread to another. Older unread values are overwritten, so a slow reader
-// never works off a backlog.
+// Mailbox<T>: hands the newest value from one thread to another. Older unread values are overwritten, so a
+// slow reader never works off a backlog.
 
 #include <mutex>
 #include <optional>

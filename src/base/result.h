@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Result<T>: a value, or an Error that says what was wrong and where. For everything that comes from outside (files,
-// packets, options); bugs use CHECK. Values only, safe on every thread.
+// Result<T>: a value, or an Error that says what was wrong and where. For everything that comes from outside
+// (files, packets, options); bugs use CHECK. Values only, safe on every thread.
 
 #include <optional>
 #include <string>
@@ -61,9 +61,9 @@ private:
 #define GHOST_JOIN(a, b) GHOST_JOIN_INNER(a, b)
 
 // TRY(auto value, call()): declares value, or returns the error to the caller.
-#define TRY(declaration, expression)                                                                                   \
-    auto GHOST_JOIN(result_, __LINE__) = (expression);                                                                 \
-    if (!GHOST_JOIN(result_, __LINE__).ok()) return GHOST_JOIN(result_, __LINE__).error();                             \
+#define TRY(declaration, expression)                                                                         \
+    auto GHOST_JOIN(result_, __LINE__) = (expression);                                                       \
+    if (!GHOST_JOIN(result_, __LINE__).ok()) return GHOST_JOIN(result_, __LINE__).error();                   \
     declaration = std::move(*GHOST_JOIN(result_, __LINE__))
 
 // TRY_VOID(call()): returns the error of a Result<void> to the caller.

@@ -1,14 +1,18 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Report: what was noticed while something was read: what was lost, repaired or guessed. Loading goes on; the caller shows
-// the report. Values only.
+// Report: what was noticed while something was read: what was lost, repaired or guessed. Loading goes on; the
+// caller shows the report. Values only.
 
 #include <string>
 #include <vector>
 
 namespace ghost::scene {
 
-enum class Severity { note, warning, error }; // error: something the user asked for is missing from the picture
+enum class Severity {
+    note,
+    warning,
+    error
+}; // error: something the user asked for is missing from the picture
 
 struct Message {
     Severity severity = Severity::warning;
