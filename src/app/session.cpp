@@ -114,21 +114,37 @@ Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
     const fs::path folder = scene::passes_folder(show, camera.name);
     const fs::path sources = folder / "sources.txt";
     const std::string wanted = fingerprint(show);
+    const auto remember_sources = [&] {
+        if (const Result<void> written = write_file_atomic(sources, wanted); !written.ok())
+            report.add(scene::Severity::warning, written.error().where, written.error().what);
+    };
     const auto had = read_text_file(sources, 1024);
     if (options.bake && !(had.ok() && *had == wanted)) {
         std::error_code code;
         const bool baked_before = fs::exists(folder / "manifest.json", code);
         const bool has_stage = load_stage(show, report);
         if (has_stage || !baked_before) TRY_VOID(bake_view(show, camera.name, folder, options.quiet, report));
-        if (has_stage) {
-            if (const Result<void> written = write_file_atomic(sources, wanted); !written.ok())
-                report.add(scene::Severity::warning, written.error().where, written.error().what);
-        } else if (baked_before) {
+        if (has_stage)
+            remember_sources();
+        else if (baked_before)
             report.add(scene::Severity::warning, folder.string(),
                        "the stage cannot be read: these older passes are shown");
-        }
     }
-    return scene::load_passes(folder, true, report);
+    scene::Report found;
+    Result<scene::Passes> passes = scene::load_passes(folder, true, found);
+    if (options.bake && (!passes.ok() || found.lost_anything()) && load_stage(show, report)) {
+        for (const scene::Message& message : found.messages)
+            report.add(scene::Severity::warning, message.where, message.what + "; it is baked again");
+        if (!passes.ok())
+            report.add(scene::Severity::warning, passes.error().where,
+                       passes.error().what + "; it is baked again");
+        TRY_VOID(bake_view(show, camera.name, folder, options.quiet, report));
+        remember_sources();
+        found = {};
+        passes = scene::load_passes(folder, true, found);
+    }
+    report.messages.insert(report.messages.end(), found.messages.begin(), found.messages.end());
+    return passes;
 }
 
 } // namespace

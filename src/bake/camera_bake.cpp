@@ -6,7 +6,9 @@
 #include "base/files.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <tbb/parallel_for.h>
 
 namespace ghost::bake {
 namespace fs = std::filesystem;
@@ -18,11 +20,6 @@ constexpr std::size_t kBatch = 8;
 constexpr double kSurroundingsCost = 5.0;
 
 constexpr char kSurroundings[] = "surroundings";
-
-bool is_file(const fs::path& path) {
-    std::error_code code;
-    return fs::is_regular_file(path, code);
-}
 
 std::string pass_name(const scene::ManifestLight& light) {
     return light.fixture + (light.stop > 0 ? " stop " + std::to_string(light.stop) : "");
@@ -69,11 +66,22 @@ CameraBake::CameraBake(const scene::Show& show, const scene::Stage& stage, const
     done_.assign(wanted_.lights.size(), false);
 }
 
-bool CameraBake::complete(const scene::ManifestLight& light, const std::string& folder) const {
-    const fs::path base = folder_ / folder;
-    return is_file(base / (light.picture + ".exr")) &&
-           (old_->extra_count == 0 || is_file(base / (light.picture + ".extra.exr"))) &&
-           (!light.indirect || is_file(base / (light.picture + "_indirect.exr")));
+bool CameraBake::complete(const scene::ManifestLight& light, const scene::FragmentTable& table) const {
+    const fs::path base = folder_ / old_->folder;
+    scene::Report unread;
+    return scene::read_layer(base, light.picture, table, scene::kPictureCandela, light.key, unread).ok() &&
+           (!light.indirect || scene::read_picture(base / (light.picture + "_indirect.exr"), table.width,
+                                                   table.height, scene::kPictureCandela, light.key, unread)
+                                   .ok());
+}
+
+bool CameraBake::surroundings_complete(const scene::FragmentTable& table) const {
+    const fs::path base = folder_ / old_->folder;
+    scene::Report unread;
+    const auto whole = [&](const char* name, float scale) {
+        return scene::read_layer(base, name, table, scale, old_->layout_key, unread).ok();
+    };
+    return whole("ambient", scene::kPictureCandela) && (!old_->has_emission || whole("emission", 1.0f));
 }
 
 double CameraBake::plan() {
@@ -81,8 +89,12 @@ double CameraBake::plan() {
     if (auto manifest = scene::read_manifest(folder_); manifest.ok()) old_ = std::move(*manifest);
     const double pixels = static_cast<double>(camera_.width) * camera_.height;
     double patch_pixels = 0;
-    if (old_ && old_->geometry_key == wanted_.geometry_key &&
-        is_file(folder_ / old_->folder / "fragments.exr")) {
+    std::optional<scene::FragmentTable> table;
+    if (old_ && old_->geometry_key == wanted_.geometry_key)
+        if (auto read = scene::read_fragments(folder_ / old_->folder, *old_);
+            read.ok() && surroundings_complete(*read))
+            table = std::move(*read);
+    if (table) {
         layout_ = Layout::kept;
         if (old_->layout_key != wanted_.layout_key) {
             layout_ = Layout::patched;
@@ -104,13 +116,15 @@ double CameraBake::plan() {
         }
     }
     if (layout_ != Layout::traced) {
-        for (std::size_t k = 0; k < wanted_.lights.size(); ++k) {
+        std::vector<char> whole(wanted_.lights.size(), 0); // no vector<bool>: written from several threads
+        tbb::parallel_for(std::size_t{0}, whole.size(), [&](std::size_t k) {
             const auto found =
                 std::find_if(old_->lights.begin(), old_->lights.end(), [&](const scene::ManifestLight& l) {
                     return l.key == wanted_.lights[k].key && l.picture == wanted_.lights[k].picture;
                 });
-            done_[k] = found != old_->lights.end() && complete(*found, old_->folder);
-        }
+            whole[k] = found != old_->lights.end() && complete(*found, *table) ? 1 : 0;
+        });
+        done_.assign(whole.begin(), whole.end());
     }
     const auto kept = static_cast<std::size_t>(std::count(done_.begin(), done_.end(), true));
     const auto missing = static_cast<double>(wanted_.lights.size() - kept);

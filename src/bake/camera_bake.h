@@ -31,7 +31,9 @@ private:
 
     bool stopped() const { return options_.stop && options_.stop(); }
     double now_s() const { return options_.now_s ? options_.now_s() : 0.0; }
-    bool complete(const scene::ManifestLight& light, const std::string& folder) const;
+    // Whether what the old manifest names can be read, wholly.
+    bool complete(const scene::ManifestLight& light, const scene::FragmentTable& table) const;
+    bool surroundings_complete(const scene::FragmentTable& table) const;
     Frame trace(const Tracer& tracer, FrameRequest request, std::size_t rows_pixels,
                 const std::function<void(double)>& on_samples, BakeStats& stats);
     Result<void> trace_batch(const Tracer& tracer, bool surroundings, const std::vector<std::size_t>& batch,
