@@ -284,6 +284,8 @@ Result<std::vector<std::string>> compare(const CompareArguments& arguments, cons
                         "of a kind"),
             arguments.test + ", " + arguments.reference};
     const bool linear = test.linear;
+    if (!linear && arguments.ev100)
+        log_warning("--ev changes nothing: display pictures are compared as stored");
     Result<image::PicturePair> pair =
         image::pair_up(std::move(test.pixels), std::move(reference.pixels), circles);
     if (!pair.ok()) return Error{pair.error().what, arguments.test + ", " + arguments.reference};

@@ -292,7 +292,7 @@ float aces_target() {
     return (-b + std::sqrt(b * b - 4.0f * a * c)) / (2.0f * a);
 }
 
-// Luminances of the pixels that count and are not black, sorted; all: how many count.
+// Of the pixels that count and are not black, sorted.
 std::vector<float> lit_luminances(const std::vector<glm::vec3>& rec709, const PicturePair& pair) {
     std::vector<float> values;
     for (std::size_t p = 0; p < rec709.size(); ++p) {

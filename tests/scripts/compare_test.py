@@ -170,6 +170,7 @@ class Figures(Case):
         self.assertAlmostEqual(row["flip"], row["flip_max"], 4)
         self.assertNotIn("relmse", row)
         self.assertIn("need linear", run(a, b).stdout)
+        self.assertIn("--ev changes nothing", run(a, b, "--ev", 3).stderr)
         white = write_png("white.png", lambda x, y: (255, 255, 255))
         black = write_png("black.png", lambda x, y: (0, 0, 0))
         row = self.figures(white, black)
