@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/reference_beam.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+namespace ghost::bake {
+namespace {
+
+using glm::dvec2;
+using glm::dvec3;
+using std::numbers::pi;
+
+// Part of the model, not of its precision: nothing leaves nearer than this to the plane of the apex.
+constexpr double kNearest_m = 1e-4;
+constexpr double kSlotPitch = 2.4; // gate radii between the centres of two slots
+
+// Smooth step across an edge of width 2 blur about the aperture's radius.
+double share_inside(double radius, double aperture, double blur) {
+    const double t = std::clamp(0.5 + 0.5 * (aperture - radius) / blur, 0.0, 1.0);
+    return (3.0 - 2.0 * t) * t * t;
+}
+
+dvec3 texel(const shared::Gobos& gobos, std::size_t level, std::uint32_t layer, long x, long y) {
+    const long side = shared::kGoboSize >> level;
+    x = std::clamp(x, 0L, side - 1);
+    y = std::clamp(y, 0L, side - 1);
+    const auto at = static_cast<std::size_t>((static_cast<long>(layer) * side + y) * side + x) * 4;
+    const std::uint8_t* rgba = &gobos.texels[level][at];
+    return dvec3(rgba[0], rgba[1], rgba[2]) / 255.0;
+}
+
+dvec3 bilinear(const shared::Gobos& gobos, std::size_t level, std::uint32_t layer, const dvec2& uv) {
+    // Texel centres stand at half numbers.
+    const dvec2 place = uv * static_cast<double>(shared::kGoboSize >> level) - 0.5;
+    const dvec2 corner = glm::floor(place);
+    const dvec2 part = place - corner;
+    dvec3 sum(0.0);
+    for (int dy = 0; dy < 2; ++dy)
+        for (int dx = 0; dx < 2; ++dx)
+            sum += texel(gobos, level, layer, std::lround(corner.x) + dx, std::lround(corner.y) + dy) *
+                   ((dx == 1 ? part.x : 1.0 - part.x) * (dy == 1 ? part.y : 1.0 - part.y));
+    return sum;
+}
+
+double henyey_greenstein(double g, double cosine) {
+    // The model's lobe is no sharper than this at its tip.
+    const double base = std::max(1.0 + g * g - 2.0 * g * cosine, 1e-4);
+    return (1.0 - g * g) / (4.0 * pi * std::pow(base, 1.5));
+}
+
+} // namespace
+
+ReferenceBeam::ReferenceBeam(const shared::Light& light, const shared::Gobos& gobos, BeamOverride instead)
+    : light_(light), gobos_(gobos), instead_(std::move(instead)),
+      axes_(glm::transpose(glm::dmat3(dvec3(light.axis_u), dvec3(light.axis_v), dvec3(light.axis_w)))) {}
+
+dvec3 ReferenceBeam::to_gate(const dvec3& offset_m) const {
+    return axes_ * offset_m;
+}
+
+// A thin lens of radius R focused at 1/focus_per_m: its circle of confusion in gate units.
+double ReferenceBeam::blur_at(double z_m) const {
+    const double lens_m = light_.lens_radius_m;
+    const double spot_m = lens_m + z_m * static_cast<double>(light_.tan_field);
+    return static_cast<double>(light_.edge) +
+           lens_m * std::abs(1.0 - z_m * static_cast<double>(light_.focus_per_m)) / spot_m;
+}
+
+dvec3 ReferenceBeam::gobo_colour(std::uint32_t layer, const dvec2& gate, double blur) const {
+    if (layer == 0 || static_cast<int>(layer) >= gobos_.layers) return dvec3(1.0);
+    const dvec2 uv = glm::clamp(dvec2(0.5 + 0.5 * gate.x, 0.5 - 0.5 * gate.y), 0.0, 1.0);
+    // Level k is blurred over a disc of 2^k pixels' radius.
+    const double pixels = std::max(blur * shared::kGoboSize / 2.0, 1.0);
+    const double level = std::min(std::log2(pixels), shared::kGoboLevels - 1.0);
+    const double below = std::floor(level);
+    const auto sharp = static_cast<std::size_t>(below);
+    const std::size_t soft = std::min<std::size_t>(sharp + 1, shared::kGoboLevels - 1);
+    return glm::mix(bilinear(gobos_, sharp, layer, uv), bilinear(gobos_, soft, layer, uv), level - below);
+}
+
+dvec3 ReferenceBeam::wheel_colour(const shared::Wheel& wheel, const dvec2& gate, double blur) const {
+    const double first_x = -static_cast<double>(wheel.shift) * kSlotPitch;
+    const bool in_next = gate.x - first_x > 0.5 * kSlotPitch;
+    const dvec2 in_slot(gate.x - (in_next ? first_x + kSlotPitch : first_x), gate.y);
+    const double cosine = wheel.cosine;
+    const double sine = wheel.sine;
+    const dvec2 turned(cosine * in_slot.x + sine * in_slot.y, cosine * in_slot.y - sine * in_slot.x);
+    const dvec3 colour = gobo_colour(in_next ? wheel.layer_b : wheel.layer_a, turned, blur);
+    // A centred slot is limited by the aperture alone, one that is moving by its own rim.
+    return wheel.shift == 0.0f ? colour
+                               : colour * share_inside(glm::length(in_slot), 1.0, std::max(blur, 0.01));
+}
+
+dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
+    if (instead_) return instead_(gate_m);
+    if (!(gate_m.z > kNearest_m)) return dvec3(0.0);
+    const dvec2 gate = dvec2(gate_m) / (gate_m.z * static_cast<double>(light_.tan_field));
+    const double radius = glm::length(gate);
+    if (!(radius < static_cast<double>(light_.cut_radius))) return dvec3(0.0);
+    const double blur = blur_at(gate_m.z);
+    const double open = share_inside(radius, light_.iris_radius, blur);
+    if (open == 0.0) return dvec3(0.0);
+    const double shape = std::exp2(-static_cast<double>(light_.profile_scale) *
+                                   std::pow(radius * radius, static_cast<double>(light_.profile_power)));
+    const double side = std::clamp(4.0 * (gate.x - static_cast<double>(light_.split)) + 0.5, 0.0, 1.0);
+    dvec3 colour =
+        dvec3(light_.intensity_cd) * (shape * open) * glm::mix(dvec3(1.0), dvec3(light_.colour_b), side);
+    for (std::uint32_t k = 0; k < std::min(light_.wheel_count, 2u); ++k)
+        colour *= wheel_colour(light_.wheel[k], gate, blur);
+    return colour;
+}
+
+ReferenceMedium::ReferenceMedium(const shared::Haze& haze, HazeDensity density, int path_samples)
+    : haze_(haze), density_(std::move(density)), path_samples_(path_samples) {}
+
+double ReferenceMedium::phase(double cosine) const {
+    const double back = haze_.back_weight;
+    return (1.0 - back) * henyey_greenstein(haze_.forward_g, cosine) +
+           back * henyey_greenstein(haze_.back_g, cosine);
+}
+
+double ReferenceMedium::optical_depth(const dvec3& from_m, const dvec3& to_m) const {
+    const double whole = extinction_per_m() * glm::length(to_m - from_m);
+    if (homogeneous() || whole == 0.0) return whole;
+    double sum = 0.0;
+    for (int k = 0; k < path_samples_; ++k) sum += density(glm::mix(from_m, to_m, (k + 0.5) / path_samples_));
+    return whole * sum / path_samples_;
+}
+
+dvec3 reference_brdf_times_cosine(const shared::Brdf& brdf, const dvec3& n, const dvec3& v, const dvec3& l) {
+    const double nl = glm::dot(n, l);
+    if (!(nl > 0.0)) return dvec3(0.0);
+    const double nv = std::max(std::abs(glm::dot(n, v)), 1e-4);
+    const dvec3 h = glm::normalize(l + v);
+    const double nh = std::clamp(glm::dot(n, h), 0.0, 1.0);
+    const double vh = std::clamp(glm::dot(v, h), 0.0, 1.0);
+    const double a2 = static_cast<double>(brdf.alpha) * static_cast<double>(brdf.alpha);
+    // Appendix B.3.2: D of Trowbridge and Reitz, V height-correlated, F of Schlick.
+    const double distribution = a2 / (pi * std::pow(nh * nh * (a2 - 1.0) + 1.0, 2.0));
+    const double visibility =
+        0.5 / (nl * std::sqrt(a2 + (1.0 - a2) * nv * nv) + nv * std::sqrt(a2 + (1.0 - a2) * nl * nl));
+    const dvec3 f0(brdf.f0);
+    const dvec3 fresnel = f0 + (static_cast<double>(brdf.f90) - f0) * std::pow(1.0 - vh, 5.0);
+    return nl * ((1.0 - fresnel) * dvec3(brdf.diffuse) / pi + fresnel * distribution * visibility);
+}
+
+dvec3 reference_brdf_albedo(const shared::Brdf& brdf, double nv) {
+    const double rough = std::sqrt(static_cast<double>(brdf.alpha));
+    const glm::dvec4 r =
+        rough * glm::dvec4(-1.0, -0.0275, -0.572, 0.022) + glm::dvec4(1.0, 0.0425, 1.04, -0.04);
+    const double a = std::min(r.x * r.x, std::exp2(-9.28 * std::clamp(nv, 0.0, 1.0))) * r.x + r.y;
+    const dvec3 mirror = glm::clamp(
+        dvec3(brdf.f0) * (-1.04 * a + r.z) + static_cast<double>(brdf.f90) * (1.04 * a + r.w), 0.0, 1.0);
+    return dvec3(brdf.diffuse) * (1.0 - mirror) + mirror;
+}
+
+} // namespace ghost::bake
