@@ -340,4 +340,39 @@ void Tracer::open_sky(const Surface* const* surfaces, int count, const glm::vec3
     occluded8(rays, count, shares);
 }
 
+void Tracer::distances(const glm::vec3& origin, const glm::vec3* directions, int count, float reach_m,
+                       float* distances_m, int* instances) const {
+    alignas(32) int valid[8];
+    RTCRayHit8 hit;
+    for (int k = 0; k < 8; ++k) {
+        // Lanes that are switched off repeat the first: Debian's Embree asserts on what is in them.
+        const glm::vec3& way = directions[k < count ? k : 0];
+        valid[k] = k < count ? -1 : 0;
+        hit.ray.org_x[k] = origin.x;
+        hit.ray.org_y[k] = origin.y;
+        hit.ray.org_z[k] = origin.z;
+        hit.ray.dir_x[k] = way.x;
+        hit.ray.dir_y[k] = way.y;
+        hit.ray.dir_z[k] = way.z;
+        hit.ray.tnear[k] = 0.0f;
+        hit.ray.tfar[k] = reach_m;
+        hit.ray.time[k] = 0.0f;
+        hit.ray.mask[k] = kStageMask;
+        hit.ray.id[k] = static_cast<unsigned>(k);
+        hit.ray.flags[k] = 0;
+        hit.hit.geomID[k] = RTC_INVALID_GEOMETRY_ID;
+        hit.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
+    }
+    RayContext context;
+    rtcInitIntersectContext(&context.base);
+    context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    context.blend = -1.0f;
+    rtcIntersect8(valid, top_, &context.base, &hit);
+    for (int k = 0; k < count; ++k) {
+        const bool met = hit.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
+        distances_m[k] = met ? hit.ray.tfar[k] : reach_m;
+        instances[k] = met ? static_cast<int>(hit.hit.instID[0][k]) : -1;
+    }
+}
+
 } // namespace ghost::bake

@@ -65,6 +65,12 @@ public:
     void open_sky(const Surface* const* surfaces, int count, const glm::vec3* directions,
                   float* shares) const;
 
+    // How far it is along count <= 8 unit directions, near each other, to what stops light, and which
+    // instance that is; nothing within reach_m: reach_m and -1. Holes and surfaces that cover at most half
+    // let through, fixture bodies too.
+    void distances(const glm::vec3& origin, const glm::vec3* directions, int count, float reach_m,
+                   float* distances_m, int* instances) const;
+
     const scene::Stage& stage() const { return stage_; }
 
 private:
