@@ -51,14 +51,21 @@ function(ghost_fuzz name)
     target_link_libraries(fuzz_${name} PRIVATE ${ARGN})
 endfunction()
 
-# ghost_shaders(library): compiles shaders/*.comp to SPIR-V and embeds it; C++ reads it through
-# <build>/generated/shaders/<name>.h as kShader_<name>.
+# ghost_shaders(library): compiles shaders/*.comp, *.vert and *.frag to SPIR-V and embeds it; C++ reads it through
+# <build>/generated/shaders/<name>.h as kShader_<name>, where the names of vertex and fragment shaders end in _vert and
+# _frag.
 function(ghost_shaders library)
-    file(GLOB shaders CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.comp)
+    file(GLOB shaders CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.comp
+        ${CMAKE_SOURCE_DIR}/shaders/*.vert ${CMAKE_SOURCE_DIR}/shaders/*.frag)
     file(GLOB shared CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/shared/*.h ${CMAKE_SOURCE_DIR}/shaders/*.glsl)
     set(headers)
     foreach(shader ${shaders})
         get_filename_component(name ${shader} NAME_WE)
+        get_filename_component(stage ${shader} LAST_EXT)
+        if(NOT stage STREQUAL ".comp")
+            string(REPLACE "." "_" stage ${stage})
+            string(APPEND name ${stage})
+        endif()
         set(spirv ${CMAKE_BINARY_DIR}/generated/shaders/${name}.spv)
         set(header ${CMAKE_BINARY_DIR}/generated/shaders/${name}.h)
         add_custom_command(OUTPUT ${header}

@@ -30,6 +30,35 @@ Binding stored(const Texture& texture) {
     return {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, nullptr, &texture, 0};
 }
 
+void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBindPoint point,
+                   VkPipelineLayout layout, const std::vector<VkDescriptorType>& types,
+                   const std::vector<Binding>& bindings) {
+    CHECK_EQ(bindings.size(), types.size());
+    std::vector<VkDescriptorBufferInfo> buffers(bindings.size());
+    std::vector<VkDescriptorImageInfo> images(bindings.size());
+    std::vector<VkWriteDescriptorSet> writes(bindings.size());
+    for (std::size_t i = 0; i < bindings.size(); ++i) {
+        const Binding& binding = bindings[i];
+        CHECK(binding.type == types[i]);
+        writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        writes[i].dstBinding = static_cast<std::uint32_t>(i);
+        writes[i].descriptorCount = 1;
+        writes[i].descriptorType = binding.type;
+        if (binding.buffer) {
+            const std::uint64_t left = binding.buffer->bytes() - binding.offset;
+            const bool is_uniform = binding.type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+            buffers[i] = {binding.buffer->handle(), binding.offset,
+                          is_uniform ? std::min(left, kUniformBytes) : left};
+            writes[i].pBufferInfo = &buffers[i];
+        } else {
+            images[i] = {binding.texture->sampler(), binding.texture->view(), VK_IMAGE_LAYOUT_GENERAL};
+            writes[i].pImageInfo = &images[i];
+        }
+    }
+    device.push_descriptors()(commands, point, layout, 0, static_cast<std::uint32_t>(writes.size()),
+                              writes.data());
+}
+
 Program::Program(const Device& device, std::span<const std::uint32_t> spirv,
                  std::vector<VkDescriptorType> bindings, std::vector<std::uint32_t> constants)
     : device_(device), bindings_(std::move(bindings)) {
@@ -123,30 +152,8 @@ void Commands::begin() {
 
 void Commands::prepare(const Program& program, const void* push, std::uint32_t bytes,
                        const std::vector<Binding>& bindings) {
-    CHECK_EQ(bindings.size(), program.bindings().size());
-    std::vector<VkDescriptorBufferInfo> buffers(bindings.size());
-    std::vector<VkDescriptorImageInfo> images(bindings.size());
-    std::vector<VkWriteDescriptorSet> writes(bindings.size());
-    for (std::size_t i = 0; i < bindings.size(); ++i) {
-        const Binding& binding = bindings[i];
-        CHECK(binding.type == program.bindings()[i]);
-        writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-        writes[i].dstBinding = static_cast<std::uint32_t>(i);
-        writes[i].descriptorCount = 1;
-        writes[i].descriptorType = binding.type;
-        if (binding.buffer) {
-            const std::uint64_t left = binding.buffer->bytes() - binding.offset;
-            const bool is_uniform = binding.type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-            buffers[i] = {binding.buffer->handle(), binding.offset,
-                          is_uniform ? std::min(left, kUniformBytes) : left};
-            writes[i].pBufferInfo = &buffers[i];
-        } else {
-            images[i] = {binding.texture->sampler(), binding.texture->view(), VK_IMAGE_LAYOUT_GENERAL};
-            writes[i].pImageInfo = &images[i];
-        }
-    }
-    device_.push_descriptors()(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.layout(), 0,
-                               static_cast<std::uint32_t>(writes.size()), writes.data());
+    push_bindings(device_, commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.layout(), program.bindings(),
+                  bindings);
     vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.handle());
     vkCmdPushConstants(commands_, program.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, bytes, push);
 }

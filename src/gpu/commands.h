@@ -26,6 +26,11 @@ Binding storage(const Buffer& buffer);
 Binding sampled(const Texture& texture);
 Binding stored(const Texture& texture);
 
+// Pushes the bindings 0, 1, .. of set 0 at a pipeline; types: as its layout declares them.
+void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBindPoint point,
+                   VkPipelineLayout layout, const std::vector<VkDescriptorType>& types,
+                   const std::vector<Binding>& bindings);
+
 // A compute shader whose bindings 0, 1, .. have these types. constant: its specialisation constant 0, if it
 // has one.
 class Program {

@@ -42,9 +42,12 @@ std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties&
     features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
     features.pNext = &f12;
     vkGetPhysicalDeviceFeatures2(physical, &features);
+    if (!features.features.shaderStorageImageExtendedFormats) return "shaderStorageImageExtendedFormats";
+    if (!features.features.shaderStorageImageWriteWithoutFormat) return "shaderStorageImageWriteWithoutFormat";
     if (!f12.scalarBlockLayout) return "scalarBlockLayout";
     if (!f13.synchronization2) return "synchronization2";
     if (!f13.maintenance4) return "maintenance4";
+    if (!f13.dynamicRendering) return "dynamicRendering";
     if (!has_extension(physical, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME))
         return VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME;
     return "";
@@ -88,6 +91,15 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     TRY_VOID(device->choose_physical(options.name));
     device->make_device();
     return device;
+}
+
+VkFormat Device::first_format(std::span<const VkFormat> formats, VkFormatFeatureFlags wanted) const {
+    for (const VkFormat format : formats) {
+        VkFormatProperties properties;
+        vkGetPhysicalDeviceFormatProperties(physical_, format, &properties);
+        if ((properties.optimalTilingFeatures & wanted) == wanted) return format;
+    }
+    return formats.back();
 }
 
 Result<void> Device::make_instance(bool validation) {
@@ -186,16 +198,23 @@ void Device::make_device() {
     VkPhysicalDeviceVulkan13Features f13{};
     f13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
     f13.synchronization2 = VK_TRUE;
+    f13.dynamicRendering = VK_TRUE;
     f13.maintenance4 = VK_TRUE; // glslc writes LocalSizeId
     VkPhysicalDeviceVulkan12Features f12{};
     f12.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES;
     f12.pNext = &f13;
     f12.scalarBlockLayout = VK_TRUE;
 
+    VkPhysicalDeviceFeatures2 features{};
+    features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2;
+    features.pNext = &f12;
+    features.features.shaderStorageImageExtendedFormats = VK_TRUE; // rg32ui
+    features.features.shaderStorageImageWriteWithoutFormat = VK_TRUE;
+
     const char* extension = VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME;
     VkDeviceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
-    info.pNext = &f12;
+    info.pNext = &features;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
     info.enabledExtensionCount = 1;

@@ -7,6 +7,7 @@
 #include "base/result.h"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 #include <vulkan/vulkan.h>
@@ -38,6 +39,9 @@ public:
     double timestamp_period_ns() const { return timestamp_period_ns_; }
     std::uint64_t local_memory_bytes() const { return local_memory_bytes_; }
     std::size_t validation_errors() const { return validation_errors_; }
+
+    // The first of these formats whose images can do all that is wanted; the last one where none can.
+    VkFormat first_format(std::span<const VkFormat> formats, VkFormatFeatureFlags wanted) const;
 
     // Index of a memory type among `allowed` with all wanted properties, or with as many of them as there is.
     std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const;

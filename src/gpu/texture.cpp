@@ -5,9 +5,27 @@
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace ghost::gpu {
+namespace {
+
+bool is_depth(VkFormat format) {
+    return format == VK_FORMAT_D32_SFLOAT || format == VK_FORMAT_D16_UNORM;
+}
+
+VkImageUsageFlags usage_of(const TextureShape& shape) {
+    VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT;
+    if (shape.samples == 1) usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    if (shape.storage) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
+    if (shape.attachment)
+        usage |= is_depth(shape.format) ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                        : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    return usage;
+}
+
+} // namespace
 
 Texture::Texture(const Device& device, const TextureShape& shape) : device_(&device), shape_(shape) {
     VkImageCreateInfo info{};
@@ -17,10 +35,9 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     info.extent = {shape.width, shape.height, 1};
     info.mipLevels = shape.levels;
     info.arrayLayers = shape.layers;
-    info.samples = VK_SAMPLE_COUNT_1_BIT;
-    info.usage =
-        VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-    if (shape.storage) info.usage |= VK_IMAGE_USAGE_STORAGE_BIT;
+    CHECK(shape.samples == 1 || (shape.attachment && shape.layers == 1 && shape.levels == 1));
+    info.samples = static_cast<VkSampleCountFlagBits>(shape.samples);
+    info.usage = usage_of(shape);
     VK_CALL(vkCreateImage(device.handle(), &info, nullptr, &image_));
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(device.handle(), image_, &needs);
@@ -35,9 +52,11 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     VkImageViewCreateInfo view{};
     view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
     view.image = image_;
-    view.viewType = VK_IMAGE_VIEW_TYPE_2D_ARRAY;
+    view.viewType = shape.samples > 1 ? VK_IMAGE_VIEW_TYPE_2D : VK_IMAGE_VIEW_TYPE_2D_ARRAY;
     view.format = shape.format;
-    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, shape.levels, 0, shape.layers};
+    const VkImageAspectFlags aspect =
+        is_depth(shape.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+    view.subresourceRange = {aspect, 0, shape.levels, 0, shape.layers};
     VK_CALL(vkCreateImageView(device.handle(), &view, nullptr, &view_));
 
     VkSamplerCreateInfo sampler{};
@@ -45,8 +64,9 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     sampler.magFilter = shape.linear ? VK_FILTER_LINEAR : VK_FILTER_NEAREST;
     sampler.minFilter = sampler.magFilter;
     sampler.mipmapMode = shape.linear ? VK_SAMPLER_MIPMAP_MODE_LINEAR : VK_SAMPLER_MIPMAP_MODE_NEAREST;
-    sampler.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
-    sampler.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    sampler.addressModeU =
+        shape.repeat ? VK_SAMPLER_ADDRESS_MODE_REPEAT : VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+    sampler.addressModeV = sampler.addressModeU;
     sampler.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
     // Equal minLod and maxLod (zero) would double the time of a whole shader on lavapipe.
     sampler.maxLod = VK_LOD_CLAMP_NONE;
@@ -86,7 +106,7 @@ void Texture::upload(std::uint32_t level, std::uint32_t layer, std::uint32_t lay
     std::memcpy(staging.mapped(), data, bytes);
     VkBufferImageCopy region{};
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, layer, layers};
-    region.imageExtent = {shape_.width >> level, shape_.height >> level, 1};
+    region.imageExtent = {std::max(shape_.width >> level, 1u), std::max(shape_.height >> level, 1u), 1};
     Commands commands(*device_);
     commands.begin();
     vkCmdCopyBufferToImage(commands.handle(), staging.handle(), image_, VK_IMAGE_LAYOUT_GENERAL, 1, &region);

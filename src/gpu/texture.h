@@ -21,8 +21,11 @@ struct TextureShape {
     std::uint32_t layers = 1;
     std::uint32_t levels = 1;
     VkFormat format = VK_FORMAT_R8G8B8A8_UNORM;
-    bool storage = false; // shaders store to it
-    bool linear = false;  // sampled trilinearly, clamped; else nearest
+    bool storage = false;      // shaders store to it
+    bool linear = false;       // sampled trilinearly, clamped; else nearest
+    bool repeat = false;       // sampled as if tiled without end, instead of clamped
+    bool attachment = false;   // drawn to (Raster); its aspect follows from the format
+    std::uint32_t samples = 1; // above 1: an attachment with one layer and one level, seen as a 2DMS image
 };
 
 class Texture {

@@ -1,0 +1,33 @@
+#version 460
+// SPDX-License-Identifier: Apache-2.0
+// Bounds of the blocks of extra fragments, as those of the tiles. The places of the last block that no fragment fills are
+// no surface.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "shared/push.h"
+#include "shared/g_buffer.h"
+#include "bounds.glsl"
+
+layout(local_size_x = 128) in;
+layout(binding = 0, scalar) uniform ViewBlock { View view; };
+layout(binding = 1, rgba32f) uniform image2DArray places;
+layout(binding = 2, scalar) writeonly buffer TileBounds { vec4 tile_bounds[]; };
+layout(binding = 3, scalar) readonly buffer Counts { GatherCounts counts; };
+layout(push_constant, scalar) uniform Push { GatherPush p; };
+
+void main() {
+    uint index = gl_GlobalInvocationID.x;
+    ivec3 at = ivec3(index % view.width, view.height + index / view.width, 0);
+    bool filled = index < counts.used;
+    vec3 place = imageLoad(places, at).xyz;
+    if (!filled) imageStore(places, at, vec4(0.0, 0.0, 0.0, -1.0));
+    Box box = Box(filled ? place : vec3(kNowhere), filled ? place : vec3(-kNowhere), filled ? length(place - view.eye_m) : 0.0);
+    box = box_of_group(box);
+    vec3 centre = box.low.x <= box.high.x ? (box.low + box.high) * 0.5 : vec3(0.0);
+    float radius = most_of_group(filled ? length(place - centre) : -1.0);
+    if (gl_LocalInvocationIndex == 0u) {
+        uint block = p.tiles + gl_WorkGroupID.x;
+        tile_bounds[block * 2u] = vec4(centre, radius);
+        tile_bounds[block * 2u + 1u] = vec4(box.far_m, 0.0, 0.0, 0.0);
+    }
+}

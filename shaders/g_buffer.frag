@@ -1,0 +1,6 @@
+#version 460
+// SPDX-License-Identifier: Apache-2.0
+// Opaque surfaces of the G-buffer.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "g_buffer.glsl"

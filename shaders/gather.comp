@@ -1,0 +1,199 @@
+#version 460
+// SPDX-License-Identifier: Apache-2.0
+// Sorts the samples of every pixel of the G-buffer into fragments (scene/passes.h): the main one where the pixel is, the
+// others together behind the picture, those of a tile next to each other. Also the picture without lights, and
+// the bounds of the tiles. A workgroup is a tile.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "shared/push.h"
+#include "shared/brdf.h"
+#include "shared/haze.h"
+#include "shared/g_buffer.h"
+#include "bounds.glsl"
+
+layout(local_size_x = 16, local_size_y = 8) in;
+layout(binding = 0, scalar) uniform ViewBlock { View view; };
+layout(binding = 1) uniform sampler2DMS depths;
+layout(binding = 2) uniform sampler2DMS bases;     // base colour, roughness
+layout(binding = 3) uniform sampler2DMS normals;   // octahedral normal, slope of the depth
+layout(binding = 4) uniform sampler2DMS emissions; // emission, specular
+layout(binding = 5) uniform sampler2DMS metals;
+layout(binding = 6, rgba32f) writeonly uniform image2DArray places;
+layout(binding = 7, rgba16f) writeonly uniform image2DArray diffuse;
+layout(binding = 8, rgba16f) writeonly uniform image2DArray specular;
+layout(binding = 9, rgba16f) writeonly uniform image2DArray shown_normals;
+layout(binding = 10, rgba32f) writeonly uniform image2DArray base;
+layout(binding = 11, rg32ui) writeonly uniform uimage2DArray edges;
+layout(binding = 12, scalar) writeonly buffer TileBounds { vec4 tile_bounds[]; };
+layout(binding = 13, scalar) buffer Counts { GatherCounts counts; };
+layout(push_constant, scalar) uniform Push { GatherPush p; };
+
+// Vulkan's standard locations; (0, 0) is the pixel's upper left corner.
+const vec2 kSampleAt[4] = vec2[4](vec2(0.375, 0.125), vec2(0.875, 0.375), vec2(0.125, 0.625), vec2(0.625, 0.875));
+
+shared uint first_extra;
+shared uint first_edge;
+shared uint room;
+
+vec3 ray_at(vec2 pixel) {
+    return view.forward + view.right * (2.0 * pixel.x / float(view.width) - 1.0) + view.up * (1.0 - 2.0 * pixel.y / float(view.height));
+}
+
+vec3 from_octahedral(vec2 at) {
+    vec3 n = vec3(at, 1.0 - abs(at.x) - abs(at.y));
+    float inward = max(-n.z, 0.0);
+    n.xy += vec2(n.x < 0.0 ? inward : -inward, n.y < 0.0 ? inward : -inward);
+    return normalize(n);
+}
+
+// Of the plane whose depth has this slope at a point of the picture, towards the viewer.
+vec3 facet_of(vec2 slope, vec2 pixel) {
+    vec2 size = vec2(view.width, view.height);
+    vec2 ndc = vec2(2.0 * pixel.x / size.x - 1.0, 1.0 - 2.0 * pixel.y / size.y);
+    vec2 along = vec2(slope.x, -slope.y) * size * 0.5;
+    vec3 n = view.forward * (1.0 - dot(ndc, along)) + view.right * (along.x / dot(view.right, view.right)) +
+             view.up * (along.y / dot(view.up, view.up));
+    return -n / max(length(n), 1e-20);
+}
+
+void main() {
+    uvec2 size = uvec2(view.width, view.height);
+    bool inside = all(lessThan(gl_GlobalInvocationID.xy, size));
+    ivec2 at = ivec2(min(gl_GlobalInvocationID.xy, size - 1u));
+
+    float depth[4];
+    vec4 tilt[4];
+    vec3 normal[4];
+    vec3 place[4];
+    int owner[4]; // the first sample of the same fragment; -1: no surface
+    Box box = Box(vec3(kNowhere), vec3(-kNowhere), 0.0);
+    for (int s = 0; s < 4; ++s) {
+        depth[s] = texelFetch(depths, at, s).x;
+        tilt[s] = texelFetch(normals, at, s);
+        normal[s] = from_octahedral(tilt[s].xy);
+        bool live = inside && depth[s] > kNear_m / kFarthest_m;
+        vec3 way = ray_at(vec2(at) + kSampleAt[s]) * (kNear_m / max(depth[s], kNear_m / kFarthest_m));
+        place[s] = view.eye_m + way;
+        owner[s] = live ? s : -1;
+        box.low = min(box.low, live ? place[s] : vec3(kNowhere));
+        box.high = max(box.high, live ? place[s] : vec3(-kNowhere));
+        box.far_m = max(box.far_m, live ? length(way) : (inside ? view.far_m : 0.0));
+    }
+    for (int s = 1; s < 4; ++s)
+        for (int r = 0; r < s; ++r) {
+            float ratio = depth[s] / max(depth[r], 1e-12);
+            vec2 slope = tilt[r].zw;
+            float off_plane = abs(ratio - 1.0 - dot(slope, kSampleAt[s] - kSampleAt[r]));
+            bool same = dot(normal[r], normal[s]) > kNormalCosine &&
+                        off_plane < kPlanePixels * sqrt(p.pixel_m * p.pixel_m + dot(slope, slope)) &&
+                        abs(ratio - 1.0) < kDepthPixels * p.pixel_m * max(ratio, 1.0);
+            owner[s] = owner[s] == s && owner[r] == r && same ? r : owner[s];
+        }
+    // Fragments by number: 0 has most samples, the others follow as they come.
+    int most = 0;
+    int main_owner = -1;
+    int count = 0;
+    for (int r = 0; r < 4; ++r) {
+        int samples = 0;
+        for (int s = r; s < 4; ++s) samples += owner[s] == r ? 1 : 0;
+        main_owner = samples > most ? r : main_owner;
+        most = max(most, samples);
+        count += samples > 0 ? 1 : 0;
+    }
+    int number[4];
+    for (int s = 0; s < 4; ++s) {
+        number[s] = owner[s] == main_owner ? 0 : 1;
+        for (int r = 0; r < 4; ++r)
+            number[s] += owner[s] != main_owner && r < owner[s] && owner[r] == r && r != main_owner ? 1 : 0;
+        number[s] = owner[s] < 0 ? -1 : number[s];
+    }
+
+    // Extras in the low half, edges in the high half.
+    uint extras = uint(max(count - 1, 0));
+    uvec2 sums = sum_of_group(extras | (extras > 0u ? 0x10000u : 0u));
+    uint tile = gl_WorkGroupID.y * p.tiles_x + gl_WorkGroupID.x;
+    if (gl_LocalInvocationIndex == 0u) {
+        uint all = sums.y & 0xffffu;
+        first_extra = 0u;
+        first_edge = 0u;
+        room = 1u;
+        if (all > 0u) {
+            first_extra = atomicAdd(counts.extras, all);
+            // What once found no room left never finds any again, so the places taken are without gaps.
+            room = first_extra + all <= p.capacity ? 1u : 0u;
+            if (room == 1u) {
+                first_edge = atomicAdd(counts.edges, sums.y >> 16);
+                atomicMax(counts.used, first_extra + all);
+                atomicMax(counts.groups[0], (first_extra + all + kTilePixels - 1u) / kTilePixels);
+            } else {
+                atomicAdd(counts.dropped, sums.y >> 16);
+            }
+        }
+    }
+    barrier();
+    uint extra = first_extra + (sums.x & 0xffffu);
+    if (room == 0u) {
+        // The main fragment stands for all of them.
+        for (int s = 0; s < 4; ++s) number[s] = owner[s] < 0 ? -1 : (number[s] == 0 ? 0 : 4);
+    } else if (extras > 0u) {
+        uint edge = first_edge + (sums.x >> 16);
+        imageStore(edges, ivec3(edge % size.x, edge / size.x, 0), uvec4(uint(at.y) * size.x + uint(at.x), extra * 4u + extras, 0u, 0u));
+    }
+
+    vec3 unlit = vec3(0.0);
+    int end = room == 0u ? min(count, 1) : count;
+    for (int k = 0; k < end; ++k) {
+        vec3 mean_place = vec3(0.0);
+        vec3 mean_normal = vec3(0.0);
+        vec3 emission = vec3(0.0);
+        vec2 slope = vec2(0.0);
+        vec4 mean_diffuse = vec4(0.0);
+        vec4 mean_specular = vec4(0.0);
+        float samples = 0.0;
+        float covered = 0.0;
+        for (int s = 0; s < 4; ++s) {
+            float weight = number[s] == k ? 1.0 : 0.0;
+            vec4 base_colour = texelFetch(bases, at, s);
+            vec4 emitted = texelFetch(emissions, at, s);
+            Brdf brdf = brdf_of(base_colour.rgb, base_colour.a, texelFetch(metals, at, s).x, emitted.a);
+            samples += weight;
+            covered += number[s] == k || number[s] == 4 ? 0.25 : 0.0;
+            mean_place += weight * (place[s] - view.eye_m);
+            mean_normal += weight * normal[s];
+            emission += weight * emitted.rgb;
+            slope += weight * tilt[s].zw;
+            mean_diffuse += weight * vec4(brdf.diffuse, brdf.alpha);
+            mean_specular += weight * vec4(brdf.f0, brdf.f90);
+        }
+        float share = 1.0 / max(samples, 1.0);
+        vec3 way = mean_place * share;
+        float away_m = max(length(way), 1e-6);
+        vec3 shown = mean_normal / max(length(mean_normal), 1e-6);
+        Brdf brdf = Brdf(mean_diffuse.rgb * share, mean_diffuse.a * share, mean_specular.rgb * share, mean_specular.a * share);
+        vec3 light = p.ambient * brdf_albedo(brdf, abs(dot(shown, way)) / away_m) * (1.0 / kPi) + emission * share;
+        unlit += light * (covered * haze_transmittance(view.haze, away_m));
+        uint index = extra + uint(max(k - 1, 0));
+        ivec3 to = k == 0 ? ivec3(at, 0) : ivec3(index % size.x, size.y + index / size.x, 0);
+        imageStore(places, to, vec4(view.eye_m + way, covered));
+        imageStore(diffuse, to, vec4(brdf.diffuse, brdf.alpha));
+        imageStore(specular, to, vec4(brdf.f0, brdf.f90));
+        imageStore(shown_normals, to, vec4(shown, pack_facet(facet_of(slope * share, vec2(at) + 0.5))));
+    }
+    if (inside && count == 0) {
+        imageStore(places, ivec3(at, 0), vec4(0.0, 0.0, 0.0, -1.0));
+        imageStore(diffuse, ivec3(at, 0), vec4(0.0));
+        imageStore(specular, ivec3(at, 0), vec4(0.0));
+        imageStore(shown_normals, ivec3(at, 0), vec4(0.0));
+    }
+    if (inside) imageStore(base, ivec3(at, 0), vec4(unlit, 0.0));
+
+    box = box_of_group(box);
+    vec3 centre = box.low.x <= box.high.x ? (box.low + box.high) * 0.5 : vec3(0.0);
+    float radius = -1.0;
+    for (int s = 0; s < 4; ++s) radius = max(radius, owner[s] >= 0 ? length(place[s] - centre) : -1.0);
+    radius = most_of_group(radius);
+    if (gl_LocalInvocationIndex == 0u) {
+        tile_bounds[tile * 2u] = vec4(centre, radius);
+        tile_bounds[tile * 2u + 1u] = vec4(box.far_m, 0.0, 0.0, 0.0);
+    }
+}

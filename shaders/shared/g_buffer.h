@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the G-buffer's shaders and their callers share: how a mesh is drawn, how samples become fragments.
+#ifndef GHOST_SHARED_G_BUFFER_H
+#define GHOST_SHARED_G_BUFFER_H
+#include "shared/types.h"
+
+SHARED_BEGIN
+
+// Depth is reversed: kNear_m / distance along the camera's axis, 0 = nothing was hit.
+SHARED_CONST float kNear_m = 0.05f;
+SHARED_CONST uint kSamples = 4u; // of a pixel
+
+// How a mesh covers its samples, as scene::AlphaMode.
+SHARED_CONST uint kOpaque = 0u;
+SHARED_CONST uint kMask = 1u;
+SHARED_CONST uint kBlend = 2u;
+
+// Bits of a material's textures.
+SHARED_CONST uint kBaseTexture = 1u;
+SHARED_CONST uint kNormalTexture = 2u;
+SHARED_CONST uint kSurfaceTexture = 4u;
+SHARED_CONST uint kEmissionTexture = 8u;
+
+// One draw: camera and material.
+struct MeshPush {
+    vec4 to_clip[4]; // columns of the matrix from the world, moved so that the eye is the origin, to clip space
+    vec3 base_colour;
+    float alpha;
+    vec3 emission;
+    float alpha_cutoff;
+    float roughness;
+    float metalness;
+    float specular;
+    float normal_scale;
+    uint seed; // of the samples of blended surfaces
+};
+SHARED_SIZE(MeshPush, 116);
+
+// Samples of a pixel are one fragment where they lie on one smooth surface: their normals agree, the plane of one passes
+// the other within kPlanePixels pixel widths, and they are not farther apart in depth than kDepthPixels.
+SHARED_CONST float kNormalCosine = 0.87f;
+SHARED_CONST float kPlanePixels = 1.0f;
+SHARED_CONST float kDepthPixels = 12.0f;
+// Beyond this nothing is a surface.
+SHARED_CONST float kFarthest_m = 1e5f;
+
+struct GatherPush {
+    vec3 ambient;     // even light, colour times lux
+    uint capacity;    // extra fragments that there is room for
+    uint tiles;       // of the picture
+    uint tiles_x;
+    float pixel_m;    // width of a pixel at 1 m along the axis
+};
+SHARED_SIZE(GatherPush, 28);
+
+// What gather counts. groups: workgroups over the blocks of extra fragments, as Vulkan wants them.
+struct GatherCounts {
+    uint groups[3];
+    uint extras;   // asked for; those of dropped pixels too
+    uint edges;    // pixels with extra fragments
+    uint used;     // places below this are taken
+    uint dropped;  // pixels that lost their extra fragments: no room
+    uint unused;
+};
+SHARED_SIZE(GatherCounts, 32);
+
+// A unit vector in 11 bits, a whole number that a half float holds: within 4 degrees. Enough to lift a point off its surface.
+SHARED_FN float pack_facet(vec3 n) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float sum = max(abs(n.x) + abs(n.y) + abs(n.z), 1e-12f);
+    vec2 at = vec2(n.x, n.y) / sum;
+    vec2 folded = (vec2(1.0f) - abs(vec2(at.y, at.x))) * vec2(at.x < 0.0f ? -1.0f : 1.0f, at.y < 0.0f ? -1.0f : 1.0f);
+    at = n.z < 0.0f ? folded : at;
+    return floor((at.x * 0.5f + 0.5f) * 31.0f + 0.5f) * 64.0f + floor((at.y * 0.5f + 0.5f) * 63.0f + 0.5f);
+}
+
+SHARED_FN vec3 unpack_facet(float packed_facet) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float high = floor(packed_facet / 64.0f);
+    vec2 at = vec2(high / 31.0f, (packed_facet - high * 64.0f) / 63.0f) * 2.0f - vec2(1.0f);
+    float z = 1.0f - abs(at.x) - abs(at.y);
+    float inward = max(-z, 0.0f);
+    vec3 n = vec3(at.x + (at.x < 0.0f ? inward : -inward), at.y + (at.y < 0.0f ? inward : -inward), z);
+    return n / length(n);
+}
+
+SHARED_END
+#endif

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gpu/raster.h"
+
+#include "base/check.h"
+#include "gpu/buffer.h"
+#include "gpu/texture.h"
+
+#include <array>
+
+namespace ghost::gpu {
+namespace {
+
+constexpr std::uint32_t kPushBytes = 128; // the least that every Vulkan device has
+constexpr VkShaderStageFlags kStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
+
+VkShaderModule make_module(const Device& device, std::span<const std::uint32_t> spirv) {
+    VkShaderModuleCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+    info.codeSize = spirv.size_bytes();
+    info.pCode = spirv.data();
+    VkShaderModule module = VK_NULL_HANDLE;
+    VK_CALL(vkCreateShaderModule(device.handle(), &info, nullptr, &module));
+    return module;
+}
+
+VkRenderingAttachmentInfo cleared(const Texture& texture) {
+    VkRenderingAttachmentInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+    info.imageView = texture.view();
+    info.imageLayout = VK_IMAGE_LAYOUT_GENERAL;
+    info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+    return info;
+}
+
+} // namespace
+
+Raster::Raster(const Device& device, std::span<const std::uint32_t> vertex_spirv,
+               std::span<const std::uint32_t> fragment_spirv, const RasterShape& shape)
+    : device_(device), bindings_(shape.bindings) {
+    std::vector<VkDescriptorSetLayoutBinding> places;
+    for (const VkDescriptorType type : bindings_) {
+        VkDescriptorSetLayoutBinding place{};
+        place.binding = static_cast<std::uint32_t>(places.size());
+        place.descriptorType = type;
+        place.descriptorCount = 1;
+        place.stageFlags = kStages;
+        places.push_back(place);
+    }
+    VkDescriptorSetLayoutCreateInfo set{};
+    set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    set.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
+    set.bindingCount = static_cast<std::uint32_t>(places.size());
+    set.pBindings = places.data();
+    VK_CALL(vkCreateDescriptorSetLayout(device.handle(), &set, nullptr, &set_layout_));
+    const VkPushConstantRange push{kStages, 0, kPushBytes};
+    VkPipelineLayoutCreateInfo layout{};
+    layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    layout.setLayoutCount = 1;
+    layout.pSetLayouts = &set_layout_;
+    layout.pushConstantRangeCount = 1;
+    layout.pPushConstantRanges = &push;
+    VK_CALL(vkCreatePipelineLayout(device.handle(), &layout, nullptr, &layout_));
+
+    std::vector<VkSpecializationMapEntry> entries;
+    for (std::uint32_t i = 0; i < shape.constants.size(); ++i) entries.push_back({i, i * 4, 4});
+    const VkSpecializationInfo specialisation{static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                              shape.constants.size() * 4, shape.constants.data()};
+    std::array<VkPipelineShaderStageCreateInfo, 2> stages{};
+    const std::array<std::span<const std::uint32_t>, 2> spirv{vertex_spirv, fragment_spirv};
+    for (std::size_t i = 0; i < stages.size(); ++i) {
+        stages[i].sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
+        stages[i].stage = i == 0 ? VK_SHADER_STAGE_VERTEX_BIT : VK_SHADER_STAGE_FRAGMENT_BIT;
+        stages[i].module = make_module(device, spirv[i]);
+        stages[i].pName = "main";
+        stages[i].pSpecializationInfo = &specialisation;
+    }
+
+    std::vector<VkVertexInputBindingDescription> buffers{
+        {0, shape.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX}};
+    if (shape.instance_stride > 0)
+        buffers.push_back({1, shape.instance_stride, VK_VERTEX_INPUT_RATE_INSTANCE});
+    std::vector<VkVertexInputAttributeDescription> attributes;
+    for (const VertexInput& input : shape.inputs)
+        attributes.push_back(
+            {static_cast<std::uint32_t>(attributes.size()), input.buffer, input.format, input.offset});
+    VkPipelineVertexInputStateCreateInfo inputs{};
+    inputs.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
+    inputs.vertexBindingDescriptionCount = static_cast<std::uint32_t>(buffers.size());
+    inputs.pVertexBindingDescriptions = buffers.data();
+    inputs.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(attributes.size());
+    inputs.pVertexAttributeDescriptions = attributes.data();
+
+    VkPipelineInputAssemblyStateCreateInfo assembly{};
+    assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
+    assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    VkPipelineViewportStateCreateInfo viewport{};
+    viewport.sType = VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO;
+    viewport.viewportCount = 1;
+    viewport.scissorCount = 1;
+    VkPipelineRasterizationStateCreateInfo raster{};
+    raster.sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO;
+    raster.polygonMode = VK_POLYGON_MODE_FILL;
+    raster.cullMode = VK_CULL_MODE_NONE;
+    raster.frontFace = VK_FRONT_FACE_COUNTER_CLOCKWISE;
+    raster.lineWidth = 1.0f;
+    VkPipelineMultisampleStateCreateInfo samples{};
+    samples.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
+    samples.rasterizationSamples = static_cast<VkSampleCountFlagBits>(shape.samples);
+    VkPipelineDepthStencilStateCreateInfo depth{};
+    depth.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
+    depth.depthTestEnable = VK_TRUE;
+    depth.depthWriteEnable = VK_TRUE;
+    depth.depthCompareOp = VK_COMPARE_OP_GREATER;
+    VkPipelineColorBlendAttachmentState plain{};
+    plain.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT |
+                           VK_COLOR_COMPONENT_A_BIT;
+    const std::vector<VkPipelineColorBlendAttachmentState> writes(shape.colours.size(), plain);
+    VkPipelineColorBlendStateCreateInfo blend{};
+    blend.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO;
+    blend.attachmentCount = static_cast<std::uint32_t>(writes.size());
+    blend.pAttachments = writes.data();
+    constexpr std::array<VkDynamicState, 2> kDynamic{VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR};
+    VkPipelineDynamicStateCreateInfo dynamic{};
+    dynamic.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO;
+    dynamic.dynamicStateCount = static_cast<std::uint32_t>(kDynamic.size());
+    dynamic.pDynamicStates = kDynamic.data();
+    VkPipelineRenderingCreateInfo targets{};
+    targets.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
+    targets.colorAttachmentCount = static_cast<std::uint32_t>(shape.colours.size());
+    targets.pColorAttachmentFormats = shape.colours.data();
+    targets.depthAttachmentFormat = shape.depth;
+
+    VkGraphicsPipelineCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
+    info.pNext = &targets;
+    info.stageCount = static_cast<std::uint32_t>(stages.size());
+    info.pStages = stages.data();
+    info.pVertexInputState = &inputs;
+    info.pInputAssemblyState = &assembly;
+    info.pViewportState = &viewport;
+    info.pRasterizationState = &raster;
+    info.pMultisampleState = &samples;
+    info.pDepthStencilState = &depth;
+    info.pColorBlendState = &blend;
+    info.pDynamicState = &dynamic;
+    info.layout = layout_;
+    VK_CALL(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_));
+    for (const VkPipelineShaderStageCreateInfo& stage : stages)
+        vkDestroyShaderModule(device.handle(), stage.module, nullptr);
+}
+
+Raster::~Raster() {
+    vkDestroyPipeline(device_.handle(), pipeline_, nullptr);
+    vkDestroyPipelineLayout(device_.handle(), layout_, nullptr);
+    vkDestroyDescriptorSetLayout(device_.handle(), set_layout_, nullptr);
+}
+
+void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth) {
+    commands.barrier();
+    std::vector<VkRenderingAttachmentInfo> attachments;
+    for (const Texture* colour : colours) attachments.push_back(cleared(*colour));
+    const VkRenderingAttachmentInfo depth_attachment = cleared(depth);
+    const TextureShape& shape = depth.shape();
+    const VkRect2D area{{0, 0}, {shape.width, shape.height}};
+    VkRenderingInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
+    info.renderArea = area;
+    info.layerCount = 1;
+    info.colorAttachmentCount = static_cast<std::uint32_t>(attachments.size());
+    info.pColorAttachments = attachments.data();
+    info.pDepthAttachment = &depth_attachment;
+    vkCmdBeginRendering(commands.handle(), &info);
+    const VkViewport viewport{0,    0,   static_cast<float>(shape.width), static_cast<float>(shape.height),
+                              0.0f, 1.0f};
+    vkCmdSetViewport(commands.handle(), 0, 1, &viewport);
+    vkCmdSetScissor(commands.handle(), 0, 1, &area);
+}
+
+void end_drawing(Commands& commands) {
+    vkCmdEndRendering(commands.handle());
+    commands.barrier();
+}
+
+void use_vertices(Commands& commands, const Buffer& vertices, const Buffer& instances,
+                  const Buffer& indices) {
+    const std::array<VkBuffer, 2> buffers{vertices.handle(), instances.handle()};
+    constexpr std::array<VkDeviceSize, 2> kOffsets{};
+    vkCmdBindVertexBuffers(commands.handle(), 0, 2, buffers.data(), kOffsets.data());
+    vkCmdBindIndexBuffer(commands.handle(), indices.handle(), 0, VK_INDEX_TYPE_UINT32);
+}
+
+void use_raster(Commands& commands, const Raster& raster) {
+    vkCmdBindPipeline(commands.handle(), VK_PIPELINE_BIND_POINT_GRAPHICS, raster.handle());
+}
+
+void push_constants(Commands& commands, const Raster& raster, const void* push, std::uint32_t bytes) {
+    CHECK(bytes <= kPushBytes);
+    vkCmdPushConstants(commands.handle(), raster.layout(), kStages, 0, bytes, push);
+}
+
+void use_bindings(Commands& commands, const Device& device, const Raster& raster,
+                  const std::vector<Binding>& bindings) {
+    push_bindings(device, commands.handle(), VK_PIPELINE_BIND_POINT_GRAPHICS, raster.layout(),
+                  raster.bindings(), bindings);
+}
+
+void draw_triangles(Commands& commands, const DrawRange& range) {
+    vkCmdDrawIndexed(commands.handle(), range.index_count, range.instance_count, range.first_index,
+                     range.first_vertex, range.first_instance);
+}
+
+} // namespace ghost::gpu

@@ -1,0 +1,76 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Raster: a pipeline that draws triangles into attachments (dynamic rendering, one vertex and one fragment
+// shader). Depth is reversed: 0 is infinitely far, the larger value wins. Both sides of a triangle are drawn;
+// front faces are counter-clockwise in the picture. Recorded into Commands between begin_drawing and
+// end_drawing, which wait for what was recorded before and make the result visible to what follows. Must not
+// outlive its Device.
+
+#include "gpu/commands.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace ghost::gpu {
+
+// Where a shader's input location reads its values.
+struct VertexInput {
+    std::uint32_t buffer = 0; // 0: a value per vertex, 1: per instance
+    VkFormat format = VK_FORMAT_R32G32B32_SFLOAT;
+    std::uint32_t offset = 0; // bytes
+};
+
+struct RasterShape {
+    std::vector<VertexInput> inputs; // of locations 0, 1, ..
+    std::uint32_t vertex_stride = 0; // bytes of a vertex
+    std::uint32_t instance_stride = 0;
+    std::vector<VkDescriptorType> bindings;
+    std::vector<std::uint32_t> constants; // specialisation constants 0, 1, .. of both shaders
+    std::vector<VkFormat> colours;        // of the attachments
+    VkFormat depth = VK_FORMAT_D32_SFLOAT;
+    std::uint32_t samples = 1;
+};
+
+class Raster {
+public:
+    Raster(const Device& device, std::span<const std::uint32_t> vertex_spirv,
+           std::span<const std::uint32_t> fragment_spirv, const RasterShape& shape);
+    ~Raster();
+    Raster(const Raster&) = delete;
+    Raster& operator=(const Raster&) = delete;
+    VkPipeline handle() const { return pipeline_; }
+    VkPipelineLayout layout() const { return layout_; }
+    const std::vector<VkDescriptorType>& bindings() const { return bindings_; }
+
+private:
+    const Device& device_;
+    std::vector<VkDescriptorType> bindings_;
+    VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
+    VkPipelineLayout layout_ = VK_NULL_HANDLE;
+    VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
+// Clears all attachments to zero and begins; they have one size and number of samples.
+void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth);
+void end_drawing(Commands& commands);
+
+// A part of an index buffer (32 bit), drawn once for each of some instances.
+struct DrawRange {
+    std::uint32_t first_index = 0;
+    std::uint32_t index_count = 0;
+    std::int32_t first_vertex = 0; // added to each index
+    std::uint32_t first_instance = 0;
+    std::uint32_t instance_count = 1;
+};
+
+// The buffers of all following draws.
+void use_vertices(Commands& commands, const Buffer& vertices, const Buffer& instances, const Buffer& indices);
+// What the following draws use; bytes of push: at most 128, seen by both shaders.
+void use_raster(Commands& commands, const Raster& raster);
+void push_constants(Commands& commands, const Raster& raster, const void* push, std::uint32_t bytes);
+void use_bindings(Commands& commands, const Device& device, const Raster& raster,
+                  const std::vector<Binding>& bindings);
+void draw_triangles(Commands& commands, const DrawRange& range);
+
+} // namespace ghost::gpu

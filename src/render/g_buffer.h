@@ -1,0 +1,81 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// GBuffer: what a free camera sees of a stage, as fragments for the light passes (render/fragments.h) and the
+// material of each. The stage is drawn with kSamples samples a pixel into reversed depth and material
+// attachments; a compute pass sorts the samples into fragments, as the baker sorts its rays. Positions are
+// those of the samples, from their depth. Blended surfaces take a share of the samples of a pixel, by chance
+// that is the same in every frame: a share of a quarter at least, noise beyond that. Main thread; the device
+// must outlive it.
+
+#include "gpu/commands.h"
+#include "gpu/raster.h"
+#include "render/fragments.h"
+#include "render/stage_model.h"
+#include "shared/types.h"
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace ghost::render {
+
+// A pinhole camera that looks down its -Z, see scene::camera_to_world. All values finite.
+struct Pose {
+    glm::mat4 camera_to_world{1.0f};
+    float fov_y_deg = 40;
+    int width = 0; // of the picture: as the GBuffer was made
+    int height = 0;
+};
+
+// What is between and around the surfaces.
+struct Surroundings {
+    glm::vec3 ambient{0}; // even light: colour times lux
+    shared::Haze haze{};
+};
+
+class GBuffer {
+public:
+    GBuffer(const gpu::Device& device, int width, int height);
+
+    // Draws and waits: the numbers in fragments() are those of this camera then.
+    void draw(const StageModel& model, const Pose& pose, const Surroundings& surroundings);
+
+    const Fragments& fragments() const { return fragments_; }
+    // One texel per fragment, laid out as Fragments::places; undefined where there is no fragment.
+    const gpu::Texture& diffuse() const { return diffuse_; }   // rgba16f: Brdf::diffuse, Brdf::alpha
+    const gpu::Texture& specular() const { return specular_; } // rgba16f: Brdf::f0, Brdf::f90
+    // rgba16f: shading normal towards the viewer; w: normal of the facet, see unpack_facet in
+    // shared/g_buffer.h.
+    const gpu::Texture& normals() const { return normals_; }
+
+    std::uint32_t extra_count() const { return extra_count_; } // fragments beyond the main ones
+    std::uint32_t dropped_pixels() const {
+        return dropped_pixels_;
+    } // showing their main surface only: no room
+    const std::vector<gpu::Span>& spans() const { return spans_; }
+    std::uint64_t memory_bytes() const; // on the device
+
+private:
+    const gpu::Raster& raster_for(const StageModel::Surface& surface);
+    void draw_meshes(const StageModel& model, const Pose& pose);
+    void gather(const shared::View& view, const glm::vec3& ambient);
+
+    const gpu::Device& device_;
+    std::uint32_t capacity_; // extra fragments
+    std::map<std::uint32_t, std::unique_ptr<gpu::Raster>> rasters_;
+    gpu::Program gather_, block_bounds_;
+    gpu::Commands commands_;
+    Fragments fragments_;
+    gpu::Texture diffuse_, specular_, normals_;
+    gpu::Texture sample_depth_, sample_base_, sample_normal_, sample_emission_, sample_metalness_;
+    gpu::Buffer instances_, counts_, counts_read_;
+    std::vector<InstanceRows> rows_;
+    std::vector<gpu::Span> spans_;
+    std::uint32_t extra_count_ = 0;
+    std::uint32_t dropped_pixels_ = 0;
+    bool warned_ = false; // that there is no room for all extra fragments
+};
+
+} // namespace ghost::render

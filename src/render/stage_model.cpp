@@ -1,0 +1,356 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/stage_model.h"
+
+#include "base/check.h"
+#include "base/log.h"
+#include "render/mip_levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace ghost::render {
+namespace {
+
+constexpr float kLeastVolume = 1e-18f; // below, an instance is flat: the baker leaves it out too
+constexpr int kLevelsLost = 6;         // at most, of textures that are too large
+
+bool finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+bool placeable(const glm::mat4& m) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(m[column][row])) return false;
+    return std::abs(glm::determinant(glm::mat3(m))) > kLeastVolume;
+}
+
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
+    const float length2 = glm::dot(v, v);
+    return length2 > 1e-20f && std::isfinite(length2) ? v / std::sqrt(length2) : fallback;
+}
+
+std::array<std::int16_t, 4> to_signed(const glm::vec4& v) {
+    std::array<std::int16_t, 4> out{};
+    for (int k = 0; k < 4; ++k)
+        out[static_cast<std::size_t>(k)] =
+            static_cast<std::int16_t>(std::lround(std::clamp(v[k], -1.0f, 1.0f) * 32767.0f));
+    return out;
+}
+
+bool there(const scene::Stage& stage, int texture) {
+    if (texture < 0 || texture >= static_cast<int>(stage.textures.size())) return false;
+    const image::Image8& pixels = stage.textures[static_cast<std::size_t>(texture)].pixels;
+    return pixels.channels == 4 && !pixels.empty();
+}
+
+float sane(float value, float fallback) {
+    return std::isfinite(value) ? value : fallback;
+}
+glm::vec3 sane(const glm::vec3& value) {
+    return {sane(value.x, 0.0f), sane(value.y, 0.0f), sane(value.z, 0.0f)};
+}
+
+std::uint64_t bytes_of(const image::Image8& pixels, int lost) {
+    const auto width = static_cast<std::uint64_t>(std::max(pixels.width >> lost, 1));
+    const auto height = static_cast<std::uint64_t>(std::max(pixels.height >> lost, 1));
+    return width * height * 4 * 4 / 3;
+}
+
+int lost_levels(const image::Image8& pixels, int most_side) {
+    int lost = 0;
+    while (std::max(pixels.width, pixels.height) >> lost > most_side) ++lost;
+    return lost;
+}
+
+// A tangent for each vertex, from the triangles around it.
+std::vector<glm::vec4> make_tangents(const scene::Mesh& mesh) {
+    std::vector<glm::vec3> along(mesh.positions.size(), glm::vec3(0.0f));
+    std::vector<float> hand(mesh.positions.size(), 0.0f);
+    for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
+        const std::uint32_t* i = mesh.indices.data() + k;
+        const glm::vec3 e1 = mesh.positions[i[1]] - mesh.positions[i[0]];
+        const glm::vec3 e2 = mesh.positions[i[2]] - mesh.positions[i[0]];
+        const glm::vec2 d1 = mesh.uvs[i[1]] - mesh.uvs[i[0]];
+        const glm::vec2 d2 = mesh.uvs[i[2]] - mesh.uvs[i[0]];
+        const float sign = d1.x * d2.y - d1.y * d2.x < 0.0f ? -1.0f : 1.0f;
+        const glm::vec3 tangent = unit_or(sign * (e1 * d2.y - e2 * d1.y), glm::vec3(0.0f));
+        const glm::vec3 bitangent = -sign * (e2 * d1.x - e1 * d2.x);
+        for (int c = 0; c < 3; ++c) {
+            along[i[c]] += tangent;
+            hand[i[c]] += glm::dot(glm::cross(mesh.normals[i[c]], tangent), bitangent) < 0.0f ? -1.0f : 1.0f;
+        }
+    }
+    std::vector<glm::vec4> tangents;
+    for (std::size_t v = 0; v < along.size(); ++v)
+        tangents.emplace_back(unit_or(along[v], glm::vec3(0.0f)), hand[v] < 0.0f ? -1.0f : 1.0f);
+    return tangents;
+}
+
+} // namespace
+
+StageModel::StageModel(const gpu::Device& device, const scene::Stage& stage, scene::Report& report,
+                       std::uint64_t texture_bytes)
+    : device_(device) {
+    add_textures(stage, report, texture_bytes);
+    add_surfaces(stage);
+    add_meshes(stage, report);
+    add_instances(stage, report);
+}
+
+void StageModel::add_textures(const scene::Stage& stage, scene::Report& report, std::uint64_t texture_bytes) {
+    textures_.emplace_back(device_,
+                           gpu::TextureShape{1, 1, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, false, true, true});
+    constexpr std::uint32_t kWhite = 0xffffffffu;
+    textures_.back().write(0, &kWhite, sizeof kWhite);
+
+    std::uint64_t whole_bytes = 0;
+    int most_side = 1;
+    const auto want = [&](int texture, bool srgb) {
+        if (!there(stage, texture) || !texture_of_.emplace(std::pair{texture, srgb}, 0).second) return;
+        const image::Image8& pixels = stage.textures[static_cast<std::size_t>(texture)].pixels;
+        whole_bytes += bytes_of(pixels, 0);
+        most_side = std::max({most_side, pixels.width, pixels.height});
+    };
+    const auto is_colour = [&](int texture) {
+        return there(stage, texture) && stage.textures[static_cast<std::size_t>(texture)].is_colour;
+    };
+    for (const scene::Material& material : stage.materials) {
+        want(material.base_texture, is_colour(material.base_texture));
+        want(material.emission_texture, is_colour(material.emission_texture));
+        want(material.normal_texture, false);
+        want(material.surface_texture, false);
+    }
+    const std::uint64_t budget = std::min(texture_bytes, device_.local_memory_bytes() / 4);
+    const int whole_side = most_side;
+    std::uint64_t bytes = whole_bytes;
+    for (int lost = 0; bytes > budget && lost < kLevelsLost; ++lost) {
+        most_side = std::max(most_side / 2, 1);
+        bytes = 0;
+        for (const auto& entry : texture_of_) {
+            const image::Image8& pixels = stage.textures[static_cast<std::size_t>(entry.first.first)].pixels;
+            bytes += bytes_of(pixels, lost_levels(pixels, most_side));
+        }
+    }
+    if (most_side < whole_side)
+        report.add(scene::Severity::warning, "textures",
+                   "they need " + std::to_string(whole_bytes >> 20) + " MiB on the device, more than " +
+                       std::to_string(budget >> 20) + " MiB: drawn with at most " +
+                       std::to_string(most_side) + " texels a side");
+    for (auto& [key, index] : texture_of_) {
+        const image::Image8& pixels = stage.textures[static_cast<std::size_t>(key.first)].pixels;
+        const std::vector<image::Image8> levels =
+            mip_levels(pixels, key.second, lost_levels(pixels, most_side));
+        index = textures_.size();
+        textures_.emplace_back(
+            device_, gpu::TextureShape{static_cast<std::uint32_t>(levels[0].width),
+                                       static_cast<std::uint32_t>(levels[0].height), 1,
+                                       static_cast<std::uint32_t>(levels.size()),
+                                       key.second ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM, false,
+                                       true, true});
+        for (std::size_t k = 0; k < levels.size(); ++k)
+            textures_.back().write(static_cast<std::uint32_t>(k), levels[k].samples.data(),
+                                   levels[k].samples.size());
+    }
+}
+
+void StageModel::add_surfaces(const scene::Stage& stage) {
+    std::vector<scene::Material> materials = stage.materials;
+    if (materials.empty()) materials.emplace_back();
+    for (const scene::Material& material : materials) {
+        Surface surface;
+        surface.push.base_colour = sane(material.base_colour);
+        surface.push.alpha = sane(material.alpha, 1.0f);
+        surface.push.emission = sane(material.emission);
+        surface.push.alpha_cutoff = sane(material.alpha_cutoff, 0.5f);
+        surface.push.roughness = sane(material.roughness, 1.0f);
+        surface.push.metalness = sane(material.metalness, 0.0f);
+        surface.push.specular = sane(material.specular, 1.0f);
+        surface.push.normal_scale = sane(material.normal_scale, 1.0f);
+        surface.push.seed = static_cast<std::uint32_t>(surfaces_.size() + 1) * 0x9e3779b9u;
+        surface.alpha = material.alpha_mode == scene::AlphaMode::mask    ? shared::kMask
+                        : material.alpha_mode == scene::AlphaMode::blend ? shared::kBlend
+                                                                         : shared::kOpaque;
+        const std::array<int, 4> wanted{material.base_texture, material.normal_texture,
+                                        material.surface_texture, material.emission_texture};
+        for (std::size_t k = 0; k < wanted.size(); ++k) {
+            if (!there(stage, wanted[k])) continue;
+            const bool srgb =
+                (k == 0 || k == 3) && stage.textures[static_cast<std::size_t>(wanted[k])].is_colour;
+            surface.texture[k] = texture_of_.at({wanted[k], srgb});
+            surface.textures |= 1u << k;
+        }
+        surfaces_.push_back(surface);
+    }
+}
+
+void StageModel::add_meshes(const scene::Stage& stage, scene::Report& report) {
+    std::vector<StageVertex> vertices;
+    std::vector<std::uint32_t> indices;
+    for (const scene::Mesh& mesh : stage.meshes) {
+        Mesh& made = meshes_.emplace_back();
+        made.surface = std::min(static_cast<std::size_t>(std::max(mesh.material, 0)), surfaces_.size() - 1);
+        made.range.first_index = static_cast<std::uint32_t>(indices.size());
+        made.range.first_vertex = static_cast<std::int32_t>(vertices.size());
+        made.low_m = glm::vec3(std::numeric_limits<float>::max());
+        made.high_m = -made.low_m;
+        const std::size_t count = mesh.positions.size();
+        const bool usable =
+            mesh.normals.size() == count && std::all_of(mesh.indices.begin(), mesh.indices.end(),
+                                                        [&](std::uint32_t index) { return index < count; });
+        if (!usable) {
+            report.add(scene::Severity::warning, mesh.name,
+                       "the mesh has indices without vertices or vertices without normals: it is not drawn");
+            continue;
+        }
+        std::vector<glm::vec3> facets(count, glm::vec3(0, 0, 1)); // where a normal is none
+        for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
+            const std::uint32_t* i = mesh.indices.data() + k;
+            const glm::vec3 cross = glm::cross(mesh.positions[i[1]] - mesh.positions[i[0]],
+                                               mesh.positions[i[2]] - mesh.positions[i[0]]);
+            // Not finite, or a line: it covers nothing.
+            if (!finite(cross) || glm::dot(cross, cross) == 0.0f) continue;
+            const glm::vec3 facet = unit_or(cross, glm::vec3(0, 0, 1));
+            // Files disagree about winding, so only the normals say which side is the front.
+            float facing = 0.0f;
+            for (int c = 0; c < 3; ++c) {
+                facing += glm::dot(unit_or(mesh.normals[i[c]], facet), facet);
+                made.low_m = glm::min(made.low_m, mesh.positions[i[c]]);
+                made.high_m = glm::max(made.high_m, mesh.positions[i[c]]);
+                facets[i[c]] = facet;
+            }
+            indices.insert(indices.end(), {i[0], facing < 0.0f ? i[2] : i[1], facing < 0.0f ? i[1] : i[2]});
+        }
+        made.range.index_count = static_cast<std::uint32_t>(indices.size()) - made.range.first_index;
+        const bool textured = mesh.uvs.size() == count;
+        if (!textured && (surfaces_[made.surface].textures & shared::kNormalTexture) != 0) {
+            // Bumps need a direction along the picture.
+            Surface plain = surfaces_[made.surface];
+            plain.textures &= ~shared::kNormalTexture;
+            made.surface = surfaces_.size();
+            surfaces_.push_back(plain);
+        }
+        const bool bumps = (surfaces_[made.surface].textures & shared::kNormalTexture) != 0;
+        const bool has_tangents = mesh.tangents.size() == count;
+        const std::vector<glm::vec4> tangents =
+            bumps && !has_tangents ? make_tangents(mesh) : std::vector<glm::vec4>();
+        for (std::size_t v = 0; v < count; ++v) {
+            StageVertex vertex;
+            vertex.position_m = sane(mesh.positions[v]);
+            vertex.normal = to_signed(glm::vec4(unit_or(mesh.normals[v], facets[v]), 0.0f));
+            const glm::vec4 tangent = !bumps ? glm::vec4(0) : has_tangents ? mesh.tangents[v] : tangents[v];
+            vertex.tangent = to_signed(
+                glm::vec4(unit_or(glm::vec3(tangent), glm::vec3(0.0f)), tangent.w < 0.0f ? -1.0f : 1.0f));
+            if (textured) vertex.uv = {sane(mesh.uvs[v].x, 0.0f), sane(mesh.uvs[v].y, 0.0f)};
+            vertices.push_back(vertex);
+        }
+    }
+    CHECK(vertices.size() < std::numeric_limits<std::int32_t>::max() &&
+          indices.size() < std::numeric_limits<std::uint32_t>::max());
+    vertices_ = gpu::Buffer(device_, vertices.size() * sizeof(StageVertex), gpu::Access::device);
+    vertices_.write(vertices);
+    indices_ = gpu::Buffer(device_, indices.size() * sizeof(std::uint32_t), gpu::Access::device);
+    indices_.write(indices);
+}
+
+void StageModel::add_instances(const scene::Stage& stage, scene::Report& report) {
+    for (const scene::Instance& instance : stage.instances) {
+        Instance made;
+        const bool known = instance.mesh >= 0 && instance.mesh < static_cast<int>(meshes_.size());
+        if (known && placeable(instance.world)) {
+            made.world = instance.world;
+            made.usable = true;
+        } else {
+            report.add(scene::Severity::warning, instance.name,
+                       known ? "the matrix of this instance is flat or not finite: it is not drawn"
+                             : "the instance has no mesh: it is not drawn");
+        }
+        if (known) meshes_[static_cast<std::size_t>(instance.mesh)].instances.push_back(instances_.size());
+        instances_.push_back(made);
+    }
+}
+
+void StageModel::show(std::size_t instance, bool shown) {
+    CHECK(instance < instances_.size());
+    instances_[instance].shown = shown;
+}
+
+void StageModel::move(std::size_t instance, const glm::mat4& world) {
+    CHECK(instance < instances_.size());
+    const bool usable = placeable(world);
+    if (!usable && instances_[instance].usable)
+        log_warning("instance " + std::to_string(instance) +
+                    " was moved by a matrix that is flat or not finite: it is not drawn");
+    instances_[instance].usable = usable;
+    if (usable) instances_[instance].world = world;
+}
+
+std::vector<StageModel::Draw> StageModel::visible(const glm::vec3& eye_m,
+                                                  const std::vector<glm::vec4>& planes,
+                                                  std::vector<InstanceRows>& rows) const {
+    rows.clear();
+    std::vector<Draw> draws;
+    std::vector<std::pair<float, std::size_t>> near;
+    for (std::size_t m = 0; m < meshes_.size(); ++m) {
+        const Mesh& mesh = meshes_[m];
+        if (mesh.range.index_count == 0) continue;
+        near.clear();
+        for (const std::size_t index : mesh.instances) {
+            const Instance& instance = instances_[index];
+            if (!instance.shown || !instance.usable) continue;
+            std::array<glm::vec3, 8> corners;
+            for (std::size_t k = 0; k < corners.size(); ++k) {
+                const glm::vec3 corner((k & 1) ? mesh.high_m.x : mesh.low_m.x,
+                                       (k & 2) ? mesh.high_m.y : mesh.low_m.y,
+                                       (k & 4) ? mesh.high_m.z : mesh.low_m.z);
+                corners[k] = glm::vec3(instance.world * glm::vec4(corner, 1.0f)) - eye_m;
+            }
+            const bool outside = std::any_of(planes.begin(), planes.end(), [&](const glm::vec4& plane) {
+                return std::all_of(corners.begin(), corners.end(), [&](const glm::vec3& corner) {
+                    return glm::dot(glm::vec3(plane), corner) + plane.w < 0.0f;
+                });
+            });
+            if (outside) continue;
+            glm::vec3 centre(0.0f);
+            for (const glm::vec3& corner : corners) centre += corner * 0.125f;
+            const float near_m = glm::length(centre) - glm::length(corners[0] - corners[7]) * 0.5f;
+            near.emplace_back(sane(near_m, 0.0f), index);
+        }
+        if (near.empty()) continue;
+        std::sort(near.begin(), near.end());
+        Draw draw{m, mesh.range, near.front().first};
+        draw.range.first_instance = static_cast<std::uint32_t>(rows.size());
+        draw.range.instance_count = static_cast<std::uint32_t>(near.size());
+        for (const auto& [distance, index] : near) {
+            glm::mat4 world = instances_[index].world;
+            world[3] -= glm::vec4(eye_m, 0.0f);
+            const glm::mat4 turned = glm::transpose(world);
+            rows.push_back({turned[0], turned[1], turned[2]});
+        }
+        draws.push_back(draw);
+    }
+    std::stable_sort(draws.begin(), draws.end(), [&](const Draw& a, const Draw& b) {
+        const std::uint32_t alpha_a = surface_of(a.mesh).alpha;
+        const std::uint32_t alpha_b = surface_of(b.mesh).alpha;
+        return alpha_a != alpha_b ? alpha_a < alpha_b : a.near_m < b.near_m;
+    });
+    return draws;
+}
+
+std::uint64_t StageModel::memory_bytes() const {
+    std::uint64_t sum = vertices_.bytes() + indices_.bytes();
+    for (const gpu::Texture& texture : textures_) sum += texture.bytes();
+    return sum;
+}
+
+std::size_t StageModel::drawn_triangles() const {
+    std::size_t sum = 0;
+    for (const Mesh& mesh : meshes_)
+        for (const std::size_t index : mesh.instances)
+            if (instances_[index].shown && instances_[index].usable) sum += mesh.range.index_count / 3;
+    return sum;
+}
+
+} // namespace ghost::render

@@ -1,0 +1,101 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// StageModel: a scene::Stage on the device, to be drawn from anywhere. Meshes once, instances as a list that
+// may be hidden and moved, textures with mip levels. World metres. What cannot be drawn (a matrix that is not
+// finite, indices without vertices) is left out and reported by name. Main thread; the device must outlive
+// it, the stage need not.
+
+#include "gpu/buffer.h"
+#include "gpu/raster.h"
+#include "gpu/texture.h"
+#include "scene/report.h"
+#include "scene/stage.h"
+#include "shared/g_buffer.h"
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace ghost::render {
+
+// As the vertex shader reads it: signed normalised 16 bit for directions.
+struct StageVertex {
+    glm::vec3 position_m{0};
+    std::array<std::int16_t, 4> normal{};
+    std::array<std::int16_t, 4> tangent{}; // w: handedness
+    glm::vec2 uv{0};
+};
+
+// A row each for x, y, z: the instance's matrix, with the eye as origin.
+using InstanceRows = std::array<glm::vec4, 3>;
+
+class StageModel {
+public:
+    static constexpr std::uint64_t kTextureBytes = std::uint64_t{1}
+                                                   << 30; // at most, or a quarter of the device
+
+    // texture_bytes: larger textures lose their finest levels until all fit; a line of warning says so.
+    StageModel(const gpu::Device& device, const scene::Stage& stage, scene::Report& report,
+               std::uint64_t texture_bytes = kTextureBytes);
+
+    // instance: index into Stage::instances.
+    void show(std::size_t instance, bool shown);
+    void move(std::size_t instance, const glm::mat4& world);
+
+    std::uint64_t memory_bytes() const;  // on the device
+    std::size_t drawn_triangles() const; // of the instances shown
+    std::size_t instance_count() const { return instances_.size(); }
+
+    // What is drawn with one call: all visible instances of a mesh.
+    struct Draw {
+        std::size_t mesh = 0;
+        gpu::DrawRange range;
+        float near_m = 0; // of the nearest instance
+    };
+    // The instances that reach into a view, nearest first, with their rows; planes: (normal inwards, offset)
+    // in coordinates with the eye as origin. Draws in the order opaque, masked, blended, nearest first.
+    std::vector<Draw> visible(const glm::vec3& eye_m, const std::vector<glm::vec4>& planes,
+                              std::vector<InstanceRows>& rows) const;
+
+    struct Surface {
+        shared::MeshPush push{}; // without the camera
+        std::uint32_t alpha = shared::kOpaque;
+        std::uint32_t textures = 0;           // bits, see shared/g_buffer.h
+        std::array<std::size_t, 4> texture{}; // base, normal, surface, emission: index for texture()
+    };
+    const Surface& surface_of(std::size_t mesh) const { return surfaces_[meshes_[mesh].surface]; }
+    const gpu::Texture& texture(std::size_t index) const { return textures_[index]; }
+    const gpu::Buffer& vertices() const { return vertices_; }
+    const gpu::Buffer& indices() const { return indices_; }
+
+private:
+    struct Mesh {
+        gpu::DrawRange range;
+        glm::vec3 low_m{0}; // of the mesh's own box
+        glm::vec3 high_m{0};
+        std::size_t surface = 0;
+        std::vector<std::size_t> instances; // usable ones
+    };
+    struct Instance {
+        glm::mat4 world{1.0f};
+        bool shown = true;
+        bool usable = false;
+    };
+    void add_textures(const scene::Stage& stage, scene::Report& report, std::uint64_t texture_bytes);
+    void add_surfaces(const scene::Stage& stage);
+    void add_meshes(const scene::Stage& stage, scene::Report& report);
+    void add_instances(const scene::Stage& stage, scene::Report& report);
+
+    const gpu::Device& device_;
+    std::vector<Mesh> meshes_;
+    std::vector<Instance> instances_;
+    std::vector<Surface> surfaces_;
+    std::vector<gpu::Texture> textures_;                     // 0: white
+    std::map<std::pair<int, bool>, std::size_t> texture_of_; // scene texture, read as sRGB
+    gpu::Buffer vertices_, indices_;
+};
+
+} // namespace ghost::render
