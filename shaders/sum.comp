@@ -16,10 +16,11 @@ void main() {
     ivec2 last = imageSize(base).xy - 1;
     if (any(greaterThan(at, last))) return;
     vec4 sum = p.add_base != 0u ? imageLoad(base, ivec3(at, 0)) : vec4(0.0);
-    for (uint once = p.add_drawn != 0u ? 0u : 1u; once < 1u; ++once) {
-        sum += imageLoad(drawn, ivec3(at, 0));
-        // Haze was sampled at the corners of the pixels, every corner of a 2x2 block at its own offset along the ray (interleaved
-        // sampling, Keller & Heidrich 2001): the mean of the four corners has all offsets, everywhere, so hardly any noise is left.
+    for (uint once = p.add_drawn != 0u ? 0u : 1u; once < 1u; ++once)
+        sum += imageLoad(drawn, ivec3(at, 0)) + (p.air_at_corners != 0u ? vec4(0.0) : imageLoad(drawn, ivec3(at, 1)));
+    // Haze that was sampled at the corners of the pixels, every corner of a 2x2 block at its own offset along the ray (interleaved
+    // sampling, Keller & Heidrich 2001): the mean of the four corners has all offsets, everywhere, so hardly any noise is left.
+    for (uint once = p.add_drawn * p.air_at_corners != 0u ? 0u : 1u; once < 1u; ++once) {
         ivec2 next = min(at + 1, last);
         sum += 0.25 * (imageLoad(drawn, ivec3(at, 1)) + imageLoad(drawn, ivec3(next.x, at.y, 1)) +
                        imageLoad(drawn, ivec3(at.x, next.y, 1)) + imageLoad(drawn, ivec3(next, 1)));

@@ -7,6 +7,7 @@
 // given radius. In C++ it needs the images, so there the functions take them as a last argument.
 #ifndef GHOST_SHARED_BEAM_H
 #define GHOST_SHARED_BEAM_H
+#include "shared/optics.h"
 #include "shared/types.h"
 
 #ifdef __cplusplus
@@ -35,15 +36,6 @@ SHARED_FN float beam_profile(float radius2, float power, float scale) {
     return exp2(-scale * exp2(power * log2(max(radius2, 1e-12f))));
 }
 
-// Radius of the blur disc in gate units at distance z along the beam: a thin lens of radius R focused at 1/focus_per_m.
-SHARED_FN float beam_blur(Light light, float z) {
-#ifdef __cplusplus
-    using namespace glm;
-#endif
-    float R = light.lens_radius_m;
-    return light.edge + R * abs(1.0f - z * light.focus_per_m) / (R + z * light.tan_field);
-}
-
 // Light that the aperture (field stop or iris) lets through at a gate radius, blurred by a disc of the given radius.
 SHARED_FN float beam_aperture(float radius, float aperture, float blur) {
 #ifdef __cplusplus
@@ -68,6 +60,22 @@ SHARED_FN vec3 wheel_sample(Wheel wheel, vec2 gate, float blur WITH_GOBOS) {
     return gobo_sample(layer, turned, blur PASS_GOBOS) * rim;
 }
 
+// What the gate lets through, relative to the open gate on the axis: profile, aperture, split colour and gobos at a gate
+// position, blurred by a disc of the given radius.
+SHARED_FN vec3 beam_gate(Light light, vec2 gate, float blur WITH_GOBOS) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float radius2 = dot(gate, gate);
+    float value = beam_profile(radius2, light.profile_power, light.profile_scale) *
+                  beam_aperture(sqrt(radius2), light.iris_radius, blur);
+    value = radius2 < light.cut_radius * light.cut_radius ? value : 0.0f;
+    float side = clamp((gate.x - light.split) * 4.0f + 0.5f, 0.0f, 1.0f);
+    vec3 colour = (vec3(1.0f) + (light.colour_b - vec3(1.0f)) * side) * value;
+    for (uint k = 0u; k < WHEEL_COUNT(light); ++k) colour *= wheel_sample(light.wheel[k], gate, blur PASS_GOBOS);
+    return colour;
+}
+
 // Candela (RGB) towards gate position q, metres from the apex.
 SHARED_FN vec3 beam_candela(Light light, vec3 q WITH_GOBOS) {
 #ifdef __cplusplus
@@ -75,17 +83,9 @@ SHARED_FN vec3 beam_candela(Light light, vec3 q WITH_GOBOS) {
 #endif
     float z = max(q.z, 1e-4f);
     vec2 gate = vec2(q.x, q.y) / (z * light.tan_field);
-    float radius2 = dot(gate, gate);
-    float blur = beam_blur(light, z);
-    float value = beam_profile(radius2, light.profile_power, light.profile_scale) *
-                  beam_aperture(sqrt(radius2), light.iris_radius, blur);
-    // Nothing leaves backwards, and nothing beyond the cut.
-    value = (q.z > 1e-4f && radius2 < light.cut_radius * light.cut_radius) ? value : 0.0f;
-    vec3 colour = light.intensity_cd * value;
-    float side = clamp((gate.x - light.split) * 4.0f + 0.5f, 0.0f, 1.0f);
-    colour *= vec3(1.0f) + (light.colour_b - vec3(1.0f)) * side;
-    for (uint k = 0u; k < WHEEL_COUNT(light); ++k) colour *= wheel_sample(light.wheel[k], gate, blur PASS_GOBOS);
-    return colour;
+    // Nothing leaves backwards.
+    vec3 intensity = q.z > 1e-4f ? light.intensity_cd : vec3(0.0f);
+    return intensity * beam_gate(light, gate, beam_blur(light, z) PASS_GOBOS);
 }
 
 // Gate coordinates of a world offset from the apex (or of a direction).

@@ -58,10 +58,11 @@ struct SumPush {
     uint accumulate; // 1: on top of what the target holds
     uint add_base;
     uint add_drawn;
+    uint air_at_corners; // haze was sampled at the corners of the pixels, not in their middle
     uint addend_count;
     uint addend[kMaxAddends];
 };
-SHARED_SIZE(SumPush, 100);
+SHARED_SIZE(SumPush, 104);
 
 // drawn += lights, on the tiles of the list. Layer 0: surfaces, layer 1: haze.
 struct RelightPush {
@@ -73,6 +74,24 @@ struct RelightPush {
     uint march_steps; // 0: samples inside the cone; else over the whole ray
 };
 SHARED_SIZE(RelightPush, 24);
+
+// Fills the tables of lights first, first + 1, .. of a chunk.
+struct FanPush {
+    uint first;
+};
+SHARED_SIZE(FanPush, 4);
+
+// drawn += haze from fans, on the tiles of the list.
+struct GatePush {
+    uint light_count; // of the chunk
+    uint batch;
+    uint tiles_x;
+    uint tiles;
+    uint blocks;
+    float segments_per_rad; // from the error wanted
+    uint most_segments;
+};
+SHARED_SIZE(GatePush, 28);
 
 struct BouncePush {
     uint light_count; // of the chunk

@@ -27,7 +27,7 @@ struct RenderArguments {
     InputOptions input;
     std::string out;
     std::string size;
-    std::string beams = "cone";
+    std::string beams = "gate";
     std::string replay;
     double at_s = -1;
     double from_s = -1;
@@ -192,7 +192,9 @@ Result<bool> check_usage(RenderArguments& arguments) {
             return Error{"'" + arguments.size + "' is not WIDTHxHEIGHT between 16x16 and 8192x8192",
                          "--size"};
     }
-    arguments.session.beams = arguments.beams == "march" ? render::Beams::march : render::Beams::cone;
+    arguments.session.beams.beams = arguments.beams == "march"  ? render::Beams::march
+                                    : arguments.beams == "cone" ? render::Beams::cone
+                                                                : render::Beams::gate;
     arguments.session.image_memory_bytes = static_cast<std::uint64_t>(arguments.image_memory_mb) << 20;
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
@@ -250,10 +252,10 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_option("--seconds", a->seconds, "length of --live-input")
         ->check(CLI::Range(0.1, 86400.0))
         ->capture_default_str();
-    command->add_option("--beams", a->beams, "cone (the paper) or march (the thesis)")
-        ->check(CLI::IsMember({"cone", "march"}))
+    command->add_option("--beams", a->beams, "gate (ours), cone (the paper) or march (the thesis)")
+        ->check(CLI::IsMember({"gate", "cone", "march"}))
         ->capture_default_str();
-    command->add_option("--steps", a->session.march_steps, "steps of march")
+    command->add_option("--steps", a->session.beams.march_steps, "steps of march")
         ->check(CLI::Range(1, 4096))
         ->capture_default_str();
     CLI::Option* ev = command->add_option("--ev", a->ev100, "exposure EV100 instead of the camera's")

@@ -172,7 +172,6 @@ render::Settings draw_settings(const scene::Show& show, const scene::Camera& cam
     settings.haze.back_weight = show.haze.back_weight;
     settings.ambient_lux = show.ambient_lux;
     settings.beams = options.beams;
-    settings.march_steps = options.march_steps;
     settings.ev100 = options.ev100.value_or(camera.ev100);
     settings.auto_exposure = camera.auto_exposure && !options.ev100;
     settings.image_memory_bytes = options.image_memory_bytes;

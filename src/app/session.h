@@ -25,8 +25,7 @@ struct SessionOptions {
     bool validation = false;
     bool bake = true; // false: missing passes are an error
     bool quiet = false;
-    render::Beams beams = render::Beams::cone;
-    int march_steps = 110;
+    render::HazeSettings beams;
     std::optional<float> ev100; // instead of the camera's
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
 };

@@ -80,20 +80,29 @@ Layout make_layout(const scene::Passes& passes, std::uint32_t tiles_x, std::uint
     return layout;
 }
 
-shared::View make_view(const scene::Passes& passes, const shared::Haze& haze) {
-    const glm::mat4& m = passes.camera_to_world;
-    const float tan_y = std::tan(passes.fov_y_deg * 0.5f * shared::kPi / 180.0f);
-    const float tan_x = tan_y * static_cast<float>(passes.width) / static_cast<float>(passes.height);
+shared::View make_view(const glm::mat4& camera_to_world, float fov_y_deg, int width, int height,
+                       const shared::Haze& haze) {
+    const glm::mat4& m = camera_to_world;
+    const float tan_y = std::tan(fov_y_deg * 0.5f * shared::kPi / 180.0f);
+    const float tan_x = tan_y * static_cast<float>(width) / static_cast<float>(height);
     shared::View view{};
     view.eye_m = glm::vec3(m[3]);
-    view.width = static_cast<std::uint32_t>(passes.width);
-    view.height = static_cast<std::uint32_t>(passes.height);
+    view.width = static_cast<std::uint32_t>(width);
+    view.height = static_cast<std::uint32_t>(height);
     view.forward = -glm::vec3(m[2]);
     view.right = glm::vec3(m[0]) * tan_x;
     view.up = glm::vec3(m[1]) * tan_y;
     view.far_m = kNoSurface_m;
     view.haze = haze;
     return view;
+}
+
+shared::View make_view(const scene::Passes& passes, const shared::Haze& haze) {
+    return make_view(passes.camera_to_world, passes.fov_y_deg, passes.width, passes.height, haze);
+}
+
+float pixels_per_rad(const shared::View& view) {
+    return static_cast<float>(view.height) / (2.0f * glm::length(view.up));
 }
 
 std::vector<glm::vec4> base_image(const scene::Passes& passes, float ambient_lux, const shared::Haze& haze) {

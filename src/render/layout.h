@@ -22,7 +22,10 @@ struct Layout {
 
 Layout make_layout(const scene::Passes& passes, std::uint32_t tiles_x, std::uint32_t tiles_y);
 
+shared::View make_view(const glm::mat4& camera_to_world, float fov_y_deg, int width, int height,
+                       const shared::Haze& haze);
 shared::View make_view(const scene::Passes& passes, const shared::Haze& haze);
+float pixels_per_rad(const shared::View& view); // in the middle of the picture
 
 // The picture without lights: ambient and emission, seen through the haze. cd/m^2, one value a pixel.
 std::vector<glm::vec4> base_image(const scene::Passes& passes, float ambient_lux, const shared::Haze& haze);

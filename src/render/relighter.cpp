@@ -2,19 +2,16 @@
 #include "render/relighter.h"
 
 #include "base/check.h"
-#include "render/layout.h"
 #include "shaders/bounce.h"
 #include "shaders/cull.h"
 #include "shaders/develop.h"
 #include "shaders/fold.h"
-#include "shaders/haze.h"
 #include "shaders/meter.h"
 #include "shaders/sum.h"
 #include "shaders/surface.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cstddef>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
@@ -52,10 +49,9 @@ int image_slots(std::uint64_t memory_bytes, int width, int height, int light_cou
 
 Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
                      int light_count, const Settings& settings)
-    : device_(device), settings_(settings), width_(static_cast<std::uint32_t>(passes.width)),
-      height_(static_cast<std::uint32_t>(passes.height)), tiles_x_(groups(width_, shared::kTileWidth)),
-      tiles_y_(groups(height_, shared::kTileHeight)), batch_size_(batch_size(device, settings)),
+    : device_(device), settings_(settings), batch_size_(batch_size(device, settings)),
       light_count_(light_count),
+      passes_(make_pass_images(device, passes, settings.ambient_lux, settings.haze)),
       slot_count_(image_slots(settings.image_memory_bytes, passes.width, passes.height, light_count)),
       tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),
@@ -63,107 +59,45 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
       fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
-      develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}), commands_(device) {
-    using gpu::Access;
-    using gpu::Buffer;
-    using gpu::Texture;
+      develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
+      haze_(device, settings.beams, batch_size_, static_cast<std::uint32_t>(light_count)), commands_(device) {
     const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
-    for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels) {
+    for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
         surface_[wheels] = std::make_unique<gpu::Program>(
             device, shaders::kShader_surface,
             std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kStored},
             std::vector{wheels, single});
-        haze_[wheels] = std::make_unique<gpu::Program>(
-            device, shaders::kShader_haze,
-            std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored},
-            std::vector{wheels, single});
-    }
     // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
     // begins a chunk.
     const std::uint64_t draws = 2 * static_cast<std::uint64_t>(light_count) + kClasses;
-    lights_ = Buffer(device, draws * kChunkAlign + kChunkBytes, Access::upload);
-    const std::uint64_t batches =
-        batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1;
-    groups_ = Buffer(device, batches * sizeof(shared::TileGroups), Access::device);
-    exposure_ = Buffer(device, sizeof(glm::vec4), Access::readback);
-    pixels_ = Buffer(device, passes.pixel_count() * 4, Access::readback);
-    // Layer 0 is the frame, the others are the slots of the tree and its image of all that rests.
-    images_ = Texture(device, {width_, height_, static_cast<std::uint32_t>(slot_count_) + 2, 1,
-                               VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
-    picture_ = Texture(device, {width_, height_, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
-    upload(passes, gobos, batches);
-    upload_bounces(passes);
+    lights_ = gpu::Buffer(device, draws * kChunkAlign + kChunkBytes, gpu::Access::upload);
+    upload(gobos, batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1);
 }
 
 Relighter::~Relighter() = default;
 
-void Relighter::upload(const scene::Passes& passes, const shared::Gobos& gobos, std::uint64_t batches) {
+void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
     using gpu::Access;
     using gpu::Buffer;
     using gpu::Texture;
-    const shared::View view = make_view(passes, settings_.haze);
-    view_ = Buffer(device_, sizeof view, Access::device);
-    view_.write(&view, sizeof view);
-    const Layout layout = make_layout(passes, tiles_x_, tiles_y_);
-    blocks_ = layout.blocks;
-    edge_count_ = static_cast<std::uint32_t>(layout.edges.size());
-    tile_bounds_ = Buffer(device_, layout.bounds.size() * sizeof(glm::vec4), Access::device);
-    tile_bounds_.write(layout.bounds);
-    const std::uint64_t tiles = static_cast<std::uint64_t>(tiles_x_) * tiles_y_;
+    const Fragments& f = fragments();
+    groups_ = Buffer(device_, batches * sizeof(shared::TileGroups), Access::device);
+    exposure_ = Buffer(device_, sizeof(glm::vec4), Access::readback);
+    pixels_ = Buffer(device_, std::uint64_t{4} * f.width * f.height, Access::readback);
+    // Layer 0 is the frame, the others are the slots of the tree and its image of all that rests.
+    images_ = Texture(device_, {f.width, f.height, static_cast<std::uint32_t>(slot_count_) + 2, 1,
+                                VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    picture_ = Texture(device_, {f.width, f.height, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
+    drawn_ = Texture(device_,
+                     {f.width, f.places.shape().height, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    const std::uint64_t tiles = std::uint64_t{f.tiles_x} * f.tiles_y;
     masks_ =
-        Buffer(device_, 2 * (tiles + blocks_) * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
-    lists_ = Buffer(device_, batches * (2 * tiles + blocks_) * sizeof(std::uint32_t), Access::device);
-    const std::vector<glm::vec4> base = base_image(passes, settings_.ambient_lux, settings_.haze);
-    base_ = Texture(device_, {width_, height_, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
-    base_.write(0, base.data(), base.size() * sizeof(glm::vec4));
-    std::vector<glm::uvec2> edges = layout.edges;
-    const std::uint32_t edge_rows = std::max(groups(edge_count_, width_), 1u);
-    edges.resize(static_cast<std::size_t>(edge_rows) * width_);
-    edges_ = Texture(device_, {width_, edge_rows, 1, 1, VK_FORMAT_R32G32_UINT});
-    edges_.write(0, edges.data(), edges.size() * sizeof(glm::uvec2));
-
+        Buffer(device_, 2 * (tiles + f.blocks) * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
+    lists_ = Buffer(device_, batches * (2 * tiles + f.blocks) * sizeof(std::uint32_t), Access::device);
     gobos_ = Texture(device_, {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
                                shared::kGoboLevels, VK_FORMAT_R8G8B8A8_UNORM, false, true});
     for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
         gobos_.write(level, gobos.texels[level].data(), gobos.texels[level].size());
-
-    // Whole blocks, so that the last one needs no bound; what no fragment fills is no surface.
-    const std::uint32_t rows = height_ + groups(blocks_ * shared::kTilePixels, width_);
-    const std::size_t places = static_cast<std::size_t>(rows) * width_;
-    std::vector<glm::vec4> fragments(places, glm::vec4(0, 0, 0, -1));
-    for (std::size_t i = 0; i < layout.order.size(); ++i) fragments[i] = passes.fragments[layout.order[i]];
-    fragments_ = Texture(device_, {width_, rows, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
-    fragments_.write(0, fragments.data(), fragments.size() * sizeof(glm::vec4));
-    drawn_ = Texture(device_, {width_, rows, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
-    const auto layers = static_cast<std::uint32_t>(passes.lights.size()) + 1; // the last one is dark
-    passes_ = Texture(device_, {width_, rows, layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
-    std::vector<std::uint64_t> radiance(places); // four half floats each
-    for (std::uint32_t layer = 0; layer < layers; ++layer) {
-        std::fill(radiance.begin(), radiance.end(), std::uint64_t{0});
-        if (layer + 1 < layers && !passes.lights[layer].radiance.empty()) {
-            const std::vector<std::uint16_t>& from = passes.lights[layer].radiance;
-            CHECK_EQ(from.size(), passes.fragment_count() * 4);
-            for (std::size_t i = 0; i < layout.order.size(); ++i)
-                std::memcpy(&radiance[i], &from[std::size_t{4} * layout.order[i]], sizeof radiance[i]);
-        }
-        passes_.write_layer(layer, radiance.data(), radiance.size() * sizeof(std::uint64_t));
-    }
-}
-
-void Relighter::upload_bounces(const scene::Passes& passes) {
-    const bool any = std::any_of(passes.lights.begin(), passes.lights.end(),
-                                 [](const scene::LightPass& pass) { return !pass.indirect.empty(); });
-    if (!any) return;
-    const auto layers = static_cast<std::uint32_t>(passes.lights.size()) + 1;
-    bounces_ =
-        gpu::Texture(device_, {width_, height_, layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
-    const std::vector<std::uint16_t> none(passes.pixel_count() * 4, 0);
-    for (std::uint32_t layer = 0; layer < layers; ++layer) {
-        const bool has = layer + 1 < layers && !passes.lights[layer].indirect.empty();
-        const std::vector<std::uint16_t>& from = has ? passes.lights[layer].indirect : none;
-        CHECK_EQ(from.size(), none.size());
-        bounces_.write_layer(layer, from.data(), from.size() * sizeof(std::uint16_t));
-    }
 }
 
 FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
@@ -186,6 +120,7 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
     statistics.additions = plan.additions;
     if (!plan.sums.empty()) {
         lights_used_ = 0;
+        haze_.begin_frame();
         commands_.begin();
         for (const ImageSum& sum : plan.sums) draw_sum(sum, lights);
         develop();
@@ -216,11 +151,12 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         }
         if (!chunk.empty()) draw_lights(chunk, wheels);
     }
-    if (!sum.lights.empty() && settings_.surfaces && edge_count_ > 0) {
+    const Fragments& f = fragments();
+    if (!sum.lights.empty() && settings_.surfaces && f.edge_count > 0) {
         commands_.begin_span("fold");
-        commands_.dispatch(fold_, shared::FoldPush{edge_count_},
-                           {gpu::uniform(view_), gpu::sampled(edges_), gpu::stored(drawn_)},
-                           groups(edge_count_, 64));
+        commands_.dispatch(fold_, shared::FoldPush{f.edge_count},
+                           {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_)},
+                           groups(f.edge_count, 64));
         commands_.barrier();
     }
     std::size_t added = 0;
@@ -230,11 +166,12 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         push.accumulate = first ? 0u : 1u;
         push.add_base = first && sum.base ? 1u : 0u;
         push.add_drawn = first && !sum.lights.empty() ? 1u : 0u;
+        push.air_at_corners = haze_.at_corners() ? 1u : 0u;
         for (; added < sum.addends.size() && push.addend_count < shared::kMaxAddends; ++added)
             push.addend[push.addend_count++] = static_cast<std::uint32_t>(sum.addends[added] + 1);
         commands_.begin_span("add");
-        commands_.dispatch(sum_, push, {gpu::stored(base_), gpu::stored(drawn_), gpu::stored(images_)},
-                           groups(width_, shared::kTileWidth), groups(height_, shared::kTileHeight));
+        commands_.dispatch(sum_, push, {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(images_)},
+                           f.tiles_x, f.tiles_y);
         commands_.barrier();
     }
 }
@@ -246,60 +183,56 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
     std::memcpy(static_cast<std::uint8_t*>(lights_.mapped()) + offset, lights.data(), bytes);
     lights_used_ += (bytes + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
 
-    const auto count = static_cast<std::uint32_t>(lights.size());
-    const std::uint32_t batches = groups(count, batch_size_);
-    const std::uint32_t tiles = tiles_x_ * tiles_y_;
-    const shared::CullPush cull{
-        count, batch_size_, tiles_x_, tiles, blocks_, settings_.surfaces ? 1u : 0u, settings_.air ? 1u : 0u};
+    const LightChunk chunk{lights, wheels, fragments(), gobos_,  drawn_,     lights_,
+                           offset, masks_, lists_,      groups_, batch_size_};
+    const Fragments& f = fragments();
+    const shared::CullPush cull{chunk.count(),          batch_size_, f.tiles_x,
+                                chunk.tiles(),          f.blocks,    settings_.surfaces ? 1u : 0u,
+                                settings_.air ? 1u : 0u};
     commands_.begin_span("cull");
-    commands_.write(groups_, std::vector<shared::TileGroups>(batches, {{0, 1, 1, 0}, {0, 1, 1, 0}}));
+    commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}}));
     commands_.dispatch(cull_, cull,
-                       {gpu::uniform(view_), gpu::uniform(lights_, offset), gpu::storage(tile_bounds_),
+                       {gpu::uniform(f.view), gpu::uniform(lights_, offset), gpu::storage(f.tile_bounds),
                         gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_)},
-                       groups(tiles + blocks_, 64), batches);
+                       groups(chunk.tiles() + f.blocks, 64), chunk.batches());
     commands_.barrier();
-    const std::uint32_t march_steps =
-        settings_.beams == Beams::march ? static_cast<std::uint32_t>(std::max(settings_.march_steps, 1)) : 0u;
-    const std::vector<gpu::Binding> air{
-        gpu::sampled(gobos_), gpu::uniform(view_),  gpu::uniform(lights_, offset),
-        gpu::storage(masks_), gpu::storage(lists_), gpu::stored(fragments_),
-        gpu::stored(drawn_)};
-    std::vector<gpu::Binding> surfaces = air;
-    surfaces.push_back(gpu::stored(passes_));
-    shared::RelightPush push{count, 0, tiles_x_, tiles, blocks_, march_steps};
-    if (settings_.air) commands_.begin_span("haze");
-    for (push.batch = 0; settings_.air && push.batch < batches; ++push.batch) {
-        commands_.dispatch_indirect(*haze_[wheels], push, air, groups_,
-                                    push.batch * sizeof(shared::TileGroups) +
-                                        offsetof(shared::TileGroups, haze));
-        commands_.barrier();
-    }
-    if (settings_.surfaces && bounces_.bytes() > 0) {
+    if (settings_.air) haze_.record(commands_, chunk);
+    if (settings_.surfaces) record_surfaces(chunk);
+}
+
+void Relighter::record_surfaces(const LightChunk& chunk) {
+    const Fragments& f = fragments();
+    if (passes_.bounces.bytes() > 0) {
         commands_.begin_span("bounces");
-        commands_.dispatch(bounce_, shared::BouncePush{count},
-                           {gpu::uniform(view_), gpu::uniform(lights_, offset), gpu::stored(fragments_),
-                            gpu::stored(bounces_), gpu::stored(drawn_)},
-                           tiles_x_, tiles_y_);
+        commands_.dispatch(bounce_, shared::BouncePush{chunk.count()},
+                           {gpu::uniform(f.view), gpu::uniform(lights_, chunk.light_offset),
+                            gpu::stored(f.places), gpu::stored(passes_.bounces), gpu::stored(drawn_)},
+                           f.tiles_x, f.tiles_y);
         commands_.barrier();
     }
-    if (settings_.surfaces) commands_.begin_span("surfaces");
-    for (push.batch = 0; settings_.surfaces && push.batch < batches; ++push.batch) {
-        commands_.dispatch_indirect(*surface_[wheels], push, surfaces, groups_,
-                                    push.batch * sizeof(shared::TileGroups) +
-                                        offsetof(shared::TileGroups, surface));
+    commands_.begin_span("surfaces");
+    shared::RelightPush push{chunk.count(), 0, f.tiles_x, chunk.tiles(), f.blocks, 0};
+    for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
+        commands_.dispatch_indirect(*surface_[chunk.wheels], push,
+                                    {gpu::sampled(gobos_), gpu::uniform(f.view),
+                                     gpu::uniform(lights_, chunk.light_offset), gpu::storage(masks_),
+                                     gpu::storage(lists_), gpu::stored(f.places), gpu::stored(drawn_),
+                                     gpu::stored(passes_.radiance)},
+                                    groups_, chunk.surface_groups(push.batch));
         commands_.barrier();
     }
 }
 
 void Relighter::develop() {
-    const shared::MeterPush meter{width_, height_, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
+    const Fragments& f = fragments();
+    const shared::MeterPush meter{f.width, f.height, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
     commands_.begin_span("meter");
     commands_.dispatch(meter_, meter, {gpu::stored(images_), gpu::storage(exposure_)}, 1);
     commands_.barrier();
     commands_.begin_span("develop");
     commands_.dispatch(develop_, std::uint32_t{0},
-                       {gpu::stored(images_), gpu::uniform(exposure_), gpu::stored(picture_)},
-                       groups(width_, 16), groups(height_, 8));
+                       {gpu::stored(images_), gpu::uniform(exposure_), gpu::stored(picture_)}, f.tiles_x,
+                       f.tiles_y);
     commands_.barrier();
     commands_.begin_span("read back");
     commands_.copy(picture_, pixels_);
@@ -313,7 +246,8 @@ image::Image8 Relighter::picture() const {
 
 image::ImageF Relighter::frame() const {
     image::ImageF result(width(), height(), 3);
-    const gpu::Buffer buffer(device_, static_cast<std::uint64_t>(width_) * height_ * kImageBytesPerPixel,
+    const gpu::Buffer buffer(device_,
+                             std::uint64_t{fragments().width} * fragments().height * kImageBytesPerPixel,
                              gpu::Access::readback);
     commands_.begin();
     commands_.copy(images_, buffer);
@@ -330,12 +264,13 @@ float Relighter::ev100_used() const {
 }
 
 std::uint64_t Relighter::memory_bytes() const {
-    std::uint64_t sum = 0;
+    const Fragments& f = fragments();
+    std::uint64_t sum = haze_.memory_bytes();
     for (const gpu::Buffer* buffer :
-         {&view_, &lights_, &tile_bounds_, &masks_, &lists_, &groups_, &exposure_, &pixels_})
+         {&f.view, &lights_, &f.tile_bounds, &masks_, &lists_, &groups_, &exposure_, &pixels_})
         sum += buffer->bytes();
-    for (const gpu::Texture* texture :
-         {&gobos_, &passes_, &fragments_, &edges_, &base_, &images_, &bounces_, &drawn_, &picture_})
+    for (const gpu::Texture* texture : {&gobos_, &passes_.radiance, &passes_.bounces, &f.places, &f.edges,
+                                        &f.base, &images_, &drawn_, &picture_})
         sum += texture->bytes();
     return sum;
 }

@@ -9,7 +9,9 @@
 #include "gpu/commands.h"
 #include "gpu/texture.h"
 #include "image/image.h"
+#include "render/haze_pass.h"
 #include "render/light_tree.h"
+#include "render/pass_images.h"
 #include "scene/passes.h"
 #include "shared/gobos.h"
 #include "shared/push.h"
@@ -22,16 +24,10 @@
 
 namespace ghost::render {
 
-enum class Beams {
-    cone,  // the paper: samples only inside the cone, jittered
-    march, // the thesis: equal steps along the whole ray
-};
-
 struct Settings {
     shared::Haze haze{};
     float ambient_lux = 0;
-    Beams beams = Beams::cone;
-    int march_steps = 110;
+    HazeSettings beams;
     float ev100 = 6;
     bool auto_exposure = false;
     bool surfaces = true; // both on but for measurements
@@ -59,30 +55,26 @@ public:
 
     FrameStatistics draw(const std::vector<shared::Light>& lights);
 
-    int width() const { return static_cast<int>(width_); }
-    int height() const { return static_cast<int>(height_); }
+    int width() const { return static_cast<int>(passes_.fragments.width); }
+    int height() const { return static_cast<int>(passes_.fragments.height); }
     image::Image8 picture() const; // RGBA, sRGB: the developed frame
     image::ImageF frame() const;   // RGB, linear Rec.2020, cd/m^2
     float ev100_used() const;
     std::uint64_t memory_bytes() const; // on the device
 
 private:
-    void upload(const scene::Passes& passes, const shared::Gobos& gobos, std::uint64_t batches);
-    void upload_bounces(const scene::Passes& passes);
+    void upload(const shared::Gobos& gobos, std::uint64_t batches);
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels);
+    void record_surfaces(const LightChunk& chunk);
     void develop();
+    const Fragments& fragments() const { return passes_.fragments; }
 
     const gpu::Device& device_;
     Settings settings_;
-    std::uint32_t width_;
-    std::uint32_t height_;
-    std::uint32_t tiles_x_;
-    std::uint32_t tiles_y_;
-    std::uint32_t blocks_ = 0; // of extra fragments
-    std::uint32_t edge_count_ = 0;
     std::uint32_t batch_size_; // lights of one dispatch, see shared/push.h
     int light_count_;
+    PassImages passes_;
     int slot_count_;
     LightTree tree_;
     std::vector<shared::Light> last_lights_;
@@ -90,10 +82,11 @@ private:
 
     static constexpr std::uint32_t kClasses = 3; // 0, 1, 2 gobo wheels
     gpu::Program cull_, sum_, bounce_, fold_, meter_, develop_;
-    std::array<std::unique_ptr<gpu::Program>, kClasses> surface_, haze_;
+    std::array<std::unique_ptr<gpu::Program>, kClasses> surface_;
+    HazePass haze_;
     mutable gpu::Commands commands_;
-    gpu::Buffer view_, lights_, tile_bounds_, masks_, lists_, groups_, exposure_, pixels_;
-    gpu::Texture gobos_, passes_, fragments_, edges_, base_, images_, bounces_, drawn_, picture_;
+    gpu::Buffer lights_, masks_, lists_, groups_, exposure_, pixels_;
+    gpu::Texture gobos_, images_, drawn_, picture_;
 };
 
 // Images that fit into a memory budget, at most what a full tree needs.

@@ -22,7 +22,8 @@ double phase(double g, double cosine) {
     return (1 - g * g) / (4 * 3.14159265358979 * std::pow(1 + g * g - 2 * g * cosine, 1.5));
 }
 
-image::ImageF corners_of(const scene::Passes& passes, const std::vector<shared::Light>& lights) {
+// Haze on the rays through the pixels' corners (offset 0) or middles (0.5).
+image::ImageF rays_of(const scene::Passes& passes, const std::vector<shared::Light>& lights, float offset) {
     constexpr int kSteps = 4096;
     image::ImageF picture(passes.width, passes.height, 3);
     const dvec3 eye(eye_of(passes));
@@ -30,7 +31,8 @@ image::ImageF corners_of(const scene::Passes& passes, const std::vector<shared::
     for (int y = 0; y < passes.height; ++y)
         for (int x = 0; x < passes.width; ++x) {
             const std::size_t p = static_cast<std::size_t>(y * passes.width + x);
-            const dvec3 dir(ray_through(passes, static_cast<float>(x), static_cast<float>(y)));
+            const dvec3 dir(
+                ray_through(passes, static_cast<float>(x) + offset, static_cast<float>(y) + offset));
             const glm::vec4 surface = passes.fragments[p];
             const double far = surface.w < 0 ? 60.0 : glm::length(dvec3(surface) - eye);
             const double step = far / kSteps;
@@ -57,7 +59,7 @@ image::ImageF corners_of(const scene::Passes& passes, const std::vector<shared::
 }
 
 image::ImageF reference_of(const scene::Passes& passes, const std::vector<shared::Light>& lights) {
-    const image::ImageF corners = corners_of(passes, lights);
+    const image::ImageF corners = rays_of(passes, lights, 0);
     image::ImageF picture(passes.width, passes.height, 3);
     for (int y = 0; y < passes.height; ++y)
         for (int x = 0; x < passes.width; ++x)
@@ -74,8 +76,8 @@ image::ImageF drawn(const scene::Passes& passes, const std::vector<shared::Light
                     int steps) {
     Settings settings;
     settings.haze = kHaze;
-    settings.beams = beams;
-    settings.march_steps = steps;
+    settings.beams.beams = beams;
+    settings.beams.march_steps = steps;
     Relighter relighter(device(), passes, test_gobos(), static_cast<int>(lights.size()), settings);
     relighter.draw(lights);
     return relighter.frame();
@@ -162,6 +164,36 @@ TEST_F(Haze, ConeAndMarchAgreeWithTheReference) {
         // With as many steps as the reference, nothing but rounding is left, and the gobo's levels.
         EXPECT_LT(std::abs(fine.mean_bias), view.lights[0].wheel_count > 0 ? 0.008 : 0.0015);
         EXPECT_LT(fine.rms, view.lights[0].wheel_count > 0 ? 0.15 : 0.01);
+    }
+}
+
+// Display PSNR as the beams' papers measure it: 1 - exp(-L / (2 p75)), p75 of the lit pixels.
+double tone_mapped_psnr(const image::ImageF& picture, const image::ImageF& reference) {
+    std::vector<float> lit;
+    for (const float value : reference.samples)
+        if (value > 0) lit.push_back(value);
+    std::sort(lit.begin(), lit.end());
+    const double scale = 1.0 / (2.0 * static_cast<double>(lit[lit.size() * 3 / 4]));
+    double squares = 0;
+    for (std::size_t k = 0; k < reference.samples.size(); ++k) {
+        const double a = std::exp(-static_cast<double>(picture.samples[k]) * scale);
+        const double b = std::exp(-static_cast<double>(reference.samples[k]) * scale);
+        squares += (a - b) * (a - b);
+    }
+    return -10.0 * std::log10(squares / static_cast<double>(reference.samples.size()) + 1e-12);
+}
+
+TEST_F(Haze, GateAgreesWithTheReference) {
+    for (const View& view : views()) {
+        SCOPED_TRACE(view.name);
+        const image::ImageF reference = rays_of(view.passes, view.lights, 0.5f);
+        const image::ImageF gate = drawn(view.passes, view.lights, Beams::gate, 0);
+        const Difference difference = compare(gate, reference);
+        const double psnr_db = tone_mapped_psnr(gate, reference);
+        std::printf("%-22s gate: bias %6.3f %%, rms %5.2f %% of the mean, tone-mapped PSNR %.1f dB\n",
+                    view.name, 100 * difference.mean_bias, 100 * difference.rms, psnr_db);
+        EXPECT_LT(std::abs(difference.mean_bias), 0.003);
+        EXPECT_GE(psnr_db, 45.0);
     }
 }
 

@@ -341,7 +341,7 @@ TEST_F(Frames, OddLightsGiveNumbers) {
         for (const float extinction : {0.0f, 0.02f, 5.0f}) {
             Settings settings;
             settings.haze = {extinction, extinction, 0.77f, -0.6f, 0.03f};
-            settings.beams = beams;
+            settings.beams.beams = beams;
             settings.auto_exposure = true;
             Relighter relighter(device(), passes, test_gobos(), static_cast<int>(lights.size()), settings);
             relighter.draw(lights);

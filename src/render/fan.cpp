@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/fan.h"
+
+#include "shared/gobos.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::render {
+namespace {
+
+constexpr double kNearest_m = 1e-3; // an eye in the lamp itself
+constexpr double kParallel = 1e-6;  // sine below which pole and axis are one line
+
+// Twice as many rows as the beam is pixels wide where it comes nearest to the eye: there it is taken to be
+// twice as far from the lamp as from the eye.
+std::uint32_t size_of(const shared::Light& light, bool surrounds, float pixels_per_rad) {
+    if (surrounds) return shared::kFinestFan;
+    const float pixels = 4.0f * light.tan_field * light.cut_radius * pixels_per_rad;
+    std::uint32_t size = kCoarsestFan;
+    while (size < shared::kFinestFan && static_cast<float>(size) < 2.0f * pixels) size *= 2;
+    return size;
+}
+
+} // namespace
+
+shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad,
+                     std::uint32_t layer) {
+    using glm::dvec3;
+    const dvec3 axis(light.axis_w);
+    dvec3 pole = dvec3(eye_m) - dvec3(light.position_m);
+    double distance_m = glm::length(pole);
+    if (distance_m < kNearest_m) {
+        distance_m = kNearest_m;
+        pole = dvec3(light.axis_u);
+    } else {
+        pole /= distance_m;
+    }
+    const double cosine = std::clamp(glm::dot(pole, axis), -1.0, 1.0);
+    dvec3 along = axis - cosine * pole;
+    double sine = glm::length(along);
+    if (sine < kParallel) {
+        along = dvec3(light.axis_u) - glm::dot(dvec3(light.axis_u), pole) * pole;
+        along = glm::normalize(along);
+        sine = 0;
+    } else {
+        along /= sine;
+    }
+    const double tangent = static_cast<double>(light.tan_field) * static_cast<double>(light.cut_radius);
+    const double cos_cone = 1.0 / std::sqrt(1.0 + tangent * tangent);
+    const double sin_cone = tangent * cos_cone;
+    const bool surrounds = sine <= sin_cone * 1.0001;
+
+    shared::Fan fan{};
+    fan.pole = glm::vec3(pole);
+    fan.eye_m = static_cast<float>(distance_m);
+    fan.along = glm::vec3(along);
+    fan.cos_axis = static_cast<float>(cosine);
+    fan.across = glm::vec3(glm::cross(pole, along));
+    fan.sin_axis = static_cast<float>(sine);
+    fan.cos_cone = static_cast<float>(cos_cone);
+    fan.row_scale = surrounds ? 0.0f : static_cast<float>(sine / sin_cone);
+    fan.layer = layer;
+    fan.size = size_of(light, surrounds, pixels_per_rad);
+    // Detail finer than a column would be cut into steps. The gobos' own levels of blur are used as they are.
+    const float finest = std::max(2.0f * light.cut_radius / static_cast<float>(fan.size), light.edge);
+    const float octaves = std::max(std::floor(std::log2(finest / shared::kGoboBlurUnit)), 0.0f);
+    fan.sharpest = light.wheel_count > 0 ? shared::kGoboBlurUnit * std::exp2(octaves) : finest;
+    fan.levels = 1;
+    // At its lens a beam is blurred over the whole gate.
+    while (light.lens_radius_m > 0 && fan.levels < shared::kFanLevels &&
+           std::ldexp(fan.sharpest, static_cast<int>(fan.levels) - 1) < 1.0f)
+        ++fan.levels;
+    while (fan.size >> fan.halvings > shared::kLeastFan) ++fan.halvings;
+    return fan;
+}
+
+} // namespace ghost::render

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/haze_pass.h"
+
+#include "base/check.h"
+#include "render/fan.h"
+#include "shaders/fan.h"
+#include "shaders/gate.h"
+#include "shaders/haze.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace ghost::render {
+namespace {
+
+constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
+constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Fan);
+constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
+
+// Rows of all levels.
+std::uint32_t rows_of(const shared::Fan& fan) {
+    return fan.levels == 0 ? shared::kFanWidth : shared::fan_left(fan, fan.levels);
+}
+
+} // namespace
+
+HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std::uint32_t batch_size,
+                   std::uint32_t light_count)
+    : settings_(settings), batch_size_(batch_size) {
+    const std::uint32_t single = batch_size == 1 ? 1 : 0;
+    if (settings.beams != Beams::gate) {
+        for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
+            samples_[wheels] = std::make_unique<gpu::Program>(
+                device, shaders::kShader_haze,
+                std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored},
+                std::vector{wheels, single});
+        return;
+    }
+    for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
+        fill_[wheels] = std::make_unique<gpu::Program>(device, shaders::kShader_fan,
+                                                       std::vector{kSampled, kUniform, kUniform, kStored},
+                                                       std::vector{wheels, single});
+    for (std::uint32_t focus = 0; focus < gate_.size(); ++focus)
+        gate_[focus] = std::make_unique<gpu::Program>(
+            device, shaders::kShader_gate,
+            std::vector{kUniform, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kSampled},
+            std::vector{focus, single});
+    // As many chunks as the relighter may draw in a frame (Relighter::Relighter).
+    fans_ = gpu::Buffer(device, (2 * std::uint64_t{light_count} + kClasses) * kAlign + kChunkBytes,
+                        gpu::Access::upload);
+    const std::uint32_t layers = std::clamp(light_count, 1u, batch_size);
+    // Sums in 0..1: 16 bits are enough, half floats are not (3 % in the narrowest segments).
+    constexpr std::array kFormats{VK_FORMAT_R16G16B16A16_UNORM, VK_FORMAT_R32G32B32A32_SFLOAT};
+    const VkFormat format = device.first_format(
+        kFormats, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT);
+    table_ = gpu::Texture(device, {shared::kFanWidth, shared::kFinestFan, layers, 1, format, true, true});
+    // Filtering may touch, with no weight, texels that no fan has filled.
+    gpu::Commands commands(device);
+    commands.begin();
+    commands.clear(table_);
+    commands.submit_and_wait();
+}
+
+void HazePass::record(gpu::Commands& commands, const LightChunk& chunk) {
+    if (settings_.beams == Beams::gate)
+        record_gate(commands, chunk);
+    else
+        record_samples(commands, chunk);
+}
+
+void HazePass::record_samples(gpu::Commands& commands, const LightChunk& chunk) {
+    const std::uint32_t march_steps =
+        settings_.beams == Beams::march ? static_cast<std::uint32_t>(std::max(settings_.march_steps, 1)) : 0u;
+    shared::RelightPush push{chunk.count(),          0,          chunk.fragments.tiles_x, chunk.tiles(),
+                             chunk.fragments.blocks, march_steps};
+    commands.begin_span("haze");
+    for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
+        commands.dispatch_indirect(*samples_[chunk.wheels], push,
+                                   {gpu::sampled(chunk.gobos), gpu::uniform(chunk.fragments.view),
+                                    gpu::uniform(chunk.light_buffer, chunk.light_offset),
+                                    gpu::storage(chunk.masks), gpu::storage(chunk.lists),
+                                    gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn)},
+                                   chunk.groups, chunk.haze_groups(push.batch));
+        commands.barrier();
+    }
+}
+
+void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
+    CHECK(fans_used_ + kChunkBytes <= fans_.bytes());
+    const std::uint64_t offset = fans_used_;
+    auto* fans = reinterpret_cast<shared::Fan*>(static_cast<std::uint8_t*>(fans_.mapped()) + offset);
+    bool focus = false;
+    for (std::uint32_t k = 0; k < chunk.count(); ++k) {
+        const shared::Fan fan =
+            make_fan(chunk.lights[k], chunk.fragments.eye_m, chunk.fragments.pixels_per_rad, k % batch_size_);
+        focus = focus || fan.levels > 1;
+        std::memcpy(fans + k, &fan, sizeof fan);
+    }
+    fans_used_ += (chunk.count() * sizeof(shared::Fan) + kAlign - 1) / kAlign * kAlign;
+
+    // Segments for an error of e: h^2 / 24 of the relative curvature (shared/fan.h).
+    const float segments_per_rad = 1.0f / std::sqrt(24.0f * settings_.error);
+    shared::GatePush push{chunk.count(),
+                          0,
+                          chunk.fragments.tiles_x,
+                          chunk.tiles(),
+                          chunk.fragments.blocks,
+                          segments_per_rad,
+                          static_cast<std::uint32_t>(settings_.most_segments)};
+    for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
+        const std::uint32_t first = push.batch * batch_size_;
+        const std::uint32_t lights = std::min(batch_size_, chunk.count() - first);
+        const std::uint32_t rows = rows_of(batch_size_ == 1 ? fans[first] : shared::Fan{});
+        commands.begin_span("fan");
+        commands.dispatch(*fill_[chunk.wheels], shared::FanPush{first},
+                          {gpu::sampled(chunk.gobos), gpu::uniform(chunk.light_buffer, chunk.light_offset),
+                           gpu::uniform(fans_, offset), gpu::stored(table_)},
+                          (rows + kRowsPerGroup - 1) / kRowsPerGroup, lights);
+        commands.barrier();
+        commands.begin_span("gate");
+        commands.dispatch_indirect(
+            *gate_[focus ? 1 : 0], push,
+            {gpu::uniform(chunk.fragments.view), gpu::uniform(chunk.light_buffer, chunk.light_offset),
+             gpu::uniform(fans_, offset), gpu::storage(chunk.masks), gpu::storage(chunk.lists),
+             gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn), gpu::sampled(table_)},
+            chunk.groups, chunk.haze_groups(push.batch));
+        commands.barrier();
+    }
+}
+
+} // namespace ghost::render

@@ -1,0 +1,42 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What the passes that draw lights share while a frame is recorded: the lights of one uniform buffer, which
+// tiles they reach, where the light goes. Refers, owns nothing.
+
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "gpu/texture.h"
+#include "render/fragments.h"
+#include "shared/push.h"
+#include "shared/types.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace ghost::render {
+
+struct LightChunk {
+    const std::vector<shared::Light>& lights; // all with the same number of wheels
+    std::uint32_t wheels;
+    const Fragments& fragments;
+    const gpu::Texture& gobos;
+    const gpu::Texture& drawn;
+    const gpu::Buffer& light_buffer;
+    std::uint64_t light_offset;
+    const gpu::Buffer& masks;
+    const gpu::Buffer& lists;
+    const gpu::Buffer& groups;
+    std::uint32_t batch_size; // lights of one dispatch, see shared/push.h
+
+    std::uint32_t count() const { return static_cast<std::uint32_t>(lights.size()); }
+    std::uint32_t batches() const { return (count() + batch_size - 1) / batch_size; }
+    std::uint32_t tiles() const { return fragments.tiles_x * fragments.tiles_y; }
+    std::uint64_t surface_groups(std::uint32_t batch) const {
+        return batch * sizeof(shared::TileGroups) + offsetof(shared::TileGroups, surface);
+    }
+    std::uint64_t haze_groups(std::uint32_t batch) const {
+        return batch * sizeof(shared::TileGroups) + offsetof(shared::TileGroups, haze);
+    }
+};
+
+} // namespace ghost::render
