@@ -228,7 +228,8 @@ class Festival(unittest.TestCase):
         folder = make("picture", "--fixtures", 12, "--seconds", 20)
         means = []
         for name, at in (("fans", 8), ("black", 19.8)):
-            done = call(PROGRAM, "render", folder, "-o", WORK / f"{name}.png", "--view", "wide", "--size", "96x54", "--at", at, "--ev", 4)
+            done = call(PROGRAM, "render", folder, "-o", WORK / f"{name}.png", "--view", "wide", "--size", "96x54", "--at", at,
+                        "--ev", 4)
             self.assertEqual(done.returncode, 0, done.text)
             values = pixels(WORK / f"{name}.png")
             means.append(sum(values) / len(values))

@@ -12,7 +12,8 @@ class Look:
     """What one lamp does now. level, width, iris 0..1; colour linear red, green, blue; strobe 0 is open."""
     __slots__ = ("turn", "rise", "level", "colour", "width", "iris", "gobo", "rotating", "turns_per_s", "strobe_hz", "focus_m")
 
-    def __init__(self, turn, rise, level, colour, width=0.0, iris=1.0, gobo="open", rotating="open", turns_per_s=0.0, strobe_hz=0.0, focus_m=16):
+    def __init__(self, turn, rise, level, colour, width=0.0, iris=1.0, gobo="open", rotating="open", turns_per_s=0.0,
+                 strobe_hz=0.0, focus_m=16):
         self.turn, self.rise, self.level, self.colour = turn, rise, level, colour
         self.width, self.iris, self.gobo, self.rotating = width, iris, gobo, rotating
         self.turns_per_s, self.strobe_hz, self.focus_m = turns_per_s, strobe_hz, focus_m

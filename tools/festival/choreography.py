@@ -68,7 +68,8 @@ class Act:
     def delay(self, f, t):
         """Over the heads of the field, towards the stage and the sky."""
         look = self.truss(f, t)
-        look.turn, look.rise = -f.side * 12.0 + 14 * wave(t / 6 + 0.1 * f.index), -180.0 - 8.0 + 6 * wave(t / 5 + 0.13 * f.index)
+        look.turn = -f.side * 12.0 + 14 * wave(t / 6 + 0.1 * f.from_middle)
+        look.rise = -188.0 + 6 * wave(t / 5 + 0.13 * f.from_middle)
         look.level *= 0.6
         return look
 
@@ -107,7 +108,8 @@ class Fans(Act):
         return Look(90, 90 - f.across * (12 + 50 * k), 0.9, self.second, width=0.15, iris=0.17)
 
     def tower(self, f, t):
-        return Look(-f.side * (32 + 22 * wave(t / 4 + 0.07 * f.index)), -4 + 20 * wave(t / 3 + 0.11 * f.index), 0.8, self.second, width=0.1, iris=0.2)
+        turn = -f.side * (32 + 22 * wave(t / 4 + 0.07 * f.from_middle))
+        return Look(turn, -4 + 20 * wave(t / 3 + 0.11 * f.from_middle), 0.8, self.second, width=0.1, iris=0.2)
 
 
 class Gobos(Act):
@@ -128,7 +130,7 @@ class Gobos(Act):
         return Look(90, 90 - f.across * 24 - 8 * wave(t / 6), 0.75 if f.from_middle % 2 else 0.0, self.second, iris=0.12)
 
     def tower(self, f, t):
-        return Look(-f.side * 52, -16 + 10 * wave(t / 6 + 0.1 * f.index), 0.7, self.accent, width=0.35, gobo="dust", rotating="rings",
+        return Look(-f.side * 52, -16 + 10 * wave(t / 6 + 0.1 * f.from_middle), 0.7, self.accent, width=0.35, gobo="dust", rotating="rings",
                     turns_per_s=-0.18 * f.side, focus_m=12)
 
 
@@ -149,8 +151,8 @@ class Crosses(Act):
         return Look(90, 90 + f.side * 38 * swing, 0.9, self.second, iris=0.17)
 
     def tower(self, f, t):
-        beat = int(t / (BEAT_S / 2)) % 4 == f.index % 4
-        return Look(-f.side * 58, 4 + 24 * wave(t / 4 + 0.05 * f.index), 1.0 if beat else 0.12, self.first, width=0.1, iris=0.25)
+        beat = int(t / (BEAT_S / 2)) % 4 == f.from_middle % 4
+        return Look(-f.side * 58, 4 + 24 * wave(t / 4 + 0.05 * f.from_middle), 1.0 if beat else 0.12, self.first, width=0.1, iris=0.25)
 
 
 class Build(Act):
@@ -205,7 +207,7 @@ class Drop(Act):
 
     def tower(self, f, t):
         look = self.truss(f, t)
-        look.turn, look.rise = -f.side * (45 + 30 * wave(t / 2 + 0.1 * f.index)), 5 + 22 * wave(t / 1.5 + 0.08 * f.index)
+        look.turn, look.rise = -f.side * (45 + 30 * wave(t / 2 + 0.1 * f.from_middle)), 5 + 22 * wave(t / 1.5 + 0.08 * f.from_middle)
         return look
 
 
@@ -226,7 +228,7 @@ class Finale(Act):
 
     def tower(self, f, t):
         look = self.truss(f, t)
-        look.turn, look.rise = -f.side * 36, 24 - 5.0 * (f.index % 8)
+        look.turn, look.rise = -f.side * 36, 24 - 5.0 * (f.from_middle % 8)
         return look
 
     def band_light(self, f, t):

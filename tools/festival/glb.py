@@ -158,7 +158,8 @@ class Scene:
         for part in source["primitives"]:
             attributes = {kind: self._copy(other, part["attributes"][kind]) for kind in ("POSITION", "NORMAL")}
             material = other.json["materials"][part["material"]]["name"]
-            primitives.append({"attributes": attributes, "indices": self._copy(other, part["indices"]), "material": self._material(material)})
+            primitives.append({"attributes": attributes, "indices": self._copy(other, part["indices"]),
+                               "material": self._material(material)})
         self.triangles.append(sum(self.accessors[p["indices"]]["count"] // 3 for p in primitives))
         self.meshes.append({"name": name, "primitives": primitives})
         return len(self.meshes) - 1

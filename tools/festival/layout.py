@@ -9,13 +9,14 @@ WING_INNER, WING_OUTER, WING_Z = 14.6, 20.4, 9.6                    # trusses of
 DELAY_TOWERS = ((-16.0, -44.0), (16.0, -44.0))
 DELAY_Z = 8.2
 BELOW_TRUSS = 0.26    # from the middle of a truss to the top of a fixture's base
+MOST_IN_LINE = 98     # numbers within a hundred; even, for two sides
 PITCH = 0.53          # a base is 0.494 m long
 MODES = {"Spot": ("Vari-Lite@VL2500_Spot.gdtf", "Standard 22 channels", 22),
          "Wash": ("Vari-Lite@VL2500_Wash.gdtf", "Standard 15 channels", 15)}
 
 
 class Line:
-    """Fixtures side by side. role says what they are there for; spots are the places, sorted from left to right."""
+    """Fixtures side by side. role says what they are there for; several spans are pairs, left and right."""
 
     def __init__(self, role, weight, spans, standing=False, rows=1, depth=0.0, pattern="SSW"):
         self.role, self.weight, self.spans = role, weight, spans   # spans: [(from, to)], points
@@ -30,7 +31,7 @@ class Line:
 
     def places(self, count):
         """count positions, the spans and rows sharing them as evenly as goes."""
-        parts = [(span, row) for span in self.spans for row in range(self.rows)]
+        parts = [(span, row) for row in range(self.rows) for span in self.spans]   # sides take turns
         shares = shared(count, [1.0] * len(parts), [self.room_of(span) for span, _ in parts])
         found = []
         for (span, row), number in zip(parts, shares):
@@ -38,18 +39,19 @@ class Line:
                 k = 0.5 if number == 1 else i / (number - 1)
                 x, y, z = (a + (b - a) * k for a, b in zip(*span))
                 found.append((x, y + 0.44 * (row - (self.rows - 1) / 2), z))
-        return sorted(found, key=lambda p: (round(p[0], 4), p[2], p[1]))
+        mirrored = (lambda p: 1 if p[0] < 0 else -1)   # the place as far from the other end is the one opposite
+        return sorted(found, key=lambda p: (round(p[0], 4), mirrored(p) * p[2], mirrored(p) * p[1]))
 
 
 class Fixture:
-    """One lamp. across: -1 left .. 1 right, depth: 0 front .. 1 back, index of count along its line."""
+    """One lamp. across: -1 left .. 1 right, depth: 0 front .. 1 back, index along its line."""
 
     def __init__(self, name, kind, line, position, index, count):
         self.name, self.kind, self.role, self.standing = name, kind, line.role, line.standing
         self.position = tuple(round(c, 3) for c in position)
         self.across = max(-1.0, min(1.0, self.position[0] / DECK_HALF_WIDTH))
         self.side = -1 if self.position[0] < -1e-6 else 1
-        self.depth, self.index, self.count = line.depth, index, count
+        self.depth, self.index = line.depth, index
         self.from_middle = min(index, count - 1 - index)
         self.gdtf, self.mode, self.channels = MODES[kind]
         self.universe = self.address = 0
@@ -73,7 +75,7 @@ def trusses(fixtures):
     """[(y, z, upper)]: the truss lines over the deck, front to back; the back hangs lower, so that all rows are seen."""
     count = next(lines for most, lines in ((23, 3), (90, 4), (200, 5), (450, 6), (800, 8), (1200, 10), (1 << 30, 12))
                  if fixtures <= most)
-    lower = [(0.5 + 11.7 * i / (count - 1), 11.3 - 2.9 * i / (count - 1) + (0.35 if i % 2 else 0.0), False) for i in range(count)]
+    lower = [(0.5 + 10.9 * i / (count - 1), 11.3 - 2.9 * i / (count - 1) + (0.35 if i % 2 else 0.0), False) for i in range(count)]
     upper = [(1.0 + 11.0 * i / 7, 12.7, True) for i in range(8)] if fixtures > 1200 else []
     return lower + upper
 
@@ -113,7 +115,12 @@ def lines(fixtures):
 def hang(fixtures):
     """The fixtures, named and patched, line by line. A number is its line's hundred and its place in it."""
     every = lines(fixtures)
-    counts = shared(fixtures, [line.weight for line in every], [min(99, line.room()) for line in every])
+    rooms = [min(MOST_IN_LINE, line.room()) for line in every]
+    counts = shared(fixtures, [line.weight for line in every], rooms)
+    for i, line in enumerate(every):   # both sides alike: the odd one goes to the second truss
+        if len(line.spans) > 1 and counts[i] % 2 and counts[1] < rooms[1]:
+            counts[i] -= 1
+            counts[1] += 1
     made = []
     for number, (line, count) in enumerate(zip(every, counts), 1):
         for i, place in enumerate(line.places(count)):

@@ -32,18 +32,17 @@ def band(scene, demo):
         mesh = demo.json["meshes"][node["mesh"]]["name"]
         if mesh not in numbers:
             numbers[mesh] = scene.borrow(demo, mesh)
-        _, height, toward_house = node["translation"]
-        parent = front if -toward_house < 5.6 and height < 3 and not on_riser(node) else drums if height > 1.59 and abs(
-            node["translation"][0]) < 2 else back
-        # the amplifiers stand on the deck in front of the platform
+        parent = {"front": front, "back": back, "drums": drums}[group_of(node)]
         transform = {key: node[key] for key in ("translation", "rotation") if key in node}
         scene.add(node["name"], numbers[mesh], None, parent, **transform)
 
 
-def on_riser(node):
-    """Drums, keyboards and choir, with their microphones."""
-    x, height, toward_house = node["translation"]
-    return -toward_house > 5.4 and abs(height - DEMO_DECK_Z) > 0.25
+def group_of(node):
+    """Demo things that stand on a riser go to the platform; the rest, amplifiers too, stays on the deck in front of it."""
+    x, height, toward_house = node["translation"]   # glTF's axes
+    if -toward_house < 5.4 or abs(height - DEMO_DECK_Z) < 0.25:
+        return "front"
+    return "drums" if height > 1.59 and abs(x) < 2 else "back"
 
 
 def simple_figures():
