@@ -86,7 +86,7 @@ TEST_P(IndependentReference, Reproduced) {
     ASSERT_EQ(painted, static_cast<int>(scene["objects"].size()));
 
     scene::Camera camera;
-    const auto column = [&](const json& matrix, int c) {
+    const auto column = [&](const json& matrix, std::size_t c) {
         return glm::vec3(matrix[0][c].get<float>(), matrix[1][c].get<float>(), matrix[2][c].get<float>());
     };
     const json& m = scene["camera"]["matrix_world"];
