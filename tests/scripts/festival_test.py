@@ -196,7 +196,7 @@ class Festival(unittest.TestCase):
                 seconds = (time - time_before) / 1000
                 for f, old, new in zip(fixtures, before, state):
                     pan, tilt = abs(new[0] - old[0]) / 65535 * 540, abs(new[1] - old[1]) / 65535 * 270
-                    self.assertLess(max(pan, tilt) / seconds, 400, f"{f['name']} at {time} ms")
+                    self.assertLess(max(pan, tilt) / seconds, 300, f"{f['name']} at {time} ms")
             before, time_before = state, time
 
     def test_same_bytes_twice_and_another_seed(self):
