@@ -158,7 +158,8 @@ private:
         dvec3 sum(0.0);
         for (int k = 0; k < n * n; ++k) {
             const double px = x + (k % n + 0.5) / n;
-            const double py = y + (k / n + 0.5) / n;
+            const int row = k / n;
+            const double py = y + (row + 0.5) / n;
             // A blended surface shows its share of the positions; one position alone shows what is half
             // opaque.
             const float blend = n == 1 ? -1.0f : to_unit(reverse_bits(static_cast<std::uint32_t>(k)));
