@@ -20,7 +20,7 @@ layout(binding = 0) uniform sampler2DArray base_texture;
 layout(binding = 1) uniform sampler2DArray normal_texture;
 layout(binding = 2) uniform sampler2DArray surface_texture;
 layout(binding = 3) uniform sampler2DArray emission_texture;
-layout(push_constant, scalar) uniform Push { MeshPush p; };
+layout(binding = 4, scalar) uniform Material { MeshMaterial p; };
 
 const float kMostEmission = 65000.0;
 // Rec.709 to Rec.2020 (ITU-R BT.2087).

@@ -76,18 +76,14 @@ Raster::Raster(const Device& device, std::span<const std::uint32_t> vertex_spirv
         stages[i].pSpecializationInfo = &specialisation;
     }
 
-    std::vector<VkVertexInputBindingDescription> buffers{
-        {0, shape.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX}};
-    if (shape.instance_stride > 0)
-        buffers.push_back({1, shape.instance_stride, VK_VERTEX_INPUT_RATE_INSTANCE});
+    const VkVertexInputBindingDescription buffer{0, shape.vertex_stride, VK_VERTEX_INPUT_RATE_VERTEX};
     std::vector<VkVertexInputAttributeDescription> attributes;
     for (const VertexInput& input : shape.inputs)
-        attributes.push_back(
-            {static_cast<std::uint32_t>(attributes.size()), input.buffer, input.format, input.offset});
+        attributes.push_back({static_cast<std::uint32_t>(attributes.size()), 0, input.format, input.offset});
     VkPipelineVertexInputStateCreateInfo inputs{};
     inputs.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
-    inputs.vertexBindingDescriptionCount = static_cast<std::uint32_t>(buffers.size());
-    inputs.pVertexBindingDescriptions = buffers.data();
+    inputs.vertexBindingDescriptionCount = 1;
+    inputs.pVertexBindingDescriptions = &buffer;
     inputs.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(attributes.size());
     inputs.pVertexAttributeDescriptions = attributes.data();
 
@@ -182,11 +178,10 @@ void end_drawing(Commands& commands) {
     commands.barrier();
 }
 
-void use_vertices(Commands& commands, const Buffer& vertices, const Buffer& instances,
-                  const Buffer& indices) {
-    const std::array<VkBuffer, 2> buffers{vertices.handle(), instances.handle()};
-    constexpr std::array<VkDeviceSize, 2> kOffsets{};
-    vkCmdBindVertexBuffers(commands.handle(), 0, 2, buffers.data(), kOffsets.data());
+void use_vertices(Commands& commands, const Buffer& vertices, const Buffer& indices) {
+    VkBuffer buffer = vertices.handle();
+    constexpr VkDeviceSize kOffset = 0;
+    vkCmdBindVertexBuffers(commands.handle(), 0, 1, &buffer, &kOffset);
     vkCmdBindIndexBuffer(commands.handle(), indices.handle(), 0, VK_INDEX_TYPE_UINT32);
 }
 
@@ -206,8 +201,7 @@ void use_bindings(Commands& commands, const Device& device, const Raster& raster
 }
 
 void draw_triangles(Commands& commands, const DrawRange& range) {
-    vkCmdDrawIndexed(commands.handle(), range.index_count, range.instance_count, range.first_index,
-                     range.first_vertex, range.first_instance);
+    vkCmdDrawIndexed(commands.handle(), range.index_count, 1, range.first_index, range.first_vertex, 0);
 }
 
 } // namespace ghost::gpu

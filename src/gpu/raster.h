@@ -16,7 +16,6 @@ namespace ghost::gpu {
 
 // Where a shader's input location reads its values.
 struct VertexInput {
-    std::uint32_t buffer = 0; // 0: a value per vertex, 1: per instance
     VkFormat format = VK_FORMAT_R32G32B32_SFLOAT;
     std::uint32_t offset = 0; // bytes
 };
@@ -24,7 +23,6 @@ struct VertexInput {
 struct RasterShape {
     std::vector<VertexInput> inputs; // of locations 0, 1, ..
     std::uint32_t vertex_stride = 0; // bytes of a vertex
-    std::uint32_t instance_stride = 0;
     std::vector<VkDescriptorType> bindings;
     std::vector<std::uint32_t> constants; // specialisation constants 0, 1, .. of both shaders
     std::vector<VkFormat> colours;        // of the attachments
@@ -55,17 +53,15 @@ private:
 void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth);
 void end_drawing(Commands& commands);
 
-// A part of an index buffer (32 bit), drawn once for each of some instances.
+// A part of an index buffer (32 bit).
 struct DrawRange {
     std::uint32_t first_index = 0;
     std::uint32_t index_count = 0;
     std::int32_t first_vertex = 0; // added to each index
-    std::uint32_t first_instance = 0;
-    std::uint32_t instance_count = 1;
 };
 
-// The buffers of all following draws.
-void use_vertices(Commands& commands, const Buffer& vertices, const Buffer& instances, const Buffer& indices);
+// The buffers of the following draws.
+void use_vertices(Commands& commands, const Buffer& vertices, const Buffer& indices);
 // What the following draws use; bytes of push: at most 128, seen by both shaders.
 void use_raster(Commands& commands, const Raster& raster);
 void push_constants(Commands& commands, const Raster& raster, const void* push, std::uint32_t bytes);

@@ -48,17 +48,13 @@ gpu::Texture stored(const gpu::Device& device, std::uint32_t width, std::uint32_
 gpu::RasterShape raster_shape(std::uint32_t alpha, std::uint32_t textures) {
     gpu::RasterShape shape;
     shape.inputs = {
-        {0, VK_FORMAT_R32G32B32_SFLOAT, offsetof(StageVertex, position_m)},
-        {0, VK_FORMAT_R16G16B16A16_SNORM, offsetof(StageVertex, normal)},
-        {0, VK_FORMAT_R16G16B16A16_SNORM, offsetof(StageVertex, tangent)},
-        {0, VK_FORMAT_R32G32_SFLOAT, offsetof(StageVertex, uv)},
-        {1, kFloats, 0},
-        {1, kFloats, sizeof(glm::vec4)},
-        {1, kFloats, 2 * sizeof(glm::vec4)},
+        {VK_FORMAT_R32G32B32_SFLOAT, offsetof(StageVertex, position_m)},
+        {VK_FORMAT_R16G16B16A16_SNORM, offsetof(StageVertex, normal)},
+        {VK_FORMAT_R16G16B16A16_SNORM, offsetof(StageVertex, tangent)},
+        {VK_FORMAT_R32G32_SFLOAT, offsetof(StageVertex, uv)},
     };
     shape.vertex_stride = sizeof(StageVertex);
-    shape.instance_stride = sizeof(InstanceRows);
-    shape.bindings = {kSampled, kSampled, kSampled, kSampled};
+    shape.bindings = {kSampled, kSampled, kSampled, kSampled, kUniform};
     shape.constants = {alpha, textures};
     shape.colours = {kHalves, kHalves, kHalves, VK_FORMAT_R8_UNORM};
     shape.samples = shared::kSamples;
@@ -169,36 +165,36 @@ void GBuffer::draw_meshes(const StageModel& model, const Pose& pose) {
         glm::vec4(axes.forward * axes.tan_y - axes.up, 0.0f),
         glm::vec4(axes.forward * axes.tan_y + axes.up, 0.0f),
     };
-    const std::vector<StageModel::Draw> draws = model.visible(axes.eye_m, planes, rows_);
-    const std::uint64_t bytes = rows_.size() * sizeof(InstanceRows);
-    if (!instances_.valid() || instances_.bytes() < bytes)
-        instances_ =
-            gpu::Buffer(device_, std::max<std::uint64_t>(model.instance_count(), 1) * sizeof(InstanceRows),
-                        gpu::Access::upload);
-    std::memcpy(instances_.mapped(), rows_.data(), bytes);
+    glm::mat4 to_clip(0.0f);
+    for (int k = 0; k < 3; ++k)
+        to_clip[k] = glm::vec4(axes.right[k] / axes.tan_x, -axes.up[k] / axes.tan_y, 0.0f, axes.forward[k]);
+    to_clip[3] = glm::vec4(0.0f, 0.0f, shared::kNear_m, 0.0f);
 
     commands_.begin_span("raster");
     gpu::begin_drawing(commands_, {&sample_base_, &sample_normal_, &sample_emission_, &sample_metalness_},
                        sample_depth_);
-    gpu::use_vertices(commands_, model.vertices(), instances_, model.indices());
-    const gpu::Raster* used = nullptr;
-    for (const StageModel::Draw& draw : draws) {
+    gpu::use_vertices(commands_, model.vertices(), model.indices());
+    const StageModel::Surface* used = nullptr;
+    const gpu::Raster* raster = nullptr;
+    for (const StageModel::Draw& draw : model.visible(axes.eye_m, planes)) {
         const StageModel::Surface& surface = model.surface_of(draw.mesh);
-        const gpu::Raster& raster = raster_for(surface);
-        if (used != &raster) gpu::use_raster(commands_, raster);
-        used = &raster;
-        shared::MeshPush push = surface.push;
-        for (int k = 0; k < 3; ++k)
-            push.to_clip[k] =
-                glm::vec4(axes.right[k] / axes.tan_x, -axes.up[k] / axes.tan_y, 0.0f, axes.forward[k]);
-        push.to_clip[3] = glm::vec4(0.0f, 0.0f, shared::kNear_m, 0.0f);
-        gpu::push_constants(commands_, raster, &push, sizeof push);
-        gpu::use_bindings(commands_, device_, raster,
-                          {gpu::sampled(model.texture(surface.texture[0])),
-                           gpu::sampled(model.texture(surface.texture[1])),
-                           gpu::sampled(model.texture(surface.texture[2])),
-                           gpu::sampled(model.texture(surface.texture[3]))});
-        gpu::draw_triangles(commands_, draw.range);
+        if (used != &surface) {
+            used = &surface;
+            raster = &raster_for(surface);
+            gpu::use_raster(commands_, *raster);
+            gpu::use_bindings(commands_, device_, *raster,
+                              {gpu::sampled(model.texture(surface.texture[0])),
+                               gpu::sampled(model.texture(surface.texture[1])),
+                               gpu::sampled(model.texture(surface.texture[2])),
+                               gpu::sampled(model.texture(surface.texture[3])),
+                               gpu::uniform(model.materials(), surface.offset)});
+        }
+        shared::MeshPush push{};
+        const glm::mat4 mesh_to_clip = to_clip * draw.to_eye;
+        for (int k = 0; k < 4; ++k) push.to_clip[k] = mesh_to_clip[k];
+        for (int k = 0; k < 3; ++k) push.axis[k] = glm::vec3(draw.to_eye[k]);
+        gpu::push_constants(commands_, *raster, &push, sizeof push);
+        gpu::draw_triangles(commands_, model.range(draw.mesh));
     }
     gpu::end_drawing(commands_);
 }
@@ -230,8 +226,7 @@ void GBuffer::gather(const shared::View& view, const glm::vec3& ambient) {
 
 std::uint64_t GBuffer::memory_bytes() const {
     std::uint64_t sum = 0;
-    for (const gpu::Buffer* buffer :
-         {&fragments_.view, &fragments_.tile_bounds, &instances_, &counts_, &counts_read_})
+    for (const gpu::Buffer* buffer : {&fragments_.view, &fragments_.tile_bounds, &counts_, &counts_read_})
         sum += buffer->bytes();
     for (const gpu::Texture* texture :
          {&fragments_.places, &fragments_.edges, &fragments_.base, &diffuse_, &specular_, &normals_,

@@ -70,8 +70,7 @@ private:
     Fragments fragments_;
     gpu::Texture diffuse_, specular_, normals_;
     gpu::Texture sample_depth_, sample_base_, sample_normal_, sample_emission_, sample_metalness_;
-    gpu::Buffer instances_, counts_, counts_read_;
-    std::vector<InstanceRows> rows_;
+    gpu::Buffer counts_, counts_read_;
     std::vector<gpu::Span> spans_;
     std::uint32_t extra_count_ = 0;
     std::uint32_t dropped_pixels_ = 0;

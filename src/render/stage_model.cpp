@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <string>
 
@@ -97,6 +98,7 @@ StageModel::StageModel(const gpu::Device& device, const scene::Stage& stage, sce
     add_textures(stage, report, texture_bytes);
     add_surfaces(stage);
     add_meshes(stage, report);
+    upload_materials();
     add_instances(stage, report);
 }
 
@@ -161,15 +163,15 @@ void StageModel::add_surfaces(const scene::Stage& stage) {
     if (materials.empty()) materials.emplace_back();
     for (const scene::Material& material : materials) {
         Surface surface;
-        surface.push.base_colour = sane(material.base_colour);
-        surface.push.alpha = sane(material.alpha, 1.0f);
-        surface.push.emission = sane(material.emission);
-        surface.push.alpha_cutoff = sane(material.alpha_cutoff, 0.5f);
-        surface.push.roughness = sane(material.roughness, 1.0f);
-        surface.push.metalness = sane(material.metalness, 0.0f);
-        surface.push.specular = sane(material.specular, 1.0f);
-        surface.push.normal_scale = sane(material.normal_scale, 1.0f);
-        surface.push.seed = static_cast<std::uint32_t>(surfaces_.size() + 1) * 0x9e3779b9u;
+        surface.material.base_colour = sane(material.base_colour);
+        surface.material.alpha = sane(material.alpha, 1.0f);
+        surface.material.emission = sane(material.emission);
+        surface.material.alpha_cutoff = sane(material.alpha_cutoff, 0.5f);
+        surface.material.roughness = sane(material.roughness, 1.0f);
+        surface.material.metalness = sane(material.metalness, 0.0f);
+        surface.material.specular = sane(material.specular, 1.0f);
+        surface.material.normal_scale = sane(material.normal_scale, 1.0f);
+        surface.material.seed = static_cast<std::uint32_t>(surfaces_.size() + 1) * 0x9e3779b9u;
         surface.alpha = material.alpha_mode == scene::AlphaMode::mask    ? shared::kMask
                         : material.alpha_mode == scene::AlphaMode::blend ? shared::kBlend
                                                                          : shared::kOpaque;
@@ -287,25 +289,38 @@ void StageModel::move(std::size_t instance, const glm::mat4& world) {
     if (usable) instances_[instance].world = world;
 }
 
+void StageModel::upload_materials() {
+    constexpr std::uint64_t kAlign = 256; // of a uniform buffer's offset, at most, on every device
+    static_assert(sizeof(shared::MeshMaterial) <= kAlign);
+    std::vector<std::uint8_t> bytes(surfaces_.size() * kAlign);
+    for (std::size_t k = 0; k < surfaces_.size(); ++k) {
+        surfaces_[k].offset = k * kAlign;
+        std::memcpy(bytes.data() + surfaces_[k].offset, &surfaces_[k].material, sizeof(shared::MeshMaterial));
+    }
+    materials_ = gpu::Buffer(device_, bytes.size(), gpu::Access::device);
+    materials_.write(bytes);
+}
+
 std::vector<StageModel::Draw> StageModel::visible(const glm::vec3& eye_m,
-                                                  const std::vector<glm::vec4>& planes,
-                                                  std::vector<InstanceRows>& rows) const {
-    rows.clear();
-    std::vector<Draw> draws;
-    std::vector<std::pair<float, std::size_t>> near;
+                                                  const std::vector<glm::vec4>& planes) const {
+    std::vector<std::vector<Draw>> groups;
     for (std::size_t m = 0; m < meshes_.size(); ++m) {
         const Mesh& mesh = meshes_[m];
         if (mesh.range.index_count == 0) continue;
-        near.clear();
+        std::vector<Draw> group;
         for (const std::size_t index : mesh.instances) {
             const Instance& instance = instances_[index];
             if (!instance.shown || !instance.usable) continue;
+            Draw draw{m, 0.0f, instance.world};
+            draw.to_eye[3] -= glm::vec4(eye_m, 0.0f);
             std::array<glm::vec3, 8> corners;
+            glm::vec3 centre(0.0f);
             for (std::size_t k = 0; k < corners.size(); ++k) {
                 const glm::vec3 corner((k & 1) ? mesh.high_m.x : mesh.low_m.x,
                                        (k & 2) ? mesh.high_m.y : mesh.low_m.y,
                                        (k & 4) ? mesh.high_m.z : mesh.low_m.z);
-                corners[k] = glm::vec3(instance.world * glm::vec4(corner, 1.0f)) - eye_m;
+                corners[k] = glm::vec3(draw.to_eye * glm::vec4(corner, 1.0f));
+                centre += corners[k] * 0.125f;
             }
             const bool outside = std::any_of(planes.begin(), planes.end(), [&](const glm::vec4& plane) {
                 return std::all_of(corners.begin(), corners.end(), [&](const glm::vec3& corner) {
@@ -313,34 +328,26 @@ std::vector<StageModel::Draw> StageModel::visible(const glm::vec3& eye_m,
                 });
             });
             if (outside) continue;
-            glm::vec3 centre(0.0f);
-            for (const glm::vec3& corner : corners) centre += corner * 0.125f;
-            const float near_m = glm::length(centre) - glm::length(corners[0] - corners[7]) * 0.5f;
-            near.emplace_back(sane(near_m, 0.0f), index);
+            draw.near_m = sane(glm::length(centre) - glm::length(corners[0] - corners[7]) * 0.5f, 0.0f);
+            group.push_back(draw);
         }
-        if (near.empty()) continue;
-        std::sort(near.begin(), near.end());
-        Draw draw{m, mesh.range, near.front().first};
-        draw.range.first_instance = static_cast<std::uint32_t>(rows.size());
-        draw.range.instance_count = static_cast<std::uint32_t>(near.size());
-        for (const auto& [distance, index] : near) {
-            glm::mat4 world = instances_[index].world;
-            world[3] -= glm::vec4(eye_m, 0.0f);
-            const glm::mat4 turned = glm::transpose(world);
-            rows.push_back({turned[0], turned[1], turned[2]});
-        }
-        draws.push_back(draw);
+        if (group.empty()) continue;
+        std::stable_sort(group.begin(), group.end(),
+                         [](const Draw& a, const Draw& b) { return a.near_m < b.near_m; });
+        groups.push_back(std::move(group));
     }
-    std::stable_sort(draws.begin(), draws.end(), [&](const Draw& a, const Draw& b) {
-        const std::uint32_t alpha_a = surface_of(a.mesh).alpha;
-        const std::uint32_t alpha_b = surface_of(b.mesh).alpha;
-        return alpha_a != alpha_b ? alpha_a < alpha_b : a.near_m < b.near_m;
+    std::stable_sort(groups.begin(), groups.end(), [&](const auto& a, const auto& b) {
+        const std::uint32_t alpha_a = surface_of(a[0].mesh).alpha;
+        const std::uint32_t alpha_b = surface_of(b[0].mesh).alpha;
+        return alpha_a != alpha_b ? alpha_a < alpha_b : a[0].near_m < b[0].near_m;
     });
+    std::vector<Draw> draws;
+    for (const std::vector<Draw>& group : groups) draws.insert(draws.end(), group.begin(), group.end());
     return draws;
 }
 
 std::uint64_t StageModel::memory_bytes() const {
-    std::uint64_t sum = vertices_.bytes() + indices_.bytes();
+    std::uint64_t sum = vertices_.bytes() + indices_.bytes() + materials_.bytes();
     for (const gpu::Texture& texture : textures_) sum += texture.bytes();
     return sum;
 }

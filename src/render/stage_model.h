@@ -29,9 +29,6 @@ struct StageVertex {
     glm::vec2 uv{0};
 };
 
-// A row each for x, y, z: the instance's matrix, with the eye as origin.
-using InstanceRows = std::array<glm::vec4, 3>;
-
 class StageModel {
 public:
     static constexpr std::uint64_t kTextureBytes = std::uint64_t{1}
@@ -49,25 +46,27 @@ public:
     std::size_t drawn_triangles() const; // of the instances shown
     std::size_t instance_count() const { return instances_.size(); }
 
-    // What is drawn with one call: all visible instances of a mesh.
+    // An instance that reaches into a view.
     struct Draw {
         std::size_t mesh = 0;
-        gpu::DrawRange range;
-        float near_m = 0; // of the nearest instance
+        float near_m = 0;       // of its nearest corner, about
+        glm::mat4 to_eye{1.0f}; // from the mesh to the world, moved so that the eye is the origin
     };
-    // The instances that reach into a view, nearest first, with their rows; planes: (normal inwards, offset)
-    // in coordinates with the eye as origin. Draws in the order opaque, masked, blended, nearest first.
-    std::vector<Draw> visible(const glm::vec3& eye_m, const std::vector<glm::vec4>& planes,
-                              std::vector<InstanceRows>& rows) const;
+    // planes: of the view (normal inwards, offset), with the eye as origin. Opaque, then masked, then
+    // blended; mesh after mesh and each nearest first.
+    std::vector<Draw> visible(const glm::vec3& eye_m, const std::vector<glm::vec4>& planes) const;
 
     struct Surface {
-        shared::MeshPush push{}; // without the camera
+        shared::MeshMaterial material{};
+        std::uint64_t offset = 0; // into materials()
         std::uint32_t alpha = shared::kOpaque;
         std::uint32_t textures = 0;           // bits, see shared/g_buffer.h
         std::array<std::size_t, 4> texture{}; // base, normal, surface, emission: index for texture()
     };
     const Surface& surface_of(std::size_t mesh) const { return surfaces_[meshes_[mesh].surface]; }
     const gpu::Texture& texture(std::size_t index) const { return textures_[index]; }
+    const gpu::DrawRange& range(std::size_t mesh) const { return meshes_[mesh].range; }
+    const gpu::Buffer& materials() const { return materials_; }
     const gpu::Buffer& vertices() const { return vertices_; }
     const gpu::Buffer& indices() const { return indices_; }
 
@@ -87,6 +86,7 @@ private:
     void add_textures(const scene::Stage& stage, scene::Report& report, std::uint64_t texture_bytes);
     void add_surfaces(const scene::Stage& stage);
     void add_meshes(const scene::Stage& stage, scene::Report& report);
+    void upload_materials();
     void add_instances(const scene::Stage& stage, scene::Report& report);
 
     const gpu::Device& device_;
@@ -95,7 +95,7 @@ private:
     std::vector<Surface> surfaces_;
     std::vector<gpu::Texture> textures_;                     // 0: white
     std::map<std::pair<int, bool>, std::size_t> texture_of_; // scene texture, read as sRGB
-    gpu::Buffer vertices_, indices_;
+    gpu::Buffer vertices_, indices_, materials_;
 };
 
 } // namespace ghost::render
