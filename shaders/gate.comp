@@ -19,9 +19,11 @@ layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 5, rgba32f) readonly uniform image2DArray places; // position, coverage
 layout(binding = 6, rgba16f) uniform image2DArray drawn;
 layout(binding = 7) uniform sampler2DArray table;
+layout(binding = 8) uniform sampler2DArray shade; // how far the light gets, see fan_shade.comp
 layout(push_constant, scalar) uniform Push { GatePush p; };
 layout(constant_id = 0) const bool kFocus = true;   // some light gets out of focus: the table has levels of blur
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
+layout(constant_id = 2) const bool kShadows = false;
 
 // Prefix sums at a place 0..1 of a row -1..1.
 vec4 prefix(Fan fan, vec2 texel, uint level, float row, float column) {
@@ -30,8 +32,26 @@ vec4 prefix(Fan fan, vec2 texel, uint level, float row, float column) {
     return textureLod(table, vec3(at * texel, float(fan.layer)), 0.0);
 }
 
-vec4 between(Fan fan, vec2 texel, uint level, float row, float from, float to) {
-    return prefix(fan, texel, level, row, to) - prefix(fan, texel, level, row, from);
+vec4 between(Fan fan, vec2 texel, float level, float row, float from, float to) {
+    uint low = uint(level);
+    vec4 sharp = prefix(fan, texel, low, row, to) - prefix(fan, texel, low, row, from);
+    if (!kFocus) return sharp;
+    uint high = min(low + 1u, fan.levels - 1u);
+    return mix(sharp, prefix(fan, texel, high, row, to) - prefix(fan, texel, high, row, from), level - float(low));
+}
+
+// Nearest and farthest of what ends the light between two places 0..1 of a row.
+vec2 reach_m(Fan fan, float row, float from, float to) {
+    float width = max((to - from) * float(kShadeColumns), 1.0);
+    uint level = min(uint(ceil(log2(width))), uint(findMSB(kShadeColumns)));
+    int columns = int(kShadeColumns >> level);
+    ivec3 at = ivec3(0, clamp(int((0.5 * row + 0.5) * float(kShadeRows)), 0, int(kShadeRows) - 1), int(fan.layer));
+    int left = 2 * (int(kShadeColumns) - columns);
+    int first = clamp(int(from * float(columns)), 0, columns - 1);
+    int last = clamp(int(to * float(columns)), 0, columns - 1);
+    vec2 a = texelFetch(shade, at + ivec3(left + first, 0, 0), 0).xy;
+    vec2 b = texelFetch(shade, at + ivec3(left + last, 0, 0), 0).xy;
+    return vec2(min(a.x, b.x), max(a.y, b.y));
 }
 
 vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
@@ -70,41 +90,63 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
 
     float step_rad = (end - begin) / float(max(count, 1u));
     float scale = 1.0 / max(chord.y - chord.x, 1e-9);
-    // What a segment takes from the table is at least this wide: a texel and a half.
+    // What a piece takes from the table is at least this wide: a texel and a half.
     float narrowest = 1.5 / float(fan.size - 1u);
     vec3 sum = vec3(0.0);
     for (uint k = 0u; k < count; ++k) {
         float from = begin + float(k) * step_rad;
         float middle = from + 0.5 * step_rad;
-        float c0 = (from - chord.x) * scale;
-        float c1 = c0 + step_rad * scale;
-        float grow = max(0.5 * (narrowest - (c1 - c0)), 0.0);
-        c0 = clamp(c0 - grow, 0.0, 1.0);
-        c1 = clamp(c1 + grow, 0.0, 1.0);
-        vec4 light_here;
+        float level = 0.0;
         if (kFocus) {
             float cos_middle = cos(middle), sin_middle = sin(middle);
             float r = distance_m / max(sin_end * cos_middle - cos_end * sin_middle, 1e-6);
             float z = r * (cos_middle * fan.cos_axis + sin_middle * fan.sin_axis * meridian.x);
-            float level = clamp(log2(beam_blur(light, z) / fan.sharpest),
-                                0.0, float(fan.levels - 1u));
-            uint low = uint(level);
-            uint high = min(low + 1u, fan.levels - 1u);
-            light_here = mix(between(fan, texel, low, row, c0, c1), between(fan, texel, high, row, c0, c1), level - float(low));
-        } else {
-            light_here = between(fan, texel, 0u, row, c0, c1);
+            level = clamp(log2(beam_blur(light, z) / fan.sharpest), 0.0, float(fan.levels - 1u));
+        }
+        // A segment that is partly in shadow is taken in pieces of two columns, each lit or not.
+        uint pieces = 1u;
+        if (kShadows) {
+            float to_end0 = sin_end * cos(from) - cos_end * sin(from);
+            float to_end1 = sin_end * cos(from + step_rad) - cos_end * sin(from + step_rad);
+            float r0 = distance_m / max(to_end0, 1e-6);
+            float r1 = distance_m / max(to_end1, 1e-6);
+            // The ray is nearest to the lamp a right angle before its end.
+            bool passes = cos_end * cos(from) + sin_end * sin(from) < 0.0 && cos_end * cos(from + step_rad) + sin_end * sin(from + step_rad) > 0.0;
+            float nearest = passes ? distance_m : min(r0, r1);
+            vec2 reach = reach_m(fan, row, (from - chord.x) * scale, (from + step_rad - chord.x) * scale);
+            uint fine = clamp(uint(ceil(0.5 * step_rad * scale * float(kShadeColumns))), 2u, 64u);
+            pieces = max(r0, r1) <= reach.x ? 1u : (nearest >= reach.y ? 0u : fine);
+        }
+        float piece_rad = step_rad / float(max(pieces, 1u));
+        vec4 light_here = vec4(0.0);
+        for (uint piece = 0u; piece < pieces; ++piece) {
+            float a = from + float(piece) * piece_rad;
+            float c0 = (a - chord.x) * scale;
+            float c1 = c0 + piece_rad * scale;
+            float lit = 1.0;
+            if (kShadows) {
+                float at = a + 0.5 * piece_rad;
+                float r = distance_m / max(sin_end * cos(at) - cos_end * sin(at), 1e-6);
+                float c = 0.5 * (c0 + c1);
+                lit = pieces == 1u || r < reach_m(fan, row, c, c).x ? 1.0 : 0.0;
+            }
+            float grow = max(0.5 * (narrowest - (c1 - c0)), 0.0);
+            c0 = clamp(c0 - grow, 0.0, 1.0);
+            c1 = clamp(c1 + grow, 0.0, 1.0);
+            // Mean of this piece, times its share of the segment.
+            light_here += between(fan, texel, level, row, c0, c1) * (lit * piece_rad / max(c1 - c0, 1e-9));
         }
         // Phase and transmittance where the light of this segment is.
         float weight = luminance_of(light_here.rgb);
-        float centre = weight > 1e-6 ? clamp(light_here.a / weight, c0, c1) : 0.5 * (c0 + c1);
-        float psi = clamp(chord.x + centre * (chord.y - chord.x), from, from + step_rad);
+        float centre = weight > 1e-6 * step_rad ? chord.x + light_here.a / weight * (chord.y - chord.x) : middle;
+        float psi = clamp(centre, from, from + step_rad);
         float cos_psi = cos(psi), sin_psi = sin(psi);
         float to_end = max(sin_end * cos_psi - cos_end * sin_psi, 1e-6);
-        float way_m = distance_m / to_end + fan.eye_m * sin_psi / to_end;
+        float way_m = (distance_m + fan.eye_m * sin_psi) / to_end;
         float seen = haze_transmittance(haze, way_m) * haze_phase(haze, -(cos_psi * cos_end + sin_psi * sin_end));
-        sum += light_here.rgb * (seen / max(c1 - c0, 1e-9));
+        sum += light_here.rgb * seen;
     }
-    return sum * light.intensity_cd * (haze.scattering_per_m * step_rad / distance_m * fan_most(light.colour_b));
+    return sum * light.intensity_cd * (haze.scattering_per_m / distance_m * fan_most(light.colour_b));
 }
 
 void main() {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
+#ifndef GHOST_SHARED_FAN_H
+#define GHOST_SHARED_FAN_H
+#include "shared/types.h"
+
 // The fan of a light: all planes through the lamp and the eye. Every camera ray lies in one of them, and so do all directions
 // from the lamp to the points of that ray. In spherical coordinates round the lamp whose pole points at the eye, a ray is a
 // meridian (its plane, the fan's row) and an interval of polar angles psi (its column). So all that a light sends into haze
@@ -9,9 +13,6 @@
 // with D the distance of the ray from the lamp. The table holds prefix sums of I along the columns, so that a segment of any
 // length costs two fetches, and their first moment, so that a segment knows where its light is. After Kulla & Fajardo 2012
 // (equi-angular variable), Pegoraro 2009 (angular formulation of airlight), Baran et al. 2010 (rectified prefix sums).
-#ifndef GHOST_SHARED_FAN_H
-#define GHOST_SHARED_FAN_H
-#include "shared/types.h"
 
 SHARED_BEGIN
 
@@ -38,6 +39,8 @@ SHARED_SIZE(Fan, 76);
 SHARED_CONST uint kFanLevels = 8u;
 SHARED_CONST uint kLeastFan = 64u;  // rows and columns of any level
 SHARED_CONST uint kFinestFan = 256u;
+SHARED_CONST uint kShadeRows = 256u; // how far the light gets: rows, and columns of the finest level
+SHARED_CONST uint kShadeColumns = 256u;
 SHARED_CONST uint kFanWidth = 2u * kFinestFan + 6u * kLeastFan; // of a layer: all levels
 
 // Row coordinate -1..1 of a meridian given by its cosine and sine; beyond: the plane misses the beam.

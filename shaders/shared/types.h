@@ -65,8 +65,10 @@ struct Light {
     uint pass;             // its picture as a point source
     uint haze_samples;     // samples of the cone integrator; 0: surfaces only
     vec3 bounce_cd;        // of a point source that sends out as many lumens: scales the bounced light
+    uint map;              // its distance map: layer + 1; 0: nothing is in the way
+    float disc_radius_m;   // of the luminous disc at the lens: how soft shadows are, how large the lens looks
 };
-SHARED_SIZE(Light, 176);
+SHARED_SIZE(Light, 184);
 
 // Homogeneous haze: extinction, scattering and the two-term Henyey-Greenstein phase function.
 struct Haze {

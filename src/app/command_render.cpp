@@ -38,6 +38,11 @@ struct RenderArguments {
     float ev100 = 0;
     bool has_ev100 = false;
     int image_memory_mb = 1024;
+    std::vector<float> eye_m;
+    std::vector<float> target_m;
+    float fov_y_deg = 40;
+    std::string travel;
+    bool no_shadows = false;
     bool json = false;
 };
 
@@ -116,6 +121,12 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
     if (static_cast<double>(first) / fps > player.duration_s())
         log_warning("the recording ends at " + std::to_string(player.duration_s()) +
                     " s; what is drawn is its last look");
+    const scene::Camera start = session.show->cameras[session.camera];
+    std::optional<scene::Camera> travel_to;
+    if (!arguments.travel.empty()) {
+        TRY(const std::size_t camera, session.show->find_camera(arguments.travel));
+        travel_to = session.show->cameras[camera];
+    }
     catch_interrupts();
     const auto now_s = [] { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); };
     Progress progress(
@@ -125,6 +136,10 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
         if (interrupted()) break;
         session.rig->step(player.at(static_cast<double>(frame) / fps), 1.0 / fps);
         if (frame < first) continue;
+        if (travel_to)
+            session.look_from(camera_between(start, *travel_to,
+                                             static_cast<float>(frame - first) /
+                                                 static_cast<float>(std::max(last - first, 1L))));
         tally.add(session.draw());
         TRY_VOID(writer.add(*session.relighter));
         progress.update(static_cast<double>(frame - first + 1) / static_cast<double>(last - first + 1),
@@ -197,6 +212,23 @@ Result<bool> check_usage(RenderArguments& arguments) {
                                                                 : render::Beams::gate;
     arguments.session.image_memory_bytes = static_cast<std::uint64_t>(arguments.image_memory_mb) << 20;
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
+    arguments.session.shadows = !arguments.no_shadows;
+    arguments.session.live = arguments.session.live || !arguments.eye_m.empty() || !arguments.travel.empty();
+    if (arguments.eye_m.empty() != arguments.target_m.empty())
+        return Error{"a free camera needs both", "--eye/--target"};
+    if (!arguments.eye_m.empty()) {
+        scene::Camera& eye = arguments.session.eye.emplace();
+        eye.name = "free";
+        eye.position_m = {arguments.eye_m[0], arguments.eye_m[1], arguments.eye_m[2]};
+        eye.target_m = {arguments.target_m[0], arguments.target_m[1], arguments.target_m[2]};
+        eye.fov_y_deg = arguments.fov_y_deg;
+        for (int axis = 0; axis < 3; ++axis)
+            if (!std::isfinite(eye.position_m[axis]) || !std::isfinite(eye.target_m[axis]))
+                return Error{"metres must be numbers", "--eye/--target"};
+        if (glm::distance(eye.position_m, eye.target_m) < 1e-3f)
+            return Error{"the camera stands at what it looks at", "--eye/--target"};
+        if (!arguments.session.view.empty()) return Error{"two cameras; give one", "--view/--eye"};
+    }
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
     TRY(const OutputKind kind, output_kind(arguments.out));
     if (kind == OutputKind::film && !film)
@@ -237,6 +269,18 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_option("--view", a->session.view, "camera (default: the first)")->type_name("NAME");
     command->add_option("--size", a->size, "WIDTHxHEIGHT instead of the camera's; bakes passes of that size")
         ->type_name("WxH");
+    command->add_flag("--live", a->session.live,
+                      "draw the stage itself instead of baked passes; distance maps are made where missing");
+    command->add_option("--eye", a->eye_m, "free camera: X Y Z in metres; implies --live")
+        ->expected(3)
+        ->type_name("X Y Z");
+    command->add_option("--target", a->target_m, "what it looks at")->expected(3)->type_name("X Y Z");
+    command->add_option("--fov", a->fov_y_deg, "its vertical field of view in degrees")
+        ->check(CLI::Range(1.0, 150.0))
+        ->capture_default_str();
+    command->add_option("--travel", a->travel, "fly to this camera in the course of a film; implies --live")
+        ->type_name("NAME");
+    command->add_flag("--no-shadows", a->no_shadows, "light passes through everything; with --live");
     command->add_option("--replay", a->replay, "DMX recording (default: the show's own)")->type_name("FILE");
     command->add_option("--at", a->at_s, "second of the recording")->check(CLI::Range(0.0, 86400.0));
     command->add_option("--from", a->from_s, "first second of a film")
@@ -269,8 +313,10 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_flag("--quiet", a->session.quiet, "print warnings and errors only");
     command->add_flag("--json", a->json, "print the figures as JSON");
     add_input_options(*command, a->input);
-    command->footer("Example: ghostlight render assets/demo -o demo.mp4 --from 10 --to 20\n"
-                    "         ghostlight render assets/demo -o now.mp4 --live-input --seconds 20");
+    command->footer(
+        "Example: ghostlight render assets/demo -o demo.mp4 --from 10 --to 20\n"
+        "         ghostlight render assets/demo -o now.mp4 --live-input --seconds 20\n"
+        "         ghostlight render assets/demo -o fly.mp4 --view house --travel close --from 20 --to 30");
     command->callback([a, ev, &exit_code] {
         a->has_ev100 = ev->count() > 0;
         if (a->session.quiet) set_log_level(LogLevel::warning);

@@ -41,18 +41,6 @@ std::string fingerprint(const scene::Show& show) {
     return hasher.hex();
 }
 
-// The stage, if it can be read. A show without one still has its beams.
-bool load_stage(scene::Show& show, scene::Report& report) {
-    if (show.stage_file.empty() || !show.stage.instances.empty()) return true;
-    Result<scene::Stage> stage = scene::load_stage_file(show.stage_file, report);
-    if (!stage.ok()) {
-        report.add(scene::Severity::error, stage.error().where, stage.error().what);
-        return false;
-    }
-    show.stage = std::move(*stage);
-    return !show.stage.instances.empty();
-}
-
 Result<void> bake_view(const scene::Show& show, const std::string& view, const fs::path& folder, bool quiet,
                        scene::Report& report) {
     catch_interrupts();
@@ -149,6 +137,17 @@ Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
 
 } // namespace
 
+bool load_stage(scene::Show& show, scene::Report& report) {
+    if (show.stage_file.empty() || !show.stage.instances.empty()) return true;
+    Result<scene::Stage> stage = scene::load_stage_file(show.stage_file, report);
+    if (!stage.ok()) {
+        report.add(scene::Severity::error, stage.error().where, stage.error().what);
+        return false;
+    }
+    show.stage = std::move(*stage);
+    return !show.stage.instances.empty();
+}
+
 void print_report(const scene::Report& report, std::size_t skip) {
     for (std::size_t i = skip; i < report.messages.size(); ++i) {
         const scene::Message& message = report.messages[i];
@@ -162,14 +161,16 @@ void print_report(const scene::Report& report, std::size_t skip) {
     }
 }
 
+shared::Haze haze_of(const scene::Show& show) {
+    const scene::HazeSettings& haze = show.haze;
+    return {haze.extinction_per_m, haze.extinction_per_m * haze.albedo, haze.forward_g, haze.back_g,
+            haze.back_weight};
+}
+
 render::Settings draw_settings(const scene::Show& show, const scene::Camera& camera,
                                const SessionOptions& options) {
     render::Settings settings;
-    settings.haze.extinction_per_m = show.haze.extinction_per_m;
-    settings.haze.scattering_per_m = show.haze.extinction_per_m * show.haze.albedo;
-    settings.haze.forward_g = show.haze.forward_g;
-    settings.haze.back_g = show.haze.back_g;
-    settings.haze.back_weight = show.haze.back_weight;
+    settings.haze = haze_of(show);
     settings.ambient_lux = show.ambient_lux;
     settings.beams = options.beams;
     settings.ev100 = options.ev100.value_or(camera.ev100);
@@ -187,27 +188,41 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     std::size_t printed = report.messages.size();
 
     TRY(session->camera, session->show->find_camera(options.view));
+    scene::Camera camera = options.eye.value_or(session->show->cameras[session->camera]);
     if (options.width > 0) {
-        scene::Camera sized = session->show->cameras[session->camera];
-        sized.width = options.width;
-        sized.height = options.height;
-        sized.name += "@" + std::to_string(options.width) + "x" + std::to_string(options.height);
-        session->camera = session->show->cameras.size();
-        session->show->cameras.push_back(std::move(sized));
+        camera.width = options.width;
+        camera.height = options.height;
+        if (!options.live)
+            camera.name += "@" + std::to_string(options.width) + "x" + std::to_string(options.height);
     }
-    const scene::Camera camera = session->show->cameras[session->camera];
+    if (options.width > 0 || options.eye) {
+        session->camera = session->show->cameras.size();
+        session->show->cameras.push_back(camera);
+    }
 
-    TRY(session->passes, get_passes(*session->show, camera, options, report));
+    if (!options.live) {
+        TRY(session->passes, get_passes(*session->show, camera, options, report));
+    }
     session->gobos = scene::build_gobos(*session->show, report);
     print_report(report, printed);
+    printed = report.messages.size();
 
     TRY(session->device, gpu::Device::create({options.device, options.validation}));
     log_info("drawing on " + session->device->name());
     session->rig = std::make_unique<scene::Rig>(*session->show);
-    const auto light_count = static_cast<int>(session->rig->lights(session->gobos, session->passes).size());
+    const render::Settings settings = draw_settings(*session->show, camera, options);
+    if (options.live) {
+        TRY(session->live,
+            LiveView::open(*session->device, *session->show, camera, options.shadows, options.quiet, report));
+        print_report(report, printed);
+    }
+    const auto light_count = static_cast<int>(session->lights().size());
     session->relighter =
-        std::make_unique<render::Relighter>(*session->device, session->passes, session->gobos.images,
-                                            light_count, draw_settings(*session->show, camera, options));
+        options.live ? std::make_unique<render::Relighter>(*session->device, session->live->g_buffer(),
+                                                           session->live->distances(), session->gobos.images,
+                                                           light_count, settings)
+                     : std::make_unique<render::Relighter>(*session->device, session->passes,
+                                                           session->gobos.images, light_count, settings);
     for (scene::LightPass& pass : session->passes.lights) {
         pass.radiance = {};
         pass.indirect = {};

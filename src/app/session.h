@@ -3,6 +3,7 @@
 // Session: a show opened for drawing: fixtures, passes of one camera (baked where they are missing or older
 // than what they show), device and relighter. What render, bench and the window share. Main thread.
 
+#include "app/live_view.h"
 #include "gpu/device.h"
 #include "render/relighter.h"
 #include "scene/gobos.h"
@@ -26,7 +27,10 @@ struct SessionOptions {
     bool bake = true; // false: missing passes are an error
     bool quiet = false;
     render::HazeSettings beams;
-    std::optional<float> ev100; // instead of the camera's
+    std::optional<float> ev100;       // instead of the camera's
+    bool live = false;                // a free camera: no passes
+    std::optional<scene::Camera> eye; // instead of a camera of the show; live only
+    bool shadows = true;              // live only
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
 };
 
@@ -38,13 +42,27 @@ struct Session {
     scene::GoboStack gobos;
     std::unique_ptr<scene::Rig> rig;
     std::unique_ptr<gpu::Device> device;
+    std::unique_ptr<LiveView> live; // or null: passes
     std::unique_ptr<render::Relighter> relighter;
 
+    std::vector<shared::Light> lights() const {
+        return live ? rig->lights(gobos, live->maps()) : rig->lights(gobos, passes);
+    }
     // One frame of what the rig does now.
-    render::FrameStatistics draw() { return relighter->draw(rig->lights(gobos, passes)); }
+    render::FrameStatistics draw() { return relighter->draw(lights()); }
+    // Moves a live camera; its size stays.
+    void look_from(const scene::Camera& from) {
+        live->look_from(from);
+        relighter->forget();
+    }
 };
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);
+
+// The stage, if it can be read. A show without one still has its beams.
+bool load_stage(scene::Show& show, scene::Report& report);
+
+shared::Haze haze_of(const scene::Show& show);
 
 // Settings of the relighter for a camera of a show.
 render::Settings draw_settings(const scene::Show& show, const scene::Camera& camera,

@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "render/fan.h"
 #include "shaders/fan.h"
+#include "shaders/fan_shade.h"
 #include "shaders/gate.h"
 #include "shaders/haze.h"
 
@@ -30,8 +31,8 @@ std::uint32_t rows_of(const shared::Fan& fan) {
 } // namespace
 
 HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std::uint32_t batch_size,
-                   std::uint32_t light_count)
-    : settings_(settings), batch_size_(batch_size) {
+                   std::uint32_t light_count, const gpu::Texture* distance_maps)
+    : settings_(settings), batch_size_(batch_size), distance_maps_(distance_maps) {
     const std::uint32_t single = batch_size == 1 ? 1 : 0;
     if (settings.beams != Beams::gate) {
         for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
@@ -46,10 +47,15 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
                                                        std::vector{kSampled, kUniform, kUniform, kStored},
                                                        std::vector{wheels, single});
     for (std::uint32_t focus = 0; focus < gate_.size(); ++focus)
-        gate_[focus] = std::make_unique<gpu::Program>(
-            device, shaders::kShader_gate,
-            std::vector{kUniform, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kSampled},
-            std::vector{focus, single});
+        gate_[focus] =
+            std::make_unique<gpu::Program>(device, shaders::kShader_gate,
+                                           std::vector{kUniform, kUniform, kUniform, kStorage, kStorage,
+                                                       kStored, kStored, kSampled, kSampled},
+                                           std::vector{focus, single, distance_maps ? 1u : 0u});
+    if (distance_maps)
+        shade_fill_ = std::make_unique<gpu::Program>(device, shaders::kShader_fan_shade,
+                                                     std::vector{kUniform, kUniform, kStored, kSampled},
+                                                     std::vector{0u, single});
     // As many chunks as the relighter may draw in a frame (Relighter::Relighter).
     fans_ = gpu::Buffer(device, (2 * std::uint64_t{light_count} + kClasses) * kAlign + kChunkBytes,
                         gpu::Access::upload);
@@ -59,6 +65,8 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
     const VkFormat format = device.first_format(
         kFormats, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT);
     table_ = gpu::Texture(device, {shared::kFanWidth, shared::kFinestFan, layers, 1, format, true, true});
+    shade_ = gpu::Texture(device, {2 * shared::kShadeColumns, shared::kShadeRows, distance_maps ? layers : 1,
+                                   1, VK_FORMAT_R32G32_SFLOAT, true, false});
     // Filtering may touch, with no weight, texels that no fan has filled.
     gpu::Commands commands(device);
     commands.begin();
@@ -121,14 +129,21 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
                           {gpu::sampled(chunk.gobos), gpu::uniform(chunk.light_buffer, chunk.light_offset),
                            gpu::uniform(fans_, offset), gpu::stored(table_)},
                           (rows + kRowsPerGroup - 1) / kRowsPerGroup, lights);
+        if (distance_maps_)
+            commands.dispatch(*shade_fill_, shared::FanPush{first},
+                              {gpu::uniform(chunk.light_buffer, chunk.light_offset),
+                               gpu::uniform(fans_, offset), gpu::stored(shade_),
+                               gpu::sampled(*distance_maps_)},
+                              shared::kShadeRows / kRowsPerGroup, lights);
         commands.barrier();
         commands.begin_span("gate");
-        commands.dispatch_indirect(
-            *gate_[focus ? 1 : 0], push,
-            {gpu::uniform(chunk.fragments.view), gpu::uniform(chunk.light_buffer, chunk.light_offset),
-             gpu::uniform(fans_, offset), gpu::storage(chunk.masks), gpu::storage(chunk.lists),
-             gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn), gpu::sampled(table_)},
-            chunk.groups, chunk.haze_groups(push.batch));
+        commands.dispatch_indirect(*gate_[focus ? 1 : 0], push,
+                                   {gpu::uniform(chunk.fragments.view),
+                                    gpu::uniform(chunk.light_buffer, chunk.light_offset),
+                                    gpu::uniform(fans_, offset), gpu::storage(chunk.masks),
+                                    gpu::storage(chunk.lists), gpu::stored(chunk.fragments.places),
+                                    gpu::stored(chunk.drawn), gpu::sampled(table_), gpu::sampled(shade_)},
+                                   chunk.groups, chunk.haze_groups(push.batch));
         commands.barrier();
     }
 }

@@ -26,9 +26,11 @@ struct HazeSettings {
 
 class HazePass {
 public:
-    // light_count: of the show; at most so many fans are needed at a time.
+    // light_count: of the show; at most so many fans are needed at a time. distance_maps: layers by
+    // Light::map (render/distance_images.h), null: nothing throws shadows into haze; gate only. Must outlive
+    // this.
     HazePass(const gpu::Device& device, const HazeSettings& settings, std::uint32_t batch_size,
-             std::uint32_t light_count);
+             std::uint32_t light_count, const gpu::Texture* distance_maps);
 
     // Forgets the fans of the frame before.
     void begin_frame() { fans_used_ = 0; }
@@ -36,7 +38,7 @@ public:
     void record(gpu::Commands& commands, const LightChunk& chunk);
     // Whether haze lies at the corners of the pixels, see sum.comp.
     bool at_corners() const { return settings_.beams != Beams::gate; }
-    std::uint64_t memory_bytes() const { return table_.bytes() + fans_.bytes(); }
+    std::uint64_t memory_bytes() const { return table_.bytes() + shade_.bytes() + fans_.bytes(); }
 
 private:
     void record_samples(gpu::Commands& commands, const LightChunk& chunk);
@@ -47,9 +49,11 @@ private:
     static constexpr std::uint32_t kClasses = 3; // 0, 1, 2 gobo wheels
     std::array<std::unique_ptr<gpu::Program>, kClasses> samples_, fill_;
     std::array<std::unique_ptr<gpu::Program>, 2> gate_; // without and with focus
+    std::unique_ptr<gpu::Program> shade_fill_;
+    const gpu::Texture* distance_maps_;
     gpu::Buffer fans_;
     std::uint64_t fans_used_ = 0; // bytes
-    gpu::Texture table_;
+    gpu::Texture table_, shade_;
 };
 
 } // namespace ghost::render

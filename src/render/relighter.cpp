@@ -9,6 +9,7 @@
 #include "shaders/meter.h"
 #include "shaders/sum.h"
 #include "shaders/surface.h"
+#include "shaders/surface_live.h"
 
 #include <algorithm>
 #include <chrono>
@@ -49,10 +50,19 @@ int image_slots(std::uint64_t memory_bytes, int width, int height, int light_cou
 
 Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
                      int light_count, const Settings& settings)
+    : Relighter(device, make_pass_images(device, passes, settings.ambient_lux, settings.haze), nullptr,
+                nullptr, gobos, light_count, settings) {}
+
+Relighter::Relighter(const gpu::Device& device, const GBuffer& g_buffer, const DistanceImages* distances,
+                     const shared::Gobos& gobos, int light_count, const Settings& settings)
+    : Relighter(device, PassImages{}, &g_buffer, distances, gobos, light_count, settings) {}
+
+Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer* g_buffer,
+                     const DistanceImages* distances, const shared::Gobos& gobos, int light_count,
+                     const Settings& settings)
     : device_(device), settings_(settings), batch_size_(batch_size(device, settings)),
-      light_count_(light_count),
-      passes_(make_pass_images(device, passes, settings.ambient_lux, settings.haze)),
-      slot_count_(image_slots(settings.image_memory_bytes, passes.width, passes.height, light_count)),
+      light_count_(light_count), passes_(std::move(passes)), g_buffer_(g_buffer), distances_(distances),
+      slot_count_(image_slots(settings.image_memory_bytes, width(), height(), light_count)),
       tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),
       sum_(device, shaders::kShader_sum, {kStored, kStored, kStored}),
@@ -60,18 +70,32 @@ Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, con
       fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
       develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
-      haze_(device, settings.beams, batch_size_, static_cast<std::uint32_t>(light_count)), commands_(device) {
-    const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
-    for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
-        surface_[wheels] = std::make_unique<gpu::Program>(
-            device, shaders::kShader_surface,
-            std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kStored},
-            std::vector{wheels, single});
+      haze_(device, settings.beams, batch_size_, static_cast<std::uint32_t>(light_count),
+            distances ? &distances->texture() : nullptr),
+      commands_(device) {
+    make_surface_programs();
     // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
     // begins a chunk.
     const std::uint64_t draws = 2 * static_cast<std::uint64_t>(light_count) + kClasses;
     lights_ = gpu::Buffer(device, draws * kChunkAlign + kChunkBytes, gpu::Access::upload);
     upload(gobos, batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1);
+}
+
+void Relighter::make_surface_programs() {
+    const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
+    std::vector bindings{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kStored};
+    if (g_buffer_) bindings.insert(bindings.end(), {kSampled, kStored, kStored});
+    for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
+        surface_[wheels] =
+            g_buffer_ ? std::make_unique<gpu::Program>(device_, shaders::kShader_surface_live, bindings,
+                                                       std::vector{wheels, single, distances_ ? 1u : 0u})
+                      : std::make_unique<gpu::Program>(device_, shaders::kShader_surface, bindings,
+                                                       std::vector{wheels, single});
+}
+
+void Relighter::forget() {
+    tree_.invalidate_all();
+    last_lights_.clear();
 }
 
 Relighter::~Relighter() = default;
@@ -91,9 +115,12 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
     drawn_ = Texture(device_,
                      {f.width, f.places.shape().height, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     const std::uint64_t tiles = std::uint64_t{f.tiles_x} * f.tiles_y;
+    // A G-buffer has another number of them each time; there is room for so many.
+    const std::uint64_t blocks =
+        std::uint64_t{f.places.shape().height - f.height} * f.width / shared::kTilePixels + 1;
     masks_ =
-        Buffer(device_, 2 * (tiles + f.blocks) * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
-    lists_ = Buffer(device_, batches * (2 * tiles + f.blocks) * sizeof(std::uint32_t), Access::device);
+        Buffer(device_, 2 * (tiles + blocks) * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
+    lists_ = Buffer(device_, batches * (2 * tiles + blocks) * sizeof(std::uint32_t), Access::device);
     gobos_ = Texture(device_, {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
                                shared::kGoboLevels, VK_FORMAT_R8G8B8A8_UNORM, false, true});
     for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
@@ -103,10 +130,7 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
 FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
     const auto start = std::chrono::steady_clock::now();
     CHECK_EQ(static_cast<int>(lights.size()), light_count_);
-    if (!settings_.reuse) {
-        tree_.invalidate_all();
-        last_lights_.clear();
-    }
+    if (!settings_.reuse) forget();
     std::vector<int> changed;
     for (std::size_t i = 0; i < lights.size(); ++i)
         if (i >= last_lights_.size() || std::memcmp(&lights[i], &last_lights_[i], sizeof(shared::Light)) != 0)
@@ -210,15 +234,23 @@ void Relighter::record_surfaces(const LightChunk& chunk) {
                            f.tiles_x, f.tiles_y);
         commands_.barrier();
     }
+    std::vector<gpu::Binding> bindings{gpu::sampled(gobos_),
+                                       gpu::uniform(f.view),
+                                       gpu::uniform(lights_, chunk.light_offset),
+                                       gpu::storage(masks_),
+                                       gpu::storage(lists_),
+                                       gpu::stored(f.places),
+                                       gpu::stored(drawn_),
+                                       gpu::stored(g_buffer_ ? g_buffer_->diffuse() : passes_.radiance)};
+    if (g_buffer_)
+        bindings.insert(bindings.end(),
+                        {gpu::sampled(distances_ ? distances_->texture() : gobos_),
+                         gpu::stored(g_buffer_->specular()), gpu::stored(g_buffer_->normals())});
     commands_.begin_span("surfaces");
     shared::RelightPush push{chunk.count(), 0, f.tiles_x, chunk.tiles(), f.blocks, 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
-        commands_.dispatch_indirect(*surface_[chunk.wheels], push,
-                                    {gpu::sampled(gobos_), gpu::uniform(f.view),
-                                     gpu::uniform(lights_, chunk.light_offset), gpu::storage(masks_),
-                                     gpu::storage(lists_), gpu::stored(f.places), gpu::stored(drawn_),
-                                     gpu::stored(passes_.radiance)},
-                                    groups_, chunk.surface_groups(push.batch));
+        commands_.dispatch_indirect(*surface_[chunk.wheels], push, bindings, groups_,
+                                    chunk.surface_groups(push.batch));
         commands_.barrier();
     }
 }
@@ -265,7 +297,8 @@ float Relighter::ev100_used() const {
 
 std::uint64_t Relighter::memory_bytes() const {
     const Fragments& f = fragments();
-    std::uint64_t sum = haze_.memory_bytes();
+    std::uint64_t sum = haze_.memory_bytes() + (g_buffer_ ? g_buffer_->memory_bytes() : 0);
+    if (distances_) sum += distances_->texture().bytes();
     for (const gpu::Buffer* buffer :
          {&f.view, &lights_, &f.tile_bounds, &masks_, &lists_, &groups_, &exposure_, &pixels_})
         sum += buffer->bytes();

@@ -1,14 +1,16 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Relighter: draws one camera of a show from its passes, live (Screen Space Re-Rendering). Surfaces by pass x
-// beam, haze by the march or cone integrator, images of resting lights kept in a binary tree. Lights in, HDR
-// frame and display picture out. Light number i means the same fixture in every draw. Main thread; the device
-// must outlive it.
+// Relighter: draws one camera of a show, live, from its passes (Screen Space Re-Rendering) or from a
+// G-buffer. Surfaces by pass x beam, haze by the march or cone integrator, images of resting lights kept in a
+// binary tree. Lights in, HDR frame and display picture out. Light number i means the same fixture in every
+// draw. Main thread; the device must outlive it.
 
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/texture.h"
 #include "image/image.h"
+#include "render/distance_images.h"
+#include "render/g_buffer.h"
 #include "render/haze_pass.h"
 #include "render/light_tree.h"
 #include "render/pass_images.h"
@@ -51,30 +53,42 @@ public:
     // draw.
     Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
               int light_count, const Settings& settings);
+    // A free camera: materials from its G-buffer, shadows from distance maps (null: none). Both must outlive
+    // this.
+    Relighter(const gpu::Device& device, const GBuffer& g_buffer, const DistanceImages* distances,
+              const shared::Gobos& gobos, int light_count, const Settings& settings);
     ~Relighter();
 
     FrameStatistics draw(const std::vector<shared::Light>& lights);
+    // The camera or the stage moved, or shadows changed: the G-buffer was drawn again.
+    void forget();
 
-    int width() const { return static_cast<int>(passes_.fragments.width); }
-    int height() const { return static_cast<int>(passes_.fragments.height); }
+    int width() const { return static_cast<int>(fragments().width); }
+    int height() const { return static_cast<int>(fragments().height); }
     image::Image8 picture() const; // RGBA, sRGB: the developed frame
     image::ImageF frame() const;   // RGB, linear Rec.2020, cd/m^2
     float ev100_used() const;
     std::uint64_t memory_bytes() const; // on the device
 
 private:
+    Relighter(const gpu::Device& device, PassImages passes, const GBuffer* g_buffer,
+              const DistanceImages* distances, const shared::Gobos& gobos, int light_count,
+              const Settings& settings);
+    void make_surface_programs();
     void upload(const shared::Gobos& gobos, std::uint64_t batches);
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels);
     void record_surfaces(const LightChunk& chunk);
     void develop();
-    const Fragments& fragments() const { return passes_.fragments; }
+    const Fragments& fragments() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
 
     const gpu::Device& device_;
     Settings settings_;
     std::uint32_t batch_size_; // lights of one dispatch, see shared/push.h
     int light_count_;
-    PassImages passes_;
+    PassImages passes_; // one of these two
+    const GBuffer* g_buffer_;
+    const DistanceImages* distances_;
     int slot_count_;
     LightTree tree_;
     std::vector<shared::Light> last_lights_;

@@ -109,6 +109,7 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     light.edge = profile.edge;
     light.iris_radius = profile.aperture * (hard_edge ? std::clamp(optics.iris, 0.02f, 1.0f) : 1.0f);
     light.lens_radius_m = hard_edge ? source.beam_radius_m : 0.0f;
+    light.disc_radius_m = source.beam_radius_m;
     light.focus_per_m = 1.0f / std::max(optics.focus_m + light.lens_m, 0.1f);
 
     vec3 colour = lamp_colour(source, optics);

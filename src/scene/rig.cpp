@@ -40,6 +40,27 @@ void Rig::step(const dmx::Universes& universes, double dt_s) {
     }
 }
 
+std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const DistanceMaps& maps) const {
+    std::vector<shared::Light> lights;
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+        const PatchedFixture& fixture = show_.fixtures[i];
+        if (!fixture.type) continue;
+        const std::size_t last = fixture.track ? fixture.track->stops_m.size() - 1 : 0;
+        const std::size_t stop = std::min(static_cast<std::size_t>(track_[i]), last);
+        const std::size_t next = std::min(stop + 1, last);
+        const float between = track_[i] - static_cast<float>(stop);
+        const glm::vec3 position_m =
+            glm::mix(light_position_m(fixture, stop), light_position_m(fixture, next), between);
+        const int map = maps.find(fixture.name, static_cast<int>(between < 0.5f ? stop : next));
+        for (const fixture::BeamState& beam : states_[i].beams) {
+            lights.push_back(
+                light_from(*fixture.type, beam, fixture_to_world(fixture, stop), position_m, gobos));
+            lights.back().map = static_cast<std::uint32_t>(map + 1);
+        }
+    }
+    return lights;
+}
+
 std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const Passes& passes) const {
     std::vector<shared::Light> lights;
     const auto dark_pass = static_cast<std::uint32_t>(passes.lights.size());

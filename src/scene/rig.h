@@ -5,6 +5,7 @@
 
 #include "dmx/universes.h"
 #include "fixture/decode.h"
+#include "scene/distance_maps.h"
 #include "scene/gobos.h"
 #include "scene/passes.h"
 #include "scene/show.h"
@@ -24,6 +25,10 @@ public:
     // One light per beam of each fixture, in the order of the show; fixtures without a readable type have
     // none. A light whose pass is missing points at pass number passes.lights.size(), the dark one.
     std::vector<shared::Light> lights(const GoboStack& gobos, const Passes& passes) const;
+
+    // The same for a free camera: the shadows of a light are in its distance map (between two stops: the
+    // nearer one's), if there is one.
+    std::vector<shared::Light> lights(const GoboStack& gobos, const DistanceMaps& maps) const;
 
     const std::vector<fixture::State>& states() const { return states_; }
     // Place along the track in stops, 0 where there is none.

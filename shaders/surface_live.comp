@@ -1,0 +1,131 @@
+#version 460
+// SPDX-License-Identifier: Apache-2.0
+// Surfaces of a free camera: every fragment of the G-buffer shows its material under the beam, behind the shadow of the light's
+// distance map. Laid out as surface.comp.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "shared/push.h"
+#define DISTANCE_MAPS 8
+#include "gobo_texture.glsl"
+#include "octahedral_map.glsl"
+#include "shared/beam.h"
+#include "shared/brdf.h"
+#include "shared/g_buffer.h"
+#include "shared/haze.h"
+
+layout(local_size_x = 16, local_size_y = 8) in;
+layout(binding = 1, scalar) uniform ViewBlock { View view; };
+layout(binding = 2, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
+layout(binding = 3, scalar) readonly buffer Masks { uint mask_of[]; };
+layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
+layout(binding = 5, rgba32f) readonly uniform image2DArray places;
+layout(binding = 6, rgba16f) uniform image2DArray drawn;
+layout(binding = 7, rgba16f) readonly uniform image2DArray diffuse; // Brdf::diffuse, alpha
+layout(binding = 9, rgba16f) readonly uniform image2DArray specular; // Brdf::f0, f90
+layout(binding = 10, rgba16f) readonly uniform image2DArray normals; // and the facet's, packed
+layout(push_constant, scalar) uniform Push { RelightPush p; };
+layout(constant_id = 1) const bool kSingle = false; // a batch is one light
+layout(constant_id = 2) const bool kShadows = true;
+
+struct Fragment {
+    vec3 position_m;
+    vec3 normal;
+    vec3 facet;
+    vec3 to_eye;
+    Brdf brdf;
+};
+
+// Share of the light that reaches a place: a box of 1 to 3 texels over the map, as wide as the penumbra that a lens of this
+// size throws from what is in the way (Fernando 2005). Each texel is compared with the plane of the facet, so that a slanted
+// surface does not shadow itself; what is nearer than kBias in front of that plane does not count.
+const float kBias_m = 0.02;
+const float kBias = 0.004; // of the distance, more
+
+float lit_share(Light light, Fragment f, vec3 from_light, float distance_m) {
+    int size = textureSize(distance_maps, 0).x;
+    vec2 place = octahedral_from(from_light) * float(size);
+    ivec2 corner = ivec2(floor(place - 1.5));
+    float bias = kBias_m + kBias * distance_m;
+    float plane = dot(f.facet, from_light);
+    float facing = abs(plane) > 0.02 * distance_m ? 1.0 / plane : 0.0;
+    float nearer[16];
+    float blockers = 0.0, blocker_m = 0.0;
+    for (int k = 0; k < 16; ++k) {
+        ivec2 at = corner + ivec2(k & 3, k >> 2);
+        float map_m = map_texel(light.map, at, size);
+        // Where this texel's ray meets the plane of the facet.
+        vec3 ray = direction_from_octahedral((vec2(at) + 0.5) / float(size));
+        float inverse = dot(f.facet, ray) * facing;
+        float plane_m = inverse > 0.5 / distance_m ? 1.0 / inverse : distance_m;
+        nearer[k] = map_m < plane_m - bias ? 1.0 : 0.0;
+        blockers += nearer[k];
+        blocker_m += nearer[k] * map_m;
+    }
+    blocker_m = blocker_m / max(blockers, 1.0);
+    // Full width of the penumbra as an angle from the light, in texels; a texel is about 2.3 / size wide.
+    float angle = 2.0 * light.disc_radius_m * (distance_m - blocker_m) / max(blocker_m * distance_m, 1e-4);
+    float half_width = 0.5 * clamp(angle * float(size) / 2.3, 1.0, 3.0);
+    vec2 inside = place - vec2(corner);
+    float weights = 0.0, dark = 0.0;
+    for (int k = 0; k < 16; ++k) {
+        vec2 cell = vec2(k & 3, k >> 2);
+        vec2 overlap = max(min(cell + 1.0, inside + half_width) - max(cell, inside - half_width), 0.0);
+        weights += overlap.x * overlap.y;
+        dark += overlap.x * overlap.y * nearer[k];
+    }
+    return light.map == 0u ? 1.0 : 1.0 - dark / max(weights, 1e-6);
+}
+
+vec3 shown(Light light, Fragment f, Haze haze) {
+    vec3 from_light = f.position_m - light.position_m;
+    float distance2 = max(dot(from_light, from_light), 1e-4);
+    float distance_m = sqrt(distance2);
+    vec3 q = to_gate(light, from_light);
+    vec3 light_cd = beam_candela(light, q) * haze_transmittance(haze, distance_m) / distance2;
+    vec3 to_light = -from_light / distance_m;
+    vec3 value = light_cd * brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light);
+    value = dot(f.facet, to_light) > 0.0 ? value : vec3(0.0);
+    if (kShadows) value *= lit_share(light, f, from_light, distance_m);
+    return value;
+}
+
+void main() {
+    uvec2 size = uvec2(view.width, view.height);
+    uint tile = list[p.batch * (2u * p.tiles + p.blocks) + p.tiles + gl_WorkGroupID.x];
+    uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
+    uint extra = (tile - p.tiles) * kTilePixels + gl_LocalInvocationIndex;
+    bool is_extra = tile >= p.tiles;
+    bool inside = is_extra || (pixel.x < size.x && pixel.y < size.y);
+    pixel = is_extra ? uvec2(extra % size.x, size.y + extra / size.x) : min(pixel, size - 1u);
+    ivec3 at = ivec3(pixel, 0);
+    Haze haze = view.haze;
+    vec4 place = imageLoad(places, at);
+    vec4 normal = imageLoad(normals, at);
+    vec4 layer = imageLoad(diffuse, at);
+    vec4 mirror = imageLoad(specular, at);
+    Fragment f;
+    f.position_m = place.xyz;
+    f.normal = normal.xyz;
+    f.facet = unpack_facet(normal.w);
+    float eye_m = max(length(view.eye_m - place.xyz), 1e-4);
+    f.to_eye = (view.eye_m - place.xyz) / eye_m;
+    f.brdf = Brdf(layer.rgb, layer.a, mirror.rgb, mirror.a);
+
+    vec3 sum = vec3(0.0);
+    if (kSingle) {
+        sum = shown(lights[p.batch], f, haze);
+    } else {
+        uint words = (p.light_count + 31u) / 32u;
+        for (uint word = 0u; word < words; ++word) {
+            uint mask = mask_of[tile * kMaskWords + word];
+            while (mask != 0u) {
+                sum += shown(lights[word * 32u + uint(findLSB(mask))], f, haze);
+                mask &= mask - 1u;
+            }
+        }
+    }
+    // What no fragment fills may hold anything.
+    sum = place.w > 0.0 ? sum * (place.w * haze_transmittance(haze, eye_m)) : vec3(0.0);
+    if (inside)
+        imageStore(drawn, at, light_to_store(imageLoad(drawn, at) + vec4(sum, 0.0)));
+}

@@ -1,0 +1,24 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// The distance maps of a show on the device: one layer of half floats each, in the order of DistanceMaps;
+// layer + 1 is shared::Light::map. A map that comes later (it was being made) can be set at any time. Main
+// thread; the device must outlive it.
+
+#include "gpu/device.h"
+#include "gpu/texture.h"
+#include "scene/distance_maps.h"
+
+namespace ghost::render {
+
+class DistanceImages {
+public:
+    DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps);
+
+    void set(std::size_t index, const scene::DistanceMap& map);
+    const gpu::Texture& texture() const { return texture_; }
+
+private:
+    gpu::Texture texture_;
+};
+
+} // namespace ghost::render
