@@ -171,8 +171,11 @@ fixture::State home_state(const PatchedFixture& fixture) {
 
 } // namespace
 
-Stage stage_with_bodies(const Show& show, Report& report) {
+Stage stage_with_bodies(const Show& show, Report& report, HiddenObjects hidden) {
     Stage stage = show.stage;
+    // Where the stage could not be read, that is said already, and every name would be unknown.
+    if (!stage.instances.empty()) apply_objects(stage, show.objects, report);
+    if (hidden == HiddenObjects::left_out) stage = visible(std::move(stage));
     BodyShop shop(stage, report);
     for (std::size_t k = 0; k < show.fixtures.size(); ++k) {
         const PatchedFixture& fixture = show.fixtures[k];

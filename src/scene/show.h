@@ -6,6 +6,7 @@
 
 #include "base/result.h"
 #include "fixture/type.h"
+#include "scene/overrides.h"
 #include "scene/report.h"
 #include "scene/stage.h"
 
@@ -38,6 +39,25 @@ struct HazeSettings {
     float forward_g = 0.77f;
     float back_g = -0.6f;
     float back_weight = 0.035f;
+    float unevenness = 0;  // 0: the same everywhere; 1: from nothing to twice as thick
+    float patch_m = 2.5f;  // size of a cloud
+    glm::vec3 wind_m_s{0}; // the clouds drift with it
+};
+
+// A machine that makes haze: a plume on top of what fills the room.
+struct Hazer {
+    glm::vec3 position_m{0};
+    glm::vec3 direction{0, 0, 1}; // unit
+    float rate = 3;               // density 1 m before the nozzle, as a multiple of the room's
+    float spread_deg = 30;        // full angle of the plume
+    float reach_m = 6;            // from here on it is as thin as the room
+};
+
+// The thesis's factors: light falls with 1 / (constant + linear d + quadratic d^2); (0, 0, 1) is physics.
+struct Attenuation {
+    float constant = 0;
+    float linear = 0;
+    float quadratic = 1;
 };
 
 // A fixture that travels: the bake has one pass per stop, and a DMX value moves it from the first to the last
@@ -75,10 +95,16 @@ struct Show {
     std::filesystem::path stage_file;
     std::filesystem::path recording; // the show's own DMX recording, or empty
     float ambient_lux = 0.0f;        // even light from everywhere, so that the house is not pitch black
+    glm::vec3 ambient_colour{1.0f};  // of it: linear Rec.2020, luminance 1
     HazeSettings haze;
+    std::vector<Hazer> hazers;
+    Attenuation attenuation;
+    bool shadows = true;
+    int distance_map_size = 512;         // kDistanceMapSize
+    std::vector<ObjectSettings> objects; // applied by stage_with_bodies
     std::vector<Camera> cameras;
     std::vector<PatchedFixture> fixtures;
-    Stage stage; // the model, without fixture bodies
+    Stage stage; // the model as its file has it, without fixture bodies
 
     // Index of the camera of this name (the first one where name is empty); the error suggests a near name.
     Result<std::size_t> find_camera(const std::string& camera_name) const;
@@ -94,8 +120,12 @@ Result<Show> load_show(const std::filesystem::path& path, bool load_stage, Repor
 // the limits.
 Result<Stage> load_stage_file(const std::filesystem::path& path, Report& report);
 
-// The stage with all fixture bodies hung at their home pose (first stop), marked with their fixture's index.
-Stage stage_with_bodies(const Show& show, Report& report);
+enum class HiddenObjects { left_out, kept };
+
+// The stage as the show wants it: its [[object]] entries applied, all fixture bodies hung at their home pose
+// (first stop) and marked with their fixture's index. Hidden objects are left out, or kept with shown = false
+// for a view that can show them again.
+Stage stage_with_bodies(const Show& show, Report& report, HiddenObjects hidden = HiddenObjects::left_out);
 
 // Camera space to world (columns: right, up, backward, eye); the camera looks down its -Z.
 glm::mat4 camera_to_world(const Camera& camera);

@@ -2,6 +2,7 @@
 #include "scene/show_toml.h"
 
 #include "dmx/universes.h"
+#include "scene/scene_toml.h"
 #include "scene/toml_reader.h"
 
 #include <algorithm>
@@ -11,15 +12,11 @@
 namespace ghost::scene {
 namespace {
 
-constexpr double kMaxCoordinate_m = 10'000;
 constexpr std::size_t kMaxCameras = 256;
 constexpr std::size_t kMaxFixtures = 10'000;
 constexpr std::size_t kMaxStops = 64;
 constexpr int kMaxPictureSide = 16384;
 constexpr std::size_t kMaxNameBytes = 100;
-
-// 3 to 6 m2 per gram for the droplets of a haze machine (Mie, 0.5 to 2 um); the middle.
-constexpr double kExtinctionPerConcentration = 0.0045; // 1/m per mg/m3
 
 template <class Target, class Value>
 void put(Target& target, const std::optional<Value>& value) {
@@ -56,22 +53,6 @@ std::string name_of(TableReader& reader, const std::string& kind, std::size_t nu
                            ", expected a name of its own; it is called '" + name + "'");
     line_of_name[name] = reader.line_of("name");
     return name;
-}
-
-void read_haze(const toml::table& table, const std::string& file, HazeSettings& haze, Report& report) {
-    TableReader reader(table, "[haze]", file, report);
-    const auto concentration = reader.number("concentration_mg_per_m3", 0, 1000);
-    if (concentration)
-        haze.extinction_per_m = static_cast<float>(*concentration * kExtinctionPerConcentration);
-    if (concentration && reader.has("extinction_per_m"))
-        reader.problem(Severity::warning, "concentration_mg_per_m3",
-                       "is not used: extinction_per_m is there, too");
-    put(haze.extinction_per_m, reader.number("extinction_per_m", 0, 10));
-    put(haze.albedo, reader.number("albedo", 0, 1));
-    put(haze.forward_g, reader.number("forward_g", -0.99, 0.99));
-    put(haze.back_g, reader.number("back_g", -0.99, 0.99));
-    put(haze.back_weight, reader.number("back_weight", 0, 1));
-    reader.finish();
 }
 
 Camera read_camera(TableReader& reader, const std::filesystem::path& folder) {
@@ -166,6 +147,7 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
 void read_sections(const toml::table& root, const std::string& file, ParsedShow& parsed, Report& report) {
     Show& show = parsed.show;
     TableReader top(root, "show file:", file, report);
+    std::string ambient_where; // file:line, where it is given
     if (const toml::table* table = top.table("show")) {
         TableReader reader(*table, "[show]", file, report);
         put(show.name, reader.text("name"));
@@ -174,12 +156,14 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
         parsed.stage_line = reader.line_of("stage");
         if (const auto recording = reader.text("recording")) show.recording = show.folder / *recording;
         parsed.recording_line = reader.line_of("recording");
-        put(show.ambient_lux, reader.number("ambient_lux", 0, 200'000));
+        const auto ambient = reader.number("ambient_lux", 0, kMaxAmbient_lux);
+        put(show.ambient_lux, ambient);
+        if (ambient) ambient_where = reader.where("ambient_lux");
         reader.finish();
     } else if (!top.has("show")) {
         top.missing("show", "a section [show] with name and stage");
     }
-    if (const toml::table* table = top.table("haze")) read_haze(*table, file, show.haze, report);
+    read_scene_sections(top, file, ambient_where, show, report);
 
     std::map<std::string, int> cameras;
     for (const toml::table* table : top.tables("camera", kMaxCameras)) {

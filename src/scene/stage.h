@@ -57,6 +57,7 @@ struct Instance {
     glm::mat4 world{1.0f};
     int fixture = kNone; // index into Show::fixtures when it is part of a fixture's body: that fixture's own
                          // light passes
+    bool shown = true;   // hidden ones are kept so that they can be shown again; scene::visible drops them
 };
 
 struct Stage {

@@ -2,6 +2,7 @@
 #include "scene/toml_reader.h"
 
 #include "base/suggest.h"
+#include "image/colour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,20 @@ std::optional<glm::vec3> vec3_from(const toml::node& node, double limit) {
     return glm::vec3((*values)[0], (*values)[1], (*values)[2]);
 }
 
+// "#rrggbb" -> linear Rec.709
+std::optional<glm::vec3> screen_colour(const toml::node& node) {
+    const std::string text = node.value<std::string>().value_or("");
+    if (text.size() != 7 || text[0] != '#' ||
+        text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos)
+        return std::nullopt;
+    glm::vec3 colour;
+    for (int k = 0; k < 3; ++k) {
+        const std::string digits = text.substr(1 + 2 * static_cast<std::size_t>(k), 2);
+        colour[k] = image::srgb_to_linear(static_cast<float>(std::stoi(digits, nullptr, 16)) / 255.0f);
+    }
+    return colour;
+}
+
 } // namespace
 
 std::string file_line(const std::string& file, int line) {
@@ -91,6 +106,11 @@ bool TableReader::has(const std::string& key) {
     return find(key) != nullptr;
 }
 
+bool TableReader::is_number(const std::string& key) {
+    const toml::node* node = find(key);
+    return node && node->is_number();
+}
+
 void TableReader::problem(Severity severity, const std::string& key, const std::string& what) {
     report_.add(severity, where(key), section_ + " " + key + " " + what);
 }
@@ -117,6 +137,24 @@ std::optional<int> TableReader::integer(const std::string& key, int low, int hig
     const auto value = node->is_integer() ? node->value<std::int64_t>() : std::nullopt;
     if (value && *value >= low && *value <= high) return static_cast<int>(*value);
     wrong(key, "a whole number from " + range_text(low, high));
+    return std::nullopt;
+}
+
+std::optional<bool> TableReader::boolean(const std::string& key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    if (!node->is_boolean()) wrong(key, "true or false");
+    return node->is_boolean() ? node->value<bool>() : std::nullopt;
+}
+
+std::optional<glm::vec3> TableReader::colour(const std::string& key) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    std::optional<glm::vec3> rec709 = screen_colour(*node);
+    if (const auto values = number_list(*node, 3, 0, 1))
+        rec709 = glm::vec3((*values)[0], (*values)[1], (*values)[2]);
+    if (rec709) return image::rec709_to_rec2020(*rec709);
+    wrong(key, "a colour: [red, green, blue], each from 0 to 1, or \"#rrggbb\"");
     return std::nullopt;
 }
 

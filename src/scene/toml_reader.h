@@ -22,11 +22,16 @@ public:
         : table_(table), section_(std::move(section)), file_(std::move(file)), report_(report) {}
 
     bool has(const std::string& key);
+    bool is_number(const std::string& key); // there, and one number
 
     // Nothing where the key is absent or its value is no use. Limits are inclusive; NaN and infinity are
     // refused.
     std::optional<double> number(const std::string& key, double low, double high);
     std::optional<int> integer(const std::string& key, int low, int high);
+    std::optional<bool> boolean(const std::string& key);
+    // [red, green, blue], each 0 to 1, linear in Rec.709 primaries (as glTF has it), or "#rrggbb", sRGB as on
+    // a screen. Comes back as linear Rec.2020.
+    std::optional<glm::vec3> colour(const std::string& key);
     std::optional<std::string> text(const std::string& key); // at most 1000 bytes, no control characters
     std::optional<glm::vec3> vec3(const std::string& key, double limit); // components in -limit .. limit
     std::optional<std::vector<double>> numbers(const std::string& key, std::size_t count, double low,
