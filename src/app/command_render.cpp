@@ -3,6 +3,7 @@
 #include "app/input_options.h"
 #include "app/interrupt.h"
 #include "app/picture_writer.h"
+#include "app/reference_render.h"
 #include "app/session.h"
 #include "dmx/recording.h"
 
@@ -43,6 +44,7 @@ struct RenderArguments {
     float fov_y_deg = 40;
     std::string travel;
     bool no_shadows = false;
+    ReferenceArguments reference;
     bool json = false;
 };
 
@@ -231,6 +233,8 @@ Result<bool> check_usage(RenderArguments& arguments) {
     }
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
     TRY(const OutputKind kind, output_kind(arguments.out));
+    if (arguments.reference.wanted && (film || kind == OutputKind::film || !arguments.travel.empty()))
+        return Error{"a reference is one picture: .png or .exr, with --at", "--reference"};
     if (kind == OutputKind::film && !film)
         return Error{"a film needs a range: --from and --to in seconds, or --live-input", arguments.out};
     if (!std::isfinite(arguments.at_s) || !std::isfinite(arguments.from_s) || !std::isfinite(arguments.to_s))
@@ -241,6 +245,9 @@ Result<bool> check_usage(RenderArguments& arguments) {
 }
 
 Result<void> run(RenderArguments& arguments, bool film) {
+    if (arguments.reference.wanted)
+        return render_reference(arguments.session, arguments.reference, arguments.replay, arguments.at_s,
+                                arguments.fps, arguments.out);
     TRY(const std::unique_ptr<Session> session, open_session(arguments.session));
     TRY(const std::unique_ptr<PictureWriter> writer,
         PictureWriter::create(arguments.out, session->relighter->width(), session->relighter->height(),
@@ -281,6 +288,18 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_option("--travel", a->travel, "fly to this camera in the course of a film; implies --live")
         ->type_name("NAME");
     command->add_flag("--no-shadows", a->no_shadows, "light passes through everything; with --live");
+    CLI::Option* reference =
+        command->add_flag("--reference", a->reference.wanted,
+                          "draw by brute force on the processor, in minutes, to compare with");
+    command->add_option("--samples", a->reference.samples, "of --reference: along each ray and light")
+        ->check(CLI::Range(1, 1048576))
+        ->needs(reference)
+        ->capture_default_str();
+    command
+        ->add_option("--pixel-samples", a->reference.pixel_samples, "of --reference: across and down a pixel")
+        ->check(CLI::Range(1, 64))
+        ->needs(reference)
+        ->capture_default_str();
     command->add_option("--replay", a->replay, "DMX recording (default: the show's own)")->type_name("FILE");
     command->add_option("--at", a->at_s, "second of the recording")->check(CLI::Range(0.0, 86400.0));
     command->add_option("--from", a->from_s, "first second of a film")

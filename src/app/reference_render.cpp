@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/reference_render.h"
+
+#include "app/interrupt.h"
+#include "app/picture_writer.h"
+#include "bake/reference.h"
+#include "dmx/recording.h"
+
+#include "base/log.h"
+#include "base/progress.h"
+#include "image/exr.h"
+#include "image/ldr.h"
+#include "shared/develop.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace ghost::app {
+namespace {
+
+double steady_now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+image::Image8 developed(const image::ImageF& picture, float ev100) {
+    image::Image8 shown(picture.width, picture.height, 4);
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const float* linear = picture.at(x, y);
+            const glm::vec3 value =
+                shared::develop({linear[0], linear[1], linear[2]}, shared::exposure_of(ev100));
+            std::uint8_t* texel = shown.at(x, y);
+            for (int c = 0; c < 3; ++c)
+                texel[c] = static_cast<std::uint8_t>(std::lround(std::clamp(value[c], 0.0f, 1.0f) * 255.0f));
+            texel[3] = 255;
+        }
+    return shown;
+}
+
+Result<void> write(const image::ImageF& picture, float ev100, OutputKind kind, const std::string& out) {
+    if (kind == OutputKind::png) return image::write_png(out, developed(picture, ev100));
+    image::ExrFile file;
+    file.pixels = picture;
+    file.channels = {"R", "G", "B"};
+    file.chromaticities = image::kRec2020;
+    file.text["unit"] = "cd/m^2";
+    return image::write_exr(out, file, image::ExrSample::full);
+}
+
+// What the rig does at a moment of a recording, stepped as a film is, because wheels and gobos turn.
+Result<void> step_to(scene::Rig& rig, const scene::Show& show, const std::string& replay, double at_s,
+                     int fps) {
+    const std::filesystem::path file = replay.empty() ? show.recording : std::filesystem::path(replay);
+    if (file.empty()) return Error{"has no recording; name one with --replay FILE", show.file.string()};
+    TRY(dmx::Recording recording, dmx::read_recording(file));
+    for (const Error& problem : recording.problems) log_warning(problem.text());
+    const dmx::Player player(std::move(recording));
+    if (at_s > player.duration_s())
+        log_warning("the recording ends at " + std::to_string(player.duration_s()) +
+                    " s; what is drawn is its last look");
+    const double rate = fps;
+    const long last = std::lround(std::max(at_s, 0.0) * rate);
+    for (long frame = 0; frame <= last; ++frame)
+        rig.step(player.at(static_cast<double>(frame) / rate), 1.0 / rate);
+    return {};
+}
+
+} // namespace
+
+Result<void> render_reference(const SessionOptions& options, const ReferenceArguments& arguments,
+                              const std::string& replay, double at_s, int fps, const std::string& out) {
+    TRY(const OutputKind kind, output_kind(out));
+    if (kind == OutputKind::film) return Error{"a reference is one picture: .png or .exr", out};
+    scene::Report report;
+    TRY(scene::Show show, scene::load_show(options.show, false, report));
+    load_stage(show, report);
+    TRY(const std::size_t view, show.find_camera(options.view));
+    scene::Camera camera = options.eye.value_or(show.cameras[view]);
+    if (options.width > 0) {
+        camera.width = options.width;
+        camera.height = options.height;
+    }
+    if (kind == OutputKind::png && camera.auto_exposure && !options.ev100)
+        report.add(
+            scene::Severity::warning, show.file.string(),
+            "camera '" + camera.name +
+                "' measures its exposure; the reference is developed at its ev100, or name one with --ev");
+    const scene::GoboStack gobos = scene::build_gobos(show, report);
+    const scene::Stage stage = scene::stage_with_bodies(show, report);
+    print_report(report);
+    scene::Rig rig(show);
+    TRY_VOID(step_to(rig, show, replay, at_s, fps));
+
+    catch_interrupts();
+    Progress progress("reference", options.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
+                      steady_now_s());
+    bake::ReferenceOptions reference;
+    reference.air_samples = arguments.samples;
+    reference.pixel_samples = arguments.pixel_samples;
+    reference.shadows = options.shadows && show.shadows;
+    reference.stop = interrupted;
+    reference.progress = [&](double share) { progress.update(share, steady_now_s(), out); };
+    const bake::Tracer tracer(stage);
+    const double start_s = steady_now_s();
+    const Result<image::ImageF> picture =
+        bake::reference_picture(&tracer, camera, rig.lights(gobos, scene::DistanceMaps{}), gobos.images,
+                                haze_of(show), show.ambient_lux, reference);
+    progress.finish();
+    if (interrupted()) return Error{"interrupted: nothing was written", out};
+    if (!picture.ok()) return picture.error();
+    TRY_VOID(write(*picture, options.ev100.value_or(camera.ev100), kind, out));
+    log_info(out + ": reference in " + clock_text(steady_now_s() - start_s));
+    if (report.lost_anything())
+        return Error{"drawn, but something that the show asks for is missing (see above)",
+                     show.file.string()};
+    return {};
+}
+
+} // namespace ghost::app

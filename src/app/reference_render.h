@@ -1,0 +1,25 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// render --reference: one moment of a show by brute force on the CPU (bake/reference.h), for any camera. What
+// the fast renderers are judged by; takes minutes. No Vulkan device, no passes, no distance maps. PNG (at the
+// camera's EV100, as every picture is developed) or EXR (linear Rec.2020, cd/m^2). Main thread; errors:
+// unreadable show or recording, interrupted (then no file is written).
+
+#include "app/session.h"
+#include "base/result.h"
+
+#include <string>
+
+namespace ghost::app {
+
+struct ReferenceArguments {
+    bool wanted = false;
+    int samples = 4096;    // along each camera ray, per light
+    int pixel_samples = 4; // per axis of a pixel
+};
+
+// replay: recording, empty: the show's own. at_s: second of it, stepped through from its start at fps.
+Result<void> render_reference(const SessionOptions& options, const ReferenceArguments& arguments,
+                              const std::string& replay, double at_s, int fps, const std::string& out);
+
+} // namespace ghost::app
