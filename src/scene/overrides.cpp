@@ -46,7 +46,11 @@ std::string near_name(const Stage& stage, const std::string& pattern) {
     std::string letters;
     for (const char c : pattern)
         if (c != '*' && c != '?') letters += c;
-    return did_you_mean(letters, std::vector<std::string>(unique.begin(), unique.end()));
+    const std::string near = did_you_mean(letters, std::vector<std::string>(unique.begin(), unique.end()));
+    if (!near.empty() || letters.empty()) return near;
+    for (const std::string& name : unique)
+        if (matches("*" + small + "*", lower(name))) return ", did you mean '" + name + "'?";
+    return "";
 }
 
 bool changes_surface(const ObjectSettings& settings) {

@@ -216,6 +216,7 @@ TEST(Overrides, NamesOfNothing) {
         << message("Stol");
     EXPECT_NE(message("drum*").find("did you mean 'Drum 1'? (capitals count)"), std::string::npos);
     EXPECT_NE(message("Flor*").find("did you mean 'Floor'?"), std::string::npos);
+    EXPECT_NE(message("dru").find("did you mean 'Drum 1'?"), std::string::npos) << "a part of the name";
     EXPECT_EQ(message("qqqqqqqqq").find("did you mean"), std::string::npos);
 }
 
