@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/glare_pass.h"
+
+#include "shaders/glare_down.h"
+#include "shaders/glare_up.h"
+#include "shared/glare.h"
+#include "shared/push.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ghost::render {
+namespace {
+
+constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+constexpr std::uint32_t kMostLevels = 8;
+constexpr std::uint32_t kCoarsest = 4; // texels of the coarsest level's shorter side, at least
+
+std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
+    return (items + size - 1) / size;
+}
+
+std::uint32_t level_count(std::uint32_t width, std::uint32_t height) {
+    std::uint32_t count = 1;
+    for (std::uint32_t side = std::min(width, height) / 4; side >= kCoarsest && count < kMostLevels;
+         side /= 2)
+        ++count;
+    return count;
+}
+
+} // namespace
+
+std::vector<float> glare_weights(std::size_t levels, float pixels_per_rad) {
+    // Light per octave of angle: the integral from a to 2 a of (10 / a^3 + 5 / a^2) 2 pi a da, a in degrees.
+    std::vector<float> weights(levels);
+    for (std::size_t k = 0; k < levels; ++k) {
+        const float texel_deg =
+            std::exp2(static_cast<float>(k + 1)) / pixels_per_rad * (180.0f / shared::kPi);
+        weights[k] = 5.0f / texel_deg + 5.0f * std::log(2.0f);
+    }
+    const float sum = std::accumulate(weights.begin(), weights.end(), 0.0f);
+    for (float& weight : weights) weight /= sum;
+    return weights;
+}
+
+GlarePass::GlarePass(const gpu::Device& device, std::uint32_t width, std::uint32_t height,
+                     const GlareSettings& settings)
+    : settings_(settings) {
+    settings_.strength = std::clamp(settings.strength, 0.0f, 1.0f);
+    if (!on()) return;
+    for (std::uint32_t frame = 0; frame < down_.size(); ++frame)
+        down_[frame] = std::make_unique<gpu::Program>(device, shaders::kShader_glare_down,
+                                                      std::vector{kStored, kStored}, std::vector{frame});
+    up_ = std::make_unique<gpu::Program>(device, shaders::kShader_glare_up,
+                                         std::vector{kStored, kStored, kStored});
+    // Every level is exactly half the one before: no light is counted twice at the far border.
+    const std::uint32_t count = level_count(width, height);
+    const std::uint32_t unit = 1u << (count - 1);
+    std::uint32_t level_width = groups(groups(width, 2), unit) * unit;
+    std::uint32_t level_height = groups(groups(height, 2), unit) * unit;
+    for (std::uint32_t k = 0; k < count; ++k, level_width /= 2, level_height /= 2)
+        levels_.emplace_back(device, gpu::TextureShape{level_width, level_height, 1, 1,
+                                                       VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    seen_ = gpu::Texture(device, {width, height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+}
+
+void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float brightest,
+                       float pixels_per_rad) {
+    if (!on()) return;
+    // A power of two that brings the brightest light, twice, below the limit: exact, so it changes nothing
+    // else.
+    const float scale =
+        std::exp2(-std::ceil(std::log2(std::max(2.0f * brightest / shared::kMostLight, 1.0f))));
+    const std::vector<float> weights = glare_weights(levels_.size(), pixels_per_rad);
+    // A program's invocation makes 2x2 texels.
+    const auto over = [&](const gpu::Program& program, const auto& push,
+                          const std::vector<gpu::Binding>& bindings, std::uint32_t width,
+                          std::uint32_t height) {
+        commands.dispatch(program, push, bindings, groups(width, 2 * shared::kTileWidth),
+                          groups(height, 2 * shared::kTileHeight));
+        commands.barrier();
+    };
+    const auto down = [&](const gpu::Program& program, const gpu::Texture& fine, const gpu::Texture& coarse,
+                          float by) {
+        over(program, shared::GlareDownPush{fine.shape().width, fine.shape().height, by},
+             {gpu::stored(fine), gpu::stored(coarse)}, coarse.shape().width, coarse.shape().height);
+    };
+    const auto up = [&](const gpu::Texture& coarse, const gpu::Texture& fine, const gpu::Texture& sum,
+                        float fine_weight, float coarse_weight) {
+        const gpu::TextureShape& shape = sum.shape();
+        over(*up_, shared::GlareUpPush{shape.width, shape.height, fine_weight, coarse_weight},
+             {gpu::stored(coarse), gpu::stored(fine), gpu::stored(sum)}, shape.width, shape.height);
+    };
+    commands.begin_span("glare");
+    down(*down_[1], frame, levels_[0], scale);
+    for (std::size_t k = 1; k < levels_.size(); ++k) down(*down_[0], levels_[k - 1], levels_[k], 1.0f);
+    float coarse_weight = weights.back();
+    for (std::size_t k = levels_.size() - 1; k > 0; --k) {
+        up(levels_[k], levels_[k - 1], levels_[k - 1], weights[k - 1], coarse_weight);
+        coarse_weight = 1.0f;
+    }
+    up(levels_[0], frame, seen_, 1.0f - settings_.strength, coarse_weight * settings_.strength / scale);
+}
+
+std::uint64_t GlarePass::memory_bytes() const {
+    std::uint64_t sum = seen_.bytes();
+    for (const gpu::Texture& level : levels_) sum += level.bytes();
+    return sum;
+}
+
+} // namespace ghost::render

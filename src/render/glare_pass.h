@@ -1,0 +1,46 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Glare: light that the camera's lens, or an eye, scatters around whatever is bright (docs/glare.md). An
+// energy-conserving sum of ever wider blurs with the weights of the CIE's general disability glare function
+// (CIE 146:2002; after Spencer et al. 1995). The result is a texture of its own: kept images never contain
+// glare. Main thread; the device must outlive it.
+
+#include "gpu/commands.h"
+#include "gpu/texture.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace ghost::render {
+
+struct GlareSettings {
+    float strength = 0.1f; // share of the light that is scattered, 0..1; 0: off. An eye: about 0.2
+};
+
+// Shares of the levels, finest first (a texel is 2 pixels, 4 pixels, ..); their sum is 1.
+std::vector<float> glare_weights(std::size_t levels, float pixels_per_rad);
+
+class GlarePass {
+public:
+    GlarePass(const gpu::Device& device, std::uint32_t width, std::uint32_t height,
+              const GlareSettings& settings);
+
+    bool on() const { return settings_.strength > 0; }
+    // frame: layer 0, rgba16f, is the picture (light_of_frame in shared/glare.h). brightest: what its pixels
+    // reach at most, cd/m^2.
+    void record(gpu::Commands& commands, const gpu::Texture& frame, float brightest, float pixels_per_rad);
+    // What is to be developed: the picture with glare, or frame itself where glare is off.
+    const gpu::Texture& seen(const gpu::Texture& frame) const { return on() ? seen_ : frame; }
+    std::uint64_t memory_bytes() const;
+
+private:
+    GlareSettings settings_;
+    std::array<std::unique_ptr<gpu::Program>, 2> down_; // from a level, from the frame
+    std::unique_ptr<gpu::Program> up_;
+    std::vector<gpu::Texture> levels_; // half the picture, a quarter, ..
+    gpu::Texture seen_;
+};
+
+} // namespace ghost::render
