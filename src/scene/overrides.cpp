@@ -46,7 +46,7 @@ std::string near_name(const Stage& stage, const std::string& pattern) {
     std::string letters;
     for (const char c : pattern)
         if (c != '*' && c != '?') letters += c;
-    const std::string near = did_you_mean(letters, std::vector<std::string>(unique.begin(), unique.end()));
+    std::string near = did_you_mean(letters, std::vector<std::string>(unique.begin(), unique.end()));
     if (!near.empty() || letters.empty()) return near;
     for (const std::string& name : unique)
         if (matches("*" + small + "*", lower(name))) return ", did you mean '" + name + "'?";
