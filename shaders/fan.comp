@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
+#define GOBO_LEVEL
 #include "gobo_texture.glsl"
 #include "shared/beam.h"
 #include "shared/develop.h"
@@ -22,37 +23,43 @@ void fill(Light light, Fan fan) {
     uint level = 0u;
     uint row = gl_GlobalInvocationID.x;
     for (uint before = 0u; before < kFanLevels; ++before) {
-        uint rows = fan_side(fan.size, before);
+        uint rows = fan_side(fan, before);
         bool beyond = level == before && row >= rows;
         row -= beyond ? rows : 0u;
         level += beyond ? 1u : 0u;
     }
     bool wanted = level < fan.levels;
     level = min(level, fan.levels - 1u);
-    uint side = fan_side(fan.size, level);
+    uint side = fan_side(fan, level);
     float blur = fan.levels > 1u ? fan.sharpest * exp2(float(level)) : max(light.edge, fan.sharpest);
     float most = fan_most(light.colour_b);
 
     vec2 meridian = fan_meridian(fan, 2.0 * float(row) / float(side - 1u) - 1.0);
-    vec2 chord = fan_chord(fan, meridian.x);
+    vec4 chord = fan_chord(fan, meridian.x);
     vec3 aside = fan.along * meridian.x + fan.across * meridian.y;
     vec3 pole = vec3(dot(fan.pole, light.axis_u), dot(fan.pole, light.axis_v), dot(fan.pole, light.axis_w));
     vec3 side_axis = vec3(dot(aside, light.axis_u), dot(aside, light.axis_v), dot(aside, light.axis_w));
-    float step_rad = max(chord.y - chord.x, 0.0) / float(side - 1u);
+    // The line in the gate, and how far a column goes along it.
+    vec3 centre = pole * chord.x + side_axis * chord.y;
+    vec3 turn = side_axis * chord.x - pole * chord.y;
     float share = 1.0 / float(side - 1u);
-    // The direction turns by one step per column.
-    vec2 turn = vec2(cos(step_rad), sin(step_rad));
-    vec2 now = vec2(cos(chord.x + 0.5 * step_rad), sin(chord.x + 0.5 * step_rad));
+    float u = chord.w * (share - 1.0);
+    float step_u = 2.0 * chord.w * share;
     vec4 sum = vec4(0.0);
+    float place = 0.5 * share;
     ivec3 at = ivec3(fan_left(fan, level), row, fan.layer);
+    // Levels of blur are whole levels of the gobos; a level between two costs twice as much.
+    float whole = gobo_level_of(blur);
+    gobo_level = fan.levels > 1u ? floor(whole + 0.5) : whole;
     uint columns = wanted ? side : 0u;
     for (uint column = 0u; column < columns; ++column) {
         imageStore(table, at, sum);
-        vec3 direction = pole * now.x + side_axis * now.y;
+        vec3 direction = centre + turn * u;
         vec2 gate = direction.xy / (max(direction.z, 1e-4) * light.tan_field);
-        vec3 value = beam_gate(light, gate, blur) * (share / most);
-        sum += vec4(value, luminance_of(value) * (float(column) + 0.5) * share);
-        now = vec2(now.x * turn.x - now.y * turn.y, now.y * turn.x + now.x * turn.y);
+        vec3 value = beam_gate(light, gate, blur) * (share / (most * (1.0 + u * u)));
+        sum += vec4(value, luminance_of(value) * place);
+        u += step_u;
+        place += share;
         at.x += 1;
     }
 }

@@ -20,17 +20,16 @@ void fill(uint map, Fan fan) {
     int size = textureSize(distance_maps, 0).x;
     uint row = gl_GlobalInvocationID.x;
     vec2 meridian = fan_meridian(fan, (2.0 * float(row) + 1.0) / float(kShadeRows) - 1.0);
-    vec2 chord = fan_chord(fan, meridian.x);
+    vec4 chord = fan_chord(fan, meridian.x);
     vec3 aside = fan.along * meridian.x + fan.across * meridian.y;
-    float step_rad = max(chord.y - chord.x, 0.0) / float(kShadeColumns);
-    vec2 turn = vec2(cos(step_rad), sin(step_rad));
-    vec2 now = vec2(cos(chord.x + 0.5 * step_rad), sin(chord.x + 0.5 * step_rad));
+    vec3 centre = fan.pole * chord.x + aside * chord.y;
+    vec3 turn = aside * chord.x - fan.pole * chord.y;
     for (uint column = 0u; column < kShadeColumns; ++column) {
-        vec2 place = octahedral_from(fan.pole * now.x + aside * now.y) * float(size);
+        float u = chord.w * ((2.0 * float(column) + 1.0) / float(kShadeColumns) - 1.0);
+        vec2 place = octahedral_from(centre + turn * u) * float(size);
         float reach_m = map_texel(map, ivec2(floor(place)), size);
         reach_m = map == 0u ? kNothing_m : reach_m;
         imageStore(shade, ivec3(column, row, fan.layer), vec4(reach_m, reach_m, 0.0, 0.0));
-        now = vec2(now.x * turn.x - now.y * turn.y, now.y * turn.x + now.x * turn.y);
     }
     uint left = 0u;
     for (uint columns = kShadeColumns / 2u; columns > 0u; columns /= 2u) {

@@ -28,7 +28,7 @@ layout(constant_id = 2) const bool kShadows = false;
 // Prefix sums at a place 0..1 of a row -1..1.
 vec4 prefix(Fan fan, vec2 texel, uint level, float row, float column) {
     vec2 at = vec2(float(fan_left(fan, level)), 0.0) + 0.5 +
-              vec2(column, 0.5 * row + 0.5) * (float(fan_side(fan.size, level)) - 1.0);
+              vec2(column, 0.5 * row + 0.5) * (float(fan_side(fan, level)) - 1.0);
     return textureLod(table, vec3(at * texel, float(fan.layer)), 0.0);
 }
 
@@ -57,13 +57,15 @@ vec2 reach_m(Fan fan, float row, float from, float to) {
 vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     Haze haze = view.haze;
     vec2 texel = 1.0 / vec2(textureSize(table, 0).xy);
+    // The plane of the ray: the pole is along x, the ray's own direction is (cos_end, sin_end).
     vec2 aside = vec2(dot(dir, fan.along), dot(dir, fan.across));
     float cos_end = dot(dir, fan.pole);
     // A ray through the lamp itself has no plane: the nearest one that has.
     float sin_end = max(length(aside), 1e-4);
     vec2 meridian = aside / sin_end;
     float row = fan_row(fan, meridian.x, meridian.y);
-    vec2 chord = fan_chord(fan, meridian.x);
+    vec4 chord = fan_chord(fan, meridian.x);
+    float distance_m = fan.eye_m * sin_end;
 
     // Nothing shines before the lens.
     float eye_z = fan.eye_m * fan.cos_axis;
@@ -72,81 +74,87 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     float lens_t = (light.lens_m - eye_z) / fall;
     float t0 = fall > 0.0 ? max(lens_t, 0.0) : 0.0;
     float t1 = fall > 0.0 ? far : min(far, lens_t);
-    float begin = max(chord.x, atan(t0 * sin_end, fan.eye_m + t0 * cos_end));
-    float end = min(chord.y, atan(max(t1, 0.0) * sin_end, fan.eye_m + t1 * cos_end));
-    bool hit = end > begin && t1 > t0 && abs(row) <= 1.0;
+    vec2 p0 = vec2(fan.eye_m + t0 * cos_end, t0 * sin_end);
+    vec2 p1 = vec2(fan.eye_m + t1 * cos_end, t1 * sin_end);
+    float ahead0 = dot(p0, chord.xy);
+    float u0 = ahead0 > 1e-6 ? (p0.y * chord.x - p0.x * chord.y) / ahead0 : -1e9;
+    float u1 = (p1.y * chord.x - p1.x * chord.y) / max(dot(p1, chord.xy), 1e-6);
+    u0 = max(u0, -chord.w);
+    u1 = min(u1, chord.w);
+    bool hit = u1 > u0 && t1 > t0 && abs(row) <= 1.0;
 
-    float distance_m = fan.eye_m * sin_end;
+    // Along the row the way to the eye and the distance from the lamp are rational in u. The direction of u is
+    // (chord.x - u chord.y, chord.y + u chord.x), sqrt(1 + u^2) long; this is its part across the ray.
+    float across = sin_end * chord.x - cos_end * chord.y;
+    float across_u = -(sin_end * chord.y + cos_end * chord.x);
+    float along = cos_end * chord.x + sin_end * chord.y;
+    float along_u = sin_end * chord.x - cos_end * chord.y;
+
     // As many segments as the curvature of the phase function (sharpest where the light comes at the eye) and the haze on the
     // way ask for.
-    vec2 first = vec2(cos(begin), sin(begin)), last = vec2(cos(end), sin(end));
+    float length0 = sqrt(1.0 + u0 * u0), length1 = sqrt(1.0 + u1 * u1);
+    float way0 = (distance_m * length0 + fan.eye_m * (chord.y + u0 * chord.x)) / max(across + u0 * across_u, 1e-6);
+    float way1 = (distance_m * length1 + fan.eye_m * (chord.y + u1 * chord.x)) / max(across + u1 * across_u, 1e-6);
     float g = haze.forward_g;
-    float ahead = (1.0 - g) * (1.0 - g) + 2.0 * g * (1.0 + first.x * cos_end + first.y * sin_end);
-    float way0 = (distance_m + fan.eye_m * first.y) / max(sin_end * first.x - cos_end * first.y, 1e-6);
-    float way1 = (distance_m + fan.eye_m * last.y) / max(sin_end * last.x - cos_end * last.y, 1e-6);
+    float ahead = (1.0 - g) * (1.0 - g) + 2.0 * g * (1.0 + (along + u0 * along_u) / length0);
     float depth = haze.extinction_per_m * (way1 - way0);
-    float wanted = sqrt((end - begin) * (end - begin) * (2.0 + 3.0 * g / ahead) + 8.0 * depth * depth) * p.segments_per_rad;
+    float angle = (u1 - u0) / (length0 * length1);
+    float wanted = sqrt(angle * angle * (2.0 + 3.0 * g / ahead) + 8.0 * depth * depth) * p.segments_per_rad;
     uint count = hit ? clamp(uint(ceil(wanted)), 1u, p.most_segments) : 0u;
 
-    float step_rad = (end - begin) / float(max(count, 1u));
-    float scale = 1.0 / max(chord.y - chord.x, 1e-9);
+    float step_u = (u1 - u0) / float(max(count, 1u));
+    float scale = 0.5 / max(chord.w, 1e-9);
     // What a piece takes from the table is at least this wide: a texel and a half.
     float narrowest = 1.5 / float(fan.size - 1u);
     vec3 sum = vec3(0.0);
     for (uint k = 0u; k < count; ++k) {
-        float from = begin + float(k) * step_rad;
-        float middle = from + 0.5 * step_rad;
+        float from = u0 + float(k) * step_u;
+        float middle = from + 0.5 * step_u;
         float level = 0.0;
         if (kFocus) {
-            float cos_middle = cos(middle), sin_middle = sin(middle);
-            float r = distance_m / max(sin_end * cos_middle - cos_end * sin_middle, 1e-6);
-            float z = r * (cos_middle * fan.cos_axis + sin_middle * fan.sin_axis * meridian.x);
+            float z = distance_m * chord.z / max(across + middle * across_u, 1e-6);
             level = clamp(log2(beam_blur(light, z) / fan.sharpest), 0.0, float(fan.levels - 1u));
         }
         // A segment that is partly in shadow is taken in pieces of two columns, each lit or not.
         uint pieces = 1u;
         if (kShadows) {
-            float to_end0 = sin_end * cos(from) - cos_end * sin(from);
-            float to_end1 = sin_end * cos(from + step_rad) - cos_end * sin(from + step_rad);
-            float r0 = distance_m / max(to_end0, 1e-6);
-            float r1 = distance_m / max(to_end1, 1e-6);
-            // The ray is nearest to the lamp a right angle before its end.
-            bool passes = cos_end * cos(from) + sin_end * sin(from) < 0.0 && cos_end * cos(from + step_rad) + sin_end * sin(from + step_rad) > 0.0;
-            float nearest = passes ? distance_m : min(r0, r1);
-            vec2 reach = reach_m(fan, row, (from - chord.x) * scale, (from + step_rad - chord.x) * scale);
-            uint fine = clamp(uint(ceil(0.5 * step_rad * scale * float(kShadeColumns))), 2u, 64u);
-            pieces = max(r0, r1) <= reach.x ? 1u : (nearest >= reach.y ? 0u : fine);
+            float to = from + step_u;
+            float r0 = distance_m * sqrt(1.0 + from * from) / max(across + from * across_u, 1e-6);
+            float r1 = distance_m * sqrt(1.0 + to * to) / max(across + to * across_u, 1e-6);
+            // Between them the ray may come nearest to the lamp.
+            bool passes = along + from * along_u < 0.0 && along + to * along_u > 0.0;
+            vec2 reach = reach_m(fan, row, 0.5 + from * scale, 0.5 + to * scale);
+            uint fine = clamp(uint(ceil(0.5 * step_u * scale * float(kShadeColumns))), 2u, 64u);
+            pieces = max(r0, r1) <= reach.x ? 1u : ((passes ? distance_m : min(r0, r1)) >= reach.y ? 0u : fine);
         }
-        float piece_rad = step_rad / float(max(pieces, 1u));
+        float piece_u = step_u / float(max(pieces, 1u));
         vec4 light_here = vec4(0.0);
         for (uint piece = 0u; piece < pieces; ++piece) {
-            float a = from + float(piece) * piece_rad;
-            float c0 = (a - chord.x) * scale;
-            float c1 = c0 + piece_rad * scale;
+            float c0 = 0.5 + (from + float(piece) * piece_u) * scale;
+            float c1 = c0 + piece_u * scale;
             float lit = 1.0;
             if (kShadows) {
-                float at = a + 0.5 * piece_rad;
-                float r = distance_m / max(sin_end * cos(at) - cos_end * sin(at), 1e-6);
-                float c = 0.5 * (c0 + c1);
+                float u = from + (float(piece) + 0.5) * piece_u;
+                float r = distance_m * sqrt(1.0 + u * u) / max(across + u * across_u, 1e-6);
+                float c = 0.5 + u * scale;
                 lit = pieces == 1u || r < reach_m(fan, row, c, c).x ? 1.0 : 0.0;
             }
-            float grow = max(0.5 * (narrowest - (c1 - c0)), 0.0);
+            float share = c1 - c0;
+            float grow = max(0.5 * (narrowest - share), 0.0);
             c0 = clamp(c0 - grow, 0.0, 1.0);
             c1 = clamp(c1 + grow, 0.0, 1.0);
-            // Mean of this piece, times its share of the segment.
-            light_here += between(fan, texel, level, row, c0, c1) * (lit * piece_rad / max(c1 - c0, 1e-9));
+            light_here += between(fan, texel, level, row, c0, c1) * (lit * share / max(c1 - c0, 1e-9));
         }
         // Phase and transmittance where the light of this segment is.
         float weight = luminance_of(light_here.rgb);
-        float centre = weight > 1e-6 * step_rad ? chord.x + light_here.a / weight * (chord.y - chord.x) : middle;
-        float psi = clamp(centre, from, from + step_rad);
-        float cos_psi = cos(psi), sin_psi = sin(psi);
-        float to_end = max(sin_end * cos_psi - cos_end * sin_psi, 1e-6);
-        float way_m = (distance_m + fan.eye_m * sin_psi) / to_end;
-        float seen = haze_transmittance(haze, way_m) * haze_phase(haze, -(cos_psi * cos_end + sin_psi * sin_end));
-        sum += light_here.rgb * seen;
+        float centre = weight > 1e-7 ? (light_here.a / weight - 0.5) / scale : middle;
+        float u = clamp(centre, from, from + step_u);
+        float unit = inversesqrt(1.0 + u * u);
+        float way_m = (distance_m / unit + fan.eye_m * (chord.y + u * chord.x)) / max(across + u * across_u, 1e-6);
+        sum += light_here.rgb * (haze_transmittance(haze, way_m) * haze_phase(haze, -(along + u * along_u) * unit));
     }
-    return sum * light.intensity_cd * (haze.scattering_per_m / distance_m * fan_most(light.colour_b));
+    return sum * light.intensity_cd *
+           (haze.scattering_per_m * 2.0 * chord.w / distance_m * fan_most(light.colour_b));
 }
 
 void main() {

@@ -9,9 +9,20 @@ const float kGoboTopLevel = 6.0;
 // Below zero the levels are blended.
 float gobo_dither = -1.0;
 
+// The mip level of a blur, for shaders that know it outside their loops: they define GOBO_LEVEL and set it.
+#ifdef GOBO_LEVEL
+float gobo_level = 0.0;
+#endif
+
+float gobo_level_of(float blur) { return clamp(log2(max(blur / kGoboBlurUnit, 1.0)), 0.0, kGoboTopLevel); }
+
 vec3 gobo_sample(uint layer, vec2 gate, float blur) {
     vec2 uv = gate * vec2(0.5, -0.5) + 0.5;
-    float level = clamp(log2(max(blur / kGoboBlurUnit, 1.0)), 0.0, kGoboTopLevel);
+#ifdef GOBO_LEVEL
+    return textureLod(gobo_stack, vec3(uv, float(layer)), gobo_level).rgb;
+#else
+    float level = gobo_level_of(blur);
     level = gobo_dither < 0.0 ? level : floor(level + gobo_dither);
     return textureLod(gobo_stack, vec3(uv, float(layer)), level).rgb;
+#endif
 }

@@ -10,20 +10,25 @@ layout(binding = 0, rgba32f) readonly uniform image2DArray base;  // the picture
 layout(binding = 1, rgba16f) readonly uniform image2DArray drawn; // lights drawn just now: layer 0 surfaces, layer 1 haze
 layout(binding = 2, rgba16f) uniform image2DArray images;
 layout(push_constant, scalar) uniform Push { SumPush p; };
+// Haze was sampled at the corners of the pixels, not in their middle.
+layout(constant_id = 0) const bool kCorners = false;
 
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     ivec2 last = imageSize(base).xy - 1;
     if (any(greaterThan(at, last))) return;
     vec4 sum = p.add_base != 0u ? imageLoad(base, ivec3(at, 0)) : vec4(0.0);
-    for (uint once = p.add_drawn != 0u ? 0u : 1u; once < 1u; ++once)
-        sum += imageLoad(drawn, ivec3(at, 0)) + (p.air_at_corners != 0u ? vec4(0.0) : imageLoad(drawn, ivec3(at, 1)));
-    // Haze that was sampled at the corners of the pixels, every corner of a 2x2 block at its own offset along the ray (interleaved
-    // sampling, Keller & Heidrich 2001): the mean of the four corners has all offsets, everywhere, so hardly any noise is left.
-    for (uint once = p.add_drawn * p.air_at_corners != 0u ? 0u : 1u; once < 1u; ++once) {
-        ivec2 next = min(at + 1, last);
-        sum += 0.25 * (imageLoad(drawn, ivec3(at, 1)) + imageLoad(drawn, ivec3(next.x, at.y, 1)) +
-                       imageLoad(drawn, ivec3(at.x, next.y, 1)) + imageLoad(drawn, ivec3(next, 1)));
+    for (uint once = p.add_drawn != 0u ? 0u : 1u; once < 1u; ++once) {
+        sum += imageLoad(drawn, ivec3(at, 0));
+        if (kCorners) {
+            // Every corner of a 2x2 block has its own offset along the ray (interleaved sampling, Keller & Heidrich 2001): the
+            // mean of the four corners has all offsets, everywhere, so hardly any noise is left.
+            ivec2 next = min(at + 1, last);
+            sum += 0.25 * (imageLoad(drawn, ivec3(at, 1)) + imageLoad(drawn, ivec3(next.x, at.y, 1)) +
+                           imageLoad(drawn, ivec3(at.x, next.y, 1)) + imageLoad(drawn, ivec3(next, 1)));
+        } else {
+            sum += imageLoad(drawn, ivec3(at, 1));
+        }
     }
     for (uint k = p.accumulate != 0u ? 0u : 1u; k < p.addend_count + 1u; ++k)
         sum += imageLoad(images, ivec3(at, k == 0u ? p.target : p.addend[k - 1u]));

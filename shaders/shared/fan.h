@@ -4,15 +4,15 @@
 #include "shared/types.h"
 
 // The fan of a light: all planes through the lamp and the eye. Every camera ray lies in one of them, and so do all directions
-// from the lamp to the points of that ray. In spherical coordinates round the lamp whose pole points at the eye, a ray is a
-// meridian (its plane, the fan's row) and an interval of polar angles psi (its column). So all that a light sends into haze
-// is known, for every ray of a picture, from one table of rows x columns:
+// from the lamp to the points of that ray: one meridian of the sphere round the lamp whose pole points at the eye. That
+// meridian cuts the gate in a straight line. So all that a light sends into haze is known, for every ray of a picture, from
+// one table: a row is a meridian, a column a place along its line in the gate. With psi the angle from the pole
 //
-//     L = sigma_s / D * integral over psi of I(row, psi) phase transmittance dpsi        (equi-angular: dt / r^2 = dpsi / D)
+//     L = sigma_s / D * integral of I(row, psi) phase transmittance dpsi        (equi-angular: dt / r^2 = dpsi / D)
 //
-// with D the distance of the ray from the lamp. The table holds prefix sums of I along the columns, so that a segment of any
-// length costs two fetches, and their first moment, so that a segment knows where its light is. After Kulla & Fajardo 2012
-// (equi-angular variable), Pegoraro 2009 (angular formulation of airlight), Baran et al. 2010 (rectified prefix sums).
+// where D is the distance of the ray from the lamp. The table holds prefix sums of I dpsi along the columns, so that a segment
+// of any length costs two fetches, and their first moment, so that a segment knows where its light is. After Kulla & Fajardo
+// 2012 (equi-angular variable), Pegoraro 2009 (angular airlight), Baran et al. 2010 (prefix sums in rectified coordinates).
 
 SHARED_BEGIN
 
@@ -43,16 +43,15 @@ SHARED_CONST uint kShadeRows = 256u; // how far the light gets: rows, and column
 SHARED_CONST uint kShadeColumns = 256u;
 SHARED_CONST uint kFanWidth = 2u * kFinestFan + 6u * kLeastFan; // of a layer: all levels
 
-// Row coordinate -1..1 of a meridian given by its cosine and sine; beyond: the plane misses the beam.
+// Row coordinate -1..1 of a meridian given by its cosine and sine; beyond: the plane misses the beam. Where the rim surrounds
+// the pole the rows go round it, evenly along a square instead of a circle, which needs no arc tangent.
 SHARED_FN float fan_row(Fan fan, float cosine, float sine) {
 #ifdef __cplusplus
     using namespace glm;
-    float angle = std::atan2(sine, cosine);
-#else
-    float angle = atan(sine, cosine);
 #endif
     float line = cosine > 0.0f ? sine * fan.row_scale : 2.0f;
-    return fan.row_scale > 0.0f ? line : angle * (1.0f / kPi);
+    float turn = 0.5f - 0.5f * cosine / max(abs(cosine) + abs(sine), 1e-9f);
+    return fan.row_scale > 0.0f ? line : (sine < 0.0f ? -turn : turn);
 }
 
 // Cosine and sine of the meridian of a row coordinate.
@@ -60,27 +59,25 @@ SHARED_FN vec2 fan_meridian(Fan fan, float row) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float sine = row / max(fan.row_scale, 1e-9f);
-    vec2 line = vec2(sqrt(max(1.0f - sine * sine, 0.0f)), sine);
-    vec2 turn = vec2(cos(row * kPi), sin(row * kPi));
+    float line_sine = row / max(fan.row_scale, 1e-9f);
+    vec2 line = vec2(sqrt(max(1.0f - line_sine * line_sine, 0.0f)), line_sine);
+    float x = 1.0f - 2.0f * abs(row);
+    vec2 square = vec2(x, (1.0f - abs(x)) * (row < 0.0f ? -1.0f : 1.0f));
+    vec2 turn = square / length(square);
     return fan.row_scale > 0.0f ? line : turn;
 }
 
-// Polar angles between which a meridian lies in the beam; x >= y where it misses.
-SHARED_FN vec2 fan_chord(Fan fan, float meridian_cosine) {
+// Where a meridian runs through the beam, in its plane with the pole along x. xy: unit, where it is nearest to the beam's axis;
+// z: how near (cosine of that angle); w: tangent of half the chord, seen from xy; 0 where it misses. A direction is
+// given by the tangent u of its angle from xy: its place in the row is 0.5 + 0.5 u / w.
+SHARED_FN vec4 fan_chord(Fan fan, float meridian_cosine) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
     float side = fan.sin_axis * meridian_cosine;
-    float reach = sqrt(fan.cos_axis * fan.cos_axis + side * side);
-    float half_width = acos(clamp(fan.cos_cone / max(reach, 1e-9f), -1.0f, 1.0f));
-#ifdef __cplusplus
-    float centre = std::atan2(side, fan.cos_axis);
-#else
-    float centre = atan(side, fan.cos_axis);
-#endif
-    centre = centre + half_width <= 0.0f ? centre + 2.0f * kPi : centre;
-    return vec2(max(centre - half_width, 0.0f), min(centre + half_width, kPi));
+    float reach = max(sqrt(fan.cos_axis * fan.cos_axis + side * side), 1e-6f);
+    float ratio = reach / fan.cos_cone;
+    return vec4(fan.cos_axis / reach, side / reach, reach, sqrt(max(ratio * ratio - 1.0f, 0.0f)));
 }
 
 // The table holds shares of the brightest colour of a split gate.
@@ -92,17 +89,14 @@ SHARED_FN float fan_most(vec3 colour_b) {
 }
 
 // Rows and columns of a level: half of the level before, but never fewer than kLeastFan.
-SHARED_FN uint fan_side(uint size, uint level) {
-#ifdef __cplusplus
-    using namespace glm;
-#endif
-    return max(size >> level, kLeastFan);
+SHARED_FN uint fan_side(Fan fan, uint level) {
+    return level <= fan.halvings ? fan.size >> level : kLeastFan;
 }
 
 // The levels stand side by side in their layer: columns (and rows) of all levels before this one.
 SHARED_FN uint fan_left(Fan fan, uint level) {
     uint halved = 2u * fan.size - 2u * (fan.size >> level);
-    uint even = 2u * fan.size - 2u * kLeastFan + kLeastFan * (level - fan.halvings);
+    uint even = 2u * fan.size - (fan.size >> fan.halvings) + kLeastFan * (level - fan.halvings - 1u);
     return level <= fan.halvings ? halved : even;
 }
 

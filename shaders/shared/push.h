@@ -58,11 +58,10 @@ struct SumPush {
     uint accumulate; // 1: on top of what the target holds
     uint add_base;
     uint add_drawn;
-    uint air_at_corners; // haze was sampled at the corners of the pixels, not in their middle
     uint addend_count;
     uint addend[kMaxAddends];
 };
-SHARED_SIZE(SumPush, 104);
+SHARED_SIZE(SumPush, 100);
 
 // drawn += lights, on the tiles of the list. Layer 0: surfaces, layer 1: haze.
 struct RelightPush {

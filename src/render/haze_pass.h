@@ -36,8 +36,6 @@ public:
     void begin_frame() { fans_used_ = 0; }
     // Adds to layer 1 of the chunk's drawn image.
     void record(gpu::Commands& commands, const LightChunk& chunk);
-    // Whether haze lies at the corners of the pixels, see sum.comp.
-    bool at_corners() const { return settings_.beams != Beams::gate; }
     std::uint64_t memory_bytes() const { return table_.bytes() + shade_.bytes() + fans_.bytes(); }
 
 private:

@@ -65,7 +65,8 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       slot_count_(image_slots(settings.image_memory_bytes, width(), height(), light_count)),
       tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),
-      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored}),
+      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored},
+           {settings.beams.beams == Beams::gate ? 0u : 1u}),
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
       fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
@@ -190,7 +191,6 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         push.accumulate = first ? 0u : 1u;
         push.add_base = first && sum.base ? 1u : 0u;
         push.add_drawn = first && !sum.lights.empty() ? 1u : 0u;
-        push.air_at_corners = haze_.at_corners() ? 1u : 0u;
         for (; added < sum.addends.size() && push.addend_count < shared::kMaxAddends; ++added)
             push.addend[push.addend_count++] = static_cast<std::uint32_t>(sum.addends[added] + 1);
         commands_.begin_span("add");
