@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a workgroup of kTilePixels has in common: a box, a sphere, a sum. Every invocation must call these.
+// Loads from shared memory are one lane after the other on lavapipe, so a lane reads what its own number says
+// and not all of them.
 #extension GL_KHR_shader_subgroup_arithmetic : require
 
 shared vec4 shared_low[kTilePixels]; // one per subgroup
@@ -23,23 +25,23 @@ Box box_of_group(Box own) {
         shared_high[gl_SubgroupID] = vec4(high, far_m);
     }
     barrier();
-    Box all = own;
-    for (uint k = 0u; k < gl_NumSubgroups; ++k) {
-        all.low = min(all.low, shared_low[k].xyz);
-        all.high = max(all.high, shared_high[k].xyz);
-        all.far_m = max(all.far_m, shared_high[k].w);
+    for (uint k = gl_SubgroupInvocationID; k < gl_NumSubgroups; k += gl_SubgroupSize) {
+        vec4 other_high = shared_high[k];
+        low = min(low, shared_low[k].xyz);
+        high = max(high, other_high.xyz);
+        far_m = max(far_m, other_high.w);
     }
     barrier();
-    return all;
+    return Box(subgroupMin(low), subgroupMax(high), subgroupMax(far_m));
 }
 
 float most_of_group(float own) {
     float most = subgroupMax(own);
     if (subgroupElect()) shared_low[gl_SubgroupID].x = most;
     barrier();
-    for (uint k = 0u; k < gl_NumSubgroups; ++k) most = max(most, shared_low[k].x);
+    for (uint k = gl_SubgroupInvocationID; k < gl_NumSubgroups; k += gl_SubgroupSize) most = max(most, shared_low[k].x);
     barrier();
-    return most;
+    return subgroupMax(most);
 }
 
 // x: sum over the invocations before this one, y: over all.
@@ -48,11 +50,13 @@ uvec2 sum_of_group(uint own) {
     uint all = subgroupAdd(own);
     if (subgroupElect()) shared_sum[gl_SubgroupID] = all;
     barrier();
+    uint earlier = 0u;
     all = 0u;
-    for (uint k = 0u; k < gl_NumSubgroups; ++k) {
-        before += k < gl_SubgroupID ? shared_sum[k] : 0u;
-        all += shared_sum[k];
+    for (uint k = gl_SubgroupInvocationID; k < gl_NumSubgroups; k += gl_SubgroupSize) {
+        uint sum = shared_sum[k];
+        earlier += k < gl_SubgroupID ? sum : 0u;
+        all += sum;
     }
     barrier();
-    return uvec2(before, all);
+    return uvec2(before + subgroupAdd(earlier), subgroupAdd(all));
 }
