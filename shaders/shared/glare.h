@@ -52,6 +52,26 @@ struct GlareUpPush {
 };
 SHARED_SIZE(GlareUpPush, 16);
 
+struct GlareTailPush {
+    float texel_deg;
+    float weight; // 1 / sum of glare_tail over all texels
+};
+SHARED_SIZE(GlareTailPush, 8);
+
+// The CIE's general disability glare function holds up to here; our glare ends here, gently.
+SHARED_CONST float kGlareReach_deg = 30.0f;
+
+// Shape of the far glare: 10 / a^3 + 5 / a^2, this many texels from its source; blunt within a texel.
+SHARED_FN float glare_tail(vec2 texels, float texel_deg) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float inverse = inversesqrt(dot(texels, texels) + 1.0f) / texel_deg;
+    float way = min(1.0f / (inverse * kGlareReach_deg), 1.0f);
+    float fade = 1.0f - way * way;
+    return (10.0f * inverse + 5.0f) * inverse * inverse * fade * fade;
+}
+
 #ifndef __cplusplus
 // The frame's alpha says how many times brighter a pixel is than a half float holds: light = rgb (1 + alpha).
 vec3 light_of_frame(vec4 stored) { return stored.rgb * (1.0 + stored.a); }

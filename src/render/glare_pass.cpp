@@ -2,6 +2,7 @@
 #include "render/glare_pass.h"
 
 #include "shaders/glare_down.h"
+#include "shaders/glare_tail.h"
 #include "shaders/glare_up.h"
 #include "shared/glare.h"
 #include "shared/push.h"
@@ -15,7 +16,7 @@ namespace {
 
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint32_t kMostLevels = 8;
-constexpr std::uint32_t kCoarsest = 4; // texels of the coarsest level's shorter side, at least
+constexpr std::uint32_t kCoarsest = 8; // texels of the coarsest level's shorter side, at least
 
 std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
     return (items + size - 1) / size;
@@ -29,15 +30,30 @@ std::uint32_t level_count(std::uint32_t width, std::uint32_t height) {
     return count;
 }
 
+float texel_deg(std::size_t level, float pixels_per_rad) {
+    return std::exp2(static_cast<float>(level + 1)) / pixels_per_rad * (180.0f / shared::kPi);
+}
+
+// Sum of glare_tail over all texels that it reaches.
+double tail_sum(float texel) {
+    const int reach = static_cast<int>(std::ceil(shared::kGlareReach_deg / texel));
+    double sum = 0;
+    for (int y = -reach; y <= reach; ++y)
+        for (int x = -reach; x <= reach; ++x) sum += double{shared::glare_tail(glm::vec2(x, y), texel)};
+    return sum;
+}
+
 } // namespace
 
 std::vector<float> glare_weights(std::size_t levels, float pixels_per_rad) {
     // Light per octave of angle: the integral from a to 2 a of (10 / a^3 + 5 / a^2) 2 pi a da, a in degrees.
     std::vector<float> weights(levels);
     for (std::size_t k = 0; k < levels; ++k) {
-        const float texel_deg =
-            std::exp2(static_cast<float>(k + 1)) / pixels_per_rad * (180.0f / shared::kPi);
-        weights[k] = 5.0f / texel_deg + 5.0f * std::log(2.0f);
+        const float texel = texel_deg(k, pixels_per_rad);
+        weights[k] = 5.0f / texel + 5.0f * std::log(2.0f);
+        if (k + 1 < levels) continue;
+        const float octaves = std::max(std::log2(shared::kGlareReach_deg / texel), 1.0f);
+        weights[k] = 10.0f / texel * (1.0f - std::exp2(-octaves)) + 5.0f * std::log(2.0f) * octaves;
     }
     const float sum = std::accumulate(weights.begin(), weights.end(), 0.0f);
     for (float& weight : weights) weight /= sum;
@@ -54,6 +70,8 @@ GlarePass::GlarePass(const gpu::Device& device, std::uint32_t width, std::uint32
                                                       std::vector{kStored, kStored}, std::vector{frame});
     up_ = std::make_unique<gpu::Program>(device, shaders::kShader_glare_up,
                                          std::vector{kStored, kStored, kStored});
+    tail_ =
+        std::make_unique<gpu::Program>(device, shaders::kShader_glare_tail, std::vector{kStored, kStored});
     // Every level is exactly half the one before: no light is counted twice at the far border.
     const std::uint32_t count = level_count(width, height);
     const std::uint32_t unit = 1u << (count - 1);
@@ -62,6 +80,7 @@ GlarePass::GlarePass(const gpu::Device& device, std::uint32_t width, std::uint32
     for (std::uint32_t k = 0; k < count; ++k, level_width /= 2, level_height /= 2)
         levels_.emplace_back(device, gpu::TextureShape{level_width, level_height, 1, 1,
                                                        VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    far_ = gpu::Texture(device, levels_.back().shape());
     seen_ = gpu::Texture(device, {width, height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
 }
 
@@ -72,7 +91,12 @@ void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float
     // else.
     const float scale =
         std::exp2(-std::ceil(std::log2(std::max(2.0f * brightest / shared::kMostLight, 1.0f))));
-    const std::vector<float> weights = glare_weights(levels_.size(), pixels_per_rad);
+    if (pixels_per_rad != pixels_per_rad_) {
+        pixels_per_rad_ = pixels_per_rad;
+        weights_ = glare_weights(levels_.size(), pixels_per_rad);
+        const double sum = tail_sum(texel_deg(levels_.size() - 1, pixels_per_rad));
+        tail_weight_ = sum > 0 ? static_cast<float>(1.0 / sum) : 0.0f;
+    }
     // A program's invocation makes 2x2 texels.
     const auto over = [&](const gpu::Program& program, const auto& push,
                           const std::vector<gpu::Binding>& bindings, std::uint32_t width,
@@ -95,16 +119,23 @@ void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float
     commands.begin_span("glare");
     down(*down_[1], frame, levels_[0], scale);
     for (std::size_t k = 1; k < levels_.size(); ++k) down(*down_[0], levels_[k - 1], levels_[k], 1.0f);
-    float coarse_weight = weights.back();
+    const gpu::TextureShape& shape = far_.shape();
+    commands.dispatch(
+        *tail_, shared::GlareTailPush{texel_deg(levels_.size() - 1, pixels_per_rad), tail_weight_},
+        {gpu::stored(levels_.back()), gpu::stored(far_)}, groups(shape.width, 8), groups(shape.height, 4));
+    commands.barrier();
+    const gpu::Texture* coarse = &far_;
+    float coarse_weight = weights_.back();
     for (std::size_t k = levels_.size() - 1; k > 0; --k) {
-        up(levels_[k], levels_[k - 1], levels_[k - 1], weights[k - 1], coarse_weight);
+        up(*coarse, levels_[k - 1], levels_[k - 1], weights_[k - 1], coarse_weight);
+        coarse = &levels_[k - 1];
         coarse_weight = 1.0f;
     }
-    up(levels_[0], frame, seen_, 1.0f - settings_.strength, coarse_weight * settings_.strength / scale);
+    up(*coarse, frame, seen_, 1.0f - settings_.strength, coarse_weight * settings_.strength / scale);
 }
 
 std::uint64_t GlarePass::memory_bytes() const {
-    std::uint64_t sum = seen_.bytes();
+    std::uint64_t sum = seen_.bytes() + far_.bytes();
     for (const gpu::Texture& level : levels_) sum += level.bytes();
     return sum;
 }

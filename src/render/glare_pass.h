@@ -16,10 +16,11 @@
 namespace ghost::render {
 
 struct GlareSettings {
-    float strength = 0.1f; // share of the light that is scattered, 0..1; 0: off. An eye: about 0.2
+    float strength = 0.05f; // share of the light that is scattered, 0..1; 0: off. An eye: about 0.2
 };
 
-// Shares of the levels, finest first (a texel is 2 pixels, 4 pixels, ..); their sum is 1.
+// Shares of the levels, finest first (a texel is 2 pixels, 4 pixels, ..); the coarsest has all that goes
+// farther. Their sum is 1.
 std::vector<float> glare_weights(std::size_t levels, float pixels_per_rad);
 
 class GlarePass {
@@ -38,9 +39,13 @@ public:
 private:
     GlareSettings settings_;
     std::array<std::unique_ptr<gpu::Program>, 2> down_; // from a level, from the frame
-    std::unique_ptr<gpu::Program> up_;
+    std::unique_ptr<gpu::Program> tail_, up_;
     std::vector<gpu::Texture> levels_; // half the picture, a quarter, ..
+    gpu::Texture far_;                 // the coarsest level, scattered
     gpu::Texture seen_;
+    float pixels_per_rad_ = 0; // of weights_ and tail_weight_
+    std::vector<float> weights_;
+    float tail_weight_ = 0;
 };
 
 } // namespace ghost::render

@@ -13,13 +13,14 @@ using glm::vec3;
 using Glare = RelightTest;
 
 constexpr float kPixelsPerRad = 800;
+constexpr float kWide = 180; // pixels a radian: the glare's 30 degrees are 94 pixels
 
-image::ImageF glare_of(const image::ImageF& picture, float strength) {
+image::ImageF glare_of(const image::ImageF& picture, float strength, float pixels_per_rad = kPixelsPerRad) {
     const gpu::Texture frame = picture_of(picture);
     GlarePass glare(device(), frame.shape().width, frame.shape().height, {strength});
     gpu::Commands commands(device());
     commands.begin();
-    glare.record(commands, frame, 0.0f, kPixelsPerRad);
+    glare.record(commands, frame, 0.0f, pixels_per_rad);
     commands.submit_and_wait();
     return read_back(glare.seen(frame));
 }
@@ -31,19 +32,24 @@ image::ImageF spot(int width, int height, int x, int y, float light) {
 }
 
 TEST_F(Glare, KeepsTheLight) {
-    // The coarsest level of the large pictures reaches 100 pixels and more: the middle is far enough.
-    for (const auto& [width, height] : {std::pair{1024, 300}, {256, 256}, {333, 217}})
+    // A spot farther from the border than the glare reaches.
+    for (const auto& [width, height] : {std::pair{1024, 300}, {256, 256}, {333, 261}})
         for (const float strength : {0.1f, 1.0f}) {
             const image::ImageF seen =
-                glare_of(spot(width, height, width / 2 + 1, height / 2, 60000), strength);
+                glare_of(spot(width, height, width / 2 + 1, height / 2, 60000), strength, kWide);
             EXPECT_NEAR(sum_of(seen) / 59968.0, 1.0, 0.001) << width << "x" << height << ", " << strength;
         }
 }
 
-TEST_F(Glare, AnEvenPictureStaysEven) {
-    image::ImageF even(256, 128, 3);
+TEST_F(Glare, AnEvenPictureStaysEvenFarFromItsBorder) {
+    image::ImageF even(512, 384, 3);
     for (float& sample : even.samples) sample = 7.5f;
-    for (const float sample : glare_of(even, 0.5f).samples) ASSERT_NEAR(sample, 7.5f, 0.02f);
+    const image::ImageF seen = glare_of(even, 0.5f, kWide);
+    for (int y = 170; y < 214; ++y)
+        for (int x = 170; x < 342; ++x) ASSERT_NEAR(seen.at(x, y)[1], 7.5f, 0.02f) << x << ", " << y;
+    // At the border nothing comes from beyond; most glare is near, so little is missing.
+    EXPECT_LT(seen.at(0, 0)[1], 7.4f);
+    EXPECT_GT(seen.at(0, 0)[1], 7.0f);
 }
 
 TEST_F(Glare, OddAndTinyPictures) {
@@ -51,7 +57,7 @@ TEST_F(Glare, OddAndTinyPictures) {
         const image::ImageF seen = glare_of(spot(width, height, width / 2, height / 2, 100), 0.3f);
         for (const float sample : seen.samples) ASSERT_TRUE(std::isfinite(sample));
         EXPECT_LE(sum_of(seen), 100.2) << width << "x" << height;
-        EXPECT_GE(sum_of(seen), 75.0) << width << "x" << height;
+        EXPECT_GE(sum_of(seen), 70.0) << width << "x" << height;
     }
 }
 
@@ -82,7 +88,7 @@ TEST_F(Glare, WeightsAreTheCieFunctionOfEachOctave) {
         return sum;
     };
     const double texel_deg = 2.0 / kPixelsPerRad * 180.0 / 3.14159265358979;
-    for (std::size_t k = 1; k < weights.size(); ++k)
+    for (std::size_t k = 1; k + 1 < weights.size(); ++k)
         EXPECT_NEAR(double{weights[k] / weights[0]},
                     octave(texel_deg * std::exp2(static_cast<double>(k))) / octave(texel_deg), 1e-3);
 }
@@ -108,6 +114,9 @@ TEST_F(Glare, IsRoundAndFallsWithoutSteps) {
         EXPECT_LT(most, last) << ring;
         last = least;
     }
+    // To the border and the corner, round.
+    EXPECT_GT(seen.at(5, 256)[1], 0);
+    EXPECT_NEAR(seen.at(257 + 150, 257 + 150)[1] / seen.at(257 + 212, 257)[1], 1.0f, 0.25f);
     // No texel of any level shows: neighbours differ little.
     for (int x = 264; x < 400; ++x)
         EXPECT_LT(std::abs(std::log(seen.at(x + 1, 256)[1] / seen.at(x, 256)[1])), 0.35) << x;
