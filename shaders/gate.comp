@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
+#include "shared/air.h"
 #include "shared/develop.h"
 #include "shared/fan.h"
 #include "shared/haze.h"
@@ -20,10 +21,12 @@ layout(binding = 5, rgba32f) readonly uniform image2DArray places; // position, 
 layout(binding = 6, rgba16f) uniform image2DArray drawn;
 layout(binding = 7) uniform sampler2DArray table;
 layout(binding = 8) uniform sampler2DArray shade; // how far the light gets, see fan_shade.comp
+layout(binding = 9, scalar) uniform AirBlock { Air air; };
 layout(push_constant, scalar) uniform Push { GatePush p; };
 layout(constant_id = 0) const bool kFocus = true;   // some light gets out of focus: the table has levels of blur
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 layout(constant_id = 2) const bool kShadows = false;
+layout(constant_id = 3) const bool kUneven = false; // haze is not the same everywhere
 
 // Prefix sums at a place 0..1 of a row -1..1.
 vec4 prefix(Fan fan, vec2 texel, uint level, float row, float column) {
@@ -100,6 +103,8 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     float depth = haze.extinction_per_m * (way1 - way0);
     float angle = (u1 - u0) / (length0 * length1);
     float wanted = sqrt(angle * angle * (2.0 + 3.0 * g / ahead) + 8.0 * depth * depth) * p.segments_per_rad;
+    // Swirls are resolved, too: their waves are shorter than the swirls are wide.
+    if (kUneven) wanted = max(wanted, abs(way1 - way0 - distance_m * (length1 / max(across + u1 * across_u, 1e-6) - length0 / max(across + u0 * across_u, 1e-6))) * air.per_m * 1.6);
     uint count = hit ? clamp(uint(ceil(wanted)), 1u, p.most_segments) : 0u;
 
     float step_u = (u1 - u0) / float(max(count, 1u));
@@ -151,7 +156,11 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
         float u = clamp(centre, from, from + step_u);
         float unit = inversesqrt(1.0 + u * u);
         float way_m = (distance_m / unit + fan.eye_m * (chord.y + u * chord.x)) / max(across + u * across_u, 1e-6);
-        sum += light_here.rgb * (haze_transmittance(haze, way_m) * haze_phase(haze, -(along + u * along_u) * unit));
+        float to_lamp_m = distance_m / (unit * max(across + u * across_u, 1e-6));
+        float seen = haze_transmittance(haze, way_m) * haze_phase(haze, -(along + u * along_u) * unit) *
+                     attenuation_factor(air.attenuation, to_lamp_m);
+        if (kUneven) seen *= air_density(air, view.eye_m + dir * (way_m - to_lamp_m));
+        sum += light_here.rgb * seen;
     }
     return sum * light.intensity_cd *
            (haze.scattering_per_m * 2.0 * chord.w / distance_m * fan_most(light.colour_b));

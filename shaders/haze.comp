@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
+#include "shared/air.h"
 #include "gobo_texture.glsl"
 #include "shared/beam.h"
 #include "shared/haze.h"
@@ -16,8 +17,10 @@ layout(binding = 3, scalar) readonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 5, rgba32f) readonly uniform image2DArray fragments; // position, coverage; extra fragments in the rows below the picture
 layout(binding = 6, rgba16f) uniform image2DArray drawn;
+layout(binding = 7, scalar) uniform AirBlock { Air air; };
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
+layout(constant_id = 2) const bool kUneven = false; // haze is not the same everywhere
 
 // Where in its step a pixel takes its sample: one of four places, all four in every 2x2 block (see sum.comp). The same in
 // every frame, so that a light that did not change costs nothing.
@@ -35,17 +38,19 @@ vec3 scattered(Light light, vec3 dir, float far, float offset) {
     uint samples = hit ? (march ? p.march_steps : light.haze_samples) : 0u;
     float step_m = (part.y - part.x) / float(max(samples, 1u));
     float t = part.x + step_m * offset;
-    vec3 air = vec3(0.0);
+    vec3 sum = vec3(0.0);
     for (uint s = 0u; s < samples; ++s) {
         vec3 g = q + t * dq;
         float distance2 = max(dot(g, g), 1e-6);
         float distance_m = sqrt(distance2);
         float weight = haze_transmittance(haze, t + distance_m) * haze_phase(haze, -dot(g, dq) / distance_m) / distance2;
+        weight *= attenuation_factor(air.attenuation, distance_m);
+        if (kUneven) weight *= air_density(air, view.eye_m + dir * t);
         weight = g.z > light.lens_m ? weight : 0.0;
-        air += beam_candela(light, g) * weight;
+        sum += beam_candela(light, g) * weight;
         t += step_m;
     }
-    return air * (haze.scattering_per_m * step_m);
+    return sum * (haze.scattering_per_m * step_m);
 }
 
 void main() {

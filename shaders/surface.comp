@@ -6,6 +6,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
+#include "shared/air.h"
 #include "gobo_texture.glsl"
 #include "shared/beam.h"
 #include "shared/haze.h"
@@ -18,13 +19,16 @@ layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 5, rgba32f) readonly uniform image2DArray fragments; // position, coverage; extra fragments in the rows below the picture
 layout(binding = 6, rgba16f) uniform image2DArray drawn;
 layout(binding = 7, rgba16f) readonly uniform image2DArray passes;  // radiance of every fragment, one layer a pass
+layout(binding = 8, scalar) uniform AirBlock { Air air; };
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
 vec3 shown(Light light, vec3 position_m, ivec2 row, Haze haze) {
     vec3 q = to_gate(light, position_m - light.position_m);
     vec3 radiance = imageLoad(passes, ivec3(row, light.pass)).rgb;
-    return beam_candela(light, q) * radiance * haze_transmittance(haze, length(q));
+    float distance_m = length(q);
+    return beam_candela(light, q) * radiance *
+           (haze_transmittance(haze, distance_m) * attenuation_factor(air.attenuation, distance_m));
 }
 
 void main() {

@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
+#include "shared/air.h"
 #define DISTANCE_MAPS 8
 #include "gobo_texture.glsl"
 #include "octahedral_map.glsl"
@@ -23,6 +24,7 @@ layout(binding = 6, rgba16f) uniform image2DArray drawn;
 layout(binding = 7, rgba16f) readonly uniform image2DArray diffuse; // Brdf::diffuse, alpha
 layout(binding = 9, rgba16f) readonly uniform image2DArray specular; // Brdf::f0, f90
 layout(binding = 10, rgba16f) readonly uniform image2DArray normals; // and the facet's, packed
+layout(binding = 11, scalar) uniform AirBlock { Air air; };
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 layout(constant_id = 2) const bool kShadows = true;
@@ -81,7 +83,8 @@ vec3 shown(Light light, Fragment f, Haze haze) {
     float distance2 = max(dot(from_light, from_light), 1e-4);
     float distance_m = sqrt(distance2);
     vec3 q = to_gate(light, from_light);
-    vec3 light_cd = beam_candela(light, q) * haze_transmittance(haze, distance_m) / distance2;
+    vec3 light_cd = beam_candela(light, q) *
+                    (haze_transmittance(haze, distance_m) * attenuation_factor(air.attenuation, distance_m) / distance2);
     vec3 to_light = -from_light / distance_m;
     vec3 value = light_cd * brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light);
     value = dot(f.facet, to_light) > 0.0 ? value : vec3(0.0);

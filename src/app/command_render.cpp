@@ -142,7 +142,7 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
             session.look_from(camera_between(start, *travel_to,
                                              static_cast<float>(frame - first) /
                                                  static_cast<float>(std::max(last - first, 1L))));
-        tally.add(session.draw());
+        tally.add(session.draw(static_cast<double>(frame) / fps));
         TRY_VOID(writer.add(*session.relighter));
         progress.update(static_cast<double>(frame - first + 1) / static_cast<double>(last - first + 1),
                         now_s(), arguments.out);
@@ -179,7 +179,7 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
         const Clock::time_point now = Clock::now();
         session.rig->step(universes, std::chrono::duration<double>(now - last_step).count());
         last_step = now;
-        tally.add(session.draw());
+        tally.add(session.draw(std::chrono::duration<double>(now - start).count()));
         if (fresh) {
             std::chrono::nanoseconds arrival{0};
             for (const dmx::Universe& universe : universes.list)

@@ -22,7 +22,7 @@ Result<scene::DistanceMaps> make_maps(const scene::Show& show, const scene::Stag
     Progress progress("distance maps", quiet ? Progress::Style::silent : Progress::style_for_stderr(),
                       steady_now_s());
     bake::DistanceMapOptions options;
-    options.size = scene::kDistanceMapSize;
+    options.size = show.distance_map_size;
     options.stop = interrupted;
     options.progress = [&](double share, const std::string& note) {
         progress.update(share, steady_now_s(), note);
@@ -61,7 +61,7 @@ Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scen
 
 void LiveView::look_from(const scene::Camera& camera) {
     g_buffer_.draw(model_, {scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height},
-                   {glm::vec3(show_.ambient_lux), haze_of(show_)});
+                   {show_.ambient_colour * show_.ambient_lux, haze_of(show_)});
 }
 
 scene::Camera camera_between(const scene::Camera& from, const scene::Camera& to, float share) {

@@ -99,6 +99,12 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     reference.air_samples = arguments.samples;
     reference.pixel_samples = arguments.pixel_samples;
     reference.shadows = options.shadows && show.shadows;
+    if (is_uneven(show)) {
+        const shared::Air air = air_of(show, at_s);
+        reference.density = [air](const glm::dvec3& place_m) {
+            return static_cast<double>(shared::air_density(air, glm::vec3(place_m)));
+        };
+    }
     reference.stop = interrupted;
     reference.progress = [&](double share) { progress.update(share, steady_now_s(), out); };
     const bake::Tracer tracer(stage);

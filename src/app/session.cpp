@@ -167,12 +167,34 @@ shared::Haze haze_of(const scene::Show& show) {
             haze.back_weight};
 }
 
+bool is_uneven(const scene::Show& show) {
+    return show.haze.unevenness > 0 || !show.hazers.empty();
+}
+
+shared::Air air_of(const scene::Show& show, double time_s) {
+    constexpr float kChurn = 0.25f; // radians a second: swirls live for some ten seconds
+    shared::Air air = render::even_air();
+    air.attenuation = {show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic};
+    air.unevenness = show.haze.unevenness;
+    air.drift_m = show.haze.wind_m_s * static_cast<float>(time_s);
+    air.per_m = 2.0f * shared::kPi / std::max(2.0f * show.haze.patch_m, 0.1f);
+    air.churn = kChurn * static_cast<float>(time_s);
+    for (const scene::Hazer& hazer : show.hazers) {
+        if (air.hazers == shared::kMostHazers) break;
+        air.plume[air.hazers++] = {hazer.position_m, hazer.rate, hazer.direction,
+                                   std::tan(glm::radians(0.5f * hazer.spread_deg)), hazer.reach_m, 0.0f};
+    }
+    return air;
+}
+
 render::Settings draw_settings(const scene::Show& show, const scene::Camera& camera,
                                const SessionOptions& options) {
     render::Settings settings;
     settings.haze = haze_of(show);
-    settings.ambient_lux = show.ambient_lux;
     settings.beams = options.beams;
+    settings.ambient = show.ambient_colour * show.ambient_lux;
+    settings.air_field = air_of(show, 0);
+    settings.beams.uneven = is_uneven(show);
     settings.ev100 = options.ev100.value_or(camera.ev100);
     settings.auto_exposure = camera.auto_exposure && !options.ev100;
     settings.image_memory_bytes = options.image_memory_bytes;
@@ -213,7 +235,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     const render::Settings settings = draw_settings(*session->show, camera, options);
     if (options.live) {
         TRY(session->live,
-            LiveView::open(*session->device, *session->show, camera, options.shadows, options.quiet, report));
+            LiveView::open(*session->device, *session->show, camera, options.shadows && session->show->shadows, options.quiet, report));
         print_report(report, printed);
     }
     const auto light_count = static_cast<int>(session->lights().size());

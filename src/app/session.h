@@ -34,6 +34,10 @@ struct SessionOptions {
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
 };
 
+// Attenuation, swirls and plumes at a moment; at most kMostHazers of the show's hazers.
+shared::Air air_of(const scene::Show& show, double time_s);
+bool is_uneven(const scene::Show& show);
+
 struct Session {
     scene::Report report;              // already printed
     std::unique_ptr<scene::Show> show; // address is kept by the rig
@@ -48,8 +52,11 @@ struct Session {
     std::vector<shared::Light> lights() const {
         return live ? rig->lights(gobos, live->maps()) : rig->lights(gobos, passes);
     }
-    // One frame of what the rig does now.
-    render::FrameStatistics draw() { return relighter->draw(lights()); }
+    // One frame of what the rig does now; time_s moves the haze.
+    render::FrameStatistics draw(double time_s = 0) {
+        if (is_uneven(*show)) relighter->set_air(air_of(*show, time_s));
+        return relighter->draw(lights());
+    }
     // Moves a live camera; its size stays.
     void look_from(const scene::Camera& from) {
         live->look_from(from);

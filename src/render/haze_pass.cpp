@@ -38,8 +38,8 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
         for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
             samples_[wheels] = std::make_unique<gpu::Program>(
                 device, shaders::kShader_haze,
-                std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored},
-                std::vector{wheels, single});
+                std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kUniform},
+                std::vector{wheels, single, settings.uneven ? 1u : 0u});
         return;
     }
     for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
@@ -50,8 +50,9 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
         gate_[focus] =
             std::make_unique<gpu::Program>(device, shaders::kShader_gate,
                                            std::vector{kUniform, kUniform, kUniform, kStorage, kStorage,
-                                                       kStored, kStored, kSampled, kSampled},
-                                           std::vector{focus, single, distance_maps ? 1u : 0u});
+                                                       kStored, kStored, kSampled, kSampled, kUniform},
+                                           std::vector{focus, single, distance_maps ? 1u : 0u,
+                                                       settings.uneven ? 1u : 0u});
     if (distance_maps)
         shade_fill_ = std::make_unique<gpu::Program>(device, shaders::kShader_fan_shade,
                                                      std::vector{kUniform, kUniform, kStored, kSampled},
@@ -92,7 +93,8 @@ void HazePass::record_samples(gpu::Commands& commands, const LightChunk& chunk) 
                                    {gpu::sampled(chunk.gobos), gpu::uniform(chunk.fragments.view),
                                     gpu::uniform(chunk.light_buffer, chunk.light_offset),
                                     gpu::storage(chunk.masks), gpu::storage(chunk.lists),
-                                    gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn)},
+                                    gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn),
+                                    gpu::uniform(chunk.air)},
                                    chunk.groups, chunk.haze_groups(push.batch));
         commands.barrier();
     }
@@ -142,7 +144,7 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
                                     gpu::uniform(chunk.light_buffer, chunk.light_offset),
                                     gpu::uniform(fans_, offset), gpu::storage(chunk.masks),
                                     gpu::storage(chunk.lists), gpu::stored(chunk.fragments.places),
-                                    gpu::stored(chunk.drawn), gpu::sampled(table_), gpu::sampled(shade_)},
+                                    gpu::stored(chunk.drawn), gpu::sampled(table_), gpu::sampled(shade_), gpu::uniform(chunk.air)},
                                    chunk.groups, chunk.haze_groups(push.batch));
         commands.barrier();
     }

@@ -22,6 +22,7 @@ struct HazeSettings {
     int march_steps = 110;
     float error = 0.001f;   // of gate: relative, wanted of one segment's phase and transmittance
     int most_segments = 24; // of gate
+    bool uneven = false;    // shared::Air has swirls or plumes
 };
 
 class HazePass {

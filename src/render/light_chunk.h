@@ -21,6 +21,7 @@ struct LightChunk {
     const Fragments& fragments;
     const gpu::Texture& gobos;
     const gpu::Texture& drawn;
+    const gpu::Buffer& air; // shared::Air
     const gpu::Buffer& light_buffer;
     std::uint64_t light_offset;
     const gpu::Buffer& masks;

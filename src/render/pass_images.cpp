@@ -52,7 +52,7 @@ gpu::Texture bounces_of(const gpu::Device& device, const scene::Passes& passes) 
 
 } // namespace
 
-PassImages make_pass_images(const gpu::Device& device, const scene::Passes& passes, float ambient_lux,
+PassImages make_pass_images(const gpu::Device& device, const scene::Passes& passes, const glm::vec3& ambient,
                             const shared::Haze& haze) {
     PassImages images;
     Fragments& f = images.fragments;
@@ -70,7 +70,7 @@ PassImages make_pass_images(const gpu::Device& device, const scene::Passes& pass
     f.edge_count = static_cast<std::uint32_t>(layout.edges.size());
     f.tile_bounds = gpu::Buffer(device, layout.bounds.size() * sizeof(glm::vec4), gpu::Access::device);
     f.tile_bounds.write(layout.bounds);
-    const std::vector<glm::vec4> base = base_image(passes, ambient_lux, haze);
+    const std::vector<glm::vec4> base = base_image(passes, ambient, haze);
     f.base = gpu::Texture(device, {f.width, f.height, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
     f.base.write(0, base.data(), base.size() * sizeof(glm::vec4));
     std::vector<glm::uvec2> edges = layout.edges;

@@ -15,7 +15,7 @@ struct PassImages {
     gpu::Texture bounces;  // rgba16f, picture only; empty where no pass has bounced light
 };
 
-PassImages make_pass_images(const gpu::Device& device, const scene::Passes& passes, float ambient_lux,
+PassImages make_pass_images(const gpu::Device& device, const scene::Passes& passes, const glm::vec3& ambient,
                             const shared::Haze& haze);
 
 } // namespace ghost::render

@@ -50,7 +50,7 @@ int image_slots(std::uint64_t memory_bytes, int width, int height, int light_cou
 
 Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
                      int light_count, const Settings& settings)
-    : Relighter(device, make_pass_images(device, passes, settings.ambient_lux, settings.haze), nullptr,
+    : Relighter(device, make_pass_images(device, passes, settings.ambient, settings.haze), nullptr,
                 nullptr, gobos, light_count, settings) {}
 
 Relighter::Relighter(const gpu::Device& device, const GBuffer& g_buffer, const DistanceImages* distances,
@@ -86,12 +86,26 @@ void Relighter::make_surface_programs() {
     const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
     std::vector bindings{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kStored};
     if (g_buffer_) bindings.insert(bindings.end(), {kSampled, kStored, kStored});
+    bindings.push_back(kUniform);
     for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
         surface_[wheels] =
             g_buffer_ ? std::make_unique<gpu::Program>(device_, shaders::kShader_surface_live, bindings,
                                                        std::vector{wheels, single, distances_ ? 1u : 0u})
                       : std::make_unique<gpu::Program>(device_, shaders::kShader_surface, bindings,
                                                        std::vector{wheels, single});
+}
+
+shared::Air even_air() {
+    shared::Air air{};
+    air.attenuation.quadratic = 1;
+    air.per_m = 1;
+    return air;
+}
+
+void Relighter::set_air(const shared::Air& air) {
+    if (std::memcmp(&air, air_.mapped(), sizeof air) == 0) return;
+    std::memcpy(air_.mapped(), &air, sizeof air);
+    forget();
 }
 
 void Relighter::forget() {
@@ -106,6 +120,8 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
     using gpu::Buffer;
     using gpu::Texture;
     const Fragments& f = fragments();
+    air_ = Buffer(device_, sizeof(shared::Air), Access::upload);
+    std::memcpy(air_.mapped(), &settings_.air_field, sizeof settings_.air_field);
     groups_ = Buffer(device_, batches * sizeof(shared::TileGroups), Access::device);
     exposure_ = Buffer(device_, sizeof(glm::vec4), Access::readback);
     pixels_ = Buffer(device_, std::uint64_t{4} * f.width * f.height, Access::readback);
@@ -207,8 +223,7 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
     std::memcpy(static_cast<std::uint8_t*>(lights_.mapped()) + offset, lights.data(), bytes);
     lights_used_ += (bytes + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
 
-    const LightChunk chunk{lights, wheels, fragments(), gobos_,  drawn_,     lights_,
-                           offset, masks_, lists_,      groups_, batch_size_};
+    const LightChunk chunk{lights, wheels, fragments(), gobos_, drawn_, air_, lights_, offset, masks_, lists_, groups_, batch_size_};
     const Fragments& f = fragments();
     const shared::CullPush cull{chunk.count(),          batch_size_, f.tiles_x,
                                 chunk.tiles(),          f.blocks,    settings_.surfaces ? 1u : 0u,
@@ -246,6 +261,7 @@ void Relighter::record_surfaces(const LightChunk& chunk) {
         bindings.insert(bindings.end(),
                         {gpu::sampled(distances_ ? distances_->texture() : gobos_),
                          gpu::stored(g_buffer_->specular()), gpu::stored(g_buffer_->normals())});
+    bindings.push_back(gpu::uniform(air_));
     commands_.begin_span("surfaces");
     shared::RelightPush push{chunk.count(), 0, f.tiles_x, chunk.tiles(), f.blocks, 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {

@@ -15,6 +15,7 @@
 #include "render/light_tree.h"
 #include "render/pass_images.h"
 #include "scene/passes.h"
+#include "shared/air.h"
 #include "shared/gobos.h"
 #include "shared/push.h"
 #include "shared/types.h"
@@ -26,9 +27,13 @@
 
 namespace ghost::render {
 
+// The same everywhere, the inverse square.
+shared::Air even_air();
+
 struct Settings {
     shared::Haze haze{};
-    float ambient_lux = 0;
+    shared::Air air_field = even_air();
+    glm::vec3 ambient{0}; // even light: colour times lux
     HazeSettings beams;
     float ev100 = 6;
     bool auto_exposure = false;
@@ -62,6 +67,8 @@ public:
     FrameStatistics draw(const std::vector<shared::Light>& lights);
     // The camera or the stage moved, or shadows changed: the G-buffer was drawn again.
     void forget();
+    // The haze moved. Cheap where it is even.
+    void set_air(const shared::Air& air);
 
     int width() const { return static_cast<int>(fragments().width); }
     int height() const { return static_cast<int>(fragments().height); }
@@ -99,7 +106,7 @@ private:
     std::array<std::unique_ptr<gpu::Program>, kClasses> surface_;
     HazePass haze_;
     mutable gpu::Commands commands_;
-    gpu::Buffer lights_, masks_, lists_, groups_, exposure_, pixels_;
+    gpu::Buffer air_, lights_, masks_, lists_, groups_, exposure_, pixels_;
     gpu::Texture gobos_, images_, drawn_, picture_;
 };
 

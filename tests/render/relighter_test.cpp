@@ -112,7 +112,7 @@ TEST_F(Surfaces, AmbientAndEmissionWithoutAnyLight) {
     passes.emission.assign(passes.pixel_count(), glm::vec4(5, 0, 1, 0));
     passes.fragments[7].w = -1; // no surface: nothing is added for the way there but what the pass says
     Settings settings;
-    settings.ambient_lux = 10;
+    settings.ambient = glm::vec3(10);
     settings.haze = {0.05f, 0.05f, 0.7f, -0.6f, 0.03f};
     const image::ImageF picture = drawn(passes, {}, settings);
     for (std::size_t p = 0; p < passes.pixel_count(); ++p) {
