@@ -61,12 +61,13 @@ SHARED_SIZE(GlareTailPush, 8);
 // The CIE's general disability glare function holds up to here; our glare ends here, gently.
 SHARED_CONST float kGlareReach_deg = 30.0f;
 
-// Shape of the far glare: 10 / a^3 + 5 / a^2, this many texels from its source; blunt within a texel.
+// Shape of the far glare: 10 / a^3 + 5 / a^2, this many texels from its source; blunt within 0.6 texels, where the step from the
+// level before is least seen.
 SHARED_FN float glare_tail(vec2 texels, float texel_deg) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float inverse = inversesqrt(dot(texels, texels) + 1.0f) / texel_deg;
+    float inverse = inversesqrt(dot(texels, texels) + 0.4f) / texel_deg;
     float way = min(1.0f / (inverse * kGlareReach_deg), 1.0f);
     float fade = 1.0f - way * way;
     return (10.0f * inverse + 5.0f) * inverse * inverse * fade * fade;

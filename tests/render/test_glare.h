@@ -63,7 +63,7 @@ public:
     DarkHall(int width, int height, float fov_y_deg, float wall_y, const shared::Haze& haze = {},
              const LensSettings& lenses = {}, const GlareSettings& glare = {})
         : passes_(wall_passes(camera_at({0, 0, 0}, {0, 1, 0}, fov_y_deg, width, height), wall_y)),
-          view_(make_view(passes_, haze)), images_(make_pass_images(device(), passes_, 0, haze)),
+          view_(make_view(passes_, haze)), images_(make_pass_images(device(), passes_, {}, haze)),
           frame_(picture_of(image::ImageF(width, height, 3))), lenses_(device(), lenses),
           glare_(device(), view_.width, view_.height, glare) {}
 
