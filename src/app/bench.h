@@ -12,7 +12,8 @@
 
 namespace ghost::app {
 
-// Named figures of one line, in order. Numbers are printed with 4 significant digits.
+// Named figures of one line, in order. Numbers are printed with 4 significant digits; not a number stands for
+// what does not apply or was never reached ("-", in JSON null).
 struct BenchRow {
     std::string table;
     std::string name;
@@ -23,8 +24,9 @@ struct BenchRow {
 struct BenchOptions {
     std::string show = "assets/demo";
     std::string device;
-    int frames = 40;     // measured, after a few that are not
-    std::string program; // our own file, for the start-up table
+    int frames = 40;         // measured, after a few that are not
+    double row_seconds = 20; // of the table scale: rows that would take longer are skipped, by name
+    std::string program;     // our own file, for the start-up table
 };
 
 using BenchSink = std::function<void(const BenchRow&)>;
@@ -33,6 +35,12 @@ using BenchSink = std::function<void(const BenchRow&)>;
 Result<void> bench_samples(const BenchOptions& options, const BenchSink& sink);
 // The scene of the paper: 1024x300, five spots with two gobos and five washes, DMX to image.
 Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink);
+// The thesis's picture: 256x256, one spot with a gobo, its numbers of steps beside cone and gate.
+Result<void> bench_thesis(const BenchOptions& options, const BenchSink& sink);
+// Twelve views: the three integrators at their defaults, at gate's error and in gate's time.
+Result<void> bench_integrators(const BenchOptions& options, const BenchSink& sink);
+// 1 to 1000 moving lights over a festival's stage, four picture sizes.
+Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink);
 // 1 to 512 lights, one changing.
 Result<void> bench_tree(const BenchOptions& options, const BenchSink& sink);
 // 10 thousand to a million triangles at one picture size.
@@ -44,6 +52,10 @@ Result<void> bench_start(const BenchOptions& options, const BenchSink& sink);
 
 // Shared by the tables.
 double median(std::vector<double> values);
+// GPU time of the passes of a name.
+double span_ms(const render::FrameStatistics& frame, const std::string& name);
+// Of the passes for haze, whichever integrator.
+double haze_ms(const render::FrameStatistics& frame);
 // A picture of a floor and a wall, without baking: every pass is an even grey.
 scene::Passes bench_passes(int width, int height, int light_count);
 // A light over that stage; seconds moves it. wheels: 0 a wash, 2 a spot with two gobos.

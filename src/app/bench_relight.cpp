@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tables of the relighter: cost of a sample, the paper's scene, the binary tree.
 #include "app/bench.h"
+#include "app/interrupt.h"
 
 #include <algorithm>
 #include <chrono>
@@ -17,14 +18,6 @@ constexpr int kWarmUp = 4;
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-// GPU time of the passes of a kind.
-double span_ms(const render::FrameStatistics& frame, const std::string& name) {
-    double sum = 0;
-    for (const gpu::Span& span : frame.spans)
-        if (span.name == name) sum += span.ms;
-    return sum;
 }
 
 // A light that fills the picture: every pixel takes every sample.
@@ -112,8 +105,10 @@ Result<void> bench_samples(const BenchOptions& options, const BenchSink& sink) {
     const shared::Gobos gobos = bench_gobos();
     const double pixels = kWidth * kHeight;
     double simple_surface_ns = 0;
+    render::Settings settings = bench_settings();
+    settings.beams.beams = render::Beams::cone; // the paper's, whose table this is
     for (const std::uint32_t wheels : {0u, 1u, 2u}) {
-        render::Relighter relighter(*device, passes, gobos, 1, bench_settings());
+        render::Relighter relighter(*device, passes, gobos, 1, settings);
         // Two sample counts: their difference is the cost of samples alone, without what is paid once a
         // pixel.
         const std::uint32_t few = 4;
@@ -150,40 +145,40 @@ Result<void> bench_samples(const BenchOptions& options, const BenchSink& sink) {
     return {};
 }
 
-Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink) {
+// cases: name, and how many of the fixtures change.
+Result<void> paper_rows(const BenchOptions& options, render::Beams beams,
+                        const std::vector<std::pair<std::string, std::size_t>>& cases,
+                        const BenchSink& sink) {
     SessionOptions opening;
     opening.show = options.show;
     opening.device = options.device;
     opening.quiet = true;
+    opening.beams.beams = beams;
     TRY(const std::unique_ptr<Session> session, open_session(opening));
     const std::size_t fixtures = session->show->fixtures.size();
-    struct Case {
-        const char* name;
-        std::vector<bool> moves;
-    };
-    std::vector<bool> one(fixtures, false);
-    if (fixtures > 0) one[0] = true;
-    for (const Case& c : {Case{"all changing", std::vector<bool>(fixtures, true)}, Case{"one changing", one},
-                          Case{"none changing", std::vector<bool>(fixtures, false)}}) {
+    for (const auto& [name, changing] : cases) {
+        if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
+        std::vector<bool> moves(fixtures, false);
+        std::fill_n(moves.begin(), std::min(changing, fixtures), true);
         std::vector<double> total, draw, haze, surfaces, add, develop;
         int drawn = 0;
         int additions = 0;
         // A gobo that turns is a change, too: in "none" and "one" the others stand still.
         const std::vector<shared::Light> still = [&] {
-            session->rig->step(all_moving(*session->show, 2.0, c.moves), 0.02);
+            session->rig->step(all_moving(*session->show, 2.0, moves), 0.02);
             return session->rig->lights(session->gobos, session->passes);
         }();
         for (int frame = 0; frame < options.frames + kWarmUp; ++frame) {
             const Clock::time_point start = Clock::now();
-            session->rig->step(all_moving(*session->show, 2.0 + frame / 44.0, c.moves), 1.0 / 44.0);
+            session->rig->step(all_moving(*session->show, 2.0 + frame / 44.0, moves), 1.0 / 44.0);
             std::vector<shared::Light> lights = session->rig->lights(session->gobos, session->passes);
             for (std::size_t i = 0; i < lights.size(); ++i)
-                if (i >= c.moves.size() || !c.moves[i]) lights[i] = still[i];
+                if (i >= moves.size() || !moves[i]) lights[i] = still[i];
             const render::FrameStatistics statistics = session->relighter->draw(lights);
             if (frame < kWarmUp) continue;
             total.push_back(ms_since(start));
             draw.push_back(statistics.draw_ms);
-            haze.push_back(span_ms(statistics, "haze"));
+            haze.push_back(haze_ms(statistics));
             surfaces.push_back(span_ms(statistics, "surfaces"));
             add.push_back(span_ms(statistics, "add") + span_ms(statistics, "clear"));
             develop.push_back(span_ms(statistics, "develop") + span_ms(statistics, "meter") +
@@ -192,7 +187,7 @@ Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink) {
             additions = std::max(additions, statistics.additions);
         }
         sink({"paper",
-              c.name,
+              name,
               {{"lights", static_cast<double>(still.size())},
                {"ms", median(total)},
                {"best_ms", *std::min_element(total.begin(), total.end())},
@@ -207,6 +202,14 @@ Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink) {
                   std::to_string(session->relighter->height()) + ", DMX to image"});
     }
     return {};
+}
+
+Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink) {
+    catch_interrupts();
+    constexpr std::size_t kAll = 1u << 20;
+    TRY_VOID(paper_rows(options, render::Beams::gate,
+                        {{"all changing", kAll}, {"one changing", 1}, {"none changing", 0}}, sink));
+    return paper_rows(options, render::Beams::cone, {{"all changing, cone", kAll}}, sink);
 }
 
 Result<void> bench_tree(const BenchOptions& options, const BenchSink& sink) {

@@ -24,6 +24,17 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
+double span_ms(const render::FrameStatistics& frame, const std::string& name) {
+    double sum = 0;
+    for (const gpu::Span& span : frame.spans)
+        if (span.name == name) sum += span.ms;
+    return sum;
+}
+
+double haze_ms(const render::FrameStatistics& frame) {
+    return span_ms(frame, "haze") + span_ms(frame, "fan") + span_ms(frame, "gate");
+}
+
 scene::Passes bench_passes(int width, int height, int light_count) {
     scene::Passes passes;
     passes.width = width;

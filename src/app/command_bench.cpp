@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/bench.h"
 #include "app/commands.h"
+#include "app/interrupt.h"
 
 #include "base/log.h"
 
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -21,6 +23,9 @@ struct Table {
 constexpr Table kTables[] = {
     {"samples", "Cost of a sample (Screen Space Re-Rendering, table 1)", bench_samples},
     {"paper", "The paper's scene: five spots with two gobos, five washes", bench_paper},
+    {"thesis", "The thesis's picture: 256x256, one spot", bench_thesis},
+    {"integrators", "gate, cone and march in twelve views", bench_integrators},
+    {"scale", "1 to 1000 moving lights, four picture sizes", bench_scale},
     {"tree", "One light of n changes", bench_tree},
     {"triangles", "Triangles do not matter", bench_triangles},
     {"bake", "Baking", bench_bake},
@@ -41,7 +46,9 @@ void print_row(const BenchRow& row, bool json) {
         std::printf("%s\n", line.dump().c_str());
     } else {
         std::printf("%-28s", row.name.c_str());
-        for (const auto& [name, value] : row.figures) std::printf("  %s %.4g", name.c_str(), value);
+        for (const auto& [name, value] : row.figures)
+            std::isnan(value) ? std::printf("  %s -", name.c_str())
+                              : std::printf("  %s %.4g", name.c_str(), value);
         std::printf("  (%s)\n", row.note.c_str());
     }
     std::fflush(stdout);
@@ -51,6 +58,7 @@ int run_bench(const BenchArguments& arguments) {
     set_log_level(LogLevel::warning);
     int exit_code = 0;
     for (const Table& table : kTables) {
+        if (interrupted()) break;
         if (!arguments.table.empty() && arguments.table != table.name) continue;
         if (!arguments.json) std::printf("\n%s: %s\n", table.name, table.title);
         const Result<void> done =
@@ -74,6 +82,11 @@ void add_bench(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     command->add_option("--frames", a->options.frames, "frames measured per row")
         ->check(CLI::Range(5, 10000))
+        ->capture_default_str();
+    command
+        ->add_option("--row-seconds", a->options.row_seconds,
+                     "rows of the table scale that would take longer are skipped, by name")
+        ->check(CLI::Range(1.0, 86400.0))
         ->capture_default_str();
     command->add_option("--device", a->options.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
