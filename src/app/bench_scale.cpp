@@ -208,12 +208,17 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
     camera.target_m = {0, 6, 6};
     camera.fov_y_deg = 30;
 
+    double light_ms = 0; // of one more light, by the rows above
+    double last_pixels = 0;
     for (const auto& [width, height] : {std::pair{256, 256}, {1024, 300}, {1920, 1080}, {3840, 2160}}) {
         if (interrupted()) break;
         render::GBuffer g_buffer(*device, width, height);
         g_buffer.draw(model, {scene::camera_to_world(camera), camera.fov_y_deg, width, height},
                       {vec3(0), settings.haze});
-        double light_ms = 0; // of one more light, by the rows above
+        // By the sizes above, until this one has rows of its own.
+        const double pixels = static_cast<double>(width) * height;
+        light_ms *= last_pixels > 0 ? pixels / last_pixels : 0;
+        last_pixels = pixels;
         double first_ms = 0;
         double first_bytes = 0;
         for (const std::size_t count : {1, 10, 60, 120, 400, 1000}) {
