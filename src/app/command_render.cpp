@@ -287,6 +287,11 @@ void add_render(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     command->add_option("--travel", a->travel, "fly to this camera in the course of a film; implies --live")
         ->type_name("NAME");
+    command
+        ->add_option("--glare", a->session.glare,
+                     "share of the light that the camera scatters; 0: neither glare nor shining lenses")
+        ->check(CLI::Range(0.0, 1.0))
+        ->capture_default_str();
     command->add_flag("--no-shadows", a->no_shadows, "light passes through everything; with --live");
     CLI::Option* reference =
         command->add_flag("--reference", a->reference.wanted,

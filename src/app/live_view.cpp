@@ -16,13 +16,20 @@ double steady_now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// 2 MB a light, and from kManyLights on half a megabyte: shadows get coarser, not fewer.
+int map_size(const scene::Show& show) {
+    constexpr std::size_t kManyLights = 256;
+    if (show.distance_map_size > 0) return show.distance_map_size;
+    return show.fixtures.size() < kManyLights ? 2 * scene::kDistanceMapSize : scene::kDistanceMapSize;
+}
+
 Result<scene::DistanceMaps> make_maps(const scene::Show& show, const scene::Stage& stage, bool quiet,
                                       scene::Report& report) {
     catch_interrupts();
     Progress progress("distance maps", quiet ? Progress::Style::silent : Progress::style_for_stderr(),
                       steady_now_s());
     bake::DistanceMapOptions options;
-    options.size = show.distance_map_size;
+    options.size = map_size(show);
     options.stop = interrupted;
     options.progress = [&](double share, const std::string& note) {
         progress.update(share, steady_now_s(), note);

@@ -181,8 +181,9 @@ shared::Air air_of(const scene::Show& show, double time_s) {
     air.churn = kChurn * static_cast<float>(time_s);
     for (const scene::Hazer& hazer : show.hazers) {
         if (air.hazers == shared::kMostHazers) break;
-        air.plume[air.hazers++] = {hazer.position_m, hazer.rate, hazer.direction,
-                                   std::tan(glm::radians(0.5f * hazer.spread_deg)), hazer.reach_m, 0.0f};
+        air.plume[air.hazers++] = {hazer.position_m, hazer.rate,
+                                   hazer.direction,  std::tan(glm::radians(0.5f * hazer.spread_deg)),
+                                   hazer.reach_m,    0.0f};
     }
     return air;
 }
@@ -193,6 +194,8 @@ render::Settings draw_settings(const scene::Show& show, const scene::Camera& cam
     settings.haze = haze_of(show);
     settings.beams = options.beams;
     settings.ambient = show.ambient_colour * show.ambient_lux;
+    settings.lens.on = options.glare > 0;
+    settings.glare.strength = options.glare;
     settings.air_field = air_of(show, 0);
     settings.beams.uneven = is_uneven(show);
     settings.ev100 = options.ev100.value_or(camera.ev100);
@@ -234,8 +237,8 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     session->rig = std::make_unique<scene::Rig>(*session->show);
     const render::Settings settings = draw_settings(*session->show, camera, options);
     if (options.live) {
-        TRY(session->live,
-            LiveView::open(*session->device, *session->show, camera, options.shadows && session->show->shadows, options.quiet, report));
+        TRY(session->live, LiveView::open(*session->device, *session->show, camera,
+                                          options.shadows && session->show->shadows, options.quiet, report));
         print_report(report, printed);
     }
     const auto light_count = static_cast<int>(session->lights().size());

@@ -31,6 +31,7 @@ struct SessionOptions {
     bool live = false;                // a free camera: no passes
     std::optional<scene::Camera> eye; // instead of a camera of the show; live only
     bool shadows = true;              // live only
+    float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
 };
 

@@ -11,7 +11,7 @@
 namespace ghost::gpu {
 namespace {
 
-constexpr std::uint32_t kMaxSpans = 64;
+constexpr std::uint32_t kMaxSpans = 8192;
 constexpr std::uint32_t kPushBytes = 128;          // the least that every Vulkan device has
 constexpr std::uint64_t kUniformBytes = 64 * 1024; // what every desktop device and lavapipe bind at once
 
@@ -209,6 +209,9 @@ void Commands::begin_span(const std::string& name) {
     if (names_.size() >= kMaxSpans) return;
     vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
                          static_cast<std::uint32_t>(names_.size()));
+    // lavapipe reads the clock when what follows waits, not before: without this a span has the time of the
+    // next.
+    barrier();
     names_.push_back(name);
 }
 

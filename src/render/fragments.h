@@ -7,6 +7,8 @@
 #include "gpu/buffer.h"
 #include "gpu/texture.h"
 
+#include "shared/types.h"
+
 #include <cstdint>
 #include <glm/glm.hpp>
 
@@ -19,6 +21,7 @@ struct Fragments {
     std::uint32_t tiles_y = 0;
     std::uint32_t blocks = 0;     // of kTilePixels extra fragments, rounded up
     std::uint32_t edge_count = 0; // pixels with extra fragments
+    shared::View camera{};        // what view holds
     glm::vec3 eye_m{0};
     float pixels_per_rad = 0; // in the middle of the picture
     gpu::Buffer view;         // shared::View

@@ -124,6 +124,7 @@ void GBuffer::draw(const StageModel& model, const Pose& pose, const Surroundings
     CHECK(finite(pose));
     const shared::View view =
         make_view(pose.camera_to_world, pose.fov_y_deg, pose.width, pose.height, surroundings.haze);
+    fragments_.camera = view;
     fragments_.eye_m = view.eye_m;
     fragments_.pixels_per_rad = pixels_per_rad(view);
     commands_.begin();

@@ -47,12 +47,11 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
                                                        std::vector{kSampled, kUniform, kUniform, kStored},
                                                        std::vector{wheels, single});
     for (std::uint32_t focus = 0; focus < gate_.size(); ++focus)
-        gate_[focus] =
-            std::make_unique<gpu::Program>(device, shaders::kShader_gate,
-                                           std::vector{kUniform, kUniform, kUniform, kStorage, kStorage,
-                                                       kStored, kStored, kSampled, kSampled, kUniform},
-                                           std::vector{focus, single, distance_maps ? 1u : 0u,
-                                                       settings.uneven ? 1u : 0u});
+        gate_[focus] = std::make_unique<gpu::Program>(
+            device, shaders::kShader_gate,
+            std::vector{kUniform, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kSampled,
+                        kSampled, kUniform},
+            std::vector{focus, single, distance_maps ? 1u : 0u, settings.uneven ? 1u : 0u});
     if (distance_maps)
         shade_fill_ = std::make_unique<gpu::Program>(device, shaders::kShader_fan_shade,
                                                      std::vector{kUniform, kUniform, kStored, kSampled},
@@ -139,13 +138,13 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
                               shared::kShadeRows / kRowsPerGroup, lights);
         commands.barrier();
         commands.begin_span("gate");
-        commands.dispatch_indirect(*gate_[focus ? 1 : 0], push,
-                                   {gpu::uniform(chunk.fragments.view),
-                                    gpu::uniform(chunk.light_buffer, chunk.light_offset),
-                                    gpu::uniform(fans_, offset), gpu::storage(chunk.masks),
-                                    gpu::storage(chunk.lists), gpu::stored(chunk.fragments.places),
-                                    gpu::stored(chunk.drawn), gpu::sampled(table_), gpu::sampled(shade_), gpu::uniform(chunk.air)},
-                                   chunk.groups, chunk.haze_groups(push.batch));
+        commands.dispatch_indirect(
+            *gate_[focus ? 1 : 0], push,
+            {gpu::uniform(chunk.fragments.view), gpu::uniform(chunk.light_buffer, chunk.light_offset),
+             gpu::uniform(fans_, offset), gpu::storage(chunk.masks), gpu::storage(chunk.lists),
+             gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn), gpu::sampled(table_),
+             gpu::sampled(shade_), gpu::uniform(chunk.air)},
+            chunk.groups, chunk.haze_groups(push.batch));
         commands.barrier();
     }
 }

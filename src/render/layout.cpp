@@ -105,7 +105,8 @@ float pixels_per_rad(const shared::View& view) {
     return static_cast<float>(view.height) / (2.0f * glm::length(view.up));
 }
 
-std::vector<glm::vec4> base_image(const scene::Passes& passes, const glm::vec3& ambient, const shared::Haze& haze) {
+std::vector<glm::vec4> base_image(const scene::Passes& passes, const glm::vec3& ambient,
+                                  const shared::Haze& haze) {
     const glm::vec3 eye_m(passes.camera_to_world[3]);
     const auto light_of = [&](std::size_t fragment) {
         glm::vec3 sum(0.0f);

@@ -28,6 +28,7 @@ shared::View make_view(const scene::Passes& passes, const shared::Haze& haze);
 float pixels_per_rad(const shared::View& view); // in the middle of the picture
 
 // The picture without lights: ambient and emission, seen through the haze. cd/m^2, one value a pixel.
-std::vector<glm::vec4> base_image(const scene::Passes& passes, const glm::vec3& ambient, const shared::Haze& haze);
+std::vector<glm::vec4> base_image(const scene::Passes& passes, const glm::vec3& ambient,
+                                  const shared::Haze& haze);
 
 } // namespace ghost::render

@@ -63,6 +63,7 @@ PassImages make_pass_images(const gpu::Device& device, const scene::Passes& pass
     const shared::View view = make_view(passes, haze);
     f.view = gpu::Buffer(device, sizeof view, gpu::Access::device);
     f.view.write(&view, sizeof view);
+    f.camera = view;
     f.eye_m = view.eye_m;
     f.pixels_per_rad = pixels_per_rad(view);
     const Layout layout = make_layout(passes, f.tiles_x, f.tiles_y);

@@ -50,8 +50,8 @@ int image_slots(std::uint64_t memory_bytes, int width, int height, int light_cou
 
 Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
                      int light_count, const Settings& settings)
-    : Relighter(device, make_pass_images(device, passes, settings.ambient, settings.haze), nullptr,
-                nullptr, gobos, light_count, settings) {}
+    : Relighter(device, make_pass_images(device, passes, settings.ambient, settings.haze), nullptr, nullptr,
+                gobos, light_count, settings) {}
 
 Relighter::Relighter(const gpu::Device& device, const GBuffer& g_buffer, const DistanceImages* distances,
                      const shared::Gobos& gobos, int light_count, const Settings& settings)
@@ -73,6 +73,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
       haze_(device, settings.beams, batch_size_, static_cast<std::uint32_t>(light_count),
             distances ? &distances->texture() : nullptr),
+      lens_(device, settings.lens), glare_(device, fragments().width, fragments().height, settings.glare),
       commands_(device) {
     make_surface_programs();
     // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
@@ -164,7 +165,7 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
         haze_.begin_frame();
         commands_.begin();
         for (const ImageSum& sum : plan.sums) draw_sum(sum, lights);
-        develop();
+        develop(lights);
         commands_.submit_and_wait();
         statistics.spans = commands_.spans();
     }
@@ -223,7 +224,8 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
     std::memcpy(static_cast<std::uint8_t*>(lights_.mapped()) + offset, lights.data(), bytes);
     lights_used_ += (bytes + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
 
-    const LightChunk chunk{lights, wheels, fragments(), gobos_, drawn_, air_, lights_, offset, masks_, lists_, groups_, batch_size_};
+    const LightChunk chunk{lights,  wheels, fragments(), gobos_, drawn_,  air_,
+                           lights_, offset, masks_,      lists_, groups_, batch_size_};
     const Fragments& f = fragments();
     const shared::CullPush cull{chunk.count(),          batch_size_, f.tiles_x,
                                 chunk.tiles(),          f.blocks,    settings_.surfaces ? 1u : 0u,
@@ -271,15 +273,24 @@ void Relighter::record_surfaces(const LightChunk& chunk) {
     }
 }
 
-void Relighter::develop() {
+void Relighter::develop(const std::vector<shared::Light>& lights) {
     const Fragments& f = fragments();
+    if (settings_.lens.on) {
+        commands_.begin_span("lenses");
+        lens_.record(commands_, f, f.camera, lights, gobos_, images_);
+    }
+    if (glare_.on()) {
+        commands_.begin_span("glare");
+        glare_.record(commands_, images_, lens_.brightest(), f.pixels_per_rad);
+    }
+    const gpu::Texture& seen = glare_.seen(images_);
     const shared::MeterPush meter{f.width, f.height, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
     commands_.begin_span("meter");
-    commands_.dispatch(meter_, meter, {gpu::stored(images_), gpu::storage(exposure_)}, 1);
+    commands_.dispatch(meter_, meter, {gpu::stored(seen), gpu::storage(exposure_)}, 1);
     commands_.barrier();
     commands_.begin_span("develop");
     commands_.dispatch(develop_, std::uint32_t{0},
-                       {gpu::stored(images_), gpu::uniform(exposure_), gpu::stored(picture_)}, f.tiles_x,
+                       {gpu::stored(seen), gpu::uniform(exposure_), gpu::stored(picture_)}, f.tiles_x,
                        f.tiles_y);
     commands_.barrier();
     commands_.begin_span("read back");
@@ -298,7 +309,7 @@ image::ImageF Relighter::frame() const {
                              std::uint64_t{fragments().width} * fragments().height * kImageBytesPerPixel,
                              gpu::Access::readback);
     commands_.begin();
-    commands_.copy(images_, buffer);
+    commands_.copy(glare_.seen(images_), buffer);
     commands_.submit_and_wait();
     const auto* halves = static_cast<const std::uint16_t*>(buffer.mapped());
     for (std::size_t i = 0; i < result.samples.size() / 3; ++i)
@@ -313,7 +324,8 @@ float Relighter::ev100_used() const {
 
 std::uint64_t Relighter::memory_bytes() const {
     const Fragments& f = fragments();
-    std::uint64_t sum = haze_.memory_bytes() + (g_buffer_ ? g_buffer_->memory_bytes() : 0);
+    std::uint64_t sum = haze_.memory_bytes() + lens_.memory_bytes() + glare_.memory_bytes() +
+                        (g_buffer_ ? g_buffer_->memory_bytes() : 0);
     if (distances_) sum += distances_->texture().bytes();
     for (const gpu::Buffer* buffer :
          {&f.view, &lights_, &f.tile_bounds, &masks_, &lists_, &groups_, &exposure_, &pixels_})

@@ -11,7 +11,9 @@
 #include "image/image.h"
 #include "render/distance_images.h"
 #include "render/g_buffer.h"
+#include "render/glare_pass.h"
 #include "render/haze_pass.h"
+#include "render/lens_pass.h"
 #include "render/light_tree.h"
 #include "render/pass_images.h"
 #include "scene/passes.h"
@@ -35,6 +37,8 @@ struct Settings {
     shared::Air air_field = even_air();
     glm::vec3 ambient{0}; // even light: colour times lux
     HazeSettings beams;
+    LensSettings lens{.on = false};
+    GlareSettings glare{.strength = 0};
     float ev100 = 6;
     bool auto_exposure = false;
     bool surfaces = true; // both on but for measurements
@@ -73,7 +77,7 @@ public:
     int width() const { return static_cast<int>(fragments().width); }
     int height() const { return static_cast<int>(fragments().height); }
     image::Image8 picture() const; // RGBA, sRGB: the developed frame
-    image::ImageF frame() const;   // RGB, linear Rec.2020, cd/m^2
+    image::ImageF frame() const;   // RGB, linear Rec.2020, cd/m^2, glare included
     float ev100_used() const;
     std::uint64_t memory_bytes() const; // on the device
 
@@ -86,7 +90,7 @@ private:
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels);
     void record_surfaces(const LightChunk& chunk);
-    void develop();
+    void develop(const std::vector<shared::Light>& lights);
     const Fragments& fragments() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
 
     const gpu::Device& device_;
@@ -105,6 +109,8 @@ private:
     gpu::Program cull_, sum_, bounce_, fold_, meter_, develop_;
     std::array<std::unique_ptr<gpu::Program>, kClasses> surface_;
     HazePass haze_;
+    LensPass lens_;
+    GlarePass glare_;
     mutable gpu::Commands commands_;
     gpu::Buffer air_, lights_, masks_, lists_, groups_, exposure_, pixels_;
     gpu::Texture gobos_, images_, drawn_, picture_;

@@ -100,7 +100,7 @@ struct Show {
     std::vector<Hazer> hazers;
     Attenuation attenuation;
     bool shadows = true;
-    int distance_map_size = 512;         // kDistanceMapSize
+    int distance_map_size = 0;           // texels a side; 0: by the number of lights
     std::vector<ObjectSettings> objects; // applied by stage_with_bodies
     std::vector<Camera> cameras;
     std::vector<PatchedFixture> fixtures;

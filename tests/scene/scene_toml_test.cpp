@@ -63,7 +63,7 @@ TEST(SceneToml, DefaultsArePhysical) {
     EXPECT_EQ(show.attenuation.linear, 0.0f);
     EXPECT_EQ(show.attenuation.quadratic, 1.0f);
     EXPECT_TRUE(show.shadows);
-    EXPECT_EQ(show.distance_map_size, kDistanceMapSize);
+    EXPECT_EQ(show.distance_map_size, 0);
     EXPECT_TRUE(show.objects.empty());
 }
 
@@ -227,7 +227,7 @@ TEST_P(SceneTomlWrong, NamesTheLineAndKeepsTheDefault) {
     EXPECT_EQ(show.haze.wind_m_s, glm::vec3(0));
     EXPECT_EQ(show.attenuation.quadratic, 1.0f);
     EXPECT_TRUE(show.shadows);
-    EXPECT_EQ(show.distance_map_size, 512);
+    EXPECT_EQ(show.distance_map_size, 0);
     for (const Hazer& hazer : show.hazers) {
         EXPECT_NEAR(glm::length(hazer.direction), 1.0f, 1e-5f);
         EXPECT_EQ(hazer.rate, Hazer{}.rate);
