@@ -1,6 +1,7 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
-// Adds the light of extra fragments to their pixels: silhouettes.
+// Silhouettes: adds the light of extra fragments to their pixels, and mends the haze, which was summed up to the main fragment
+// only: for the share of the pixel that an extra fragment covers, it is that of the neighbour whose surface lies as far away.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
@@ -9,7 +10,14 @@ layout(local_size_x = 64) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
 layout(binding = 1) uniform usampler2DArray edges; // pixel, index of its first extra fragment * 4 + their number
 layout(binding = 2, rgba16f) uniform image2DArray drawn;
+layout(binding = 3, rgba32f) readonly uniform image2DArray places;
 layout(push_constant, scalar) uniform Push { FoldPush p; };
+layout(constant_id = 0) const bool kHaze = true;
+
+// Surfaces whose distances differ by less, in octaves, have the same haze in front.
+const float kStep = 0.1;
+
+float distance_m(vec4 place) { return place.w < 0.0 ? view.far_m : length(place.xyz - view.eye_m); }
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
@@ -17,8 +25,35 @@ void main() {
     uvec2 edge = texelFetch(edges, ivec3(i % view.width, i / view.width, 0), 0).xy;
     ivec3 at = ivec3(edge.x % view.width, edge.x / view.width, 0);
     uint first = edge.y >> 2;
+    uint count = edge.y & 3u;
     vec4 sum = imageLoad(drawn, at);
-    for (uint k = first; k < first + (edge.y & 3u); ++k)
+    for (uint k = first; k < first + count; ++k)
         sum += imageLoad(drawn, ivec3(k % view.width, view.height + k / view.width, 0));
+    if (kHaze) {
+        // Logarithms: a surface twice as far is as different as one half as far.
+        vec3 wanted = vec3(0.0), cover = vec3(0.0);
+        for (uint k = 0u; k < count; ++k) {
+            vec4 place = imageLoad(places, ivec3((first + k) % view.width, view.height + (first + k) / view.width, 0));
+            wanted[k] = log2(distance_m(place));
+            cover[k] = place.w;
+        }
+        vec4 here = imageLoad(drawn, ivec3(at.xy, 1));
+        vec4 mended[3] = vec4[3](here, here, here);
+        // A neighbour is some other ray: only where that error is the smaller one.
+        vec3 step = abs(wanted - log2(distance_m(imageLoad(places, at))));
+        vec3 worst = mix(vec3(-1.0), 0.3 * step, greaterThan(step, vec3(kStep)));
+        ivec2 last = ivec2(view.width, view.height) - 1;
+        for (int n = 0; n < 8; ++n) {
+            int cell = n < 4 ? n : n + 1;
+            ivec2 to = clamp(at.xy + ivec2(cell % 3 - 1, cell / 3 - 1), ivec2(0), last);
+            vec3 apart = abs(wanted - log2(distance_m(imageLoad(places, ivec3(to, 0)))));
+            vec4 there = imageLoad(drawn, ivec3(to, 1));
+            mended[0] = apart.x < worst.x ? there : mended[0];
+            mended[1] = apart.y < worst.y ? there : mended[1];
+            mended[2] = apart.z < worst.z ? there : mended[2];
+            worst = min(worst, apart);
+        }
+        sum += cover.x * (mended[0] - here) + cover.y * (mended[1] - here) + cover.z * (mended[2] - here);
+    }
     imageStore(drawn, at, light_to_store(sum));
 }

@@ -68,7 +68,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       sum_(device, shaders::kShader_sum, {kStored, kStored, kStored},
            {settings.beams.beams == Beams::gate ? 0u : 1u}),
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
-      fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored}),
+      fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored, kStored}, {settings.air ? 1u : 0u}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
       develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
       haze_(device, settings.beams, batch_size_, static_cast<std::uint32_t>(light_count),
@@ -194,11 +194,12 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         if (!chunk.empty()) draw_lights(chunk, wheels);
     }
     const Fragments& f = fragments();
-    if (!sum.lights.empty() && settings_.surfaces && f.edge_count > 0) {
+    if (!sum.lights.empty() && f.edge_count > 0) {
         commands_.begin_span("fold");
-        commands_.dispatch(fold_, shared::FoldPush{f.edge_count},
-                           {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_)},
-                           groups(f.edge_count, 64));
+        commands_.dispatch(
+            fold_, shared::FoldPush{f.edge_count},
+            {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_), gpu::stored(f.places)},
+            groups(f.edge_count, 64));
         commands_.barrier();
     }
     std::size_t added = 0;
