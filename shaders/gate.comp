@@ -57,6 +57,25 @@ vec2 reach_m(Fan fan, float row, float from, float to) {
     return vec2(min(a.x, b.x), max(a.y, b.y));
 }
 
+// A camera ray in the plane of its row: what its ways and angles are made of, rational in u.
+struct Ray {
+    float eye_m;      // from lamp to eye
+    float distance_m; // from lamp to ray
+    vec2 across;      // part of the direction of u across the ray: x + u y
+    vec2 along;       // and along it
+    vec2 up;          // and across the pole
+};
+
+// Phase and transmittance of light that leaves the lamp in direction u.
+float ray_weight(Haze haze, Ray ray, float u) {
+    float unit = inversesqrt(1.0 + u * u);
+    float per_across = 1.0 / max(ray.across.x + u * ray.across.y, 1e-6);
+    float to_lamp_m = ray.distance_m * per_across / unit;
+    float to_eye_m = ray.eye_m * (ray.up.x + u * ray.up.y) * per_across;
+    return haze_transmittance(haze, to_lamp_m + to_eye_m) * haze_phase(haze, -(ray.along.x + u * ray.along.y) * unit) *
+           attenuation_factor(air.attenuation, to_lamp_m);
+}
+
 vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     Haze haze = view.haze;
     vec2 texel = 1.0 / vec2(textureSize(table, 0).xy);
@@ -92,6 +111,8 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     float across_u = -(sin_end * chord.y + cos_end * chord.x);
     float along = cos_end * chord.x + sin_end * chord.y;
     float along_u = sin_end * chord.x - cos_end * chord.y;
+
+    Ray ray = Ray(fan.eye_m, distance_m, vec2(across, across_u), vec2(along, along_u), chord.yx);
 
     // As many segments as the curvature of the phase function (sharpest where the light comes at the eye) and the haze on the
     // way ask for.
@@ -151,15 +172,13 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
             light_here += between(fan, texel, level, row, c0, c1) * (lit * share / max(c1 - c0, 1e-9));
         }
         // Phase and transmittance where the light of this segment is.
-        float weight = luminance_of(light_here.rgb);
-        float centre = weight > 1e-7 ? (light_here.a / weight - 0.5) / scale : middle;
-        float u = clamp(centre, from, from + step_u);
-        float unit = inversesqrt(1.0 + u * u);
-        float way_m = (distance_m / unit + fan.eye_m * (chord.y + u * chord.x)) / max(across + u * across_u, 1e-6);
-        float to_lamp_m = distance_m / (unit * max(across + u * across_u, 1e-6));
-        float seen = haze_transmittance(haze, way_m) * haze_phase(haze, -(along + u * along_u) * unit) *
-                     attenuation_factor(air.attenuation, to_lamp_m);
-        if (kUneven) seen *= air_density(air, view.eye_m + dir * (way_m - to_lamp_m));
+        float brightness = luminance_of(light_here.rgb);
+        float centre = brightness > 1e-7 ? (light_here.a / brightness - 0.5) / scale : middle;
+        // Two points, as Gauss has them for even light: exact for weights up to the third power of u.
+        float u = clamp(centre - 0.288675 * step_u, from, from + step_u);
+        float v = clamp(centre + 0.288675 * step_u, from, from + step_u);
+        float seen = 0.5 * (ray_weight(haze, ray, u) + ray_weight(haze, ray, v));
+        if (kUneven) seen *= air_density(air, view.eye_m + dir * (ray.eye_m * (chord.y + centre * chord.x) / max(across + centre * across_u, 1e-6)));
         sum += light_here.rgb * seen;
     }
     return sum * light.intensity_cd *

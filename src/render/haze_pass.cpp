@@ -112,8 +112,7 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     }
     fans_used_ += (chunk.count() * sizeof(shared::Fan) + kAlign - 1) / kAlign * kAlign;
 
-    // Segments for an error of e: h^2 / 24 of the relative curvature (shared/fan.h).
-    const float segments_per_rad = 1.0f / std::sqrt(24.0f * settings_.error);
+    const float segments_per_rad = 1.0f / std::sqrt(settings_.curvature);
     shared::GatePush push{chunk.count(),
                           0,
                           chunk.fragments.tiles_x,

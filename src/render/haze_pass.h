@@ -20,9 +20,9 @@ enum class Beams {
 struct HazeSettings {
     Beams beams = Beams::gate;
     int march_steps = 110;
-    float error = 0.001f;   // of gate: relative, wanted of one segment's phase and transmittance
-    int most_segments = 24; // of gate
-    bool uneven = false;    // shared::Air has swirls or plumes
+    float curvature = 0.12f; // of gate: how much phase and transmittance may bend over one segment
+    int most_segments = 24;  // of gate
+    bool uneven = false;     // shared::Air has swirls or plumes
 };
 
 class HazePass {
