@@ -152,6 +152,33 @@ class Pictures(Case):
         self.assertNotIn("x264", done.text)
         self.only(out, "a.mp4")
 
+    def test_free_camera(self):
+        show = copy_demo("live")
+        with open(show / "show.toml", "a") as file:
+            file.write("\n[shadows]\nmap_size = 64\n")
+        out = self.out()
+        live = ("render", show, "--live", "--view", "close", "--size", SIZE, "--at", "50", "--validation")
+        self.works(run(*live, "-o", out / "a.png"))
+        self.assertFalse((show / ".ghost" / "passes").exists(), "nothing is baked")
+        self.assertEqual(len(list((show / ".ghost" / "distances").glob("*.exr"))), 10)
+        again = run(*live, "-o", out / "b.png")
+        self.works(again)
+        self.assertNotIn("validation", again.text.lower())
+        self.assertEqual((out / "a.png").read_bytes(), (out / "b.png").read_bytes())
+        self.works(run(*live, "-o", out / "open.png", "--no-shadows"))
+        self.assertNotEqual((out / "a.png").read_bytes(), (out / "open.png").read_bytes())
+        free = ("render", show, "-o", out / "c.png", "--size", SIZE, "--at", "50")
+        self.works(run(*free, "--eye", "2.2", "0.6", "1.9", "--target", "-0.3", "6", "2.9"))
+        self.works(run(*free, "--eye", "0", "9.05", "1", "--target", "0", "9.5", "1"))  # in the back wall
+        self.fails(run(*free, "--eye", "0", "0", "1"), 2, "--target")
+        self.fails(run(*free, "--eye", "0", "0", "1", "--target", "0", "0", "1"), 2, "--eye")
+        self.fails(run(*free, "--eye", "0", "nan", "1", "--target", "0", "0", "1"), 2, "--eye")
+        self.fails(run(*free, "--view", "close", "--eye", "0", "0", "1", "--target", "0", "5", "1"), 2, "--view")
+        fly = run("render", show, "-o", out / "fly.mp4", "--size", SIZE, "--from", "50", "--to", "50.2", "--view", "house",
+                  "--travel", "close", "--json")
+        self.works(fly)
+        self.assertEqual(json.loads(fly.stdout)["frames"], 6)
+
     def test_vulkan_is_used_as_it_should_be(self):
         done = self.render(self.out() / "a.png", "--at", "50", "--validation")
         self.works(done)
