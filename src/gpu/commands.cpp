@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "gpu/buffer.h"
+#include "gpu/push_layout.h"
 #include "gpu/texture.h"
 
 #include <algorithm>
@@ -12,7 +13,6 @@ namespace ghost::gpu {
 namespace {
 
 constexpr std::uint32_t kMaxSpans = 8192;
-constexpr std::uint32_t kPushBytes = 128;          // the least that every Vulkan device has
 constexpr std::uint64_t kUniformBytes = 64 * 1024; // what every desktop device and lavapipe bind at once
 
 } // namespace
@@ -62,29 +62,9 @@ void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBin
 Program::Program(const Device& device, std::span<const std::uint32_t> spirv,
                  std::vector<VkDescriptorType> bindings, std::vector<std::uint32_t> constants)
     : device_(device), bindings_(std::move(bindings)) {
-    std::vector<VkDescriptorSetLayoutBinding> places;
-    for (const VkDescriptorType type : bindings_) {
-        VkDescriptorSetLayoutBinding place{};
-        place.binding = static_cast<std::uint32_t>(places.size());
-        place.descriptorType = type;
-        place.descriptorCount = 1;
-        place.stageFlags = VK_SHADER_STAGE_COMPUTE_BIT;
-        places.push_back(place);
-    }
-    VkDescriptorSetLayoutCreateInfo set{};
-    set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-    set.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
-    set.bindingCount = static_cast<std::uint32_t>(places.size());
-    set.pBindings = places.data();
-    VK_CALL(vkCreateDescriptorSetLayout(device.handle(), &set, nullptr, &set_layout_));
-    const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, kPushBytes};
-    VkPipelineLayoutCreateInfo layout{};
-    layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    layout.setLayoutCount = 1;
-    layout.pSetLayouts = &set_layout_;
-    layout.pushConstantRangeCount = 1;
-    layout.pPushConstantRanges = &push;
-    VK_CALL(vkCreatePipelineLayout(device.handle(), &layout, nullptr, &layout_));
+    const PushLayout layouts = make_push_layout(device, bindings_, VK_SHADER_STAGE_COMPUTE_BIT);
+    set_layout_ = layouts.set;
+    layout_ = layouts.pipeline;
 
     VkShaderModuleCreateInfo module_info{};
     module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "gpu/buffer.h"
+#include "gpu/push_layout.h"
 #include "gpu/texture.h"
 
 #include <array>
@@ -10,7 +11,6 @@
 namespace ghost::gpu {
 namespace {
 
-constexpr std::uint32_t kPushBytes = 128; // the least that every Vulkan device has
 constexpr VkShaderStageFlags kStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
 VkShaderModule make_module(const Device& device, std::span<const std::uint32_t> spirv) {
@@ -38,29 +38,9 @@ VkRenderingAttachmentInfo cleared(const Texture& texture) {
 Raster::Raster(const Device& device, std::span<const std::uint32_t> vertex_spirv,
                std::span<const std::uint32_t> fragment_spirv, const RasterShape& shape)
     : device_(device), bindings_(shape.bindings) {
-    std::vector<VkDescriptorSetLayoutBinding> places;
-    for (const VkDescriptorType type : bindings_) {
-        VkDescriptorSetLayoutBinding place{};
-        place.binding = static_cast<std::uint32_t>(places.size());
-        place.descriptorType = type;
-        place.descriptorCount = 1;
-        place.stageFlags = kStages;
-        places.push_back(place);
-    }
-    VkDescriptorSetLayoutCreateInfo set{};
-    set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
-    set.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
-    set.bindingCount = static_cast<std::uint32_t>(places.size());
-    set.pBindings = places.data();
-    VK_CALL(vkCreateDescriptorSetLayout(device.handle(), &set, nullptr, &set_layout_));
-    const VkPushConstantRange push{kStages, 0, kPushBytes};
-    VkPipelineLayoutCreateInfo layout{};
-    layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
-    layout.setLayoutCount = 1;
-    layout.pSetLayouts = &set_layout_;
-    layout.pushConstantRangeCount = 1;
-    layout.pPushConstantRanges = &push;
-    VK_CALL(vkCreatePipelineLayout(device.handle(), &layout, nullptr, &layout_));
+    const PushLayout layouts = make_push_layout(device, bindings_, kStages);
+    set_layout_ = layouts.set;
+    layout_ = layouts.pipeline;
 
     std::vector<VkSpecializationMapEntry> entries;
     for (std::uint32_t i = 0; i < shape.constants.size(); ++i) entries.push_back({i, i * 4, 4});

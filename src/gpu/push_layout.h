@@ -1,0 +1,48 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What every pipeline of ours binds: one set of push descriptors, bindings 0, 1, .. of the given types, and
+// push constants. Shared by Program and Raster; the caller destroys both handles.
+
+#include "gpu/device.h"
+
+#include <vector>
+
+namespace ghost::gpu {
+
+inline constexpr std::uint32_t kPushBytes = 128; // the least that every Vulkan device has
+
+struct PushLayout {
+    VkDescriptorSetLayout set = VK_NULL_HANDLE;
+    VkPipelineLayout pipeline = VK_NULL_HANDLE;
+};
+
+inline PushLayout make_push_layout(const Device& device, const std::vector<VkDescriptorType>& bindings,
+                                   VkShaderStageFlags stages) {
+    PushLayout made;
+    std::vector<VkDescriptorSetLayoutBinding> places;
+    for (const VkDescriptorType type : bindings) {
+        VkDescriptorSetLayoutBinding place{};
+        place.binding = static_cast<std::uint32_t>(places.size());
+        place.descriptorType = type;
+        place.descriptorCount = 1;
+        place.stageFlags = stages;
+        places.push_back(place);
+    }
+    VkDescriptorSetLayoutCreateInfo set{};
+    set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
+    set.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
+    set.bindingCount = static_cast<std::uint32_t>(places.size());
+    set.pBindings = places.data();
+    VK_CALL(vkCreateDescriptorSetLayout(device.handle(), &set, nullptr, &made.set));
+    const VkPushConstantRange push{stages, 0, kPushBytes};
+    VkPipelineLayoutCreateInfo layout{};
+    layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    layout.setLayoutCount = 1;
+    layout.pSetLayouts = &made.set;
+    layout.pushConstantRangeCount = 1;
+    layout.pPushConstantRanges = &push;
+    VK_CALL(vkCreatePipelineLayout(device.handle(), &layout, nullptr, &made.pipeline));
+    return made;
+}
+
+} // namespace ghost::gpu
