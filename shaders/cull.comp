@@ -15,6 +15,7 @@ layout(binding = 2, scalar) readonly buffer TileBounds { vec4 tile_bounds[]; }; 
 layout(binding = 3, scalar) writeonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) buffer Groups { TileGroups groups[]; };
 layout(binding = 5, scalar) writeonly buffer Lists { uint list[]; };
+layout(binding = 6, scalar) buffer Work { FrameWork work; };
 layout(push_constant, scalar) uniform Push { CullPush p; };
 
 vec3 gobo_sample(uint layer, vec2 gate, float blur) { return vec3(1.0); }
@@ -39,6 +40,8 @@ void main() {
 
     bool any_surface = false;
     bool any_haze = false;
+    uint haze_count = 0u;
+    uint surface_count = 0u;
     uint words = (count + 31u) / 32u;
     for (uint word = 0u; word < words; ++word) {
         uint surface_mask = 0u;
@@ -66,8 +69,16 @@ void main() {
         }
         any_surface = any_surface || surface_mask != 0u;
         any_haze = any_haze || haze_mask != 0u;
+        surface_count += uint(bitCount(surface_mask));
+        haze_count += uint(bitCount(haze_mask));
     }
     uint base = batch * (2u * p.tiles + p.blocks);
-    if (any_haze && p.air != 0u) list[base + atomicAdd(groups[batch].haze[0], 1u)] = tile;
-    if (any_surface && p.surfaces != 0u) list[base + p.tiles + atomicAdd(groups[batch].surface[0], 1u)] = tile;
+    if (any_haze && p.air != 0u) {
+        list[base + atomicAdd(groups[batch].haze[0], 1u)] = tile;
+        atomicAdd(work.haze_tiles, haze_count);
+    }
+    if (any_surface && p.surfaces != 0u) {
+        list[base + p.tiles + atomicAdd(groups[batch].surface[0], 1u)] = tile;
+        atomicAdd(work.surface_tiles, surface_count);
+    }
 }

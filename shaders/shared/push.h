@@ -51,6 +51,13 @@ struct TileGroups {
 };
 SHARED_SIZE(TileGroups, 32);
 
+// What the lists of a frame add up to: tiles (and blocks) that are drawn, once for each light that reaches them.
+struct FrameWork {
+    uint haze_tiles;
+    uint surface_tiles;
+};
+SHARED_SIZE(FrameWork, 8);
+
 // target = kept images (+ the picture without lights). Layer 0 is the frame.
 SHARED_CONST uint kMaxAddends = 20u; // of one dispatch; the tree needs one per level
 struct SumPush {
@@ -89,8 +96,9 @@ struct GatePush {
     uint blocks;
     float segments_per_rad; // from the error wanted
     uint most_segments;
+    float shade_rad; // what a texel of a distance map is wide
 };
-SHARED_SIZE(GatePush, 28);
+SHARED_SIZE(GatePush, 32);
 
 struct BouncePush {
     uint light_count; // of the chunk

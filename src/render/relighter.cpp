@@ -64,7 +64,8 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       light_count_(light_count), passes_(std::move(passes)), g_buffer_(g_buffer), distances_(distances),
       slot_count_(image_slots(settings.image_memory_bytes, width(), height(), light_count)),
       tree_(light_count, slot_count_),
-      cull_(device, shaders::kShader_cull, {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage}),
+      cull_(device, shaders::kShader_cull,
+            {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage, kStorage}),
       sum_(device, shaders::kShader_sum, {kStored, kStored, kStored},
            {settings.beams.beams == Beams::gate ? 0u : 1u}),
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
@@ -124,6 +125,8 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
     air_ = Buffer(device_, sizeof(shared::Air), Access::upload);
     std::memcpy(air_.mapped(), &settings_.air_field, sizeof settings_.air_field);
     groups_ = Buffer(device_, batches * sizeof(shared::TileGroups), Access::device);
+    work_ = Buffer(device_, sizeof(shared::FrameWork), Access::device);
+    work_read_ = Buffer(device_, sizeof(shared::FrameWork), Access::readback);
     exposure_ = Buffer(device_, sizeof(glm::vec4), Access::readback);
     pixels_ = Buffer(device_, std::uint64_t{4} * f.width * f.height, Access::readback);
     // Layer 0 is the frame, the others are the slots of the tree and its image of all that rests.
@@ -164,10 +167,15 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
         lights_used_ = 0;
         haze_.begin_frame();
         commands_.begin();
+        commands_.write(work_, std::vector<shared::FrameWork>(1));
         for (const ImageSum& sum : plan.sums) draw_sum(sum, lights);
         develop(lights);
+        commands_.copy(work_, work_read_, sizeof(shared::FrameWork));
         commands_.submit_and_wait();
         statistics.spans = commands_.spans();
+        const auto* work = static_cast<const shared::FrameWork*>(work_read_.mapped());
+        statistics.haze_tiles = static_cast<int>(work->haze_tiles);
+        statistics.surface_tiles = static_cast<int>(work->surface_tiles);
     }
     statistics.draw_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -235,7 +243,8 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
     commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}}));
     commands_.dispatch(cull_, cull,
                        {gpu::uniform(f.view), gpu::uniform(lights_, offset), gpu::storage(f.tile_bounds),
-                        gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_)},
+                        gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_),
+                        gpu::storage(work_)},
                        groups(chunk.tiles() + f.blocks, 64), chunk.batches());
     commands_.barrier();
     if (settings_.air) haze_.record(commands_, chunk);
@@ -328,8 +337,8 @@ std::uint64_t Relighter::memory_bytes() const {
     std::uint64_t sum = haze_.memory_bytes() + lens_.memory_bytes() + glare_.memory_bytes() +
                         (g_buffer_ ? g_buffer_->memory_bytes() : 0);
     if (distances_) sum += distances_->texture().bytes();
-    for (const gpu::Buffer* buffer :
-         {&f.view, &lights_, &f.tile_bounds, &masks_, &lists_, &groups_, &exposure_, &pixels_})
+    for (const gpu::Buffer* buffer : {&f.view, &lights_, &f.tile_bounds, &masks_, &lists_, &groups_, &work_,
+                                      &work_read_, &exposure_, &pixels_})
         sum += buffer->bytes();
     for (const gpu::Texture* texture : {&gobos_, &passes_.radiance, &passes_.bounces, &f.places, &f.edges,
                                         &f.base, &images_, &drawn_, &picture_})

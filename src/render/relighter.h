@@ -52,6 +52,8 @@ struct FrameStatistics {
     int changed = 0;              // lights that differ from the last frame
     int drawn = 0;                // lights drawn, the changed ones and those without a kept image
     int additions = 0;            // of two images
+    int haze_tiles = 0;           // of shared::kTilePixels, whose haze was drawn: once for each light
+    int surface_tiles = 0;        // the same for surfaces; blocks of extra fragments count as tiles
     double draw_ms = 0;           // whole draw(), waiting included
     std::vector<gpu::Span> spans; // GPU time
 };
@@ -112,7 +114,7 @@ private:
     LensPass lens_;
     GlarePass glare_;
     mutable gpu::Commands commands_;
-    gpu::Buffer air_, lights_, masks_, lists_, groups_, exposure_, pixels_;
+    gpu::Buffer air_, lights_, masks_, lists_, groups_, work_, work_read_, exposure_, pixels_;
     gpu::Texture gobos_, images_, drawn_, picture_;
 };
 
