@@ -38,16 +38,14 @@ Buffer::Buffer(const Device& device, std::uint64_t bytes, Access access)
     VK_CALL(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_));
     VkMemoryRequirements needs;
     vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
-    VkMemoryAllocateInfo allocate{};
-    allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-    allocate.allocationSize = needs.size;
-    allocate.memoryTypeIndex = device.memory_type(needs.memoryTypeBits, wanted_memory(access));
-    VK_CALL(vkAllocateMemory(device.handle(), &allocate, nullptr, &memory_));
+    std::uint32_t type = 0;
+    memory_ = device.allocate(needs, wanted_memory(access), type);
+    allocated_bytes_ = needs.size;
     VK_CALL(vkBindBufferMemory(device.handle(), buffer_, memory_, 0));
     // Mapping fails where the memory is not visible to the host; only then is staging needed.
     VkPhysicalDeviceMemoryProperties memory;
     vkGetPhysicalDeviceMemoryProperties(device.physical(), &memory);
-    const VkMemoryPropertyFlags has = memory.memoryTypes[allocate.memoryTypeIndex].propertyFlags;
+    const VkMemoryPropertyFlags has = memory.memoryTypes[type].propertyFlags;
     if ((has & VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT) && (has & VK_MEMORY_PROPERTY_HOST_COHERENT_BIT))
         VK_CALL(vkMapMemory(device.handle(), memory_, 0, VK_WHOLE_SIZE, 0, &mapped_));
     CHECK(mapped_ != nullptr || access == Access::device);
@@ -56,7 +54,7 @@ Buffer::Buffer(const Device& device, std::uint64_t bytes, Access access)
 Buffer::~Buffer() {
     if (!device_) return;
     vkDestroyBuffer(device_->handle(), buffer_, nullptr);
-    vkFreeMemory(device_->handle(), memory_, nullptr);
+    device_->release(memory_, allocated_bytes_);
 }
 
 void Buffer::swap(Buffer& other) noexcept {
@@ -64,6 +62,7 @@ void Buffer::swap(Buffer& other) noexcept {
     std::swap(buffer_, other.buffer_);
     std::swap(memory_, other.memory_);
     std::swap(bytes_, other.bytes_);
+    std::swap(allocated_bytes_, other.allocated_bytes_);
     std::swap(mapped_, other.mapped_);
 }
 

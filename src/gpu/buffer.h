@@ -49,6 +49,7 @@ private:
     VkBuffer buffer_ = VK_NULL_HANDLE;
     VkDeviceMemory memory_ = VK_NULL_HANDLE;
     std::uint64_t bytes_ = 0;
+    std::uint64_t allocated_bytes_ = 0;
     void* mapped_ = nullptr;
 };
 

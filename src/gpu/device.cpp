@@ -43,7 +43,8 @@ std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties&
     features.pNext = &f12;
     vkGetPhysicalDeviceFeatures2(physical, &features);
     if (!features.features.shaderStorageImageExtendedFormats) return "shaderStorageImageExtendedFormats";
-    if (!features.features.shaderStorageImageWriteWithoutFormat) return "shaderStorageImageWriteWithoutFormat";
+    if (!features.features.shaderStorageImageWriteWithoutFormat)
+        return "shaderStorageImageWriteWithoutFormat";
     if (!f12.scalarBlockLayout) return "scalarBlockLayout";
     if (!f13.synchronization2) return "synchronization2";
     if (!f13.maintenance4) return "maintenance4";
@@ -90,6 +91,7 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     TRY_VOID(device->make_instance(options.validation));
     TRY_VOID(device->choose_physical(options.name));
     device->make_device();
+    device->find_memory(options.memory_limit_bytes);
     return device;
 }
 
@@ -223,28 +225,7 @@ void Device::make_device() {
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
     push_descriptors_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
         vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
-
-    vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
-    for (std::uint32_t i = 0; i < memory_.memoryHeapCount; ++i)
-        if (memory_.memoryHeaps[i].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT)
-            local_memory_bytes_ = std::max<std::uint64_t>(local_memory_bytes_, memory_.memoryHeaps[i].size);
-}
-
-std::uint32_t Device::memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const {
-    std::uint32_t best = 0;
-    int best_score = -1;
-    for (std::uint32_t i = 0; i < memory_.memoryTypeCount; ++i) {
-        if (!(allowed & (1u << i))) continue;
-        const VkMemoryPropertyFlags has = memory_.memoryTypes[i].propertyFlags;
-        int score = 0;
-        for (std::uint32_t bit = 0; bit < 32; ++bit)
-            if ((wanted & (1u << bit)) && (has & (1u << bit))) ++score;
-        if (score > best_score) {
-            best_score = score;
-            best = i;
-        }
-    }
-    return best;
+    has_budget_ = has_extension(physical_, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
 }
 
 Device::~Device() {

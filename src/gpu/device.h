@@ -18,6 +18,7 @@ struct DeviceOptions {
     std::string
         name; // part of a device's name (case does not count), or its number in list_devices; empty: the best
     bool validation = false; // report misuse through the Khronos validation layer where it is installed
+    std::uint64_t memory_limit_bytes = 0; // of all buffers and textures; 0: what the device has
 };
 
 class Device {
@@ -40,6 +41,15 @@ public:
     std::uint64_t local_memory_bytes() const { return local_memory_bytes_; }
     std::size_t validation_errors() const { return validation_errors_; }
 
+    // Memory of a buffer or image, with as many of the wanted properties as there is; type: its index.
+    VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted,
+                            std::uint32_t& type) const;
+    void release(VkDeviceMemory memory, std::uint64_t bytes) const;
+    std::uint64_t memory_used_bytes() const { return used_bytes_; }
+    // What may still be allocated: of the limit, of what the driver says is left, or of the processor's
+    // memory that was free at the start. Whoever makes something large asks first.
+    std::uint64_t memory_left_bytes() const;
+
     // The first of these formats whose images can do all that is wanted; the last one where none can.
     VkFormat first_format(std::span<const VkFormat> formats, VkFormatFeatureFlags wanted) const;
 
@@ -54,6 +64,7 @@ private:
     Result<void> make_instance(bool validation);
     Result<void> choose_physical(const std::string& name);
     void make_device();
+    void find_memory(std::uint64_t limit_bytes);
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
@@ -67,6 +78,10 @@ private:
     bool is_cpu_ = false;
     double timestamp_period_ns_ = 1;
     std::uint64_t local_memory_bytes_ = 0;
+    std::uint64_t limit_bytes_ = 0;
+    bool enforced_ = false;   // somebody asked for the limit
+    bool has_budget_ = false; // the driver says what is left, other programs counted in
+    mutable std::uint64_t used_bytes_ = 0;
     std::size_t validation_errors_ = 0;
 };
 

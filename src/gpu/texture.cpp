@@ -25,9 +25,7 @@ VkImageUsageFlags usage_of(const TextureShape& shape) {
     return usage;
 }
 
-} // namespace
-
-Texture::Texture(const Device& device, const TextureShape& shape) : device_(&device), shape_(shape) {
+VkImageCreateInfo image_info(const TextureShape& shape) {
     VkImageCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
     info.imageType = VK_IMAGE_TYPE_2D;
@@ -38,15 +36,30 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     CHECK(shape.samples == 1 || (shape.attachment && shape.layers == 1 && shape.levels == 1));
     info.samples = static_cast<VkSampleCountFlagBits>(shape.samples);
     info.usage = usage_of(shape);
+    return info;
+}
+
+} // namespace
+
+std::uint64_t texture_bytes(const Device& device, const TextureShape& shape) {
+    const VkImageCreateInfo info = image_info(shape);
+    VkDeviceImageMemoryRequirements asked{};
+    asked.sType = VK_STRUCTURE_TYPE_DEVICE_IMAGE_MEMORY_REQUIREMENTS;
+    asked.pCreateInfo = &info;
+    VkMemoryRequirements2 needs{};
+    needs.sType = VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2;
+    vkGetDeviceImageMemoryRequirements(device.handle(), &asked, &needs);
+    return needs.memoryRequirements.size;
+}
+
+Texture::Texture(const Device& device, const TextureShape& shape) : device_(&device), shape_(shape) {
+    const VkImageCreateInfo info = image_info(shape);
     VK_CALL(vkCreateImage(device.handle(), &info, nullptr, &image_));
     VkMemoryRequirements needs;
     vkGetImageMemoryRequirements(device.handle(), image_, &needs);
     bytes_ = needs.size;
-    VkMemoryAllocateInfo allocate{};
-    allocate.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
-    allocate.allocationSize = needs.size;
-    allocate.memoryTypeIndex = device.memory_type(needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-    VK_CALL(vkAllocateMemory(device.handle(), &allocate, nullptr, &memory_));
+    std::uint32_t type = 0;
+    memory_ = device.allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, type);
     VK_CALL(vkBindImageMemory(device.handle(), image_, memory_, 0));
 
     VkImageViewCreateInfo view{};
@@ -118,7 +131,7 @@ Texture::~Texture() {
     vkDestroySampler(device_->handle(), sampler_, nullptr);
     vkDestroyImageView(device_->handle(), view_, nullptr);
     vkDestroyImage(device_->handle(), image_, nullptr);
-    vkFreeMemory(device_->handle(), memory_, nullptr);
+    device_->release(memory_, bytes_);
 }
 
 void Texture::swap(Texture& other) noexcept {

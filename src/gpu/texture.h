@@ -28,6 +28,9 @@ struct TextureShape {
     std::uint32_t samples = 1; // above 1: an attachment with one layer and one level, seen as a 2DMS image
 };
 
+// Of device memory, before it is made.
+std::uint64_t texture_bytes(const Device& device, const TextureShape& shape);
+
 class Texture {
 public:
     Texture() = default;
