@@ -1,7 +1,7 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
-// Bounds of the blocks of extra fragments, as those of the tiles. The places of the last block that no fragment fills are
-// no surface.
+// Bounds of the blocks of extra fragments, as those of the tiles. Places that no fragment fills are no surface; those of the
+// last block are made so here.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
@@ -18,9 +18,11 @@ layout(push_constant, scalar) uniform Push { GatherPush p; };
 void main() {
     uint index = gl_GlobalInvocationID.x;
     ivec3 at = ivec3(index % view.width, view.height + index / view.width, 0);
-    bool filled = index < counts.used;
-    vec3 place = imageLoad(places, at).xyz;
-    if (!filled) imageStore(places, at, vec4(0.0, 0.0, 0.0, -1.0));
+    bool taken = index < counts.used;
+    vec4 found = imageLoad(places, at);
+    vec3 place = found.xyz;
+    bool filled = taken && found.w >= 0.0;
+    if (!taken) imageStore(places, at, vec4(0.0, 0.0, 0.0, -1.0));
     Box box = Box(filled ? place : vec3(kNowhere), filled ? place : vec3(-kNowhere), filled ? length(place - view.eye_m) : 0.0);
     box = box_of_group(box);
     vec3 centre = box.low.x <= box.high.x ? (box.low + box.high) * 0.5 : vec3(0.0);

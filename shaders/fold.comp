@@ -26,6 +26,7 @@ void main() {
     ivec3 at = ivec3(edge.x % view.width, edge.x / view.width, 0);
     uint first = edge.y >> 2;
     uint count = edge.y & 3u;
+    if (count == 0u) return; // room for an edge
     vec4 sum = imageLoad(drawn, at);
     for (uint k = first; k < first + count; ++k)
         sum += imageLoad(drawn, ivec3(k % view.width, view.height + k / view.width, 0));

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sorts the samples of every pixel of the G-buffer into fragments (scene/passes.h): the main one where the pixel is, the
 // others together behind the picture, those of a tile next to each other. Also the picture without lights, and
-// the bounds of the tiles. A workgroup is a tile.
+// the bounds of the tiles. A workgroup is a tile. Tiles may be gathered again one by one: they keep their room for extra fragments
+// if it is large enough, and get a new one at the end otherwise.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
@@ -26,6 +27,8 @@ layout(binding = 10, rgba32f) writeonly uniform image2DArray base;
 layout(binding = 11, rg32ui) writeonly uniform uimage2DArray edges;
 layout(binding = 12, scalar) writeonly buffer TileBounds { vec4 tile_bounds[]; };
 layout(binding = 13, scalar) buffer Counts { GatherCounts counts; };
+layout(binding = 14, scalar) buffer Rooms { TileRoom rooms[]; };
+layout(binding = 15, scalar) readonly buffer TileList { uint tile_list[]; };
 layout(push_constant, scalar) uniform Push { GatherPush p; };
 
 // Vulkan's standard locations; (0, 0) is the pixel's upper left corner.
@@ -33,7 +36,10 @@ const vec2 kSampleAt[4] = vec2[4](vec2(0.375, 0.125), vec2(0.875, 0.375), vec2(0
 
 shared uint first_extra;
 shared uint first_edge;
-shared uint room;
+shared uint has_room;
+// Places that nothing fills: from, to, from, to.
+shared uvec4 spare_extras;
+shared uvec4 spare_edges;
 
 vec3 ray_at(vec2 pixel) {
     return view.forward + view.right * (2.0 * pixel.x / float(view.width) - 1.0) + view.up * (1.0 - 2.0 * pixel.y / float(view.height));
@@ -58,8 +64,11 @@ vec3 facet_of(vec2 slope, vec2 pixel) {
 
 void main() {
     uvec2 size = uvec2(view.width, view.height);
-    bool inside = all(lessThan(gl_GlobalInvocationID.xy, size));
-    ivec2 at = ivec2(min(gl_GlobalInvocationID.xy, size - 1u));
+    uint tile = gl_WorkGroupID.y * p.tiles_x + gl_WorkGroupID.x;
+    if (p.listed != 0u) tile = tile_list[gl_WorkGroupID.x];
+    uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
+    bool inside = all(lessThan(pixel, size));
+    ivec2 at = ivec2(min(pixel, size - 1u));
 
     float depth[4];
     vec4 tilt[4];
@@ -111,28 +120,51 @@ void main() {
     // Extras in the low half, edges in the high half.
     uint extras = uint(max(count - 1, 0));
     uvec2 sums = sum_of_group(extras | (extras > 0u ? 0x10000u : 0u));
-    uint tile = gl_WorkGroupID.y * p.tiles_x + gl_WorkGroupID.x;
     if (gl_LocalInvocationIndex == 0u) {
         uint all = sums.y & 0xffffu;
-        first_extra = 0u;
-        first_edge = 0u;
-        room = 1u;
-        if (all > 0u) {
-            first_extra = atomicAdd(counts.extras, all);
+        uint edge_count = sums.y >> 16;
+        TileRoom old = TileRoom(0u, 0u, 0u, 0u);
+        if (p.listed != 0u) old = rooms[tile];
+        TileRoom own = old;
+        has_room = 1u;
+        bool moves = all > old.extras || edge_count > old.edges;
+        if (moves) {
+            own.extras = all + (p.listed != 0u ? kSpareRoom : 0u);
+            own.edges = edge_count + (p.listed != 0u ? kSpareRoom : 0u);
+            own.first_extra = atomicAdd(counts.extras, own.extras);
             // What once found no room left never finds any again, so the places taken are without gaps.
-            room = first_extra + all <= p.capacity ? 1u : 0u;
-            if (room == 1u) {
-                first_edge = atomicAdd(counts.edges, sums.y >> 16);
-                atomicMax(counts.used, first_extra + all);
-                atomicMax(counts.groups[0], (first_extra + all + kTilePixels - 1u) / kTilePixels);
+            has_room = own.first_extra + own.extras <= p.capacity ? 1u : 0u;
+            if (has_room == 1u) {
+                own.first_edge = atomicAdd(counts.edges, own.edges);
+                has_room = own.first_edge + own.edges <= size.x * size.y ? 1u : 0u;
+            }
+            if (has_room == 1u) {
+                atomicMax(counts.used, own.first_extra + own.extras);
+                atomicMax(counts.groups[0], (own.first_extra + own.extras + kTilePixels - 1u) / kTilePixels);
             } else {
-                atomicAdd(counts.dropped, sums.y >> 16);
+                own = TileRoom(0u, 0u, 0u, 0u);
+                atomicAdd(counts.dropped, edge_count);
             }
         }
+        rooms[tile] = own;
+        first_extra = own.first_extra;
+        first_edge = own.first_edge;
+        uint filled = has_room == 1u ? all : 0u;
+        uint filled_edges = has_room == 1u ? edge_count : 0u;
+        spare_extras = uvec4(own.first_extra + filled, own.first_extra + own.extras, old.first_extra, old.first_extra + (moves ? old.extras : 0u));
+        spare_edges = uvec4(own.first_edge + filled_edges, own.first_edge + own.edges, old.first_edge, old.first_edge + (moves ? old.edges : 0u));
     }
     barrier();
+    for (uint k = spare_extras.x + gl_LocalInvocationIndex; k < spare_extras.y; k += kTilePixels)
+        imageStore(places, ivec3(k % size.x, size.y + k / size.x, 0), vec4(0.0, 0.0, 0.0, -1.0));
+    for (uint k = spare_extras.z + gl_LocalInvocationIndex; k < spare_extras.w; k += kTilePixels)
+        imageStore(places, ivec3(k % size.x, size.y + k / size.x, 0), vec4(0.0, 0.0, 0.0, -1.0));
+    for (uint k = spare_edges.x + gl_LocalInvocationIndex; k < spare_edges.y; k += kTilePixels)
+        imageStore(edges, ivec3(k % size.x, k / size.x, 0), uvec4(0u));
+    for (uint k = spare_edges.z + gl_LocalInvocationIndex; k < spare_edges.w; k += kTilePixels)
+        imageStore(edges, ivec3(k % size.x, k / size.x, 0), uvec4(0u));
     uint extra = first_extra + (sums.x & 0xffffu);
-    if (room == 0u) {
+    if (has_room == 0u) {
         // The main fragment stands for all of them.
         for (int s = 0; s < 4; ++s) number[s] = owner[s] < 0 ? -1 : (number[s] == 0 ? 0 : 4);
     } else if (extras > 0u) {
@@ -141,7 +173,7 @@ void main() {
     }
 
     vec3 unlit = vec3(0.0);
-    int end = room == 0u ? min(count, 1) : count;
+    int end = has_room == 0u ? min(count, 1) : count;
     for (int k = 0; k < end; ++k) {
         vec3 mean_place = vec3(0.0);
         vec3 mean_normal = vec3(0.0);

@@ -56,14 +56,27 @@ struct GatherPush {
     uint tiles;       // of the picture
     uint tiles_x;
     float pixel_m;    // width of a pixel at 1 m along the axis
+    uint listed;      // 1: only the tiles of the list, the others stay as they are
 };
-SHARED_SIZE(GatherPush, 28);
+SHARED_SIZE(GatherPush, 32);
+
+// Where the extra fragments and the edges of a tile lie. There may be more room than is used: extras without coverage, edges
+// without extras.
+struct TileRoom {
+    uint first_extra;
+    uint extras;
+    uint first_edge;
+    uint edges;
+};
+SHARED_SIZE(TileRoom, 16);
+// A tile that is gathered again and needs more room gets this much more than it needs, for heads turn on.
+SHARED_CONST uint kSpareRoom = 16u;
 
 // What gather counts. groups: workgroups over the blocks of extra fragments, as Vulkan wants them.
 struct GatherCounts {
     uint groups[3];
     uint extras;   // asked for; those of dropped pixels too
-    uint edges;    // pixels with extra fragments
+    uint edges;    // pixels with extra fragments, and room for such
     uint used;     // places below this are taken
     uint dropped;  // pixels that lost their extra fragments: no room
     uint unused;

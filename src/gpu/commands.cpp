@@ -176,6 +176,20 @@ void Commands::copy(const Texture& from, const Buffer& to) {
     barrier();
 }
 
+void Commands::copy(const Texture& from, const Texture& to, const std::vector<VkRect2D>& parts) {
+    CHECK(from.shape().format == to.shape().format && from.shape().samples == to.shape().samples);
+    const VkImageSubresourceLayers layers{from.aspect(), 0, 0, 1};
+    std::vector<VkImageCopy> regions;
+    for (const VkRect2D& part : parts) {
+        const VkOffset3D at{part.offset.x, part.offset.y, 0};
+        regions.push_back({layers, at, layers, at, {part.extent.width, part.extent.height, 1}});
+    }
+    if (regions.empty()) return;
+    vkCmdCopyImage(commands_, from.image(), VK_IMAGE_LAYOUT_GENERAL, to.image(), VK_IMAGE_LAYOUT_GENERAL,
+                   static_cast<std::uint32_t>(regions.size()), regions.data());
+    barrier();
+}
+
 void Commands::clear(const Texture& texture) {
     barrier(); // earlier readers are done
     const VkClearColorValue zero{};

@@ -90,8 +90,10 @@ public:
     void barrier();
     void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);
     void copy(const Texture& from, const Buffer& to); // level 0, layer 0, tightly packed
-    void clear(const Texture& texture);               // every layer to zero
-    void begin_span(const std::string& name);         // up to the next begin_span or the end
+    // Parts of an image of the same shape, every sample of a pixel.
+    void copy(const Texture& from, const Texture& to, const std::vector<VkRect2D>& parts);
+    void clear(const Texture& texture);       // every layer to zero
+    void begin_span(const std::string& name); // up to the next begin_span or the end
     void submit_and_wait();
 
     VkCommandBuffer handle() const { return commands_; }

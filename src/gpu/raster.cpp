@@ -23,12 +23,12 @@ VkShaderModule make_module(const Device& device, std::span<const std::uint32_t> 
     return module;
 }
 
-VkRenderingAttachmentInfo cleared(const Texture& texture) {
+VkRenderingAttachmentInfo attachment(const Texture& texture, Before before) {
     VkRenderingAttachmentInfo info{};
     info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
     info.imageView = texture.view();
     info.imageLayout = VK_IMAGE_LAYOUT_GENERAL;
-    info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    info.loadOp = before == Before::kept ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
     info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     return info;
 }
@@ -132,11 +132,12 @@ Raster::~Raster() {
     vkDestroyDescriptorSetLayout(device_.handle(), set_layout_, nullptr);
 }
 
-void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth) {
+void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth,
+                   Before before) {
     commands.barrier();
     std::vector<VkRenderingAttachmentInfo> attachments;
-    for (const Texture* colour : colours) attachments.push_back(cleared(*colour));
-    const VkRenderingAttachmentInfo depth_attachment = cleared(depth);
+    for (const Texture* colour : colours) attachments.push_back(attachment(*colour, before));
+    const VkRenderingAttachmentInfo depth_attachment = attachment(depth, before);
     const TextureShape& shape = depth.shape();
     const VkRect2D area{{0, 0}, {shape.width, shape.height}};
     VkRenderingInfo info{};

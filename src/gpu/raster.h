@@ -49,8 +49,12 @@ private:
     VkPipeline pipeline_ = VK_NULL_HANDLE;
 };
 
-// Clears all attachments to zero and begins; they have one size and number of samples.
-void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth);
+enum class Before { cleared, kept };
+
+// Clears all attachments to zero (or goes on with what they hold) and begins; they have one size and number
+// of samples.
+void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth,
+                   Before before = Before::cleared);
 void end_drawing(Commands& commands);
 
 // A part of an index buffer (32 bit).

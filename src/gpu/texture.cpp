@@ -16,8 +16,8 @@ bool is_depth(VkFormat format) {
 }
 
 VkImageUsageFlags usage_of(const TextureShape& shape) {
-    VkImageUsageFlags usage = VK_IMAGE_USAGE_SAMPLED_BIT;
-    if (shape.samples == 1) usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+    VkImageUsageFlags usage =
+        VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
     if (shape.storage) usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     if (shape.attachment)
         usage |= is_depth(shape.format) ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
@@ -67,9 +67,7 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     view.image = image_;
     view.viewType = shape.samples > 1 ? VK_IMAGE_VIEW_TYPE_2D : VK_IMAGE_VIEW_TYPE_2D_ARRAY;
     view.format = shape.format;
-    const VkImageAspectFlags aspect =
-        is_depth(shape.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
-    view.subresourceRange = {aspect, 0, shape.levels, 0, shape.layers};
+    view.subresourceRange = {aspect(), 0, shape.levels, 0, shape.layers};
     VK_CALL(vkCreateImageView(device.handle(), &view, nullptr, &view_));
 
     VkSamplerCreateInfo sampler{};
@@ -102,6 +100,10 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     commands.begin();
     vkCmdPipelineBarrier2(commands.handle(), &dependency);
     commands.submit_and_wait();
+}
+
+VkImageAspectFlags Texture::aspect() const {
+    return is_depth(shape_.format) ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
 }
 
 void Texture::write(std::uint32_t level, const void* data, std::uint64_t bytes) {

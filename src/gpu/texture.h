@@ -51,6 +51,7 @@ public:
     VkImageView view() const { return view_; }
     VkSampler sampler() const { return sampler_; }
     const TextureShape& shape() const { return shape_; }
+    VkImageAspectFlags aspect() const;             // colour or depth
     std::uint64_t bytes() const { return bytes_; } // of device memory
 
 private:

@@ -18,6 +18,7 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <utility>
 
 namespace ghost::render {
 namespace {
@@ -73,6 +74,35 @@ Axes axes_of(const Pose& pose) {
     return {glm::vec3(m[3]), glm::vec3(m[0]), glm::vec3(m[1]), -glm::vec3(m[2]), tan_x, tan_y};
 }
 
+std::vector<VkRect2D> regions(const TileSet& tiles) {
+    std::vector<VkRect2D> all;
+    for (const PixelRect& rect : tiles.rects())
+        all.push_back(
+            {{rect.x0, rect.y0},
+             {static_cast<std::uint32_t>(rect.x1 - rect.x0), static_cast<std::uint32_t>(rect.y1 - rect.y0)}});
+    return all;
+}
+
+// From places with the eye as origin.
+glm::mat4 to_clip(const Axes& axes) {
+    glm::mat4 m(0.0f);
+    for (int k = 0; k < 3; ++k)
+        m[k] = glm::vec4(axes.right[k] / axes.tan_x, -axes.up[k] / axes.tan_y, 0.0f, axes.forward[k]);
+    m[3] = glm::vec4(0.0f, 0.0f, shared::kNear_m, 0.0f);
+    return m;
+}
+
+// Of the view, normals inwards, the eye as origin.
+std::vector<glm::vec4> planes_of(const Axes& axes) {
+    return {
+        glm::vec4(axes.forward, -shared::kNear_m),
+        glm::vec4(axes.forward * axes.tan_x - axes.right, 0.0f),
+        glm::vec4(axes.forward * axes.tan_x + axes.right, 0.0f),
+        glm::vec4(axes.forward * axes.tan_y - axes.up, 0.0f),
+        glm::vec4(axes.forward * axes.tan_y + axes.up, 0.0f),
+    };
+}
+
 bool finite(const Pose& pose) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
@@ -85,7 +115,7 @@ bool finite(const Pose& pose) {
 GBuffer::GBuffer(const gpu::Device& device, int width, int height)
     : device_(device), gather_(device, shaders::kShader_gather,
                                {kUniform, kSampled, kSampled, kSampled, kSampled, kSampled, kStored, kStored,
-                                kStored, kStored, kStored, kStored, kStorage, kStorage}),
+                                kStored, kStored, kStored, kStored, kStorage, kStorage, kStorage, kStorage}),
       block_bounds_(device, shaders::kShader_block_bounds, {kUniform, kStored, kStorage, kStorage}),
       commands_(device) {
     using gpu::Access;
@@ -109,41 +139,130 @@ GBuffer::GBuffer(const gpu::Device& device, int width, int height)
     diffuse_ = stored(device, w, rows, kHalves);
     specular_ = stored(device, w, rows, kHalves);
     normals_ = stored(device, w, rows, kHalves);
-    sample_depth_ = attachment(device, w, h, VK_FORMAT_D32_SFLOAT);
-    sample_base_ = attachment(device, w, h, kHalves);
-    sample_normal_ = attachment(device, w, h, kHalves);
-    sample_emission_ = attachment(device, w, h, kHalves);
-    sample_metalness_ = attachment(device, w, h, VK_FORMAT_R8_UNORM);
+    samples_ = make_samples();
+    const std::uint64_t tiles = std::uint64_t{fragments_.tiles_x} * fragments_.tiles_y;
+    rooms_ = Buffer(device, tiles * sizeof(shared::TileRoom), Access::device);
+    tile_list_ = Buffer(device, tiles * sizeof(std::uint32_t), Access::upload);
     counts_ = Buffer(device, sizeof(shared::GatherCounts), Access::device);
     counts_read_ = Buffer(device, sizeof(shared::GatherCounts), Access::readback);
+}
+
+GBuffer::Samples GBuffer::make_samples() const {
+    const std::uint32_t w = fragments_.width, h = fragments_.height;
+    return {attachment(device_, w, h, VK_FORMAT_D32_SFLOAT), attachment(device_, w, h, kHalves),
+            attachment(device_, w, h, kHalves), attachment(device_, w, h, kHalves),
+            attachment(device_, w, h, VK_FORMAT_R8_UNORM)};
 }
 
 void GBuffer::draw(const StageModel& model, const Pose& pose, const Surroundings& surroundings) {
     CHECK_EQ(static_cast<std::uint32_t>(pose.width), fragments_.width);
     CHECK_EQ(static_cast<std::uint32_t>(pose.height), fragments_.height);
     CHECK(finite(pose));
-    const shared::View view =
+    pose_ = pose;
+    surroundings_ = surroundings;
+    still_revision_ = model.still_revision();
+    fragments_.camera =
         make_view(pose.camera_to_world, pose.fov_y_deg, pose.width, pose.height, surroundings.haze);
-    fragments_.camera = view;
-    fragments_.eye_m = view.eye_m;
-    fragments_.pixels_per_rad = pixels_per_rad(view);
+    fragments_.eye_m = fragments_.camera.eye_m;
+    fragments_.pixels_per_rad = pixels_per_rad(fragments_.camera);
+    changed_ = {{0, 0, pose.width, pose.height}};
+    saved_ = TileSet(pose.width, pose.height);
+    shown_.clear();
+    const MovingPlan moving = plan_moving(model);
+    const Axes axes = axes_of(pose);
     commands_.begin();
-    draw_meshes(model, pose);
-    gather(view, surroundings.ambient);
+    commands_.begin_span("raster");
+    draw_meshes(model, model.visible(axes.eye_m, planes_of(axes)), gpu::Before::cleared);
+    draw_moving(model, moving);
+    gather(nullptr);
+    submit();
+    warn_of_dropped();
+}
+
+bool GBuffer::update(const StageModel& model) {
+    CHECK(pose_.width > 0);
+    if (model.still_revision() != still_revision_) {
+        draw(model, pose_, surroundings_);
+        return true;
+    }
+    const MovingPlan moving = plan_moving(model);
+    changed_ = moving.tiles.rects();
+    if (moving.tiles.empty()) return false;
+    const std::uint32_t dropped = dropped_pixels_;
+    commands_.begin();
+    draw_moving(model, moving);
+    gather(&moving.tiles);
+    submit();
+    if (dropped_pixels_ > dropped) {
+        // All fragments move together again; what they are does not change.
+        commands_.begin();
+        gather(nullptr);
+        submit();
+    }
+    warn_of_dropped();
+    return true;
+}
+
+void GBuffer::warn_of_dropped() {
+    if (dropped_pixels_ == 0 || std::exchange(warned_, true)) return;
+    log_warning(std::to_string(dropped_pixels_) +
+                " pixels on edges show only their main surface: more than " + std::to_string(capacity_) +
+                " extra fragments");
+}
+
+void GBuffer::submit() {
     commands_.submit_and_wait();
     spans_ = commands_.spans();
-
     shared::GatherCounts counts;
     std::memcpy(&counts, counts_read_.mapped(), sizeof counts);
     fragments_.blocks = counts.groups[0];
-    fragments_.edge_count = counts.edges;
+    fragments_.edge_count = std::min(counts.edges, fragments_.width * fragments_.height);
     extra_count_ = counts.used;
     dropped_pixels_ = counts.dropped;
-    if (counts.dropped > 0 && !warned_)
-        log_warning(std::to_string(counts.dropped) +
-                    " pixels on edges show only their main surface: more than " + std::to_string(capacity_) +
-                    " extra fragments");
-    warned_ = warned_ || counts.dropped > 0;
+}
+
+GBuffer::MovingPlan GBuffer::plan_moving(const StageModel& model) {
+    MovingPlan plan{TileSet(pose_.width, pose_.height), {}};
+    if (!model.has_moving()) return plan;
+    const Axes axes = axes_of(pose_);
+    const std::vector<StageModel::MovingDraw> placed = model.visible_moving(axes.eye_m, planes_of(axes));
+    std::map<std::size_t, Shown> shown;
+    for (const StageModel::MovingDraw& one : placed) {
+        const PixelRect rect = pixels_of(one.corners_m, to_clip(axes), pose_.width, pose_.height);
+        if (rect.empty()) continue;
+        shown[one.instance] = {one.draw.to_eye, rect};
+        const auto before = shown_.find(one.instance);
+        if (before == shown_.end() || before->second.to_eye != one.draw.to_eye) plan.tiles.add(rect);
+    }
+    for (const auto& [instance, before] : shown_) {
+        const auto now = shown.find(instance);
+        if (now == shown.end() || now->second.to_eye != before.to_eye) plan.tiles.add(before.rect);
+    }
+    shown_ = std::move(shown);
+    for (const StageModel::MovingDraw& one : placed) {
+        const auto now = shown_.find(one.instance);
+        if (now != shown_.end() && plan.tiles.meets(now->second.rect)) plan.draws.push_back(one.draw);
+    }
+    return plan;
+}
+
+void GBuffer::draw_moving(const StageModel& model, const MovingPlan& plan) {
+    if (plan.tiles.empty()) return;
+    if (!hidden_.depth.image()) hidden_ = make_samples();
+    TileSet fresh = plan.tiles;
+    fresh.remove(saved_);
+    TileSet known = plan.tiles;
+    known.remove(fresh);
+    saved_.add(fresh);
+    const std::vector<VkRect2D> to_save = regions(fresh), to_restore = regions(known);
+    commands_.begin_span("restore");
+    for (std::size_t k = 0; k < samples_.all().size(); ++k) {
+        commands_.copy(*samples_.all()[k], *hidden_.all()[k], to_save);
+        commands_.copy(*hidden_.all()[k], *samples_.all()[k], to_restore);
+    }
+    commands_.begin_span("moving");
+    // Without a scissor: beyond these tiles they stand already, at the same depth, and do not win again.
+    draw_meshes(model, plan.draws, gpu::Before::kept);
 }
 
 const gpu::Raster& GBuffer::raster_for(const StageModel::Surface& surface) {
@@ -157,27 +276,15 @@ const gpu::Raster& GBuffer::raster_for(const StageModel::Surface& surface) {
     return *raster;
 }
 
-void GBuffer::draw_meshes(const StageModel& model, const Pose& pose) {
-    const Axes axes = axes_of(pose);
-    const std::vector<glm::vec4> planes{
-        glm::vec4(axes.forward, -shared::kNear_m),
-        glm::vec4(axes.forward * axes.tan_x - axes.right, 0.0f),
-        glm::vec4(axes.forward * axes.tan_x + axes.right, 0.0f),
-        glm::vec4(axes.forward * axes.tan_y - axes.up, 0.0f),
-        glm::vec4(axes.forward * axes.tan_y + axes.up, 0.0f),
-    };
-    glm::mat4 to_clip(0.0f);
-    for (int k = 0; k < 3; ++k)
-        to_clip[k] = glm::vec4(axes.right[k] / axes.tan_x, -axes.up[k] / axes.tan_y, 0.0f, axes.forward[k]);
-    to_clip[3] = glm::vec4(0.0f, 0.0f, shared::kNear_m, 0.0f);
-
-    commands_.begin_span("raster");
-    gpu::begin_drawing(commands_, {&sample_base_, &sample_normal_, &sample_emission_, &sample_metalness_},
-                       sample_depth_);
+void GBuffer::draw_meshes(const StageModel& model, const std::vector<StageModel::Draw>& draws,
+                          gpu::Before before) {
+    const glm::mat4 eye_to_clip = to_clip(axes_of(pose_));
+    gpu::begin_drawing(commands_, {&samples_.base, &samples_.normal, &samples_.emission, &samples_.metalness},
+                       samples_.depth, before);
     gpu::use_vertices(commands_, model.vertices(), model.indices());
     const StageModel::Surface* used = nullptr;
     const gpu::Raster* raster = nullptr;
-    for (const StageModel::Draw& draw : model.visible(axes.eye_m, planes)) {
+    for (const StageModel::Draw& draw : draws) {
         const StageModel::Surface& surface = model.surface_of(draw.mesh);
         if (used != &surface) {
             used = &surface;
@@ -191,7 +298,7 @@ void GBuffer::draw_meshes(const StageModel& model, const Pose& pose) {
                                gpu::uniform(model.materials(), surface.offset)});
         }
         shared::MeshPush push{};
-        const glm::mat4 mesh_to_clip = to_clip * draw.to_eye;
+        const glm::mat4 mesh_to_clip = eye_to_clip * draw.to_eye;
         for (int k = 0; k < 4; ++k) push.to_clip[k] = mesh_to_clip[k];
         for (int k = 0; k < 3; ++k) push.axis[k] = glm::vec3(draw.to_eye[k]);
         gpu::push_constants(commands_, *raster, &push, sizeof push);
@@ -200,21 +307,31 @@ void GBuffer::draw_meshes(const StageModel& model, const Pose& pose) {
     gpu::end_drawing(commands_);
 }
 
-void GBuffer::gather(const shared::View& view, const glm::vec3& ambient) {
-    const std::uint32_t tiles = fragments_.tiles_x * fragments_.tiles_y;
+void GBuffer::gather(const TileSet* tiles) {
+    const shared::View& view = fragments_.camera;
+    const std::uint32_t tile_count = fragments_.tiles_x * fragments_.tiles_y;
     const float pixel_m = 2.0f * glm::length(view.up) / static_cast<float>(view.height);
-    const shared::GatherPush push{ambient, capacity_, tiles, fragments_.tiles_x, pixel_m};
+    const shared::GatherPush push{surroundings_.ambient, capacity_, tile_count,
+                                  fragments_.tiles_x,    pixel_m,   tiles ? 1u : 0u};
     commands_.begin_span("gather");
-    commands_.write(fragments_.view, std::vector{view});
-    commands_.write(counts_, std::vector<shared::GatherCounts>{{{0, 1, 1}, 0, 0, 0, 0, 0}});
-    commands_.dispatch(gather_, push,
-                       {gpu::uniform(fragments_.view), gpu::sampled(sample_depth_),
-                        gpu::sampled(sample_base_), gpu::sampled(sample_normal_),
-                        gpu::sampled(sample_emission_), gpu::sampled(sample_metalness_),
-                        gpu::stored(fragments_.places), gpu::stored(diffuse_), gpu::stored(specular_),
-                        gpu::stored(normals_), gpu::stored(fragments_.base), gpu::stored(fragments_.edges),
-                        gpu::storage(fragments_.tile_bounds), gpu::storage(counts_)},
-                       fragments_.tiles_x, fragments_.tiles_y);
+    std::uint32_t groups_x = fragments_.tiles_x, groups_y = fragments_.tiles_y;
+    if (tiles) {
+        const std::vector<std::uint32_t> list = tiles->list();
+        std::memcpy(tile_list_.mapped(), list.data(), list.size() * sizeof list[0]);
+        groups_x = static_cast<std::uint32_t>(list.size());
+        groups_y = 1;
+    } else {
+        commands_.write(fragments_.view, std::vector{view});
+        commands_.write(counts_, std::vector<shared::GatherCounts>{{{0, 1, 1}, 0, 0, 0, 0, 0}});
+    }
+    commands_.dispatch(
+        gather_, push,
+        {gpu::uniform(fragments_.view), gpu::sampled(samples_.depth), gpu::sampled(samples_.base),
+         gpu::sampled(samples_.normal), gpu::sampled(samples_.emission), gpu::sampled(samples_.metalness),
+         gpu::stored(fragments_.places), gpu::stored(diffuse_), gpu::stored(specular_), gpu::stored(normals_),
+         gpu::stored(fragments_.base), gpu::stored(fragments_.edges), gpu::storage(fragments_.tile_bounds),
+         gpu::storage(counts_), gpu::storage(rooms_), gpu::storage(tile_list_)},
+        groups_x, groups_y);
     commands_.barrier();
     commands_.begin_span("blocks");
     commands_.dispatch_indirect(block_bounds_, push,
@@ -227,12 +344,14 @@ void GBuffer::gather(const shared::View& view, const glm::vec3& ambient) {
 
 std::uint64_t GBuffer::memory_bytes() const {
     std::uint64_t sum = 0;
-    for (const gpu::Buffer* buffer : {&fragments_.view, &fragments_.tile_bounds, &counts_, &counts_read_})
+    for (const gpu::Buffer* buffer :
+         {&fragments_.view, &fragments_.tile_bounds, &counts_, &counts_read_, &rooms_, &tile_list_})
         sum += buffer->bytes();
     for (const gpu::Texture* texture :
-         {&fragments_.places, &fragments_.edges, &fragments_.base, &diffuse_, &specular_, &normals_,
-          &sample_depth_, &sample_base_, &sample_normal_, &sample_emission_, &sample_metalness_})
+         {&fragments_.places, &fragments_.edges, &fragments_.base, &diffuse_, &specular_, &normals_})
         sum += texture->bytes();
+    for (const Samples* samples : {&samples_, &hidden_})
+        for (const gpu::Texture* texture : samples->all()) sum += texture->bytes();
     return sum;
 }
 

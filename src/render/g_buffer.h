@@ -4,15 +4,19 @@
 // material of each. The stage is drawn with kSamples samples a pixel into reversed depth and material
 // attachments; a compute pass sorts the samples into fragments, as the baker sorts its rays. Positions are
 // those of the samples, from their depth. Blended surfaces take a share of the samples of a pixel, by chance
-// that is the same in every frame: a share of a quarter at least, noise beyond that. Main thread; the device
-// must outlive it.
+// that is the same in every frame: a share of a quarter at least, noise beyond that. Instances that move are
+// drawn last, and what they hide is kept: when they move on, only the tiles where they were and are change.
+// Main thread; the device must outlive it.
 
 #include "gpu/commands.h"
 #include "gpu/raster.h"
 #include "render/fragments.h"
+#include "render/screen_area.h"
 #include "render/stage_model.h"
 #include "shared/types.h"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <map>
@@ -41,6 +45,11 @@ public:
 
     // Draws and waits: the numbers in fragments() are those of this camera then.
     void draw(const StageModel& model, const Pose& pose, const Surroundings& surroundings);
+    // Draws what moved since then, seen and surrounded as before; the model must be the same. False: nothing
+    // did, and nothing was drawn. Where another instance than the moving ones changed, draws everything.
+    bool update(const StageModel& model);
+    // Rectangles in which the last draw or update may have changed fragments.
+    const std::vector<PixelRect>& changed() const { return changed_; }
 
     const Fragments& fragments() const { return fragments_; }
     // One texel per fragment, laid out as Fragments::places; undefined where there is no fragment.
@@ -50,7 +59,8 @@ public:
     // shared/g_buffer.h.
     const gpu::Texture& normals() const { return normals_; }
 
-    std::uint32_t extra_count() const { return extra_count_; } // fragments beyond the main ones
+    // Places of fragments beyond the main ones; after an update some of them may be empty.
+    std::uint32_t extra_count() const { return extra_count_; }
     std::uint32_t dropped_pixels() const {
         return dropped_pixels_;
     } // showing their main surface only: no room
@@ -58,9 +68,31 @@ public:
     std::uint64_t memory_bytes() const; // on the device
 
 private:
+    // What is drawn to, kSamples a pixel.
+    struct Samples {
+        gpu::Texture depth, base, normal, emission, metalness;
+        std::array<const gpu::Texture*, 5> all() const {
+            return {&depth, &base, &normal, &emission, &metalness};
+        }
+    };
+    // An instance as it was drawn last.
+    struct Shown {
+        glm::mat4 to_eye{1.0f};
+        PixelRect rect;
+    };
+    Samples make_samples() const;
     const gpu::Raster& raster_for(const StageModel::Surface& surface);
-    void draw_meshes(const StageModel& model, const Pose& pose);
-    void gather(const shared::View& view, const glm::vec3& ambient);
+    void draw_meshes(const StageModel& model, const std::vector<StageModel::Draw>& draws, gpu::Before before);
+    struct MovingPlan {
+        TileSet tiles; // to be made anew
+        std::vector<StageModel::Draw> draws;
+    };
+    // What has to be drawn for the moving instances, which then count as shown.
+    MovingPlan plan_moving(const StageModel& model);
+    void draw_moving(const StageModel& model, const MovingPlan& plan);
+    void gather(const TileSet* tiles); // null: all of them
+    void submit();
+    void warn_of_dropped();
 
     const gpu::Device& device_;
     std::uint32_t capacity_; // extra fragments
@@ -69,8 +101,15 @@ private:
     gpu::Commands commands_;
     Fragments fragments_;
     gpu::Texture diffuse_, specular_, normals_;
-    gpu::Texture sample_depth_, sample_base_, sample_normal_, sample_emission_, sample_metalness_;
-    gpu::Buffer counts_, counts_read_;
+    Samples samples_;
+    Samples hidden_; // what the moving instances hide, in the tiles of saved_; made when there are any
+    TileSet saved_;
+    std::map<std::size_t, Shown> shown_; // moving instances
+    Pose pose_;
+    Surroundings surroundings_;
+    std::uint64_t still_revision_ = 0;
+    std::vector<PixelRect> changed_;
+    gpu::Buffer counts_, counts_read_, rooms_, tile_list_;
     std::vector<gpu::Span> spans_;
     std::uint32_t extra_count_ = 0;
     std::uint32_t dropped_pixels_ = 0;

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <tuple>
 
 namespace ghost::render {
 namespace {
@@ -269,24 +270,42 @@ void StageModel::add_instances(const scene::Stage& stage, scene::Report& report)
                        known ? "the matrix of this instance is flat or not finite: it is not drawn"
                              : "the instance has no mesh: it is not drawn");
         }
-        if (known) meshes_[static_cast<std::size_t>(instance.mesh)].instances.push_back(instances_.size());
+        if (known) {
+            made.mesh = static_cast<std::size_t>(instance.mesh);
+            meshes_[made.mesh].instances.push_back(instances_.size());
+        }
         instances_.push_back(made);
     }
 }
 
 void StageModel::show(std::size_t instance, bool shown) {
     CHECK(instance < instances_.size());
+    if (!instances_[instance].moving && instances_[instance].shown != shown) ++still_revision_;
     instances_[instance].shown = shown;
 }
 
 void StageModel::move(std::size_t instance, const glm::mat4& world) {
     CHECK(instance < instances_.size());
+    Instance& moved = instances_[instance];
     const bool usable = placeable(world);
-    if (!usable && instances_[instance].usable)
+    if (!usable && moved.usable)
         log_warning("instance " + std::to_string(instance) +
                     " was moved by a matrix that is flat or not finite: it is not drawn");
-    instances_[instance].usable = usable;
-    if (usable) instances_[instance].world = world;
+    if (!moved.moving && (moved.usable != usable || moved.world != world)) ++still_revision_;
+    moved.usable = usable;
+    if (usable) moved.world = world;
+}
+
+void StageModel::mark_moving(std::size_t instance) {
+    CHECK(instance < instances_.size());
+    if (std::exchange(instances_[instance].moving, true)) return;
+    ++still_revision_;
+    moving_.push_back(instance);
+    std::sort(moving_.begin(), moving_.end(), [&](std::size_t a, std::size_t b) {
+        const std::size_t mesh_a = instances_[a].mesh, mesh_b = instances_[b].mesh;
+        return std::tuple(surface_of(mesh_a).alpha, mesh_a, a) <
+               std::tuple(surface_of(mesh_b).alpha, mesh_b, b);
+    });
 }
 
 void StageModel::upload_materials() {
@@ -301,35 +320,50 @@ void StageModel::upload_materials() {
     materials_.write(bytes);
 }
 
+bool StageModel::place(const Instance& instance, const glm::vec3& eye_m, const std::vector<glm::vec4>& planes,
+                       MovingDraw& placed) const {
+    if (!instance.shown || !instance.usable) return false;
+    const Mesh& mesh = meshes_[instance.mesh];
+    if (mesh.range.index_count == 0) return false;
+    placed.draw = {instance.mesh, 0.0f, instance.world};
+    placed.draw.to_eye[3] -= glm::vec4(eye_m, 0.0f);
+    std::array<glm::vec3, 8>& corners = placed.corners_m;
+    glm::vec3 centre(0.0f);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const glm::vec3 corner((k & 1) ? mesh.high_m.x : mesh.low_m.x, (k & 2) ? mesh.high_m.y : mesh.low_m.y,
+                               (k & 4) ? mesh.high_m.z : mesh.low_m.z);
+        corners[k] = glm::vec3(placed.draw.to_eye * glm::vec4(corner, 1.0f));
+        centre += corners[k] * 0.125f;
+    }
+    const bool outside = std::any_of(planes.begin(), planes.end(), [&](const glm::vec4& plane) {
+        return std::all_of(corners.begin(), corners.end(), [&](const glm::vec3& corner) {
+            return glm::dot(glm::vec3(plane), corner) + plane.w < 0.0f;
+        });
+    });
+    placed.draw.near_m = sane(glm::length(centre) - glm::length(corners[0] - corners[7]) * 0.5f, 0.0f);
+    return !outside;
+}
+
+std::vector<StageModel::MovingDraw> StageModel::visible_moving(const glm::vec3& eye_m,
+                                                               const std::vector<glm::vec4>& planes) const {
+    std::vector<MovingDraw> draws;
+    for (const std::size_t index : moving_) {
+        MovingDraw placed;
+        placed.instance = index;
+        if (place(instances_[index], eye_m, planes, placed)) draws.push_back(placed);
+    }
+    return draws;
+}
+
 std::vector<StageModel::Draw> StageModel::visible(const glm::vec3& eye_m,
                                                   const std::vector<glm::vec4>& planes) const {
     std::vector<std::vector<Draw>> groups;
-    for (std::size_t m = 0; m < meshes_.size(); ++m) {
-        const Mesh& mesh = meshes_[m];
-        if (mesh.range.index_count == 0) continue;
+    for (const Mesh& mesh : meshes_) {
         std::vector<Draw> group;
         for (const std::size_t index : mesh.instances) {
-            const Instance& instance = instances_[index];
-            if (!instance.shown || !instance.usable) continue;
-            Draw draw{m, 0.0f, instance.world};
-            draw.to_eye[3] -= glm::vec4(eye_m, 0.0f);
-            std::array<glm::vec3, 8> corners;
-            glm::vec3 centre(0.0f);
-            for (std::size_t k = 0; k < corners.size(); ++k) {
-                const glm::vec3 corner((k & 1) ? mesh.high_m.x : mesh.low_m.x,
-                                       (k & 2) ? mesh.high_m.y : mesh.low_m.y,
-                                       (k & 4) ? mesh.high_m.z : mesh.low_m.z);
-                corners[k] = glm::vec3(draw.to_eye * glm::vec4(corner, 1.0f));
-                centre += corners[k] * 0.125f;
-            }
-            const bool outside = std::any_of(planes.begin(), planes.end(), [&](const glm::vec4& plane) {
-                return std::all_of(corners.begin(), corners.end(), [&](const glm::vec3& corner) {
-                    return glm::dot(glm::vec3(plane), corner) + plane.w < 0.0f;
-                });
-            });
-            if (outside) continue;
-            draw.near_m = sane(glm::length(centre) - glm::length(corners[0] - corners[7]) * 0.5f, 0.0f);
-            group.push_back(draw);
+            MovingDraw placed;
+            if (!instances_[index].moving && place(instances_[index], eye_m, planes, placed))
+                group.push_back(placed.draw);
         }
         if (group.empty()) continue;
         std::stable_sort(group.begin(), group.end(),

@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // StageModel: a scene::Stage on the device, to be drawn from anywhere. Meshes once, instances as a list that
-// may be hidden and moved, textures with mip levels. World metres. What cannot be drawn (a matrix that is not
+// may be hidden and moved, textures with mip levels. Instances that move all the time are marked, so that the
+// others need not be drawn again (GBuffer::update). World metres. What cannot be drawn (a matrix that is not
 // finite, indices without vertices) is left out and reported by name. Main thread; the device must outlive
 // it, the stage need not.
 
@@ -41,6 +42,11 @@ public:
     // instance: index into Stage::instances.
     void show(std::size_t instance, bool shown);
     void move(std::size_t instance, const glm::mat4& world);
+    // Moving it is cheap from now on.
+    void mark_moving(std::size_t instance);
+    bool has_moving() const { return !moving_.empty(); }
+    // Another number whenever one of the other instances was hidden, shown, moved or marked.
+    std::uint64_t still_revision() const { return still_revision_; }
 
     std::uint64_t memory_bytes() const;  // on the device
     std::size_t drawn_triangles() const; // of the instances shown
@@ -52,9 +58,18 @@ public:
         float near_m = 0;       // of its nearest corner, about
         glm::mat4 to_eye{1.0f}; // from the mesh to the world, moved so that the eye is the origin
     };
-    // planes: of the view (normal inwards, offset), with the eye as origin. Opaque, then masked, then
-    // blended; mesh after mesh and each nearest first.
+    // planes: of the view (normal inwards, offset), with the eye as origin. Without the moving ones. Opaque,
+    // then masked, then blended; mesh after mesh and each nearest first.
     std::vector<Draw> visible(const glm::vec3& eye_m, const std::vector<glm::vec4>& planes) const;
+
+    struct MovingDraw {
+        std::size_t instance = 0;
+        Draw draw;
+        std::array<glm::vec3, 8> corners_m{}; // of its box, with the eye as origin
+    };
+    // The moving ones, in an order that never changes.
+    std::vector<MovingDraw> visible_moving(const glm::vec3& eye_m,
+                                           const std::vector<glm::vec4>& planes) const;
 
     struct Surface {
         shared::MeshMaterial material{};
@@ -80,9 +95,14 @@ private:
     };
     struct Instance {
         glm::mat4 world{1.0f};
+        std::size_t mesh = 0;
         bool shown = true;
         bool usable = false;
+        bool moving = false;
     };
+    // False: it does not reach into the view.
+    bool place(const Instance& instance, const glm::vec3& eye_m, const std::vector<glm::vec4>& planes,
+               MovingDraw& placed) const;
     void add_textures(const scene::Stage& stage, scene::Report& report, std::uint64_t texture_bytes);
     void add_surfaces(const scene::Stage& stage);
     void add_meshes(const scene::Stage& stage, scene::Report& report);
@@ -92,6 +112,8 @@ private:
     const gpu::Device& device_;
     std::vector<Mesh> meshes_;
     std::vector<Instance> instances_;
+    std::vector<std::size_t> moving_; // by alpha, mesh, instance
+    std::uint64_t still_revision_ = 0;
     std::vector<Surface> surfaces_;
     std::vector<gpu::Texture> textures_;                     // 0: white
     std::map<std::pair<int, bool>, std::size_t> texture_of_; // scene texture, read as sRGB
