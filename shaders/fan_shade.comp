@@ -1,7 +1,7 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
-// How far the light gets along the directions of a fan (shared/fan.h), from the light's distance map: nearest and farthest of
-// 1, 2, 4 .. neighbouring columns (Chen et al. 2011). One invocation is one row.
+// Which rays of a plane the light of a direction still reaches (fan_shade in shared/fan.h), from the light's distance map: least
+// and most of 1, 2, 4 .. neighbouring columns (Chen et al. 2011). One invocation is one row; rows lie along x.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
@@ -18,26 +18,37 @@ layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
 void fill(uint map, Fan fan) {
     int size = textureSize(distance_maps, 0).x;
+    uint side = fan_shade_side(fan);
     uint row = gl_GlobalInvocationID.x;
-    vec2 meridian = fan_meridian(fan, (2.0 * float(row) + 1.0) / float(kShadeRows) - 1.0);
+    vec2 meridian = fan_meridian(fan, (2.0 * float(row) + 1.0) / float(side) - 1.0);
     vec4 chord = fan_chord(fan, meridian.x);
     vec3 aside = fan.along * meridian.x + fan.across * meridian.y;
     vec3 centre = fan.pole * chord.x + aside * chord.y;
     vec3 turn = aside * chord.x - fan.pole * chord.y;
-    for (uint column = 0u; column < kShadeColumns; ++column) {
-        float u = chord.w * ((2.0 * float(column) + 1.0) / float(kShadeColumns) - 1.0);
-        vec2 place = octahedral_from(centre + turn * u) * float(size);
-        float reach_m = map_texel(map, ivec2(floor(place)), size);
-        reach_m = map == 0u ? kNothing_m : reach_m;
-        imageStore(shade, ivec3(column, row, fan.layer), vec4(reach_m, reach_m, 0.0, 0.0));
+    float step_u = 2.0 * chord.w / float(side);
+    float u = 0.5 * step_u - chord.w;
+    uint columns = row < side ? side : 0u;
+    for (uint column = 0u; column < columns; column += 2u) {
+        float least = 1.0, most = -1.0;
+        for (uint k = 0u; k < 2u; ++k) {
+            vec2 place = octahedral_from(centre + turn * u) * float(size);
+            float reach_m = map_texel(map, ivec2(place), size);
+            reach_m = map == 0u ? kNothing_m : reach_m;
+            float edge = fan_shade(fan, (chord.xy + u * vec2(-chord.y, chord.x)) * inversesqrt(1.0 + u * u), reach_m);
+            imageStore(shade, ivec3(row, column + k, fan.layer), vec4(edge, edge, 0.0, 0.0));
+            least = min(least, edge);
+            most = max(most, edge);
+            u += step_u;
+        }
+        imageStore(shade, ivec3(row, side + column / 2u, fan.layer), vec4(least, most, 0.0, 0.0));
     }
-    uint left = 0u;
-    for (uint columns = kShadeColumns / 2u; columns > 0u; columns /= 2u) {
-        uint next = left + 2u * columns;
-        for (uint column = 0u; column < columns; ++column) {
-            vec2 a = imageLoad(shade, ivec3(left + 2u * column, row, fan.layer)).xy;
-            vec2 b = imageLoad(shade, ivec3(left + 2u * column + 1u, row, fan.layer)).xy;
-            imageStore(shade, ivec3(next + column, row, fan.layer), vec4(min(a.x, b.x), max(a.y, b.y), 0.0, 0.0));
+    uint left = side;
+    for (uint half_columns = columns / 4u; half_columns > 0u; half_columns /= 2u) {
+        uint next = left + 2u * half_columns;
+        for (uint column = 0u; column < half_columns; ++column) {
+            vec2 a = imageLoad(shade, ivec3(row, left + 2u * column, fan.layer)).xy;
+            vec2 b = imageLoad(shade, ivec3(row, left + 2u * column + 1u, fan.layer)).xy;
+            imageStore(shade, ivec3(row, next + column, fan.layer), vec4(min(a.x, b.x), max(a.y, b.y), 0.0, 0.0));
         }
         left = next;
     }

@@ -20,7 +20,7 @@ layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 5, rgba32f) readonly uniform image2DArray places; // position, coverage
 layout(binding = 6, rgba16f) uniform image2DArray drawn;
 layout(binding = 7) uniform sampler2DArray table;
-layout(binding = 8) uniform sampler2DArray shade; // how far the light gets, see fan_shade.comp
+layout(binding = 8) uniform sampler2DArray shade; // which rays the light reaches, see fan_shade.comp
 layout(binding = 9, scalar) uniform AirBlock { Air air; };
 layout(push_constant, scalar) uniform Push { GatePush p; };
 layout(constant_id = 0) const bool kFocus = true;   // some light gets out of focus: the table has levels of blur
@@ -43,18 +43,26 @@ vec4 between(Fan fan, vec2 texel, float level, float row, float from, float to) 
     return mix(sharp, prefix(fan, texel, high, row, to) - prefix(fan, texel, high, row, from), level - float(low));
 }
 
-// Nearest and farthest of what ends the light between two places 0..1 of a row.
-vec2 reach_m(Fan fan, float row, float from, float to) {
-    float width = max((to - from) * float(kShadeColumns), 1.0);
-    uint level = min(uint(ceil(log2(width))), uint(findMSB(kShadeColumns)));
-    int columns = int(kShadeColumns >> level);
-    ivec3 at = ivec3(0, clamp(int((0.5 * row + 0.5) * float(kShadeRows)), 0, int(kShadeRows) - 1), int(fan.layer));
-    int left = 2 * (int(kShadeColumns) - columns);
-    int first = clamp(int(from * float(columns)), 0, columns - 1);
-    int last = clamp(int(to * float(columns)), 0, columns - 1);
-    vec2 a = texelFetch(shade, at + ivec3(left + first, 0, 0), 0).xy;
-    vec2 b = texelFetch(shade, at + ivec3(left + last, 0, 0), 0).xy;
+// Least and most of the shade between two columns, of a row of so many.
+vec2 shade_between(int row, int layer, int side, int from, int to) {
+    int level = findMSB(max(to - from, 1)) + (to - from > 1 ? 1 : 0);
+    level = min(level, findMSB(side));
+    int left = 2 * (side - (side >> level));
+    vec2 a = texelFetch(shade, ivec3(row, left + (from >> level), layer), 0).xy;
+    vec2 b = texelFetch(shade, ivec3(row, left + (to >> level), layer), 0).xy;
     return vec2(min(a.x, b.x), max(a.y, b.y));
+}
+
+// The first column from `at` on, but not beyond `end`, that is not lit (or dark) as asked for. Whole groups of columns at a time.
+int shade_run(int row, int layer, int side, float ray, bool lit, int at, int end) {
+    int level = 0;
+    while (at < end && level >= 0) {
+        vec2 edge = texelFetch(shade, ivec3(row, 2 * (side - (side >> level)) + (at >> level), layer), 0).xy;
+        bool same = lit ? ray < edge.x : ray >= edge.y;
+        at += same ? 1 << level : 0;
+        level += same ? 1 - ((at >> level) & 1) : -1;
+    }
+    return min(at, end);
 }
 
 // A camera ray in the plane of its row: what its ways and angles are made of, rational in u.
@@ -128,58 +136,63 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     if (kUneven) wanted = max(wanted, abs(way1 - way0 - distance_m * (length1 / max(across + u1 * across_u, 1e-6) - length0 / max(across + u0 * across_u, 1e-6))) * air.per_m * 1.6);
     uint count = hit ? clamp(uint(ceil(wanted)), 1u, p.most_segments) : 0u;
 
-    float step_u = (u1 - u0) / float(max(count, 1u));
     float scale = 0.5 / max(chord.w, 1e-9);
-    // What a piece takes from the table is at least this wide: a texel and a half.
+    float segments_per_u = float(count) / max(u1 - u0, 1e-9);
+    // What a segment takes from the table is at least this wide: a texel and a half.
     float narrowest = 1.5 / float(fan.size - 1u);
+
+    // The ray is cut into runs that are lit, and each run into segments.
+    int side = int(fan_shade_side(fan));
+    int layer = int(fan.layer);
+    int shade_row = clamp(int((0.5 * row + 0.5) * float(side)), 0, side - 1);
+    int column = clamp(int((0.5 + u0 * scale) * float(side)), 0, side - 1);
+    int last = clamp(int((0.5 + u1 * scale) * float(side)), 0, side - 1);
+    float per_column = 2.0 * chord.w / float(side);
+    bool open = true;
+    if (kShadows) {
+        // At the surface that ends the ray the map is too coarse to tell before from behind.
+        last = max(last - int(ceil(p.shade_rad / per_column)), column);
+        vec2 edge = shade_between(shade_row, layer, side, column, last);
+        open = cos_end < edge.x;
+        last = cos_end >= edge.y ? column - 1 : last;
+    }
+    last = hit ? last + 1 : column;
     vec3 sum = vec3(0.0);
-    for (uint k = 0u; k < count; ++k) {
-        float from = u0 + float(k) * step_u;
-        float middle = from + 0.5 * step_u;
-        float level = 0.0;
-        if (kFocus) {
-            float z = distance_m * chord.z / max(across + middle * across_u, 1e-6);
-            level = clamp(log2(beam_blur(light, z) / fan.sharpest), 0.0, float(fan.levels - 1u));
-        }
-        // A segment that is partly in shadow is taken in pieces of two columns, each lit or not.
-        uint pieces = 1u;
+    while (column < last) {
+        float begin = u0, end = u1;
+        int next = last;
         if (kShadows) {
-            float to = from + step_u;
-            float r0 = distance_m * sqrt(1.0 + from * from) / max(across + from * across_u, 1e-6);
-            float r1 = distance_m * sqrt(1.0 + to * to) / max(across + to * across_u, 1e-6);
-            // Between them the ray may come nearest to the lamp.
-            bool passes = along + from * along_u < 0.0 && along + to * along_u > 0.0;
-            vec2 reach = reach_m(fan, row, 0.5 + from * scale, 0.5 + to * scale);
-            uint fine = clamp(uint(ceil(0.5 * step_u * scale * float(kShadeColumns))), 2u, 64u);
-            pieces = max(r0, r1) <= reach.x ? 1u : ((passes ? distance_m : min(r0, r1)) >= reach.y ? 0u : fine);
+            int first = shade_run(shade_row, layer, side, cos_end, false, column, open ? column : last);
+            next = open ? last : shade_run(shade_row, layer, side, cos_end, true, first, last);
+            begin = max(u0, float(first) * per_column - chord.w);
+            end = next == last ? u1 : float(next) * per_column - chord.w;
         }
-        float piece_u = step_u / float(max(pieces, 1u));
-        vec4 light_here = vec4(0.0);
-        for (uint piece = 0u; piece < pieces; ++piece) {
-            float c0 = 0.5 + (from + float(piece) * piece_u) * scale;
-            float c1 = c0 + piece_u * scale;
-            float lit = 1.0;
-            if (kShadows) {
-                float u = from + (float(piece) + 0.5) * piece_u;
-                float r = distance_m * sqrt(1.0 + u * u) / max(across + u * across_u, 1e-6);
-                float c = 0.5 + u * scale;
-                lit = pieces == 1u || r < reach_m(fan, row, c, c).x ? 1.0 : 0.0;
+        column = next;
+        uint run = end > begin ? max(uint(ceil((end - begin) * segments_per_u - 1e-3)), 1u) : 0u;
+        float step_u = (end - begin) / float(max(run, 1u));
+        for (uint k = 0u; k < run; ++k) {
+            float from = begin + float(k) * step_u;
+            float middle = from + 0.5 * step_u;
+            float level = 0.0;
+            if (kFocus) {
+                float z = distance_m * chord.z / max(across + middle * across_u, 1e-6);
+                level = clamp(log2(beam_blur(light, z) / fan.sharpest), 0.0, float(fan.levels - 1u));
             }
-            float share = c1 - c0;
+            float share = step_u * scale;
             float grow = max(0.5 * (narrowest - share), 0.0);
-            c0 = clamp(c0 - grow, 0.0, 1.0);
-            c1 = clamp(c1 + grow, 0.0, 1.0);
-            light_here += between(fan, texel, level, row, c0, c1) * (lit * share / max(c1 - c0, 1e-9));
+            float c0 = clamp(0.5 + from * scale - grow, 0.0, 1.0);
+            float c1 = clamp(0.5 + from * scale + share + grow, 0.0, 1.0);
+            vec4 light_here = between(fan, texel, level, row, c0, c1) * (share / max(c1 - c0, 1e-9));
+            // Phase and transmittance where the light of this segment is.
+            float brightness = luminance_of(light_here.rgb);
+            float centre = brightness > 1e-7 ? (light_here.a / brightness - 0.5) / scale : middle;
+            // Two points, as Gauss has them for even light: exact for weights up to the third power of u.
+            float u = clamp(centre - 0.288675 * step_u, from, from + step_u);
+            float v = clamp(centre + 0.288675 * step_u, from, from + step_u);
+            float seen = 0.5 * (ray_weight(haze, ray, u) + ray_weight(haze, ray, v));
+            if (kUneven) seen *= air_density(air, view.eye_m + dir * (ray.eye_m * (chord.y + centre * chord.x) / max(across + centre * across_u, 1e-6)));
+            sum += light_here.rgb * seen;
         }
-        // Phase and transmittance where the light of this segment is.
-        float brightness = luminance_of(light_here.rgb);
-        float centre = brightness > 1e-7 ? (light_here.a / brightness - 0.5) / scale : middle;
-        // Two points, as Gauss has them for even light: exact for weights up to the third power of u.
-        float u = clamp(centre - 0.288675 * step_u, from, from + step_u);
-        float v = clamp(centre + 0.288675 * step_u, from, from + step_u);
-        float seen = 0.5 * (ray_weight(haze, ray, u) + ray_weight(haze, ray, v));
-        if (kUneven) seen *= air_density(air, view.eye_m + dir * (ray.eye_m * (chord.y + centre * chord.x) / max(across + centre * across_u, 1e-6)));
-        sum += light_here.rgb * seen;
     }
     return sum * light.intensity_cd *
            (haze.scattering_per_m * 2.0 * chord.w / distance_m * fan_most(light.colour_b));

@@ -39,8 +39,6 @@ SHARED_SIZE(Fan, 76);
 SHARED_CONST uint kFanLevels = 8u;
 SHARED_CONST uint kLeastFan = 64u;  // rows and columns of any level
 SHARED_CONST uint kFinestFan = 256u;
-SHARED_CONST uint kShadeRows = 256u; // how far the light gets: rows, and columns of the finest level
-SHARED_CONST uint kShadeColumns = 256u;
 SHARED_CONST uint kFanWidth = 2u * kFinestFan + 6u * kLeastFan; // of a layer: all levels
 
 // Row coordinate -1..1 of a meridian given by its cosine and sine; beyond: the plane misses the beam. Where the rim surrounds
@@ -98,6 +96,24 @@ SHARED_FN uint fan_left(Fan fan, uint level) {
     uint halved = 2u * fan.size - 2u * (fan.size >> level);
     uint even = 2u * fan.size - (fan.size >> fan.halvings) + kLeastFan * (level - fan.halvings - 1u);
     return level <= fan.halvings ? halved : even;
+}
+
+// Rows and columns of the finest level of what is in the light's way; its levels stand side by side, too, each half as many columns.
+SHARED_FN uint fan_shade_side(Fan fan) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return 1u << uint(findMSB(fan.size));
+}
+
+// Where a ray of a plane is, seen from the eye: the cosine of its angle from the pole. The light of a direction whose first surface
+// is at distance_m reaches the rays below this. direction: unit, pole along x.
+SHARED_FN float fan_shade(Fan fan, vec2 direction, float distance_m) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    vec2 from_eye = vec2(direction.x * distance_m - fan.eye_m, direction.y * distance_m);
+    return from_eye.x / max(length(from_eye), 1e-9f);
 }
 
 SHARED_END

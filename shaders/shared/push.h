@@ -96,7 +96,7 @@ struct GatePush {
     uint blocks;
     float segments_per_rad; // from the error wanted
     uint most_segments;
-    float shade_rad; // what a texel of a distance map is wide
+    float shade_rad; // what the edge of a shadow may be off
 };
 SHARED_SIZE(GatePush, 32);
 
