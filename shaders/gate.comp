@@ -53,16 +53,43 @@ vec2 shade_between(int row, int layer, int side, int from, int to) {
     return vec2(min(a.x, b.x), max(a.y, b.y));
 }
 
-// The first column from `at` on, but not beyond `end`, that is not lit (or dark) as asked for. Whole groups of columns at a time.
-int shade_run(int row, int layer, int side, float ray, bool lit, int at, int end) {
+// Columns where the ray goes from dark to lit, to dark, to lit .., eight bits each.
+struct Runs {
+    uvec4 turns;
+    uint count;
+};
+const uint kMostTurns = 16u;
+
+void add_turn(inout Runs runs, int column) {
+    uint bits = uint(column) << (8u * (runs.count & 3u));
+    uint word = runs.count >> 2;
+    runs.turns |= uvec4(word == 0u ? bits : 0u, word == 1u ? bits : 0u, word == 2u ? bits : 0u, word == 3u ? bits : 0u);
+    ++runs.count;
+}
+
+int turn_at(Runs runs, uint index) {
+    uint word = index >> 2;
+    uvec2 half_turns = word < 2u ? runs.turns.xy : runs.turns.zw;
+    return int((((word & 1u) == 0u ? half_turns.x : half_turns.y) >> (8u * (index & 3u))) & 255u);
+}
+
+// Finds the turns from `at` on, whole groups of columns at a time. Returns where it stopped: at `end`, or in the dark because there
+// is no room for more.
+int find_runs(int row, int layer, int side, float ray, int at, int end, inout Runs runs) {
     int level = 0;
-    while (at < end && level >= 0) {
+    bool lit = false;
+    while (at < end && runs.count < kMostTurns) {
         vec2 edge = texelFetch(shade, ivec3(row, 2 * (side - (side >> level)) + (at >> level), layer), 0).xy;
-        bool same = lit ? ray < edge.x : ray >= edge.y;
-        at += same ? 1 << level : 0;
-        level += same ? 1 - ((at >> level) & 1) : -1;
+        bool all_lit = ray < edge.x;
+        bool whole = all_lit || ray >= edge.y;
+        if (whole && all_lit != lit) {
+            add_turn(runs, at);
+            lit = all_lit;
+        }
+        at += whole ? 1 << level : 0;
+        level += whole ? 1 - ((at >> level) & 1) : -1;
     }
-    return min(at, end);
+    return at;
 }
 
 // A camera ray in the plane of its row: what its ways and angles are made of, rational in u.
@@ -159,19 +186,20 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     last = hit ? last + 1 : column;
     vec3 sum = vec3(0.0);
     while (column < last) {
-        float begin = u0, end = u1;
-        int next = last;
-        if (kShadows) {
-            int first = shade_run(shade_row, layer, side, cos_end, false, column, open ? column : last);
-            next = open ? last : shade_run(shade_row, layer, side, cos_end, true, first, last);
-            begin = max(u0, float(first) * per_column - chord.w);
-            end = next == last ? u1 : float(next) * per_column - chord.w;
-        }
-        column = next;
-        uint run = end > begin ? max(uint(ceil((end - begin) * segments_per_u - 1e-3)), 1u) : 0u;
-        float step_u = (end - begin) / float(max(run, 1u));
-        for (uint k = 0u; k < run; ++k) {
-            float from = begin + float(k) * step_u;
+        Runs runs = Runs(uvec4(0u), 0u);
+        if (open) add_turn(runs, column);
+        column = kShadows ? find_runs(shade_row, layer, side, cos_end, open ? last : column, last, runs) : last;
+        uint turn = 0u, segments = 0u;
+        float from = 0.0, step_u = 0.0;
+        while (segments > 0u || turn < runs.count) {
+            if (segments == 0u) {
+                bool ends = turn + 1u < runs.count;
+                from = max(u0, float(turn_at(runs, turn)) * per_column - chord.w);
+                float to = ends ? float(turn_at(runs, turn + 1u)) * per_column - chord.w : u1;
+                segments = max(uint(ceil((to - from) * segments_per_u - 1e-3)), 1u);
+                step_u = max(to - from, 0.0) / float(segments);
+                turn += 2u;
+            }
             float middle = from + 0.5 * step_u;
             float level = 0.0;
             if (kFocus) {
@@ -192,6 +220,8 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
             float seen = 0.5 * (ray_weight(haze, ray, u) + ray_weight(haze, ray, v));
             if (kUneven) seen *= air_density(air, view.eye_m + dir * (ray.eye_m * (chord.y + centre * chord.x) / max(across + centre * across_u, 1e-6)));
             sum += light_here.rgb * seen;
+            from += step_u;
+            --segments;
         }
     }
     return sum * light.intensity_cd *
