@@ -215,6 +215,7 @@ Result<bool> check_usage(RenderArguments& arguments) {
     arguments.session.image_memory_bytes = static_cast<std::uint64_t>(arguments.image_memory_mb) << 20;
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
     arguments.session.shadows = !arguments.no_shadows;
+    arguments.session.maps_in_background = arguments.live_input;
     arguments.session.live = arguments.session.live || !arguments.eye_m.empty() || !arguments.travel.empty();
     if (arguments.eye_m.empty() != arguments.target_m.empty())
         return Error{"a free camera needs both", "--eye/--target"};

@@ -4,10 +4,15 @@
 #include "app/interrupt.h"
 #include "app/session.h"
 #include "bake/distance_maps.h"
+#include "scene/bodies.h"
+#include "scene/distance_maps_file.h"
 
+#include "base/log.h"
 #include "base/progress.h"
 
 #include <chrono>
+#include <set>
+#include <string>
 
 namespace ghost::app {
 namespace {
@@ -47,23 +52,89 @@ Result<scene::DistanceMaps> make_maps(const scene::Show& show, const scene::Stag
 
 LiveView::LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
                    const scene::Camera& camera, scene::Report& report)
-    : show_(show), stage_(std::move(stage)), model_(device, stage_, report),
-      g_buffer_(device, camera.width, camera.height) {
+    : show_(show), stage_(std::move(stage)), moving_(scene::moving_instances(show, stage_)),
+      model_(device, stage_, report), g_buffer_(device, camera.width, camera.height) {
+    for (const std::size_t instance : moving_) model_.mark_moving(instance);
     look_from(camera);
 }
 
 Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scene::Show& show,
-                                                 const scene::Camera& camera, bool shadows, bool quiet,
+                                                 const scene::Camera& camera, const LiveOptions& options,
                                                  scene::Report& report) {
     load_stage(show, report);
     auto view = std::unique_ptr<LiveView>(
         new LiveView(device, show, scene::stage_with_bodies(show, report), camera, report));
-    if (!shadows) return view;
-    TRY(view->maps_, make_maps(show, view->stage_, quiet, report));
+    if (!options.shadows) return view;
+    if (options.maps_in_background) {
+        view->begin_maps(device);
+        return view;
+    }
+    TRY(view->maps_, make_maps(show, view->stage_, options.quiet, report));
     if (view->maps_.maps.empty()) return view;
     view->distances_ = std::make_unique<render::DistanceImages>(device, view->maps_);
     for (scene::DistanceMap& map : view->maps_.maps) map.distance = {};
     return view;
+}
+
+void LiveView::begin_maps(const gpu::Device& device) {
+    const std::vector<scene::DistancePlace> places = scene::distance_places(show_);
+    if (places.empty()) return;
+    const int size = map_size(show_);
+    const auto texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    scene::Report unheard; // the maker says it again
+    auto found = scene::load_distance_maps(show_, size, unheard);
+    maps_ = {size, std::vector<scene::DistanceMap>(places.size())};
+    std::set<std::size_t> known;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const int index = found.ok() ? found->find(places[k].fixture, places[k].stop) : -1;
+        if (index < 0) {
+            maps_.maps[k].distance.assign(texels, scene::kNoSurface);
+            continue;
+        }
+        maps_.maps[k] = std::move(found->maps[static_cast<std::size_t>(index)]);
+        known.insert(k);
+    }
+    distances_ = std::make_unique<render::DistanceImages>(device, maps_);
+    for (scene::DistanceMap& map : maps_.maps) map.distance = {};
+    missing_maps_ = places.size() - known.size();
+    if (missing_maps_ > 0)
+        log_info(
+            std::to_string(missing_maps_) + " of " + std::to_string(places.size()) +
+            " distance maps are missing and are made meanwhile; until then these lights throw no shadows");
+    maker_ = std::make_unique<MapMaker>(show_, stage_, size, std::move(known));
+}
+
+bool LiveView::take_maps(scene::Report& report) {
+    if (!maker_) return false;
+    bool replaced = false;
+    const std::size_t missing_before = missing_maps_;
+    for (MapMaker::Made& made : maker_->take()) {
+        distances_->set(made.index, made.map);
+        scene::DistanceMap& place = maps_.maps[made.index];
+        if (place.fixture.empty())
+            --missing_maps_;
+        else
+            replaced = true;
+        place = std::move(made.map);
+        place.distance = {};
+    }
+    if (missing_maps_ == 0 && missing_before > 0)
+        log_info("all " + std::to_string(maps_.maps.size()) + " distance maps are made");
+    if (auto outcome = maker_->outcome()) {
+        for (scene::Message& message : outcome->report.messages)
+            report.messages.push_back(std::move(message));
+        if (outcome->error)
+            report.add(scene::Severity::error, outcome->error->where,
+                       outcome->error->what + "; lights without a distance map throw no shadows");
+        maker_.reset();
+    }
+    return replaced;
+}
+
+bool LiveView::follow(const scene::Rig& rig) {
+    for (const std::size_t instance : moving_)
+        model_.move(instance, scene::body_to_world(show_, rig, stage_.instances[instance]));
+    return g_buffer_.update(model_);
 }
 
 void LiveView::look_from(const scene::Camera& camera) {

@@ -1,48 +1,69 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // LiveView: the stage of a show on the device, seen from a camera that may go anywhere: its meshes, the
-// G-buffer of the camera, the distance maps of all lights. Main thread; show and device must outlive it.
+// G-buffer of the camera, the distance maps of all lights. Yokes and heads follow the rig. Main thread; show
+// and device must outlive it.
 
+#include "app/map_maker.h"
 #include "gpu/device.h"
 #include "render/distance_images.h"
 #include "render/g_buffer.h"
 #include "render/stage_model.h"
 #include "scene/distance_maps.h"
+#include "scene/rig.h"
 #include "scene/show.h"
 
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace ghost::app {
+
+struct LiveOptions {
+    bool shadows = true;
+    bool maps_in_background = false; // start at once; a light throws no shadows until its map is made
+    bool quiet = false;
+};
 
 class LiveView {
 public:
     // Loads the stage if that was not done, makes the distance maps that are missing (with a progress bar
-    // unless quiet) and draws the G-buffer. A show without a stage that can be read has its beams all the
-    // same. Error: interrupted.
+    // unless quiet) or begins to, and draws the G-buffer. A show without a stage that can be read has its
+    // beams all the same. Error: interrupted.
     static Result<std::unique_ptr<LiveView>> open(const gpu::Device& device, scene::Show& show,
-                                                  const scene::Camera& camera, bool shadows, bool quiet,
+                                                  const scene::Camera& camera, const LiveOptions& options,
                                                   scene::Report& report);
 
     // The same picture size as before.
     void look_from(const scene::Camera& camera);
+    // Turns yokes and heads as the rig does. False: none of them moved in the picture.
+    bool follow(const scene::Rig& rig);
+    // Uploads the distance maps that were finished in the background. True: one of them replaced another,
+    // so that images of lights which did not change are wrong. What went wrong goes to the report.
+    bool take_maps(scene::Report& report);
+    std::size_t missing_maps() const { return missing_maps_; }
+    bool is_making_maps() const { return maker_ != nullptr; }
 
     const render::GBuffer& g_buffer() const { return g_buffer_; }
     const render::DistanceImages* distances() const { return distances_.get(); }
-    const scene::DistanceMaps& maps() const {
-        return maps_;
-    } // without the distances, which are on the device
+    // Without the distances, which are on the device; those that are missing have no fixture.
+    const scene::DistanceMaps& maps() const { return maps_; }
     const scene::Stage& stage() const { return stage_; }
 
 private:
     LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
              const scene::Camera& camera, scene::Report& report);
+    void begin_maps(const gpu::Device& device);
 
     const scene::Show& show_;
-    scene::Stage stage_; // with fixture bodies
+    scene::Stage stage_; // with fixture bodies, at home
+    std::vector<std::size_t> moving_;
     render::StageModel model_;
     render::GBuffer g_buffer_;
     scene::DistanceMaps maps_;
+    std::size_t missing_maps_ = 0;
     std::unique_ptr<render::DistanceImages> distances_;
+    std::unique_ptr<MapMaker> maker_; // reads show and stage: goes first
 };
 
 // The way of a free camera between two others: smooth start and stop, share 0..1.

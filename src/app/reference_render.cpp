@@ -5,6 +5,7 @@
 #include "app/picture_writer.h"
 #include "bake/reference.h"
 #include "dmx/recording.h"
+#include "scene/bodies.h"
 
 #include "base/log.h"
 #include "base/progress.h"
@@ -87,10 +88,11 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
             "camera '" + camera.name +
                 "' measures its exposure; the reference is developed at its ev100, or name one with --ev");
     const scene::GoboStack gobos = scene::build_gobos(show, report);
-    const scene::Stage stage = scene::stage_with_bodies(show, report);
+    scene::Stage stage = scene::stage_with_bodies(show, report);
     print_report(report);
     scene::Rig rig(show);
     TRY_VOID(step_to(rig, show, replay, at_s, fps));
+    scene::pose_bodies(show, rig, stage);
 
     catch_interrupts();
     Progress progress("reference", options.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
@@ -99,6 +101,7 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     reference.air_samples = arguments.samples;
     reference.pixel_samples = arguments.pixel_samples;
     reference.shadows = options.shadows && show.shadows;
+    reference.attenuation = {show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic};
     if (is_uneven(show)) {
         const shared::Air air = air_of(show, at_s);
         reference.density = [air](const glm::dvec3& place_m) {

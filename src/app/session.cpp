@@ -5,6 +5,7 @@
 #include "bake/bake_show.h"
 #include "bake/keys.h"
 #include "scene/passes_file.h"
+#include "scene/stage_checks.h"
 
 #include "base/files.h"
 #include "base/log.h"
@@ -204,6 +205,26 @@ render::Settings draw_settings(const scene::Show& show, const scene::Camera& cam
     return settings;
 }
 
+render::FrameStatistics Session::draw(double time_s) {
+    if (is_uneven(*show)) relighter->set_air(air_of(*show, time_s));
+    const double start_s = steady_now_s();
+    std::vector<gpu::Span> spans;
+    if (live) {
+        const std::size_t printed = report.messages.size();
+        if (live->take_maps(report)) relighter->forget();
+        print_report(report, printed);
+        if (live->follow(*rig)) {
+            relighter->forget();
+            spans = live->g_buffer().spans();
+        }
+    }
+    const double before_ms = 1e3 * (steady_now_s() - start_s);
+    render::FrameStatistics statistics = relighter->draw(lights());
+    statistics.draw_ms += before_ms;
+    statistics.spans.insert(statistics.spans.begin(), spans.begin(), spans.end());
+    return statistics;
+}
+
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     auto session = std::make_unique<Session>();
     scene::Report& report = session->report;
@@ -237,8 +258,10 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     session->rig = std::make_unique<scene::Rig>(*session->show);
     const render::Settings settings = draw_settings(*session->show, camera, options);
     if (options.live) {
-        TRY(session->live, LiveView::open(*session->device, *session->show, camera,
-                                          options.shadows && session->show->shadows, options.quiet, report));
+        const LiveOptions live{options.shadows && session->show->shadows, options.maps_in_background,
+                               options.quiet};
+        TRY(session->live, LiveView::open(*session->device, *session->show, camera, live, report));
+        scene::check_places(*session->show, session->live->stage(), camera, report);
         print_report(report, printed);
     }
     const auto light_count = static_cast<int>(session->lights().size());

@@ -31,6 +31,7 @@ struct SessionOptions {
     bool live = false;                // a free camera: no passes
     std::optional<scene::Camera> eye; // instead of a camera of the show; live only
     bool shadows = true;              // live only
+    bool maps_in_background = false;  // live only: LiveOptions
     float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
 };
@@ -53,11 +54,9 @@ struct Session {
     std::vector<shared::Light> lights() const {
         return live ? rig->lights(gobos, live->maps()) : rig->lights(gobos, passes);
     }
-    // One frame of what the rig does now; time_s moves the haze.
-    render::FrameStatistics draw(double time_s = 0) {
-        if (is_uneven(*show)) relighter->set_air(air_of(*show, time_s));
-        return relighter->draw(lights());
-    }
+    // One frame of what the rig does now; time_s moves the haze. Live: heads turn, maps that were made
+    // meanwhile throw their shadows.
+    render::FrameStatistics draw(double time_s = 0);
     // Moves a live camera; its size stays.
     void look_from(const scene::Camera& from) {
         live->look_from(from);

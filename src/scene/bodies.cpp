@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "scene/bodies.h"
+
+#include "base/check.h"
 #include "fixture/decode.h"
 #include "scene/model_file.h"
-#include "scene/show.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -169,6 +172,14 @@ fixture::State home_state(const PatchedFixture& fixture) {
     return state;
 }
 
+// An axis turns this node or what it hangs from.
+bool turns(const fixture::Mode& mode, int node) {
+    for (; node >= 0; node = mode.nodes[static_cast<std::size_t>(node)].parent)
+        for (const fixture::Axis& axis : mode.axes)
+            if (axis.node == node) return true;
+    return false;
+}
+
 } // namespace
 
 Stage stage_with_bodies(const Show& show, Report& report, HiddenObjects hidden) {
@@ -181,14 +192,55 @@ Stage stage_with_bodies(const Show& show, Report& report, HiddenObjects hidden) 
         const PatchedFixture& fixture = show.fixtures[k];
         if (!fixture.type) continue;
         const glm::mat4 to_world = fixture_to_world(fixture, 0);
-        for (const fixture::PartState& part : home_state(fixture).parts) {
-            if (part.model < 0) continue;
-            for (const Instance& piece : shop.parts_of(*fixture.type, part.model))
-                stage.instances.push_back({fixture.name + ": " + piece.name, piece.mesh,
-                                           to_world * part.to_fixture * piece.world, static_cast<int>(k)});
+        const std::vector<fixture::PartState> parts = home_state(fixture).parts;
+        for (std::size_t p = 0; p < parts.size(); ++p) {
+            if (parts[p].model < 0) continue;
+            for (const Instance& piece : shop.parts_of(*fixture.type, parts[p].model)) {
+                Instance& instance = stage.instances.emplace_back();
+                instance.name = fixture.name + ": " + piece.name;
+                instance.mesh = piece.mesh;
+                instance.world = to_world * parts[p].to_fixture * piece.world;
+                instance.fixture = static_cast<int>(k);
+                instance.part = static_cast<int>(p);
+                instance.to_part = piece.world;
+            }
         }
     }
     return stage;
+}
+
+std::vector<std::size_t> moving_instances(const Show& show, const Stage& stage) {
+    std::vector<std::size_t> moving;
+    for (std::size_t k = 0; k < stage.instances.size(); ++k) {
+        const Instance& instance = stage.instances[k];
+        if (instance.part == kNone) continue;
+        const PatchedFixture& fixture = show.fixtures[static_cast<std::size_t>(instance.fixture)];
+        const fixture::Mode& mode = fixture.type->modes[static_cast<std::size_t>(fixture.mode)];
+        if (fixture.track || turns(mode, mode.parts[static_cast<std::size_t>(instance.part)]))
+            moving.push_back(k);
+    }
+    return moving;
+}
+
+glm::mat4 body_to_world(const Show& show, const Rig& rig, const Instance& instance) {
+    CHECK(instance.part != kNone);
+    const auto index = static_cast<std::size_t>(instance.fixture);
+    const PatchedFixture& fixture = show.fixtures[index];
+    glm::mat4 to_world = fixture_to_world(fixture, 0);
+    if (fixture.track) {
+        const std::vector<glm::vec3>& stops = fixture.track->stops_m;
+        const float along = rig.track_position(index);
+        const std::size_t stop = std::min(static_cast<std::size_t>(along), stops.size() - 1);
+        const std::size_t next = std::min(stop + 1, stops.size() - 1);
+        to_world[3] = glm::vec4(glm::mix(stops[stop], stops[next], along - static_cast<float>(stop)), 1.0f);
+    }
+    const fixture::PartState& part = rig.states()[index].parts[static_cast<std::size_t>(instance.part)];
+    return to_world * part.to_fixture * instance.to_part;
+}
+
+void pose_bodies(const Show& show, const Rig& rig, Stage& stage) {
+    for (const std::size_t k : moving_instances(show, stage))
+        stage.instances[k].world = body_to_world(show, rig, stage.instances[k]);
 }
 
 } // namespace ghost::scene

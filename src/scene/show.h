@@ -123,8 +123,8 @@ Result<Stage> load_stage_file(const std::filesystem::path& path, Report& report)
 enum class HiddenObjects { left_out, kept };
 
 // The stage as the show wants it: its [[object]] entries applied, all fixture bodies hung at their home pose
-// (first stop) and marked with their fixture's index. Hidden objects are left out, or kept with shown = false
-// for a view that can show them again.
+// (first stop) and marked with their fixture's index; scene/bodies.h turns them. Hidden objects are left out,
+// or kept with shown = false for a view that can show them again.
 Stage stage_with_bodies(const Show& show, Report& report, HiddenObjects hidden = HiddenObjects::left_out);
 
 // Camera space to world (columns: right, up, backward, eye); the camera looks down its -Z.

@@ -58,6 +58,8 @@ struct Instance {
     int fixture = kNone; // index into Show::fixtures when it is part of a fixture's body: that fixture's own
                          // light passes
     bool shown = true;   // hidden ones are kept so that they can be shown again; scene::visible drops them
+    int part = kNone;    // of a fixture's body: index into fixture::Mode::parts and State::parts
+    glm::mat4 to_part{1.0f}; // from the mesh to the frame of that part
 };
 
 struct Stage {

@@ -1,0 +1,27 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// The bodies of fixtures (yokes, heads) in a stage made by stage_with_bodies: which of its instances move,
+// and where they are for what a rig does now. World metres. Pure functions; show, stage and rig belong
+// together.
+
+#include "scene/rig.h"
+#include "scene/show.h"
+#include "scene/stage.h"
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace ghost::scene {
+
+// Indices of the instances that may move: parts that a pan or tilt axis turns, and every part of a fixture
+// that travels along a track. A base that stands still is none of them.
+std::vector<std::size_t> moving_instances(const Show& show, const Stage& stage);
+
+// World matrix of an instance that is part of a body (Instance::part), as the rig has turned it.
+glm::mat4 body_to_world(const Show& show, const Rig& rig, const Instance& instance);
+
+// Places all moving instances of the stage.
+void pose_bodies(const Show& show, const Rig& rig, Stage& stage);
+
+} // namespace ghost::scene
