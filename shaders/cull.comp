@@ -74,7 +74,9 @@ void main() {
     }
     uint base = batch * (2u * p.tiles + p.blocks);
     if (any_haze && p.air != 0u) {
-        list[base + atomicAdd(groups[batch].haze[0], 1u)] = tile;
+        uint place = atomicAdd(groups[batch].haze[3], 1u);
+        list[base + place] = tile;
+        if (place % p.haze_group == 0u) atomicAdd(groups[batch].haze[0], 1u);
         atomicAdd(work.haze_tiles, haze_count);
     }
     if (any_surface && p.surfaces != 0u) {

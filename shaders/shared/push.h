@@ -41,13 +41,14 @@ struct CullPush {
     uint blocks;   // of kTilePixels extra fragments, listed after the tiles
     uint surfaces; // 1: list tiles and blocks for the surface pass
     uint air;      // 1: list tiles for the haze pass
+    uint haze_group; // tiles that a workgroup of the haze pass draws
 };
-SHARED_SIZE(CullPush, 28);
+SHARED_SIZE(CullPush, 32);
 
 // Workgroups of the two indirect dispatches of a batch, as Vulkan wants them.
 struct TileGroups {
     uint surface[4];
-    uint haze[4];
+    uint haze[4]; // the last one: tiles
 };
 SHARED_SIZE(TileGroups, 32);
 
@@ -97,8 +98,9 @@ struct GatePush {
     float segments_per_rad; // from the error wanted
     uint most_segments;
     float shade_rad; // what the edge of a shadow may be off
+    uint step;       // of the wide beams' rays, see shared/wide.h
 };
-SHARED_SIZE(GatePush, 32);
+SHARED_SIZE(GatePush, 36);
 
 struct BouncePush {
     uint light_count; // of the chunk

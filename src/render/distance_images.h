@@ -3,10 +3,15 @@
 // The distance maps of a show on the device: one layer of half floats each, in the order of DistanceMaps;
 // layer + 1 is shared::Light::map. A map that comes later (it was being made) can be set at any time. Main
 // thread; the device must outlive it.
+//
+// Where half of the memory that is left on the device would not hold them, only every 2nd, 4th, .. texel is
+// kept: shadows get coarser.
 
 #include "gpu/device.h"
 #include "gpu/texture.h"
 #include "scene/distance_maps.h"
+
+#include <cstdint>
 
 namespace ghost::render {
 
@@ -16,8 +21,11 @@ public:
 
     void set(std::size_t index, const scene::DistanceMap& map);
     const gpu::Texture& texture() const { return texture_; }
+    std::uint32_t side() const { return texture_.shape().width; } // texels
+    std::uint32_t wanted_side() const { return wanted_side_; }    // more than side(): memory ran short
 
 private:
+    std::uint32_t wanted_side_;
     gpu::Texture texture_;
 };
 

@@ -53,11 +53,16 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
                                                        std::vector{kSampled, kUniform, kUniform, kStored},
                                                        std::vector{wheels, single});
     for (std::uint32_t focus = 0; focus < gate_.size(); ++focus)
-        gate_[focus] = std::make_unique<gpu::Program>(
-            device, shaders::kShader_gate,
-            std::vector{kUniform, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kSampled,
-                        kSampled, kUniform},
-            std::vector{focus, single, distance_maps ? 1u : 0u, settings.uneven ? 1u : 0u});
+        for (const std::uint32_t wide : {0u, 1u}) {
+            if (wide == 1 && settings.most_wide_step == 1) continue;
+            (wide == 1 ? wide_gate_ : gate_)[focus] = std::make_unique<gpu::Program>(
+                device, shaders::kShader_gate,
+                std::vector{kUniform, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kSampled,
+                            kSampled, kUniform, kStorage, kStored, kStored},
+                std::vector{focus, single, distance_maps ? 1u : 0u, settings.uneven ? 1u : 0u, wide});
+        }
+    no_rays_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    no_lonely_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UINT, true, false});
     if (distance_maps)
         shade_fill_ = std::make_unique<gpu::Program>(device, shaders::kShader_fan_shade,
                                                      std::vector{kUniform, kUniform, kStored, kSampled},
@@ -78,6 +83,11 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
     commands.begin();
     commands.clear(table_);
     commands.submit_and_wait();
+}
+
+void HazePass::set_quality(const HazeQuality& quality) {
+    settings_.curvature = quality.curvature;
+    settings_.most_segments = quality.most_segments;
 }
 
 void HazePass::record(gpu::Commands& commands, const LightChunk& chunk) {
@@ -127,7 +137,8 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
                           chunk.fragments.blocks,
                           segments_per_rad,
                           static_cast<std::uint32_t>(settings_.most_segments),
-                          shade_rad};
+                          shade_rad,
+                          chunk.wide ? chunk.wide->step() : 1};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
         const std::uint32_t first = push.batch * batch_size_;
         const std::uint32_t lights = std::min(batch_size_, chunk.count() - first);
@@ -148,11 +159,13 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
         commands.barrier();
         commands.begin_span("gate");
         commands.dispatch_indirect(
-            *gate_[focus ? 1 : 0], push,
+            *(chunk.wide ? wide_gate_ : gate_)[focus ? 1 : 0], push,
             {gpu::uniform(chunk.fragments.view), gpu::uniform(chunk.light_buffer, chunk.light_offset),
              gpu::uniform(fans_, offset), gpu::storage(chunk.masks), gpu::storage(chunk.lists),
              gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn), gpu::sampled(table_),
-             gpu::sampled(shade_), gpu::uniform(chunk.air)},
+             gpu::sampled(shade_), gpu::uniform(chunk.air), gpu::storage(chunk.groups),
+             gpu::stored(chunk.wide ? chunk.wide->lonely() : no_lonely_),
+             gpu::stored(chunk.wide ? chunk.wide->rays() : no_rays_)},
             chunk.groups, chunk.haze_groups(push.batch));
         commands.barrier();
     }

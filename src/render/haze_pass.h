@@ -5,6 +5,7 @@
 // and frame, without noise (fan.comp, gate.comp, shared/fan.h). Main thread; the device must outlive it.
 
 #include "render/light_chunk.h"
+#include "render/quality.h"
 
 #include <array>
 #include <memory>
@@ -20,9 +21,10 @@ enum class Beams {
 struct HazeSettings {
     Beams beams = Beams::gate;
     int march_steps = 110;
-    float curvature = 0.12f; // of gate: how much phase and transmittance may bend over one segment
-    int most_segments = 24;  // of gate
-    bool uneven = false;     // shared::Air has swirls or plumes
+    float curvature = 0.12f;          // of gate: how much phase and transmittance may bend over one segment
+    int most_segments = 24;           // of gate
+    bool uneven = false;              // shared::Air has swirls or plumes
+    std::uint32_t most_wide_step = 1; // of gate: HazeQuality::wide_beam_step may go up to this
 };
 
 class HazePass {
@@ -33,9 +35,11 @@ public:
     HazePass(const gpu::Device& device, const HazeSettings& settings, std::uint32_t batch_size,
              std::uint32_t light_count, const gpu::Texture* distance_maps);
 
+    // Of gate: segments, from the next frame on.
+    void set_quality(const HazeQuality& quality);
     // Forgets the fans of the frame before.
     void begin_frame() { fans_used_ = 0; }
-    // Adds to layer 1 of the chunk's drawn image.
+    // Adds to layer 1 of the chunk's drawn image, or to the rays of its wide beams.
     void record(gpu::Commands& commands, const LightChunk& chunk);
     std::uint64_t memory_bytes() const { return table_.bytes() + shade_.bytes() + fans_.bytes(); }
 
@@ -47,12 +51,13 @@ private:
     std::uint32_t batch_size_;
     static constexpr std::uint32_t kClasses = 3; // 0, 1, 2 gobo wheels
     std::array<std::unique_ptr<gpu::Program>, kClasses> samples_, fill_;
-    std::array<std::unique_ptr<gpu::Program>, 2> gate_; // without and with focus
+    std::array<std::unique_ptr<gpu::Program>, 2> gate_, wide_gate_; // without and with focus
     std::unique_ptr<gpu::Program> shade_fill_;
     const gpu::Texture* distance_maps_;
     gpu::Buffer fans_;
     std::uint64_t fans_used_ = 0; // bytes
     gpu::Texture table_, shade_;
+    gpu::Texture no_rays_, no_lonely_; // where no beam is wide
 };
 
 } // namespace ghost::render

@@ -7,6 +7,7 @@
 #include "gpu/commands.h"
 #include "gpu/texture.h"
 #include "render/fragments.h"
+#include "render/wide_beams.h"
 #include "shared/push.h"
 #include "shared/types.h"
 
@@ -28,6 +29,7 @@ struct LightChunk {
     const gpu::Buffer& lists;
     const gpu::Buffer& groups;
     std::uint32_t batch_size; // lights of one dispatch, see shared/push.h
+    const WideBeams* wide;    // where wide beams go; null: they have every ray, as narrow ones
 
     std::uint32_t count() const { return static_cast<std::uint32_t>(lights.size()); }
     std::uint32_t batches() const { return (count() + batch_size - 1) / batch_size; }

@@ -2,6 +2,7 @@
 #include "render/relighter.h"
 
 #include "base/check.h"
+#include "base/log.h"
 #include "shaders/bounce.h"
 #include "shaders/cull.h"
 #include "shaders/develop.h"
@@ -15,6 +16,7 @@
 #include <chrono>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
+#include <utility>
 
 namespace ghost::render {
 namespace {
@@ -27,6 +29,7 @@ constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kMaxLayers = 2048; // of an image, on every device
+constexpr std::uint32_t kFixedImages = 2;  // the frame, and all that rests
 
 std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
     return (items + size - 1) / size;
@@ -45,7 +48,7 @@ int image_slots(std::uint64_t memory_bytes, int width, int height, int light_cou
         static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * kImageBytesPerPixel;
     const auto full_tree = static_cast<std::uint64_t>(std::max(2 * light_count - 1, 1));
     return static_cast<int>(
-        std::min({memory_bytes / std::max<std::uint64_t>(image, 1), full_tree, kMaxLayers - 2}));
+        std::min({memory_bytes / std::max<std::uint64_t>(image, 1), full_tree, kMaxLayers - kFixedImages}));
 }
 
 Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
@@ -62,8 +65,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
                      const Settings& settings)
     : device_(device), settings_(settings), batch_size_(batch_size(device, settings)),
       light_count_(light_count), passes_(std::move(passes)), g_buffer_(g_buffer), distances_(distances),
-      slot_count_(image_slots(settings.image_memory_bytes, width(), height(), light_count)),
-      tree_(light_count, slot_count_),
+      slot_count_(0), tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull,
             {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage, kStorage}),
       sum_(device, shaders::kShader_sum, {kStored, kStored, kStored},
@@ -77,11 +79,14 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       lens_(device, settings.lens), glare_(device, fragments().width, fragments().height, settings.glare),
       commands_(device) {
     make_surface_programs();
+    if (settings.beams.beams == Beams::gate && settings.beams.most_wide_step > 1)
+        wide_ = std::make_unique<WideBeams>(device, fragments().width, fragments().height);
     // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
     // begins a chunk.
     const std::uint64_t draws = 2 * static_cast<std::uint64_t>(light_count) + kClasses;
     lights_ = gpu::Buffer(device, draws * kChunkAlign + kChunkBytes, gpu::Access::upload);
     upload(gobos, batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1);
+    make_images();
 }
 
 void Relighter::make_surface_programs() {
@@ -110,8 +115,16 @@ void Relighter::set_air(const shared::Air& air) {
     forget();
 }
 
+void Relighter::set_quality(const HazeQuality& quality) {
+    CHECK(quality.wide_beam_step <= settings_.beams.most_wide_step);
+    haze_.set_quality(quality);
+    wide_prepared_ = wide_prepared_ && quality.wide_beam_step == wide_step_;
+    wide_step_ = quality.wide_beam_step;
+}
+
 void Relighter::forget() {
     tree_.invalidate_all();
+    wide_prepared_ = false;
     last_lights_.clear();
 }
 
@@ -129,9 +142,6 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
     work_read_ = Buffer(device_, sizeof(shared::FrameWork), Access::readback);
     exposure_ = Buffer(device_, sizeof(glm::vec4), Access::readback);
     pixels_ = Buffer(device_, std::uint64_t{4} * f.width * f.height, Access::readback);
-    // Layer 0 is the frame, the others are the slots of the tree and its image of all that rests.
-    images_ = Texture(device_, {f.width, f.height, static_cast<std::uint32_t>(slot_count_) + 2, 1,
-                                VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     picture_ = Texture(device_, {f.width, f.height, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
     drawn_ = Texture(device_,
                      {f.width, f.places.shape().height, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
@@ -146,6 +156,33 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
                                shared::kGoboLevels, VK_FORMAT_R8G8B8A8_UNORM, false, true});
     for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
         gobos_.write(level, gobos.texels[level].data(), gobos.texels[level].size());
+}
+
+// Last of all, in what memory is left.
+void Relighter::make_images() {
+    const Fragments& f = fragments();
+    gpu::TextureShape shape{f.width, f.height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false};
+    const std::uint64_t one = gpu::texture_bytes(device_, shape);
+    const std::uint64_t left = device_.memory_left_bytes();
+    const std::uint64_t spare = left / 8 + kFixedImages * one; // pictures that are read back, uploads
+    const std::uint64_t room = (left - std::min(left, spare)) / one;
+    const int wanted = image_slots(settings_.image_memory_bytes, width(), height(), light_count_);
+    slot_count_ = static_cast<int>(std::min<std::uint64_t>(room, static_cast<std::uint64_t>(wanted)));
+    tree_ = LightTree(light_count_, slot_count_);
+    // Layer 0 is the frame, the others are the slots of the tree and its image of all that rests.
+    shape.layers = static_cast<std::uint32_t>(slot_count_) + kFixedImages;
+    images_ = gpu::Texture(device_, shape);
+
+    std::string lowered;
+    if (distances_ && distances_->side() < distances_->wanted_side())
+        lowered += ", shadow maps of " + std::to_string(distances_->side()) + " texels a side instead of " +
+                   std::to_string(distances_->wanted_side());
+    if (slot_count_ < wanted)
+        lowered += ", " + std::to_string(slot_count_) + " kept images instead of " + std::to_string(wanted);
+    if (!lowered.empty())
+        log_warning("memory of " + device_.name() + " is short for " + std::to_string(light_count_) +
+                    " lights at " + std::to_string(f.width) + "x" + std::to_string(f.height) + ":" +
+                    lowered.substr(1));
 }
 
 FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
@@ -187,21 +224,31 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         commands_.begin_span("clear");
         commands_.clear(drawn_);
     }
+    const Fragments& f = fragments();
+    const auto wide = [&](const shared::Light& light) {
+        return wide_ && wide_step_ > 1 && settings_.air && is_wide(light, f.pixels_per_rad);
+    };
+    const bool any_wide = std::any_of(sum.lights.begin(), sum.lights.end(), [&](int index) {
+        return wide(lights[static_cast<std::size_t>(index)]);
+    });
+    if (any_wide && !std::exchange(wide_prepared_, true)) wide_->prepare(commands_, f, wide_step_);
+    if (any_wide) commands_.clear(wide_->rays());
     // Lights with the same number of gobo wheels share a shader that has just these.
-    for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels) {
+    for (std::uint32_t kind = 0; kind < (any_wide ? 2 : 1) * kClasses; ++kind) {
+        const std::uint32_t wheels = kind % kClasses;
         std::vector<shared::Light> chunk;
         for (const int index : sum.lights) {
             const shared::Light& light = lights[static_cast<std::size_t>(index)];
-            if (light.wheel_count != wheels) continue;
+            if (light.wheel_count != wheels || wide(light) != (kind >= kClasses)) continue;
             chunk.push_back(light);
             if (chunk.size() == shared::kLightsPerChunk) {
-                draw_lights(chunk, wheels);
+                draw_lights(chunk, wheels, kind >= kClasses);
                 chunk.clear();
             }
         }
-        if (!chunk.empty()) draw_lights(chunk, wheels);
+        if (!chunk.empty()) draw_lights(chunk, wheels, kind >= kClasses);
     }
-    const Fragments& f = fragments();
+    if (any_wide) wide_->spread(commands_, drawn_);
     if (!sum.lights.empty() && f.edge_count > 0) {
         commands_.begin_span("fold");
         commands_.dispatch(
@@ -226,19 +273,35 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
     }
 }
 
-void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels) {
+void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels, bool wide) {
     const std::uint64_t offset = lights_used_;
     const std::uint64_t bytes = lights.size() * sizeof(shared::Light);
     CHECK(offset + kChunkBytes <= lights_.bytes());
     std::memcpy(static_cast<std::uint8_t*>(lights_.mapped()) + offset, lights.data(), bytes);
     lights_used_ += (bytes + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
 
-    const LightChunk chunk{lights,  wheels, fragments(), gobos_, drawn_,  air_,
-                           lights_, offset, masks_,      lists_, groups_, batch_size_};
+    const LightChunk chunk{lights,
+                           wheels,
+                           fragments(),
+                           gobos_,
+                           drawn_,
+                           air_,
+                           lights_,
+                           offset,
+                           masks_,
+                           lists_,
+                           groups_,
+                           batch_size_,
+                           wide ? wide_.get() : nullptr};
     const Fragments& f = fragments();
-    const shared::CullPush cull{chunk.count(),          batch_size_, f.tiles_x,
-                                chunk.tiles(),          f.blocks,    settings_.surfaces ? 1u : 0u,
-                                settings_.air ? 1u : 0u};
+    const shared::CullPush cull{chunk.count(),
+                                batch_size_,
+                                f.tiles_x,
+                                chunk.tiles(),
+                                f.blocks,
+                                settings_.surfaces ? 1u : 0u,
+                                settings_.air ? 1u : 0u,
+                                wide ? wide_step_ * wide_step_ : 1u};
     commands_.begin_span("cull");
     commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}}));
     commands_.dispatch(cull_, cull,
@@ -335,7 +398,7 @@ float Relighter::ev100_used() const {
 std::uint64_t Relighter::memory_bytes() const {
     const Fragments& f = fragments();
     std::uint64_t sum = haze_.memory_bytes() + lens_.memory_bytes() + glare_.memory_bytes() +
-                        (g_buffer_ ? g_buffer_->memory_bytes() : 0);
+                        (g_buffer_ ? g_buffer_->memory_bytes() : 0) + (wide_ ? wide_->memory_bytes() : 0);
     if (distances_) sum += distances_->texture().bytes();
     for (const gpu::Buffer* buffer : {&f.view, &lights_, &f.tile_bounds, &masks_, &lists_, &groups_, &work_,
                                       &work_read_, &exposure_, &pixels_})

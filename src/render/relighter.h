@@ -3,7 +3,8 @@
 // Relighter: draws one camera of a show, live, from its passes (Screen Space Re-Rendering) or from a
 // G-buffer. Surfaces by pass x beam, haze by the march or cone integrator, images of resting lights kept in a
 // binary tree. Lights in, HDR frame and display picture out. Light number i means the same fixture in every
-// draw. Main thread; the device must outlive it.
+// draw. Where the device's memory runs short it keeps fewer images, and one line of warning says what was
+// lowered. Main thread; the device must outlive it.
 
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
@@ -73,6 +74,9 @@ public:
     FrameStatistics draw(const std::vector<shared::Light>& lights);
     // The camera or the stage moved, or shadows changed: the G-buffer was drawn again.
     void forget();
+    // Of haze by gate, from the next frame on; at most HazeSettings::most_wide_step. Images of resting lights
+    // stay as they were drawn.
+    void set_quality(const HazeQuality& quality);
     // The haze moved. Cheap where it is even.
     void set_air(const shared::Air& air);
 
@@ -89,8 +93,9 @@ private:
               const Settings& settings);
     void make_surface_programs();
     void upload(const shared::Gobos& gobos, std::uint64_t batches);
+    void make_images();
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
-    void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels);
+    void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels, bool wide);
     void record_surfaces(const LightChunk& chunk);
     void develop(const std::vector<shared::Light>& lights);
     const Fragments& fragments() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
@@ -111,6 +116,9 @@ private:
     gpu::Program cull_, sum_, bounce_, fold_, meter_, develop_;
     std::array<std::unique_ptr<gpu::Program>, kClasses> surface_;
     HazePass haze_;
+    std::unique_ptr<WideBeams> wide_; // null: HazeSettings::most_wide_step is 1
+    std::uint32_t wide_step_ = 1;
+    bool wide_prepared_ = false;
     LensPass lens_;
     GlarePass glare_;
     mutable gpu::Commands commands_;

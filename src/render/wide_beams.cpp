@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/wide_beams.h"
+
+#include "base/check.h"
+#include "shaders/wide_prepare.h"
+#include "shaders/wide_spread.h"
+#include "shared/wide.h"
+
+namespace ghost::render {
+namespace {
+
+constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+constexpr std::uint32_t kFinestStep = 2;
+
+std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
+    return (items + size - 1) / size;
+}
+
+} // namespace
+
+bool is_wide(const shared::Light& light, float pixels_per_rad) {
+    return 2.0f * light.tan_field * light.cut_radius * pixels_per_rad >= kWideBeam_px;
+}
+
+WideBeams::WideBeams(const gpu::Device& device, std::uint32_t width, std::uint32_t height)
+    : prepare_(device, shaders::kShader_wide_prepare, {kUniform, kStored, kStored, kStored}),
+      spread_(device, shaders::kShader_wide_spread, {kStored, kStored, kStored}),
+      rays_(device, {groups(width, kFinestStep), groups(height, kFinestStep), 1, 1,
+                     VK_FORMAT_R16G16B16A16_SFLOAT, true, false}),
+      weights_(device, {width, height, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false}),
+      lonely_(device, {groups(width, shared::kTileWidth) * shared::kTileWidth,
+                       groups(height, shared::kTileHeight) * shared::kTileHeight, 1, 1, VK_FORMAT_R16_UINT,
+                       true, false}) {}
+
+void WideBeams::prepare(gpu::Commands& commands, const Fragments& fragments, std::uint32_t step) {
+    CHECK(step == 2 || step == 4);
+    step_ = step;
+    commands.begin_span("lonely");
+    commands.dispatch(prepare_, shared::WidePush{step},
+                      {gpu::uniform(fragments.view), gpu::stored(fragments.places), gpu::stored(weights_),
+                       gpu::stored(lonely_)},
+                      fragments.tiles_x, fragments.tiles_y);
+    commands.barrier();
+}
+
+void WideBeams::spread(gpu::Commands& commands, const gpu::Texture& drawn) {
+    const gpu::TextureShape& shape = weights_.shape();
+    commands.begin_span("spread");
+    commands.dispatch(spread_, shared::WidePush{step_},
+                      {gpu::stored(weights_), gpu::stored(rays_), gpu::stored(drawn)},
+                      groups(shape.width, shared::kTileWidth), groups(shape.height, shared::kTileHeight));
+    commands.barrier();
+}
+
+} // namespace ghost::render
