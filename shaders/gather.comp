@@ -23,7 +23,7 @@ layout(binding = 6, rgba32f) writeonly uniform image2DArray places;
 layout(binding = 7, rgba16f) writeonly uniform image2DArray diffuse;
 layout(binding = 8, rgba16f) writeonly uniform image2DArray specular;
 layout(binding = 9, rgba16f) writeonly uniform image2DArray shown_normals;
-layout(binding = 10, rgba32f) writeonly uniform image2DArray base;
+layout(binding = 10, rgba16f) writeonly uniform image2DArray base;
 layout(binding = 11, rg32ui) writeonly uniform uimage2DArray edges;
 layout(binding = 12, scalar) writeonly buffer TileBounds { vec4 tile_bounds[]; };
 layout(binding = 13, scalar) buffer Counts { GatherCounts counts; };
@@ -217,7 +217,7 @@ void main() {
         imageStore(specular, ivec3(at, 0), vec4(0.0));
         imageStore(shown_normals, ivec3(at, 0), vec4(0.0));
     }
-    if (inside) imageStore(base, ivec3(at, 0), vec4(unlit, 0.0));
+    if (inside) imageStore(base, ivec3(at, 0), light_to_store(vec4(unlit, 0.0)));
 
     box = box_of_group(box);
     vec3 centre = box.low.x <= box.high.x ? (box.low + box.high) * 0.5 : vec3(0.0);

@@ -6,7 +6,7 @@
 #include "shared/push.h"
 
 layout(local_size_x = 16, local_size_y = 8) in;
-layout(binding = 0, rgba32f) readonly uniform image2DArray base;  // the picture without lights
+layout(binding = 0, rgba16f) readonly uniform image2DArray base;  // the picture without lights
 layout(binding = 1, rgba16f) readonly uniform image2DArray drawn; // lights drawn just now: layer 0 surfaces, layer 1 haze
 layout(binding = 2, rgba16f) uniform image2DArray images;
 layout(push_constant, scalar) uniform Push { SumPush p; };

@@ -30,7 +30,7 @@ struct Fragments {
     gpu::Texture places;
     gpu::Texture
         edges;         // rg32ui, entry e at (e % width, e / width): pixel, first extra * 4 + number of extras
-    gpu::Texture base; // rgba32f, picture only: cd/m^2 without any light (even light, emission), through haze
+    gpu::Texture base; // rgba16f, picture only: cd/m^2 without any light (even light, emission), through haze
     gpu::Buffer tile_bounds; // two vec4 a tile, then a block: centre, radius (< 0: nothing to light);
                              // farthest_m, 0, 0, 0
 };

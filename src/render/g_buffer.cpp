@@ -132,7 +132,7 @@ GBuffer::GBuffer(const gpu::Device& device, int width, int height)
     const std::uint32_t rows = h + groups(capacity_, w);
     fragments_.places = stored(device, w, rows, kFloats);
     fragments_.edges = stored(device, w, h, VK_FORMAT_R32G32_UINT);
-    fragments_.base = stored(device, w, h, kFloats);
+    fragments_.base = stored(device, w, h, kHalves);
     const std::uint64_t bounds =
         std::uint64_t{fragments_.tiles_x} * fragments_.tiles_y + capacity_ / shared::kTilePixels;
     fragments_.tile_bounds = Buffer(device, bounds * 2 * sizeof(glm::vec4), Access::device);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 
 namespace ghost::render {
 namespace {
@@ -71,9 +72,11 @@ PassImages make_pass_images(const gpu::Device& device, const scene::Passes& pass
     f.edge_count = static_cast<std::uint32_t>(layout.edges.size());
     f.tile_bounds = gpu::Buffer(device, layout.bounds.size() * sizeof(glm::vec4), gpu::Access::device);
     f.tile_bounds.write(layout.bounds);
-    const std::vector<glm::vec4> base = base_image(passes, ambient, haze);
-    f.base = gpu::Texture(device, {f.width, f.height, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});
-    f.base.write(0, base.data(), base.size() * sizeof(glm::vec4));
+    std::vector<std::uint64_t> base; // four half floats each
+    for (const glm::vec4& light : base_image(passes, ambient, haze))
+        base.push_back(glm::packHalf4x16(glm::min(light, glm::vec4(shared::kMostLight))));
+    f.base = gpu::Texture(device, {f.width, f.height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    f.base.write(0, base.data(), base.size() * sizeof(std::uint64_t));
     std::vector<glm::uvec2> edges = layout.edges;
     const std::uint32_t edge_rows = std::max(groups(f.edge_count, f.width), 1u);
     edges.resize(static_cast<std::size_t>(edge_rows) * f.width);
