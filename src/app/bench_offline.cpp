@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of what happens before the first frame: baking, geometry, start-up.
+// Tables of what happens before the first frame: baking and how right it is, geometry, start-up.
 #include "app/bench.h"
 
 #include "bake/bake_show.h"
+#include "bake/trace_lit.h"
+#include "dmx/recording.h"
+#include "image/colour.h"
+#include "image/metrics.h"
 #include "scene/passes_file.h"
 
 #include <algorithm>
@@ -65,6 +69,19 @@ scene::Stage bumpy_floor(int triangles) {
     instance.name = "floor";
     stage.instances.push_back(instance);
     return stage;
+}
+
+// As a display shows it whose white is the brightest hundredth of the reference.
+image::ToneCurve display_of(const image::ImageF& reference) {
+    std::vector<float> sorted = reference.samples;
+    const auto place = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 99 / 100);
+    std::nth_element(sorted.begin(), place, sorted.end());
+    return [scale = 1.0f / std::max(*place, 1e-9f)](const glm::vec3& value) {
+        glm::vec3 shown;
+        for (int c = 0; c < 3; ++c)
+            shown[c] = image::linear_to_srgb(std::clamp(value[c] * scale, 0.0f, 1.0f));
+        return shown;
+    };
 }
 
 } // namespace
@@ -130,6 +147,56 @@ Result<void> bench_bake(const BenchOptions& options, const BenchSink& sink) {
                {"mrays_per_s", static_cast<double>(stats.rays) / std::max(stats.trace_seconds, 1e-9) * 1e-6}},
               show.cameras[0].name + " " + std::to_string(show.cameras[0].width) + "x" +
                   std::to_string(show.cameras[0].height)});
+    }
+    return {};
+}
+
+Result<void> bench_quality(const BenchOptions& options, const BenchSink& sink) {
+    constexpr int kSpp = 16;
+    constexpr double kFrameRate = 30;
+    TRY(const std::unique_ptr<gpu::Device> device, gpu::Device::create({options.device, false}));
+    scene::Report report;
+    TRY(scene::Show show, scene::load_show(options.show, true, report));
+    const TemporaryFolder folder;
+    show.folder = folder.path;
+    show.cameras.resize(1);
+    const scene::Camera& camera = show.cameras[0];
+    bake::BakeOptions baking;
+    baking.spp = kSpp;
+    TRY_VOID(bake::bake_show(show, baking, report));
+    TRY(scene::Passes passes, scene::load_passes(scene::passes_folder(show, camera.name), true, report));
+    passes.emission.clear(); // direct tracing has none
+    const scene::GoboStack gobos = scene::build_gobos(show, report);
+    const scene::Stage stage = scene::stage_with_bodies(show, report);
+    TRY(dmx::Recording recording, dmx::read_recording(show.recording));
+    const dmx::Player player(std::move(recording));
+    scene::Rig rig(show);
+    render::Settings settings = bench_settings();
+    settings.air = false;
+    int frame = 0;
+    for (const int at_s : {8, 36, 50, 70, 82}) {
+        for (; frame <= at_s * static_cast<int>(kFrameRate); ++frame)
+            rig.step(player.at(frame / kFrameRate), 1 / kFrameRate);
+        const std::vector<shared::Light> lights = rig.lights(gobos, passes);
+        const Clock::time_point start = Clock::now();
+        const image::ImageF direct =
+            bake::trace_lit(stage, camera, lights, gobos.images, kSpp, settings.haze);
+        const double trace_s = std::chrono::duration<double>(Clock::now() - start).count();
+        const image::ImageF other =
+            bake::trace_lit(stage, camera, lights, gobos.images, kSpp, settings.haze, 7);
+        render::Relighter relighter(*device, passes, gobos.images, static_cast<int>(lights.size()), settings);
+        relighter.draw(lights);
+        const image::ToneCurve display = display_of(direct);
+        TRY(const image::PicturePair relit, image::pair_up(relighter.frame(), direct, {}));
+        TRY(const image::PicturePair noise, image::pair_up(other, direct, {}));
+        sink({"quality",
+              "at " + std::to_string(at_s) + " s",
+              {{"psnr_db", image::psnr_db(relit, display)},
+               {"bias_percent", 100 * image::relative_errors(relit).bias},
+               {"other_samples_psnr_db", image::psnr_db(noise, display)},
+               {"direct_s", trace_s}},
+              camera.name + " " + std::to_string(camera.width) + "x" + std::to_string(camera.height) +
+                  ", 16 samples a pixel"});
     }
     return {};
 }

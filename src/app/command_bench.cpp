@@ -29,6 +29,7 @@ constexpr Table kTables[] = {
     {"tree", "One light of n changes", bench_tree},
     {"triangles", "Triangles do not matter", bench_triangles},
     {"bake", "Baking", bench_bake},
+    {"quality", "Relit on the device against traced directly", bench_quality},
     {"start", "Start-up", bench_start},
 };
 
@@ -78,7 +79,7 @@ void add_bench(CLI::App& app, int& exit_code) {
     std::vector<std::string> names;
     for (const Table& table : kTables) names.emplace_back(table.name);
     command->add_option("NAME", a->table, "only this table")->check(CLI::IsMember(names));
-    command->add_option("--show", a->options.show, "show of the tables paper, bake and start")
+    command->add_option("--show", a->options.show, "show of the tables paper, bake, quality and start")
         ->capture_default_str();
     command->add_option("--frames", a->options.frames, "frames measured per row")
         ->check(CLI::Range(5, 10000))
