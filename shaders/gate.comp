@@ -10,6 +10,7 @@
 #include "shared/fan.h"
 #include "shared/haze.h"
 #include "shared/optics.h"
+#include "shared/wide.h"
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
@@ -22,11 +23,15 @@ layout(binding = 6, rgba16f) uniform image2DArray drawn;
 layout(binding = 7) uniform sampler2DArray table;
 layout(binding = 8) uniform sampler2DArray shade; // which rays the light reaches, see fan_shade.comp
 layout(binding = 9, scalar) uniform AirBlock { Air air; };
+layout(binding = 10, scalar) readonly buffer Groups { TileGroups groups[]; };
+layout(binding = 11, r16ui) readonly uniform uimage2DArray lonely; // of wide beams, as the next one
+layout(binding = 12, rgba16f) uniform image2DArray rays;
 layout(push_constant, scalar) uniform Push { GatePush p; };
 layout(constant_id = 0) const bool kFocus = true;   // some light gets out of focus: the table has levels of blur
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 layout(constant_id = 2) const bool kShadows = false;
 layout(constant_id = 3) const bool kUneven = false; // haze is not the same everywhere
+layout(constant_id = 4) const bool kWide = false;   // every few rays only, and lonely pixels (shared/wide.h)
 
 // Prefix sums at a place 0..1 of a row -1..1.
 vec4 prefix(Fan fan, vec2 texel, uint level, float row, float column) {
@@ -228,30 +233,92 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
            (haze.scattering_per_m * 2.0 * chord.w / distance_m * fan_most(light.colour_b));
 }
 
+struct Place {
+    uvec2 pixel;
+    uint tile;
+    bool used;
+};
+
+uvec2 corner_of(uint tile) { return uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight); }
+
+uint lonely_in(uint tile) { return imageLoad(lonely, ivec3(corner_of(tile), 0)).x >> kLonelyCount; }
+
+// A workgroup of wide beams draws so many tiles that every lane has a ray, then, round after round, their lonely pixels.
+Place wide_place(uint first, uint tiles, uint round) {
+    uint per_tile = kTilePixels / (p.step * p.step);
+    uint columns = kTileWidth / p.step;
+    uint nth = gl_LocalInvocationIndex / per_tile;
+    uint ray = gl_LocalInvocationIndex % per_tile;
+    uint tile = list[first + min(nth, tiles - 1u)];
+    uvec2 local = uvec2(ray % columns, ray / columns) * p.step;
+    bool used = nth < tiles;
+    if (round > 0u) {
+        uint slot = (round - 1u) * kTilePixels + gl_LocalInvocationIndex;
+        used = false;
+        for (uint t = 0u; t < tiles; ++t) {
+            uint next = list[first + t];
+            uint count = lonely_in(next);
+            bool here = !used && slot < count;
+            tile = here ? next : tile;
+            used = used || here;
+            slot -= used ? 0u : count;
+        }
+        slot = used ? slot : 0u;
+        uvec2 texel = corner_of(tile) + uvec2(slot % kTileWidth, slot / kTileWidth);
+        uint place = imageLoad(lonely, ivec3(texel, 0)).x & kLonelyPlace;
+        local = uvec2(place % kTileWidth, place / kTileWidth);
+    }
+    return Place(corner_of(tile) + local, tile, used);
+}
+
 void main() {
     uvec2 size = uvec2(view.width, view.height);
-    uint tile = list[p.batch * (2u * p.tiles + p.blocks) + gl_WorkGroupID.x];
-    uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
-    bool inside = pixel.x < size.x && pixel.y < size.y;
-    ivec2 at = ivec2(min(pixel, size - 1u));
-    vec2 ndc = vec2(2.0 * (float(at.x) + 0.5) / float(size.x) - 1.0, 1.0 - 2.0 * (float(at.y) + 0.5) / float(size.y));
-    vec3 dir = normalize(view.forward + view.right * ndc.x + view.up * ndc.y);
-    vec4 surface = imageLoad(places, ivec3(at, 0));
-    float far = surface.w >= 0.0 ? length(surface.xyz - view.eye_m) : view.far_m;
+    uint per_group = kWide ? p.step * p.step : 1u;
+    uint first = p.batch * (2u * p.tiles + p.blocks) + gl_WorkGroupID.x * per_group;
+    uint tiles = 1u;
+    uint rounds = 1u;
+    if (kWide) {
+        tiles = min(groups[p.batch].haze[3] - gl_WorkGroupID.x * per_group, per_group);
+        uint alone = 0u;
+        for (uint t = 0u; t < tiles; ++t) alone += lonely_in(list[first + t]);
+        rounds += (alone + kTilePixels - 1u) / kTilePixels;
+    }
+    for (uint round = 0u; round < rounds; ++round) {
+        Place place;
+        if (kWide) {
+            place = wide_place(first, tiles, round);
+        } else {
+            uint tile = list[first];
+            place = Place(corner_of(tile) + gl_LocalInvocationID.xy, tile, true);
+        }
+        bool inside = place.used && place.pixel.x < size.x && place.pixel.y < size.y;
+        ivec2 at = ivec2(min(place.pixel, size - 1u));
+        vec2 ndc = vec2(2.0 * (float(at.x) + 0.5) / float(size.x) - 1.0, 1.0 - 2.0 * (float(at.y) + 0.5) / float(size.y));
+        vec3 dir = normalize(view.forward + view.right * ndc.x + view.up * ndc.y);
+        vec4 surface = imageLoad(places, ivec3(at, 0));
+        float far = surface.w >= 0.0 ? length(surface.xyz - view.eye_m) : view.far_m;
+        if (kWide) far = inside ? far : 0.0;
 
-    vec3 sum = vec3(0.0);
-    if (kSingle) {
-        sum = scattered(lights[p.batch], fans[p.batch], dir, far);
-    } else {
-        uint words = (p.light_count + 31u) / 32u;
-        for (uint word = 0u; word < words; ++word) {
-            uint mask = mask_of[(p.tiles + p.blocks + tile) * kMaskWords + word];
-            while (mask != 0u) {
-                uint index = word * 32u + uint(findLSB(mask));
-                mask &= mask - 1u;
-                sum += scattered(lights[index], fans[index], dir, far);
+        vec3 sum = vec3(0.0);
+        if (kSingle) {
+            sum = scattered(lights[p.batch], fans[p.batch], dir, far);
+        } else {
+            uint words = (p.light_count + 31u) / 32u;
+            for (uint word = 0u; word < words; ++word) {
+                uint mask = mask_of[(p.tiles + p.blocks + place.tile) * kMaskWords + word];
+                while (mask != 0u) {
+                    uint index = word * 32u + uint(findLSB(mask));
+                    mask &= mask - 1u;
+                    sum += scattered(lights[index], fans[index], dir, far);
+                }
             }
         }
+        if (kWide && round == 0u) {
+            ivec3 to = ivec3(at / int(p.step), 0);
+            if (inside) imageStore(rays, to, light_to_store(imageLoad(rays, to) + vec4(sum, 0.0)));
+        } else {
+            ivec3 to = ivec3(at, 1);
+            if (inside) imageStore(drawn, to, light_to_store(imageLoad(drawn, to) + vec4(sum, 0.0)));
+        }
     }
-    if (inside) imageStore(drawn, ivec3(at, 1), light_to_store(imageLoad(drawn, ivec3(at, 1)) + vec4(sum, 0.0)));
 }
