@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.h"
+#include "app/governor.h"
 #include "app/input_options.h"
 #include "app/interrupt.h"
 #include "app/picture_writer.h"
@@ -36,6 +37,8 @@ struct RenderArguments {
     int fps = 30;
     bool live_input = false;
     double seconds = 10;
+    int hold_fps = 0; // 0: quality stays
+    bool no_caption = false;
     float ev100 = 0;
     bool has_ev100 = false;
     int image_memory_mb = 1024;
@@ -54,6 +57,8 @@ struct Tally {
     int late = 0;                   // film frames that repeat a picture because drawing took too long
     int additions = 0;
     int drawn = 0;
+    int quality_changes = 0;
+    std::size_t quality_level = 0; // 0 is the best
 
     void add(const render::FrameStatistics& frame) {
         draw_ms.push_back(frame.draw_ms);
@@ -87,6 +92,8 @@ void print_tally(const RenderArguments& arguments, const Session& session, const
             row["packet_to_picture_ms_median"] = percentile(tally.latency_ms, 0.5);
             row["packet_to_picture_ms_p99"] = percentile(tally.latency_ms, 0.99);
             row["frames_with_new_packets"] = tally.latency_ms.size();
+            row["quality_level"] = tally.quality_level;
+            row["quality_changes"] = tally.quality_changes;
         }
         std::printf("%s\n", row.dump().c_str());
         return;
@@ -151,6 +158,19 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
     return {};
 }
 
+// Tells the governor what a frame took; what it lowers holds from the next frame on.
+void govern(Governor& governor, double frame_ms, Session& session, Tally& tally) {
+    if (!governor.add(frame_ms)) return;
+    session.relighter->set_quality(governor.quality());
+    tally.quality_changes += governor.level() != tally.quality_level ? 1 : 0;
+    tally.quality_level = governor.level();
+    const std::string note = governor.note();
+    if (governor.holds())
+        log_info(note.empty() ? "haze: full quality again" : note);
+    else
+        log_warning(note);
+}
+
 // Film time is wall time: a picture that takes longer than a frame is shown for several.
 Result<void> render_live(const RenderArguments& arguments, Session& session, PictureWriter& writer,
                          Tally& tally) {
@@ -168,6 +188,8 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
     const auto frame_time = std::chrono::duration<double>(1.0 / arguments.fps);
     const long frames = std::max(1L, std::lround(arguments.seconds * arguments.fps));
     long written = 0;
+    std::optional<Governor> governor;
+    if (arguments.hold_fps > 0) governor.emplace(arguments.hold_fps, quality_levels(arguments.session.beams));
     while (written < frames && !interrupted()) {
         std::this_thread::sleep_until(
             start + std::chrono::duration_cast<Clock::duration>(frame_time * static_cast<double>(written)));
@@ -179,7 +201,9 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
         const Clock::time_point now = Clock::now();
         session.rig->step(universes, std::chrono::duration<double>(now - last_step).count());
         last_step = now;
-        tally.add(session.draw(std::chrono::duration<double>(now - start).count()));
+        const render::FrameStatistics frame =
+            session.draw(std::chrono::duration<double>(now - start).count());
+        tally.add(frame);
         if (fresh) {
             std::chrono::nanoseconds arrival{0};
             for (const dmx::Universe& universe : universes.list)
@@ -190,7 +214,14 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
         const auto due = static_cast<long>(std::chrono::duration<double>(Clock::now() - start) / frame_time);
         const long repeat = std::clamp(due - written, 1L, frames - written);
         tally.late += static_cast<int>(repeat - 1);
-        for (long i = 0; i < repeat; ++i, ++written) TRY_VOID(writer.add(*session.relighter));
+        const std::string caption = governor && !arguments.no_caption ? governor->note() : std::string();
+        for (long i = 0; i < repeat; ++i, ++written) {
+            TRY_VOID(writer.add(*session.relighter, caption));
+            // The pictures that repeat it would not be there had it been in time.
+            if (i > 0 || !governor || frame.drawn == 0) continue;
+            govern(*governor, std::chrono::duration<double, std::milli>(Clock::now() - now).count(), session,
+                   tally);
+        }
     }
     if (tally.latency_ms.empty())
         log_warning(
@@ -213,6 +244,12 @@ Result<bool> check_usage(RenderArguments& arguments) {
                                     : arguments.beams == "cone" ? render::Beams::cone
                                                                 : render::Beams::gate;
     arguments.session.image_memory_bytes = static_cast<std::uint64_t>(arguments.image_memory_mb) << 20;
+    if (arguments.hold_fps > arguments.fps)
+        return Error{"the film has only " + std::to_string(arguments.fps) + " frames a second (--fps)",
+                     "--hold-fps"};
+    if (arguments.hold_fps > 0 && arguments.session.beams.beams != render::Beams::gate)
+        return Error{"only the haze of --beams gate can be lowered", "--hold-fps"};
+    arguments.session.beams.most_wide_step = arguments.hold_fps > 0 ? 4 : 1;
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
     arguments.session.shadows = !arguments.no_shadows;
     arguments.session.maps_in_background = arguments.live_input;
@@ -321,6 +358,13 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_option("--seconds", a->seconds, "length of --live-input")
         ->check(CLI::Range(0.1, 86400.0))
         ->capture_default_str();
+    CLI::Option* hold =
+        command
+            ->add_option("--hold-fps", a->hold_fps,
+                         "lower the quality of haze where --live-input would be slower; the picture says so")
+            ->check(CLI::Range(1, 240))
+            ->needs("--live-input");
+    command->add_flag("--no-caption", a->no_caption, "the picture does not say it")->needs(hold);
     command->add_option("--beams", a->beams, "gate (ours), cone (the paper) or march (the thesis)")
         ->check(CLI::IsMember({"gate", "cone", "march"}))
         ->capture_default_str();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/picture_writer.h"
 
+#include "app/caption.h"
 #include "image/exr.h"
 #include "image/ldr.h"
 
@@ -28,15 +29,20 @@ Result<std::unique_ptr<PictureWriter>> PictureWriter::create(const std::filesyst
     return writer;
 }
 
-Result<void> PictureWriter::add(const render::Relighter& relighter) {
-    if (kind_ == OutputKind::film) return film_->add(relighter.picture().samples.data());
+Result<void> PictureWriter::add(const render::Relighter& relighter, const std::string& caption) {
+    image::Image8 picture;
+    if (kind_ != OutputKind::exr) {
+        picture = relighter.picture();
+        draw_caption(picture, caption);
+    }
+    if (kind_ == OutputKind::film) return film_->add(picture.samples.data());
     std::filesystem::path path = path_;
     if (numbered_) {
         char number[16];
         std::snprintf(number, sizeof number, "-%05d", count_++);
         path.replace_filename(path_.stem().string() + number + path_.extension().string());
     }
-    if (kind_ == OutputKind::png) return image::write_png(path, relighter.picture());
+    if (kind_ == OutputKind::png) return image::write_png(path, picture);
     image::ExrFile file;
     file.pixels = relighter.frame();
     file.channels = {"R", "G", "B"};

@@ -9,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace ghost::app {
 
@@ -20,7 +21,8 @@ public:
     // numbered: PNG and EXR become NAME-00000.png, NAME-00001.png, ...
     static Result<std::unique_ptr<PictureWriter>> create(const std::filesystem::path& path, int width,
                                                          int height, int fps, bool numbered);
-    Result<void> add(const render::Relighter& relighter);
+    // caption: burnt into the picture, but not into EXR.
+    Result<void> add(const render::Relighter& relighter, const std::string& caption = {});
     Result<void> finish();
 
 private:
