@@ -214,7 +214,7 @@ render::FrameStatistics Session::draw(double time_s) {
         if (live->take_maps(report)) relighter->forget();
         print_report(report, printed);
         if (live->follow(*rig)) {
-            relighter->forget();
+            relighter->touch();
             spans = live->g_buffer().spans();
         }
     }

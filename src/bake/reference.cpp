@@ -209,6 +209,14 @@ private:
             -glm::mix(ray.depths[below], ray.depths[below + 1], place - static_cast<double>(below)));
     }
 
+    // 1/m^2 of physics, or what the show has instead.
+    double weakened(double d_m) const {
+        const double sum = static_cast<double>(options_.attenuation.constant) +
+                           static_cast<double>(options_.attenuation.linear) * d_m +
+                           static_cast<double>(options_.attenuation.quadratic) * d_m * d_m;
+        return 1.0 / std::max(sum, d_m * d_m / static_cast<double>(shared::kAttenuationMost));
+    }
+
     dvec3 on_surface(const Surface& surface, const Lamp& lamp) const {
         const dvec3 place_m(surface.position);
         const dvec3 candela = lamp.beam.candela(lamp.beam.to_gate(place_m - lamp.position_m));
@@ -220,7 +228,7 @@ private:
             const dvec3 reflected =
                 reference_brdf_times_cosine(surface.brdf, dvec3(surface.normal), dvec3(surface.to_viewer),
                                             to_light / std::sqrt(distance2)) *
-                (std::exp(-medium_.optical_depth(dvec3(source_m), place_m)) / distance2);
+                (std::exp(-medium_.optical_depth(dvec3(source_m), place_m)) * weakened(std::sqrt(distance2)));
             if (reflected == dvec3(0.0)) continue;
             const Surface* from = &surface;
             float share = 1.0f;
@@ -283,7 +291,7 @@ private:
             const double weight = seen_through(ray, t_m) *
                                   std::exp(-medium_.optical_depth(lamp.position_m, place_m)) *
                                   medium_.phase(-glm::dot(light_way, ray.way) / distance_m) *
-                                  medium_.density(place_m) * dt_m / (distance_m * distance_m);
+                                  medium_.density(place_m) * dt_m * weakened(distance_m);
             sum.add(place_m, lamp.lens_m[static_cast<std::size_t>(k) % lamp.lens_m.size()], candela * weight);
         }
         return sum.total() * medium_.scattering_per_m();

@@ -12,6 +12,7 @@
 #include "base/result.h"
 #include "image/image.h"
 #include "scene/show.h"
+#include "shared/attenuation.h"
 
 #include <functional>
 #include <vector>
@@ -29,6 +30,7 @@ struct ReferenceOptions {
     bool air = true;
     bool shadows = true;
     float far_m = 60.0f;                        // of a ray that meets no surface: View::far_m
+    shared::Attenuation attenuation{0, 0, 1};   // taste; this is physics
     HazeDensity density;                        // none: even haze
     int density_samples = 64;                   // on the way from the light, where the haze is not even
     BeamOverride beam;                          // candela of every light, for tests

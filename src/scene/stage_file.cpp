@@ -2,6 +2,7 @@
 #include "base/files.h"
 #include "scene/model_file.h"
 #include "scene/show.h"
+#include "scene/stage_checks.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -92,6 +93,7 @@ Result<Stage> convert(const aiScene& scene, const GltfExtras& extras, const std:
                          " objects, more than the limit of 20 million in 1 million",
                      name};
     if (stage.instances.empty()) return Error{"has no object with triangles", name};
+    check_geometry(stage, name, report);
     return stage;
 }
 

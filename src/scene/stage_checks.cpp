@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/stage_checks.h"
+
+#include "fixture/decode.h"
+#include "scene/model_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace ghost::scene {
+namespace {
+
+using glm::dvec3;
+using glm::vec3;
+
+constexpr double kPi = 3.14159265358979;
+constexpr std::size_t kManyTriangles = 1'000'000;  // of one mesh
+constexpr std::size_t kEdgesOfTriangles = 200'000; // of one mesh: larger ones are not looked at edge by edge
+constexpr std::size_t kWindingTriangles = 20'000'000; // of all lights together
+
+bool has_area(const vec3& a, const vec3& b, const vec3& c) {
+    const dvec3 cross = glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
+    return glm::dot(cross, cross) > 0.0;
+}
+
+std::size_t without_area(const Mesh& mesh) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3)
+        count += has_area(mesh.positions[mesh.indices[k]], mesh.positions[mesh.indices[k + 1]],
+                          mesh.positions[mesh.indices[k + 2]])
+                     ? 0
+                     : 1;
+    return count;
+}
+
+// Vertices of one place are one vertex: normals and texture coordinates split them at every seam.
+std::vector<std::uint32_t> welded(const Mesh& mesh) {
+    struct Hash {
+        std::size_t operator()(const std::array<std::uint32_t, 3>& bits) const {
+            std::uint64_t hash = 0;
+            for (const std::uint32_t word : bits) hash = (hash ^ word) * 0x9e3779b97f4a7c15u;
+            return hash ^ (hash >> 29);
+        }
+    };
+    std::unordered_map<std::array<std::uint32_t, 3>, std::uint32_t, Hash> first;
+    std::vector<std::uint32_t> of(mesh.positions.size());
+    for (std::size_t v = 0; v < of.size(); ++v) {
+        const vec3 place = mesh.positions[v] + 0.0f; // -0 is 0
+        std::array<std::uint32_t, 3> bits{};
+        std::memcpy(bits.data(), &place, sizeof bits);
+        of[v] = first.emplace(bits, static_cast<std::uint32_t>(v)).first->second;
+    }
+    return of;
+}
+
+std::size_t crowded_edges(const Mesh& mesh) {
+    const std::vector<std::uint32_t> vertex = welded(mesh);
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3)
+        for (std::size_t e = 0; e < 3; ++e) {
+            const std::uint32_t a = vertex[mesh.indices[k + e]];
+            const std::uint32_t b = vertex[mesh.indices[k + (e + 1) % 3]];
+            if (a != b) edges.emplace_back(std::min(a, b), std::max(a, b));
+        }
+    std::sort(edges.begin(), edges.end());
+    std::size_t crowded = 0;
+    for (std::size_t k = 0; k < edges.size();) {
+        std::size_t same = 1;
+        while (k + same < edges.size() && edges[k + same] == edges[k]) ++same;
+        crowded += same > 2 ? 1 : 0;
+        k += same;
+    }
+    return crowded;
+}
+
+struct Box {
+    vec3 low_m{1e30f};
+    vec3 high_m{-1e30f};
+    void add(const vec3& v) {
+        low_m = glm::min(low_m, v);
+        high_m = glm::max(high_m, v);
+    }
+    bool holds(const vec3& v) const {
+        return glm::all(glm::lessThanEqual(low_m, v)) && glm::all(glm::lessThanEqual(v, high_m));
+    }
+};
+
+// Where each instance is, so that few have to be looked at triangle by triangle.
+class Around {
+public:
+    explicit Around(const Stage& stage) : stage_(stage) {
+        std::vector<Box> own(stage.meshes.size());
+        for (std::size_t m = 0; m < own.size(); ++m)
+            for (const vec3& place : stage.meshes[m].positions) own[m].add(place);
+        for (const Instance& instance : stage.instances) {
+            Box box;
+            const Box& mesh = own[static_cast<std::size_t>(instance.mesh)];
+            for (int k = 0; k < 8; ++k)
+                box.add(vec3(instance.world * glm::vec4((k & 1) ? mesh.high_m.x : mesh.low_m.x,
+                                                        (k & 2) ? mesh.high_m.y : mesh.low_m.y,
+                                                        (k & 4) ? mesh.high_m.z : mesh.low_m.z, 1.0f)));
+            boxes_.push_back(box);
+        }
+    }
+    int find(const vec3& point_m) {
+        for (std::size_t k = 0; k < boxes_.size(); ++k) {
+            const Instance& instance = stage_.instances[k];
+            if (!instance.shown || instance.fixture != kNone || !boxes_[k].holds(point_m)) continue;
+            const Mesh& mesh = stage_.meshes[static_cast<std::size_t>(instance.mesh)];
+            if (mesh.indices.size() / 3 > triangles_left_) continue;
+            triangles_left_ -= mesh.indices.size() / 3;
+            if (winding_number(mesh, instance.world, point_m) > 0.5) return static_cast<int>(k);
+        }
+        return kNone;
+    }
+
+private:
+    const Stage& stage_;
+    std::vector<Box> boxes_;
+    std::size_t triangles_left_ = kWindingTriangles;
+};
+
+std::string name_of(const Stage& stage, int instance) {
+    const Instance& found = stage.instances[static_cast<std::size_t>(instance)];
+    return found.name.empty() ? stage.meshes[static_cast<std::size_t>(found.mesh)].name : found.name;
+}
+
+std::string degrees(float value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", static_cast<double>(value));
+    return text;
+}
+
+bool zoom_fits(float deg) {
+    return deg >= fixture::kMinZoom_deg && deg <= fixture::kMaxZoom_deg;
+}
+
+// Each type once, under the name of the first fixture that has it.
+void check_optics(const Show& show, Report& report) {
+    std::set<const fixture::Type*> seen;
+    for (const PatchedFixture& patched : show.fixtures) {
+        if (!patched.type || !seen.insert(patched.type.get()).second) continue;
+        const std::string who = "fixture '" + patched.name + "' (" + patched.gdtf.string() + "): ";
+        const auto warn = [&](const std::string& what) {
+            report.add(Severity::warning, show.file.string(), who + what);
+        };
+        const std::string range =
+            " degrees, drawn are " + degrees(fixture::kMinZoom_deg) + " to " + degrees(fixture::kMaxZoom_deg);
+        for (const fixture::Geometry& geometry : patched.type->geometries) {
+            if (!geometry.beam) continue;
+            if (!(geometry.beam->beam_radius_m > 0.0f))
+                warn("the lens of '" + geometry.name +
+                     "' has no size; it throws sharp shadows and is seen as large as a usual one");
+            if (!zoom_fits(geometry.beam->field_angle_deg))
+                warn("the field of '" + geometry.name + "' is " + degrees(geometry.beam->field_angle_deg) +
+                     range);
+        }
+        bool said = false;
+        for (const fixture::Mode& mode : patched.type->modes)
+            for (const fixture::Channel& channel : mode.channels)
+                for (const fixture::ChannelFunction& function : channel.functions) {
+                    if (said || function.meaning.role != fixture::Role::zoom) continue;
+                    if (zoom_fits(function.physical_from) && zoom_fits(function.physical_to)) continue;
+                    warn("zoom '" + function.name + "' goes from " + degrees(function.physical_from) +
+                         " to " + degrees(function.physical_to) + range);
+                    said = true;
+                }
+    }
+}
+
+} // namespace
+
+void check_geometry(const Stage& stage, const std::string& file, Report& report) {
+    std::vector<std::string> flat, crowded, mirrored, large;
+    for (const Mesh& mesh : stage.meshes) {
+        if (without_area(mesh) > 0) flat.push_back(mesh.name);
+        const std::size_t triangles = mesh.indices.size() / 3;
+        if (triangles > kManyTriangles) large.push_back(mesh.name);
+        if (triangles <= kEdgesOfTriangles && crowded_edges(mesh) > 0) crowded.push_back(mesh.name);
+    }
+    for (const Instance& instance : stage.instances)
+        if (glm::determinant(glm::mat3(instance.world)) < 0.0f) mirrored.push_back(instance.name);
+    const auto say = [&](const std::vector<std::string>& names, const std::string& what) {
+        if (!names.empty()) report.add(Severity::warning, file, what + ": " + name_list(names));
+    };
+    say(flat, "objects with triangles that have no area; those are not seen");
+    say(crowded,
+        "objects with edges of more than two triangles, of which none is inside or outside; they are "
+        "drawn as they are");
+    say(mirrored, "objects are mirrored (negative scale), and so are the pictures on them");
+    say(large, "objects of more than a million triangles, which take long to draw and to trace");
+}
+
+double winding_number(const Mesh& mesh, const glm::mat4& world, const vec3& point_m) {
+    const glm::dmat4 to_world(world);
+    const double side = glm::determinant(glm::dmat3(to_world)) < 0.0 ? -1.0 : 1.0;
+    double sum = 0.0;
+    for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
+        dvec3 corner[3];
+        double length[3];
+        vec3 normal(0);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t v = mesh.indices[k + c];
+            corner[c] = dvec3(to_world * glm::dvec4(dvec3(mesh.positions[v]), 1.0)) - dvec3(point_m);
+            length[c] = glm::length(corner[c]);
+            normal += mesh.normals[v];
+        }
+        // Solid angle of a triangle (Van Oosterom and Strackee 1983).
+        const double volume = glm::dot(corner[0], glm::cross(corner[1], corner[2]));
+        const double below = length[0] * length[1] * length[2] + glm::dot(corner[0], corner[1]) * length[2] +
+                             glm::dot(corner[1], corner[2]) * length[0] +
+                             glm::dot(corner[2], corner[0]) * length[1];
+        const double angle = 2.0 * std::atan2(volume, below);
+        // Files disagree about winding, so only the normals say which side is the front.
+        const vec3 facet = glm::cross(mesh.positions[mesh.indices[k + 1]] - mesh.positions[mesh.indices[k]],
+                                      mesh.positions[mesh.indices[k + 2]] - mesh.positions[mesh.indices[k]]);
+        if (!std::isfinite(angle)) continue;
+        sum += glm::dot(facet, normal) < 0.0f ? -angle : angle;
+    }
+    return side * sum / (4.0 * kPi);
+}
+
+int instance_around(const Stage& stage, const vec3& point_m) {
+    return Around(stage).find(point_m);
+}
+
+void check_places(const Show& show, const Stage& stage, const Camera& camera, Report& report) {
+    check_optics(show, report);
+    Around around(stage);
+    if (const int object = around.find(camera.position_m); object != kNone)
+        report.add(Severity::warning, show.file.string(),
+                   "camera '" + camera.name + "' stands inside '" + name_of(stage, object) +
+                       "' and sees that from within");
+    for (const PatchedFixture& fixture : show.fixtures) {
+        if (!fixture.type) continue;
+        for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop)
+            if (const int object = around.find(light_position_m(fixture, stop)); object != kNone) {
+                report.add(Severity::warning, show.file.string(),
+                           "the light of fixture '" + fixture.name + "' is inside '" +
+                               name_of(stage, object) + "' and lights only that, from within");
+                break;
+            }
+    }
+}
+
+} // namespace ghost::scene
