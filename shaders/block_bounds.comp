@@ -13,10 +13,13 @@ layout(binding = 0, scalar) uniform ViewBlock { View view; };
 layout(binding = 1, rgba32f) uniform image2DArray places;
 layout(binding = 2, scalar) writeonly buffer TileBounds { vec4 tile_bounds[]; };
 layout(binding = 3, scalar) readonly buffer Counts { GatherCounts counts; };
+layout(binding = 4, scalar) readonly buffer BlockList { BlockListHead block_head; uint block_list[]; };
 layout(push_constant, scalar) uniform Push { GatherPush p; };
 
 void main() {
-    uint index = gl_GlobalInvocationID.x;
+    uint listed = gl_WorkGroupID.x;
+    if (p.listed != 0u) listed = block_list[gl_WorkGroupID.x];
+    uint index = listed * kTilePixels + gl_LocalInvocationIndex;
     ivec3 at = ivec3(index % view.width, view.height + index / view.width, 0);
     bool taken = index < counts.used;
     vec4 found = imageLoad(places, at);
@@ -28,7 +31,7 @@ void main() {
     vec3 centre = box.low.x <= box.high.x ? (box.low + box.high) * 0.5 : vec3(0.0);
     float radius = most_of_group(filled ? length(place - centre) : -1.0);
     if (gl_LocalInvocationIndex == 0u) {
-        uint block = p.tiles + gl_WorkGroupID.x;
+        uint block = p.tiles + listed;
         tile_bounds[block * 2u] = vec4(centre, radius);
         tile_bounds[block * 2u + 1u] = vec4(box.far_m, 0.0, 0.0, 0.0);
     }

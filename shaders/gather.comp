@@ -29,6 +29,7 @@ layout(binding = 12, scalar) writeonly buffer TileBounds { vec4 tile_bounds[]; }
 layout(binding = 13, scalar) buffer Counts { GatherCounts counts; };
 layout(binding = 14, scalar) buffer Rooms { TileRoom rooms[]; };
 layout(binding = 15, scalar) readonly buffer TileList { uint tile_list[]; };
+layout(binding = 16, scalar) buffer BlockList { BlockListHead block_head; uint block_list[]; };
 layout(push_constant, scalar) uniform Push { GatherPush p; };
 
 // Vulkan's standard locations; (0, 0) is the pixel's upper left corner.
@@ -60,6 +61,12 @@ vec3 facet_of(vec2 slope, vec2 pixel) {
     vec3 n = view.forward * (1.0 - dot(ndc, along)) + view.right * (along.x / dot(view.right, view.right)) +
              view.up * (along.y / dot(view.up, view.up));
     return -n / max(length(n), 1e-20);
+}
+
+// A block may be listed several times: once for each tile of the list that it belongs to.
+void list_blocks(uint first, uint count) {
+    for (uint block = first / kTilePixels; block * kTilePixels < first + count; ++block)
+        block_list[atomicAdd(block_head.groups[0], 1u)] = block;
 }
 
 void main() {
@@ -147,6 +154,10 @@ void main() {
             }
         }
         rooms[tile] = own;
+        if (p.listed != 0u) {
+            if (own.extras > 0u) list_blocks(own.first_extra, own.extras);
+            if (moves && old.extras > 0u) list_blocks(old.first_extra, old.extras);
+        }
         first_extra = own.first_extra;
         first_edge = own.first_edge;
         uint filled = has_room == 1u ? all : 0u;

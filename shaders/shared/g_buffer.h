@@ -69,6 +69,22 @@ struct TileRoom {
     uint edges;
 };
 SHARED_SIZE(TileRoom, 16);
+// The blocks of extra fragments that a list of tiles writes to. groups: as Vulkan wants them; one number of a block after the
+// other follows.
+struct BlockListHead {
+    uint groups[3];
+    uint unused;
+};
+SHARED_SIZE(BlockListHead, 16);
+
+// Bounds in which everything but some tiles is empty, see changed_bounds.comp.
+struct ChangedBoundsPush {
+    uint tiles;
+    uint blocks;
+    uint add_blocks; // 0: tiles, all blocks empty; 1: blocks
+};
+SHARED_SIZE(ChangedBoundsPush, 12);
+
 // A tile that is gathered again and needs more room gets this much more than it needs, for heads turn on.
 SHARED_CONST uint kSpareRoom = 16u;
 

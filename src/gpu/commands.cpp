@@ -176,13 +176,15 @@ void Commands::copy(const Texture& from, const Buffer& to) {
     barrier();
 }
 
-void Commands::copy(const Texture& from, const Texture& to, const std::vector<VkRect2D>& parts) {
+void Commands::copy(const Texture& from, const Texture& to, const std::vector<VkRect2D>& parts,
+                    std::uint32_t from_layer, std::uint32_t to_layer) {
     CHECK(from.shape().format == to.shape().format && from.shape().samples == to.shape().samples);
-    const VkImageSubresourceLayers layers{from.aspect(), 0, 0, 1};
+    const VkImageSubresourceLayers source{from.aspect(), 0, from_layer, 1};
+    const VkImageSubresourceLayers target{from.aspect(), 0, to_layer, 1};
     std::vector<VkImageCopy> regions;
     for (const VkRect2D& part : parts) {
         const VkOffset3D at{part.offset.x, part.offset.y, 0};
-        regions.push_back({layers, at, layers, at, {part.extent.width, part.extent.height, 1}});
+        regions.push_back({source, at, target, at, {part.extent.width, part.extent.height, 1}});
     }
     if (regions.empty()) return;
     vkCmdCopyImage(commands_, from.image(), VK_IMAGE_LAYOUT_GENERAL, to.image(), VK_IMAGE_LAYOUT_GENERAL,

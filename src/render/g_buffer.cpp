@@ -74,15 +74,6 @@ Axes axes_of(const Pose& pose) {
     return {glm::vec3(m[3]), glm::vec3(m[0]), glm::vec3(m[1]), -glm::vec3(m[2]), tan_x, tan_y};
 }
 
-std::vector<VkRect2D> regions(const TileSet& tiles) {
-    std::vector<VkRect2D> all;
-    for (const PixelRect& rect : tiles.rects())
-        all.push_back(
-            {{rect.x0, rect.y0},
-             {static_cast<std::uint32_t>(rect.x1 - rect.x0), static_cast<std::uint32_t>(rect.y1 - rect.y0)}});
-    return all;
-}
-
 // From places with the eye as origin.
 glm::mat4 to_clip(const Axes& axes) {
     glm::mat4 m(0.0f);
@@ -112,11 +103,21 @@ bool finite(const Pose& pose) {
 
 } // namespace
 
+std::vector<VkRect2D> regions(const TileSet& tiles) {
+    std::vector<VkRect2D> all;
+    for (const PixelRect& rect : tiles.rects())
+        all.push_back(
+            {{rect.x0, rect.y0},
+             {static_cast<std::uint32_t>(rect.x1 - rect.x0), static_cast<std::uint32_t>(rect.y1 - rect.y0)}});
+    return all;
+}
+
 GBuffer::GBuffer(const gpu::Device& device, int width, int height)
-    : device_(device), gather_(device, shaders::kShader_gather,
-                               {kUniform, kSampled, kSampled, kSampled, kSampled, kSampled, kStored, kStored,
-                                kStored, kStored, kStored, kStored, kStorage, kStorage, kStorage, kStorage}),
-      block_bounds_(device, shaders::kShader_block_bounds, {kUniform, kStored, kStorage, kStorage}),
+    : device_(device),
+      gather_(device, shaders::kShader_gather,
+              {kUniform, kSampled, kSampled, kSampled, kSampled, kSampled, kStored, kStored, kStored, kStored,
+               kStored, kStored, kStorage, kStorage, kStorage, kStorage, kStorage}),
+      block_bounds_(device, shaders::kShader_block_bounds, {kUniform, kStored, kStorage, kStorage, kStorage}),
       commands_(device) {
     using gpu::Access;
     using gpu::Buffer;
@@ -143,6 +144,13 @@ GBuffer::GBuffer(const gpu::Device& device, int width, int height)
     const std::uint64_t tiles = std::uint64_t{fragments_.tiles_x} * fragments_.tiles_y;
     rooms_ = Buffer(device, tiles * sizeof(shared::TileRoom), Access::device);
     tile_list_ = Buffer(device, tiles * sizeof(std::uint32_t), Access::upload);
+    // A tile names the blocks of its old room and of its new one.
+    constexpr std::uint64_t kBlocksOfTile =
+        2 *
+        ((shared::kSamples - 1) + (shared::kSpareRoom + shared::kTilePixels - 1) / shared::kTilePixels + 1);
+    block_list_ =
+        Buffer(device, sizeof(shared::BlockListHead) + tiles * kBlocksOfTile * sizeof(std::uint32_t),
+               Access::device);
     counts_ = Buffer(device, sizeof(shared::GatherCounts), Access::device);
     counts_read_ = Buffer(device, sizeof(shared::GatherCounts), Access::readback);
 }
@@ -320,6 +328,7 @@ void GBuffer::gather(const TileSet* tiles) {
         std::memcpy(tile_list_.mapped(), list.data(), list.size() * sizeof list[0]);
         groups_x = static_cast<std::uint32_t>(list.size());
         groups_y = 1;
+        commands_.write(block_list_, std::vector<shared::BlockListHead>{{{0, 1, 1}, 0}});
     } else {
         commands_.write(fragments_.view, std::vector{view});
         commands_.write(counts_, std::vector<shared::GatherCounts>{{{0, 1, 1}, 0, 0, 0, 0, 0}});
@@ -330,22 +339,23 @@ void GBuffer::gather(const TileSet* tiles) {
          gpu::sampled(samples_.normal), gpu::sampled(samples_.emission), gpu::sampled(samples_.metalness),
          gpu::stored(fragments_.places), gpu::stored(diffuse_), gpu::stored(specular_), gpu::stored(normals_),
          gpu::stored(fragments_.base), gpu::stored(fragments_.edges), gpu::storage(fragments_.tile_bounds),
-         gpu::storage(counts_), gpu::storage(rooms_), gpu::storage(tile_list_)},
+         gpu::storage(counts_), gpu::storage(rooms_), gpu::storage(tile_list_), gpu::storage(block_list_)},
         groups_x, groups_y);
     commands_.barrier();
     commands_.begin_span("blocks");
     commands_.dispatch_indirect(block_bounds_, push,
                                 {gpu::uniform(fragments_.view), gpu::stored(fragments_.places),
-                                 gpu::storage(fragments_.tile_bounds), gpu::storage(counts_)},
-                                counts_, 0);
+                                 gpu::storage(fragments_.tile_bounds), gpu::storage(counts_),
+                                 gpu::storage(block_list_)},
+                                tiles ? block_list_ : counts_, 0);
     commands_.barrier();
     commands_.copy(counts_, counts_read_, sizeof(shared::GatherCounts));
 }
 
 std::uint64_t GBuffer::memory_bytes() const {
     std::uint64_t sum = 0;
-    for (const gpu::Buffer* buffer :
-         {&fragments_.view, &fragments_.tile_bounds, &counts_, &counts_read_, &rooms_, &tile_list_})
+    for (const gpu::Buffer* buffer : {&fragments_.view, &fragments_.tile_bounds, &counts_, &counts_read_,
+                                      &rooms_, &tile_list_, &block_list_})
         sum += buffer->bytes();
     for (const gpu::Texture* texture :
          {&fragments_.places, &fragments_.edges, &fragments_.base, &diffuse_, &specular_, &normals_})

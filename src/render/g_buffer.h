@@ -39,6 +39,9 @@ struct Surroundings {
     shared::Haze haze{};
 };
 
+// The rectangles of some tiles, as Vulkan wants them.
+std::vector<VkRect2D> regions(const TileSet& tiles);
+
 class GBuffer {
 public:
     GBuffer(const gpu::Device& device, int width, int height);
@@ -60,6 +63,8 @@ public:
     const gpu::Texture& normals() const { return normals_; }
 
     // Places of fragments beyond the main ones; after an update some of them may be empty.
+    const gpu::Buffer& rooms() const { return rooms_; } // shared::TileRoom of each tile
+
     std::uint32_t extra_count() const { return extra_count_; }
     std::uint32_t dropped_pixels() const {
         return dropped_pixels_;
@@ -109,7 +114,7 @@ private:
     Surroundings surroundings_;
     std::uint64_t still_revision_ = 0;
     std::vector<PixelRect> changed_;
-    gpu::Buffer counts_, counts_read_, rooms_, tile_list_;
+    gpu::Buffer counts_, counts_read_, rooms_, tile_list_, block_list_;
     std::vector<gpu::Span> spans_;
     std::uint32_t extra_count_ = 0;
     std::uint32_t dropped_pixels_ = 0;

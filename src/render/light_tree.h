@@ -41,6 +41,8 @@ public:
 
     // changed: lights that differ from the last frame, any order, each once.
     Plan plan(std::span<const int> changed);
+    // The frame must be made again, from the images that are kept.
+    void invalidate_frame() { frame_valid_ = false; }
     // Forget every image (haze, camera or steps changed).
     void invalidate_all();
     int light_count() const { return light_count_; }

@@ -79,6 +79,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       lens_(device, settings.lens), glare_(device, fragments().width, fragments().height, settings.glare),
       commands_(device) {
     make_surface_programs();
+    if (g_buffer) mender_ = std::make_unique<Mender>(device, *g_buffer);
     if (settings.beams.beams == Beams::gate && settings.beams.most_wide_step > 1)
         wide_ = std::make_unique<WideBeams>(device, fragments().width, fragments().height);
     // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
@@ -124,8 +125,26 @@ void Relighter::set_quality(const HazeQuality& quality) {
 
 void Relighter::forget() {
     tree_.invalidate_all();
+    if (mender_) mender_->forget();
     wide_prepared_ = false;
     last_lights_.clear();
+}
+
+void Relighter::touch() {
+    CHECK(g_buffer_);
+    const std::vector<PixelRect>& rects = g_buffer_->changed();
+    std::uint64_t pixels = 0;
+    for (const PixelRect& rect : rects)
+        pixels +=
+            static_cast<std::uint64_t>(rect.x1 - rect.x0) * static_cast<std::uint64_t>(rect.y1 - rect.y0);
+    // Where much of the picture changed, every light is drawn in most of it anyway.
+    if (2 * pixels > std::uint64_t{fragments().width} * fragments().height) {
+        forget();
+        return;
+    }
+    wide_prepared_ = false;
+    mender_->touch(rects);
+    tree_.invalidate_frame();
 }
 
 Relighter::~Relighter() = default;
@@ -205,7 +224,11 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
         haze_.begin_frame();
         commands_.begin();
         commands_.write(work_, std::vector<shared::FrameWork>(1));
-        for (const ImageSum& sum : plan.sums) draw_sum(sum, lights);
+        for (const ImageSum& sum : plan.sums) {
+            for (const int slot : sum.addends) statistics.mended += mend(slot, lights);
+            draw_sum(sum, lights);
+            if (mender_) mender_->made(sum);
+        }
         develop(lights);
         commands_.copy(work_, work_read_, sizeof(shared::FrameWork));
         commands_.submit_and_wait();
@@ -217,6 +240,19 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
     statistics.draw_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return statistics;
+}
+
+// Draws where the image is stale, into the frame, which is made last, and from there into the image.
+int Relighter::mend(int slot, const std::vector<shared::Light>& lights) {
+    if (!mender_ || !mender_->is_stale(slot)) return 0;
+    const ImageSum sum = mender_->mend(slot, lights);
+    mender_->record_bounds(commands_, slot);
+    bounds_ = &mender_->bounds();
+    draw_sum(sum, lights);
+    bounds_ = nullptr;
+    commands_.copy(images_, images_, mender_->stale_parts(slot), 0, static_cast<std::uint32_t>(slot) + 1);
+    mender_->mended(slot);
+    return static_cast<int>(sum.lights.size());
 }
 
 void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights) {
@@ -305,9 +341,9 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
     commands_.begin_span("cull");
     commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}}));
     commands_.dispatch(cull_, cull,
-                       {gpu::uniform(f.view), gpu::uniform(lights_, offset), gpu::storage(f.tile_bounds),
-                        gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_),
-                        gpu::storage(work_)},
+                       {gpu::uniform(f.view), gpu::uniform(lights_, offset),
+                        gpu::storage(bounds_ ? *bounds_ : f.tile_bounds), gpu::storage(masks_),
+                        gpu::storage(groups_), gpu::storage(lists_), gpu::storage(work_)},
                        groups(chunk.tiles() + f.blocks, 64), chunk.batches());
     commands_.barrier();
     if (settings_.air) haze_.record(commands_, chunk);
@@ -398,7 +434,8 @@ float Relighter::ev100_used() const {
 std::uint64_t Relighter::memory_bytes() const {
     const Fragments& f = fragments();
     std::uint64_t sum = haze_.memory_bytes() + lens_.memory_bytes() + glare_.memory_bytes() +
-                        (g_buffer_ ? g_buffer_->memory_bytes() : 0) + (wide_ ? wide_->memory_bytes() : 0);
+                        (g_buffer_ ? g_buffer_->memory_bytes() : 0) + (wide_ ? wide_->memory_bytes() : 0) +
+                        (mender_ ? mender_->memory_bytes() : 0);
     if (distances_) sum += distances_->texture().bytes();
     for (const gpu::Buffer* buffer : {&f.view, &lights_, &f.tile_bounds, &masks_, &lists_, &groups_, &work_,
                                       &work_read_, &exposure_, &pixels_})

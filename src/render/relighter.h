@@ -16,6 +16,7 @@
 #include "render/haze_pass.h"
 #include "render/lens_pass.h"
 #include "render/light_tree.h"
+#include "render/mender.h"
 #include "render/pass_images.h"
 #include "scene/passes.h"
 #include "shared/air.h"
@@ -52,6 +53,7 @@ struct Settings {
 struct FrameStatistics {
     int changed = 0;              // lights that differ from the last frame
     int drawn = 0;                // lights drawn, the changed ones and those without a kept image
+    int mended = 0;               // lights drawn again in the parts of kept images where something moved
     int additions = 0;            // of two images
     int haze_tiles = 0;           // of shared::kTilePixels, whose haze was drawn: once for each light
     int surface_tiles = 0;        // the same for surfaces; blocks of extra fragments count as tiles
@@ -72,8 +74,10 @@ public:
     ~Relighter();
 
     FrameStatistics draw(const std::vector<shared::Light>& lights);
-    // The camera or the stage moved, or shadows changed: the G-buffer was drawn again.
+    // The camera moved, or shadows changed: the G-buffer was drawn again.
     void forget();
+    // Something moved before the camera (GBuffer::update): kept images are mended where it did.
+    void touch();
     // Of haze by gate, from the next frame on; at most HazeSettings::most_wide_step. Images of resting lights
     // stay as they were drawn.
     void set_quality(const HazeQuality& quality);
@@ -95,6 +99,7 @@ private:
     void upload(const shared::Gobos& gobos, std::uint64_t batches);
     void make_images();
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
+    int mend(int slot, const std::vector<shared::Light>& lights);
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels, bool wide);
     void record_surfaces(const LightChunk& chunk);
     void develop(const std::vector<shared::Light>& lights);
@@ -109,6 +114,8 @@ private:
     const DistanceImages* distances_;
     int slot_count_;
     LightTree tree_;
+    std::unique_ptr<Mender> mender_;      // null: from passes, in which nothing moves
+    const gpu::Buffer* bounds_ = nullptr; // of the tiles to draw on; null: those of all fragments
     std::vector<shared::Light> last_lights_;
     std::uint64_t lights_used_ = 0; // bytes of lights_, in this frame
 

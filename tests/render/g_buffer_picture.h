@@ -70,7 +70,7 @@ inline Picture read(const GBuffer& buffer) {
     picture.extras = buffer.extra_count();
     picture.dropped = buffer.dropped_pixels();
     picture.places = read_as<glm::vec4>(buffer.fragments().places);
-    picture.base = read_as<glm::vec4>(buffer.fragments().base);
+    picture.base = read_halves(buffer.fragments().base);
     picture.edges = read_as<glm::uvec2>(buffer.fragments().edges);
     picture.diffuse = read_halves(buffer.diffuse());
     picture.specular = read_halves(buffer.specular());

@@ -143,14 +143,14 @@ TEST_F(MovingTest, OnlyWhatAHeadTouchesChanges) {
     scene.move(0, at({-2, 2, 2}));
     scene.move(1, at({2, 0, 3}));
     scene.draw();
-    const Picture before = scene.picture();
+    // At once: a Picture refers to the numbers of the buffer as they are now.
+    const auto a = fragments_of(scene.picture());
     scene.move(0, at({-2, 2, 2}, 0.8f));
     ASSERT_TRUE(scene.update());
-    const Picture after = scene.picture();
-    const auto a = fragments_of(before), b = fragments_of(after);
+    const auto b = fragments_of(scene.picture());
     std::size_t inside = 0, area = 0;
     for (std::size_t pixel = 0; pixel < a.size(); ++pixel) {
-        const bool may = covered(scene.buffer().changed(), pixel, before.fragments->width);
+        const bool may = covered(scene.buffer().changed(), pixel, scene.buffer().fragments().width);
         area += may ? 1 : 0;
         if (a[pixel] == b[pixel]) continue;
         EXPECT_TRUE(may) << pixel;
