@@ -237,14 +237,45 @@ struct Place {
     uvec2 pixel;
     uint tile;
     bool used;
+    bool tip;
 };
 
 uvec2 corner_of(uint tile) { return uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight); }
 
 uint lonely_in(uint tile) { return imageLoad(lonely, ivec3(corner_of(tile), 0)).x >> kLonelyCount; }
 
-// A workgroup of wide beams draws so many tiles that every lane has a ray, then, round after round, their lonely pixels.
-Place wide_place(uint first, uint tiles, uint round) {
+// Pixel of the lens, and how near to it the beam is too narrow to be seen by every few rays; 0: behind the eye.
+vec3 tip_of(Light light) {
+    vec3 way = light.position_m + light.axis_w * light.lens_m - view.eye_m;
+    float depth = dot(way, view.forward);
+    vec2 ndc = vec2(dot(way, view.right) / dot(view.right, view.right), dot(way, view.up) / dot(view.up, view.up)) / max(depth, 1e-3);
+    vec2 pixel = (vec2(0.5) + vec2(0.5, -0.5) * ndc) * vec2(view.width, view.height) - 0.5;
+    return vec3(pixel, depth > 0.0 ? kWideTip * float(p.step) : 0.0);
+}
+
+// Share of a beam's haze that is drawn pixel by pixel; the rest, which the rays see, has no peak.
+float tip_share(Light light, vec2 pixel) {
+    vec3 tip = tip_of(light);
+    return tip.z > 0.0 ? 1.0 - smoothstep(0.5, 1.0, distance(pixel, tip.xy) / tip.z) : 0.0;
+}
+
+bool reaches(vec3 tip, uint tile) {
+    vec2 low = vec2(corner_of(tile));
+    return distance(clamp(tip.xy, low, low + vec2(kTileWidth, kTileHeight) - 1.0), tip.xy) < tip.z;
+}
+
+bool has_tip(uint tile) {
+    if (kSingle) return reaches(tip_of(lights[p.batch]), tile);
+    bool any_tip = false;
+    for (uint word = 0u; word < (p.light_count + 31u) / 32u; ++word)
+        for (uint mask = mask_of[(p.tiles + p.blocks + tile) * kMaskWords + word]; mask != 0u; mask &= mask - 1u)
+            any_tip = any_tip || reaches(tip_of(lights[word * 32u + uint(findLSB(mask))]), tile);
+    return any_tip;
+}
+
+// A workgroup of wide beams draws so many tiles that every lane has a ray, then, round after round, their lonely pixels, then
+// whole tiles where a tip is.
+Place wide_place(uint first, uint tiles, uint round, uint tip_round) {
     uint per_tile = kTilePixels / (p.step * p.step);
     uint columns = kTileWidth / p.step;
     uint nth = gl_LocalInvocationIndex / per_tile;
@@ -268,7 +299,19 @@ Place wide_place(uint first, uint tiles, uint round) {
         uint place = imageLoad(lonely, ivec3(texel, 0)).x & kLonelyPlace;
         local = uvec2(place % kTileWidth, place / kTileWidth);
     }
-    return Place(corner_of(tile) + local, tile, used);
+    if (round >= tip_round) {
+        uint before = round - tip_round;
+        used = false;
+        for (uint t = 0u; t < tiles; ++t) {
+            uint next = list[first + t];
+            bool here = has_tip(next);
+            tile = here && !used && before == 0u ? next : tile;
+            used = used || (here && before == 0u);
+            before -= here && before > 0u ? 1u : 0u;
+        }
+        local = gl_LocalInvocationID.xy;
+    }
+    return Place(corner_of(tile) + local, tile, used, round >= tip_round);
 }
 
 void main() {
@@ -276,20 +319,24 @@ void main() {
     uint per_group = kWide ? p.step * p.step : 1u;
     uint first = p.batch * (2u * p.tiles + p.blocks) + gl_WorkGroupID.x * per_group;
     uint tiles = 1u;
-    uint rounds = 1u;
+    uint rounds = 1u, tip_round = 1u;
     if (kWide) {
         tiles = min(groups[p.batch].haze[3] - gl_WorkGroupID.x * per_group, per_group);
-        uint alone = 0u;
-        for (uint t = 0u; t < tiles; ++t) alone += lonely_in(list[first + t]);
-        rounds += (alone + kTilePixels - 1u) / kTilePixels;
+        uint alone = 0u, tips = 0u;
+        for (uint t = 0u; t < tiles; ++t) {
+            alone += lonely_in(list[first + t]);
+            tips += has_tip(list[first + t]) ? 1u : 0u;
+        }
+        tip_round += (alone + kTilePixels - 1u) / kTilePixels;
+        rounds = tip_round + tips;
     }
     for (uint round = 0u; round < rounds; ++round) {
         Place place;
         if (kWide) {
-            place = wide_place(first, tiles, round);
+            place = wide_place(first, tiles, round, tip_round);
         } else {
             uint tile = list[first];
-            place = Place(corner_of(tile) + gl_LocalInvocationID.xy, tile, true);
+            place = Place(corner_of(tile) + gl_LocalInvocationID.xy, tile, true, false);
         }
         bool inside = place.used && place.pixel.x < size.x && place.pixel.y < size.y;
         ivec2 at = ivec2(min(place.pixel, size - 1u));
@@ -302,6 +349,7 @@ void main() {
         vec3 sum = vec3(0.0);
         if (kSingle) {
             sum = scattered(lights[p.batch], fans[p.batch], dir, far);
+            if (kWide) sum *= abs((place.tip ? 0.0 : 1.0) - tip_share(lights[p.batch], vec2(at)));
         } else {
             uint words = (p.light_count + 31u) / 32u;
             for (uint word = 0u; word < words; ++word) {
@@ -309,7 +357,8 @@ void main() {
                 while (mask != 0u) {
                     uint index = word * 32u + uint(findLSB(mask));
                     mask &= mask - 1u;
-                    sum += scattered(lights[index], fans[index], dir, far);
+                    float share = kWide ? abs((place.tip ? 0.0 : 1.0) - tip_share(lights[index], vec2(at))) : 1.0;
+                    sum += share * scattered(lights[index], fans[index], dir, far);
                 }
             }
         }

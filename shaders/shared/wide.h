@@ -20,6 +20,9 @@ SHARED_CONST float kWideAlike = 0.1f;
 // A pixel whose neighbours of the same distance have less than this of the weight is lonely.
 SHARED_CONST float kWideLeast = 0.2f;
 
+// So many steps from its lens on, a beam is drawn pixel by pixel: there it is too narrow, and bright.
+SHARED_CONST float kWideTip = 12.0f;
+
 // Lonely pixels are listed in the texels of their tile; the first one holds their number, too.
 SHARED_CONST uint kLonelyPlace = 0xffu; // of the texel: the pixel's place in its tile
 SHARED_CONST uint kLonelyCount = 8u;    // bits that the number is shifted by

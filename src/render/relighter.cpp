@@ -262,7 +262,9 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
     }
     const Fragments& f = fragments();
     const auto wide = [&](const shared::Light& light) {
-        return wide_ && wide_step_ > 1 && settings_.air && is_wide(light, f.pixels_per_rad);
+        // What is mended lacks the rays of the tiles beside it.
+        return wide_ && wide_step_ > 1 && settings_.air && !bounds_ &&
+               is_wide(light, f.eye_m, f.pixels_per_rad);
     };
     const bool any_wide = std::any_of(sum.lights.begin(), sum.lights.end(), [&](int index) {
         return wide(lights[static_cast<std::size_t>(index)]);

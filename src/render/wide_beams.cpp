@@ -6,12 +6,16 @@
 #include "shaders/wide_spread.h"
 #include "shared/wide.h"
 
+#include <algorithm>
+
 namespace ghost::render {
 namespace {
 
 constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint32_t kFinestStep = 2;
+constexpr float kSeenAt_m = 4; // from the lamp
+constexpr float kNearest_m = 0.5f;
 
 std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
     return (items + size - 1) / size;
@@ -19,8 +23,11 @@ std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
 
 } // namespace
 
-bool is_wide(const shared::Light& light, float pixels_per_rad) {
-    return 2.0f * light.tan_field * light.cut_radius * pixels_per_rad >= kWideBeam_px;
+bool is_wide(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad) {
+    const glm::vec3 place_m = light.position_m + kSeenAt_m * light.axis_w;
+    const float distance_m = std::max(glm::distance(place_m, eye_m), kNearest_m);
+    const float width_m = 2.0f * kSeenAt_m * light.tan_field * light.cut_radius;
+    return width_m / distance_m * pixels_per_rad >= kWideBeam_px;
 }
 
 WideBeams::WideBeams(const gpu::Device& device, std::uint32_t width, std::uint32_t height)

@@ -11,8 +11,8 @@
 
 namespace ghost::render {
 
-// Beams narrower than this, where they are as far from the lamp as from the eye, keep every ray.
-inline constexpr float kWideBeam_px = 96;
+// Beams that are narrower than this a few metres before their lens keep every ray.
+inline constexpr float kWideBeam_px = 48;
 
 class WideBeams {
 public:
@@ -36,6 +36,6 @@ private:
     std::uint32_t step_ = 2;
 };
 
-bool is_wide(const shared::Light& light, float pixels_per_rad);
+bool is_wide(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad);
 
 } // namespace ghost::render

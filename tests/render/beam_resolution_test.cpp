@@ -16,7 +16,7 @@ constexpr shared::Haze kHaze{0.022f, 0.022f, 0.77f, -0.6f, 0.035f};
 constexpr float kWall_m = 6.0f;
 
 scene::Camera camera(int width, int height) {
-    return camera_at({1, -9, 2.2f}, {0.4f, 2, 2.6f}, 44, width, height);
+    return camera_at({1, -9, 2.2f}, {0.4f, 2, 3.2f}, 26, width, height);
 }
 
 // Wall passes in which near(x, y) pixels show a plane at 2 m before the camera.
@@ -211,10 +211,14 @@ TEST_F(BeamResolution, quality_changes_from_frame_to_frame) {
 }
 
 TEST_F(BeamResolution, beams_are_wide_by_what_they_cover) {
-    const float pixels_per_rad = 400;
-    EXPECT_FALSE(is_wide(aimed_light({0, 0, 5}, {0, 0, 0}, 4, 1000), pixels_per_rad));
-    EXPECT_TRUE(is_wide(aimed_light({0, 0, 5}, {0, 0, 0}, 12, 1000), pixels_per_rad));
-    EXPECT_TRUE(is_wide(aimed_light({0, 0, 5}, {0, 0, 0}, 4, 1000), 4 * pixels_per_rad));
+    const auto wide = [](float field_deg, float away_m, float pixels_per_rad) {
+        return is_wide(aimed_light({0, 0, 5}, {0, 0, 0}, field_deg, 1000), {away_m, 0, 1}, pixels_per_rad);
+    };
+    EXPECT_FALSE(wide(4, 8, 400)); // 0.28 m at 8 m
+    EXPECT_TRUE(wide(20, 8, 400));
+    EXPECT_FALSE(wide(20, 40, 400));
+    EXPECT_TRUE(wide(20, 40, 1600));
+    EXPECT_TRUE(wide(4, 0, 400)) << "the eye in the beam";
 }
 
 } // namespace
