@@ -45,7 +45,11 @@ vec4 between(Fan fan, vec2 texel, float level, float row, float from, float to) 
     vec4 sharp = prefix(fan, texel, low, row, to) - prefix(fan, texel, low, row, from);
     if (!kFocus) return sharp;
     uint high = min(low + 1u, fan.levels - 1u);
-    return mix(sharp, prefix(fan, texel, high, row, to) - prefix(fan, texel, high, row, from), level - float(low));
+    // A rim out of focus loses light in proportion to its blur at first, and to the octaves of its blur where it is wide: between
+    // the two a beam is off by 0.2 % at most, either alone by up to 0.35 %.
+    float octaves = level - float(low);
+    float share = mix(octaves, exp2(octaves) - 1.0, 0.6);
+    return mix(sharp, prefix(fan, texel, high, row, to) - prefix(fan, texel, high, row, from), share);
 }
 
 // Least and most of the shade between two columns, of a row of so many.
