@@ -5,12 +5,15 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
+#include "shared/g_buffer.h"
 
 layout(local_size_x = 64) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
 layout(binding = 1) uniform usampler2DArray edges; // pixel, index of its first extra fragment * 4 + their number
 layout(binding = 2, rgba16f) uniform image2DArray drawn;
 layout(binding = 3, rgba32f) readonly uniform image2DArray places;
+layout(binding = 4, scalar) readonly buffer Rooms { TileRoom rooms[]; };
+layout(binding = 5, scalar) readonly buffer TileList { uint tile_list[]; };
 layout(push_constant, scalar) uniform Push { FoldPush p; };
 layout(constant_id = 0) const bool kHaze = true;
 
@@ -19,9 +22,7 @@ const float kStep = 0.1;
 
 float distance_m(vec4 place) { return place.w < 0.0 ? view.far_m : length(place.xyz - view.eye_m); }
 
-void main() {
-    uint i = gl_GlobalInvocationID.x;
-    if (i >= p.edge_count) return;
+void fold_edge(uint i) {
     uvec2 edge = texelFetch(edges, ivec3(i % view.width, i / view.width, 0), 0).xy;
     ivec3 at = ivec3(edge.x % view.width, edge.x / view.width, 0);
     uint first = edge.y >> 2;
@@ -57,4 +58,15 @@ void main() {
         sum += cover.x * (mended[0] - here) + cover.y * (mended[1] - here) + cover.z * (mended[2] - here);
     }
     imageStore(drawn, at, light_to_store(sum));
+}
+
+void main() {
+    uint first = gl_GlobalInvocationID.x;
+    uint end = min(first + 1u, p.edge_count);
+    if (p.listed != 0u) { // the edges of a tile
+        TileRoom room = rooms[tile_list[gl_WorkGroupID.x]];
+        first = room.first_edge + gl_LocalInvocationIndex;
+        end = room.first_edge + room.edges;
+    }
+    for (uint i = first; i < end; i += 64u) fold_edge(i);
 }

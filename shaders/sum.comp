@@ -9,12 +9,18 @@ layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0, rgba16f) readonly uniform image2DArray base;  // the picture without lights
 layout(binding = 1, rgba16f) readonly uniform image2DArray drawn; // lights drawn just now: layer 0 surfaces, layer 1 haze
 layout(binding = 2, rgba16f) uniform image2DArray images;
+layout(binding = 3, scalar) readonly buffer TileList { uint tile_list[]; };
 layout(push_constant, scalar) uniform Push { SumPush p; };
 // Haze was sampled at the corners of the pixels, not in their middle.
 layout(constant_id = 0) const bool kCorners = false;
 
 void main() {
-    ivec2 at = ivec2(gl_GlobalInvocationID.xy);
+    uvec2 tile = gl_WorkGroupID.xy;
+    if (p.listed != 0u) {
+        uint number = tile_list[gl_WorkGroupID.x];
+        tile = uvec2(number % p.tiles_x, number / p.tiles_x);
+    }
+    ivec2 at = ivec2(tile * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy);
     ivec2 last = imageSize(base).xy - 1;
     if (any(greaterThan(at, last))) return;
     vec4 sum = p.add_base != 0u ? imageLoad(base, ivec3(at, 0)) : vec4(0.0);

@@ -68,8 +68,10 @@ struct SumPush {
     uint add_drawn;
     uint addend_count;
     uint addend[kMaxAddends];
+    uint tiles_x;
+    uint listed; // 1: only the tiles of a list
 };
-SHARED_SIZE(SumPush, 100);
+SHARED_SIZE(SumPush, 108);
 
 // drawn += lights, on the tiles of the list. Layer 0: surfaces, layer 1: haze.
 struct RelightPush {
@@ -109,8 +111,9 @@ SHARED_SIZE(BouncePush, 4);
 
 struct FoldPush {
     uint edge_count; // pixels with extra fragments
+    uint listed;     // 1: only those of the tiles of a list
 };
-SHARED_SIZE(FoldPush, 4);
+SHARED_SIZE(FoldPush, 8);
 
 struct MeterPush {
     uint width;

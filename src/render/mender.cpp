@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ghost::render {
 namespace {
@@ -40,11 +41,16 @@ Mender::Mender(const gpu::Device& device, const GBuffer& g_buffer)
     bounds_ = gpu::Buffer(device, f.tile_bounds.bytes(), gpu::Access::device);
     const std::uint64_t words = (std::uint64_t{f.tiles_x} * f.tiles_y + 31) / 32;
     wanted_ = gpu::Buffer(device, words * sizeof(std::uint32_t), gpu::Access::device);
+    tiles_ = gpu::Buffer(device, kMostTiles * sizeof(std::uint32_t), gpu::Access::device);
 }
 
-void Mender::touch(const std::vector<PixelRect>& rects) {
-    for (auto& [slot, kept] : kept_)
+bool Mender::touch(const std::vector<PixelRect>& rects) {
+    bool fits = true;
+    for (auto& [slot, kept] : kept_) {
         for (const PixelRect& rect : rects) kept.stale.add(grown(rect, kBeside, kBeside));
+        fits = fits && kept.stale.count() <= kMostTiles;
+    }
+    return fits;
 }
 
 void Mender::made(const ImageSum& sum) {
@@ -68,6 +74,7 @@ bool Mender::is_stale(int slot) const {
 ImageSum Mender::mend(int slot, const std::vector<shared::Light>& lights) const {
     const Kept& kept = kept_.at(slot);
     ImageSum sum;
+    sum.target = slot;
     sum.base = kept.base;
     const std::vector<PixelRect> rects = kept.stale.rects();
     for (const int index : kept.lights) {
@@ -80,12 +87,12 @@ ImageSum Mender::mend(int slot, const std::vector<shared::Light>& lights) const 
     return sum;
 }
 
-void Mender::record_bounds(gpu::Commands& commands, int slot) const {
+std::uint32_t Mender::record(gpu::Commands& commands, int slot) {
     const Fragments& f = g_buffer_.fragments();
     const std::uint32_t tiles = f.tiles_x * f.tiles_y;
     const std::size_t words = (tiles + 31) / 32;
-    const TileSet& stale = kept_.at(slot).stale;
     TileSet around(static_cast<int>(f.width), static_cast<int>(f.height));
+    const TileSet stale = std::exchange(kept_.at(slot).stale, around);
     for (const PixelRect& rect : stale.rects()) around.add(grown(rect, kAroundX, kAroundY));
     commands.begin_span("mend");
     for (const bool blocks : {false, true}) {
@@ -96,16 +103,8 @@ void Mender::record_bounds(gpu::Commands& commands, int slot) const {
                           (tiles + f.blocks + kGroup - 1) / kGroup);
         commands.barrier();
     }
-}
-
-std::vector<VkRect2D> Mender::stale_parts(int slot) const {
-    return regions(kept_.at(slot).stale);
-}
-
-void Mender::mended(int slot) {
-    TileSet& stale = kept_.at(slot).stale;
-    const Fragments& f = g_buffer_.fragments();
-    stale = TileSet(static_cast<int>(f.width), static_cast<int>(f.height));
+    commands.write(tiles_, stale.list());
+    return static_cast<std::uint32_t>(stale.count());
 }
 
 bool may_reach(const shared::Light& light, const shared::View& view, const PixelRect& rect) {

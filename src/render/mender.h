@@ -21,21 +21,23 @@ class Mender {
 public:
     Mender(const gpu::Device& device, const GBuffer& g_buffer);
 
-    // The G-buffer changed in these rectangles: every image made so far is stale there.
-    void touch(const std::vector<PixelRect>& rects);
+    // The G-buffer changed in these rectangles: every image made so far is stale there. False: in too many
+    // tiles by now, they must be forgotten.
+    bool touch(const std::vector<PixelRect>& rects);
     // An image was made (ImageSum::target >= 0) from lights and other images.
     void made(const ImageSum& sum);
     void forget() { kept_.clear(); }
 
     bool is_stale(int slot) const;
-    // What to draw where an image is stale: into the frame's own layer, for a target of its own it has not.
+    // What to draw into an image where it is stale.
     ImageSum mend(int slot, const std::vector<shared::Light>& lights) const;
-    // Records bounds() for this image.
-    void record_bounds(gpu::Commands& commands, int slot) const;
+    // Records bounds() and tiles() for this image, which then counts as mended. Returns the number of tiles.
+    std::uint32_t record(gpu::Commands& commands, int slot);
     const gpu::Buffer& bounds() const { return bounds_; }
-    std::vector<VkRect2D> stale_parts(int slot) const;
-    void mended(int slot);
-    std::uint64_t memory_bytes() const { return bounds_.bytes() + wanted_.bytes(); }
+    const gpu::Buffer& tiles() const { return tiles_; } // a list of the stale ones
+    std::uint64_t memory_bytes() const { return bounds_.bytes() + wanted_.bytes() + tiles_.bytes(); }
+    // More stale tiles than this cannot be recorded: forget the images.
+    static constexpr std::uint64_t kMostTiles = 16384;
 
 private:
     struct Kept {
@@ -45,7 +47,7 @@ private:
     };
     const GBuffer& g_buffer_;
     gpu::Program program_;
-    gpu::Buffer bounds_, wanted_;
+    gpu::Buffer bounds_, wanted_, tiles_;
     std::map<int, Kept> kept_; // by slot
 };
 

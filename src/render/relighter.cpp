@@ -68,10 +68,11 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       slot_count_(0), tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull,
             {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage, kStorage}),
-      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored},
+      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored, kStorage},
            {settings.beams.beams == Beams::gate ? 0u : 1u}),
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
-      fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored, kStored}, {settings.air ? 1u : 0u}),
+      fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored, kStored, kStorage, kStorage},
+            {settings.air ? 1u : 0u}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
       develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
       haze_(device, settings.beams, batch_size_, static_cast<std::uint32_t>(light_count),
@@ -143,8 +144,8 @@ void Relighter::touch() {
         return;
     }
     wide_prepared_ = false;
-    mender_->touch(rects);
     tree_.invalidate_frame();
+    if (!mender_->touch(rects)) forget();
 }
 
 Relighter::~Relighter() = default;
@@ -242,16 +243,13 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
     return statistics;
 }
 
-// Draws where the image is stale, into the frame, which is made last, and from there into the image.
+// Draws an image again where it is stale.
 int Relighter::mend(int slot, const std::vector<shared::Light>& lights) {
     if (!mender_ || !mender_->is_stale(slot)) return 0;
     const ImageSum sum = mender_->mend(slot, lights);
-    mender_->record_bounds(commands_, slot);
-    bounds_ = &mender_->bounds();
+    mended_tiles_ = mender_->record(commands_, slot);
     draw_sum(sum, lights);
-    bounds_ = nullptr;
-    commands_.copy(images_, images_, mender_->stale_parts(slot), 0, static_cast<std::uint32_t>(slot) + 1);
-    mender_->mended(slot);
+    mended_tiles_ = 0;
     return static_cast<int>(sum.lights.size());
 }
 
@@ -263,7 +261,7 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
     const Fragments& f = fragments();
     const auto wide = [&](const shared::Light& light) {
         // What is mended lacks the rays of the tiles beside it.
-        return wide_ && wide_step_ > 1 && settings_.air && !bounds_ &&
+        return wide_ && wide_step_ > 1 && settings_.air && mended_tiles_ == 0 &&
                is_wide(light, f.eye_m, f.pixels_per_rad);
     };
     const bool any_wide = std::any_of(sum.lights.begin(), sum.lights.end(), [&](int index) {
@@ -287,12 +285,15 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         if (!chunk.empty()) draw_lights(chunk, wheels, kind >= kClasses);
     }
     if (any_wide) wide_->spread(commands_, drawn_);
+    const gpu::Buffer& tile_list =
+        mender_ ? mender_->tiles() : f.tile_bounds; // only read where tiles are mended
     if (!sum.lights.empty() && f.edge_count > 0) {
         commands_.begin_span("fold");
         commands_.dispatch(
-            fold_, shared::FoldPush{f.edge_count},
-            {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_), gpu::stored(f.places)},
-            groups(f.edge_count, 64));
+            fold_, shared::FoldPush{f.edge_count, mended_tiles_ > 0 ? 1u : 0u},
+            {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_), gpu::stored(f.places),
+             gpu::storage(g_buffer_ ? g_buffer_->rooms() : f.tile_bounds), gpu::storage(tile_list)},
+            mended_tiles_ > 0 ? mended_tiles_ : groups(f.edge_count, 64));
         commands_.barrier();
     }
     std::size_t added = 0;
@@ -305,8 +306,12 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         for (; added < sum.addends.size() && push.addend_count < shared::kMaxAddends; ++added)
             push.addend[push.addend_count++] = static_cast<std::uint32_t>(sum.addends[added] + 1);
         commands_.begin_span("add");
-        commands_.dispatch(sum_, push, {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(images_)},
-                           f.tiles_x, f.tiles_y);
+        push.tiles_x = f.tiles_x;
+        push.listed = mended_tiles_ > 0 ? 1u : 0u;
+        commands_.dispatch(
+            sum_, push,
+            {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(images_), gpu::storage(tile_list)},
+            mended_tiles_ > 0 ? mended_tiles_ : f.tiles_x, mended_tiles_ > 0 ? 1 : f.tiles_y);
         commands_.barrier();
     }
 }
@@ -344,8 +349,9 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
     commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}}));
     commands_.dispatch(cull_, cull,
                        {gpu::uniform(f.view), gpu::uniform(lights_, offset),
-                        gpu::storage(bounds_ ? *bounds_ : f.tile_bounds), gpu::storage(masks_),
-                        gpu::storage(groups_), gpu::storage(lists_), gpu::storage(work_)},
+                        gpu::storage(mended_tiles_ > 0 ? mender_->bounds() : f.tile_bounds),
+                        gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_),
+                        gpu::storage(work_)},
                        groups(chunk.tiles() + f.blocks, 64), chunk.batches());
     commands_.barrier();
     if (settings_.air) haze_.record(commands_, chunk);

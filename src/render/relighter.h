@@ -114,8 +114,8 @@ private:
     const DistanceImages* distances_;
     int slot_count_;
     LightTree tree_;
-    std::unique_ptr<Mender> mender_;      // null: from passes, in which nothing moves
-    const gpu::Buffer* bounds_ = nullptr; // of the tiles to draw on; null: those of all fragments
+    std::unique_ptr<Mender> mender_; // null: from passes, in which nothing moves
+    std::uint32_t mended_tiles_ = 0; // above 0: only these tiles, of mender_, are drawn now
     std::vector<shared::Light> last_lights_;
     std::uint64_t lights_used_ = 0; // bytes of lights_, in this frame
 
