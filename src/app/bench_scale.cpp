@@ -169,7 +169,7 @@ Result<scene::DistanceMaps> trace_all(const scene::Stage& stage, const std::vect
     maps.size = scene::kDistanceMapSize;
     for (const Place& place : places) {
         if (interrupted()) return Error{"interrupted while making distance maps", ""};
-        maps.maps.push_back(trace_distances(tracer, place.position_m));
+        maps.maps.push_back(trace_distances(tracer, place.position_m, maps.size));
     }
     return maps;
 }

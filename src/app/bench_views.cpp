@@ -3,6 +3,7 @@
 
 #include "app/interrupt.h"
 #include "bake/reference.h"
+#include "base/check.h"
 #include "image/metrics.h"
 #include "scene/photometry.h"
 #include "shared/octahedral.h"
@@ -246,27 +247,28 @@ BenchView thesis_view() {
     return view;
 }
 
-scene::DistanceMap trace_distances(const bake::Tracer& tracer, const vec3& position_m) {
-    constexpr int kSide = scene::kDistanceMapSize;
+scene::DistanceMap trace_distances(const bake::Tracer& tracer, const vec3& position_m, int map_side) {
+    CHECK(map_side > 0 && map_side % kPacket == 0);
     scene::DistanceMap map;
     map.position_m = position_m;
-    map.distance.assign(std::size_t{kSide} * kSide, scene::kNoSurface);
+    const auto side = static_cast<std::size_t>(map_side);
+    map.distance.assign(side * side, scene::kNoSurface);
     std::atomic<int> next_row{0};
     const auto work = [&] {
         const bake::DenormalsOff mode;
-        for (int y = next_row++; y < kSide; y = next_row++)
-            for (int x = 0; x < kSide; x += kPacket) {
+        for (int y = next_row++; y < map_side; y = next_row++)
+            for (int x = 0; x < map_side; x += kPacket) {
                 vec3 ways[kPacket];
                 float distances_m[kPacket];
                 int instances[kPacket];
                 for (int k = 0; k < kPacket; ++k)
                     ways[k] = shared::direction_from_octahedral(
                         glm::vec2(static_cast<float>(x + k) + 0.5f, static_cast<float>(y) + 0.5f) /
-                        static_cast<float>(kSide));
+                        static_cast<float>(map_side));
                 tracer.distances(position_m, ways, kPacket, scene::kNoSurface_m, distances_m, instances);
                 for (int k = 0; k < kPacket; ++k)
                     if (instances[k] >= 0)
-                        map.distance[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x + k)] =
+                        map.distance[static_cast<std::size_t>(y) * side + static_cast<std::size_t>(x + k)] =
                             glm::packHalf1x16(distances_m[k]);
             }
     };
@@ -279,15 +281,15 @@ scene::DistanceMap trace_distances(const bake::Tracer& tracer, const vec3& posit
     return map;
 }
 
-BenchStages::BenchStages(const gpu::Device& device, std::vector<BenchView> views)
+BenchStages::BenchStages(const gpu::Device& device, std::vector<BenchView> views, int map_side)
     : views_(std::move(views)), g_buffer_(device, views_[0].camera.width, views_[0].camera.height) {
     scene::DistanceMaps maps;
-    maps.size = scene::kDistanceMapSize;
+    maps.size = map_side;
     scene::Report report; // of stages made in code: nothing to say
     for (std::size_t k = 0; k < views_.size(); ++k) {
         tracers_.push_back(std::make_unique<bake::Tracer>(views_[k].stage));
         models_.push_back(std::make_unique<render::StageModel>(device, views_[k].stage, report));
-        maps.maps.push_back(trace_distances(*tracers_[k], views_[k].light.position_m));
+        maps.maps.push_back(trace_distances(*tracers_[k], views_[k].light.position_m, map_side));
         views_[k].light.map = static_cast<std::uint32_t>(k + 1);
     }
     distances_ = std::make_unique<render::DistanceImages>(device, maps);

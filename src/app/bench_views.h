@@ -34,12 +34,13 @@ void add_ball(scene::Stage& stage, const glm::vec3& centre_m, float radius_m);
 // Field angle; hard_edge: a spot, else a wash.
 shared::Light aimed_light(const glm::vec3& from_m, const glm::vec3& to_m, float field_deg, bool hard_edge);
 
-scene::DistanceMap trace_distances(const bake::Tracer& tracer, const glm::vec3& position_m);
+// map_side: texels, a multiple of 8.
+scene::DistanceMap trace_distances(const bake::Tracer& tracer, const glm::vec3& position_m, int map_side);
 
 // Views of one size on the device: light n stands in front of distance map n + 1.
 class BenchStages {
 public:
-    BenchStages(const gpu::Device& device, std::vector<BenchView> views);
+    BenchStages(const gpu::Device& device, std::vector<BenchView> views, int map_side);
 
     // Draws the G-buffer of a view; relighters made before must forget().
     void look(std::size_t view);
