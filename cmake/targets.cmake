@@ -43,7 +43,11 @@ function(ghost_test folder)
         GHOST_BINARY_DIR="${CMAKE_BINARY_DIR}")
     target_link_libraries(test_${folder} PRIVATE ${ARGN} GTest::gtest_main)
     add_test(NAME ${folder} COMMAND test_${folder} WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
-    set_tests_properties(${folder} PROPERTIES TIMEOUT 1200)
+    set(limit_s 1200)
+    if(GHOST_SANITIZE) # instrumented code takes several times as long
+        set(limit_s 3600)
+    endif()
+    set_tests_properties(${folder} PROPERTIES TIMEOUT ${limit_s})
 endfunction()
 
 # ghost_fuzz(name libraries...): libFuzzer target fuzz_<name> of tests/fuzz/<name>_fuzz.cpp.
