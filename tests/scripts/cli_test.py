@@ -75,6 +75,12 @@ class Usage(Case):
         self.fails(run("render", WORK / "demo", "-o", "a.png", "--beams", "zigzag"), 2, "cone", "march")
         self.fails(run("render", WORK / "demo", "-o", "a.png", "--at", "-3"), 2, "--at")
         self.fails(run("render", WORK / "demo", "-o", "a.png", "--nonsense"), 2, "--nonsense")
+        self.fails(run("render", WORK / "demo", "-o", "a.mp4", "--hold-fps", "25"), 2, "--live-input")
+        held = ("render", WORK / "demo", "-o", "a.mp4", "--live-input", "--hold-fps")
+        self.fails(run(*held, "50", "--fps", "30"), 2, "--hold-fps", "30 frames")
+        self.fails(run(*held, "25", "--beams", "cone"), 2, "--hold-fps", "gate")
+        self.fails(run(*held, "0"), 2, "--hold-fps")
+        self.fails(run("render", WORK / "demo", "-o", "a.mp4", "--live-input", "--no-caption"), 2, "--hold-fps")
         self.fails(run("bake", WORK / "demo", "--spp", "0"), 2, "--spp")
 
     def test_help_has_an_example_for_every_command(self):
