@@ -1,8 +1,8 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
 // Lists the tiles that a group of lights can reach, and per tile which of them. Conservative. Surfaces: the sphere round
-// the tile's (or block's) fragments meets the cone. Haze: the tile's bundle of camera rays meets the cone, widened by the bundle's
-// radius at its far end (a cone moved back by r / sin holds all points within r of it), tested with the middle ray.
+// the tile's (or block's) fragments meets the cone. Haze: a stretch of the tile's bundle of camera rays meets the cone, widened by the
+// bundle's radius at the stretch's far end (a cone moved back by r / sin holds all points within r of it), tested with the middle ray.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
@@ -20,6 +20,8 @@ layout(push_constant, scalar) uniform Push { CullPush p; };
 
 vec3 gobo_sample(uint layer, vec2 gate, float blur) { return vec3(1.0); }
 
+const uint kStretches = 3u; // of a bundle of rays, each four times as far as the one before
+
 void main() {
     uint tile = gl_GlobalInvocationID.x;
     if (tile >= p.tiles + p.blocks) return;
@@ -36,7 +38,6 @@ void main() {
     float far = tile_bounds[tile * 2u + 1u].x;
     // Half the tile's diagonal as seen along the ray.
     float spread = length(view.right * (float(kTileWidth) / size.x) + view.up * (float(kTileHeight) / size.y)) / ray_length;
-    float radius = far * spread * 1.05 + 1e-3;
 
     bool any_surface = false;
     bool any_haze = false;
@@ -58,10 +59,18 @@ void main() {
             q.z += sphere.w * back_per_m;
             surface_mask |= lit && sphere.w >= 0.0 && q.z > 0.0 && dot(q.xy, q.xy) < k * k * q.z * q.z ? bit : 0u;
 
-            q = to_gate(light, view.eye_m - light.position_m);
-            q.z += radius * back_per_m;
-            vec2 part = clip_to_cone(q, to_gate(light, dir), k, far + radius);
-            haze_mask |= lit && light.haze_samples > 0u && tile < p.tiles && part.y > part.x ? bit : 0u;
+            // The bundle is narrow near the eye: each stretch of it is as wide as at its own far end.
+            vec3 eye = to_gate(light, view.eye_m - light.position_m);
+            vec3 along = to_gate(light, dir);
+            bool meets = false;
+            for (uint stretch = 0u; stretch < kStretches; ++stretch) {
+                float to = far * exp2(2.0 * (float(stretch) + 1.0 - float(kStretches)));
+                float from = stretch == 0u ? 0.0 : 0.25 * to;
+                float radius = to * spread * 1.05 + 1e-3;
+                vec2 part = clip_to_cone(eye + vec3(0.0, 0.0, radius * back_per_m), along, k, to + radius);
+                meets = meets || part.y > max(part.x, from - radius);
+            }
+            haze_mask |= lit && light.haze_samples > 0u && tile < p.tiles && meets ? bit : 0u;
         }
         if (p.batch_size > 1u) {
             mask_of[tile * kMaskWords + word] = surface_mask;

@@ -187,15 +187,19 @@ void check_geometry(const Stage& stage, const std::string& file, Report& report)
     }
     for (const Instance& instance : stage.instances)
         if (glm::determinant(glm::mat3(instance.world)) < 0.0f) mirrored.push_back(instance.name);
-    const auto say = [&](const std::vector<std::string>& names, const std::string& what) {
-        if (!names.empty()) report.add(Severity::warning, file, what + ": " + name_list(names));
+    const auto say = [&](const std::vector<std::string>& names, Severity severity, const std::string& what) {
+        if (!names.empty()) report.add(severity, file, what + ": " + name_list(names));
     };
-    say(flat, "objects with triangles that have no area; those are not seen");
-    say(crowded,
-        "objects with edges of more than two triangles, of which none is inside or outside; they are "
-        "drawn as they are");
-    say(mirrored, "objects are mirrored (negative scale), and so are the pictures on them");
-    say(large, "objects of more than a million triangles, which take long to draw and to trace");
+    say(flat, Severity::warning, "objects with triangles that have no area; those are not seen");
+    // Half of all models have such edges, and they cost nothing.
+    say(crowded, Severity::note,
+        "objects with edges of more than two triangles, of which none is inside or outside; they are drawn "
+        "as "
+        "they are");
+    say(mirrored, Severity::warning,
+        "objects are mirrored (negative scale), and so are the pictures on them");
+    say(large, Severity::warning,
+        "objects of more than a million triangles, which take long to draw and to trace");
 }
 
 double winding_number(const Mesh& mesh, const glm::mat4& world, const vec3& point_m) {
