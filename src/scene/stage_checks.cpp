@@ -193,9 +193,8 @@ void check_geometry(const Stage& stage, const std::string& file, Report& report)
     say(flat, Severity::warning, "objects with triangles that have no area; those are not seen");
     // Half of all models have such edges, and they cost nothing.
     say(crowded, Severity::note,
-        "objects with edges of more than two triangles, of which none is inside or outside; they are drawn "
-        "as "
-        "they are");
+        "objects with edges of more than two triangles, of which none is inside or outside; they are "
+        "drawn as they are");
     say(mirrored, Severity::warning,
         "objects are mirrored (negative scale), and so are the pictures on them");
     say(large, Severity::warning,

@@ -100,7 +100,7 @@ TEST(thesis_camera, NoNearPlaneOnTheWayIntoTheLens) {
 
 TEST(thesis_camera, Picture) {
     if (!picture_folder()) GTEST_SKIP() << "GHOST_THESIS_PICTURES is not set: no picture is asked for";
-    LiveStage stage(small_stage(), {beam()}, kPictureWidth / 2, kPictureHeight / 2, picture_settings(8),
+    LiveStage stage(small_stage(), {beam()}, kPictureWidth / 2, kPictureHeight / 2, picture_settings(6),
                     1024);
     std::vector<image::Image8> views;
     for (const float share : {1.6f, 1.02f, 0.98f, 0.3f}) {

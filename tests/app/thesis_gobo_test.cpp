@@ -181,10 +181,10 @@ TEST(thesis_gobo, Picture) {
     if (!picture_folder()) GTEST_SKIP() << "GHOST_THESIS_PICTURES is not set: no picture is asked for";
     std::vector<image::Image8> views;
     LiveStage house(small_stage(), {spot().light()}, kPictureWidth / 2, kPictureHeight / 2,
-                    picture_settings(7), 1024);
-    house.renew(picture_settings(7), spot().gobos());
+                    picture_settings(4), 1024);
+    house.renew(picture_settings(4), spot().gobos());
     house.look({{4, -9, 2.5f}, {-0.5f, 3, 2.6f}, 42});
-    Ride ride(kPictureWidth / 2, kPictureHeight / 2, picture_settings(7));
+    Ride ride(kPictureWidth / 2, kPictureHeight / 2, picture_settings(4));
     spot().turn_gobo(0);
     const Pose poses[] = {{0, -15}, {70, -40}};
     for (const Pose& pose : poses) {

@@ -23,7 +23,7 @@ std::vector<shared::Light> crossing() {
                                       aimed_light({0, 5, 6.5f}, {0.3f, -12, 3}, 16, true)};
     lights[0].intensity_cd = 8000.0f * vec3(1, 0.25f, 0.15f);
     lights[1].intensity_cd = 8000.0f * vec3(0.15f, 0.35f, 1);
-    lights[2].intensity_cd = 1500.0f * vec3(0.5f, 1, 0.4f);
+    lights[2].intensity_cd = 150.0f * vec3(0.5f, 1, 0.4f);
     return lights;
 }
 
@@ -109,11 +109,11 @@ TEST(thesis_lights, SixtyFourAtOnceAreTheSumOfEachAlone) {
 
 TEST(thesis_lights, Picture) {
     if (!picture_folder()) GTEST_SKIP() << "GHOST_THESIS_PICTURES is not set: no picture is asked for";
-    LiveStage three(small_stage(), crossing(), kPictureWidth, kPictureHeight, picture_settings(6), 1024);
+    LiveStage three(small_stage(), crossing(), kPictureWidth, kPictureHeight, picture_settings(2), 1024);
     three.look(kHouse);
     three.draw();
     write_picture("crossing", three.relighter().picture());
-    LiveStage all(small_stage(), many(200), kPictureWidth, kPictureHeight, picture_settings(8), 512);
+    LiveStage all(small_stage(), many(200), kPictureWidth, kPictureHeight, picture_settings(4), 512);
     all.look(kHouse);
     all.draw();
     write_picture("many-lights", all.relighter().picture());

@@ -155,7 +155,7 @@ TEST(thesis_smoke, Picture) {
         stage.draw();
         views.push_back(stage.relighter().picture());
     };
-    const render::Settings usual = picture_settings(6);
+    const render::Settings usual = picture_settings(4);
     render::Settings clear = usual;
     clear.haze.extinction_per_m = clear.haze.scattering_per_m = 0;
     render::Settings linear = usual;

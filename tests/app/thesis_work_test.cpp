@@ -137,7 +137,7 @@ TEST(thesis_work, Picture) {
                                             aimed_light({1, 5, 6}, {0.6f, -12, 3}, 12, true)};
     std::vector<image::Image8> views;
     for (const shared::Light& light : lights) {
-        LiveStage stage(small_stage(), {light}, kHalfWidth, kHalfHeight, picture_settings(6), 1024);
+        LiveStage stage(small_stage(), {light}, kHalfWidth, kHalfHeight, picture_settings(4), 1024);
         stage.look(kHouse);
         stage.draw();
         views.push_back(stage.relighter().picture());
