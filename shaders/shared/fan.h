@@ -26,8 +26,8 @@ struct Fan {
     vec3 across;
     float sin_axis;
     float cos_cone;  // of the angle between the beam's axis and its rim
-    float row_scale; // > 0: rows are even in the sine of the meridian, times this; 0: the rim surrounds the pole (or the point
-                     // opposite), rows are even in the meridian's angle
+    float row_scale; // > 0: rows are even in the sine of the meridian, times this; < 0: the rim is near the pole or surrounds it (or
+                     // the point opposite), rows are even in the meridian's angle, times minus this, in the half where the beam's axis is
     uint layer;      // of the table
     uint size;       // rows and columns of the sharpest level
     float sharpest;  // blur (gate units) of level 0; level n has twice that to the nth
@@ -41,15 +41,25 @@ SHARED_CONST uint kLeastFan = 64u;  // rows and columns of any level
 SHARED_CONST uint kFinestFan = 256u;
 SHARED_CONST uint kFanWidth = 2u * kFinestFan + 6u * kLeastFan; // of a layer: all levels
 
-// Row coordinate -1..1 of a meridian given by its cosine and sine; beyond: the plane misses the beam. Where the rim surrounds
-// the pole the rows go round it, evenly along a square instead of a circle, which needs no arc tangent.
+// An angle -1..1 for the half turns from -pi to pi, evenly along a square instead of a circle, which needs no arc tangent.
+SHARED_FN float fan_turn(float cosine, float sine) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float turn = 0.5f - 0.5f * cosine / max(abs(cosine) + abs(sine), 1e-9f);
+    return sine < 0.0f ? -turn : turn;
+}
+
+// Row coordinate -1..1 of a meridian given by its cosine and sine; beyond: the plane misses the beam.
 SHARED_FN float fan_row(Fan fan, float cosine, float sine) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
     float line = cosine > 0.0f ? sine * fan.row_scale : 2.0f;
-    float turn = 0.5f - 0.5f * cosine / max(abs(cosine) + abs(sine), 1e-9f);
-    return fan.row_scale > 0.0f ? line : (sine < 0.0f ? -turn : turn);
+    float turn = fan_turn(cosine, sine);
+    float behind = max(abs(turn) - 0.5f, 0.0f) * (2.0f + 2.0f * fan.row_scale);
+    float round = -fan.row_scale * abs(turn) + behind;
+    return fan.row_scale > 0.0f ? line : (turn < 0.0f ? -round : round);
 }
 
 // Cosine and sine of the meridian of a row coordinate.
@@ -57,9 +67,11 @@ SHARED_FN vec2 fan_meridian(Fan fan, float row) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float line_sine = row / max(fan.row_scale, 1e-9f);
+    float line_sine = row / max(fan.row_scale, 1.0f);
     vec2 line = vec2(sqrt(max(1.0f - line_sine * line_sine, 0.0f)), line_sine);
-    float x = 1.0f - 2.0f * abs(row);
+    float slope = max(-fan.row_scale, 1.0f);
+    float behind = max(abs(row) - 0.5f * slope, 0.0f) / max(2.0f - slope, 1e-3f);
+    float x = 1.0f - 2.0f * (min(abs(row) / slope, 0.5f) + behind);
     vec2 square = vec2(x, (1.0f - abs(x)) * (row < 0.0f ? -1.0f : 1.0f));
     vec2 turn = square / length(square);
     return fan.row_scale > 0.0f ? line : turn;

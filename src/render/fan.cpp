@@ -12,6 +12,9 @@ namespace {
 constexpr double kNearest_m = 1e-3;    // an eye in the lamp itself
 constexpr std::uint32_t kFanStep = 32; // sizes can be halved twice
 constexpr double kParallel = 1e-6;     // sine below which pole and axis are one line
+// Nearer to the rim rows that are even in the sine lie thin at their ends: the two ways are alike here.
+constexpr double kNearRim = 1.05;
+constexpr double kDeepInside = 0.7; // from here to the rim more and more rows lie where the beam is
 
 // Twice as many rows as the beam is pixels wide where it is as far from the lamp as from the eye (with one a
 // pixel a gobo loses 8 dB).
@@ -51,7 +54,8 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
     const double tangent = static_cast<double>(light.tan_field) * static_cast<double>(light.cut_radius);
     const double cos_cone = 1.0 / std::sqrt(1.0 + tangent * tangent);
     const double sin_cone = tangent * cos_cone;
-    const bool surrounds = sine <= sin_cone * 1.0001;
+    const bool surrounds = sine <= sin_cone * kNearRim;
+    const double share = std::min(sin_cone / std::max(sine, 1e-9), 1.0); // sine of the last meridian, or all
 
     shared::Fan fan{};
     fan.pole = glm::vec3(pole);
@@ -61,7 +65,13 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
     fan.across = glm::vec3(glm::cross(pole, along));
     fan.sin_axis = static_cast<float>(sine);
     fan.cos_cone = static_cast<float>(cos_cone);
-    fan.row_scale = surrounds ? 0.0f : static_cast<float>(sine / sin_cone);
+    if (!surrounds)
+        fan.row_scale = static_cast<float>(sine / sin_cone);
+    else if (share < 1)
+        fan.row_scale = -1.0f / shared::fan_turn(static_cast<float>(std::sqrt(1 - share * share)),
+                                                 static_cast<float>(share));
+    else
+        fan.row_scale = -static_cast<float>(1 + 0.9 * glm::smoothstep(kDeepInside, 1.0, sine / sin_cone));
     fan.layer = layer;
     fan.size = size_of(light, surrounds, pixels_per_rad);
     // Detail finer than a column would be cut into steps. The gobos' own levels of blur are used as they are.
