@@ -58,7 +58,7 @@ void draw_caption(image::Image8& picture, const std::string& text) {
                      ((dots_of(text[place]) >> bit) & 1u) != 0;
             }
             std::uint8_t* pixel = picture.at(x, y);
-            for (int c = 0; c < 3; ++c) pixel[c] = on ? 230 : static_cast<std::uint8_t>(pixel[c] / 3);
+            for (int c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint8_t>(on ? 230 : pixel[c] / 3);
         }
 }
 
