@@ -33,6 +33,8 @@ layout(constant_id = 2) const bool kShadows = false;
 layout(constant_id = 3) const bool kUneven = false; // haze is not the same everywhere
 layout(constant_id = 4) const bool kWide = false;   // every few rays only, and lonely pixels (shared/wide.h)
 
+#include "shade_runs.glsl"
+
 // Prefix sums at a place 0..1 of a row -1..1.
 vec4 prefix(Fan fan, vec2 texel, uint level, float row, float column) {
     vec2 at = vec2(float(fan_left(fan, level)), 0.0) + 0.5 +
@@ -50,55 +52,6 @@ vec4 between(Fan fan, vec2 texel, float level, float row, float from, float to) 
     float octaves = level - float(low);
     float share = mix(octaves, exp2(octaves) - 1.0, 0.6);
     return mix(sharp, prefix(fan, texel, high, row, to) - prefix(fan, texel, high, row, from), share);
-}
-
-// Least and most of the shade between two columns, of a row of so many.
-vec2 shade_between(int row, int layer, int side, int from, int to) {
-    int level = findMSB(max(to - from, 1)) + (to - from > 1 ? 1 : 0);
-    level = min(level, findMSB(side));
-    int left = 2 * (side - (side >> level));
-    vec2 a = texelFetch(shade, ivec3(row, left + (from >> level), layer), 0).xy;
-    vec2 b = texelFetch(shade, ivec3(row, left + (to >> level), layer), 0).xy;
-    return vec2(min(a.x, b.x), max(a.y, b.y));
-}
-
-// Columns where the ray goes from dark to lit, to dark, to lit .., eight bits each.
-struct Runs {
-    uvec4 turns;
-    uint count;
-};
-const uint kMostTurns = 16u;
-
-void add_turn(inout Runs runs, int column) {
-    uint bits = uint(column) << (8u * (runs.count & 3u));
-    uint word = runs.count >> 2;
-    runs.turns |= uvec4(word == 0u ? bits : 0u, word == 1u ? bits : 0u, word == 2u ? bits : 0u, word == 3u ? bits : 0u);
-    ++runs.count;
-}
-
-int turn_at(Runs runs, uint index) {
-    uint word = index >> 2;
-    uvec2 half_turns = word < 2u ? runs.turns.xy : runs.turns.zw;
-    return int((((word & 1u) == 0u ? half_turns.x : half_turns.y) >> (8u * (index & 3u))) & 255u);
-}
-
-// Finds the turns from `at` on, whole groups of columns at a time. Returns where it stopped: at `end`, or in the dark because there
-// is no room for more.
-int find_runs(int row, int layer, int side, float ray, int at, int end, inout Runs runs) {
-    int level = 0;
-    bool lit = false;
-    while (at < end && runs.count < kMostTurns) {
-        vec2 edge = texelFetch(shade, ivec3(row, 2 * (side - (side >> level)) + (at >> level), layer), 0).xy;
-        bool all_lit = ray < edge.x;
-        bool whole = all_lit || ray >= edge.y;
-        if (whole && all_lit != lit) {
-            add_turn(runs, at);
-            lit = all_lit;
-        }
-        at += whole ? 1 << level : 0;
-        level += whole ? 1 - ((at >> level) & 1) : -1;
-    }
-    return at;
 }
 
 // A camera ray in the plane of its row: what its ways and angles are made of, rational in u.
@@ -237,86 +190,7 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
            (haze.scattering_per_m * 2.0 * chord.w / distance_m * fan_most(light.colour_b));
 }
 
-struct Place {
-    uvec2 pixel;
-    uint tile;
-    bool used;
-    bool tip;
-};
-
-uvec2 corner_of(uint tile) { return uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight); }
-
-uint lonely_in(uint tile) { return imageLoad(lonely, ivec3(corner_of(tile), 0)).x >> kLonelyCount; }
-
-// Pixel of the lens, and how near to it the beam is too narrow to be seen by every few rays; 0: behind the eye.
-vec3 tip_of(Light light) {
-    vec3 way = light.position_m + light.axis_w * light.lens_m - view.eye_m;
-    float depth = dot(way, view.forward);
-    vec2 ndc = vec2(dot(way, view.right) / dot(view.right, view.right), dot(way, view.up) / dot(view.up, view.up)) / max(depth, 1e-3);
-    vec2 pixel = (vec2(0.5) + vec2(0.5, -0.5) * ndc) * vec2(view.width, view.height) - 0.5;
-    return vec3(pixel, depth > 0.0 ? kWideTip * float(p.step) : 0.0);
-}
-
-// Share of a beam's haze that is drawn pixel by pixel; the rest, which the rays see, has no peak.
-float tip_share(Light light, vec2 pixel) {
-    vec3 tip = tip_of(light);
-    return tip.z > 0.0 ? 1.0 - smoothstep(0.5, 1.0, distance(pixel, tip.xy) / tip.z) : 0.0;
-}
-
-bool reaches(vec3 tip, uint tile) {
-    vec2 low = vec2(corner_of(tile));
-    return distance(clamp(tip.xy, low, low + vec2(kTileWidth, kTileHeight) - 1.0), tip.xy) < tip.z;
-}
-
-bool has_tip(uint tile) {
-    if (kSingle) return reaches(tip_of(lights[p.batch]), tile);
-    bool any_tip = false;
-    for (uint word = 0u; word < (p.light_count + 31u) / 32u; ++word)
-        for (uint mask = mask_of[(p.tiles + p.blocks + tile) * kMaskWords + word]; mask != 0u; mask &= mask - 1u)
-            any_tip = any_tip || reaches(tip_of(lights[word * 32u + uint(findLSB(mask))]), tile);
-    return any_tip;
-}
-
-// A workgroup of wide beams draws so many tiles that every lane has a ray, then, round after round, their lonely pixels, then
-// whole tiles where a tip is.
-Place wide_place(uint first, uint tiles, uint round, uint tip_round) {
-    uint per_tile = kTilePixels / (p.step * p.step);
-    uint columns = kTileWidth / p.step;
-    uint nth = gl_LocalInvocationIndex / per_tile;
-    uint ray = gl_LocalInvocationIndex % per_tile;
-    uint tile = list[first + min(nth, tiles - 1u)];
-    uvec2 local = uvec2(ray % columns, ray / columns) * p.step;
-    bool used = nth < tiles;
-    if (round > 0u) {
-        uint slot = (round - 1u) * kTilePixels + gl_LocalInvocationIndex;
-        used = false;
-        for (uint t = 0u; t < tiles; ++t) {
-            uint next = list[first + t];
-            uint count = lonely_in(next);
-            bool here = !used && slot < count;
-            tile = here ? next : tile;
-            used = used || here;
-            slot -= used ? 0u : count;
-        }
-        slot = used ? slot : 0u;
-        uvec2 texel = corner_of(tile) + uvec2(slot % kTileWidth, slot / kTileWidth);
-        uint place = imageLoad(lonely, ivec3(texel, 0)).x & kLonelyPlace;
-        local = uvec2(place % kTileWidth, place / kTileWidth);
-    }
-    if (round >= tip_round) {
-        uint before = round - tip_round;
-        used = false;
-        for (uint t = 0u; t < tiles; ++t) {
-            uint next = list[first + t];
-            bool here = has_tip(next);
-            tile = here && !used && before == 0u ? next : tile;
-            used = used || (here && before == 0u);
-            before -= here && before > 0u ? 1u : 0u;
-        }
-        local = gl_LocalInvocationID.xy;
-    }
-    return Place(corner_of(tile) + local, tile, used, round >= tip_round);
-}
+#include "gate_place.glsl"
 
 void main() {
     uvec2 size = uvec2(view.width, view.height);

@@ -2,6 +2,7 @@
 #include "app/bench.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/number_option.h"
 
 #include "base/log.h"
 
@@ -87,7 +88,7 @@ void add_bench(CLI::App& app, int& exit_code) {
     command
         ->add_option("--row-seconds", a->options.row_seconds,
                      "rows of the table scale that would take longer are skipped, by name")
-        ->check(CLI::Range(1.0, 86400.0))
+        ->check(number_in(1.0, 86400.0))
         ->capture_default_str();
     command->add_option("--device", a->options.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.h"
+#include "app/number_option.h"
 
 #include "base/log.h"
 #include "base/suggest.h"
@@ -352,11 +353,11 @@ void add_compare(CLI::App& app, int& exit_code) {
         ->allow_extra_args(false);
     command
         ->add_option("--ev", arguments->ev100, "EV100 at which psnr develops .exr files; else metered from B")
-        ->check(CLI::Range(-20.0, 40.0));
+        ->check(number_in(-20.0, 40.0));
     command->add_option("--difference", arguments->difference, "write the FLIP map as a picture")
         ->type_name("FILE.png");
     command->add_option("--ppd", arguments->pixels_per_degree, "pixels per degree of the viewer, for FLIP")
-        ->check(CLI::Range(kMinPixelsPerDegree, kMaxPixelsPerDegree))
+        ->check(number_in(kMinPixelsPerDegree, kMaxPixelsPerDegree))
         ->capture_default_str();
     command
         ->add_option("--mask-out", arguments->masked_out, "leave out a circle, in pixels (may be repeated)")

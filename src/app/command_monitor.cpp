@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/interrupt.h"
+#include "app/number_option.h"
 #include "base/log.h"
 #include "dmx/receiver.h"
 
@@ -173,9 +174,9 @@ void add_monitor(CLI::App& app, int& exit_code) {
     command->footer("Example: ghostlight monitor --interface eth0 --universes 1-4");
     add_input_options(*command, options->input);
     command->add_option("--seconds", options->seconds, "stop after this long; default: until Ctrl-C")
-        ->check(CLI::NonNegativeNumber);
+        ->check(number_in(0.0, kLongest_s));
     command->add_option("--every", options->every_s, "seconds between two reports")
-        ->check(CLI::Range(0.1, 3600.0))
+        ->check(number_in(0.1, 3600.0))
         ->capture_default_str();
     command->add_flag("--levels", options->levels, "with --json: all 512 levels of each universe");
     command->add_flag("--json", options->json, "one JSON object per line and report");

@@ -2,6 +2,7 @@
 // ghostlight play: sends a recording as a desk would, sACN or Art-Net.
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/number_option.h"
 #include "base/log.h"
 #include "dmx/recording.h"
 #include "dmx/sender.h"
@@ -95,11 +96,12 @@ void add_play(CLI::App& app, int& exit_code) {
     command->add_option("--artnet-offset", options->send.artnet_offset, "Port-Address = universe - this")
         ->capture_default_str();
     command->add_option("--rate", options->rate_hz, "refreshes per second of every universe")
-        ->check(CLI::Range(1.0, 200.0))
+        ->check(number_in(1.0, 200.0))
         ->capture_default_str();
     command->add_option("--from", options->from_s, "start at this time, seconds")
-        ->check(CLI::NonNegativeNumber);
-    command->add_option("--until", options->to_s, "end at this time, seconds")->check(CLI::NonNegativeNumber);
+        ->check(number_in(0.0, kLongest_s));
+    command->add_option("--until", options->to_s, "end at this time, seconds")
+        ->check(number_in(0.0, kLongest_s));
     command->add_flag("--loop", options->loop, "again and again until Ctrl-C");
     command->add_flag("--json", options->json, "print a summary as one JSON object");
     command->add_flag("--quiet", options->quiet, "errors only");

@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/interrupt.h"
+#include "app/number_option.h"
 #include "base/log.h"
 #include "dmx/receiver.h"
 #include "dmx/recording.h"
@@ -111,9 +112,9 @@ void add_record(CLI::App& app, int& exit_code) {
     command->add_option("-o,--output", options->output, "file to write")->required();
     add_input_options(*command, options->input);
     command->add_option("--seconds", options->seconds, "length, from the first packet; default: until Ctrl-C")
-        ->check(CLI::NonNegativeNumber);
+        ->check(number_in(0.0, kLongest_s));
     command->add_option("--wait", options->wait_s, "give up when nothing arrives for this long, 0: never")
-        ->check(CLI::NonNegativeNumber)
+        ->check(number_in(0.0, kLongest_s))
         ->capture_default_str();
     command->add_flag("--json", options->json, "print a summary as one JSON object");
     command->add_flag("--quiet", options->quiet, "errors only");

@@ -3,6 +3,7 @@
 #include "app/governor.h"
 #include "app/input_options.h"
 #include "app/interrupt.h"
+#include "app/number_option.h"
 #include "app/picture_writer.h"
 #include "app/reference_render.h"
 #include "app/session.h"
@@ -23,6 +24,8 @@ namespace ghost::app {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr float kFarthest_m = 10000; // of what a show file may place
 
 struct RenderArguments {
     SessionOptions session;
@@ -162,6 +165,8 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
 void govern(Governor& governor, double frame_ms, Session& session, Tally& tally) {
     if (!governor.add(frame_ms)) return;
     session.relighter->set_quality(governor.quality());
+    // Lights that rest show what they were drawn with.
+    if (governor.level() < tally.quality_level) session.relighter->forget();
     tally.quality_changes += governor.level() != tally.quality_level ? 1 : 0;
     tally.quality_level = governor.level();
     const std::string note = governor.note();
@@ -170,6 +175,39 @@ void govern(Governor& governor, double frame_ms, Session& session, Tally& tally)
     else
         log_warning(note);
 }
+
+// A rig that rests can be drawn as well as it goes: one more frame, at full quality. When it moves again,
+// what the governor chose holds again.
+class Rest {
+public:
+    explicit Rest(const render::HazeQuality& full) : full_(full) {}
+
+    // After each frame; true: this one was drawn for the rest, and tells nothing about frames that move.
+    bool look(const Governor& governor, int drawn, double now_s, render::Relighter& relighter) {
+        if (drawn > 0) {
+            const bool ours = state_ == State::settling;
+            if (state_ == State::settled) relighter.set_quality(governor.quality());
+            state_ = ours ? State::settled : State::moving;
+            last_drawn_s_ = now_s;
+            return ours;
+        }
+        if (state_ == State::moving && governor.level() > 0 && now_s - last_drawn_s_ > kCalm_s) {
+            relighter.set_quality(full_);
+            relighter.forget();
+            state_ = State::settling;
+        }
+        return false;
+    }
+    bool settled() const { return state_ != State::moving; }
+
+private:
+    static constexpr double kCalm_s = 0.5;
+    enum class State { moving, settling, settled };
+
+    render::HazeQuality full_;
+    State state_ = State::moving;
+    double last_drawn_s_ = 0;
+};
 
 // Film time is wall time: a picture that takes longer than a frame is shown for several.
 Result<void> render_live(const RenderArguments& arguments, Session& session, PictureWriter& writer,
@@ -190,6 +228,7 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
     long written = 0;
     std::optional<Governor> governor;
     if (arguments.hold_fps > 0) governor.emplace(arguments.hold_fps, quality_levels(arguments.session.beams));
+    Rest rest(quality_levels(arguments.session.beams).front());
     while (written < frames && !interrupted()) {
         std::this_thread::sleep_until(
             start + std::chrono::duration_cast<Clock::duration>(frame_time * static_cast<double>(written)));
@@ -214,11 +253,15 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
         const auto due = static_cast<long>(std::chrono::duration<double>(Clock::now() - start) / frame_time);
         const long repeat = std::clamp(due - written, 1L, frames - written);
         tally.late += static_cast<int>(repeat - 1);
-        const std::string caption = governor && !arguments.no_caption ? governor->note() : std::string();
+        const bool for_rest =
+            governor && rest.look(*governor, frame.drawn, std::chrono::duration<double>(now - start).count(),
+                                  *session.relighter);
+        const std::string caption =
+            governor && !arguments.no_caption && !rest.settled() ? governor->note() : std::string();
         for (long i = 0; i < repeat; ++i, ++written) {
             TRY_VOID(writer.add(*session.relighter, caption));
             // The pictures that repeat it would not be there had it been in time.
-            if (i > 0 || !governor || frame.drawn == 0) continue;
+            if (i > 0 || !governor || frame.drawn == 0 || for_rest) continue;
             govern(*governor, std::chrono::duration<double, std::milli>(Clock::now() - now).count(), session,
                    tally);
         }
@@ -263,20 +306,23 @@ Result<bool> check_usage(RenderArguments& arguments) {
         eye.target_m = {arguments.target_m[0], arguments.target_m[1], arguments.target_m[2]};
         eye.fov_y_deg = arguments.fov_y_deg;
         for (int axis = 0; axis < 3; ++axis)
-            if (!std::isfinite(eye.position_m[axis]) || !std::isfinite(eye.target_m[axis]))
-                return Error{"metres must be numbers", "--eye/--target"};
+            if (!(std::abs(eye.position_m[axis]) <= kFarthest_m &&
+                  std::abs(eye.target_m[axis]) <= kFarthest_m))
+                return Error{"metres must be numbers up to 10 km", "--eye/--target"};
         if (glm::distance(eye.position_m, eye.target_m) < 1e-3f)
             return Error{"the camera stands at what it looks at", "--eye/--target"};
         if (!arguments.session.view.empty()) return Error{"two cameras; give one", "--view/--eye"};
     }
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
+    if (!arguments.travel.empty() && (arguments.live_input || !film))
+        return Error{"only the camera of a film of a recording travels: --from and --to", "--travel"};
+    if (arguments.no_shadows && !arguments.session.live)
+        return Error{"baked pictures have their shadows; with --live or --eye", "--no-shadows"};
     TRY(const OutputKind kind, output_kind(arguments.out));
     if (arguments.reference.wanted && (film || kind == OutputKind::film || !arguments.travel.empty()))
         return Error{"a reference is one picture: .png or .exr, with --at", "--reference"};
     if (kind == OutputKind::film && !film)
         return Error{"a film needs a range: --from and --to in seconds, or --live-input", arguments.out};
-    if (!std::isfinite(arguments.at_s) || !std::isfinite(arguments.from_s) || !std::isfinite(arguments.to_s))
-        return Error{"seconds must be a number", "--at/--from/--to"};
     if (arguments.to_s >= 0 && arguments.to_s <= std::max(arguments.from_s, 0.0))
         return Error{"the range is empty: --to must be later than --from", "--from/--to"};
     return film;
@@ -321,14 +367,15 @@ void add_render(CLI::App& app, int& exit_code) {
         ->type_name("X Y Z");
     command->add_option("--target", a->target_m, "what it looks at")->expected(3)->type_name("X Y Z");
     command->add_option("--fov", a->fov_y_deg, "its vertical field of view in degrees")
-        ->check(CLI::Range(1.0, 150.0))
+        ->check(number_in(1.0, 150.0))
+        ->needs("--eye")
         ->capture_default_str();
     command->add_option("--travel", a->travel, "fly to this camera in the course of a film; implies --live")
         ->type_name("NAME");
     command
         ->add_option("--glare", a->session.glare,
                      "share of the light that the camera scatters; 0: neither glare nor shining lenses")
-        ->check(CLI::Range(0.0, 1.0))
+        ->check(number_in(0.0, 1.0))
         ->capture_default_str();
     command->add_flag("--no-shadows", a->no_shadows, "light passes through everything; with --live");
     CLI::Option* reference =
@@ -344,19 +391,20 @@ void add_render(CLI::App& app, int& exit_code) {
         ->needs(reference)
         ->capture_default_str();
     command->add_option("--replay", a->replay, "DMX recording (default: the show's own)")->type_name("FILE");
-    command->add_option("--at", a->at_s, "second of the recording")->check(CLI::Range(0.0, 86400.0));
+    command->add_option("--at", a->at_s, "second of the recording")->check(number_in(0.0, 86400.0));
     command->add_option("--from", a->from_s, "first second of a film")
-        ->check(CLI::Range(0.0, 86400.0))
+        ->check(number_in(0.0, 86400.0))
         ->excludes("--at");
     command->add_option("--to", a->to_s, "last second of a film")
-        ->check(CLI::Range(0.0, 86400.0))
+        ->check(number_in(0.0, 86400.0))
         ->excludes("--at");
     command->add_option("--fps", a->fps, "frames a second")->check(CLI::Range(1, 240))->capture_default_str();
     command->add_flag("--live-input", a->live_input, "draw what a desk sends now, by sACN or Art-Net")
         ->excludes("--replay")
         ->excludes("--at");
     command->add_option("--seconds", a->seconds, "length of --live-input")
-        ->check(CLI::Range(0.1, 86400.0))
+        ->check(number_in(0.1, 86400.0))
+        ->needs("--live-input")
         ->capture_default_str();
     CLI::Option* hold =
         command
@@ -372,7 +420,7 @@ void add_render(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 4096))
         ->capture_default_str();
     CLI::Option* ev = command->add_option("--ev", a->ev100, "exposure EV100 instead of the camera's")
-                          ->check(CLI::Range(-10.0, 20.0));
+                          ->check(number_in(-10.0, 20.0));
     command->add_option("--device", a->session.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
     command->add_option("--image-memory", a->image_memory_mb, "megabytes for kept images of resting lights")

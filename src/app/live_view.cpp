@@ -11,6 +11,7 @@
 #include "base/progress.h"
 
 #include <chrono>
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -142,11 +143,27 @@ void LiveView::look_from(const scene::Camera& camera) {
                    {show_.ambient_colour * show_.ambient_lux, haze_of(show_)});
 }
 
+namespace {
+
+// Turns the way of looking as a head does, around and up: mixing two targets may end in the eye itself.
+glm::vec3 way_between(const glm::vec3& from, const glm::vec3& to, float share) {
+    const auto around = [](const glm::vec3& way) { return std::atan2(way.y, way.x); };
+    const auto up = [](const glm::vec3& way) { return std::atan2(way.z, std::hypot(way.x, way.y)); };
+    const float turn = std::remainder(around(to) - around(from), 2 * shared::kPi);
+    const float yaw = around(from) + turn * share;
+    const float pitch = glm::mix(up(from), up(to), share);
+    return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
+}
+
+} // namespace
+
 scene::Camera camera_between(const scene::Camera& from, const scene::Camera& to, float share) {
     const float eased = share * share * (3.0f - 2.0f * share);
     scene::Camera camera = from;
     camera.position_m = glm::mix(from.position_m, to.position_m, eased);
-    camera.target_m = glm::mix(from.target_m, to.target_m, eased);
+    const glm::vec3 from_way = from.target_m - from.position_m, to_way = to.target_m - to.position_m;
+    camera.target_m = camera.position_m + way_between(from_way, to_way, eased) *
+                                              glm::mix(glm::length(from_way), glm::length(to_way), eased);
     camera.fov_y_deg = glm::mix(from.fov_y_deg, to.fov_y_deg, eased);
     camera.ev100 = glm::mix(from.ev100, to.ev100, eased);
     return camera;

@@ -7,6 +7,7 @@
 #include "scene/passes_file.h"
 #include "scene/stage_checks.h"
 
+#include "base/check.h"
 #include "base/files.h"
 #include "base/log.h"
 #include "base/progress.h"
@@ -181,7 +182,7 @@ shared::Air air_of(const scene::Show& show, double time_s) {
     air.per_m = 2.0f * shared::kPi / std::max(2.0f * show.haze.patch_m, 0.1f);
     air.churn = kChurn * static_cast<float>(time_s);
     for (const scene::Hazer& hazer : show.hazers) {
-        if (air.hazers == shared::kMostHazers) break;
+        CHECK(air.hazers < shared::kMostHazers);
         air.plume[air.hazers++] = {hazer.position_m, hazer.rate,
                                    hazer.direction,  std::tan(glm::radians(0.5f * hazer.spread_deg)),
                                    hazer.reach_m,    0.0f};

@@ -36,7 +36,7 @@ struct SessionOptions {
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
 };
 
-// Attenuation, swirls and plumes at a moment; at most kMostHazers of the show's hazers.
+// Attenuation, swirls and plumes at a moment.
 shared::Air air_of(const scene::Show& show, double time_s);
 bool is_uneven(const scene::Show& show);
 

@@ -22,18 +22,12 @@ namespace ghost::render {
 namespace {
 
 constexpr std::uint64_t kImageBytesPerPixel = 8; // four half floats
-constexpr std::uint64_t kChunkAlign = 256;       // offset of a uniform buffer, at most, on every device
-constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
 constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kMaxLayers = 2048; // of an image, on every device
 constexpr std::uint32_t kFixedImages = 2;  // the frame, and all that rests
-
-std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
-    return (items + size - 1) / size;
-}
 
 std::uint32_t batch_size(const gpu::Device& device, const Settings& settings) {
     if (settings.lights_per_dispatch > 0)
@@ -251,143 +245,6 @@ int Relighter::mend(int slot, const std::vector<shared::Light>& lights) {
     draw_sum(sum, lights);
     mended_tiles_ = 0;
     return static_cast<int>(sum.lights.size());
-}
-
-void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights) {
-    if (!sum.lights.empty()) {
-        commands_.begin_span("clear");
-        commands_.clear(drawn_);
-    }
-    const Fragments& f = fragments();
-    const auto wide = [&](const shared::Light& light) {
-        // What is mended lacks the rays of the tiles beside it.
-        return wide_ && wide_step_ > 1 && settings_.air && mended_tiles_ == 0 &&
-               is_wide(light, f.eye_m, f.pixels_per_rad);
-    };
-    const bool any_wide = std::any_of(sum.lights.begin(), sum.lights.end(), [&](int index) {
-        return wide(lights[static_cast<std::size_t>(index)]);
-    });
-    if (any_wide && !std::exchange(wide_prepared_, true)) wide_->prepare(commands_, f, wide_step_);
-    if (any_wide) commands_.clear(wide_->rays());
-    // Lights with the same number of gobo wheels share a shader that has just these.
-    for (std::uint32_t kind = 0; kind < (any_wide ? 2 : 1) * kClasses; ++kind) {
-        const std::uint32_t wheels = kind % kClasses;
-        std::vector<shared::Light> chunk;
-        for (const int index : sum.lights) {
-            const shared::Light& light = lights[static_cast<std::size_t>(index)];
-            if (light.wheel_count != wheels || wide(light) != (kind >= kClasses)) continue;
-            chunk.push_back(light);
-            if (chunk.size() == shared::kLightsPerChunk) {
-                draw_lights(chunk, wheels, kind >= kClasses);
-                chunk.clear();
-            }
-        }
-        if (!chunk.empty()) draw_lights(chunk, wheels, kind >= kClasses);
-    }
-    if (any_wide) wide_->spread(commands_, drawn_);
-    const gpu::Buffer& tile_list =
-        mender_ ? mender_->tiles() : f.tile_bounds; // only read where tiles are mended
-    if (!sum.lights.empty() && f.edge_count > 0) {
-        commands_.begin_span("fold");
-        commands_.dispatch(
-            fold_, shared::FoldPush{f.edge_count, mended_tiles_ > 0 ? 1u : 0u},
-            {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_), gpu::stored(f.places),
-             gpu::storage(g_buffer_ ? g_buffer_->rooms() : f.tile_bounds), gpu::storage(tile_list)},
-            mended_tiles_ > 0 ? mended_tiles_ : groups(f.edge_count, 64));
-        commands_.barrier();
-    }
-    std::size_t added = 0;
-    for (bool first = true; first || added < sum.addends.size(); first = false) {
-        shared::SumPush push{};
-        push.target = static_cast<std::uint32_t>(sum.target + 1);
-        push.accumulate = first ? 0u : 1u;
-        push.add_base = first && sum.base ? 1u : 0u;
-        push.add_drawn = first && !sum.lights.empty() ? 1u : 0u;
-        for (; added < sum.addends.size() && push.addend_count < shared::kMaxAddends; ++added)
-            push.addend[push.addend_count++] = static_cast<std::uint32_t>(sum.addends[added] + 1);
-        commands_.begin_span("add");
-        push.tiles_x = f.tiles_x;
-        push.listed = mended_tiles_ > 0 ? 1u : 0u;
-        commands_.dispatch(
-            sum_, push,
-            {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(images_), gpu::storage(tile_list)},
-            mended_tiles_ > 0 ? mended_tiles_ : f.tiles_x, mended_tiles_ > 0 ? 1 : f.tiles_y);
-        commands_.barrier();
-    }
-}
-
-void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels, bool wide) {
-    const std::uint64_t offset = lights_used_;
-    const std::uint64_t bytes = lights.size() * sizeof(shared::Light);
-    CHECK(offset + kChunkBytes <= lights_.bytes());
-    std::memcpy(static_cast<std::uint8_t*>(lights_.mapped()) + offset, lights.data(), bytes);
-    lights_used_ += (bytes + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
-
-    const LightChunk chunk{lights,
-                           wheels,
-                           fragments(),
-                           gobos_,
-                           drawn_,
-                           air_,
-                           lights_,
-                           offset,
-                           masks_,
-                           lists_,
-                           groups_,
-                           batch_size_,
-                           wide ? wide_.get() : nullptr};
-    const Fragments& f = fragments();
-    const shared::CullPush cull{chunk.count(),
-                                batch_size_,
-                                f.tiles_x,
-                                chunk.tiles(),
-                                f.blocks,
-                                settings_.surfaces ? 1u : 0u,
-                                settings_.air ? 1u : 0u,
-                                wide ? wide_step_ * wide_step_ : 1u};
-    commands_.begin_span("cull");
-    commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}}));
-    commands_.dispatch(cull_, cull,
-                       {gpu::uniform(f.view), gpu::uniform(lights_, offset),
-                        gpu::storage(mended_tiles_ > 0 ? mender_->bounds() : f.tile_bounds),
-                        gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_),
-                        gpu::storage(work_)},
-                       groups(chunk.tiles() + f.blocks, 64), chunk.batches());
-    commands_.barrier();
-    if (settings_.air) haze_.record(commands_, chunk);
-    if (settings_.surfaces) record_surfaces(chunk);
-}
-
-void Relighter::record_surfaces(const LightChunk& chunk) {
-    const Fragments& f = fragments();
-    if (passes_.bounces.bytes() > 0) {
-        commands_.begin_span("bounces");
-        commands_.dispatch(bounce_, shared::BouncePush{chunk.count()},
-                           {gpu::uniform(f.view), gpu::uniform(lights_, chunk.light_offset),
-                            gpu::stored(f.places), gpu::stored(passes_.bounces), gpu::stored(drawn_)},
-                           f.tiles_x, f.tiles_y);
-        commands_.barrier();
-    }
-    std::vector<gpu::Binding> bindings{gpu::sampled(gobos_),
-                                       gpu::uniform(f.view),
-                                       gpu::uniform(lights_, chunk.light_offset),
-                                       gpu::storage(masks_),
-                                       gpu::storage(lists_),
-                                       gpu::stored(f.places),
-                                       gpu::stored(drawn_),
-                                       gpu::stored(g_buffer_ ? g_buffer_->diffuse() : passes_.radiance)};
-    if (g_buffer_)
-        bindings.insert(bindings.end(),
-                        {gpu::sampled(distances_ ? distances_->texture() : gobos_),
-                         gpu::stored(g_buffer_->specular()), gpu::stored(g_buffer_->normals())});
-    bindings.push_back(gpu::uniform(air_));
-    commands_.begin_span("surfaces");
-    shared::RelightPush push{chunk.count(), 0, f.tiles_x, chunk.tiles(), f.blocks, 0};
-    for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
-        commands_.dispatch_indirect(*surface_[chunk.wheels], push, bindings, groups_,
-                                    chunk.surface_groups(push.batch));
-        commands_.barrier();
-    }
 }
 
 void Relighter::develop(const std::vector<shared::Light>& lights) {

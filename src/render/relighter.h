@@ -1,10 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Relighter: draws one camera of a show, live, from its passes (Screen Space Re-Rendering) or from a
-// G-buffer. Surfaces by pass x beam, haze by the march or cone integrator, images of resting lights kept in a
-// binary tree. Lights in, HDR frame and display picture out. Light number i means the same fixture in every
-// draw. Where the device's memory runs short it keeps fewer images, and one line of warning says what was
-// lowered. Main thread; the device must outlive it.
+// G-buffer. Surfaces by pass x beam, haze by the gate, cone or march integrator, images of resting lights
+// kept in a binary tree. Lights in, HDR frame and display picture out. Light number i means the same fixture
+// in every draw. Where the device's memory runs short it keeps fewer images, and one line of warning says
+// what was lowered. Main thread; the device must outlive it.
 
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
@@ -119,7 +119,9 @@ private:
     std::vector<shared::Light> last_lights_;
     std::uint64_t lights_used_ = 0; // bytes of lights_, in this frame
 
-    static constexpr std::uint32_t kClasses = 3; // 0, 1, 2 gobo wheels
+    static constexpr std::uint32_t kClasses = 3;      // 0, 1, 2 gobo wheels
+    static constexpr std::uint64_t kChunkAlign = 256; // offset of a uniform buffer, at most, on every device
+    static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
     gpu::Program cull_, sum_, bounce_, fold_, meter_, develop_;
     std::array<std::unique_ptr<gpu::Program>, kClasses> surface_;
     HazePass haze_;

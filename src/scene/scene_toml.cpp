@@ -3,9 +3,12 @@
 
 #include "scene/distance_maps.h"
 #include "scene/haze_presets.h"
+#include "shared/air.h"
 #include "shared/develop.h"
 
 #include <algorithm>
+#include <bit>
+#include <string>
 #include <utility>
 
 namespace ghost::scene {
@@ -13,7 +16,7 @@ namespace {
 
 constexpr double kMaxExtinction_per_m = 10;
 constexpr double kMaxMilligrams_per_m3 = 1000;
-constexpr std::size_t kMaxHazers = 64;
+constexpr std::size_t kMaxHazers = shared::kMostHazers;
 constexpr std::size_t kMaxObjects = 1000;
 
 void put(float& target, const std::optional<double>& value) {
@@ -140,6 +143,14 @@ void read_shadows(const toml::table& table, const std::string& file, Show& show,
     show.shadows = reader.boolean("on").value_or(show.shadows);
     show.distance_map_size =
         reader.integer("map_size", kMinDistanceMapSize, kMaxDistanceMapSize).value_or(show.distance_map_size);
+    // Maps are halved where memory is short.
+    const auto side = static_cast<unsigned>(show.distance_map_size);
+    if (side > 0 && !std::has_single_bit(side)) {
+        show.distance_map_size = static_cast<int>(std::bit_floor(side));
+        reader.problem(Severity::warning, "map_size",
+                       std::to_string(side) + " is not a power of two; " +
+                           std::to_string(show.distance_map_size) + " is taken");
+    }
     reader.finish();
 }
 

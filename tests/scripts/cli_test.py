@@ -83,6 +83,29 @@ class Usage(Case):
         self.fails(run("render", WORK / "demo", "-o", "a.mp4", "--live-input", "--no-caption"), 2, "--hold-fps")
         self.fails(run("bake", WORK / "demo", "--spp", "0"), 2, "--spp")
 
+    def test_options_that_are_no_numbers(self):
+        demo = ("render", WORK / "demo", "-o", "a.png")
+        eye = ("--eye", "0", "-3", "2", "--target", "0", "5", "2")
+        for option in ["--fov", "--ev", "--glare", "--at"]:
+            for value in ["nan", "inf", "much"]:
+                self.fails(run(*demo, *eye, option, value), 2, option)
+        self.fails(run(*demo, "--live-input", "--seconds", "nan"), 2, "--seconds")
+        self.fails(run(*demo, "--eye", "1e30", "3", "1", "--target", "0", "5", "2"), 2, "10 km")
+        self.fails(run(*demo, "--eye", "nan", "3", "1", "--target", "0", "5", "2"), 2, "10 km")
+        for option in ["--from", "--until", "--rate"]:
+            self.fails(run("play", WORK / "demo" / "demo.show", "--to", "127.0.0.1", option, "nan"), 2, option)
+        for option in ["--ev", "--ppd"]:
+            self.fails(run("compare", "a.png", "b.png", option, "nan"), 2, option)
+        self.fails(run("monitor", "--seconds", "nan"), 2, "--seconds")
+
+    def test_options_that_would_do_nothing(self):
+        demo = ("render", WORK / "demo", "-o", "a.png")
+        self.fails(run(*demo, "--fov", "30"), 2, "--eye")
+        self.fails(run(*demo, "--seconds", "3"), 2, "--live-input")
+        self.fails(run(*demo, "--no-shadows"), 2, "--live")
+        self.fails(run(*demo, "--travel", "close"), 2, "--from")
+        self.fails(run(*demo, "--live-input", "--travel", "close"), 2, "--from")
+
     def test_help_has_an_example_for_every_command(self):
         commands = ["bake", "bench", "check", "monitor", "play", "record", "render"]
         self.works(run("--help"))
