@@ -110,12 +110,15 @@ SHARED_FN uint fan_left(Fan fan, uint level) {
     return level <= fan.halvings ? halved : even;
 }
 
-// Rows and columns of the finest level of what is in the light's way; its levels stand side by side, too, each half as many columns.
+// Rows and columns of the finest level of what is in the light's way: about a texel of a distance map of 1024. Its levels stand side
+// by side, too, each half as many columns.
 SHARED_FN uint fan_shade_side(Fan fan) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    return 1u << uint(findMSB(fan.size));
+    float width = 2.0f * sqrt(max(1.0f - fan.cos_cone * fan.cos_cone, 0.0f)) / max(fan.cos_cone, 1e-3f);
+    uint texels = uint(clamp(width / 0.0035f, float(kLeastFan / 2u), float(kFinestFan / 2u)));
+    return 2u << uint(findMSB(texels));
 }
 
 // Where a ray of a plane is, seen from the eye: the cosine of its angle from the pole. The light of a direction whose first surface
