@@ -49,6 +49,16 @@ Result<scene::DistanceMaps> make_maps(const scene::Show& show, const scene::Stag
     return maps;
 }
 
+// Turns the way of looking as a head does, around and up: mixing two targets may end in the eye itself.
+glm::vec3 way_between(const glm::vec3& from, const glm::vec3& to, float share) {
+    const auto around = [](const glm::vec3& way) { return std::atan2(way.y, way.x); };
+    const auto up = [](const glm::vec3& way) { return std::atan2(way.z, std::hypot(way.x, way.y)); };
+    const float turn = std::remainder(around(to) - around(from), 2 * shared::kPi);
+    const float yaw = around(from) + turn * share;
+    const float pitch = glm::mix(up(from), up(to), share);
+    return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
+}
+
 } // namespace
 
 LiveView::LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
@@ -142,20 +152,6 @@ void LiveView::look_from(const scene::Camera& camera) {
     g_buffer_.draw(model_, {scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height},
                    {show_.ambient_colour * show_.ambient_lux, haze_of(show_)});
 }
-
-namespace {
-
-// Turns the way of looking as a head does, around and up: mixing two targets may end in the eye itself.
-glm::vec3 way_between(const glm::vec3& from, const glm::vec3& to, float share) {
-    const auto around = [](const glm::vec3& way) { return std::atan2(way.y, way.x); };
-    const auto up = [](const glm::vec3& way) { return std::atan2(way.z, std::hypot(way.x, way.y)); };
-    const float turn = std::remainder(around(to) - around(from), 2 * shared::kPi);
-    const float yaw = around(from) + turn * share;
-    const float pitch = glm::mix(up(from), up(to), share);
-    return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
-}
-
-} // namespace
 
 scene::Camera camera_between(const scene::Camera& from, const scene::Camera& to, float share) {
     const float eased = share * share * (3.0f - 2.0f * share);

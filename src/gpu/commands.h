@@ -52,6 +52,11 @@ private:
     VkPipeline pipeline_ = VK_NULL_HANDLE;
 };
 
+// Workgroups of so many items each that it takes.
+inline std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
+    return (items + size - 1) / size;
+}
+
 struct Span {
     std::string name;
     double ms = 0;

@@ -30,10 +30,6 @@ constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr VkFormat kHalves = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat kFloats = VK_FORMAT_R32G32B32A32_SFLOAT;
 
-std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
-    return (items + size - 1) / size;
-}
-
 gpu::Texture attachment(const gpu::Device& device, std::uint32_t width, std::uint32_t height,
                         VkFormat format) {
     gpu::TextureShape shape{width, height, 1, 1, format};
@@ -124,13 +120,13 @@ GBuffer::GBuffer(const gpu::Device& device, int width, int height)
     CHECK(width > 0 && height > 0);
     const auto w = static_cast<std::uint32_t>(width);
     const auto h = static_cast<std::uint32_t>(height);
-    capacity_ = groups(w * h, shared::kTilePixels) * shared::kTilePixels;
+    capacity_ = gpu::groups(w * h, shared::kTilePixels) * shared::kTilePixels;
     fragments_.width = w;
     fragments_.height = h;
-    fragments_.tiles_x = groups(w, shared::kTileWidth);
-    fragments_.tiles_y = groups(h, shared::kTileHeight);
+    fragments_.tiles_x = gpu::groups(w, shared::kTileWidth);
+    fragments_.tiles_y = gpu::groups(h, shared::kTileHeight);
     fragments_.view = Buffer(device, sizeof(shared::View), Access::device);
-    const std::uint32_t rows = h + groups(capacity_, w);
+    const std::uint32_t rows = h + gpu::groups(capacity_, w);
     fragments_.places = stored(device, w, rows, kFloats);
     fragments_.edges = stored(device, w, h, VK_FORMAT_R32G32_UINT);
     fragments_.base = stored(device, w, h, kHalves);

@@ -18,10 +18,6 @@ constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint32_t kMostLevels = 8;
 constexpr std::uint32_t kCoarsest = 8; // texels of the coarsest level's shorter side, at least
 
-std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
-    return (items + size - 1) / size;
-}
-
 std::uint32_t level_count(std::uint32_t width, std::uint32_t height) {
     std::uint32_t count = 1;
     for (std::uint32_t side = std::min(width, height) / 4; side >= kCoarsest && count < kMostLevels;
@@ -75,8 +71,8 @@ GlarePass::GlarePass(const gpu::Device& device, std::uint32_t width, std::uint32
     // Every level is exactly half the one before: no light is counted twice at the far border.
     const std::uint32_t count = level_count(width, height);
     const std::uint32_t unit = 1u << (count - 1);
-    std::uint32_t level_width = groups(groups(width, 2), unit) * unit;
-    std::uint32_t level_height = groups(groups(height, 2), unit) * unit;
+    std::uint32_t level_width = gpu::groups(gpu::groups(width, 2), unit) * unit;
+    std::uint32_t level_height = gpu::groups(gpu::groups(height, 2), unit) * unit;
     for (std::uint32_t k = 0; k < count; ++k, level_width /= 2, level_height /= 2)
         levels_.emplace_back(device, gpu::TextureShape{level_width, level_height, 1, 1,
                                                        VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
@@ -101,8 +97,8 @@ void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float
     const auto over = [&](const gpu::Program& program, const auto& push,
                           const std::vector<gpu::Binding>& bindings, std::uint32_t width,
                           std::uint32_t height) {
-        commands.dispatch(program, push, bindings, groups(width, 2 * shared::kTileWidth),
-                          groups(height, 2 * shared::kTileHeight));
+        commands.dispatch(program, push, bindings, gpu::groups(width, 2 * shared::kTileWidth),
+                          gpu::groups(height, 2 * shared::kTileHeight));
         commands.barrier();
     };
     const auto down = [&](const gpu::Program& program, const gpu::Texture& fine, const gpu::Texture& coarse,
@@ -120,9 +116,10 @@ void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float
     down(*down_[1], frame, levels_[0], scale);
     for (std::size_t k = 1; k < levels_.size(); ++k) down(*down_[0], levels_[k - 1], levels_[k], 1.0f);
     const gpu::TextureShape& shape = far_.shape();
-    commands.dispatch(
-        *tail_, shared::GlareTailPush{texel_deg(levels_.size() - 1, pixels_per_rad), tail_weight_},
-        {gpu::stored(levels_.back()), gpu::stored(far_)}, groups(shape.width, 8), groups(shape.height, 4));
+    commands.dispatch(*tail_,
+                      shared::GlareTailPush{texel_deg(levels_.size() - 1, pixels_per_rad), tail_weight_},
+                      {gpu::stored(levels_.back()), gpu::stored(far_)}, gpu::groups(shape.width, 8),
+                      gpu::groups(shape.height, 4));
     commands.barrier();
     const gpu::Texture* coarse = &far_;
     float coarse_weight = weights_.back();

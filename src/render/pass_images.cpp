@@ -2,6 +2,7 @@
 #include "render/pass_images.h"
 
 #include "base/check.h"
+#include "gpu/commands.h"
 #include "render/layout.h"
 
 #include <algorithm>
@@ -10,10 +11,6 @@
 
 namespace ghost::render {
 namespace {
-
-std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
-    return (items + size - 1) / size;
-}
 
 gpu::Texture radiance_of(const gpu::Device& device, const scene::Passes& passes, const Layout& layout,
                          std::uint32_t width, std::uint32_t rows) {
@@ -59,8 +56,8 @@ PassImages make_pass_images(const gpu::Device& device, const scene::Passes& pass
     Fragments& f = images.fragments;
     f.width = static_cast<std::uint32_t>(passes.width);
     f.height = static_cast<std::uint32_t>(passes.height);
-    f.tiles_x = groups(f.width, shared::kTileWidth);
-    f.tiles_y = groups(f.height, shared::kTileHeight);
+    f.tiles_x = gpu::groups(f.width, shared::kTileWidth);
+    f.tiles_y = gpu::groups(f.height, shared::kTileHeight);
     const shared::View view = make_view(passes, haze);
     f.view = gpu::Buffer(device, sizeof view, gpu::Access::device);
     f.view.write(&view, sizeof view);
@@ -78,12 +75,12 @@ PassImages make_pass_images(const gpu::Device& device, const scene::Passes& pass
     f.base = gpu::Texture(device, {f.width, f.height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     f.base.write(0, base.data(), base.size() * sizeof(std::uint64_t));
     std::vector<glm::uvec2> edges = layout.edges;
-    const std::uint32_t edge_rows = std::max(groups(f.edge_count, f.width), 1u);
+    const std::uint32_t edge_rows = std::max(gpu::groups(f.edge_count, f.width), 1u);
     edges.resize(static_cast<std::size_t>(edge_rows) * f.width);
     f.edges = gpu::Texture(device, {f.width, edge_rows, 1, 1, VK_FORMAT_R32G32_UINT});
     f.edges.write(0, edges.data(), edges.size() * sizeof(glm::uvec2));
     // Whole blocks, so that the last one needs no bound; what no fragment fills is no surface.
-    const std::uint32_t rows = f.height + groups(f.blocks * shared::kTilePixels, f.width);
+    const std::uint32_t rows = f.height + gpu::groups(f.blocks * shared::kTilePixels, f.width);
     std::vector<glm::vec4> places(static_cast<std::size_t>(rows) * f.width, glm::vec4(0, 0, 0, -1));
     for (std::size_t i = 0; i < layout.order.size(); ++i) places[i] = passes.fragments[layout.order[i]];
     f.places = gpu::Texture(device, {f.width, rows, 1, 1, VK_FORMAT_R32G32B32A32_SFLOAT, true, false});

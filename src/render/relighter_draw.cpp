@@ -8,14 +8,6 @@
 #include <utility>
 
 namespace ghost::render {
-namespace {
-
-std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
-    return (items + size - 1) / size;
-}
-
-} // namespace
-
 void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights) {
     if (!sum.lights.empty()) {
         commands_.begin_span("clear");
@@ -56,7 +48,7 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
             fold_, shared::FoldPush{f.edge_count, mended_tiles_ > 0 ? 1u : 0u},
             {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_), gpu::stored(f.places),
              gpu::storage(g_buffer_ ? g_buffer_->rooms() : f.tile_bounds), gpu::storage(tile_list)},
-            mended_tiles_ > 0 ? mended_tiles_ : groups(f.edge_count, 64));
+            mended_tiles_ > 0 ? mended_tiles_ : gpu::groups(f.edge_count, 64));
         commands_.barrier();
     }
     std::size_t added = 0;
@@ -115,7 +107,7 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
                         gpu::storage(mended_tiles_ > 0 ? mender_->bounds() : f.tile_bounds),
                         gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_),
                         gpu::storage(work_)},
-                       groups(chunk.tiles() + f.blocks, 64), chunk.batches());
+                       gpu::groups(chunk.tiles() + f.blocks, 64), chunk.batches());
     commands_.barrier();
     if (settings_.air) haze_.record(commands_, chunk);
     if (settings_.surfaces) record_surfaces(chunk);

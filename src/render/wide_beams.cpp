@@ -17,10 +17,6 @@ constexpr std::uint32_t kFinestStep = 2;
 constexpr float kSeenAt_m = 4; // from the lamp
 constexpr float kNearest_m = 0.5f;
 
-std::uint32_t groups(std::uint32_t items, std::uint32_t size) {
-    return (items + size - 1) / size;
-}
-
 } // namespace
 
 bool is_wide(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad) {
@@ -33,12 +29,12 @@ bool is_wide(const shared::Light& light, const glm::vec3& eye_m, float pixels_pe
 WideBeams::WideBeams(const gpu::Device& device, std::uint32_t width, std::uint32_t height)
     : prepare_(device, shaders::kShader_wide_prepare, {kUniform, kStored, kStored, kStored}),
       spread_(device, shaders::kShader_wide_spread, {kStored, kStored, kStored}),
-      rays_(device, {groups(width, kFinestStep), groups(height, kFinestStep), 1, 1,
+      rays_(device, {gpu::groups(width, kFinestStep), gpu::groups(height, kFinestStep), 1, 1,
                      VK_FORMAT_R16G16B16A16_SFLOAT, true, false}),
       weights_(device, {width, height, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false}),
-      lonely_(device, {groups(width, shared::kTileWidth) * shared::kTileWidth,
-                       groups(height, shared::kTileHeight) * shared::kTileHeight, 1, 1, VK_FORMAT_R16_UINT,
-                       true, false}) {}
+      lonely_(device, {gpu::groups(width, shared::kTileWidth) * shared::kTileWidth,
+                       gpu::groups(height, shared::kTileHeight) * shared::kTileHeight, 1, 1,
+                       VK_FORMAT_R16_UINT, true, false}) {}
 
 void WideBeams::prepare(gpu::Commands& commands, const Fragments& fragments, std::uint32_t step) {
     CHECK(step == 2 || step == 4);
@@ -54,9 +50,9 @@ void WideBeams::prepare(gpu::Commands& commands, const Fragments& fragments, std
 void WideBeams::spread(gpu::Commands& commands, const gpu::Texture& drawn) {
     const gpu::TextureShape& shape = weights_.shape();
     commands.begin_span("spread");
-    commands.dispatch(spread_, shared::WidePush{step_},
-                      {gpu::stored(weights_), gpu::stored(rays_), gpu::stored(drawn)},
-                      groups(shape.width, shared::kTileWidth), groups(shape.height, shared::kTileHeight));
+    commands.dispatch(
+        spread_, shared::WidePush{step_}, {gpu::stored(weights_), gpu::stored(rays_), gpu::stored(drawn)},
+        gpu::groups(shape.width, shared::kTileWidth), gpu::groups(shape.height, shared::kTileHeight));
     commands.barrier();
 }
 

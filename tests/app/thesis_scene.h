@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One stage, its lights and one relighter for many cameras: what the tests of the thesis's list
 // (docs/thesis.md) draw, and the pictures in that document. Pictures are written to the folder that
-// GHOST_THESIS_PICTURES names (tools/thesis_pictures.sh); without it none is.
+// GHOST_THESIS_PICTURES names (tools/thesis_pictures.sh) by cases that are disabled, as no tests.
 
 #include "app/bench_views.h"
 #include "bake/reference.h"

@@ -167,22 +167,6 @@ TEST_F(Haze, ConeAndMarchAgreeWithTheReference) {
     }
 }
 
-// Display PSNR as the beams' papers measure it: 1 - exp(-L / (2 p75)), p75 of the lit pixels.
-double tone_mapped_psnr(const image::ImageF& picture, const image::ImageF& reference) {
-    std::vector<float> lit;
-    for (const float value : reference.samples)
-        if (value > 0) lit.push_back(value);
-    std::sort(lit.begin(), lit.end());
-    const double scale = 1.0 / (2.0 * static_cast<double>(lit[lit.size() * 3 / 4]));
-    double squares = 0;
-    for (std::size_t k = 0; k < reference.samples.size(); ++k) {
-        const double a = std::exp(-static_cast<double>(picture.samples[k]) * scale);
-        const double b = std::exp(-static_cast<double>(reference.samples[k]) * scale);
-        squares += (a - b) * (a - b);
-    }
-    return -10.0 * std::log10(squares / static_cast<double>(reference.samples.size()) + 1e-12);
-}
-
 TEST_F(Haze, GateAgreesWithTheReference) {
     for (const View& view : views()) {
         SCOPED_TRACE(view.name);
