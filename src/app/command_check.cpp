@@ -6,6 +6,7 @@
 #include "fixture/gdtf.h"
 #include "scene/passes.h"
 #include "scene/show.h"
+#include "scene/stage_checks.h"
 
 #include <nlohmann/json.hpp>
 
@@ -104,7 +105,8 @@ Checked check_show(const fs::path& path) {
         result.report.add(Severity::error, show.error().where, show.error().what);
         return result;
     }
-    (void)scene::stage_with_bodies(*show, result.report); // for what it says of the fixtures' meshes
+    const scene::Stage with_bodies = scene::stage_with_bodies(*show, result.report);
+    scene::check_places(*show, with_bodies, show->cameras, result.report);
     if (std::error_code code; fs::is_regular_file(show->recording, code)) {
         const auto recording = dmx::read_recording(show->recording);
         if (!recording.ok())

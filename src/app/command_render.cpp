@@ -1,276 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.h"
-#include "app/governor.h"
-#include "app/input_options.h"
 #include "app/interrupt.h"
 #include "app/number_option.h"
-#include "app/picture_writer.h"
-#include "app/reference_render.h"
-#include "app/session.h"
-#include "dmx/recording.h"
+#include "app/render_film.h"
 
 #include "base/log.h"
-#include "base/progress.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <thread>
 
 namespace ghost::app {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr float kFarthest_m = 10000; // of what a show file may place
-
-struct RenderArguments {
-    SessionOptions session;
-    InputOptions input;
-    std::string out;
-    std::string size;
-    std::string beams = "gate";
-    std::string replay;
-    double at_s = -1;
-    double from_s = -1;
-    double to_s = -1;
-    int fps = 30;
-    bool live_input = false;
-    double seconds = 10;
-    int hold_fps = 0; // 0: quality stays
-    bool no_caption = false;
-    float ev100 = 0;
-    bool has_ev100 = false;
-    int image_memory_mb = 1024;
-    std::vector<float> eye_m;
-    std::vector<float> target_m;
-    float fov_y_deg = 40;
-    std::string travel;
-    bool no_shadows = false;
-    ReferenceArguments reference;
-    bool json = false;
-};
-
-struct Tally {
-    std::vector<double> draw_ms;
-    std::vector<double> latency_ms; // packet to picture
-    int late = 0;                   // film frames that repeat a picture because drawing took too long
-    int additions = 0;
-    int drawn = 0;
-    int quality_changes = 0;
-    std::size_t quality_level = 0; // 0 is the best
-
-    void add(const render::FrameStatistics& frame) {
-        draw_ms.push_back(frame.draw_ms);
-        additions += frame.additions;
-        drawn += frame.drawn;
-    }
-};
-
-double percentile(std::vector<double> values, double share) {
-    if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
-void print_tally(const RenderArguments& arguments, const Session& session, const Tally& tally) {
-    const double median = percentile(tally.draw_ms, 0.5);
-    const double p99 = percentile(tally.draw_ms, 0.99);
-    if (arguments.json) {
-        nlohmann::json row{{"out", arguments.out},
-                           {"device", session.device->name()},
-                           {"width", session.relighter->width()},
-                           {"height", session.relighter->height()},
-                           {"frames", tally.draw_ms.size()},
-                           {"draw_ms_median", median},
-                           {"draw_ms_p99", p99},
-                           {"lights_drawn", tally.drawn},
-                           {"additions", tally.additions},
-                           {"ev100", session.relighter->ev100_used()}};
-        if (arguments.live_input) {
-            row["late_frames"] = tally.late;
-            row["packet_to_picture_ms_median"] = percentile(tally.latency_ms, 0.5);
-            row["packet_to_picture_ms_p99"] = percentile(tally.latency_ms, 0.99);
-            row["frames_with_new_packets"] = tally.latency_ms.size();
-            row["quality_level"] = tally.quality_level;
-            row["quality_changes"] = tally.quality_changes;
-        }
-        std::printf("%s\n", row.dump().c_str());
-        return;
-    }
-    log_info(arguments.out + ": " + std::to_string(tally.draw_ms.size()) + " frames, " +
-             std::to_string(median) + " ms a frame (median), " + std::to_string(p99) + " ms (99 %)");
-    if (arguments.live_input && !tally.latency_ms.empty())
-        log_info("packet to picture: " + std::to_string(percentile(tally.latency_ms, 0.5)) +
-                 " ms (median); " + std::to_string(tally.late) +
-                 " film frames repeat a picture because drawing took longer than a frame");
-}
-
-// The rig is run from the start of the recording, because wheels and gobos turn: a frame is the same wherever
-// it is asked from.
-Result<void> render_recording(const RenderArguments& arguments, Session& session, PictureWriter& writer,
-                              Tally& tally) {
-    const std::filesystem::path file =
-        arguments.replay.empty() ? session.show->recording : std::filesystem::path(arguments.replay);
-    if (arguments.replay.empty() && session.show->recording.empty())
-        return Error{"has no recording; name one with --replay FILE, or listen to a desk with --live-input",
-                     session.show->file.string()};
-    TRY(dmx::Recording recording, dmx::read_recording(file));
-    for (const Error& problem : recording.problems) log_warning(problem.text());
-    const dmx::Player player(std::move(recording));
-
-    const double fps = arguments.fps;
-    const bool still = arguments.from_s < 0 && arguments.to_s < 0;
-    const double at_s = arguments.at_s >= 0 ? arguments.at_s : 0.0;
-    const auto first = static_cast<long>(std::lround((still ? at_s : std::max(arguments.from_s, 0.0)) * fps));
-    const long last =
-        still ? first : std::lround((arguments.to_s >= 0 ? arguments.to_s : player.duration_s()) * fps) - 1;
-    if (last < first) return Error{"the range is empty: --to must be later than --from", "--from/--to"};
-
-    if (static_cast<double>(first) / fps > player.duration_s())
-        log_warning("the recording ends at " + std::to_string(player.duration_s()) +
-                    " s; what is drawn is its last look");
-    const scene::Camera start = session.show->cameras[session.camera];
-    std::optional<scene::Camera> travel_to;
-    if (!arguments.travel.empty()) {
-        TRY(const std::size_t camera, session.show->find_camera(arguments.travel));
-        travel_to = session.show->cameras[camera];
-    }
-    catch_interrupts();
-    const auto now_s = [] { return std::chrono::duration<double>(Clock::now().time_since_epoch()).count(); };
-    Progress progress(
-        "rendering",
-        arguments.session.quiet || still ? Progress::Style::silent : Progress::style_for_stderr(), now_s());
-    for (long frame = 0; frame <= last; ++frame) {
-        if (interrupted()) break;
-        session.rig->step(player.at(static_cast<double>(frame) / fps), 1.0 / fps);
-        if (frame < first) continue;
-        if (travel_to)
-            session.look_from(camera_between(start, *travel_to,
-                                             static_cast<float>(frame - first) /
-                                                 static_cast<float>(std::max(last - first, 1L))));
-        tally.add(session.draw(static_cast<double>(frame) / fps));
-        TRY_VOID(writer.add(*session.relighter));
-        progress.update(static_cast<double>(frame - first + 1) / static_cast<double>(last - first + 1),
-                        now_s(), arguments.out);
-    }
-    progress.finish();
-    return {};
-}
-
-// Tells the governor what a frame took; what it lowers holds from the next frame on.
-void govern(Governor& governor, double frame_ms, Session& session, Tally& tally) {
-    if (!governor.add(frame_ms)) return;
-    session.relighter->set_quality(governor.quality());
-    // Lights that rest show what they were drawn with.
-    if (governor.level() < tally.quality_level) session.relighter->forget();
-    tally.quality_changes += governor.level() != tally.quality_level ? 1 : 0;
-    tally.quality_level = governor.level();
-    const std::string note = governor.note();
-    if (governor.holds())
-        log_info(note.empty() ? "haze: full quality again" : note);
-    else
-        log_warning(note);
-}
-
-// A rig that rests can be drawn as well as it goes: one more frame, at full quality. When it moves again,
-// what the governor chose holds again.
-class Rest {
-public:
-    explicit Rest(const render::HazeQuality& full) : full_(full) {}
-
-    // After each frame; true: this one was drawn for the rest, and tells nothing about frames that move.
-    bool look(const Governor& governor, int drawn, double now_s, render::Relighter& relighter) {
-        if (drawn > 0) {
-            const bool ours = state_ == State::settling;
-            if (state_ == State::settled) relighter.set_quality(governor.quality());
-            state_ = ours ? State::settled : State::moving;
-            last_drawn_s_ = now_s;
-            return ours;
-        }
-        if (state_ == State::moving && governor.level() > 0 && now_s - last_drawn_s_ > kCalm_s) {
-            relighter.set_quality(full_);
-            relighter.forget();
-            state_ = State::settling;
-        }
-        return false;
-    }
-    bool settled() const { return state_ != State::moving; }
-
-private:
-    static constexpr double kCalm_s = 0.5;
-    enum class State { moving, settling, settled };
-
-    render::HazeQuality full_;
-    State state_ = State::moving;
-    double last_drawn_s_ = 0;
-};
-
-// Film time is wall time: a picture that takes longer than a frame is shown for several.
-Result<void> render_live(const RenderArguments& arguments, Session& session, PictureWriter& writer,
-                         Tally& tally) {
-    TRY(const dmx::ReceiverOptions options, receiver_options(arguments.input));
-    TRY(const std::unique_ptr<dmx::Receiver> receiver, dmx::Receiver::start(options));
-    for (const std::string& warning : receiver->warnings()) log_warning(warning);
-    catch_interrupts();
-    char length[32];
-    std::snprintf(length, sizeof length, "listening for %g s", arguments.seconds);
-    log_info(length);
-
-    dmx::Universes universes;
-    const Clock::time_point start = Clock::now();
-    Clock::time_point last_step = start;
-    const auto frame_time = std::chrono::duration<double>(1.0 / arguments.fps);
-    const long frames = std::max(1L, std::lround(arguments.seconds * arguments.fps));
-    long written = 0;
-    std::optional<Governor> governor;
-    if (arguments.hold_fps > 0) governor.emplace(arguments.hold_fps, quality_levels(arguments.session.beams));
-    Rest rest(quality_levels(arguments.session.beams).front());
-    while (written < frames && !interrupted()) {
-        std::this_thread::sleep_until(
-            start + std::chrono::duration_cast<Clock::duration>(frame_time * static_cast<double>(written)));
-        bool fresh = false;
-        if (std::optional<dmx::Universes> newest = receiver->take()) {
-            fresh = newest->revision != universes.revision;
-            universes = std::move(*newest);
-        }
-        const Clock::time_point now = Clock::now();
-        session.rig->step(universes, std::chrono::duration<double>(now - last_step).count());
-        last_step = now;
-        const render::FrameStatistics frame =
-            session.draw(std::chrono::duration<double>(now - start).count());
-        tally.add(frame);
-        if (fresh) {
-            std::chrono::nanoseconds arrival{0};
-            for (const dmx::Universe& universe : universes.list)
-                arrival = std::max(arrival, universe.arrival);
-            tally.latency_ms.push_back(
-                std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch() - arrival).count());
-        }
-        const auto due = static_cast<long>(std::chrono::duration<double>(Clock::now() - start) / frame_time);
-        const long repeat = std::clamp(due - written, 1L, frames - written);
-        tally.late += static_cast<int>(repeat - 1);
-        const bool for_rest =
-            governor && rest.look(*governor, frame.drawn, std::chrono::duration<double>(now - start).count(),
-                                  *session.relighter);
-        const std::string caption =
-            governor && !arguments.no_caption && !rest.settled() ? governor->note() : std::string();
-        for (long i = 0; i < repeat; ++i, ++written) {
-            TRY_VOID(writer.add(*session.relighter, caption));
-            // The pictures that repeat it would not be there had it been in time.
-            if (i > 0 || !governor || frame.drawn == 0 || for_rest) continue;
-            govern(*governor, std::chrono::duration<double, std::milli>(Clock::now() - now).count(), session,
-                   tally);
-        }
-    }
-    if (tally.latency_ms.empty())
-        log_warning(
-            "no packet arrived: the rig stayed at its defaults; 'ghostlight monitor' shows who sends what");
-    return {};
-}
 
 // What the command line asks for, checked before anything is opened.
 Result<bool> check_usage(RenderArguments& arguments) {
@@ -296,7 +40,8 @@ Result<bool> check_usage(RenderArguments& arguments) {
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
     arguments.session.shadows = !arguments.no_shadows;
     arguments.session.maps_in_background = arguments.live_input;
-    arguments.session.live = arguments.session.live || !arguments.eye_m.empty() || !arguments.travel.empty();
+    arguments.session.live =
+        arguments.session.live || !arguments.eye_m.empty() || !arguments.session.travel.empty();
     if (arguments.eye_m.empty() != arguments.target_m.empty())
         return Error{"a free camera needs both", "--eye/--target"};
     if (!arguments.eye_m.empty()) {
@@ -314,12 +59,12 @@ Result<bool> check_usage(RenderArguments& arguments) {
         if (!arguments.session.view.empty()) return Error{"two cameras; give one", "--view/--eye"};
     }
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
-    if (!arguments.travel.empty() && (arguments.live_input || !film))
+    if (!arguments.session.travel.empty() && (arguments.live_input || !film))
         return Error{"only the camera of a film of a recording travels: --from and --to", "--travel"};
     if (arguments.no_shadows && !arguments.session.live)
         return Error{"baked pictures have their shadows; with --live or --eye", "--no-shadows"};
     TRY(const OutputKind kind, output_kind(arguments.out));
-    if (arguments.reference.wanted && (film || kind == OutputKind::film || !arguments.travel.empty()))
+    if (arguments.reference.wanted && (film || kind == OutputKind::film || !arguments.session.travel.empty()))
         return Error{"a reference is one picture: .png or .exr, with --at", "--reference"};
     if (kind == OutputKind::film && !film)
         return Error{"a film needs a range: --from and --to in seconds, or --live-input", arguments.out};
@@ -370,7 +115,9 @@ void add_render(CLI::App& app, int& exit_code) {
         ->check(number_in(1.0, 150.0))
         ->needs("--eye")
         ->capture_default_str();
-    command->add_option("--travel", a->travel, "fly to this camera in the course of a film; implies --live")
+    command
+        ->add_option("--travel", a->session.travel,
+                     "fly to this camera in the course of a film; implies --live")
         ->type_name("NAME");
     command
         ->add_option("--glare", a->session.glare,

@@ -22,12 +22,13 @@ class Governor {
 public:
     Governor(double frames_per_s, std::vector<render::HazeQuality> levels);
 
-    // A frame in which lights were drawn took so long. True: quality() or holds() changed.
-    bool add(double frame_ms);
+    // A frame in which lights were drawn took so long, haze that much of it. True: quality() or holds()
+    // changed.
+    bool add(double frame_ms, double haze_ms);
 
     const render::HazeQuality& quality() const { return levels_[level_]; }
     std::size_t level() const { return level_; }
-    // False: even the lowest level is too slow.
+    // False: even the lowest level is too slow, or what is slow is not haze, which then stays as it is.
     bool holds() const { return holds_; }
     // The level and why, for people; empty where the best level is good enough.
     std::string note() const;
@@ -35,28 +36,34 @@ public:
 private:
     static constexpr std::size_t kWindow = 5; // frames
 
-    double median_ms() const;
+    struct Times { // medians
+        double frame_ms;
+        double haze_ms;
+    };
+
     // Time of a frame at a better level, as seen when the level changed.
-    double at_better_level_ms(double ms) const { return ms * ratios_[level_ - 1]; }
-    void learn(double ms);
-    bool lower(double ms);
-    bool raise(double ms);
-    void go_to(std::size_t level, double ms);
+    double at_better_level_ms(const Times& times) const;
+    void learn(double haze_ms);
+    bool lower(const Times& times);
+    bool raise(const Times& times);
+    void go_to(std::size_t level, const Times& times);
 
     std::vector<render::HazeQuality> levels_;
     double frames_per_s_;
     double target_ms_;
-    std::vector<double> ratios_; // time at level i over time at level i + 1
+    std::vector<double> ratios_; // time of haze at level i over that at level i + 1
     std::size_t level_ = 0;
-    std::array<double, kWindow> recent_ms_{};
+    std::array<double, kWindow> recent_frame_ms_{};
+    std::array<double, kWindow> recent_haze_ms_{};
     std::size_t seen_ = 0; // frames since the level changed
     std::size_t level_before_ = 0;
-    double before_ms_ = 0; // median at the level before; 0: it was learnt from
-    double since_s_ = 0;   // time at this level
-    double calm_s_ = 0;    // time in which the better level would have been fast enough
-    double wait_s_;        // until the next try
-    double noted_ms_ = 0;  // why the level was chosen
-    bool raised_ = false;  // how this level was reached
+    double before_haze_ms_ = 0; // median at the level before; 0: it was learnt from
+    double since_s_ = 0;        // time at this level
+    double calm_s_ = 0;         // time in which the better level would have been fast enough
+    double wait_s_;             // until the next try
+    double noted_ms_ = 0;       // why the level was chosen
+    bool raised_ = false;       // how this level was reached
+    bool haze_is_slow_ = true;  // when a frame last was too slow
     bool holds_ = true;
 };
 

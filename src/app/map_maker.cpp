@@ -6,6 +6,8 @@
 #include "scene/distance_maps_file.h"
 
 #include <algorithm>
+#include <exception>
+#include <string>
 #include <utility>
 
 namespace ghost::app {
@@ -42,9 +44,13 @@ void MapMaker::run() {
     };
     Outcome outcome;
     scene::DistanceMaps maps;
-    const auto stats = bake::update_distance_maps(show_, stage_, options, maps, outcome.report);
-    if (!stats.ok()) outcome.error = stats.error();
-    outcome.interrupted = stats.ok() && stats->interrupted;
+    try {
+        const auto stats = bake::update_distance_maps(show_, stage_, options, maps, outcome.report);
+        if (!stats.ok()) outcome.error = stats.error();
+        outcome.interrupted = stats.ok() && stats->interrupted;
+    } catch (const std::exception& problem) { // no memory: the picture goes on without the rest
+        outcome.error = Error{std::string("making distance maps: ") + problem.what(), show_.file.string()};
+    }
 
     const std::vector<scene::DistancePlace> places = scene::distance_places(show_);
     const std::lock_guard lock(mutex_);

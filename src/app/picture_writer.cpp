@@ -5,9 +5,17 @@
 #include "image/exr.h"
 #include "image/ldr.h"
 
+#include "base/files.h"
+
 #include <cstdio>
+#include <utility>
 
 namespace ghost::app {
+namespace {
+
+constexpr std::uintmax_t kMaxPictureBytes = std::uintmax_t{1} << 31; // of 8192x8192 in floats: 0.8 GB
+
+} // namespace
 
 Result<OutputKind> output_kind(const std::filesystem::path& path) {
     const std::string ending = path.extension().string();
@@ -29,26 +37,45 @@ Result<std::unique_ptr<PictureWriter>> PictureWriter::create(const std::filesyst
     return writer;
 }
 
+std::filesystem::path PictureWriter::next_path() {
+    if (!numbered_) return path_;
+    char number[16];
+    std::snprintf(number, sizeof number, "-%05d", count_++);
+    std::filesystem::path path = path_;
+    path.replace_filename(path_.stem().string() + number + path_.extension().string());
+    return path;
+}
+
 Result<void> PictureWriter::add(const render::Relighter& relighter, const std::string& caption) {
     image::Image8 picture;
     if (kind_ != OutputKind::exr) {
         picture = relighter.picture();
         draw_caption(picture, caption);
     }
-    if (kind_ == OutputKind::film) return film_->add(picture.samples.data());
-    std::filesystem::path path = path_;
-    if (numbered_) {
-        char number[16];
-        std::snprintf(number, sizeof number, "-%05d", count_++);
-        path.replace_filename(path_.stem().string() + number + path_.extension().string());
+    if (kind_ == OutputKind::film) {
+        last_frame_ = std::move(picture);
+        return film_->add(last_frame_.samples.data());
     }
-    if (kind_ == OutputKind::png) return image::write_png(path, picture);
+    last_path_ = next_path();
+    if (kind_ == OutputKind::png) return image::write_png(last_path_, picture);
     image::ExrFile file;
     file.pixels = relighter.frame();
     file.channels = {"R", "G", "B"};
     file.chromaticities = image::kRec2020;
     file.text["unit"] = "cd/m^2";
-    return image::write_exr(path, file, image::ExrSample::full);
+    return image::write_exr(last_path_, file, image::ExrSample::full);
+}
+
+Result<void> PictureWriter::repeat(long times) {
+    for (; times > 0; --times) {
+        if (kind_ == OutputKind::film) {
+            TRY_VOID(film_->add(last_frame_.samples.data()));
+            continue;
+        }
+        TRY(const std::vector<std::uint8_t> bytes, read_file(last_path_, kMaxPictureBytes));
+        TRY_VOID(write_file_atomic(next_path(), bytes));
+    }
+    return {};
 }
 
 Result<void> PictureWriter::finish() {

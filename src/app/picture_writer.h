@@ -23,16 +23,21 @@ public:
                                                          int height, int fps, bool numbered);
     // caption: burnt into the picture, but not into EXR.
     Result<void> add(const render::Relighter& relighter, const std::string& caption = {});
+    // The last picture again, so often.
+    Result<void> repeat(long times);
     Result<void> finish();
 
 private:
     PictureWriter() = default;
+    std::filesystem::path next_path();
 
     std::filesystem::path path_;
     OutputKind kind_ = OutputKind::png;
     bool numbered_ = false;
     int count_ = 0;
     std::unique_ptr<video::FilmWriter> film_;
+    image::Image8 last_frame_;        // of a film
+    std::filesystem::path last_path_; // of a picture
 };
 
 } // namespace ghost::app

@@ -235,6 +235,10 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     std::size_t printed = report.messages.size();
 
     TRY(session->camera, session->show->find_camera(options.view));
+    if (!options.travel.empty()) {
+        TRY(const std::size_t end, session->show->find_camera(options.travel));
+        session->travel_to = session->show->cameras[end];
+    }
     scene::Camera camera = options.eye.value_or(session->show->cameras[session->camera]);
     if (options.width > 0) {
         camera.width = options.width;
@@ -262,7 +266,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
         const LiveOptions live{options.shadows && session->show->shadows, options.maps_in_background,
                                options.quiet};
         TRY(session->live, LiveView::open(*session->device, *session->show, camera, live, report));
-        scene::check_places(*session->show, session->live->stage(), camera, report);
+        scene::check_places(*session->show, session->live->stage(), {&camera, 1}, report);
         print_report(report, printed);
     }
     const auto light_count = static_cast<int>(session->lights().size());

@@ -30,6 +30,7 @@ struct SessionOptions {
     std::optional<float> ev100;       // instead of the camera's
     bool live = false;                // a free camera: no passes
     std::optional<scene::Camera> eye; // instead of a camera of the show; live only
+    std::string travel;               // a camera to fly to; live only
     bool shadows = true;              // live only
     bool maps_in_background = false;  // live only: LiveOptions
     float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
@@ -44,6 +45,7 @@ struct Session {
     scene::Report report;              // already printed
     std::unique_ptr<scene::Show> show; // address is kept by the rig
     std::size_t camera = 0;
+    std::optional<scene::Camera> travel_to;
     scene::Passes passes; // without the light pictures, which are on the device
     scene::GoboStack gobos;
     std::unique_ptr<scene::Rig> rig;

@@ -4,6 +4,7 @@
 #include "bake/camera_bake.h"
 #include "bake/keys.h"
 #include "bake/tracer.h"
+#include "scene/stage_checks.h"
 
 #include <algorithm>
 #include <memory>
@@ -49,7 +50,12 @@ Result<BakeStats> bake_all(const scene::Show& show, const BakeOptions& options, 
 
     // Building the ray tracer takes longer than finding out that nothing changed.
     std::optional<Tracer> tracer;
-    if (work > 0) tracer.emplace(stage);
+    if (work > 0) {
+        tracer.emplace(stage);
+        std::vector<scene::Camera> cameras;
+        for (const std::size_t index : chosen) cameras.push_back(show.cameras[index]);
+        scene::check_places(show, stage, cameras, report);
+    }
     std::mutex mutex;
     double done = 0;
     std::string note;

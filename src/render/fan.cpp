@@ -16,15 +16,15 @@ constexpr double kParallel = 1e-6;     // sine below which pole and axis are one
 constexpr double kNearRim = 1.05;
 constexpr double kDeepInside = 0.7; // from here to the rim more and more rows lie where the beam is
 
-// Twice as many rows as the beam is pixels wide where it is as far from the lamp as from the eye (with one a
-// pixel a gobo loses 8 dB).
+// With a gobo twice as many rows as the beam is pixels wide where it is as far from the lamp as from the eye
+// (with one a pixel a gobo loses 8 dB, an open beam less than one).
 std::uint32_t size_of(const shared::Light& light, bool surrounds, float pixels_per_rad) {
-    if (surrounds) return shared::kFinestFan;
-    const float rows = 2.0f * 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
-    const float steps = std::ceil(rows / static_cast<float>(kFanStep));
-    return static_cast<std::uint32_t>(std::clamp(steps * static_cast<float>(kFanStep),
-                                                 static_cast<float>(kCoarsestFan),
-                                                 static_cast<float>(shared::kFinestFan)));
+    const bool open = light.wheel_count == 0;
+    const std::uint32_t finest = open ? shared::kFinestFan / 2 : shared::kFinestFan;
+    if (surrounds) return finest;
+    const float pixels = 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
+    const float steps = std::ceil((open ? 1.0f : 2.0f) * pixels / static_cast<float>(kFanStep));
+    return std::clamp(static_cast<std::uint32_t>(steps * static_cast<float>(kFanStep)), kCoarsestFan, finest);
 }
 
 } // namespace

@@ -13,9 +13,11 @@
 #include "shaders/surface_live.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
+#include <string_view>
 #include <utility>
 
 namespace ghost::render {
@@ -36,6 +38,14 @@ std::uint32_t batch_size(const gpu::Device& device, const Settings& settings) {
 }
 
 } // namespace
+
+double FrameStatistics::haze_ms() const {
+    constexpr std::array<std::string_view, 5> kOfHaze{"haze", "fan", "gate", "lonely", "spread"};
+    double sum = 0;
+    for (const gpu::Span& span : spans)
+        if (std::find(kOfHaze.begin(), kOfHaze.end(), span.name) != kOfHaze.end()) sum += span.ms;
+    return sum;
+}
 
 int image_slots(std::uint64_t memory_bytes, int width, int height, int light_count) {
     const std::uint64_t image =

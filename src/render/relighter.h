@@ -59,6 +59,8 @@ struct FrameStatistics {
     int surface_tiles = 0;        // the same for surfaces; blocks of extra fragments count as tiles
     double draw_ms = 0;           // whole draw(), waiting included
     std::vector<gpu::Span> spans; // GPU time
+
+    double haze_ms() const; // of that
 };
 
 class Relighter {

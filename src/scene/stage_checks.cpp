@@ -234,13 +234,14 @@ int instance_around(const Stage& stage, const vec3& point_m) {
     return Around(stage).find(point_m);
 }
 
-void check_places(const Show& show, const Stage& stage, const Camera& camera, Report& report) {
+void check_places(const Show& show, const Stage& stage, std::span<const Camera> cameras, Report& report) {
     check_optics(show, report);
     Around around(stage);
-    if (const int object = around.find(camera.position_m); object != kNone)
-        report.add(Severity::warning, show.file.string(),
-                   "camera '" + camera.name + "' stands inside '" + name_of(stage, object) +
-                       "' and sees that from within");
+    for (const Camera& camera : cameras)
+        if (const int object = around.find(camera.position_m); object != kNone)
+            report.add(Severity::warning, show.file.string(),
+                       "camera '" + camera.name + "' stands inside '" + name_of(stage, object) +
+                           "' and sees that from within");
     for (const PatchedFixture& fixture : show.fixtures) {
         if (!fixture.type) continue;
         for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop)

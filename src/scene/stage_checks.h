@@ -8,6 +8,7 @@
 #include "scene/stage.h"
 
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 
 namespace ghost::scene {
@@ -24,8 +25,8 @@ double winding_number(const Mesh& mesh, const glm::mat4& world, const glm::vec3&
 int instance_around(const Stage& stage, const glm::vec3& point_m);
 
 // Cameras and lights that stand inside an object, lenses without size, zooms and fields wider or narrower
-// than can be drawn. camera may be one that the show does not have. stage: stage_with_bodies or the model
-// alone.
-void check_places(const Show& show, const Stage& stage, const Camera& camera, Report& report);
+// than can be drawn. cameras: those that are asked about; the show need not have them. stage:
+// stage_with_bodies or the model alone.
+void check_places(const Show& show, const Stage& stage, std::span<const Camera> cameras, Report& report);
 
 } // namespace ghost::scene

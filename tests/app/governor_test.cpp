@@ -43,15 +43,16 @@ double unit(std::mt19937& random) {
 }
 
 Outcome run(Governor& governor, int frames, const std::function<double(int)>& full_ms,
-            const std::vector<double>& shares = kShares, const Noise& noise = none, std::uint32_t seed = 1) {
+            const std::vector<double>& shares = kShares, const Noise& noise = none, std::uint32_t seed = 1,
+            double rest_ms = 0) {
     std::mt19937 random(seed);
     Outcome result;
     for (int frame = 0; frame < frames; ++frame) {
         const std::size_t level = governor.level();
         EXPECT_LT(level, shares.size());
         const double ms = full_ms(frame) * shares[std::min(level, shares.size() - 1)] * noise(random);
-        result.late += ms > 1000 / kFps ? 1.0 / frames : 0.0;
-        governor.add(ms);
+        result.late += ms + rest_ms > 1000 / kFps ? 1.0 / frames : 0.0;
+        governor.add(ms + rest_ms, ms);
         result.level_of_frame.push_back(governor.level());
         if (governor.level() == level) continue;
         ++result.changes;
@@ -182,7 +183,7 @@ TEST(Governor, what_cannot_be_held_stays_at_the_lowest_level_and_says_so_once) {
     int told = 0;
     for (int frame = 0; frame < 1000; ++frame) {
         const std::size_t level = governor.level();
-        told += governor.add(400 * kShares[governor.level()]) && governor.level() == level ? 1 : 0;
+        told += governor.add(400 * kShares[level], 400 * kShares[level]) && governor.level() == level ? 1 : 0;
     }
     EXPECT_EQ(told, 1);
     EXPECT_EQ(governor.level(), levels().size() - 1);
@@ -193,6 +194,28 @@ TEST(Governor, what_cannot_be_held_stays_at_the_lowest_level_and_says_so_once) {
     const Outcome after = run(governor, 3000, [](int) { return 20.0; });
     EXPECT_EQ(after.last, 0u);
     EXPECT_TRUE(governor.holds());
+}
+
+TEST(Governor, haze_stays_as_it_is_where_something_else_is_slow) {
+    Governor governor(kFps, levels());
+    const auto little = [](int) { return 10.0; };
+    const Outcome slow = run(governor, 1000, little, kShares, none, 1, 50);
+    EXPECT_EQ(slow.changes, 0);
+    EXPECT_FALSE(governor.holds());
+    EXPECT_EQ(governor.note(), "too slow for 25 fps (now 60 ms), and haze is not what takes the time");
+    run(governor, 20, little, kShares, none, 1, 20);
+    EXPECT_TRUE(governor.holds());
+    EXPECT_EQ(governor.note(), "");
+}
+
+// 20 ms of each frame are not haze: 40 ms of haze must become half.
+TEST(Governor, what_is_not_haze_is_not_expected_to_get_less) {
+    Governor governor(kFps, levels());
+    const Outcome outcome = run(
+        governor, 3000, [](int) { return 40.0; }, kShares, none, 1, 20);
+    EXPECT_EQ(outcome.last, 4u);
+    EXPECT_TRUE(governor.holds());
+    EXPECT_LT(outcome.late, 0.02);
 }
 
 TEST(Governor, notes_say_what_was_lowered_and_why) {

@@ -129,6 +129,18 @@ class Usage(Case):
         self.fails(done, 1, "huose", "'house'")
         self.only(out)
         self.fails(run("bake", WORK / "demo", "--view", "huose"), 1, "'house'")
+        flight = run("render", WORK / "demo", "-o", out / "a.mp4", "--from", "1", "--to", "2", "--travel", "clos", "--size", SIZE)
+        self.fails(flight, 1, "did you mean 'close'", "(cameras: 'house', 'close', 'high')")
+        self.only(out)
+
+    def test_camera_inside_an_object_is_said_by_all_who_look(self):
+        folder = copy_demo("inside")
+        edit(folder / "show.toml", "position_m = [0.0, -15.5, 4.2]", "position_m = [0.0, 6.7, 1.35]")
+        said = "stands inside 'riser_drums'"
+        self.assertIn(said, run("check", folder).text)
+        picture = ("-o", self.out() / "a.png", "--size", SIZE, "--at", "20")
+        self.assertIn(said, run("render", folder, *picture).text)
+        self.assertIn(said, run("render", folder, "--live", "--no-shadows", *picture).text)
 
     def test_output_must_be_a_kind_that_we_write(self):
         self.fails(run("render", WORK / "demo", "-o", self.out() / "a.gif"), 2, ".png", ".exr", ".mp4")

@@ -1,0 +1,68 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What the command render does once a show is open: pictures of a recording, or of what a desk sends now.
+// Film time is seconds from its first frame. Errors: what cannot be read or written. Main thread.
+
+#include "app/input_options.h"
+#include "app/picture_writer.h"
+#include "app/reference_render.h"
+#include "app/session.h"
+
+#include <string>
+#include <vector>
+
+namespace ghost::app {
+
+struct RenderArguments {
+    SessionOptions session;
+    InputOptions input;
+    std::string out;
+    std::string size;
+    std::string beams = "gate";
+    std::string replay;
+    double at_s = -1;
+    double from_s = -1;
+    double to_s = -1;
+    int fps = 30;
+    bool live_input = false;
+    double seconds = 10;
+    int hold_fps = 0; // 0: quality stays
+    bool no_caption = false;
+    float ev100 = 0;
+    bool has_ev100 = false;
+    int image_memory_mb = 1024;
+    std::vector<float> eye_m;
+    std::vector<float> target_m;
+    float fov_y_deg = 40;
+    bool no_shadows = false;
+    ReferenceArguments reference;
+    bool json = false;
+};
+
+struct Tally {
+    std::vector<double> draw_ms;
+    std::vector<double> latency_ms; // packet to picture
+    int late = 0;                   // film frames that repeat a picture because drawing took too long
+    int additions = 0;
+    int drawn = 0;
+    int quality_changes = 0;
+    std::size_t quality_level = 0; // 0 is the best
+
+    void add(const render::FrameStatistics& frame) {
+        draw_ms.push_back(frame.draw_ms);
+        additions += frame.additions;
+        drawn += frame.drawn;
+    }
+};
+
+void print_tally(const RenderArguments& arguments, const Session& session, const Tally& tally);
+
+// The rig is run from the start of the recording, because wheels and gobos turn: a frame is the same wherever
+// it is asked from.
+Result<void> render_recording(const RenderArguments& arguments, Session& session, PictureWriter& writer,
+                              Tally& tally);
+// Film time is wall time: a picture that takes longer than a frame is shown for several.
+Result<void> render_live(const RenderArguments& arguments, Session& session, PictureWriter& writer,
+                         Tally& tally);
+
+} // namespace ghost::app

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/interrupt.h"
+#include "app/render_film.h"
+#include "dmx/recording.h"
+
+#include "base/log.h"
+#include "base/progress.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace ghost::app {
+
+Result<void> render_recording(const RenderArguments& arguments, Session& session, PictureWriter& writer,
+                              Tally& tally) {
+    const std::filesystem::path file =
+        arguments.replay.empty() ? session.show->recording : std::filesystem::path(arguments.replay);
+    if (arguments.replay.empty() && session.show->recording.empty())
+        return Error{"has no recording; name one with --replay FILE, or listen to a desk with --live-input",
+                     session.show->file.string()};
+    TRY(dmx::Recording recording, dmx::read_recording(file));
+    for (const Error& problem : recording.problems) log_warning(problem.text());
+    const dmx::Player player(std::move(recording));
+
+    const double fps = arguments.fps;
+    const bool still = arguments.from_s < 0 && arguments.to_s < 0;
+    const double at_s = arguments.at_s >= 0 ? arguments.at_s : 0.0;
+    const auto first = static_cast<long>(std::lround((still ? at_s : std::max(arguments.from_s, 0.0)) * fps));
+    const long last =
+        still ? first : std::lround((arguments.to_s >= 0 ? arguments.to_s : player.duration_s()) * fps) - 1;
+    if (last < first) return Error{"the range is empty: --to must be later than --from", "--from/--to"};
+
+    if (static_cast<double>(first) / fps > player.duration_s())
+        log_warning("the recording ends at " + std::to_string(player.duration_s()) +
+                    " s; what is drawn is its last look");
+    const scene::Camera start = session.show->cameras[session.camera];
+    catch_interrupts();
+    const auto now_s = [] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+    };
+    Progress progress(
+        "rendering",
+        arguments.session.quiet || still ? Progress::Style::silent : Progress::style_for_stderr(), now_s());
+    for (long frame = 0; frame <= last; ++frame) {
+        if (interrupted()) break;
+        session.rig->step(player.at(static_cast<double>(frame) / fps), 1.0 / fps);
+        if (frame < first) continue;
+        if (session.travel_to)
+            session.look_from(camera_between(start, *session.travel_to,
+                                             static_cast<float>(frame - first) /
+                                                 static_cast<float>(std::max(last - first, 1L))));
+        tally.add(session.draw(static_cast<double>(frame) / fps));
+        TRY_VOID(writer.add(*session.relighter));
+        progress.update(static_cast<double>(frame - first + 1) / static_cast<double>(last - first + 1),
+                        now_s(), arguments.out);
+    }
+    progress.finish();
+    return {};
+}
+
+} // namespace ghost::app

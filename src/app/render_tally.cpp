@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/render_film.h"
+
+#include "base/log.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace ghost::app {
+namespace {
+
+double percentile(std::vector<double> values, double share) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+} // namespace
+
+void print_tally(const RenderArguments& arguments, const Session& session, const Tally& tally) {
+    const double median = percentile(tally.draw_ms, 0.5);
+    const double p99 = percentile(tally.draw_ms, 0.99);
+    if (arguments.json) {
+        nlohmann::json row{{"out", arguments.out},
+                           {"device", session.device->name()},
+                           {"width", session.relighter->width()},
+                           {"height", session.relighter->height()},
+                           {"frames", tally.draw_ms.size()},
+                           {"draw_ms_median", median},
+                           {"draw_ms_p99", p99},
+                           {"lights_drawn", tally.drawn},
+                           {"additions", tally.additions},
+                           {"ev100", session.relighter->ev100_used()}};
+        if (arguments.live_input) {
+            row["late_frames"] = tally.late;
+            row["packet_to_picture_ms_median"] = percentile(tally.latency_ms, 0.5);
+            row["packet_to_picture_ms_p99"] = percentile(tally.latency_ms, 0.99);
+            row["frames_with_new_packets"] = tally.latency_ms.size();
+            row["quality_level"] = tally.quality_level;
+            row["quality_changes"] = tally.quality_changes;
+        }
+        std::printf("%s\n", row.dump().c_str());
+        return;
+    }
+    const std::size_t drawn = tally.draw_ms.size();
+    const std::string frames = std::to_string(drawn + static_cast<std::size_t>(tally.late)) + " frames";
+    log_info(arguments.out + ": " + frames + (tally.late > 0 ? ", " + std::to_string(drawn) + " drawn" : "") +
+             ", " + std::to_string(median) + " ms a drawing (median), " + std::to_string(p99) + " ms (99 %)");
+    if (arguments.live_input && !tally.latency_ms.empty())
+        log_info("packet to picture: " + std::to_string(percentile(tally.latency_ms, 0.5)) +
+                 " ms (median); " + std::to_string(tally.late) +
+                 " film frames repeat a picture because drawing took longer than a frame");
+}
+
+} // namespace ghost::app
