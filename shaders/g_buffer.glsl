@@ -87,7 +87,13 @@ void main() {
     if ((kTextures & kNormalTexture) != 0u) {
         vec3 tangent = unit_or(in_tangent.xyz - front * dot(front, in_tangent.xyz), vec3(0.0));
         vec3 bitangent = cross(front, tangent) * (in_tangent.w < 0.0 ? -1.0 : 1.0);
-        vec3 map = texture(normal_texture, at).rgb * 2.0 - 1.0;
+        vec4 texel = texture(normal_texture, at);
+        vec3 map = texel.rgb * 2.0 - 1.0;
+        // Bumps too small to be seen scatter as a rougher surface does: alpha holds the root of the variance of their slopes,
+        // of which a Beckmann lobe has half its alpha squared (Toksvig 2005).
+        float spread = texel.a * p.normal_scale;
+        float alpha = roughness * roughness;
+        roughness = sqrt(sqrt(alpha * alpha + 2.0 * spread * spread));
         normal = unit_or((tangent * map.x + bitangent * map.y) * p.normal_scale + front * max(map.z, 0.01), front);
     }
     out_base = vec4(max(base.rgb, vec3(0.0)), clamp(roughness, 0.0, 1.0));

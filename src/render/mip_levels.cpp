@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/glm.hpp>
+#include <utility>
 
 namespace ghost::render {
 namespace {
@@ -53,14 +55,69 @@ image::Image8 halved(const image::Image8& from, bool srgb) {
     return to;
 }
 
+// Mean normals: the more they differ, the shorter.
+struct Normals {
+    int width = 0;
+    int height = 0;
+    std::vector<glm::vec3> mean;
+
+    const glm::vec3& at(int x, int y) const {
+        return mean[static_cast<std::size_t>(std::min(y, height - 1) * width + std::min(x, width - 1))];
+    }
+};
+
+Normals normals_of(const image::Image8& pixels) {
+    Normals normals{pixels.width, pixels.height, {}};
+    for (int y = 0; y < pixels.height; ++y)
+        for (int x = 0; x < pixels.width; ++x) {
+            const std::uint8_t* texel = pixels.at(x, y);
+            const glm::vec3 map = glm::vec3(texel[0], texel[1], texel[2]) / 127.5f - 1.0f;
+            const float length = glm::length(map);
+            normals.mean.push_back(length > 1e-3f ? map / length : glm::vec3(0, 0, 1));
+        }
+    return normals;
+}
+
+Normals halved(const Normals& from) {
+    Normals to{std::max(from.width / 2, 1), std::max(from.height / 2, 1), {}};
+    for (int y = 0; y < to.height; ++y)
+        for (int x = 0; x < to.width; ++x)
+            to.mean.push_back(0.25f * (from.at(2 * x, 2 * y) + from.at(2 * x + 1, 2 * y) +
+                                       from.at(2 * x, 2 * y + 1) + from.at(2 * x + 1, 2 * y + 1)));
+    return to;
+}
+
+std::uint8_t to_byte(float value) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
+}
+
+image::Image8 encoded(const Normals& normals) {
+    image::Image8 pixels(normals.width, normals.height, 4);
+    for (std::size_t k = 0; k < normals.mean.size(); ++k) {
+        const float length = std::clamp(glm::length(normals.mean[k]), 1e-3f, 1.0f);
+        const glm::vec3 unit = normals.mean[k] / length;
+        std::uint8_t* texel = pixels.samples.data() + 4 * k;
+        for (int c = 0; c < 3; ++c) texel[c] = to_byte(0.5f + 0.5f * unit[c]);
+        texel[3] = to_byte(std::sqrt((1.0f - length) / length));
+    }
+    return pixels;
+}
+
 } // namespace
 
-std::vector<image::Image8> mip_levels(const image::Image8& pixels, bool srgb, int first) {
+std::vector<image::Image8> mip_levels(const image::Image8& pixels, TextureUse use, int first) {
     std::vector<image::Image8> levels;
+    const bool bumps = use == TextureUse::bumps;
+    Normals normals = bumps ? normals_of(pixels) : Normals{};
     image::Image8 level = pixels;
+    if (bumps)
+        for (std::size_t k = 3; k < level.samples.size(); k += 4) level.samples[k] = 0;
     for (int k = 0;; ++k) {
         const bool last = level.width == 1 && level.height == 1;
-        image::Image8 next = last ? image::Image8() : halved(level, srgb);
+        if (bumps && !last) normals = halved(normals);
+        image::Image8 next = last    ? image::Image8()
+                             : bumps ? encoded(normals)
+                                     : halved(level, use == TextureUse::colour);
         if (k >= first || last) levels.push_back(std::move(level));
         if (last) return levels;
         level = std::move(next);

@@ -3,7 +3,6 @@
 
 #include "base/check.h"
 #include "base/log.h"
-#include "render/mip_levels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +15,6 @@ namespace ghost::render {
 namespace {
 
 constexpr float kLeastVolume = 1e-18f; // below, an instance is flat: the baker leaves it out too
-constexpr int kLevelsLost = 6;         // at most, of textures that are too large
 
 bool finite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
@@ -42,29 +40,11 @@ std::array<std::int16_t, 4> to_signed(const glm::vec4& v) {
     return out;
 }
 
-bool there(const scene::Stage& stage, int texture) {
-    if (texture < 0 || texture >= static_cast<int>(stage.textures.size())) return false;
-    const image::Image8& pixels = stage.textures[static_cast<std::size_t>(texture)].pixels;
-    return pixels.channels == 4 && !pixels.empty();
-}
-
 float sane(float value, float fallback) {
     return std::isfinite(value) ? value : fallback;
 }
 glm::vec3 sane(const glm::vec3& value) {
     return {sane(value.x, 0.0f), sane(value.y, 0.0f), sane(value.z, 0.0f)};
-}
-
-std::uint64_t bytes_of(const image::Image8& pixels, int lost) {
-    const auto width = static_cast<std::uint64_t>(std::max(pixels.width >> lost, 1));
-    const auto height = static_cast<std::uint64_t>(std::max(pixels.height >> lost, 1));
-    return width * height * 4 * 4 / 3;
-}
-
-int lost_levels(const image::Image8& pixels, int most_side) {
-    int lost = 0;
-    while (std::max(pixels.width, pixels.height) >> lost > most_side) ++lost;
-    return lost;
 }
 
 // A tangent for each vertex, from the triangles around it.
@@ -103,62 +83,6 @@ StageModel::StageModel(const gpu::Device& device, const scene::Stage& stage, sce
     add_instances(stage, report);
 }
 
-void StageModel::add_textures(const scene::Stage& stage, scene::Report& report, std::uint64_t texture_bytes) {
-    textures_.emplace_back(device_,
-                           gpu::TextureShape{1, 1, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, false, true, true});
-    constexpr std::uint32_t kWhite = 0xffffffffu;
-    textures_.back().write(0, &kWhite, sizeof kWhite);
-
-    std::uint64_t whole_bytes = 0;
-    int most_side = 1;
-    const auto want = [&](int texture, bool srgb) {
-        if (!there(stage, texture) || !texture_of_.emplace(std::pair{texture, srgb}, 0).second) return;
-        const image::Image8& pixels = stage.textures[static_cast<std::size_t>(texture)].pixels;
-        whole_bytes += bytes_of(pixels, 0);
-        most_side = std::max({most_side, pixels.width, pixels.height});
-    };
-    const auto is_colour = [&](int texture) {
-        return there(stage, texture) && stage.textures[static_cast<std::size_t>(texture)].is_colour;
-    };
-    for (const scene::Material& material : stage.materials) {
-        want(material.base_texture, is_colour(material.base_texture));
-        want(material.emission_texture, is_colour(material.emission_texture));
-        want(material.normal_texture, false);
-        want(material.surface_texture, false);
-    }
-    const std::uint64_t budget = std::min(texture_bytes, device_.local_memory_bytes() / 4);
-    const int whole_side = most_side;
-    std::uint64_t bytes = whole_bytes;
-    for (int lost = 0; bytes > budget && lost < kLevelsLost; ++lost) {
-        most_side = std::max(most_side / 2, 1);
-        bytes = 0;
-        for (const auto& entry : texture_of_) {
-            const image::Image8& pixels = stage.textures[static_cast<std::size_t>(entry.first.first)].pixels;
-            bytes += bytes_of(pixels, lost_levels(pixels, most_side));
-        }
-    }
-    if (most_side < whole_side)
-        report.add(scene::Severity::warning, "textures",
-                   "they need " + std::to_string(whole_bytes >> 20) + " MiB on the device, more than " +
-                       std::to_string(budget >> 20) + " MiB: drawn with at most " +
-                       std::to_string(most_side) + " texels a side");
-    for (auto& [key, index] : texture_of_) {
-        const image::Image8& pixels = stage.textures[static_cast<std::size_t>(key.first)].pixels;
-        const std::vector<image::Image8> levels =
-            mip_levels(pixels, key.second, lost_levels(pixels, most_side));
-        index = textures_.size();
-        textures_.emplace_back(
-            device_, gpu::TextureShape{static_cast<std::uint32_t>(levels[0].width),
-                                       static_cast<std::uint32_t>(levels[0].height), 1,
-                                       static_cast<std::uint32_t>(levels.size()),
-                                       key.second ? VK_FORMAT_R8G8B8A8_SRGB : VK_FORMAT_R8G8B8A8_UNORM, false,
-                                       true, true});
-        for (std::size_t k = 0; k < levels.size(); ++k)
-            textures_.back().write(static_cast<std::uint32_t>(k), levels[k].samples.data(),
-                                   levels[k].samples.size());
-    }
-}
-
 void StageModel::add_surfaces(const scene::Stage& stage) {
     std::vector<scene::Material> materials = stage.materials;
     if (materials.empty()) materials.emplace_back();
@@ -176,13 +100,11 @@ void StageModel::add_surfaces(const scene::Stage& stage) {
         surface.alpha = material.alpha_mode == scene::AlphaMode::mask    ? shared::kMask
                         : material.alpha_mode == scene::AlphaMode::blend ? shared::kBlend
                                                                          : shared::kOpaque;
-        const std::array<int, 4> wanted{material.base_texture, material.normal_texture,
-                                        material.surface_texture, material.emission_texture};
+        const std::array<int, 4> wanted = textures_of(material);
         for (std::size_t k = 0; k < wanted.size(); ++k) {
-            if (!there(stage, wanted[k])) continue;
-            const bool srgb =
-                (k == 0 || k == 3) && stage.textures[static_cast<std::size_t>(wanted[k])].is_colour;
-            surface.texture[k] = texture_of_.at({wanted[k], srgb});
+            const auto found = texture_of_.find({wanted[k], use_of(stage, wanted[k], k)});
+            if (found == texture_of_.end()) continue;
+            surface.texture[k] = found->second;
             surface.textures |= 1u << k;
         }
         surfaces_.push_back(surface);

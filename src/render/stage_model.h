@@ -9,6 +9,7 @@
 #include "gpu/buffer.h"
 #include "gpu/raster.h"
 #include "gpu/texture.h"
+#include "render/mip_levels.h"
 #include "scene/report.h"
 #include "scene/stage.h"
 #include "shared/g_buffer.h"
@@ -103,6 +104,9 @@ private:
     // False: it does not reach into the view.
     bool place(const Instance& instance, const glm::vec3& eye_m, const std::vector<glm::vec4>& planes,
                MovingDraw& placed) const;
+    // Of a material: base, normal, surface, emission; negative: none. And how one of these slots is read.
+    static std::array<int, 4> textures_of(const scene::Material& material);
+    static TextureUse use_of(const scene::Stage& stage, int texture, std::size_t slot);
     void add_textures(const scene::Stage& stage, scene::Report& report, std::uint64_t texture_bytes);
     void add_surfaces(const scene::Stage& stage);
     void add_meshes(const scene::Stage& stage, scene::Report& report);
@@ -115,8 +119,8 @@ private:
     std::vector<std::size_t> moving_; // by alpha, mesh, instance
     std::uint64_t still_revision_ = 0;
     std::vector<Surface> surfaces_;
-    std::vector<gpu::Texture> textures_;                     // 0: white
-    std::map<std::pair<int, bool>, std::size_t> texture_of_; // scene texture, read as sRGB
+    std::vector<gpu::Texture> textures_;                           // 0: white
+    std::map<std::pair<int, TextureUse>, std::size_t> texture_of_; // by texture of the scene
     gpu::Buffer vertices_, indices_, materials_;
 };
 
