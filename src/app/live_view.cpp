@@ -8,6 +8,7 @@
 #include "scene/distance_maps_file.h"
 
 #include "base/log.h"
+#include "base/memory.h"
 #include "base/progress.h"
 
 #include <chrono>
@@ -22,11 +23,37 @@ double steady_now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// 2 MB a light, and from kManyLights on half a megabyte: shadows get coarser, not fewer.
-int map_size(const scene::Show& show) {
+// 2 MB a light, and from kManyLights on half a megabyte: shadows get coarser, not fewer. The same where the
+// machine's memory does not hold what the show asks for.
+int map_size(const scene::Show& show, scene::Report& report) {
     constexpr std::size_t kManyLights = 256;
-    if (show.distance_map_size > 0) return show.distance_map_size;
-    return show.fixtures.size() < kManyLights ? 2 * scene::kDistanceMapSize : scene::kDistanceMapSize;
+    const bool few = show.fixtures.size() < kManyLights;
+    const int wanted = show.distance_map_size > 0 ? show.distance_map_size
+                       : few                      ? 2 * scene::kDistanceMapSize
+                                                  : scene::kDistanceMapSize;
+    const std::uint64_t room = free_memory_bytes() / 2; // drawing needs some, too
+    const std::uint64_t count = scene::distance_places(show).size();
+    const auto bytes = [&](int size) {
+        return count * sizeof(std::uint16_t) * static_cast<std::uint64_t>(size) *
+               static_cast<std::uint64_t>(size);
+    };
+    int size = wanted;
+    while (room > 0 && size > scene::kMinDistanceMapSize && bytes(size) > room) size /= 2;
+    if (size < wanted)
+        report.add(scene::Severity::warning, show.file.string(),
+                   "memory is short for " + std::to_string(count) + " distance maps of " +
+                       std::to_string(wanted) + " texels a side (" + std::to_string(bytes(wanted) >> 20) +
+                       " MB): they are made with " + std::to_string(size));
+    return size;
+}
+
+// Lights whose map the device does not hold have none.
+void leave_out(scene::DistanceMaps& maps, std::size_t held, scene::Report& report) {
+    if (held >= maps.maps.size()) return;
+    report.add(scene::Severity::warning, "distance maps",
+               "the device holds " + std::to_string(held) + " of " + std::to_string(maps.maps.size()) +
+                   "; lights beyond throw no shadows");
+    maps.maps.resize(held);
 }
 
 Result<scene::DistanceMaps> make_maps(const scene::Show& show, const scene::Stage& stage, bool quiet,
@@ -35,7 +62,7 @@ Result<scene::DistanceMaps> make_maps(const scene::Show& show, const scene::Stag
     Progress progress("distance maps", quiet ? Progress::Style::silent : Progress::style_for_stderr(),
                       steady_now_s());
     bake::DistanceMapOptions options;
-    options.size = map_size(show);
+    options.size = map_size(show, report);
     options.stop = interrupted;
     options.progress = [&](double share, const std::string& note) {
         progress.update(share, steady_now_s(), note);
@@ -77,20 +104,21 @@ Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scen
         new LiveView(device, show, scene::stage_with_bodies(show, report), camera, report));
     if (!options.shadows) return view;
     if (options.maps_in_background) {
-        view->begin_maps(device);
+        view->begin_maps(device, report);
         return view;
     }
     TRY(view->maps_, make_maps(show, view->stage_, options.quiet, report));
     if (view->maps_.maps.empty()) return view;
     view->distances_ = std::make_unique<render::DistanceImages>(device, view->maps_);
+    leave_out(view->maps_, view->distances_->count(), report);
     for (scene::DistanceMap& map : view->maps_.maps) map.distance = {};
     return view;
 }
 
-void LiveView::begin_maps(const gpu::Device& device) {
+void LiveView::begin_maps(const gpu::Device& device, scene::Report& report) {
     const std::vector<scene::DistancePlace> places = scene::distance_places(show_);
     if (places.empty()) return;
-    const int size = map_size(show_);
+    const int size = map_size(show_, report);
     const auto texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
     scene::Report unheard; // the maker says it again
     auto found = scene::load_distance_maps(show_, size, unheard);
@@ -106,7 +134,9 @@ void LiveView::begin_maps(const gpu::Device& device) {
         known.insert(k);
     }
     distances_ = std::make_unique<render::DistanceImages>(device, maps_);
+    leave_out(maps_, distances_->count(), report);
     for (scene::DistanceMap& map : maps_.maps) map.distance = {};
+    for (std::size_t k = maps_.maps.size(); k < places.size(); ++k) known.insert(k);
     missing_maps_ = places.size() - known.size();
     if (missing_maps_ > 0)
         log_info(
@@ -120,6 +150,7 @@ bool LiveView::take_maps(scene::Report& report) {
     bool replaced = false;
     const std::size_t missing_before = missing_maps_;
     for (MapMaker::Made& made : maker_->take()) {
+        if (made.index >= maps_.maps.size()) continue; // left out
         distances_->set(made.index, made.map);
         scene::DistanceMap& place = maps_.maps[made.index];
         if (place.fixture.empty())

@@ -53,7 +53,7 @@ public:
 private:
     LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
              const scene::Camera& camera, scene::Report& report);
-    void begin_maps(const gpu::Device& device);
+    void begin_maps(const gpu::Device& device, scene::Report& report);
 
     const scene::Show& show_;
     scene::Stage stage_; // with fixture bodies, at home

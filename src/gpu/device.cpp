@@ -170,6 +170,7 @@ Result<void> Device::choose_physical(const std::string& wanted) {
         name_ = properties.deviceName;
         is_cpu_ = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
         timestamp_period_ns_ = static_cast<double>(properties.limits.timestampPeriod);
+        most_layers_ = properties.limits.maxImageArrayLayers;
     }
     if (physical_ != VK_NULL_HANDLE) return {};
     const std::string list =

@@ -39,6 +39,7 @@ public:
     bool is_cpu() const { return is_cpu_; }           // lavapipe and its like
     double timestamp_period_ns() const { return timestamp_period_ns_; }
     std::uint64_t local_memory_bytes() const { return local_memory_bytes_; }
+    std::uint32_t most_layers() const { return most_layers_; } // of an image
     std::size_t validation_errors() const { return validation_errors_; }
 
     // Memory of a buffer or image, with as many of the wanted properties as there is; type: its index.
@@ -78,6 +79,7 @@ private:
     bool is_cpu_ = false;
     double timestamp_period_ns_ = 1;
     std::uint64_t local_memory_bytes_ = 0;
+    std::uint32_t most_layers_ = 256;
     std::uint64_t limit_bytes_ = 0;
     bool enforced_ = false;   // somebody asked for the limit
     bool has_budget_ = false; // the driver says what is left, other programs counted in

@@ -3,10 +3,10 @@
 #include "gpu/device.h"
 
 #include "base/log.h"
+#include "base/memory.h"
 
 #include <algorithm>
 #include <cstring>
-#include <fstream>
 #include <string>
 
 namespace ghost::gpu {
@@ -14,18 +14,6 @@ namespace {
 
 constexpr double kOfFreeMemory = 0.8; // of a processor's: the rest of the program and others need some, too
 constexpr double kOfLocalMemory = 0.9;
-
-// Of the machine; 0 where it does not say.
-std::uint64_t free_memory_bytes() {
-    std::ifstream file("/proc/meminfo");
-    std::string name, unit;
-    std::uint64_t kilobytes = 0;
-    while (file >> name >> kilobytes) {
-        if (name == "MemAvailable:") return kilobytes * 1024;
-        std::getline(file, unit);
-    }
-    return 0;
-}
 
 std::string megabytes(std::uint64_t bytes) {
     return std::to_string(bytes >> 20) + " MB";

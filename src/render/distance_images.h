@@ -5,7 +5,7 @@
 // thread; the device must outlive it.
 //
 // Where half of the memory that is left on the device would not hold them, only every 2nd, 4th, .. texel is
-// kept: shadows get coarser.
+// kept: shadows get coarser. Maps beyond the layers that an image of the device can have are left out.
 
 #include "gpu/device.h"
 #include "gpu/texture.h"
@@ -19,7 +19,9 @@ class DistanceImages {
 public:
     DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps);
 
+    // Of a map that was left out: nothing happens.
     void set(std::size_t index, const scene::DistanceMap& map);
+    std::size_t count() const { return texture_.shape().layers; }
     const gpu::Texture& texture() const { return texture_; }
     std::uint32_t side() const { return texture_.shape().width; } // texels
     std::uint32_t wanted_side() const { return wanted_side_; }    // more than side(): memory ran short

@@ -1,0 +1,14 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What this machine's memory still holds. Any thread.
+
+#include <cstdint>
+#include <filesystem>
+
+namespace ghost {
+
+// Of the machine, or of the control group that the program runs in (containers) where that has less; 0 where
+// neither says. root: where /proc and /sys are, for tests.
+std::uint64_t free_memory_bytes(const std::filesystem::path& root = "/");
+
+} // namespace ghost

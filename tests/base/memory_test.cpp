@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/memory.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+
+namespace ghost {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MemoryTest : public testing::Test {
+protected:
+    void SetUp() override { fs::remove_all(root_); }
+    void TearDown() override { fs::remove_all(root_); }
+    void write(const std::string& path, const std::string& text) const {
+        fs::create_directories((root_ / path).parent_path());
+        std::ofstream(root_ / path) << text;
+    }
+    fs::path root_ = fs::path(testing::TempDir()) / "ghost_memory";
+};
+
+TEST_F(MemoryTest, nothing_is_known_where_nothing_says) {
+    EXPECT_EQ(free_memory_bytes(root_), 0u);
+}
+
+TEST_F(MemoryTest, the_machines_is_what_is_available) {
+    write("proc/meminfo", "MemTotal:       8000 kB\nMemFree:         100 kB\nMemAvailable:   3000 kB\n");
+    EXPECT_EQ(free_memory_bytes(root_), 3000u * 1024);
+}
+
+TEST_F(MemoryTest, a_container_may_have_less) {
+    write("proc/meminfo", "MemAvailable:   3000 kB\n");
+    write("proc/self/cgroup", "0::/box/inner\n");
+    write("sys/fs/cgroup/box/inner/memory.max", "max\n");
+    write("sys/fs/cgroup/box/inner/memory.current", "1000\n");
+    EXPECT_EQ(free_memory_bytes(root_), 3000u * 1024);
+    write("sys/fs/cgroup/box/memory.max", "50000\n");
+    write("sys/fs/cgroup/box/memory.current", "20000\n");
+    EXPECT_EQ(free_memory_bytes(root_), 30000u);
+    write("sys/fs/cgroup/box/memory.current", "60000\n"); // just above
+    EXPECT_EQ(free_memory_bytes(root_), 0u);
+}
+
+TEST_F(MemoryTest, this_machine_says_something) {
+    EXPECT_GT(free_memory_bytes(), 1u << 20);
+}
+
+} // namespace
+} // namespace ghost
