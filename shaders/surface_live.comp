@@ -44,38 +44,40 @@ struct Fragment {
 const float kBias_m = 0.02;
 const float kBias = 0.004; // of the distance, more
 
-float lit_share(Light light, Fragment f, vec3 from_light, float distance_m) {
+float lit_share(Light light, Fragment f, vec3 from_light, float distance_m, bool wanted) {
     int size = textureSize(distance_maps, 0).x;
     vec2 place = octahedral_from(from_light) * float(size);
     ivec2 corner = ivec2(floor(place - 1.5));
     float bias = kBias_m + kBias * distance_m;
     float plane = dot(f.facet, from_light);
     float facing = abs(plane) > 0.02 * distance_m ? 1.0 / plane : 0.0;
-    float nearer[16];
-    float blockers = 0.0, blocker_m = 0.0;
-    for (int k = 0; k < 16; ++k) {
-        ivec2 at = corner + ivec2(k & 3, k >> 2);
-        float map_m = map_texel(light.map, at, size);
-        // Where this texel's ray meets the plane of the facet.
-        vec3 ray = direction_from_octahedral((vec2(at) + 0.5) / float(size));
-        float inverse = dot(f.facet, ray) * facing;
-        float plane_m = inverse > 0.5 / distance_m ? 1.0 / inverse : distance_m;
-        nearer[k] = map_m < plane_m - bias ? 1.0 : 0.0;
-        blockers += nearer[k];
-        blocker_m += nearer[k] * map_m;
-    }
-    blocker_m = blocker_m / max(blockers, 1.0);
+    uint nearer = 0u; // a bit for each texel
+    float blocker_m = 0.0;
+    // Where nothing shines anyway one row has to do.
+    for (int row = 0; row < (wanted ? 4 : 1); ++row)
+        for (int column = 0; column < 4; ++column) {
+            ivec2 at = corner + ivec2(column, row);
+            float map_m = map_texel(light.map, at, size);
+            // Where this texel's ray meets the plane of the facet.
+            vec3 ray = direction_from_octahedral((vec2(at) + 0.5) / float(size));
+            float inverse = dot(f.facet, ray) * facing;
+            float plane_m = inverse > 0.5 / distance_m ? 1.0 / inverse : distance_m;
+            bool blocks = map_m < plane_m - bias;
+            nearer |= blocks ? 1u << (4 * row + column) : 0u;
+            blocker_m += blocks ? map_m : 0.0;
+        }
+    blocker_m = blocker_m / max(float(bitCount(nearer)), 1.0);
     // Full width of the penumbra as an angle from the light, in texels; a texel is about 2.3 / size wide.
     float angle = 2.0 * light.disc_radius_m * (distance_m - blocker_m) / max(blocker_m * distance_m, 1e-4);
     float half_width = 0.5 * clamp(angle * float(size) / 2.3, 1.0, 3.0);
     vec2 inside = place - vec2(corner);
-    float weights = 0.0, dark = 0.0;
-    for (int k = 0; k < 16; ++k) {
-        vec2 cell = vec2(k & 3, k >> 2);
-        vec2 overlap = max(min(cell + 1.0, inside + half_width) - max(cell, inside - half_width), 0.0);
-        weights += overlap.x * overlap.y;
-        dark += overlap.x * overlap.y * nearer[k];
-    }
+    const vec4 cell = vec4(0.0, 1.0, 2.0, 3.0);
+    vec4 across = max(min(cell + 1.0, inside.x + half_width) - max(cell, inside.x - half_width), 0.0);
+    vec4 down = max(min(cell + 1.0, inside.y + half_width) - max(cell, inside.y - half_width), 0.0);
+    float dark = 0.0;
+    for (int row = 0; row < 4; ++row)
+        dark += down[row] * dot(across, vec4(uvec4(nearer) >> uvec4(4 * row, 4 * row + 1, 4 * row + 2, 4 * row + 3) & 1u));
+    float weights = dot(across, vec4(1.0)) * dot(down, vec4(1.0));
     return light.map == 0u ? 1.0 : 1.0 - dark / max(weights, 1e-6);
 }
 
@@ -97,7 +99,7 @@ vec3 shown(Light light, Fragment f, Haze haze) {
                     (haze_transmittance(haze, distance_m) * attenuation_factor(air.attenuation, distance_m) / distance2);
     vec3 value = light_cd * brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light);
     value = facing > 0.0 ? value : vec3(0.0);
-    if (kShadows) value *= lit_share(light, f, from_light, distance_m);
+    if (kShadows) value *= lit_share(light, f, from_light, distance_m, max(max(value.r, value.g), value.b) > 0.0);
     return value;
 }
 

@@ -220,6 +220,18 @@ class Pictures(Case):
         self.works(fly)
         self.assertEqual(json.loads(fly.stdout)["frames"], 6)
 
+    def test_live_and_baked_pictures_agree(self):
+        """What is left is silhouettes and shadows in the air: docs/live-accuracy.md."""
+        out = self.out()
+        common = ("--size", "256x75", "--at", "50", "--glare", "0")
+        self.works(run("render", WORK / "demo", "-o", out / "baked.exr", *common))
+        self.works(run("render", WORK / "demo", "-o", out / "live.exr", "--live", *common))
+        done = run("compare", out / "live.exr", out / "baked.exr", "--ev", "6", "--json")
+        self.works(done)
+        row = json.loads(done.stdout)
+        self.assertGreater(row["psnr"], 31.5)
+        self.assertLess(abs(row["bias"]), 0.03)
+
     def test_vulkan_is_used_as_it_should_be(self):
         done = self.render(self.out() / "a.png", "--at", "50", "--validation")
         self.works(done)
