@@ -221,7 +221,7 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
         last_pixels = pixels;
         double first_ms = 0;
         double first_bytes = 0;
-        for (const std::size_t count : {1, 10, 60, 120, 400, 1000}) {
+        for (const std::size_t count : {1u, 10u, 60u, 120u, 400u, 1000u}) {
             if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
             const std::string name = std::to_string(count) + (count == 1 ? " light, " : " lights, ") +
                                      std::to_string(width) + "x" + std::to_string(height);

@@ -32,7 +32,7 @@ protected:
         ASSERT_TRUE(text.ok());
         bake_ = json::parse(*text);
         const json& m = bake_["camera"]["matrix_world"];
-        const auto column = [&](int c) {
+        const auto column = [&](std::size_t c) {
             return glm::vec3(m[0][c].get<float>(), m[1][c].get<float>(), m[2][c].get<float>());
         };
         camera_.name = "foh";
