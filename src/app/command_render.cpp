@@ -3,12 +3,14 @@
 #include "app/interrupt.h"
 #include "app/number_option.h"
 #include "app/render_film.h"
+#include "dmx/recording.h"
 
 #include "base/log.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 namespace ghost::app {
@@ -58,6 +60,8 @@ Result<bool> check_usage(RenderArguments& arguments) {
             return Error{"the camera stands at what it looks at", "--eye/--target"};
         if (!arguments.session.view.empty()) return Error{"two cameras; give one", "--view/--eye"};
     }
+    if (arguments.live_input) TRY_VOID(receiver_options(arguments.input));
+    arguments.session.plays_recording = !arguments.live_input && arguments.replay.empty();
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
     if (!arguments.session.travel.empty() && (arguments.live_input || !film))
         return Error{"only the camera of a film of a recording travels: --from and --to", "--travel"};
@@ -74,6 +78,12 @@ Result<bool> check_usage(RenderArguments& arguments) {
 }
 
 Result<void> run(RenderArguments& arguments, bool film) {
+    // What would only come out after a bake of minutes.
+    std::error_code code;
+    const std::filesystem::path folder = std::filesystem::path(arguments.out).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder, code))
+        return Error{"no such folder", folder.string()};
+    if (!arguments.replay.empty()) TRY_VOID(dmx::read_recording(arguments.replay));
     if (arguments.reference.wanted)
         return render_reference(arguments.session, arguments.reference, arguments.replay, arguments.at_s,
                                 arguments.fps, arguments.out);
@@ -84,6 +94,9 @@ Result<void> run(RenderArguments& arguments, bool film) {
     Tally tally;
     TRY_VOID(arguments.live_input ? render_live(arguments, *session, *writer, tally)
                                   : render_recording(arguments, *session, *writer, tally));
+    // A desk's film may end when its user says so; half a film of a recording replaces no whole one.
+    if (interrupted() && !arguments.live_input)
+        return Error{"interrupted: nothing is written but the pictures that were finished", arguments.out};
     TRY_VOID(writer->finish());
     if (interrupted()) return Error{"interrupted: it ends early", arguments.out};
     print_tally(arguments, *session, tally);

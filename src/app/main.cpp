@@ -4,6 +4,7 @@
 
 #include <exception>
 #include <iostream>
+#include <new>
 
 int main(int argc, char** argv) {
     CLI::App app{
@@ -26,6 +27,10 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         // CLI11 has a code of its own per fault; ours are 0 done (help, version) and 2 wrong usage.
         return app.exit(error) == 0 ? 0 : 2;
+    } catch (const std::bad_alloc&) {
+        ghost::log_error(
+            "out of memory: the picture (--size), the stage or the rig is too large for this machine");
+        return 1;
     } catch (const std::exception& error) {
         ghost::log_error(std::string("unexpected: ") + error.what());
         return 1;

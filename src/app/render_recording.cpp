@@ -16,9 +16,6 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
                               Tally& tally) {
     const std::filesystem::path file =
         arguments.replay.empty() ? session.show->recording : std::filesystem::path(arguments.replay);
-    if (arguments.replay.empty() && session.show->recording.empty())
-        return Error{"has no recording; name one with --replay FILE, or listen to a desk with --live-input",
-                     session.show->file.string()};
     TRY(dmx::Recording recording, dmx::read_recording(file));
     for (const Error& problem : recording.problems) log_warning(problem.text());
     const dmx::Player player(std::move(recording));

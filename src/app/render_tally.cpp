@@ -16,6 +16,12 @@ double percentile(std::vector<double> values, double share) {
     return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
 }
 
+std::string in_ms(double ms) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f ms", ms);
+    return text;
+}
+
 } // namespace
 
 void print_tally(const RenderArguments& arguments, const Session& session, const Tally& tally) {
@@ -46,10 +52,10 @@ void print_tally(const RenderArguments& arguments, const Session& session, const
     const std::size_t drawn = tally.draw_ms.size();
     const std::string frames = std::to_string(drawn + static_cast<std::size_t>(tally.late)) + " frames";
     log_info(arguments.out + ": " + frames + (tally.late > 0 ? ", " + std::to_string(drawn) + " drawn" : "") +
-             ", " + std::to_string(median) + " ms a drawing (median), " + std::to_string(p99) + " ms (99 %)");
+             ", " + in_ms(median) + " a drawing (median), " + in_ms(p99) + " (99 %)");
     if (arguments.live_input && !tally.latency_ms.empty())
-        log_info("packet to picture: " + std::to_string(percentile(tally.latency_ms, 0.5)) +
-                 " ms (median); " + std::to_string(tally.late) +
+        log_info("packet to picture: " + in_ms(percentile(tally.latency_ms, 0.5)) + " (median); " +
+                 std::to_string(tally.late) +
                  " film frames repeat a picture because drawing took longer than a frame");
 }
 

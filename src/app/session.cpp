@@ -12,6 +12,8 @@
 #include "base/log.h"
 #include "base/progress.h"
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cstdio>
 #include <set>
@@ -28,8 +30,36 @@ double steady_now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-// Hash of all that passes are made from: the show file, the stage, the fixture files and the baker. The bake
-// itself compares in detail; this only says whether it has to be asked.
+// Files beside the stage that it may refer to: textures, materials, buffers. Their sizes and times.
+void add_companions(const fs::path& stage, const fs::path& cache, bake::Hasher& hasher) {
+    constexpr int kMostFiles = 10000;
+    static const std::set<std::string> kEndings{".png",  ".jpg",  ".jpeg", ".tga", ".bmp",
+                                                ".tif",  ".tiff", ".gif",  ".psd", ".hdr",
+                                                ".webp", ".ktx2", ".dds",  ".mtl", ".bin"};
+    std::set<std::string> found; // in an order of its own
+    std::error_code code;
+    int seen = 0;
+    for (fs::recursive_directory_iterator
+             entry(stage.parent_path(), fs::directory_options::skip_permission_denied, code),
+         end;
+         !code && entry != end && ++seen <= kMostFiles; entry.increment(code)) {
+        if (entry->path().filename() == cache.filename()) {
+            entry.disable_recursion_pending();
+            continue;
+        }
+        std::error_code unknown;
+        std::string ending = entry->path().extension().string();
+        std::transform(ending.begin(), ending.end(), ending.begin(),
+                       [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+        if (!kEndings.contains(ending)) continue;
+        found.insert(entry->path().string() + " " + std::to_string(entry->file_size(unknown)) + " " +
+                     std::to_string(entry->last_write_time(unknown).time_since_epoch().count()));
+    }
+    for (const std::string& file : found) hasher.text(file);
+}
+
+// Hash of all that passes are made from: the show file, the stage with what lies beside it, the fixture files
+// and the baker. The bake itself compares in detail; this only says whether it has to be asked.
 std::string fingerprint(const scene::Show& show) {
     std::set<fs::path> sources{show.file, show.stage_file};
     for (const scene::PatchedFixture& fixture : show.fixtures) sources.insert(show.folder / fixture.gdtf);
@@ -40,6 +70,7 @@ std::string fingerprint(const scene::Show& show) {
         const auto bytes = read_file(source, kMaxSourceBytes);
         if (bytes.ok()) hasher.list(*bytes);
     }
+    if (!show.stage_file.empty()) add_companions(show.stage_file, show.cache_folder(), hasher);
     return hasher.hex();
 }
 
@@ -112,11 +143,14 @@ Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
     if (options.bake && !(had.ok() && *had == wanted)) {
         std::error_code code;
         const bool baked_before = fs::exists(folder / "manifest.json", code);
-        const bool has_stage = load_stage(show, report);
+        scene::Report of_stage;
+        const bool has_stage = load_stage(show, of_stage);
+        report.messages.insert(report.messages.end(), of_stage.messages.begin(), of_stage.messages.end());
         if (has_stage || !baked_before) TRY_VOID(bake_view(show, camera.name, folder, options.quiet, report));
-        if (has_stage)
+        // What is lost is said again at every render, until it is there.
+        if (has_stage && !of_stage.lost_anything())
             remember_sources();
-        else if (baked_before)
+        else if (!has_stage && baked_before)
             report.add(scene::Severity::warning, folder.string(),
                        "the stage cannot be read: these older passes are shown");
     }
@@ -234,6 +268,12 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     print_report(report);
     std::size_t printed = report.messages.size();
 
+    if (options.plays_recording && session->show->recording.empty())
+        return Error{"has no recording; name one with --replay FILE, or listen to a desk with --live-input",
+                     session->show->file.string()};
+    if (options.plays_recording)
+        if (std::error_code code; !fs::exists(session->show->recording, code))
+            return Error{"no such file", session->show->recording.string()};
     TRY(session->camera, session->show->find_camera(options.view));
     if (!options.travel.empty()) {
         TRY(const std::size_t end, session->show->find_camera(options.travel));

@@ -26,6 +26,7 @@ struct SessionOptions {
     bool validation = false;
     bool bake = true; // false: missing passes are an error
     bool quiet = false;
+    bool plays_recording = false; // the show's own: an error where it has none
     render::HazeSettings beams;
     std::optional<float> ev100;       // instead of the camera's
     bool live = false;                // a free camera: no passes

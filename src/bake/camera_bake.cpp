@@ -298,7 +298,8 @@ void CameraBake::remove_leftovers() const {
         if (entry.path().filename() != wanted_.folder && entry.path().filename() != "manifest.json")
             fs::remove_all(entry.path(), code);
     for (const auto& entry : fs::directory_iterator(pictures(), code))
-        if (!files.contains(entry.path().filename().string())) fs::remove(entry.path(), code);
+        if (!files.contains(entry.path().filename().string()) && !is_temporary_in_use(entry.path()))
+            fs::remove(entry.path(), code);
 }
 
 } // namespace ghost::bake

@@ -3,8 +3,10 @@
 
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <regex>
 #include <unistd.h>
 
 namespace ghost {
@@ -66,6 +68,15 @@ fs::path temporary_beside(const fs::path& path) {
     result.replace_filename("." + path.stem().string() + ".part" + std::to_string(::getpid()) + "_" +
                             std::to_string(counter++) + path.extension().string());
     return result;
+}
+
+bool is_temporary_in_use(const fs::path& path) {
+    static const std::regex kTemporary(R"(\..*\.part([0-9]{1,9})_[0-9]+(\.[^.]*)?)");
+    const std::string name = path.filename().string();
+    std::smatch match;
+    if (!std::regex_match(name, match, kTemporary)) return false;
+    const pid_t owner = static_cast<pid_t>(std::stol(match[1]));
+    return ::kill(owner, 0) == 0 || errno == EPERM;
 }
 
 Result<void> commit_temporary(const fs::path& temporary, const fs::path& path) {

@@ -25,4 +25,8 @@ Result<void> write_file_atomic(const std::filesystem::path& path, std::string_vi
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 Result<void> commit_temporary(const std::filesystem::path& temporary, const std::filesystem::path& path);
 
+// A temporary file that another process, or this one, is still writing. Those of processes that are gone are
+// leftovers.
+bool is_temporary_in_use(const std::filesystem::path& path);
+
 } // namespace ghost

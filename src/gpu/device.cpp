@@ -70,11 +70,14 @@ int rank(VkPhysicalDeviceType type) {
 } // namespace
 
 void vulkan_failed(const char* call, const char* file, int line, VkResult result) {
-    std::fprintf(stderr, "%s:%d: %s failed with VkResult %d%s\n", file, line, call, static_cast<int>(result),
-                 result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY
-                     ? " (out of memory)"
-                     : "");
-    std::exit(3);
+    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY)
+        log_error(
+            "out of memory for drawing: a smaller picture (--size), fewer lights or smaller shadow maps "
+            "(map_size) need less");
+    else
+        log_error(std::string(file) + ":" + std::to_string(line) + ": " + call + " failed with VkResult " +
+                  std::to_string(static_cast<int>(result)));
+    std::exit(1);
 }
 
 VKAPI_ATTR VkBool32 VKAPI_CALL Device::on_validation(VkDebugUtilsMessageSeverityFlagBitsEXT,

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <glm/gtc/packing.hpp>
 
 namespace ghost::scene {
@@ -53,7 +54,13 @@ std::string file_name_of(std::string_view name) {
                            c == '-' || c == ' ' || static_cast<unsigned char>(c) >= 0x80;
         result += plain ? c : '_';
     }
-    return result.empty() ? "_" : result;
+    if (result == name) return result.empty() ? "_" : result;
+    // Names that differ only in what a file name cannot have must not share a file (FNV-1a).
+    std::uint32_t hash = 2166136261u;
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    char text[16];
+    std::snprintf(text, sizeof text, "-%08x", static_cast<unsigned>(hash));
+    return result + text;
 }
 
 std::uint16_t to_half(float value) {

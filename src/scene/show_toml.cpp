@@ -43,7 +43,7 @@ std::string name_of(TableReader& reader, const std::string& kind, std::size_t nu
                                "/\\:*?\"<>|); it is called '" +
                                name + "'");
     } else if (!reader.has("name")) {
-        reader.problem(Severity::warning, "name", "is missing; it is called '" + name + "'");
+        reader.problem(Severity::note, "name", "is missing; it is called '" + name + "'");
     }
     const std::string wanted = name;
     for (int copy = 2; line_of_name.count(name); ++copy) name = wanted + " (" + std::to_string(copy) + ")";

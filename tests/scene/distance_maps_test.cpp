@@ -144,9 +144,9 @@ protected:
 
 TEST_F(DistanceFiles, NamesAreUniqueAndDarkFixturesHaveNone) {
     ASSERT_EQ(places.size(), 3u);
-    EXPECT_EQ(places[0].file.filename(), "A_1_0.exr");
-    EXPECT_EQ(places[1].file.filename(), "A_1_1.exr");
-    EXPECT_EQ(places[2].file.filename(), "A_1_0_.exr");
+    EXPECT_EQ(places[0].file.filename(), file_name_of("A/1") + "_0.exr");
+    EXPECT_EQ(places[1].file.filename(), file_name_of("A/1") + "_1.exr");
+    EXPECT_EQ(places[2].file.filename(), "A_1_0.exr");
     EXPECT_EQ(places[1].position_m, glm::vec3(0, 0, 2));
 }
 

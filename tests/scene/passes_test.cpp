@@ -191,7 +191,10 @@ TEST_F(PassesFiles, ManifestNamesStayInTheirFolder) {
     }
     manifest_.width = 1 << 20;
     EXPECT_FALSE(parse_manifest(manifest_text(manifest_), "m").ok());
-    EXPECT_EQ(file_name_of("Front/../of: house"), "Front____of_ house");
+    EXPECT_EQ(file_name_of("Front of house 1"), "Front of house 1");
+    EXPECT_EQ(file_name_of("Front/../of: house").substr(0, 19), "Front____of_ house-");
+    EXPECT_NE(file_name_of("cam.1"), file_name_of("cam_1"));
+    EXPECT_NE(file_name_of("cam.1"), file_name_of("cam:1"));
 }
 
 constexpr char kToml[] = R"(position = "P.exr"

@@ -7,11 +7,13 @@ import os
 import pathlib
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
 import time
 import unittest
+import zlib
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
@@ -249,8 +251,8 @@ class Pictures(Case):
         self.assertEqual(self.render(self.out() / "a.png", "--quiet").text, "")
 
     def test_places_that_cannot_be_written(self):
-        self.fails(self.render(WORK / "no" / "such" / "a.png"), 1, "a.png", "No such file")
-        self.fails(self.render(WORK / "no" / "such" / "a.mp4", "--from", 0, "--to", 1), 1, "a.mp4")
+        self.fails(self.render(WORK / "no" / "such" / "a.png"), 1, "no such folder")
+        self.fails(self.render(WORK / "no" / "such" / "a.mp4", "--from", 0, "--to", 1), 1, "no such folder")
 
     def test_full_disk_leaves_nothing_behind(self):
         out = self.out()
@@ -305,6 +307,64 @@ class BadShows(Case):
                 self.assertIn("baked again", done.text, name)
                 self.assertEqual(picture.read_bytes(), whole.read_bytes(), name)
                 self.assertEqual(lost.read_bytes(), good, name)
+
+    def test_cameras_whose_names_are_nearly_the_same(self):
+        folder = copy_demo("names")
+        edit(folder / "show.toml", 'name = "house"', 'name = "cam.1"')
+        edit(folder / "show.toml", 'name = "close"', 'name = "cam:1"')
+        edit(folder / "show.toml", 'name = "high"', 'name = "cam_1"')
+        pictures = set()
+        out = self.out()
+        for view in ("cam.1", "cam_1"):
+            self.works(run("render", folder, "-o", out / "a.png", "--view", view, "--size", SIZE, "--at", "50"))
+            pictures.add((out / "a.png").read_bytes())
+        self.assertEqual(len(pictures), 2)
+
+    def test_texture_beside_the_stage(self):
+        """Whoever changes it sees it, and while it is missing every render says so."""
+        folder = copy_demo("obj")
+        (folder / "wall.obj").write_text("mtllib wall.mtl\nusemtl wall\nv -8 4 0\nv 8 4 0\nv 8 4 8\nv -8 4 8\n"
+                                         "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 -1 0\nf 1/1/1 2/2/1 3/3/1 4/4/1\n")
+        (folder / "wall.mtl").write_text("newmtl wall\nKd 1 1 1\nmap_Kd wall.png\n")
+        edit(folder / "show.toml", 'stage = "stage.glb"', 'stage = "wall.obj"')
+        out = self.out()
+        picture = ("render", folder, "-o", out / "a.png", "--size", SIZE, "--at", "50", "--ev", "2")
+        for _ in range(2):
+            self.fails(run(*picture), 1, "wall.png")
+        seen = []
+        for red in (255, 40):
+            chunk = lambda kind, data: len(data).to_bytes(4, "big") + kind + data + zlib.crc32(kind + data).to_bytes(4, "big")
+            (folder / "wall.png").write_bytes(
+                b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", bytes([0, 0, 0, 1, 0, 0, 0, 1, 8, 2, 0, 0, 0])) +
+                chunk(b"IDAT", zlib.compress(bytes([0, red, 255, 90]))) + chunk(b"IEND", b""))
+            self.works(run(*picture))
+            seen.append((out / "a.png").read_bytes())
+        self.assertNotEqual(*seen)
+
+    def test_what_would_come_out_after_the_bake(self):
+        folder = copy_demo("early")
+        picture = ("render", folder, "--size", SIZE, "-o")
+        self.fails(run(*picture, WORK / "nowhere" / "a.png"), 1, "no such folder")
+        self.fails(run(*picture, WORK / "a.png", "--replay", WORK / "none.show"), 1, "none.show")
+        self.fails(run(*picture, WORK / "a.mp4", "--live-input", "--universes", "5-1"), 2, "5-1")
+        edit(folder / "show.toml", 'recording = "demo.show"', 'recording = "lost.show"')
+        self.fails(run(*picture, WORK / "a.png"), 1, "lost.show")
+        edit(folder / "show.toml", 'recording = "lost.show"', "")
+        self.fails(run(*picture, WORK / "a.png"), 1, "has no recording")
+        self.assertFalse((folder / ".ghost").exists())
+
+    def test_film_that_is_interrupted_replaces_none(self):
+        out = self.out()
+        (out / "a.mp4").write_bytes(b"the film of yesterday")
+        render = subprocess.Popen([str(PROGRAM), "render", str(WORK / "demo"), "-o", str(out / "a.mp4"), "--from", "0", "--to", "80",
+                                   "--size", SIZE], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        time.sleep(4)
+        render.send_signal(signal.SIGINT)
+        text = render.communicate(timeout=60)[0].decode()
+        self.assertEqual(render.returncode, 1, text)
+        self.assertIn("interrupted", text)
+        self.assertEqual((out / "a.mp4").read_bytes(), b"the film of yesterday")
+        self.only(out, "a.mp4")
 
     def test_missing_fixture_file(self):
         show = self.baked_copy("no_gdtf")
