@@ -78,6 +78,7 @@ Json report_json(const dmx::Universes& universes, const dmx::Statistics& statist
                   {"unlisted", statistics.unlisted},
                   {"kernel_overflow", statistics.overflow},
                   {"poll_replies_sent", statistics.poll_replies_sent},
+                  {"announcements_sent", statistics.announcements_sent},
                   {"preview", statistics.merge.preview},
                   {"missed", statistics.merge.missed},
                   {"out_of_sequence", statistics.merge.out_of_sequence},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ghostlight play: sends a recording as a desk would, sACN or Art-Net.
 #include "app/commands.h"
+#include "app/input_options.h"
 #include "app/interrupt.h"
 #include "app/number_option.h"
 #include "base/log.h"
@@ -94,6 +95,7 @@ void add_play(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(0, 200))
         ->capture_default_str();
     command->add_option("--artnet-offset", options->send.artnet_offset, "Port-Address = universe - this")
+        ->check(CLI::Range(kLowestArtnetOffset, kHighestArtnetOffset))
         ->capture_default_str();
     command->add_option("--rate", options->rate_hz, "refreshes per second of every universe")
         ->check(number_in(1.0, 200.0))

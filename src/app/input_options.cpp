@@ -30,7 +30,7 @@ void add_input_options(CLI::App& command, InputOptions& options) {
     command
         .add_option("--artnet-offset", options.artnet_offset,
                     "universe = Art-Net Port-Address + this (Port-Address 0 is universe 1)")
-        ->check(CLI::Range(-32768, 63999))
+        ->check(CLI::Range(kLowestArtnetOffset, kHighestArtnetOffset))
         ->capture_default_str();
     command.add_flag("--show-preview", options.show_preview,
                      "use packets that the desk marks as preview (blind) too");

@@ -14,6 +14,10 @@
 
 namespace ghost::app {
 
+// Limits of --artnet-offset: no offset beyond them gives any Port-Address a universe.
+inline constexpr int kLowestArtnetOffset = -32768;
+inline constexpr int kHighestArtnetOffset = 63999;
+
 struct InputOptions {
     std::string interface;
     std::string protocols = "both"; // sacn | artnet | both

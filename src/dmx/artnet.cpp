@@ -47,9 +47,10 @@ Parsed parse_artnet(Bytes bytes, std::uint32_t from_ipv4, int universe_offset) {
         packet.source.id[i] = static_cast<std::uint8_t>(from_ipv4 >> (24 - 8 * i));
     packet.source.id[4] = physical;
 
-    // Odd lengths, 12 slots and payloads longer than said all exist in the field.
-    const std::size_t slots = std::min({static_cast<std::size_t>(length), reader.left(), kSlots});
+    // Odd lengths, 12 slots and payloads longer than said all exist in the field; shorter ones were cut.
+    const std::size_t slots = std::min(static_cast<std::size_t>(length), kSlots);
     const Bytes levels = reader.take(slots);
+    if (!reader.ok()) return Drop::too_short;
     std::copy(levels.begin(), levels.end(), packet.slots.begin());
     packet.slot_count = static_cast<std::uint16_t>(slots);
     return packet;

@@ -46,7 +46,7 @@ struct Packet {
 enum class Notice : std::uint8_t { sync, discovery, poll, poll_reply, timecode, other, kCount };
 // Packets we drop.
 enum class Drop : std::uint8_t {
-    too_short,      // ends before its fixed header does
+    too_short,      // ends before its header or the levels that it declares do
     not_ours,       // identifier of the protocol is missing
     bad_version,    // Art-Net protocol version below 14
     bad_vector,     // sACN layer vector or address type that is no level data

@@ -47,6 +47,7 @@ struct ReplyRun {
     std::size_t next = 0;
     nanoseconds due{0};
     nanoseconds forget{0}; // when the address may ask again
+    bool asked = false;    // else the hello at start
 };
 
 } // namespace
@@ -70,6 +71,7 @@ struct Receiver::Loop {
     void drain(std::size_t index);
     void take(const Datagram& datagram, Protocol protocol, nanoseconds now);
     bool wanted_interface(const Datagram& datagram) const;
+    bool own_reply(const Datagram& datagram, const Parsed& parsed) const;
     void answer_poll(const Datagram& datagram, nanoseconds now);
     void send_replies(nanoseconds now);
     void publish_statistics(nanoseconds now);
@@ -85,6 +87,7 @@ struct Receiver::Loop {
     bool accept_all = false;
     std::vector<std::uint16_t> announced;
     std::optional<NetInterface> chosen;
+    std::vector<std::uint32_t> own_addresses;
     std::vector<std::unique_ptr<UdpSocket>> sockets;
     std::vector<Role> roles;         // of sockets
     UdpSocket* artnet_out = nullptr; // one of sockets
@@ -140,16 +143,18 @@ Result<void> Receiver::Loop::open_artnet() {
 }
 
 Result<void> Receiver::Loop::open() {
+    const std::vector<NetInterface> all = list_interfaces();
+    for (const NetInterface& interface : all) own_addresses.push_back(interface.address);
     std::vector<NetInterface> interfaces;
     if (!options.interface.empty()) {
         TRY(NetInterface found, find_interface(options.interface));
+        own_addresses.push_back(found.address); // of a loopback network it need not be configured
         chosen = found;
         interfaces.push_back(std::move(found));
     } else {
-        for (NetInterface& interface : list_interfaces()) {
+        for (const NetInterface& interface : all) {
             const auto same = [&](const NetInterface& other) { return other.index == interface.index; };
-            if (std::none_of(interfaces.begin(), interfaces.end(), same))
-                interfaces.push_back(std::move(interface));
+            if (std::none_of(interfaces.begin(), interfaces.end(), same)) interfaces.push_back(interface);
         }
     }
     if (options.sacn) TRY_VOID(open_sacn(interfaces));
@@ -179,6 +184,15 @@ bool Receiver::Loop::wanted_interface(const Datagram& datagram) const {
            is_loopback(datagram.to_ipv4);
 }
 
+// A broadcast comes back to its sender. Only replies are judged by address and port: a desk on this machine
+// may send its levels from the very same ones.
+bool Receiver::Loop::own_reply(const Datagram& datagram, const Parsed& parsed) const {
+    const Notice* notice = std::get_if<Notice>(&parsed);
+    return notice && *notice == Notice::poll_reply && options.answer_polls &&
+           datagram.from_port == options.artnet_port &&
+           std::find(own_addresses.begin(), own_addresses.end(), datagram.from_ipv4) != own_addresses.end();
+}
+
 void Receiver::Loop::answer_poll(const Datagram& datagram, nanoseconds now) {
     if (!artnet_out || !options.answer_polls || replies.size() >= kMaxPollers) return;
     const auto same = [&](const ReplyRun& run) { return run.to_ipv4 == datagram.from_ipv4; };
@@ -186,7 +200,7 @@ void Receiver::Loop::answer_poll(const Datagram& datagram, nanoseconds now) {
     const std::uint32_t ours = chosen ? chosen->address : datagram.local_ipv4;
     // Nodes spread their answers over time; ours depends on our address, so that it is the same every time.
     const nanoseconds delay = std::chrono::milliseconds(ours & 0xFF);
-    replies.push_back({datagram.from_ipv4, ours, 0, now + delay, now + kPollerRest});
+    replies.push_back({datagram.from_ipv4, ours, 0, now + delay, now + kPollerRest, true});
 }
 
 void Receiver::Loop::send_replies(nanoseconds now) {
@@ -208,7 +222,7 @@ void Receiver::Loop::send_replies(nanoseconds now) {
             const auto bytes = build_poll_reply(reply);
             // A desk that went away must not stop the others.
             if (artnet_out->send(bytes, run.to_ipv4, options.artnet_port).ok())
-                ++statistics.poll_replies_sent;
+                ++(run.asked ? statistics.poll_replies_sent : statistics.announcements_sent);
             ++sent;
         }
         if (run.due <= now) run.due = now + kReplyEvery;
@@ -219,9 +233,10 @@ void Receiver::Loop::send_replies(nanoseconds now) {
 
 void Receiver::Loop::take(const Datagram& datagram, Protocol protocol, nanoseconds now) {
     const bool sacn = protocol == Protocol::sacn;
-    ++(sacn ? statistics.packets_sacn : statistics.packets_artnet);
     const Parsed parsed = sacn ? parse_sacn(datagram.bytes, datagram.from_ipv4)
                                : parse_artnet(datagram.bytes, datagram.from_ipv4, options.artnet_offset);
+    if (!sacn && own_reply(datagram, parsed)) return;
+    ++(sacn ? statistics.packets_sacn : statistics.packets_artnet);
     if (const Drop* drop = std::get_if<Drop>(&parsed)) {
         ++statistics.drops[static_cast<std::size_t>(*drop)];
     } else if (const Notice* notice = std::get_if<Notice>(&parsed)) {

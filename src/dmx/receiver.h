@@ -27,7 +27,7 @@ struct ReceiverOptions {
     // Universes to join, to announce and to accept. Empty: 1 to 64 are joined and announced, whatever arrives
     // is accepted.
     std::vector<std::uint16_t> universes;
-    int artnet_offset = 1; // Ghostlight universe = Port-Address + this
+    int artnet_offset = 1; // Ghostlight universe = Port-Address + this; -32768 to 63999
     bool show_preview = false;
     bool answer_polls = true;
     std::uint16_t sacn_port = kSacnPort; // other values for tests
@@ -36,13 +36,14 @@ struct ReceiverOptions {
 
 struct Statistics {
     std::chrono::nanoseconds time{0}; // when it was taken
-    std::uint64_t packets_sacn = 0;   // everything that arrived on the port
+    std::uint64_t packets_sacn = 0;   // everything that arrived on the port, but our own replies
     std::uint64_t packets_artnet = 0;
     std::uint64_t unlisted = 0; // for universes that were not asked for
     std::uint64_t overflow = 0; // dropped by the kernel: socket buffer full
     std::array<std::uint64_t, static_cast<std::size_t>(Notice::kCount)> notices{};
     std::array<std::uint64_t, static_cast<std::size_t>(Drop::kCount)> drops{};
-    std::uint64_t poll_replies_sent = 0;
+    std::uint64_t poll_replies_sent = 0;  // to those who asked
+    std::uint64_t announcements_sent = 0; // the same replies, unasked, at start
     MergeCounters merge;
     std::vector<SourceStatus> sources; // by universe
 };

@@ -22,7 +22,9 @@ std::filesystem::path part_of(const std::filesystem::path& path) {
 } // namespace
 
 Result<Recorder> Recorder::create(const std::filesystem::path& path) {
-    if (std::filesystem::is_directory(path))
+    if (path.empty()) return Error{"the name of the recording is empty, expected a file name", ""};
+    std::error_code unreadable; // then opening it says why
+    if (std::filesystem::is_directory(path, unreadable))
         return Error{"this is a folder, expected a file name", path.string()};
     const std::filesystem::path part = part_of(path);
     std::FILE* file = std::fopen(part.c_str(), "wb");

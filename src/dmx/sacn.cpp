@@ -64,8 +64,9 @@ Parsed parse_sacn(Bytes bytes, std::uint32_t from_ipv4) {
     packet.source_name.assign(name.begin(), name_end);
     packet.preview = (options & 0x80) != 0;
     packet.terminated = (options & 0x40) != 0;
-    const std::size_t slots = std::min({static_cast<std::size_t>(count) - 1, reader.left(), kSlots});
+    const std::size_t slots = std::min(static_cast<std::size_t>(count) - 1, kSlots);
     const Bytes levels = reader.take(slots);
+    if (!reader.ok()) return Drop::too_short; // half a look must not darken the other half
     std::copy(levels.begin(), levels.end(), packet.slots.begin());
     packet.slot_count = static_cast<std::uint16_t>(slots);
     return packet;

@@ -51,10 +51,9 @@ Result<void> Sender::send(const Universes& universes) {
         } else {
             const int port_address = universe.number - options_.artnet_offset;
             if (port_address < 0 || port_address > 0x7FFF)
-                return Error{"universe " + std::to_string(universe.number) +
-                                 " has no Art-Net Port-Address, expected " +
-                                 std::to_string(options_.artnet_offset) + " to " +
-                                 std::to_string(0x7FFF + options_.artnet_offset),
+                return Error{"universe " + std::to_string(universe.number) + " minus the Art-Net offset " +
+                                 std::to_string(options_.artnet_offset) + " is " +
+                                 std::to_string(port_address) + ", no Port-Address, expected 0 to 32767",
                              ""};
             if (sequence == 0) sequence = 1; // 0 would mean "not numbered"
             bytes = build_artdmx(static_cast<std::uint16_t>(port_address), *universe.levels, sequence);

@@ -22,7 +22,7 @@ struct SenderOptions {
     std::string interface;   // name or IPv4 address; empty: the system's choice
     std::uint8_t priority = 100;
     std::string source_name = "Ghostlight";
-    int artnet_offset = 1;
+    int artnet_offset = 1;  // Port-Address = universe - this; -32768 to 63999
     std::uint16_t port = 0; // 0: the protocol's own
 };
 

@@ -36,6 +36,7 @@ std::string ipv4_text(std::uint32_t address);
 struct Datagram {
     Bytes bytes; // valid until the next receive() of the same socket
     std::uint32_t from_ipv4 = 0;
+    std::uint16_t from_port = 0;
     std::uint32_t to_ipv4 = 0;    // destination in the packet: ours, a broadcast or a group
     std::uint32_t local_ipv4 = 0; // our address on the interface it came through
     unsigned interface_index = 0;

@@ -193,6 +193,7 @@ std::span<const Datagram> UdpSocket::receive() {
         datagram = {};
         datagram.bytes = Bytes(batch.bytes[i].data(), batch.messages[i].msg_len);
         datagram.from_ipv4 = ntohl(batch.from[i].sin_addr.s_addr);
+        datagram.from_port = ntohs(batch.from[i].sin_port);
         msghdr& header = batch.messages[i].msg_hdr;
         for (cmsghdr* part = CMSG_FIRSTHDR(&header); part; part = CMSG_NXTHDR(&header, part)) {
             if (part->cmsg_level == IPPROTO_IP && part->cmsg_type == IP_PKTINFO) {

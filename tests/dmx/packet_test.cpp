@@ -65,16 +65,22 @@ TEST(Sacn, reads_a_data_packet) {
     EXPECT_EQ(packet.slots[3], 0);
 }
 
-TEST(Sacn, every_truncation_is_a_reason_or_fewer_slots) {
-    const Buffer whole = literal_sacn();
-    for (std::size_t size = 0; size < whole.size(); ++size) {
-        const Buffer cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
-        const Parsed parsed = parse_sacn(cut);
-        if (size < 126)
-            EXPECT_EQ(drop_of(parsed), Drop::too_short) << size;
-        else
-            EXPECT_EQ(packet_of(parsed).slot_count, size - 126) << size;
+TEST(Sacn, every_truncation_is_refused) {
+    const Buffer full = build_sacn(1, Buffer(512, 200), 1, 100, {}, "Desk");
+    for (const Buffer& whole : {literal_sacn(), full}) {
+        for (std::size_t size = 0; size < whole.size(); ++size) {
+            const Buffer cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+            EXPECT_EQ(drop_of(parse_sacn(cut)), Drop::too_short) << size << " of " << whole.size();
+        }
+        EXPECT_EQ(packet_of(parse_sacn(whole)).slot_count, whole.size() - 126);
     }
+}
+
+TEST(Sacn, a_cut_list_of_priorities_is_refused) {
+    Buffer bytes = build_sacn(1, Buffer(512, 200), 1, 100, {}, "Desk", 0, 0xDD);
+    EXPECT_EQ(packet_of(parse_sacn(bytes)).slot_count, 512);
+    bytes.pop_back();
+    EXPECT_EQ(drop_of(parse_sacn(bytes)), Drop::too_short);
 }
 
 TEST(Sacn, options_and_start_codes) {
@@ -109,6 +115,16 @@ TEST(Sacn, count_past_512_is_clipped) {
     bytes[123] = 0xFF;
     bytes[124] = 0xFF;
     EXPECT_EQ(packet_of(parse_sacn(bytes)).slot_count, 512);
+    bytes.resize(126 + 511); // a universe is not whole
+    EXPECT_EQ(drop_of(parse_sacn(bytes)), Drop::too_short);
+}
+
+TEST(Sacn, bytes_behind_the_levels_are_left) {
+    Buffer bytes = literal_sacn();
+    bytes.resize(bytes.size() + 10, 7);
+    const Packet packet = packet_of(parse_sacn(bytes));
+    EXPECT_EQ(packet.slot_count, 3);
+    EXPECT_EQ(packet.slots[3], 0);
 }
 
 TEST(Sacn, reasons_to_drop) {
@@ -172,15 +188,24 @@ TEST(Artnet, reads_dmx) {
     EXPECT_EQ(packet.slots[6], 0);
 }
 
-TEST(Artnet, every_truncation_is_a_reason_or_fewer_slots) {
-    for (std::size_t size = 0; size < kArtDmx.size(); ++size) {
-        const Buffer cut(kArtDmx.begin(), kArtDmx.begin() + static_cast<std::ptrdiff_t>(size));
-        const Parsed parsed = parse_artnet(cut);
-        if (size < 18)
-            EXPECT_EQ(drop_of(parsed), Drop::too_short) << size;
-        else
-            EXPECT_EQ(packet_of(parsed).slot_count, size - 18) << size;
+TEST(Artnet, every_truncation_is_refused) {
+    const Buffer full = build_artdmx(0, Buffer(512, 200), 1);
+    for (const Buffer& whole : {kArtDmx, full}) {
+        for (std::size_t size = 0; size < whole.size(); ++size) {
+            const Buffer cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+            EXPECT_EQ(drop_of(parse_artnet(cut)), Drop::too_short) << size << " of " << whole.size();
+        }
+        EXPECT_EQ(packet_of(parse_artnet(whole)).slot_count, whole.size() - 18);
     }
+}
+
+// Home Assistant to an ArtGateOne, as somebody captured it.
+TEST(Artnet, twelve_slots_of_a_real_sender) {
+    Buffer bytes = {'A', 'r', 't', '-', 'N', 'e', 't', 0, 0x00, 0x50, 0x00, 0x0e, 1, 0, 0, 0, 0, 12};
+    bytes.resize(18 + 12, 0xFF);
+    const Packet packet = packet_of(parse_artnet(bytes));
+    EXPECT_EQ(packet.slot_count, 12);
+    EXPECT_EQ(packet.slots[11], 255);
 }
 
 TEST(Artnet, universe_offset) {
@@ -201,9 +226,11 @@ TEST(Artnet, odd_and_too_long_lengths) {
     bytes[17] = 5;
     EXPECT_EQ(packet_of(parse_artnet(bytes)).slot_count, 5);
     bytes[16] = 0xFF;
-    EXPECT_EQ(packet_of(parse_artnet(bytes)).slot_count, 6);
+    EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::too_short);
     bytes.resize(18 + 700, 9);
     EXPECT_EQ(packet_of(parse_artnet(bytes)).slot_count, 512);
+    bytes.resize(18 + 511); // a universe is not whole
+    EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::too_short);
 }
 
 TEST(Artnet, other_packets_and_reasons) {

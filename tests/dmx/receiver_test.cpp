@@ -172,6 +172,64 @@ TEST(Receiver, bad_packets_are_counters) {
     EXPECT_EQ(statistics.drops[static_cast<std::size_t>(Drop::too_short)], 2u);
 }
 
+TEST(Receiver, a_cut_packet_is_counted_and_changes_nothing) {
+    const ReceiverOptions options = on_loopback();
+    const auto receiver = start(options);
+    ASSERT_TRUE(receiver);
+    const auto socket = UdpSocket::open(0, 0, 1 << 16);
+    ASSERT_TRUE(socket.ok());
+    const auto send_both = [&](std::uint8_t sequence, std::uint8_t level, std::size_t missing) {
+        const std::vector<std::uint8_t> levels(512, level);
+        auto sacn = build_sacn(1, levels, sequence, 100, {}, "Desk");
+        auto artdmx = build_artdmx(1, levels, sequence); // our universe 2
+        sacn.resize(sacn.size() - missing);
+        artdmx.resize(artdmx.size() - missing);
+        return (*socket)->send(sacn, 0x7F000001, options.sacn_port).ok() &&
+               (*socket)->send(artdmx, 0x7F000001, options.artnet_port).ok();
+    };
+    ASSERT_TRUE(send_both(1, 50, 0));
+    wait_for(*receiver, [](const Universes& u) { return u.find(1) && u.find(2); });
+    ASSERT_TRUE(send_both(2, 60, 412));
+    Statistics statistics = statistics_after(*receiver, 100ms);
+    EXPECT_EQ(statistics.drops[static_cast<std::size_t>(Drop::too_short)], 2u);
+    EXPECT_EQ(statistics.packets_sacn, 2u);
+    EXPECT_EQ(statistics.packets_artnet, 2u);
+    EXPECT_FALSE(receiver->take().has_value());
+    ASSERT_TRUE(send_both(3, 70, 0));
+    const Universes levels = wait_for(
+        *receiver, [](const Universes& u) { return u.level(1, 512) == 70 && u.level(2, 512) == 70; });
+    for (const std::uint16_t universe : std::initializer_list<std::uint16_t>{1, 2}) {
+        EXPECT_EQ(levels.level(universe, 1), 70);
+        EXPECT_EQ(levels.level(universe, 512), 70);
+    }
+}
+
+TEST(Receiver, our_own_hello_is_no_traffic_and_no_answer) {
+    ReceiverOptions options = on_loopback();
+    options.answer_polls = true;
+    for (std::uint16_t universe = 1; universe <= 40; ++universe) options.universes.push_back(universe);
+    const auto receiver = start(options);
+    ASSERT_TRUE(receiver);
+    const Statistics quiet = statistics_after(*receiver, 300ms);
+    EXPECT_EQ(quiet.announcements_sent, 40u);
+    EXPECT_EQ(quiet.packets_artnet, 0u);
+    EXPECT_EQ(quiet.notices[static_cast<std::size_t>(Notice::poll_reply)], 0u);
+    EXPECT_EQ(quiet.poll_replies_sent, 0u);
+
+    // Others are heard: a node elsewhere, and a desk of this machine at our very address and port.
+    const auto node = UdpSocket::open(0x7F000003, options.artnet_port, 1 << 16);
+    const auto desk = UdpSocket::open(0x7F000001, options.artnet_port, 1 << 16);
+    ASSERT_TRUE(node.ok() && desk.ok());
+    ASSERT_TRUE((*node)->send(build_poll_reply({}), 0x7FFFFFFF, options.artnet_port).ok());
+    const std::vector<std::uint8_t> levels(512, 80);
+    ASSERT_TRUE((*desk)->send(build_artdmx(0, levels, 1), 0x7FFFFFFF, options.artnet_port).ok());
+    const Universes seen = wait_for(*receiver, [](const Universes& u) { return u.find(1) != nullptr; });
+    EXPECT_EQ(seen.level(1, 1), 80);
+    const Statistics later = statistics_after(*receiver, 100ms);
+    EXPECT_EQ(later.packets_artnet, 2u);
+    EXPECT_EQ(later.notices[static_cast<std::size_t>(Notice::poll_reply)], 1u);
+}
+
 TEST(Receiver, answers_a_poll_with_one_reply_per_universe) {
     ReceiverOptions options = on_loopback();
     options.answer_polls = true;
@@ -209,6 +267,11 @@ TEST(Receiver, answers_a_poll_with_one_reply_per_universe) {
     EXPECT_EQ(bind_indices.size(), 40u);
     EXPECT_EQ(*bind_indices.begin(), 1);
     EXPECT_EQ(receiving, std::set<int>{17});
+    const Statistics statistics = statistics_after(*receiver, 0ms);
+    EXPECT_EQ(statistics.poll_replies_sent, 40u);
+    EXPECT_EQ(statistics.announcements_sent, 40u);
+    EXPECT_EQ(statistics.notices[static_cast<std::size_t>(Notice::poll)], 3u);
+    EXPECT_EQ(statistics.packets_artnet, 4u); // three polls and the levels
 }
 
 TEST(Receiver, a_taken_port_is_named) {

@@ -209,6 +209,12 @@ TEST(Recorder, errors_name_the_file) {
     EXPECT_NE(missing.error().where.find("/nonexistent/folder/a.show"), std::string::npos);
     const Folder folder;
     EXPECT_FALSE(Recorder::create(folder.path).ok()); // a folder cannot be replaced
+    EXPECT_FALSE(Recorder::create("").ok());
+    const std::string long_name(300, 'a');
+    const auto too_long = Recorder::create(folder.path / long_name);
+    ASSERT_FALSE(too_long.ok());
+    EXPECT_NE(too_long.error().text().find(long_name), std::string::npos);
+    EXPECT_FALSE(read_recording(folder.path / long_name).ok());
 }
 
 TEST(Recorder, a_full_disk_is_an_error_and_what_was_written_stays) {
