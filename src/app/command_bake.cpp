@@ -109,7 +109,9 @@ int run_bake(const BakeArguments& arguments) {
     else if (!arguments.quiet)
         print_table(*stats);
     if (stats->interrupted) {
-        log_warning("interrupted; finished passes are kept, the same command goes on from there");
+        log_warning(
+            "interrupted; " + std::to_string(stats->passes.size() + static_cast<std::size_t>(stats->kept)) +
+            " passes are finished and kept (they come by eights), the same command goes on from there");
         return 1;
     }
     return report.lost_anything() ? 1 : 0;

@@ -7,6 +7,7 @@
 #include "scene/stage_checks.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -14,6 +15,8 @@
 
 namespace ghost::bake {
 namespace {
+
+constexpr std::int64_t kMostPixels = 1 << 24; // fragments.exr counts them in floats
 
 Result<BakeStats> bake_all(const scene::Show& show, const BakeOptions& options, scene::Report& report) {
     const auto now_s = [&] { return options.now_s ? options.now_s() : 0.0; };
@@ -43,6 +46,11 @@ Result<BakeStats> bake_all(const scene::Show& show, const BakeOptions& options, 
                            "' shows passes rendered elsewhere; nothing is baked for it");
             continue;
         }
+        if (std::int64_t{camera.width} * camera.height > kMostPixels)
+            return Error{"camera '" + camera.name + "': " + std::to_string(camera.width) + "x" +
+                             std::to_string(camera.height) +
+                             " is more than the 16.7 million pixels that passes can have; --live draws it",
+                         show.file.string()};
         jobs.push_back(std::make_unique<CameraBake>(show, stage, keys, camera, options));
         work += jobs.back()->plan();
         ++stats.cameras;

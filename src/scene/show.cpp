@@ -40,6 +40,9 @@ std::string missing_file(const fs::path& path) {
     constexpr std::size_t kLooked = 1000;
     std::vector<std::string> names;
     std::error_code code;
+    if (fs::exists(path, code)) return path.string() + " is not a plain file.";
+    if (code && code != std::errc::no_such_file_or_directory)
+        return "cannot look for " + path.string() + ": " + code.message() + ".";
     for (fs::directory_iterator entry(path.parent_path(), code), end;
          !code && entry != end && names.size() < kLooked; entry.increment(code))
         names.push_back(entry->path().filename().string());
