@@ -32,12 +32,17 @@ double steady_now_s() {
 struct TemporaryFolder {
     fs::path path;
     TemporaryFolder() {
-        std::string name = (fs::temp_directory_path() / "ghostlight-bench-XXXXXX").string();
-        if (::mkdtemp(name.data())) path = name;
+        std::error_code code;
+        std::string name = (fs::temp_directory_path(code) / "ghostlight-bench-XXXXXX").string();
+        if (!code && ::mkdtemp(name.data())) path = name;
     }
     ~TemporaryFolder() {
         std::error_code ignored;
         if (!path.empty()) fs::remove_all(path, ignored);
+    }
+    Result<void> made() const {
+        if (path.empty()) return Error{"cannot make a folder for the measurement", "TMPDIR"};
+        return {};
     }
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -93,6 +98,7 @@ Result<void> bench_triangles(const BenchOptions& options, const BenchSink& sink)
     const shared::Gobos gobos = bench_gobos();
     for (const int triangles : {10'000, 100'000, 1'000'000}) {
         const TemporaryFolder folder;
+        TRY_VOID(folder.made());
         scene::Show show = model;
         show.folder = folder.path;
         show.stage = bumpy_floor(triangles);
@@ -129,6 +135,7 @@ Result<void> bench_bake(const BenchOptions& options, const BenchSink& sink) {
     scene::Report report;
     TRY(scene::Show show, scene::load_show(options.show, true, report));
     const TemporaryFolder folder;
+    TRY_VOID(folder.made());
     show.folder = folder.path;
     show.cameras.resize(1);
     for (const int spp : {1, 4, 16}) {
@@ -158,6 +165,7 @@ Result<void> bench_quality(const BenchOptions& options, const BenchSink& sink) {
     scene::Report report;
     TRY(scene::Show show, scene::load_show(options.show, true, report));
     const TemporaryFolder folder;
+    TRY_VOID(folder.made());
     show.folder = folder.path;
     show.cameras.resize(1);
     const scene::Camera& camera = show.cameras[0];
@@ -203,6 +211,7 @@ Result<void> bench_quality(const BenchOptions& options, const BenchSink& sink) {
 
 Result<void> bench_start(const BenchOptions& options, const BenchSink& sink) {
     const TemporaryFolder folder;
+    TRY_VOID(folder.made());
     const std::string out = (folder.path / "first.png").string();
     std::vector<double> seconds;
     double peak_mb = 0;

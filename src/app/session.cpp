@@ -52,7 +52,8 @@ void add_companions(const fs::path& stage, const fs::path& cache, bake::Hasher& 
         std::transform(ending.begin(), ending.end(), ending.begin(),
                        [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
         if (!kEndings.contains(ending)) continue;
-        found.insert(entry->path().string() + " " + std::to_string(entry->file_size(unknown)) + " " +
+        found.insert(entry->path().lexically_relative(stage.parent_path()).string() + " " +
+                     std::to_string(entry->file_size(unknown)) + " " +
                      std::to_string(entry->last_write_time(unknown).time_since_epoch().count()));
     }
     for (const std::string& file : found) hasher.text(file);
