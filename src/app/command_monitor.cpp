@@ -174,7 +174,7 @@ void add_monitor(CLI::App& app, int& exit_code) {
         app.add_subcommand("monitor", "who sends what, now: universes, sources, priorities, rates, loss");
     command->footer("Example: ghostlight monitor --interface eth0 --universes 1-4");
     add_input_options(*command, options->input);
-    command->add_option("--seconds", options->seconds, "stop after this long; default: until Ctrl-C")
+    command->add_option("--seconds", options->seconds, "stop after this long; 0 and default: until Ctrl-C")
         ->check(number_in(0.0, kLongest_s));
     command->add_option("--every", options->every_s, "seconds between two reports")
         ->check(number_in(0.1, 3600.0))

@@ -102,7 +102,7 @@ void add_play(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     command->add_option("--from", options->from_s, "start at this time, seconds")
         ->check(number_in(0.0, kLongest_s));
-    command->add_option("--until", options->to_s, "end at this time, seconds")
+    command->add_option("--until", options->to_s, "end at this time, seconds; 0: at its end")
         ->check(number_in(0.0, kLongest_s));
     command->add_flag("--loop", options->loop, "again and again until Ctrl-C");
     command->add_flag("--json", options->json, "print a summary as one JSON object");

@@ -83,6 +83,8 @@ Result<void> run(RenderArguments& arguments, bool film) {
     const std::filesystem::path folder = std::filesystem::path(arguments.out).parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder, code))
         return Error{"no such folder", folder.string()};
+    if (std::filesystem::is_directory(arguments.out, code))
+        return Error{"is a folder, expected the name of a picture or film", arguments.out};
     if (!arguments.replay.empty()) TRY_VOID(dmx::read_recording(arguments.replay));
     if (arguments.reference.wanted)
         return render_reference(arguments.session, arguments.reference, arguments.replay, arguments.at_s,

@@ -4,6 +4,7 @@
 #include "scene/show.h"
 #include "scene/stage_checks.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
@@ -13,6 +14,7 @@
 #include <cctype>
 #include <cmath>
 #include <exception>
+#include <set>
 #include <utility>
 
 namespace ghost::scene {
@@ -97,6 +99,22 @@ Result<Stage> convert(const aiScene& scene, const GltfExtras& extras, const std:
     return stage;
 }
 
+// Opens files that a model refers to (materials, buffers), if they are plain ones; remembers the others. A
+// pipe would be waited for without an end.
+class Companions : public Assimp::DefaultIOSystem {
+public:
+    Assimp::IOStream* Open(const char* file, const char* mode) override {
+        std::error_code code;
+        if (std::filesystem::is_regular_file(file, code)) return DefaultIOSystem::Open(file, mode);
+        lost_.insert(file);
+        return nullptr;
+    }
+    const std::set<std::string>& lost() const { return lost_; }
+
+private:
+    std::set<std::string> lost_;
+};
+
 } // namespace
 
 Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::string& name,
@@ -106,12 +124,17 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
     if (format == "glb") TRY_VOID(check_glb(bytes, name));
     try {
         Assimp::Importer importer;
+        auto* const companions = new Companions; // the importer's from here on
+        importer.SetIOHandler(companions);
         importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
         // A text format with a second file beside it has to be read by name; everything else from memory.
         const aiScene* scene =
             format == "gltf" || format == "obj"
                 ? importer.ReadFile((folder / std::filesystem::path(name).filename()).string(), 0)
                 : importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format.c_str());
+        for (const std::string& lost : companions->lost())
+            report.add(Severity::error, name,
+                       "refers to " + lost + ", which is no plain file: what it says is lost");
         if (!scene || !scene->mRootNode)
             return Error{std::string("not a readable ") + format + " model: " + importer.GetErrorString(),
                          name};

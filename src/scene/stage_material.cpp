@@ -21,6 +21,23 @@ constexpr std::size_t kMaxTextures = 1024;
 constexpr std::size_t kMaxTextureBytes = std::size_t{2} << 30; // decoded, all together
 constexpr std::uintmax_t kMaxTextureFileBytes = std::uintmax_t{256} << 20;
 
+std::string percent_decoded(const std::string& text) {
+    const auto digit = [](char c) {
+        return c >= '0' && c <= '9'   ? c - '0'
+               : c >= 'a' && c <= 'f' ? c - 'a' + 10
+               : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                      : -1;
+    };
+    std::string result;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const int high = text[k] == '%' && k + 2 < text.size() ? digit(text[k + 1]) : -1;
+        const int low = high >= 0 ? digit(text[k + 2]) : -1;
+        result += low >= 0 ? static_cast<char>(high * 16 + low) : text[k];
+        k += low >= 0 ? 2 : 0;
+    }
+    return result;
+}
+
 // The textures of one file, each picture of each kind once.
 class TextureTable {
 public:
@@ -71,8 +88,19 @@ private:
             return image::decode_ldr(
                 Bytes(reinterpret_cast<const std::uint8_t*>(embedded->pcData), embedded->mWidth), "");
         if (embedded) return Error{"embedded without compression, expected PNG or JPEG", ""};
-        TRY(const auto bytes, read_file(folder_ / path, kMaxTextureFileBytes));
+        TRY(const auto bytes, read_file(file_of(path), kMaxTextureFileBytes));
         return image::decode_ldr(bytes, "");
+    }
+
+    // As it is written; as glTF 2.0 writes it (percent-encoded); as Windows does.
+    std::filesystem::path file_of(const std::string& path) const {
+        std::string slashes = path;
+        std::replace(slashes.begin(), slashes.end(), '\\', '/');
+        for (const std::string& name : {path, percent_decoded(path), slashes}) {
+            std::error_code code;
+            if (std::filesystem::is_regular_file(folder_ / name, code)) return folder_ / name;
+        }
+        return folder_ / path;
     }
 
     const aiScene& scene_;

@@ -86,6 +86,22 @@ TEST(StageFile, MaterialInWorkingColour) {
     expect_near(material.emission, image::rec709_to_rec2020({0, 20, 0}));
 }
 
+TEST(StageFile, TexturesAreFoundHoweverTheirNameIsWritten) {
+    const fs::path folder = scratch_folder("spellings");
+    fs::create_directories(folder / "my pictures");
+    const image::Image8 grey(2, 2, 4);
+    ASSERT_TRUE(image::write_png(folder / "my pictures" / "red.png", grey).ok());
+    for (const char* uri : {"my pictures/red.png", "my%20pictures/red.png", "my pictures\\\\red.png"}) {
+        TinyGlb glb;
+        glb.more = std::string(R"("images":[{"uri":")") + uri + R"("}],"textures":[{"source":0}],)";
+        glb.materials = R"([{"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}])";
+        Report report;
+        const auto stage = load_stage_file(written(folder / "tiny.glb", glb.bytes()), report);
+        ASSERT_TRUE(stage.ok()) << stage.error().text();
+        EXPECT_EQ(stage->textures.size(), 1u) << uri << all_text(report);
+    }
+}
+
 TEST(StageFile, PictureOfTwoTexturesIsStoredOnceAndAMissingOneIsNamed) {
     const fs::path folder = scratch_folder("textures");
     image::Image8 red(2, 2, 4);

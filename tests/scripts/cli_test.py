@@ -331,6 +331,12 @@ class BadShows(Case):
         picture = ("render", folder, "-o", out / "a.png", "--size", SIZE, "--at", "50", "--ev", "2")
         for _ in range(2):
             self.fails(run(*picture), 1, "wall.png")
+        (folder / "wall.mtl").rename(folder / "other.mtl")
+        self.fails(run("check", folder), 1, "wall.mtl")
+        os.mkfifo(folder / "wall.mtl")  # must not be waited for
+        self.fails(run("check", folder), 1, "wall.mtl")
+        (folder / "wall.mtl").unlink()
+        (folder / "other.mtl").rename(folder / "wall.mtl")
         seen = []
         for red in (255, 40):
             chunk = lambda kind, data: len(data).to_bytes(4, "big") + kind + data + zlib.crc32(kind + data).to_bytes(4, "big")
@@ -345,6 +351,8 @@ class BadShows(Case):
         folder = copy_demo("early")
         picture = ("render", folder, "--size", SIZE, "-o")
         self.fails(run(*picture, WORK / "nowhere" / "a.png"), 1, "no such folder")
+        (WORK / "folder.mp4").mkdir()
+        self.fails(run(*picture, WORK / "folder.mp4", "--from", "1", "--to", "2"), 1, "is a folder")
         self.fails(run(*picture, WORK / "a.png", "--replay", WORK / "none.show"), 1, "none.show")
         self.fails(run(*picture, WORK / "a.mp4", "--live-input", "--universes", "5-1"), 2, "5-1")
         edit(folder / "show.toml", 'recording = "demo.show"', 'recording = "lost.show"')
