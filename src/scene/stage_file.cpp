@@ -109,6 +109,10 @@ public:
         lost_.insert(file);
         return nullptr;
     }
+    bool Exists(const char* file) const override {
+        std::error_code code;
+        return std::filesystem::is_regular_file(file, code);
+    }
     const std::set<std::string>& lost() const { return lost_; }
 
 private:
