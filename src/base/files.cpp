@@ -3,10 +3,10 @@
 
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
-#include <regex>
 #include <unistd.h>
 
 namespace ghost {
@@ -71,11 +71,14 @@ fs::path temporary_beside(const fs::path& path) {
 }
 
 bool is_temporary_in_use(const fs::path& path) {
-    static const std::regex kTemporary(R"(\..*\.part([0-9]{1,9})_[0-9]+(\.[^.]*)?)");
     const std::string name = path.filename().string();
-    std::smatch match;
-    if (!std::regex_match(name, match, kTemporary)) return false;
-    const pid_t owner = static_cast<pid_t>(std::stol(match[1]));
+    const std::size_t part = name.rfind(".part");
+    if (part == std::string::npos || name[0] != '.') return false;
+    int pid = 0;
+    const char* const digits = name.c_str() + part + 5;
+    const auto [end, error] = std::from_chars(digits, name.c_str() + name.size(), pid);
+    if (error != std::errc() || pid <= 0 || *end != '_') return false;
+    const auto owner = static_cast<pid_t>(pid);
     return ::kill(owner, 0) == 0 || errno == EPERM;
 }
 
