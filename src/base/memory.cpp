@@ -19,14 +19,21 @@ std::optional<std::uint64_t> number_in(const fs::path& path) {
     return std::nullopt;
 }
 
-std::optional<std::uint64_t> free_of_machine(const fs::path& root) {
-    std::ifstream file(root / "proc/meminfo");
+// Of a file with a name and a number in each line.
+std::optional<std::uint64_t> value_of(const fs::path& path, const std::string& wanted) {
+    std::ifstream file(path);
     std::string name, unit;
-    std::uint64_t kilobytes = 0;
-    while (file >> name >> kilobytes) {
-        if (name == "MemAvailable:") return kilobytes * 1024;
+    std::uint64_t value = 0;
+    while (file >> name >> value) {
+        if (name == wanted) return value;
         std::getline(file, unit);
     }
+    return std::nullopt;
+}
+
+std::optional<std::uint64_t> free_of_machine(const fs::path& root) {
+    const auto kilobytes = value_of(root / "proc/meminfo", "MemAvailable:");
+    if (kilobytes) return *kilobytes * 1024;
     return std::nullopt;
 }
 
@@ -41,7 +48,12 @@ std::optional<std::uint64_t> free_of_group(const fs::path& root) {
         for (fs::path group = fs::path(line.substr(4));; group = group.parent_path()) {
             const auto most = number_in(top / group / "memory.max");
             const auto used = number_in(top / group / "memory.current");
-            if (most && used) least = std::min(least.value_or(UINT64_MAX), *most - std::min(*most, *used));
+            // Files that were read once count as used, but are given back at once.
+            const auto cached = value_of(top / group / "memory.stat", "inactive_file").value_or(0);
+            if (most && used) {
+                const std::uint64_t kept = *used - std::min(*used, cached);
+                least = std::min(least.value_or(UINT64_MAX), *most - std::min(*most, kept));
+            }
             if (group.empty()) break;
         }
     }

@@ -40,7 +40,9 @@ TEST_F(MemoryTest, a_container_may_have_less) {
     write("sys/fs/cgroup/box/memory.max", "50000\n");
     write("sys/fs/cgroup/box/memory.current", "20000\n");
     EXPECT_EQ(free_memory_bytes(root_), 30000u);
-    write("sys/fs/cgroup/box/memory.current", "60000\n"); // just above
+    write("sys/fs/cgroup/box/memory.stat", "anon 5000\ninactive_file 4000\nslab 7\n"); // given back at once
+    EXPECT_EQ(free_memory_bytes(root_), 34000u);
+    write("sys/fs/cgroup/box/memory.current", "60000\n"); // above
     EXPECT_EQ(free_memory_bytes(root_), 0u);
 }
 
