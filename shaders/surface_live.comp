@@ -124,7 +124,8 @@ void main() {
     float eye_m = max(length(view.eye_m - place.xyz), 1e-4);
     f.to_eye = (view.eye_m - place.xyz) / eye_m;
     float pixel_m = 2.0 * length(view.right) / float(view.width) * eye_m;
-    f.area_m2 = place.w * pixel_m * pixel_m / max(dot(f.facet, f.to_eye), 0.05);
+    // Seen at a low angle it is long and narrow: a round blur twice as wide as it is narrow keeps what runs along it.
+    f.area_m2 = place.w * pixel_m * pixel_m / max(dot(f.facet, f.to_eye), 0.25);
     f.brdf = Brdf(layer.rgb, layer.a, mirror.rgb, mirror.a);
 
     vec3 sum = vec3(0.0);

@@ -65,6 +65,11 @@ Result<bool> check_usage(RenderArguments& arguments) {
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
     if (!arguments.session.travel.empty() && (arguments.live_input || !film))
         return Error{"only the camera of a film of a recording travels: --from and --to", "--travel"};
+    if ((arguments.session.supersample > 1 || arguments.session.map_size > 0) && !arguments.session.live)
+        return Error{"passes are as fine as they were baked; with --live or --eye",
+                     arguments.session.map_size > 0 ? "--map-size" : "--supersample"};
+    if (const int size = arguments.session.map_size; (size & (size - 1)) != 0)
+        return Error{std::to_string(size) + " is not a power of two", "--map-size"};
     if (arguments.no_shadows && !arguments.session.live)
         return Error{"baked pictures have their shadows; with --live or --eye", "--no-shadows"};
     TRY(const OutputKind kind, output_kind(arguments.out));
@@ -91,8 +96,9 @@ Result<void> run(RenderArguments& arguments, bool film) {
                                 arguments.fps, arguments.out);
     TRY(const std::unique_ptr<Session> session, open_session(arguments.session));
     TRY(const std::unique_ptr<PictureWriter> writer,
-        PictureWriter::create(arguments.out, session->relighter->width(), session->relighter->height(),
-                              arguments.fps, film));
+        PictureWriter::create(arguments.out, session->relighter->width() / arguments.session.supersample,
+                              session->relighter->height() / arguments.session.supersample, arguments.fps,
+                              film, arguments.session.supersample));
     Tally tally;
     TRY_VOID(arguments.live_input ? render_live(arguments, *session, *writer, tally)
                                   : render_recording(arguments, *session, *writer, tally));
@@ -134,6 +140,15 @@ void add_render(CLI::App& app, int& exit_code) {
         ->add_option("--travel", a->session.travel,
                      "fly to this camera in the course of a film; implies --live")
         ->type_name("NAME");
+    command
+        ->add_option("--supersample", a->session.supersample,
+                     "draw it so many times as large and average: finer edges; with --live")
+        ->check(CLI::Range(1, 8))
+        ->capture_default_str();
+    command
+        ->add_option("--map-size", a->session.map_size,
+                     "texels across a distance map, a power of two: finer shadows; with --live")
+        ->check(CLI::Range(scene::kMinDistanceMapSize, scene::kMaxDistanceMapSize));
     command
         ->add_option("--glare", a->session.glare,
                      "share of the light that the camera scatters; 0: neither glare nor shining lenses")

@@ -4,9 +4,13 @@
 #include "app/caption.h"
 #include "image/exr.h"
 #include "image/ldr.h"
+#include "shared/develop.h"
 
 #include "base/files.h"
+#include "image/colour.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <utility>
 
@@ -14,6 +18,21 @@ namespace ghost::app {
 namespace {
 
 constexpr std::uintmax_t kMaxPictureBytes = std::uintmax_t{1} << 31; // of 8192x8192 in floats: 0.8 GB
+
+image::Image8 developed(const image::ImageF& picture, float ev100) {
+    image::Image8 shown(picture.width, picture.height, 4);
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const float* linear = picture.at(x, y);
+            const glm::vec3 value =
+                shared::develop({linear[0], linear[1], linear[2]}, shared::exposure_of(ev100));
+            std::uint8_t* texel = shown.at(x, y);
+            for (int c = 0; c < 3; ++c)
+                texel[c] = static_cast<std::uint8_t>(std::lround(std::clamp(value[c], 0.0f, 1.0f) * 255.0f));
+            texel[3] = 255;
+        }
+    return shown;
+}
 
 } // namespace
 
@@ -25,11 +44,25 @@ Result<OutputKind> output_kind(const std::filesystem::path& path) {
     return Error{"the output must end in .png, .exr or .mp4", path.string()};
 }
 
+Result<void> write_picture(const std::filesystem::path& path, const image::ImageF& picture, float ev100) {
+    TRY(const OutputKind kind, output_kind(path));
+    if (kind == OutputKind::film) return Error{"one picture is no film: .png or .exr", path.string()};
+    if (kind == OutputKind::png) return image::write_png(path, developed(picture, ev100));
+    image::ExrFile file;
+    file.pixels = picture;
+    file.channels = {"R", "G", "B"};
+    file.chromaticities = image::kRec2020;
+    file.text["unit"] = "cd/m^2";
+    return image::write_exr(path, file, image::ExrSample::full);
+}
+
 Result<std::unique_ptr<PictureWriter>> PictureWriter::create(const std::filesystem::path& path, int width,
-                                                             int height, int fps, bool numbered) {
+                                                             int height, int fps, bool numbered,
+                                                             int supersample) {
     std::unique_ptr<PictureWriter> writer(new PictureWriter);
     writer->path_ = path;
     writer->numbered_ = numbered;
+    writer->supersample_ = supersample;
     TRY(writer->kind_, output_kind(path));
     if (writer->kind_ == OutputKind::film) {
         TRY(writer->film_, video::FilmWriter::create(path, width, height, fps));
@@ -49,7 +82,9 @@ std::filesystem::path PictureWriter::next_path() {
 Result<void> PictureWriter::add(const render::Relighter& relighter, const std::string& caption) {
     image::Image8 picture;
     if (kind_ != OutputKind::exr) {
-        picture = relighter.picture();
+        picture = supersample_ == 1
+                      ? relighter.picture()
+                      : developed(image::averaged(relighter.frame(), supersample_), relighter.ev100_used());
         draw_caption(picture, caption);
     }
     if (kind_ == OutputKind::film) {
@@ -58,12 +93,8 @@ Result<void> PictureWriter::add(const render::Relighter& relighter, const std::s
     }
     last_path_ = next_path();
     if (kind_ == OutputKind::png) return image::write_png(last_path_, picture);
-    image::ExrFile file;
-    file.pixels = relighter.frame();
-    file.channels = {"R", "G", "B"};
-    file.chromaticities = image::kRec2020;
-    file.text["unit"] = "cd/m^2";
-    return image::write_exr(last_path_, file, image::ExrSample::full);
+    return write_picture(last_path_, image::averaged(relighter.frame(), supersample_),
+                         relighter.ev100_used());
 }
 
 Result<void> PictureWriter::repeat(long times) {

@@ -16,11 +16,16 @@ namespace ghost::app {
 enum class OutputKind { png, exr, film };
 Result<OutputKind> output_kind(const std::filesystem::path& path);
 
+// A linear picture as .exr, or developed at this exposure as .png.
+Result<void> write_picture(const std::filesystem::path& path, const image::ImageF& picture, float ev100);
+
 class PictureWriter {
 public:
-    // numbered: PNG and EXR become NAME-00000.png, NAME-00001.png, ...
+    // width, height: of the file. numbered: PNG and EXR become NAME-00000.png, NAME-00001.png, ...
+    // supersample: the relighter's picture is that many times as large.
     static Result<std::unique_ptr<PictureWriter>> create(const std::filesystem::path& path, int width,
-                                                         int height, int fps, bool numbered);
+                                                         int height, int fps, bool numbered,
+                                                         int supersample = 1);
     // caption: burnt into the picture, but not into EXR.
     Result<void> add(const render::Relighter& relighter, const std::string& caption = {});
     // The last picture again, so often.
@@ -34,6 +39,7 @@ private:
     std::filesystem::path path_;
     OutputKind kind_ = OutputKind::png;
     bool numbered_ = false;
+    int supersample_ = 1;
     int count_ = 0;
     std::unique_ptr<video::FilmWriter> film_;
     image::Image8 last_frame_;        // of a film

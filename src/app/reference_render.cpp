@@ -9,9 +9,6 @@
 
 #include "base/log.h"
 #include "base/progress.h"
-#include "image/exr.h"
-#include "image/ldr.h"
-#include "shared/develop.h"
 
 #include <algorithm>
 #include <chrono>
@@ -22,31 +19,6 @@ namespace {
 
 double steady_now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-image::Image8 developed(const image::ImageF& picture, float ev100) {
-    image::Image8 shown(picture.width, picture.height, 4);
-    for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) {
-            const float* linear = picture.at(x, y);
-            const glm::vec3 value =
-                shared::develop({linear[0], linear[1], linear[2]}, shared::exposure_of(ev100));
-            std::uint8_t* texel = shown.at(x, y);
-            for (int c = 0; c < 3; ++c)
-                texel[c] = static_cast<std::uint8_t>(std::lround(std::clamp(value[c], 0.0f, 1.0f) * 255.0f));
-            texel[3] = 255;
-        }
-    return shown;
-}
-
-Result<void> write(const image::ImageF& picture, float ev100, OutputKind kind, const std::string& out) {
-    if (kind == OutputKind::png) return image::write_png(out, developed(picture, ev100));
-    image::ExrFile file;
-    file.pixels = picture;
-    file.channels = {"R", "G", "B"};
-    file.chromaticities = image::kRec2020;
-    file.text["unit"] = "cd/m^2";
-    return image::write_exr(out, file, image::ExrSample::full);
 }
 
 // What the rig does at a moment of a recording, stepped as a film is, because wheels and gobos turn.
@@ -118,7 +90,7 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     progress.finish();
     if (interrupted()) return Error{"interrupted: nothing was written", out};
     if (!picture.ok()) return picture.error();
-    TRY_VOID(write(*picture, options.ev100.value_or(camera.ev100), kind, out));
+    TRY_VOID(write_picture(out, *picture, options.ev100.value_or(camera.ev100)));
     log_info(out + ": reference in " + clock_text(steady_now_s() - start_s));
     if (report.lost_anything())
         return Error{"drawn, but something that the show asks for is missing (see above)",

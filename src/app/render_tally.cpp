@@ -30,8 +30,8 @@ void print_tally(const RenderArguments& arguments, const Session& session, const
     if (arguments.json) {
         nlohmann::json row{{"out", arguments.out},
                            {"device", session.device->name()},
-                           {"width", session.relighter->width()},
-                           {"height", session.relighter->height()},
+                           {"width", session.relighter->width() / arguments.session.supersample},
+                           {"height", session.relighter->height() / arguments.session.supersample},
                            {"frames", tally.draw_ms.size()},
                            {"draw_ms_median", median},
                            {"draw_ms_p99", p99},

@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMaxSourceBytes = 1u << 30;
 constexpr float kSamePlace_m = 0.05f;
+constexpr int kMostPixelsAcross = 16384; // what every device of today takes
 
 double steady_now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -287,7 +288,15 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
         if (!options.live)
             camera.name += "@" + std::to_string(options.width) + "x" + std::to_string(options.height);
     }
-    if (options.width > 0 || options.eye) {
+    if (std::max(camera.width, camera.height) * options.supersample > kMostPixelsAcross)
+        return Error{"a picture " + std::to_string(options.supersample) + " times as large as " +
+                         std::to_string(camera.width) + "x" + std::to_string(camera.height) +
+                         " is more than " + std::to_string(kMostPixelsAcross) + " pixels across",
+                     "--supersample"};
+    camera.width *= options.supersample;
+    camera.height *= options.supersample;
+    if (options.map_size > 0) session->show->distance_map_size = options.map_size;
+    if (options.width > 0 || options.eye || options.supersample > 1) {
         session->camera = session->show->cameras.size();
         session->show->cameras.push_back(camera);
     }

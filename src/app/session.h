@@ -22,7 +22,9 @@ struct SessionOptions {
     std::string view; // empty: the first camera
     int width = 0;    // 0: the camera's own size; else passes of this size are baked beside the others
     int height = 0;
-    std::string device; // see gpu::DeviceOptions
+    int supersample = 1; // live only: drawn this many times as large
+    int map_size = 0;    // live only: of distance maps, instead of the show's
+    std::string device;  // see gpu::DeviceOptions
     bool validation = false;
     bool bake = true; // false: missing passes are an error
     bool quiet = false;

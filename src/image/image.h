@@ -35,4 +35,7 @@ private:
 using Image8 = Image<std::uint8_t>; // sRGB or data, as its owner says
 using ImageF = Image<float>;        // scene-linear
 
+// Mean over blocks of factor x factor pixels; what is left at the right and below is cut off.
+ImageF averaged(const ImageF& picture, int factor);
+
 } // namespace ghost::image

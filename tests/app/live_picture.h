@@ -69,17 +69,6 @@ inline scene::DistanceMaps trace_maps(const bake::Tracer& tracer, std::vector<sh
     return maps;
 }
 
-// Mean over blocks of factor x factor pixels.
-inline image::ImageF averaged(const image::ImageF& picture, int factor) {
-    image::ImageF small(picture.width / factor, picture.height / factor, picture.channels);
-    const float share = 1.0f / static_cast<float>(factor * factor);
-    for (int y = 0; y < small.height * factor; ++y)
-        for (int x = 0; x < small.width * factor; ++x)
-            for (int c = 0; c < picture.channels; ++c)
-                small.at(x / factor, y / factor)[c] += share * picture.at(x, y)[c];
-    return small;
-}
-
 struct LiveScene {
     const render::StageModel& model;
     scene::Camera camera;
@@ -100,7 +89,7 @@ inline image::ImageF live_picture(const LiveScene& scene, int factor = 1) {
                                 static_cast<int>(scene.lights.size()), scene.settings);
     relighter.draw(scene.lights);
     EXPECT_EQ(live_device().validation_errors(), 0u);
-    return averaged(relighter.frame(), factor);
+    return image::averaged(relighter.frame(), factor);
 }
 
 } // namespace ghost::app

@@ -105,6 +105,10 @@ class Usage(Case):
         self.fails(run(*demo, "--fov", "30"), 2, "--eye")
         self.fails(run(*demo, "--seconds", "3"), 2, "--live-input")
         self.fails(run(*demo, "--no-shadows"), 2, "--live")
+        self.fails(run(*demo, "--supersample", "2"), 2, "--live")
+        self.fails(run(*demo, "--map-size", "128"), 2, "--live")
+        self.fails(run(*demo, "--live", "--map-size", "100"), 2, "power of two")
+        self.fails(run(*demo, "--live", "--size", "8192x8192", "--supersample", "3"), 1, "16384")
         self.fails(run(*demo, "--travel", "close"), 2, "--from")
         self.fails(run(*demo, "--live-input", "--travel", "close"), 2, "--from")
 
@@ -210,6 +214,11 @@ class Pictures(Case):
         self.assertEqual((out / "a.png").read_bytes(), (out / "b.png").read_bytes())
         self.works(run(*live, "-o", out / "open.png", "--no-shadows"))
         self.assertNotEqual((out / "a.png").read_bytes(), (out / "open.png").read_bytes())
+        fine = run(*live, "-o", out / "fine.exr", "--supersample", "3", "--json")
+        self.works(fine)
+        self.assertEqual("%dx%d" % (json.loads(fine.stdout)["width"], json.loads(fine.stdout)["height"]), SIZE)
+        self.works(run(*live, "-o", out / "plain.exr"))
+        self.works(run("compare", out / "plain.exr", out / "fine.exr", "--min", "psnr=25"))
         free = ("render", show, "-o", out / "c.png", "--size", SIZE, "--at", "50")
         self.works(run(*free, "--eye", "2.2", "0.6", "1.9", "--target", "-0.3", "6", "2.9"))
         self.works(run(*free, "--eye", "0", "9.05", "1", "--target", "0", "9.5", "1"))  # in the back wall
