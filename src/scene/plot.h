@@ -157,6 +157,7 @@ struct PlotDevice {
     std::vector<PlotAddress> addresses;
     std::string fixture_id;
     std::optional<int> fixture_id_numeric;
+    std::optional<int> fixture_type_id; // until MVR 1.5
     std::optional<int> unit_number;
     int custom_id = 0;
     int custom_id_type =
@@ -196,12 +197,12 @@ struct PlotObject {
     int plot_class = -1; // Plot::classes
     std::vector<PlotGeometry> geometries;
     PlotDevice device;
-    double chain_length_m = 0;               // support
+    double chain_length = 0;                 // support; as written, the standard names no unit
     std::vector<PlotSource> sources;         // video screen
     std::vector<PlotProjection> projections; // projector
     bool hidden = false;                     // by a PlotChange; no file says so
     int line = 0;                            // in the description, for messages
-    int element = 0; // which object element of the description it is, in reading order from 0: for the export
+    std::ptrdiff_t element = -1;             // where its element stands in the description, for the export
 };
 
 struct PlotLayer {
