@@ -73,7 +73,8 @@ vec3 gobo_mean(const shared::Gobos& gobos, std::uint32_t layer) {
 
 vec3 lamp_colour(const fixture::Beam& beam, const fixture::Optics& optics) {
     if (optics.emitters.empty())
-        return image::cct_to_rec2020(optics.cct_k > 0 ? optics.cct_k : beam.color_temperature_k);
+        return image::cct_to_rec2020(optics.cct_k > 0 ? optics.cct_k
+                                                      : beam.color_temperature_k * optics.lamp_cct_share);
     vec3 sum(0.0f);
     for (const fixture::EmitterLevel& emitter : optics.emitters)
         sum += image::xyy_to_rec2020({emitter.color.x, emitter.color.y, emitter.color.Y / 100.0f}) *
@@ -127,8 +128,8 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         light.colour_b = slot_colour(type, *pair.b) / a;
         light.split = shared::kSlotSpacing * (0.5f - pair.shift);
     }
-    light.intensity_cd =
-        colour * (peak_candela(profile, source.luminous_flux_lm) * optics.dimmer * optics.shutter);
+    light.intensity_cd = colour * (peak_candela(profile, source.luminous_flux_lm) * optics.lamp *
+                                   optics.dimmer * optics.shutter);
 
     for (const fixture::WheelState& wheel : optics.gobo_wheels) {
         if (light.wheel_count >= 2) break;
