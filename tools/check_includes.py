@@ -21,7 +21,7 @@ LIBRARIES = {
     "pugixml.hpp": {"fixture", "scene"},
     "assimp/": {"scene"},
     "toml++/": {"scene"},
-    "nlohmann/": {"scene", "bake", "app"},
+    "nlohmann/": {"fixture", "scene", "bake", "app"},
     "OpenEXR/": {"image"},
     "Imath": {"image"},
     "stb/": {"image"},
