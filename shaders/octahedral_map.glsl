@@ -7,6 +7,12 @@ layout(binding = DISTANCE_MAPS) uniform sampler2DArray distance_maps;
 
 const float kNothing_m = 6e4;
 
+// How wide a texel is, on average over its two sides, in the direction of a unit vector.
+float texel_rad(vec3 direction, int size) {
+    float length1 = abs(direction.x) + abs(direction.y) + abs(direction.z);
+    return 2.0 / float(size) * length1 * sqrt(length1);
+}
+
 // Texel of a map; beyond an edge the octahedron goes on at the same edge, mirrored.
 float map_texel(uint map, ivec2 at, int size) {
     bool beyond_x = at.x < 0 || at.x >= size;

@@ -25,6 +25,7 @@ layout(binding = 7, rgba16f) readonly uniform image2DArray diffuse; // Brdf::dif
 layout(binding = 9, rgba16f) readonly uniform image2DArray specular; // Brdf::f0, f90
 layout(binding = 10, rgba16f) readonly uniform image2DArray normals; // and the facet's, packed
 layout(binding = 11, scalar) uniform AirBlock { Air air; };
+layout(binding = 12) uniform sampler2DArray nearest_maps; // render/distance_images.h
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 layout(constant_id = 2) const bool kShadows = true;
@@ -38,39 +39,65 @@ struct Fragment {
     Brdf brdf;
 };
 
-// Share of the light that reaches a place: a box of 1 to 3 texels over the map, as wide as the penumbra that a lens of this
-// size throws from what is in the way (Fernando 2005). Each texel is compared with the plane of the facet, so that a slanted
-// surface does not shadow itself; what is nearer than kBias in front of that plane does not count.
+// Share of the light that reaches a place: a box over the map, as wide as the penumbra that a lens of this size throws from
+// what is in the way (Fernando 2005), 1 to 3 texels of every, every 2nd, 4th or 8th one, by what is nearest around there. Each
+// texel is compared with the plane of the facet, so that a slanted surface does not shadow itself; what is nearer than kBias in
+// front of that plane does not count.
 const float kBias_m = 0.02;
-const float kBias = 0.004; // of the distance, more
+const float kBias = 0.004;      // of the distance, more
+const float kDiscToBox = 0.86; // a box this much narrower than the disc's penumbra rises as fast from 10 to 90 %
+
+// Full width of the penumbra as the light sees it.
+float penumbra_rad(Light light, float blocker_m, float distance_m) {
+    return kDiscToBox * 2.0 * light.disc_radius_m * max(distance_m - blocker_m, 0.0) / max(blocker_m * distance_m, 1e-4);
+}
+
+int stride_for(float penumbra_texels) {
+    return penumbra_texels <= 3.0 ? 1 : (penumbra_texels <= 6.0 ? 2 : (penumbra_texels <= 12.0 ? 4 : 8));
+}
 
 float lit_share(Light light, Fragment f, vec3 from_light, float distance_m, bool wanted) {
     int size = textureSize(distance_maps, 0).x;
-    vec2 place = octahedral_from(from_light) * float(size);
-    ivec2 corner = ivec2(floor(place - 1.5));
+    int cells = textureSize(nearest_maps, 0).x;
+    vec2 map_place = octahedral_from(from_light);
+    float per_rad = 1.0 / texel_rad(from_light / distance_m, size);
+    float nearest_m =
+        texelFetch(nearest_maps, ivec3(min(ivec2(map_place * float(cells)), cells - 1), int(max(light.map, 1u)) - 1), 0).x;
     float bias = kBias_m + kBias * distance_m;
     float plane = dot(f.facet, from_light);
     float facing = abs(plane) > 0.02 * distance_m ? 1.0 / plane : 0.0;
+    int stride = stride_for(penumbra_rad(light, nearest_m, distance_m) * per_rad);
+    vec2 inside = vec2(0.0);
     uint nearer = 0u; // a bit for each texel
-    float blocker_m = 0.0;
-    // Where nothing shines anyway one row has to do.
-    for (int row = 0; row < (wanted ? 4 : 1); ++row)
-        for (int column = 0; column < 4; ++column) {
-            ivec2 at = corner + ivec2(column, row);
-            float map_m = map_texel(light.map, at, size);
-            // Where this texel's ray meets the plane of the facet.
-            vec3 ray = direction_from_octahedral((vec2(at) + 0.5) / float(size));
-            float inverse = dot(f.facet, ray) * facing;
-            float plane_m = inverse > 0.5 / distance_m ? 1.0 / inverse : distance_m;
-            bool blocks = map_m < plane_m - bias;
-            nearer |= blocks ? 1u << (4 * row + column) : 0u;
-            blocker_m += blocks ? map_m : 0.0;
-        }
-    blocker_m = blocker_m / max(float(bitCount(nearer)), 1.0);
-    // Full width of the penumbra as an angle from the light, in texels; a texel is about 2.3 / size wide.
-    float angle = 2.0 * light.disc_radius_m * (distance_m - blocker_m) / max(blocker_m * distance_m, 1e-4);
-    float half_width = 0.5 * clamp(angle * float(size) / 2.3, 1.0, 3.0);
-    vec2 inside = place - vec2(corner);
+    float penumbra_texels = 0.0;
+    // What is nearest around there may not be what throws this shadow: then once more, as finely as that needs.
+    int passes = 2;
+    for (int pass = 0; pass < passes; ++pass) {
+        vec2 place = map_place * (float(size) / float(stride));
+        ivec2 corner = ivec2(floor(place - 1.5));
+        inside = place - vec2(corner);
+        nearer = 0u;
+        float blocker_m = 0.0;
+        // Where nothing shines anyway one row has to do.
+        for (int row = 0; row < (wanted ? 4 : 1); ++row)
+            for (int column = 0; column < 4; ++column) {
+                ivec2 at = (corner + ivec2(column, row)) * stride + stride / 2;
+                float map_m = map_texel(light.map, at, size);
+                // Where this texel's ray meets the plane of the facet.
+                vec3 ray = direction_from_octahedral((vec2(at) + 0.5) / float(size));
+                float inverse = dot(f.facet, ray) * facing;
+                float plane_m = inverse > 0.5 / distance_m ? 1.0 / inverse : distance_m;
+                bool blocks = map_m < plane_m - bias;
+                nearer |= blocks ? 1u << (4 * row + column) : 0u;
+                blocker_m += blocks ? map_m : 0.0;
+            }
+        blocker_m = blocker_m / max(float(bitCount(nearer)), 1.0);
+        penumbra_texels = nearer == 0u ? 0.0 : penumbra_rad(light, blocker_m, distance_m) * per_rad;
+        int finer = min(stride_for(penumbra_texels), stride);
+        passes = wanted && finer < stride ? passes : 1;
+        stride = pass + 1 < passes ? finer : stride;
+    }
+    float half_width = 0.5 * clamp(penumbra_texels / float(stride), 1.0, 3.0);
     const vec4 cell = vec4(0.0, 1.0, 2.0, 3.0);
     vec4 across = max(min(cell + 1.0, inside.x + half_width) - max(cell, inside.x - half_width), 0.0);
     vec4 down = max(min(cell + 1.0, inside.y + half_width) - max(cell, inside.y - half_width), 0.0);

@@ -16,6 +16,7 @@ struct ReferenceArguments {
     bool wanted = false;
     int samples = 4096;    // along each camera ray, per light
     int pixel_samples = 4; // per axis of a pixel
+    int lens_samples = 1;  // of the lens that throws the shadows; 1: a point
 };
 
 // replay: recording, empty: the show's own. at_s: second of it, stepped through from its start at fps.

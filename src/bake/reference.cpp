@@ -144,7 +144,7 @@ private:
         if (count == 1) return {light.position_m};
         std::vector<glm::vec3> points;
         for (int k = 0; k < count; ++k) { // Vogel's spiral: even over the disc
-            const double radius_m = static_cast<double>(light.lens_radius_m) * std::sqrt((k + 0.5) / count);
+            const double radius_m = static_cast<double>(light.disc_radius_m) * std::sqrt((k + 0.5) / count);
             const double angle = k * pi * (3.0 - std::sqrt(5.0));
             points.push_back(light.position_m +
                              light.axis_u * static_cast<float>(radius_m * std::cos(angle)) +

@@ -23,7 +23,7 @@ struct ReferenceOptions {
     int air_samples = 4096;
     int pixel_samples = 1; // positions per axis under a box of one pixel; 1: the pixel's centre
     int lens_samples =
-        1;           // more: shadows of a disc of Light::lens_radius_m about the light instead of a point
+        1;           // more: shadows of a disc of Light::disc_radius_m about the light instead of a point
     int every = 1;   // only each n-th pixel across and down; the picture is that much smaller
     int threads = 0; // 0: one per core
     bool surfaces = true; // light on surfaces; without it they still end the rays

@@ -98,8 +98,10 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
 void Relighter::make_surface_programs() {
     const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
     std::vector bindings{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kStored};
-    if (g_buffer_) bindings.insert(bindings.end(), {kSampled, kStored, kStored});
-    bindings.push_back(kUniform);
+    if (g_buffer_)
+        bindings.insert(bindings.end(), {kSampled, kStored, kStored, kUniform, kSampled});
+    else
+        bindings.push_back(kUniform);
     for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
         surface_[wheels] =
             g_buffer_ ? std::make_unique<gpu::Program>(device_, shaders::kShader_surface_live, bindings,
@@ -311,7 +313,7 @@ std::uint64_t Relighter::memory_bytes() const {
     std::uint64_t sum = haze_.memory_bytes() + lens_.memory_bytes() + glare_.memory_bytes() +
                         (g_buffer_ ? g_buffer_->memory_bytes() : 0) + (wide_ ? wide_->memory_bytes() : 0) +
                         (mender_ ? mender_->memory_bytes() : 0);
-    if (distances_) sum += distances_->texture().bytes();
+    if (distances_) sum += distances_->bytes();
     for (const gpu::Buffer* buffer : {&f.view, &lights_, &f.tile_bounds, &masks_, &lists_, &groups_, &work_,
                                       &work_read_, &exposure_, &pixels_})
         sum += buffer->bytes();

@@ -134,8 +134,10 @@ void Relighter::record_surfaces(const LightChunk& chunk) {
     if (g_buffer_)
         bindings.insert(bindings.end(),
                         {gpu::sampled(distances_ ? distances_->texture() : gobos_),
-                         gpu::stored(g_buffer_->specular()), gpu::stored(g_buffer_->normals())});
-    bindings.push_back(gpu::uniform(air_));
+                         gpu::stored(g_buffer_->specular()), gpu::stored(g_buffer_->normals()),
+                         gpu::uniform(air_), gpu::sampled(distances_ ? distances_->nearest() : gobos_)});
+    else
+        bindings.push_back(gpu::uniform(air_));
     commands_.begin_span("surfaces");
     shared::RelightPush push{chunk.count(), 0, f.tiles_x, chunk.tiles(), f.blocks, 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {

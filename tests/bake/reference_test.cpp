@@ -218,7 +218,7 @@ TEST(Reference, BoxThrowsShadowOnFloorAndInAir) {
     place(stage, box, glm::translate(glm::mat4(1.0f), glm::vec3(0, 0, 2)));
     const Tracer tracer(stage);
     shared::Light light = spot({0, 0, 4}, {0, 0, 0}, 40, 0);
-    light.lens_radius_m = 0.2f;
+    light.disc_radius_m = 0.2f;
     light.edge = 0.01f;
     light.focus_per_m = 0.25f;
     const shared::Haze haze = even_haze(0, 0.02f, 0);

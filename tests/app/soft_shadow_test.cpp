@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shadows as soft as the lens is large: the penumbra that the straight edge of a plate throws on the floor,
+// against the share of a disc that is seen past an edge.
+#include "thesis_scene.h"
+
+namespace ghost::app {
+namespace {
+
+constexpr float kLamp_m = 8, kPlate_m = 5; // above the floor
+constexpr int kPixels = 512;
+constexpr int kMapSize = 1024;
+constexpr double kTexel_m = 2.0 / kMapSize * static_cast<double>(kLamp_m); // on the floor, straight below
+
+// Share of a disc of radius 1 on one side of a chord, -1 (none) to 1 (all) from its middle.
+double disc_share(double chord) {
+    const double x = std::clamp(chord, -1.0, 1.0);
+    return 0.5 + (x * std::sqrt(1 - x * x) + std::asin(x)) / std::acos(-1.0);
+}
+
+struct Profile {
+    std::vector<double> place_m;
+    std::vector<double> lit; // share, from dark to bright
+    double at(double share) const {
+        for (std::size_t k = 1; k < lit.size(); ++k)
+            if (lit[k - 1] < share && lit[k] >= share)
+                return place_m[k - 1] +
+                       (place_m[k] - place_m[k - 1]) * (share - lit[k - 1]) / (lit[k] - lit[k - 1]);
+        ADD_FAILURE() << "the light never reaches " << share;
+        return 0;
+    }
+};
+
+Profile profile_of(float disc_radius_m) {
+    scene::Stage stage = empty_stage();
+    add_box(stage, {-30, -30, -0.2f}, {30, 30, 0});
+    add_box(stage, {-10, -10, kPlate_m - 0.005f}, {0, 10, kPlate_m + 0.005f});
+    shared::Light light = aimed_light({0, 0, kLamp_m}, {0, 0, 0}, 60, true);
+    light.disc_radius_m = disc_radius_m;
+    render::Settings settings = bench_settings();
+    settings.air = false;
+    const LiveStage::Eye eye{{0, -3, 3}, {0, 0, 0}, 0.5f};
+    LiveStage with(stage, {light}, kPixels, 16, settings, kMapSize);
+    LiveStage without(stage, {light}, kPixels, 16, settings, kNoMaps);
+    with.look(eye);
+    without.look(eye);
+    const image::ImageF shadowed = with.draw(), open = without.draw();
+    Profile profile;
+    const double half_m = std::tan(glm::radians(0.25)) * (kPixels / 16.0) * std::sqrt(18.0);
+    for (int x = 0; x < kPixels; ++x) {
+        profile.place_m.push_back(((x + 0.5) / kPixels * 2 - 1) * half_m);
+        profile.lit.push_back(static_cast<double>(shadowed.at(x, 8)[1]) /
+                              static_cast<double>(open.at(x, 8)[1]));
+    }
+    return profile;
+}
+
+TEST(SoftShadow, IsAsWideAsTheLensMakesIt) {
+    for (const float radius_m : {0.02f, 0.04f, 0.07f, 0.1f, 0.12f}) {
+        const Profile profile = profile_of(radius_m);
+        // A point of the floor at x sees the lens past the plate's edge.
+        const double half_m = static_cast<double>(radius_m * kPlate_m / (kLamp_m - kPlate_m));
+        double worst = 0;
+        for (std::size_t k = 0; k < profile.lit.size(); ++k)
+            worst = std::max(worst, std::abs(profile.lit[k] - disc_share(profile.place_m[k] / half_m)));
+        const double width_m = profile.at(0.9) - profile.at(0.1), wanted_m = 2 * 0.6870 * half_m;
+        std::printf("lens of %.0f mm: penumbra of %.1f texels, 10 to 90 %% in %.0f mm (%.0f), middle off by "
+                    "%.1f mm, worst share %.3f\n",
+                    1e3 * static_cast<double>(radius_m), 2 * half_m / kTexel_m, 1e3 * width_m, 1e3 * wanted_m,
+                    1e3 * profile.at(0.5), worst);
+        EXPECT_NEAR(width_m / wanted_m, 1, 0.1);
+        EXPECT_NEAR(profile.at(0.5), 0, 1.5 * kTexel_m);
+        EXPECT_LE(worst, 0.12);
+    }
+}
+
+TEST(SoftShadow, OfAPointIsOneTexelWide) {
+    const Profile profile = profile_of(0);
+    EXPECT_NEAR(profile.at(0.9) - profile.at(0.1), 0.8 * kTexel_m, 0.1 * kTexel_m);
+    EXPECT_NEAR(profile.at(0.5), 0, 0.6 * kTexel_m);
+}
+
+} // namespace
+} // namespace ghost::app
