@@ -39,6 +39,7 @@ Result<bool> check_usage(RenderArguments& arguments) {
     if (arguments.hold_fps > 0 && arguments.session.beams.beams != render::Beams::gate)
         return Error{"only the haze of --beams gate can be lowered", "--hold-fps"};
     arguments.session.beams.most_wide_step = arguments.hold_fps > 0 ? 4 : 1;
+    arguments.session.motion = fixture::motion_from(arguments.motion);
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
     arguments.session.shadows = !arguments.no_shadows;
     arguments.session.maps_in_background = arguments.live_input;
@@ -167,6 +168,17 @@ void add_render(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 64))
         ->needs(reference)
         ->capture_default_str();
+    command
+        ->add_option("--lens-samples", a->reference.lens_samples,
+                     "of --reference: across a lens; 1: hard shadows")
+        ->check(CLI::Range(1, 4096))
+        ->needs(reference)
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--motion", a->motion,
+            "machine: fixtures take the time that they need; commanded: at once (default: the show's)")
+        ->check(CLI::IsMember({"commanded", "machine"}));
     command->add_option("--replay", a->replay, "DMX recording (default: the show's own)")->type_name("FILE");
     command->add_option("--at", a->at_s, "second of the recording")->check(number_in(0.0, 86400.0));
     command->add_option("--from", a->from_s, "first second of a film")

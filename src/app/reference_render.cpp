@@ -47,6 +47,7 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     if (kind == OutputKind::film) return Error{"a reference is one picture: .png or .exr", out};
     scene::Report report;
     TRY(scene::Show show, scene::load_show(options.show, false, report));
+    show.motion = options.motion.value_or(show.motion);
     load_stage(show, report);
     TRY(const std::size_t view, show.find_camera(options.view));
     scene::Camera camera = options.eye.value_or(show.cameras[view]);
@@ -72,6 +73,7 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     bake::ReferenceOptions reference;
     reference.air_samples = arguments.samples;
     reference.pixel_samples = arguments.pixel_samples;
+    reference.lens_samples = arguments.lens_samples;
     reference.shadows = options.shadows && show.shadows;
     reference.attenuation = {show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic};
     if (is_uneven(show)) {

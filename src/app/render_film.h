@@ -20,6 +20,7 @@ struct RenderArguments {
     std::string size;
     std::string beams = "gate";
     std::string replay;
+    std::string motion; // empty: the show's
     double at_s = -1;
     double from_s = -1;
     double to_s = -1;

@@ -266,6 +266,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     auto session = std::make_unique<Session>();
     scene::Report& report = session->report;
     TRY(scene::Show show, scene::load_show(options.show, false, report));
+    show.motion = options.motion.value_or(show.motion);
     session->show = std::make_unique<scene::Show>(std::move(show));
     print_report(report);
     std::size_t printed = report.messages.size();

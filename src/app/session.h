@@ -30,12 +30,13 @@ struct SessionOptions {
     bool quiet = false;
     bool plays_recording = false; // the show's own: an error where it has none
     render::HazeSettings beams;
-    std::optional<float> ev100;       // instead of the camera's
-    bool live = false;                // a free camera: no passes
-    std::optional<scene::Camera> eye; // instead of a camera of the show; live only
-    std::string travel;               // a camera to fly to; live only
-    bool shadows = true;              // live only
-    bool maps_in_background = false;  // live only: LiveOptions
+    std::optional<fixture::Motion> motion; // instead of the show's
+    std::optional<float> ev100;            // instead of the camera's
+    bool live = false;                     // a free camera: no passes
+    std::optional<scene::Camera> eye;      // instead of a camera of the show; live only
+    std::string travel;                    // a camera to fly to; live only
+    bool shadows = true;                   // live only
+    bool maps_in_background = false;       // live only: LiveOptions
     float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
 };

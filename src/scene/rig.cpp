@@ -30,7 +30,7 @@ void Rig::step(const dmx::Universes& universes, double dt_s) {
     for (const dmx::Universe& universe : universes.list) levels.set(universe.number, *universe.levels);
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         if (!patches_[i].type) continue;
-        fixture::step(states_[i], patches_[i], fixture::decode(patches_[i], levels), dt_s);
+        fixture::step(states_[i], patches_[i], fixture::decode(patches_[i], levels), dt_s, show_.motion);
         const auto& track = show_.fixtures[i].track;
         if (!track) continue;
         const auto universe = static_cast<std::uint16_t>(track->universe);

@@ -19,7 +19,7 @@ class Rig {
 public:
     explicit Rig(const Show& show);
 
-    // Decodes the levels and moves every fixture on by dt_s.
+    // Decodes the levels and moves every fixture on by dt_s, as Show::motion says.
     void step(const dmx::Universes& universes, double dt_s);
 
     // One light per beam of each fixture, in the order of the show; fixtures without a readable type have

@@ -5,6 +5,7 @@
 // loaded once.
 
 #include "base/result.h"
+#include "fixture/motion.h"
 #include "fixture/type.h"
 #include "scene/overrides.h"
 #include "scene/report.h"
@@ -100,6 +101,7 @@ struct Show {
     std::vector<Hazer> hazers;
     Attenuation attenuation;
     bool shadows = true;
+    fixture::Motion motion = fixture::Motion::as_the_machine;
     int distance_map_size = 0;           // texels a side; 0: by the number of lights
     std::vector<ObjectSettings> objects; // applied by stage_with_bodies
     std::vector<Camera> cameras;

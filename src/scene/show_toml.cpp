@@ -156,6 +156,15 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
         parsed.stage_line = reader.line_of("stage");
         if (const auto recording = reader.text("recording")) show.recording = show.folder / *recording;
         parsed.recording_line = reader.line_of("recording");
+        if (const auto motion = reader.text("motion")) {
+            if (const auto chosen = fixture::motion_from(*motion))
+                show.motion = *chosen;
+            else
+                reader.problem(Severity::error, "motion",
+                               "is '" + motion->substr(0, 40) +
+                                   "', expected \"machine\" (speed and inertia of the fixtures) or "
+                                   "\"commanded\" (at once); it is \"machine\"");
+        }
         const auto ambient = reader.number("ambient_lux", 0, kMaxAmbient_lux);
         put(show.ambient_lux, ambient);
         if (ambient) ambient_where = reader.where("ambient_lux");

@@ -259,6 +259,25 @@ TEST(rig, GoboTurnsWithTime) {
     EXPECT_NEAR(std::fmod(turn_deg() - start + 720.0f, 360.0f), speed, 0.1f);
 }
 
+TEST(rig, TheShowSaysWhetherMachinesTakeTheirTime) {
+    Desk desk("Spot");
+    for (const bool is_machine : {true, false}) {
+        desk.show.motion = is_machine ? fixture::Motion::as_the_machine : fixture::Motion::as_commanded;
+        desk.set(2, 0).set(3, 0);
+        Rig rig(desk.show);
+        rig.step(desk.universes(), 1.0 / 30);
+        desk.set(2, 255).set(3, 255);
+        rig.step(desk.universes(), 1.0);
+        const float pan_deg = rig.states()[0].pan_deg;
+        if (is_machine) {
+            EXPECT_GT(pan_deg, -200.0f);
+            EXPECT_LT(pan_deg, 0.0f);
+        } else {
+            EXPECT_EQ(pan_deg, 270.0f);
+        }
+    }
+}
+
 TEST(rig, SameLevelsSameBits) {
     Desk desk("Spot");
     desk.set(13, 72).set(14, 146).set(15, 200).set(11, 100).set(18, 20); // gobos, rotation, strobe, slow pan

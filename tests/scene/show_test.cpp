@@ -248,6 +248,21 @@ TEST(ShowToml, WhatCannotBeShownIsAnError) {
     EXPECT_FALSE(parse_show("", "s.toml", report).ok());
 }
 
+TEST(ShowToml, MotionIsTheMachinesUnlessTheShowSaysOtherwise) {
+    const auto with = [](const std::string& line, Report& report) {
+        std::string text = kHead;
+        text.insert(text.find("[show]\n") + 7, line);
+        return parse(text, report).show.motion;
+    };
+    Report report;
+    EXPECT_EQ(with("", report), fixture::Motion::as_the_machine);
+    EXPECT_EQ(with("motion = \"machine\"\n", report), fixture::Motion::as_the_machine);
+    EXPECT_EQ(with("motion = \"commanded\"\n", report), fixture::Motion::as_commanded);
+    EXPECT_TRUE(report.messages.empty()) << all_text(report);
+    EXPECT_EQ(with("motion = \"slow\"\n", report), fixture::Motion::as_the_machine);
+    expect_message(report, Severity::error, 2, "expected \"machine\"");
+}
+
 TEST(ShowToml, ConcentrationBecomesExtinction) {
     Report report;
     const ParsedShow parsed = parse(kHead + "[haze]\nconcentration_mg_per_m3 = 10\n", report);
