@@ -24,14 +24,6 @@ std::string forward(std::string_view name) {
     return result;
 }
 
-bool climbs_out(const std::string& name) {
-    const std::string path = forward(name);
-    if (path.empty() || path.front() == '/' || (path.size() > 1 && path[1] == ':')) return true;
-    for (const std::string_view part : fixture::split(path, '/'))
-        if (part == "..") return true;
-    return false;
-}
-
 struct LimitedWriter : pugi::xml_writer {
     std::string text;
     void write(const void* data, std::size_t size) override {
@@ -148,12 +140,20 @@ constexpr fixture::ArchiveLimits kLimits{kMaxMvrEntries, kMaxMvrMemberBytes, kMa
 
 } // namespace
 
+bool leads_out(const std::string& member) {
+    const std::string path = forward(member);
+    if (path.empty() || path.front() == '/' || (path.size() > 1 && path[1] == ':')) return true;
+    for (const std::string_view part : fixture::split(path, '/'))
+        if (part == "..") return true;
+    return false;
+}
+
 MvrMembers::MvrMembers(const std::vector<std::string>& names, const std::string& archive, Report& report) {
     std::vector<std::string> climbing;
     std::vector<std::string> repeated;
     std::vector<std::string> alike;
     for (const std::string& name : names) {
-        if (climbs_out(name)) {
+        if (leads_out(name)) {
             climbing.push_back(name);
             continue;
         }

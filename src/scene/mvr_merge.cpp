@@ -139,7 +139,9 @@ private:
         note("fixture ID", before.device.fixture_id, after.device.fixture_id);
         note("class", class_of(old_, before), class_of(new_, after));
         note("layer", layer_of(old_, before), layer_of(new_, after));
-        note("hangs on", parent_key(old_, old_keys_, before), parent_key(new_, new_keys_, after));
+        if (parent_key(old_keys_, before) != parent_key(new_keys_, after))
+            text += (text.empty() ? "" : ", ") + std::string("hangs on ") + parent_name(new_, after) +
+                    " instead of " + parent_name(old_, before);
         if (before.kind != after.kind) note("kind", name_of(before.kind), name_of(after.kind));
         return text;
     }
@@ -150,9 +152,13 @@ private:
     static std::string layer_of(const Plot& plot, const PlotObject& object) {
         return object.layer >= 0 ? plot.layers[static_cast<std::size_t>(object.layer)].name : "";
     }
-    static std::string parent_key(const Plot&, const std::vector<std::string>& keys,
-                                  const PlotObject& object) {
+    static std::string parent_key(const std::vector<std::string>& keys, const PlotObject& object) {
         return object.parent >= 0 ? keys[static_cast<std::size_t>(object.parent)] : "";
+    }
+    static std::string parent_name(const Plot& plot, const PlotObject& object) {
+        if (object.parent < 0) return "nothing";
+        const PlotObject& parent = plot.objects[static_cast<std::size_t>(object.parent)];
+        return std::string(scene::name_of(parent.kind)) + " '" + parent.name + "'";
     }
 
     // What a plot says of the thing that a change is about.

@@ -18,6 +18,9 @@
 
 namespace ghost::scene {
 
+// "../x", "/x", "C:x": nothing that an archive should hold.
+bool leads_out(const std::string& member);
+
 // The archive's files by name. Names that lead out of the archive are not among them.
 class MvrMembers {
 public:

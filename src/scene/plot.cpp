@@ -124,10 +124,7 @@ void update_world(Plot& plot) {
     }
 }
 
-bool apply_change(Plot& plot, const PlotChange& change) {
-    const int found = find_object(plot, change.uuid);
-    if (found < 0) return false;
-    PlotObject& object = plot.objects[static_cast<std::size_t>(found)];
+void apply_change(PlotObject& object, const PlotChange& change) {
     switch (change.what) {
     case PlotChange::What::address: {
         auto& addresses = object.device.addresses;
@@ -147,7 +144,6 @@ bool apply_change(Plot& plot, const PlotChange& change) {
         break;
     case PlotChange::What::position:
         object.local = change.local;
-        update_world(plot);
         break;
     case PlotChange::What::name:
         object.name = change.text;
@@ -156,6 +152,13 @@ bool apply_change(Plot& plot, const PlotChange& change) {
         object.hidden = change.hidden;
         break;
     }
+}
+
+bool apply_change(Plot& plot, const PlotChange& change) {
+    const int found = find_object(plot, change.uuid);
+    if (found < 0) return false;
+    apply_change(plot.objects[static_cast<std::size_t>(found)], change);
+    if (change.what == PlotChange::What::position) update_world(plot);
     return true;
 }
 

@@ -283,6 +283,9 @@ struct PlotChange {
     bool hidden = true;       // hidden
 };
 
+// Of one object, whatever UUID the change names; its world matrix is left as it is (see update_world).
+void apply_change(PlotObject& object, const PlotChange& change);
+
 // Nothing happens, and false comes back, where the plot has no object of that UUID. World matrices are
 // updated.
 bool apply_change(Plot& plot, const PlotChange& change);

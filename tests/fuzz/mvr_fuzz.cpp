@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+// load_mvr, its helpers, the editing of the description and merging, on anything. Input that starts with "PK"
+// is taken as the zip itself, other input as the description of one. Seeds: tests/scene/mvr_files.h.
+#include "scene/mvr_edit.h"
+#include "scene/mvr_load.h"
+#include "scene/mvr_merge.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using namespace ghost;
+using namespace ghost::scene;
+
+void put(std::vector<std::uint8_t>& out, std::uint32_t value, int bytes) {
+    for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+}
+
+std::uint32_t crc_of(Bytes data) {
+    std::uint32_t crc = 0xffffffffu;
+    for (const std::uint8_t byte : data) {
+        crc ^= byte;
+        for (int k = 0; k < 8; ++k) crc = (crc >> 1) ^ ((crc & 1u) ? 0xedb88320u : 0u);
+    }
+    return ~crc;
+}
+
+std::vector<std::uint8_t> zip_of(Bytes xml) {
+    constexpr std::string_view kName = "GeneralSceneDescription.xml";
+    const auto size = static_cast<std::uint32_t>(xml.size());
+    std::vector<std::uint8_t> common;
+    for (const std::uint32_t field : {20u, 0u, 0u, 0u, 0x21u}) put(common, field, 2);
+    for (const std::uint32_t field : {crc_of(xml), size, size}) put(common, field, 4);
+    put(common, kName.size(), 2);
+    put(common, 0, 2);
+    std::vector<std::uint8_t> zip;
+    put(zip, 0x04034b50, 4);
+    zip.insert(zip.end(), common.begin(), common.end());
+    zip.insert(zip.end(), kName.begin(), kName.end());
+    zip.insert(zip.end(), xml.begin(), xml.end());
+    const auto start = static_cast<std::uint32_t>(zip.size());
+    put(zip, 0x02014b50, 4);
+    put(zip, 20, 2);
+    zip.insert(zip.end(), common.begin(), common.end());
+    for (const int bytes : {2, 2, 2, 4, 4}) put(zip, 0, bytes);
+    zip.insert(zip.end(), kName.begin(), kName.end());
+    const auto directory = static_cast<std::uint32_t>(zip.size()) - start;
+    put(zip, 0x06054b50, 4);
+    put(zip, 0, 4);
+    put(zip, 1, 2);
+    put(zip, 1, 2);
+    put(zip, directory, 4);
+    put(zip, start, 4);
+    put(zip, 0, 2);
+    return zip;
+}
+
+void require(bool holds) {
+    if (!holds) std::abort();
+}
+
+void check(const Plot& plot) {
+    for (std::size_t i = 0; i < plot.objects.size(); ++i) {
+        const PlotObject& object = plot.objects[i];
+        require(object.parent < static_cast<int>(i));
+        require(object.layer >= 0 && object.layer < static_cast<int>(plot.layers.size()));
+        for (int k = 0; k < 16; ++k) require(std::isfinite(object.world[k / 4][k % 4]));
+        (void)patch_addresses(plot, object);
+        require(object.device.gdtf < static_cast<int>(plot.gdtf_files.size()));
+    }
+    const std::vector<MeshInstance> instances = mesh_instances(plot);
+    require(instances.size() <= kMaxMeshInstances);
+    for (const MeshInstance& instance : instances)
+        require(instance.mesh >= 0 && instance.mesh < static_cast<int>(plot.meshes.size()));
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const Bytes bytes(data, size);
+    const bool is_zip = size >= 2 && data[0] == 'P' && data[1] == 'K';
+    auto loaded = load_mvr(is_zip ? std::vector<std::uint8_t>(data, data + size) : zip_of(bytes), "fuzz.mvr");
+    if (!loaded.ok()) return 0;
+    check(loaded->plot);
+    std::vector<PlotChange> changes;
+    std::vector<PlotEdit> edits;
+    for (std::size_t i = 0; i < loaded->plot.objects.size() && i < 5; ++i)
+        for (const auto what : {PlotChange::What::address, PlotChange::What::mode, PlotChange::What::position,
+                                PlotChange::What::name}) {
+            PlotChange change{
+                .uuid = loaded->plot.objects[i].uuid, .what = what, .address = {2, 3}, .text = "<&\">"};
+            change.local[3][0] = 1.5;
+            edits.push_back({static_cast<int>(i), change});
+            changes.push_back(change);
+        }
+    check(merge_plots(loaded->plot, loaded->plot, changes).plot);
+    const auto description = loaded->archive.read(loaded->description);
+    require(description.ok());
+    const auto edited = edit_description(*description, loaded->plot, edits, "fuzz");
+    if (!edited.ok() || !*edited) return 0;
+    const auto& text = **edited;
+    const auto again =
+        load_mvr(zip_of({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()}), "again.mvr");
+    require(again.ok());
+    require(again->plot.objects.size() == loaded->plot.objects.size());
+    return 0;
+}
