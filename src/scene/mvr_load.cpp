@@ -42,11 +42,6 @@ void read_user_data(MvrReader& reader, pugi::xml_node root) {
         }
 }
 
-std::size_t line_at(Bytes bytes, std::ptrdiff_t offset) {
-    const auto end = bytes.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(bytes));
-    return static_cast<std::size_t>(std::count(bytes.begin(), end, '\n')) + 1;
-}
-
 Result<void> check_description(Bytes xml, const std::string& where) {
     if (xml.size() > kMaxMvrXmlBytes)
         return Error{"the description has " + std::to_string(xml.size()) + " bytes, at most " +
@@ -65,13 +60,12 @@ Result<void> read_description(LoadedPlot& loaded, const MvrMembers& members, con
     TRY_VOID(check_description(xml, where));
     if (loading.progress) loading.progress(0.2, "description");
     MvrReader reader(loaded, loading, members, xml);
-    const std::vector<std::uint8_t> original = xml;
     pugi::xml_document document;
     const pugi::xml_parse_result parsed = document.load_buffer_inplace(
         xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_auto);
     if (!parsed)
         return Error{std::string("the XML is not well formed: ") + parsed.description(),
-                     where + ":" + std::to_string(line_at(original, parsed.offset))};
+                     where + ":" + std::to_string(reader.line_at(parsed.offset))};
     for (const pugi::xml_node node : document.children())
         if (node.type() == pugi::node_doctype && std::strstr(node.value(), "<!ENTITY"))
             reader.say(Severity::warning, node, "entities of the document type are left as they are written");

@@ -36,8 +36,7 @@ MvrReader::MvrReader(LoadedPlot& loaded, const MvrLoading& loading, const MvrMem
         if (xml[i] == '\n') line_starts_.push_back(i + 1);
 }
 
-int MvrReader::line_of(pugi::xml_node node) const {
-    const std::ptrdiff_t offset = node.offset_debug();
+int MvrReader::line_at(std::ptrdiff_t offset) const {
     if (offset < 0 || line_starts_.empty()) return 0;
     const auto after =
         std::upper_bound(line_starts_.begin(), line_starts_.end(), static_cast<std::size_t>(offset));

@@ -55,7 +55,8 @@ public:
     void tick(pugi::xml_node node);
     bool cancelled() const { return cancelled_; }
 
-    int line_of(pugi::xml_node node) const;
+    int line_of(pugi::xml_node node) const { return line_at(node.offset_debug()); }
+    int line_at(std::ptrdiff_t offset) const; // 0: cannot be told
     std::string attribute(pugi::xml_node node, const char* name);
     std::string text(pugi::xml_node node); // of the element itself, without blanks around
     std::string text(pugi::xml_node node, const char* child) { return text(node.child(child)); }
