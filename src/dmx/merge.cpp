@@ -154,6 +154,14 @@ void Merge::tick(std::chrono::nanoseconds now) {
     }
 }
 
+// Priority + 1 of the source in a slot, 0 where it does not hold it.
+std::uint8_t Merge::rank_of(const Source& source, std::size_t slot) {
+    if (!source.has_levels || slot >= source.slot_count) return 0;
+    const std::uint8_t priority = source.per_address ? source.slot_priority[slot] : source.priority;
+    if (source.per_address && (priority == 0 || priority > 200)) return 0;
+    return static_cast<std::uint8_t>(priority + 1);
+}
+
 void Merge::rebuild(std::uint16_t number, Input& input) {
     // A universe appears with its first levels, not with a packet of priorities or a goodbye.
     if (!input.seen) return;
@@ -169,9 +177,8 @@ void Merge::rebuild(std::uint16_t number, Input& input) {
     for (const Source& source : input.sources) {
         if (!source.has_levels) continue;
         for (std::size_t i = 0; i < source.slot_count; ++i) {
-            const std::uint8_t priority = source.per_address ? source.slot_priority[i] : source.priority;
-            if (source.per_address && (priority == 0 || priority > 200)) continue;
-            const auto rank = static_cast<std::uint8_t>(priority + 1);
+            const std::uint8_t rank = rank_of(source, i);
+            if (rank == 0) continue;
             if (rank > best[i]) {
                 best[i] = rank;
                 merged[i] = source.slots[i];
@@ -216,6 +223,12 @@ std::vector<SourceStatus> Merge::sources(std::chrono::nanoseconds now) const {
             const bool young = source.rate_hz == 0.0 && window_s > 0.2;
             status.rate_hz = young ? static_cast<double>(source.window_packets) / window_s : source.rate_hz;
             status.age = now - source.last_levels;
+            if (options_.slot_status) {
+                SourceSlots slots;
+                slots.levels = source.slots;
+                for (std::size_t i = 0; i < kSlots; ++i) slots.rank[i] = rank_of(source, i);
+                status.slots = std::make_shared<const SourceSlots>(slots);
+            }
             result.push_back(std::move(status));
         }
     }

@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace ghost::dmx {
@@ -23,6 +24,14 @@ inline constexpr std::size_t kMaxUniverses = 4096;
 
 struct MergeOptions {
     bool show_preview = false; // use packets marked "preview" (blind) as well
+    bool slot_status = false;  // sources() says what each source sends: a kilobyte per source
+};
+
+// What one source sends for each slot, and how it ranks there: priority + 1, 0 where it does not hold the
+// slot.
+struct SourceSlots {
+    Levels levels{};
+    Levels rank{};
 };
 
 // One source on one universe, for people.
@@ -40,6 +49,7 @@ struct SourceStatus {
     std::uint64_t missed = 0;          // gaps in the sequence numbers
     double rate_hz = 0.0;              // level packets per second over about the last second
     std::chrono::nanoseconds age{0};   // since its last packet
+    std::shared_ptr<const SourceSlots> slots; // where MergeOptions::slot_status asks for it, else null
 };
 
 struct MergeCounters {
@@ -96,6 +106,7 @@ private:
         bool dirty = false;
     };
 
+    static std::uint8_t rank_of(const Source& source, std::size_t slot);
     bool accept_sequence(Source& source, const Packet& packet);
     Source* find_or_add(Input& input, const Packet& packet, std::chrono::nanoseconds now);
     void rebuild(std::uint16_t number, Input& input);

@@ -54,7 +54,7 @@ struct ReplyRun {
 
 struct Receiver::Loop {
     Loop(Receiver& receiver, const ReceiverOptions& wanted)
-        : owner(receiver), options(wanted), merge(MergeOptions{wanted.show_preview}) {
+        : owner(receiver), options(wanted), merge(MergeOptions{wanted.show_preview, wanted.slot_status}) {
         std::sort(options.universes.begin(), options.universes.end());
         accept_all = options.universes.empty();
         announced = options.universes;

@@ -30,6 +30,7 @@ struct ReceiverOptions {
     int artnet_offset = 1; // Ghostlight universe = Port-Address + this; -32768 to 63999
     bool show_preview = false;
     bool answer_polls = true;
+    bool slot_status = false;              // statistics say what each source sends, slot by slot
     std::uint16_t sacn_port = kSacnPort; // other values for tests
     std::uint16_t artnet_port = kArtnetPort;
 };

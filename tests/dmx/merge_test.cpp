@@ -102,6 +102,28 @@ TEST(Merge, a_short_source_does_not_hold_the_slots_it_does_not_send) {
     EXPECT_EQ(levels(merge, 6), (Ints{1, 2, 3, 4, 15, 16}));
 }
 
+TEST(Merge, slots_of_each_source_on_request) {
+    Merge merge(MergeOptions{.slot_status = true});
+    Desk a{1, 100}, b{2, 0};
+    merge.feed(a.packet({10, 20, 30}), 1s);
+    merge.feed(b.packet({99}), 1s);
+    Packet priorities = a.packet({150, 0});
+    priorities.start_code = 0xDD;
+    merge.feed(priorities, 1s);
+    const std::vector<SourceStatus> sources = merge.sources(1s);
+    ASSERT_EQ(sources.size(), 2u);
+    ASSERT_TRUE(sources[0].slots && sources[1].slots);
+    EXPECT_EQ(sources[0].slots->levels[1], 20);
+    EXPECT_EQ(sources[0].slots->rank[0], 151);
+    EXPECT_EQ(sources[0].slots->rank[1], 0) << "not its own by its own word";
+    EXPECT_EQ(sources[0].slots->rank[2], 0) << "fewer priorities than levels";
+    EXPECT_EQ(sources[1].slots->rank[0], 1) << "a priority of 0 still holds the slot";
+    EXPECT_EQ(sources[1].slots->rank[1], 0) << "not sent";
+    Merge plain;
+    plain.feed(a.packet({1}), 1s);
+    EXPECT_EQ(plain.sources(1s)[0].slots, nullptr);
+}
+
 TEST(Merge, per_address_priority) {
     Merge merge;
     Desk a{1, 100}, b{2, 100};

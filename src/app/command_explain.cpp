@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+// ghostlight explain: why a fixture shines or does not, from the packet to what its beam hits. For the
+// question "why is it dark?".
+#include "app/commands.h"
+#include "app/input_options.h"
+#include "app/interrupt.h"
+#include "app/number_option.h"
+#include "app/session.h"
+#include "bake/tracer.h"
+#include "dmx/recording.h"
+#include "scene/explain_print.h"
+
+#include "base/log.h"
+#include "base/suggest.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <thread>
+
+namespace ghost::app {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using scene::Reception;
+
+constexpr double kSteps_hz = 30; // as render steps, so that a strobe is where the picture has it
+
+struct Options {
+    std::string show;
+    std::string fixture;
+    bool all = false;
+    std::string replay;
+    double at_s = -1;
+    bool live_input = false;
+    double for_s = 5;
+    InputOptions input;
+    bool json = false;
+    bool quiet = false;
+};
+
+struct Moment {
+    Reception reception;
+    dmx::Universes universes;
+    double now_s = 0;
+};
+
+double seconds_of(std::chrono::nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+Result<std::size_t> find_fixture(const scene::Show& show, const std::string& wanted) {
+    constexpr std::size_t kListed = 20;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
+        if (show.fixtures[i].name == wanted) return i;
+        names.push_back(show.fixtures[i].name);
+    }
+    std::string what = "has no fixture '" + wanted + "'" + did_you_mean(wanted, names) + " (fixtures:";
+    for (std::size_t i = 0; i < names.size() && i < kListed; ++i) what += (i ? ", '" : " '") + names[i] + "'";
+    return Error{what + (names.size() > kListed ? ", ...)" : ")"), show.file.string()};
+}
+
+Result<Moment> run_recording(const fs::path& file, double at_s, scene::Rig& rig) {
+    TRY(dmx::Recording recording, dmx::read_recording(file));
+    for (const Error& problem : recording.problems) log_warning(problem.text());
+    Moment moment;
+    moment.reception.kind = Reception::Kind::recording;
+    moment.reception.recording = file.string();
+    for (const dmx::RecordedFrame& frame : recording.frames) {
+        auto& first = moment.reception.first_frames_s;
+        const auto same = [&](const auto& entry) { return entry.first == frame.universe; };
+        if (std::none_of(first.begin(), first.end(), same))
+            first.emplace_back(frame.universe, seconds_of(frame.time));
+    }
+    std::sort(moment.reception.first_frames_s.begin(), moment.reception.first_frames_s.end());
+    const dmx::Player player(std::move(recording));
+    char text[96];
+    std::snprintf(text, sizeof text, "there is no second %g: the recording ends at %.2f s", at_s,
+                  player.duration_s());
+    if (at_s > player.duration_s()) return Error{text, file.string()};
+
+    const long last = std::lround(std::max(at_s, 0.0) * kSteps_hz);
+    for (long frame = 0; frame <= last; ++frame) {
+        if (interrupted()) return Error{"interrupted", ""};
+        moment.universes = player.at(static_cast<double>(frame) / kSteps_hz);
+        rig.step(moment.universes, 1.0 / kSteps_hz);
+    }
+    moment.now_s = static_cast<double>(last) / kSteps_hz;
+    moment.reception.at_s = moment.now_s;
+    moment.reception.end_s = player.duration_s();
+    return moment;
+}
+
+Result<Moment> listen(const Options& options, scene::Rig& rig) {
+    TRY(dmx::ReceiverOptions receiver_wants, receiver_options(options.input));
+    receiver_wants.slot_status = true;
+    TRY(const auto receiver, dmx::Receiver::start(receiver_wants));
+    for (const std::string& warning : receiver->warnings()) log_warning(warning);
+    char text[64];
+    std::snprintf(text, sizeof text, "listening for %g s", options.for_s);
+    log_info(text);
+
+    Moment moment;
+    dmx::Statistics statistics;
+    const Clock::time_point start = Clock::now();
+    Clock::time_point before = start;
+    for (bool running = true; running;) {
+        std::this_thread::sleep_for(std::chrono::duration<double>(1.0 / kSteps_hz));
+        const Clock::time_point now = Clock::now();
+        if (auto newest = receiver->take()) moment.universes = std::move(*newest);
+        if (auto newest = receiver->take_statistics()) statistics = std::move(*newest);
+        rig.step(moment.universes, std::chrono::duration<double>(now - before).count());
+        before = now;
+        running = !interrupted() && std::chrono::duration<double>(now - start).count() < options.for_s;
+    }
+    moment.now_s = seconds_of(before.time_since_epoch());
+    Reception& reception = moment.reception;
+    reception.kind = Reception::Kind::desk;
+    reception.listened_s = std::chrono::duration<double>(before - start).count();
+    reception.sources = statistics.sources;
+    reception.packets = statistics.packets_sacn + statistics.packets_artnet;
+    reception.preview = statistics.merge.preview;
+    reception.unlisted = statistics.unlisted;
+    for (const std::uint64_t count : statistics.drops) reception.not_understood += count;
+    return moment;
+}
+
+Result<Moment> run_input(const Options& options, const scene::Show& show, scene::Rig& rig) {
+    if (options.live_input) return listen(options, rig);
+    if (!options.replay.empty()) return run_recording(options.replay, options.at_s, rig);
+    std::error_code code;
+    if (!show.recording.empty() && fs::exists(show.recording, code))
+        return run_recording(show.recording, options.at_s, rig);
+    Moment moment;
+    if (!show.recording.empty())
+        moment.reception.recording = "its recording " + show.recording.string() + " is missing";
+    if (options.at_s >= 0)
+        log_warning("--at says nothing: there is no recording; name one with --replay FILE");
+    rig.step(moment.universes, 1.0 / kSteps_hz);
+    return moment;
+}
+
+Result<void> run(const Options& options) {
+    catch_interrupts();
+    scene::Report report;
+    TRY(scene::Show show, scene::load_show(options.show, false, report));
+    std::vector<std::size_t> wanted;
+    if (options.all) {
+        for (std::size_t i = 0; i < show.fixtures.size(); ++i) wanted.push_back(i);
+    } else {
+        TRY(const std::size_t found, find_fixture(show, options.fixture));
+        wanted.push_back(found);
+    }
+    scene::Rig rig(show);
+    TRY(const Moment moment, run_input(options, show, rig));
+    const scene::GoboStack gobos = scene::build_gobos(show, report);
+    const bool has_stage = load_stage(show, report) && !show.stage.instances.empty();
+    const scene::Stage stage = has_stage ? scene::stage_with_bodies(show, report) : scene::Stage{};
+    print_report(report);
+
+    const bake::DenormalsOff mode;
+    const bake::Tracer tracer(stage);
+    const scene::ExplainInput input{
+        .show = show,
+        .report = report,
+        .rig = rig,
+        .gobos = gobos,
+        .universes = moment.universes,
+        .reception = moment.reception,
+        .now_s = moment.now_s,
+        .stage = has_stage ? &stage : nullptr,
+        // Heads stop no light in the picture either.
+        .first_hit =
+            [&](const glm::vec3& origin, const glm::vec3& direction) {
+                const bake::Surface hit = tracer.first_hit(origin, direction, -1.0f, bake::Sees::no_bodies);
+                return scene::ExplainInput::Seen{hit.instance, hit.distance_m, hit.facet_normal};
+            },
+    };
+    const scene::Explainer explainer(input);
+    std::vector<scene::Explanation> explanations;
+    for (const std::size_t fixture : wanted) {
+        if (interrupted()) return Error{"interrupted", ""};
+        explanations.push_back(explainer.explain(fixture));
+    }
+    std::string text;
+    if (options.json) {
+        text = options.all ? scene::json_of(explanations, moment.reception)
+                           : scene::json_of(explanations.front(), moment.reception);
+    } else if (options.all) {
+        for (const scene::Explanation& explanation : explanations) text += scene::line_of(explanation) + "\n";
+        text += scene::summary_of(explanations) + "\n";
+    } else {
+        text = scene::words_of(explanations.front(), moment.reception);
+    }
+    std::fputs(text.c_str(), stdout);
+    return {};
+}
+
+// What the command line asks for, checked before anything is opened.
+Result<void> check_usage(const Options& options) {
+    if (options.all == !options.fixture.empty())
+        return Error{options.all ? "one fixture or all of them, not both" : "which one? Its name, or --all",
+                     "FIXTURE"};
+    if (options.live_input) TRY_VOID(receiver_options(options.input));
+    return {};
+}
+
+} // namespace
+
+void add_explain(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "explain", "why a fixture is dark, or where its light goes: from packet to optics");
+    command->footer("Example: ghostlight explain assets/demo \"Spot 3\" --at 36\n"
+                    "         ghostlight explain assets/demo --all --live-input --for 5");
+    command->add_option("SHOW", options->show, "folder with show.toml")->required();
+    command->add_option("FIXTURE", options->fixture, "its name in the show");
+    command->add_flag("--all", options->all, "one line for every fixture, and a summary");
+    CLI::Option* replay =
+        command->add_option("--replay", options->replay, "DMX recording (default: the show's own)")
+            ->type_name("FILE");
+    CLI::Option* at = command->add_option("--at", options->at_s, "second of the recording; default 0")
+                          ->check(number_in(0.0, 86400.0));
+    CLI::Option* live = command
+                            ->add_flag("--live-input", options->live_input,
+                                       "listen to what a desk sends now, by sACN or Art-Net")
+                            ->excludes(replay)
+                            ->excludes(at);
+    command->add_option("--for", options->for_s, "seconds to listen for --live-input")
+        ->check(number_in(0.1, 3600.0))
+        ->needs(live)
+        ->capture_default_str();
+    command->add_flag("--json", options->json, "all facts as one JSON object");
+    command->add_flag("--quiet", options->quiet, "print warnings and errors only, beside the answer");
+    add_input_options(*command, options->input);
+    command->callback([options, &exit_code] {
+        if (options->quiet) set_log_level(LogLevel::warning);
+        if (const Result<void> usage = check_usage(*options); !usage.ok()) {
+            log_error(usage.error().text());
+            exit_code = 2;
+            return;
+        }
+        if (const Result<void> done = run(*options); !done.ok()) {
+            log_error(done.error().text());
+            exit_code = 1;
+        }
+    });
+}
+
+} // namespace ghost::app

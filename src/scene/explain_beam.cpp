@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+// One beam measured: how much light leaves, and how much of it each part lets through. Every share is that of
+// an otherwise open beam, drawn by light_from, so that it holds whatever the optics do.
+#include "scene/explain_parts.h"
+
+#include "scene/photometry.h"
+#include "shared/beam.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::scene::explained {
+namespace {
+
+using fixture::BeamState;
+using fixture::Optics;
+using fixture::WheelState;
+
+constexpr int kRings = 48; // of the gate, closer in the middle, where a closed iris leaves light
+constexpr int kSpokes = 64;
+constexpr float kBetween = 0.004f; // of a slot: light_from takes less as centred
+
+template <class T>
+const T& item(const std::vector<T>& list, int index) {
+    return list[static_cast<std::size_t>(index)];
+}
+
+BeamState open_beam(const BeamState& state) {
+    BeamState open;
+    open.node = state.node;
+    open.geometry = state.geometry;
+    open.optics.dimmer = 1.0f;
+    open.optics.zoom_deg = state.optics.zoom_deg;
+    open.optics.focus_m = state.optics.focus_m;
+    open.optics.emitters = state.optics.emitters;
+    for (fixture::EmitterLevel& emitter : open.optics.emitters) emitter.level = 1.0f;
+    return open;
+}
+
+float lumens(const fixture::Type& type, const BeamState& state, const GoboStack& gobos) {
+    return output_lm(light_from(type, state, glm::mat4(1.0f), glm::vec3(0.0f), gobos), gobos);
+}
+
+class Shares {
+public:
+    Shares(const fixture::Type& type, const BeamState& state, const GoboStack& gobos)
+        : type_(type), gobos_(gobos), open_(open_beam(state)), full_lm_(lumens(type, open_, gobos)) {}
+
+    float full_lm() const { return full_lm_; }
+    // Of an open beam, once change has set one part of its optics.
+    template <class Change>
+    float with(Change change) const {
+        BeamState one = open_;
+        change(one.optics);
+        return full_lm_ > 0.0f ? lumens(type_, one, gobos_) / full_lm_ : 1.0f;
+    }
+
+private:
+    const fixture::Type& type_;
+    const GoboStack& gobos_;
+    BeamState open_;
+    float full_lm_;
+};
+
+WheelFacts wheel_facts(const fixture::Type& type, const WheelState& state, bool colour) {
+    const fixture::Wheel& wheel = item(type.wheels, state.wheel);
+    WheelFacts facts;
+    facts.colour = colour;
+    facts.number = state.number;
+    facts.name = wheel.name;
+    facts.position = state.position;
+    facts.spinning = state.spinning;
+    if (wheel.slots.empty()) return facts;
+    const float position = std::max(state.position, 0.0f);
+    const auto first = static_cast<std::size_t>(position) % wheel.slots.size();
+    const auto next = (first + 1) % wheel.slots.size();
+    const float shift = position - std::floor(position);
+    facts.slot = wheel.slots[shift > 1.0f - kBetween ? next : first].name;
+    if (shift >= kBetween && shift <= 1.0f - kBetween) facts.next = wheel.slots[next].name;
+    return facts;
+}
+
+// The dimmer nearest to the beam, and what stands above it.
+void split_dimmers(const fixture::Mode& mode, std::size_t beam, const std::vector<ChannelFacts>& channels,
+                   float all, BeamFacts& facts) {
+    int nearest = -1;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const fixture::Channel& channel = mode.channels[i];
+        const bool here = std::find(channel.beams.begin(), channel.beams.end(), static_cast<int>(beam)) !=
+                          channel.beams.end();
+        if (!here || channels[i].role != fixture::Role::dimmer || channel.offsets.empty()) continue;
+        if (nearest < 0 || channel.node > item(mode.channels, nearest).node) nearest = static_cast<int>(i);
+    }
+    facts.dimmer = nearest < 0 ? all : std::clamp(item(channels, nearest).reading.physical, 0.0f, 1.0f);
+    facts.master = facts.dimmer > 0.0f ? all / facts.dimmer : 1.0f;
+}
+
+// Lumens by rings and spokes of the gate: coarse at its rim, so for what wheels take away only.
+double sum_of_gate(const shared::Light& light, const GoboStack& gobos) {
+    const double tan_field = static_cast<double>(light.tan_field);
+    const float z = 1.0f / std::max(light.focus_per_m, 1e-4f);
+    double sum = 0.0;
+    double inner = 0.0;
+    for (int ring = 0; ring < kRings; ++ring) {
+        const auto edge = [&](double at) {
+            return static_cast<double>(light.cut_radius) * (at / kRings) * (at / kRings);
+        };
+        const double outer = edge(ring + 1.0);
+        const double tan = edge(ring + 0.5) * tan_field;
+        const double area = (outer * outer - inner * inner) * static_cast<double>(shared::kPi) / kSpokes;
+        const double solid = area * tan_field * tan_field / std::pow(1.0 + tan * tan, 1.5);
+        glm::vec3 candela(0.0f);
+        for (int spoke = 0; spoke < kSpokes; ++spoke) {
+            const float angle = 2.0f * shared::kPi * (static_cast<float>(spoke) + 0.5f) / kSpokes;
+            const auto r = static_cast<float>(tan) * z;
+            candela +=
+                shared::beam_candela(light, {r * std::cos(angle), r * std::sin(angle), z}, gobos.images);
+        }
+        sum += static_cast<double>(glm::dot(candela, kLuminance)) * solid;
+        inner = outer;
+    }
+    return sum;
+}
+
+} // namespace
+
+float output_lm(const shared::Light& light, const GoboStack& gobos) {
+    const Profile profile{.tan_field = light.tan_field,
+                          .power = light.profile_power,
+                          .scale = light.profile_scale,
+                          .edge = light.edge,
+                          .cut_radius = light.cut_radius};
+    double lumens = static_cast<double>(glm::dot(light.intensity_cd, kLuminance) *
+                                        beam_solid_angle(profile, light.iris_radius));
+    if (light.wheel_count > 0 || light.split < shared::kNoSplit) {
+        shared::Light plain = light;
+        plain.wheel_count = 0;
+        plain.split = shared::kNoSplit;
+        plain.colour_b = glm::vec3(1.0f);
+        const double all = sum_of_gate(plain, gobos);
+        lumens *= all > 0.0 ? sum_of_gate(light, gobos) / all : 0.0;
+    }
+    return std::isfinite(lumens) ? static_cast<float>(std::max(lumens, 0.0)) : 0.0f;
+}
+
+float share_of(const fixture::Type& type, const BeamState& state, const GoboStack& gobos) {
+    const float full_lm = lumens(type, open_beam(state), gobos);
+    return full_lm > 0.0f ? lumens(type, state, gobos) / full_lm : 0.0f;
+}
+
+BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState& state,
+                  const shared::Light& light, const std::vector<ChannelFacts>& channels,
+                  const GoboStack& gobos) {
+    const fixture::Type& type = *patch.type;
+    const fixture::Mode& mode = patch.mode_of();
+    const Optics& now = state.optics;
+    const Shares shares(type, state, gobos);
+    BeamFacts facts;
+    facts.name = item(mode.nodes, state.node).name;
+    facts.full_lm = shares.full_lm();
+    facts.output_lm = output_lm(light, gobos);
+    facts.lamp = now.lamp;
+    split_dimmers(mode, beam, channels, now.dimmer, facts);
+    facts.shutter = now.shutter_position;
+    facts.strobe = now.strobe == fixture::Strobe::none || now.shutter_position <= 0.0f
+                       ? 1.0f
+                       : now.shutter / now.shutter_position;
+    facts.strobe_hz = now.strobe == fixture::Strobe::none ? 0.0f : now.strobe_hz;
+    facts.colour = shares.with([&](Optics& optics) {
+        optics.cyan = now.cyan;
+        optics.magenta = now.magenta;
+        optics.yellow = now.yellow;
+        optics.color_wheels = now.color_wheels;
+    });
+    if (!now.emitters.empty())
+        facts.emitters = shares.with([&](Optics& optics) { optics.emitters = now.emitters; });
+    facts.iris = shares.with([&](Optics& optics) { optics.iris = now.iris; });
+    facts.gobo = shares.with([&](Optics& optics) { optics.gobo_wheels = now.gobo_wheels; });
+    for (const WheelState& wheel : now.color_wheels) {
+        facts.wheels.push_back(wheel_facts(type, wheel, true));
+        facts.wheels.back().share = shares.with([&](Optics& optics) { optics.color_wheels = {wheel}; });
+    }
+    for (const WheelState& wheel : now.gobo_wheels) {
+        facts.wheels.push_back(wheel_facts(type, wheel, false));
+        facts.wheels.back().share = shares.with([&](Optics& optics) { optics.gobo_wheels = {wheel}; });
+    }
+    const float known = now.lamp * now.dimmer * facts.shutter * facts.strobe * facts.colour * facts.emitters *
+                        facts.iris * facts.gobo * facts.full_lm;
+    facts.rest = known > 1e-4f * facts.full_lm ? facts.output_lm / known : 1.0f;
+
+    const fixture::Beam& source = *item(type.geometries, state.geometry).beam;
+    facts.field_deg = now.zoom_deg;
+    facts.beam_deg = now.zoom_deg * source.beam_angle_deg / std::max(source.field_angle_deg, 0.01f);
+    shared::Light plain = light;
+    plain.wheel_count = 0;
+    const float z = 1.0f / std::max(light.focus_per_m, 1e-4f);
+    facts.axis_cd = facts.gobo * glm::dot(shared::beam_candela(plain, {0, 0, z}, gobos.images), kLuminance);
+    facts.direction = light.axis_w;
+    facts.lens_m = light.position_m + light.axis_w * light.lens_m;
+    return facts;
+}
+
+} // namespace ghost::scene::explained

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a beam arrives: what its middle meets first, how many lux there, and what hides it.
+#include "scene/explain_parts.h"
+
+#include "scene/stage_checks.h"
+#include "shared/beam.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::scene::explained {
+namespace {
+
+constexpr float kBehind_m = 0.1f; // an object nearer to the lens than this stops the beam at the fixture
+constexpr float kEdge = 0.7f;     // where else the beam is looked along, in gate radii
+constexpr int kEdgeRays = 8;
+
+// What a beam that leaves the stage does, in words.
+std::string way_out(const glm::vec3& direction) {
+    const double deg = glm::degrees(std::asin(std::clamp(static_cast<double>(direction.z), -1.0, 1.0)));
+    if (std::abs(deg) < 0.5) return "level";
+    return number(std::abs(deg)) + " degrees " + (deg > 0 ? "upwards" : "downwards");
+}
+
+std::string object_name(const Stage& stage, int instance) {
+    const Instance& found = stage.instances[static_cast<std::size_t>(instance)];
+    if (!found.name.empty()) return found.name;
+    return stage.meshes[static_cast<std::size_t>(found.mesh)].name;
+}
+
+bool is_inside(const Stage& stage, int instance, const glm::vec3& point_m) {
+    const Instance& found = stage.instances[static_cast<std::size_t>(instance)];
+    const Mesh& mesh = stage.meshes[static_cast<std::size_t>(found.mesh)];
+    if (mesh.normals.size() != mesh.positions.size()) return false;
+    glm::vec3 low(1e30f), high(-1e30f);
+    for (const glm::vec3& position : mesh.positions) {
+        const glm::vec3 world(found.world * glm::vec4(position, 1.0f));
+        low = glm::min(low, world);
+        high = glm::max(high, world);
+    }
+    return glm::all(glm::lessThan(low, point_m)) && glm::all(glm::lessThan(point_m, high)) &&
+           winding_number(mesh, found.world, point_m) > 0.5;
+}
+
+} // namespace
+
+void look(const ExplainInput& input, const shared::Light& light, BeamFacts& facts) {
+    const auto seen = input.first_hit(light.position_m, light.axis_w);
+    if (seen.instance >= 0) {
+        HitFacts hit;
+        hit.object = object_name(*input.stage, seen.instance);
+        hit.distance_m = seen.distance_m - light.lens_m;
+        hit.position_m = light.position_m + light.axis_w * seen.distance_m;
+        shared::Light plain = light;
+        plain.wheel_count = 0;
+        const float axis_cd =
+            facts.gobo *
+            glm::dot(shared::beam_candela(plain, {0, 0, seen.distance_m}, input.gobos.images), kLuminance);
+        hit.facing_lx = axis_cd / std::max(seen.distance_m * seen.distance_m, 1e-6f);
+        hit.illuminance_lx = hit.facing_lx * std::abs(glm::dot(seen.normal, light.axis_w));
+        hit.lens_inside = is_inside(*input.stage, seen.instance, facts.lens_m);
+        facts.hit = hit;
+        return;
+    }
+    for (int k = 0; k < kEdgeRays && facts.edge_object.empty(); ++k) {
+        const float angle = 2.0f * shared::kPi * static_cast<float>(k) / kEdgeRays;
+        const glm::vec3 way =
+            light.axis_w +
+            kEdge * light.tan_field * (std::cos(angle) * light.axis_u + std::sin(angle) * light.axis_v);
+        const auto beside = input.first_hit(light.position_m, glm::normalize(way));
+        if (beside.instance >= 0) facts.edge_object = object_name(*input.stage, beside.instance);
+    }
+}
+
+// Light leaves, but it is not seen.
+void add_unseen(const ExplainInput& input, BeamFacts& facts) {
+    if (facts.hit && facts.hit->lens_inside) {
+        facts.findings.push_back(
+            {Cause::hidden,
+             true,
+             "its lens is inside of '" + facts.hit->object + "' and lights only that, from within",
+             "they are inside of an object",
+             {}});
+    } else if (facts.hit && facts.hit->distance_m < kBehind_m) {
+        facts.findings.push_back(
+            {Cause::hidden,
+             true,
+             "'" + facts.hit->object + "' is right before its lens (" +
+                 number(static_cast<double>(std::max(facts.hit->distance_m, 0.0f)) * 100.0, 1) +
+                 " cm) and stops the light",
+             "an object is right before their lens",
+             {}});
+    }
+    if (facts.hit || !facts.edge_object.empty()) return;
+    const bool haze = input.show.haze.extinction_per_m > 0.0f && input.show.haze.albedo > 0.0f;
+    facts.findings.push_back(
+        {Cause::away,
+         !haze,
+         "it points " + way_out(facts.direction) + " and away from everything; " +
+             (haze ? "only its beam in the haze is seen" : "there is no haze to show its beam"),
+         "they point away from everything",
+         {}});
+}
+
+std::string hit_text(const Explanation& explanation, const BeamFacts& facts) {
+    if (!explanation.looked) return "what it hits is not known (no stage)";
+    if (facts.hit)
+        return "hits '" + facts.hit->object + "' at " +
+               number(static_cast<double>(facts.hit->distance_m), 1) + " m with " +
+               number(static_cast<double>(facts.hit->illuminance_lx),
+                      facts.hit->illuminance_lx < 10.0f ? 2 : 0) +
+               " lx";
+    if (!facts.edge_object.empty()) return "its middle hits nothing, its edge '" + facts.edge_object + "'";
+    return "hits nothing: it leaves the stage " + way_out(facts.direction);
+}
+
+} // namespace ghost::scene::explained

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+// What keeps levels away from a fixture: no patch, no packets, nobody who sends any more, somebody who sends
+// with a higher priority.
+#include "scene/explain_parts.h"
+
+#include <algorithm>
+#include <map>
+
+namespace ghost::scene::explained {
+namespace {
+
+using fixture::Address;
+
+std::string sender_text(const dmx::SourceStatus& source) {
+    const std::string from =
+        std::to_string(source.from_ipv4 >> 24) + "." + std::to_string((source.from_ipv4 >> 16) & 255) + "." +
+        std::to_string((source.from_ipv4 >> 8) & 255) + "." + std::to_string(source.from_ipv4 & 255);
+    return (source.name.empty() ? from : "'" + source.name + "'") + " (" +
+           dmx::protocol_name(source.protocol) + (source.name.empty() ? "" : ", " + from) + ", priority ";
+}
+
+std::string ranked_text(const dmx::SourceStatus& source, std::size_t slot) {
+    return sender_text(source) + std::to_string(source.slots->rank[slot] - 1) +
+           (source.per_address_priority ? " for this address" : "") + ")";
+}
+
+// Numbers of universes: "1, 2 and 4".
+std::string list_text(const std::vector<int>& universes) {
+    constexpr std::size_t kMost = 8;
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < universes.size() && i < kMost; ++i)
+        names.push_back(std::to_string(universes[i]));
+    if (universes.size() > kMost) names.push_back(std::to_string(universes.size() - kMost) + " more");
+    return joined(names);
+}
+
+std::string never_text(const ExplainInput& input, const UniverseFacts& facts) {
+    const std::string universe = "universe " + std::to_string(facts.universe);
+    const Reception& reception = input.reception;
+    std::vector<int> others;
+    if (reception.kind == Reception::Kind::recording) {
+        if (facts.first_frame_s >= 0)
+            return universe + " begins in the recording at " + number(facts.first_frame_s, 2) +
+                   " s, this is " + number(reception.at_s, 2) + " s";
+        for (const auto& [number_of, first_s] : reception.first_frames_s) others.push_back(number_of);
+        return universe + " is not in the recording, which has " + list_text(others);
+    }
+    std::string text = universe + " never arrived in " + number(reception.listened_s, 1) + " s";
+    for (const dmx::Universe& seen : input.universes.list) others.push_back(seen.number);
+    if (reception.packets == 0)
+        text += ", nor did any packet: is the desk sending, to this network, and no firewall on UDP 5568 and "
+                "6454 "
+                "in the way?";
+    else if (reception.preview > 0)
+        text += "; " + std::to_string(reception.preview) +
+                " packets are marked preview (blind) and left out (--show-preview)";
+    else if (others.empty())
+        text += ", though " + std::to_string(reception.packets) +
+                " packets did: " + std::to_string(reception.unlisted) +
+                " of universes that were not asked for, " + std::to_string(reception.not_understood) +
+                " not understood";
+    else
+        text += "; what arrives is " + list_text(others);
+    return text;
+}
+
+bool missing(const Explanation& explanation, const Finding* direct, int universe) {
+    if (!direct) return false;
+    for (const int index : direct->channels) {
+        const ChannelFacts& channel = explanation.channels[static_cast<std::size_t>(index)];
+        if (channel.reading.received) continue;
+        for (const Address& place : channel.places)
+            if (place.universe == universe) return true;
+    }
+    return false;
+}
+
+bool uses(const Explanation& explanation, const Finding* direct, int universe) {
+    if (!direct) return false;
+    for (const int index : direct->channels)
+        for (const Address& place : explanation.channels[static_cast<std::size_t>(index)].places)
+            if (place.universe == universe) return true;
+    return false;
+}
+
+std::string so(const Finding* direct) {
+    return direct ? ", and " + direct->text : "";
+}
+
+// A slot of the fixture where a source does not have its way.
+struct Beaten {
+    std::size_t slot = 0;
+    const dmx::SourceStatus* holder = nullptr; // who has; null: nobody, by per-address priority 0
+    const ChannelFacts* channel = nullptr;
+};
+
+std::vector<Beaten> slots_lost(const ExplainInput& input, const Explanation& explanation,
+                               const dmx::SourceStatus& loser) {
+    std::vector<Beaten> lost;
+    for (const ChannelFacts& channel : explanation.channels)
+        for (const Address& place : channel.places) {
+            if (place.universe != loser.universe) continue;
+            const auto slot = static_cast<std::size_t>(place.channel - 1);
+            const dmx::SourceStatus* holder = nullptr;
+            for (const dmx::SourceStatus& other : input.reception.sources)
+                if (other.universe == loser.universe && other.slots &&
+                    (!holder || other.slots->rank[slot] > holder->slots->rank[slot]))
+                    holder = &other;
+            if (slot >= loser.slot_count || !holder) continue;
+            const int best = holder->slots->rank[slot];
+            if (best == 0 && loser.slots->levels[slot] > 0) // nobody has it
+                lost.push_back({slot, nullptr, &channel});
+            if (best > loser.slots->rank[slot] && holder->slots->levels[slot] != loser.slots->levels[slot])
+                lost.push_back({slot, holder, &channel});
+        }
+    return lost;
+}
+
+// Whether the fixture would shine had this source its way.
+bool would_shine(const ExplainInput& input, const fixture::Patch& patch, const fixture::State& state,
+                 const dmx::SourceStatus& loser, const std::vector<Beaten>& lost) {
+    fixture::Levels levels;
+    dmx::Levels own{};
+    for (const dmx::Universe& universe : input.universes.list) {
+        levels.set(universe.number, *universe.levels);
+        if (universe.number == loser.universe) own = *universe.levels;
+    }
+    for (const Beaten& beaten : lost) own[beaten.slot] = loser.slots->levels[beaten.slot];
+    levels.set(loser.universe, own);
+    const fixture::Targets targets = fixture::decode(patch, levels);
+    for (std::size_t b = 0; b < state.beams.size() && b < targets.beams.size(); ++b) {
+        fixture::BeamState beam = state.beams[b];
+        beam.optics = targets.beams[b];
+        beam.optics.shutter = beam.optics.shutter_position;
+        if (share_of(*patch.type, beam, input.gobos) > kNearlyDark) return true;
+    }
+    return false;
+}
+
+void add_overrides(const ExplainInput& input, const fixture::Patch& patch, const Explanation& explanation,
+                   const fixture::State& state, const Finding* direct, std::vector<Finding>& findings) {
+    for (const dmx::SourceStatus& loser : input.reception.sources) {
+        if (!loser.slots) continue;
+        const std::vector<Beaten> lost = slots_lost(input, explanation, loser);
+        if (lost.empty()) continue;
+        // The channel that is to blame, if it is one of these.
+        const Beaten* shown = &lost.front();
+        for (const Beaten& beaten : lost)
+            for (const int index : direct ? direct->channels : std::vector<int>{})
+                if (shown == &lost.front() &&
+                    beaten.channel == &explanation.channels[static_cast<std::size_t>(index)])
+                    shown = &beaten;
+        const bool blocks = direct && would_shine(input, patch, state, loser, lost);
+        const auto level = [&](const dmx::SourceStatus& source) {
+            return std::to_string(source.slots->levels[shown->slot]);
+        };
+        const std::string rank = loser.slots->rank[shown->slot] > 0
+                                     ? ranked_text(loser, shown->slot)
+                                     : sender_text(loser) + "none for this address)";
+        if (!shown->holder) {
+            findings.push_back({Cause::overridden,
+                                blocks,
+                                sender_text(loser) + "0 for this address) sends " + level(loser) + " on " +
+                                    place_text(*shown->channel) +
+                                    " but says by its priority per address that the channel is not its own; "
+                                    "nobody holds it",
+                                "nobody holds their channels",
+                                {}});
+            continue;
+        }
+        findings.push_back({Cause::overridden,
+                            blocks,
+                            ranked_text(*shown->holder, shown->slot) + " overrides " + rank +
+                                (blocks ? ", which would light it" : "") + ": on " +
+                                place_text(*shown->channel) + " it sends " + level(*shown->holder) +
+                                " instead of " + level(loser),
+                            "a source of higher priority overrides another",
+                            {}});
+    }
+}
+
+} // namespace
+
+std::vector<UniverseFacts> universe_facts(const ExplainInput& input,
+                                          const std::vector<ChannelFacts>& channels) {
+    std::map<int, std::vector<std::size_t>> slots;
+    for (const ChannelFacts& channel : channels)
+        for (const fixture::Address& place : channel.places)
+            slots[place.universe].push_back(static_cast<std::size_t>(place.channel - 1));
+    std::vector<UniverseFacts> result;
+    for (const auto& [number_of, own] : slots) {
+        UniverseFacts facts;
+        facts.universe = number_of;
+        facts.first_frame_s = -1;
+        for (const auto& [recorded, first_s] : input.reception.first_frames_s)
+            if (recorded == number_of) facts.first_frame_s = first_s;
+        if (const dmx::Universe* found = number_of <= dmx::kMaxUniverse
+                                             ? input.universes.find(static_cast<std::uint16_t>(number_of))
+                                             : nullptr) {
+            facts.received = true;
+            facts.lost = found->lost;
+            facts.age_s = input.now_s - std::chrono::duration<double>(found->arrival).count();
+        }
+        for (const dmx::SourceStatus& source : input.reception.sources) {
+            if (source.universe != number_of) continue;
+            UniverseFacts::Sender sender;
+            sender.protocol = dmx::protocol_name(source.protocol);
+            sender.name = source.protocol == dmx::Protocol::sacn ? source.name : source.id;
+            sender.from = std::to_string(source.from_ipv4 >> 24) + "." +
+                          std::to_string((source.from_ipv4 >> 16) & 255) + "." +
+                          std::to_string((source.from_ipv4 >> 8) & 255) + "." +
+                          std::to_string(source.from_ipv4 & 255);
+            sender.priority = source.priority;
+            sender.per_address_priority = source.per_address_priority;
+            sender.rate_hz = source.rate_hz;
+            sender.age_s = std::chrono::duration<double>(source.age).count();
+            for (const std::size_t slot : own) {
+                sender.channels += slot < source.slot_count ? 1 : 0;
+                int best = 0;
+                for (const dmx::SourceStatus& other : input.reception.sources)
+                    if (other.universe == number_of && other.slots)
+                        best = std::max<int>(best, other.slots->rank[slot]);
+                sender.channels_held += source.slots && best > 0 && source.slots->rank[slot] == best ? 1 : 0;
+            }
+            facts.senders.push_back(std::move(sender));
+        }
+        result.push_back(std::move(facts));
+    }
+    return result;
+}
+
+std::vector<Finding> causes_in_network(const ExplainInput& input, const fixture::Patch& patch,
+                                       const Explanation& explanation, const fixture::State& state,
+                                       const Finding* direct) {
+    std::vector<Finding> findings;
+    for (std::size_t b = 0; b < explanation.footprint.size(); ++b) {
+        if (explanation.footprint[b] == 0) continue;
+        if (b < explanation.addresses.size() && explanation.addresses[b].channel > 0) continue;
+        const bool blocks =
+            direct && std::any_of(direct->channels.begin(), direct->channels.end(), [&](int index) {
+                const ChannelFacts& channel = explanation.channels[static_cast<std::size_t>(index)];
+                return channel.dmx_break == static_cast<int>(b) + 1 && channel.number > 0;
+            });
+        findings.push_back({Cause::not_patched,
+                            blocks,
+                            "it is not patched" +
+                                (explanation.footprint.size() > 1 ? " (break " + std::to_string(b + 1) + ")"
+                                                                  : std::string()) +
+                                ": without an address its channels keep their defaults" +
+                                (blocks ? so(direct) : ""),
+                            "they are not patched",
+                            {}});
+    }
+    for (const UniverseFacts& facts : explanation.universes) {
+        const std::string name = "their universe " + std::to_string(facts.universe);
+        if (!facts.received) {
+            const bool blocks = missing(explanation, direct, facts.universe);
+            const bool no_input = input.reception.kind == Reception::Kind::none;
+            const std::string text =
+                no_input ? "there is no DMX: " +
+                               (input.reception.recording.empty() ? std::string("the show has no recording")
+                                                                  : input.reception.recording) +
+                               " and no desk is listened to; all channels keep their defaults"
+                         : never_text(input, facts) + "; its channels keep their defaults";
+            findings.push_back({no_input ? Cause::no_input : Cause::never_received,
+                                blocks,
+                                text + (blocks ? so(direct) : ""),
+                                no_input ? "there is no DMX" : name + " never arrived",
+                                {}});
+        } else if (facts.lost) {
+            const bool blocks = uses(explanation, direct, facts.universe);
+            findings.push_back({Cause::lost,
+                                blocks,
+                                "universe " + std::to_string(facts.universe) +
+                                    " is lost: its last packet came " + number(facts.age_s, 1) +
+                                    " s ago and its last look is held" + (blocks ? so(direct) : ""),
+                                name + " is lost",
+                                {}});
+        }
+    }
+    add_overrides(input, patch, explanation, state, direct, findings);
+    return findings;
+}
+
+} // namespace ghost::scene::explained
