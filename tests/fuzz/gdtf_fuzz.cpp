@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // load_gdtf, decode and step on anything. Input that starts with "PK" is taken as the zip itself, other input
 // as the description.xml of one. Seeds: assets/fixtures/src/*/description.xml, assets/fixtures/*.gdtf.
+#include "fixture/curves.h"
 #include "fixture/decode.h"
 #include "fixture/gdtf.h"
+#include "fixture/mesh_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,13 +83,46 @@ void drive(const Type& type, int mode, Bytes data) {
     (void)check_patch(patch);
 }
 
+void must_be_finite(float value) {
+    if (!std::isfinite(value)) std::abort();
+}
+
+// Every index of a Type leads somewhere, and no curve leaves the numbers.
+void read_curves(const Type& type) {
+    for (const float percent : {0.0f, 33.0f, 100.0f}) {
+        for (const DmxProfile& profile : type.dmx_profiles) must_be_finite(evaluate(profile, percent));
+        for (const Emitter& emitter : type.emitters)
+            must_be_finite(measured_at(emitter, percent).luminous_intensity_cd);
+        for (const Filter& filter : type.filters) must_be_finite(measured_at(filter, percent).transmission);
+    }
+    for (const Mode& mode : type.modes) {
+        for (const Channel& channel : mode.channels)
+            for (const ChannelFunction& function : channel.functions) {
+                must_be_finite(physical_at(type, function, function.dmx_from));
+                must_be_finite(physical_at(type, function, channel.max));
+                if (function.definition >= 0)
+                    (void)type.definitions.at(static_cast<std::size_t>(function.definition));
+                if (function.gamut >= 0) (void)type.gamuts.at(static_cast<std::size_t>(function.gamut));
+                if (function.color_space >= 0)
+                    (void)type.color_spaces.at(static_cast<std::size_t>(function.color_space));
+            }
+        for (const Macro& macro : mode.macros)
+            for (const Macro::Step& step : macro.steps)
+                for (const Macro::Value& value : step.values)
+                    (void)mode.channels.at(static_cast<std::size_t>(value.channel));
+    }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const Bytes bytes(data, size);
+    (void)fault_of_mesh(bytes, "3ds");
+    (void)fault_of_mesh(bytes, "glb");
     const bool is_zip = size >= 2 && data[0] == 'P' && data[1] == 'K';
     const auto loaded = is_zip ? load_gdtf(bytes, "fuzz.gdtf") : load_gdtf(zip_of(bytes), "fuzz.gdtf");
     if (!loaded) return 0;
+    read_curves(loaded->type);
     const int modes = std::min(3, static_cast<int>(loaded->type.modes.size()));
     for (int mode = 0; mode < modes; ++mode) drive(loaded->type, mode, bytes);
     return 0;
