@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// check FILE...: the import doctor. What a .gdtf or a show would lose, and where.
+// check FILE...: the import doctor. What a fixture file or a show would lose, and where.
 #include "app/commands.h"
 
 #include "dmx/recording.h"
-#include "fixture/gdtf.h"
+#include "fixture/load_type.h"
 #include "scene/passes.h"
 #include "scene/show.h"
 #include "scene/stage_checks.h"
@@ -64,9 +64,9 @@ std::string counted(std::size_t count, const std::string& thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
-Checked check_gdtf(const fs::path& path) {
+Checked check_type(const fs::path& path) {
     Checked result;
-    const auto loaded = fixture::load_gdtf(path);
+    const auto loaded = fixture::load_type(path);
     if (!loaded.ok()) {
         result.report.add(Severity::error, loaded.error().where, loaded.error().what);
         return result;
@@ -145,12 +145,12 @@ Checked check_file(const fs::path& path) {
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     std::error_code code;
-    if (extension == ".gdtf") return check_gdtf(path);
+    if (fixture::has_type_extension(path)) return check_type(path);
     if (extension == ".toml" || fs::is_directory(path, code)) return check_show(path);
     Checked result;
     result.report.add(Severity::error, path.string(),
                       fs::exists(path, code)
-                          ? "is neither a .gdtf file nor a show (a show.toml or its folder)"
+                          ? "is neither a fixture file (.gdtf, .qxf, .json) nor a show (a show.toml or its folder)"
                           : "no such file");
     return result;
 }
@@ -197,7 +197,7 @@ int run(const Options& options) {
 void add_check(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("check", "What a fixture or show file would lose, and where");
-    command->add_option("FILE", options->files, ".gdtf files, show.toml files or folders of shows")
+    command->add_option("FILE", options->files, ".gdtf, .qxf and .json fixture files, show.toml files or folders of shows")
         ->required();
     command->add_flag("--json", options->json, "one JSON list on standard output");
     command->add_flag("--quiet", options->quiet, "print losses only");

@@ -3,7 +3,7 @@
 
 #include "base/files.h"
 #include "base/suggest.h"
-#include "fixture/gdtf.h"
+#include "fixture/load_type.h"
 #include "fixture/patch.h"
 #include "scene/show_toml.h"
 #include "scene/toml_reader.h"
@@ -50,7 +50,7 @@ std::string missing_file(const fs::path& path) {
     return what + (what.back() == '?' ? "" : ".");
 }
 
-// Each GDTF file once, however many fixtures use it.
+// Each fixture file once, however many fixtures use it.
 class TypeLibrary {
 public:
     std::shared_ptr<const fixture::Type> find(const fs::path& path, const std::string& where,
@@ -61,7 +61,7 @@ public:
             report.add(Severity::error, where, missing_file(path) + " Its fixtures stay dark.");
             return nullptr;
         }
-        auto loaded = fixture::load_gdtf(path);
+        auto loaded = fixture::load_type(path);
         if (!loaded.ok()) {
             report.add(Severity::error, where, loaded.error().text() + "; its fixtures stay dark");
             return nullptr;
