@@ -125,10 +125,11 @@ Finding several(const BeamFacts& beam) {
     add("emitters", beam.emitters);
     add("gobo", beam.gobo);
     add("other optics", beam.rest);
-    if (parts.empty()) parts.push_back("what it gives");
+    std::string product = parts.empty() ? "what it gives" : parts[0];
+    for (std::size_t i = 1; i < parts.size(); ++i) product += " x " + parts[i];
     return {Cause::several,
             true,
-            joined(parts, " x ") + " leaves " + number(static_cast<double>(beam.output_lm), 1) + " of " +
+            product + " leaves " + number(static_cast<double>(beam.output_lm), 1) + " of " +
                 number(static_cast<double>(beam.full_lm)) + " lm",
             "several things together dim them",
             {}};

@@ -91,8 +91,18 @@ void split_dimmers(const fixture::Mode& mode, std::size_t beam, const std::vecto
         if (!here || channels[i].role != fixture::Role::dimmer || channel.offsets.empty()) continue;
         if (nearest < 0 || channel.node > item(mode.channels, nearest).node) nearest = static_cast<int>(i);
     }
-    facts.dimmer = nearest < 0 ? all : std::clamp(item(channels, nearest).reading.physical, 0.0f, 1.0f);
-    facts.master = facts.dimmer > 0.0f ? all / facts.dimmer : 1.0f;
+    facts.master = 1.0f;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const std::vector<int>& beams = mode.channels[i].beams;
+        if (static_cast<int>(i) != nearest && channels[i].role == fixture::Role::dimmer &&
+            channels[i].number > 0 &&
+            std::find(beams.begin(), beams.end(), static_cast<int>(beam)) != beams.end())
+            facts.master *= std::clamp(channels[i].reading.physical, 0.0f, 1.0f);
+    }
+    // A dimmer on its way gives what it gives now.
+    if (!(facts.master > 0.0f)) facts.master = all > 0.0f ? 1.0f : 0.0f;
+    const float own = nearest < 0 ? 1.0f : item(channels, nearest).reading.physical;
+    facts.dimmer = facts.master > 0.0f ? all / facts.master : std::clamp(own, 0.0f, 1.0f);
 }
 
 // Lumens by rings and spokes of the gate: coarse at its rim, so for what wheels take away only.
