@@ -72,7 +72,7 @@ void print_table(const bake::BakeStats& stats) {
 int run_bake(const BakeArguments& arguments) {
     if (arguments.quiet) set_log_level(LogLevel::warning);
     scene::Report report;
-    const Result<scene::Show> show = scene::load_show(arguments.show, true, report);
+    const Result<scene::Show> show = open_show(arguments.show, true, arguments.quiet, report);
     if (!show.ok()) {
         log_error(show.error().text());
         return 1;
@@ -123,7 +123,7 @@ void add_bake(CLI::App& app, int& exit_code) {
     CLI::App* command =
         app.add_subcommand("bake", "trace the passes of a show: one picture per light and camera");
     const auto arguments = std::make_shared<BakeArguments>();
-    command->add_option("SHOW", arguments->show, "folder with show.toml")->required();
+    command->add_option("SHOW", arguments->show, "folder with show.toml, or an .mvr")->required();
     command->add_option("--view", arguments->views, "only this camera (may be repeated)")->type_name("NAME");
     command->add_option("--spp", arguments->spp, "samples per pixel")
         ->check(CLI::Range(1, bake::kMaxSpp))

@@ -146,11 +146,11 @@ Checked check_file(const fs::path& path) {
                    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
     std::error_code code;
     if (fixture::has_type_extension(path)) return check_type(path);
-    if (extension == ".toml" || fs::is_directory(path, code)) return check_show(path);
+    if (extension == ".toml" || extension == ".mvr" || fs::is_directory(path, code)) return check_show(path);
     Checked result;
     result.report.add(Severity::error, path.string(),
                       fs::exists(path, code)
-                          ? "is neither a fixture file (.gdtf, .qxf, .json) nor a show (a show.toml or its folder)"
+                          ? "is neither a fixture file (.gdtf, .qxf, .json) nor a show (a show.toml, its folder or an .mvr)"
                           : "no such file");
     return result;
 }
@@ -197,7 +197,7 @@ int run(const Options& options) {
 void add_check(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand("check", "What a fixture or show file would lose, and where");
-    command->add_option("FILE", options->files, ".gdtf, .qxf and .json fixture files, show.toml files or folders of shows")
+    command->add_option("FILE", options->files, ".gdtf, .qxf and .json fixture files, show.toml files, folders of shows or .mvr plots")
         ->required();
     command->add_flag("--json", options->json, "one JSON list on standard output");
     command->add_flag("--quiet", options->quiet, "print losses only");

@@ -121,7 +121,7 @@ void add_render(CLI::App& app, int& exit_code) {
     CLI::App* command =
         app.add_subcommand("render", "draw a show without a window: a picture (.png, .exr) or a film (.mp4)");
     const auto a = std::make_shared<RenderArguments>();
-    command->add_option("SHOW", a->session.show, "folder with show.toml")->required();
+    command->add_option("SHOW", a->session.show, "folder with show.toml, or an .mvr")->required();
     command->add_option("-o,--out", a->out, ".png, .exr or .mp4; with a range, .png and .exr are numbered")
         ->required();
     command->add_option("--view", a->session.view, "camera (default: the first)")->type_name("NAME");

@@ -21,6 +21,16 @@ void catch_interrupts() {
     std::signal(SIGTERM, handle);
 }
 
+InterruptScope::InterruptScope()
+    : interrupt_(std::signal(SIGINT, handle)), terminate_(std::signal(SIGTERM, handle)) {}
+
+InterruptScope::~InterruptScope() {
+    // After a first signal the second one ends the program, as handle() has arranged.
+    if (interrupted()) return;
+    std::signal(SIGINT, interrupt_);
+    std::signal(SIGTERM, terminate_);
+}
+
 bool interrupted() {
     return caught != 0;
 }

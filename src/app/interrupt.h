@@ -8,4 +8,18 @@ namespace ghost::app {
 void catch_interrupts();
 bool interrupted();
 
+// Catches them for as long as it lives, where the rest of a command leaves them to the system.
+class InterruptScope {
+public:
+    InterruptScope();
+    ~InterruptScope();
+    InterruptScope(const InterruptScope&) = delete;
+    InterruptScope& operator=(const InterruptScope&) = delete;
+
+private:
+    using Handler = void (*)(int);
+    Handler interrupt_;
+    Handler terminate_;
+};
+
 } // namespace ghost::app

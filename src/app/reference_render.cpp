@@ -46,7 +46,7 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     TRY(const OutputKind kind, output_kind(out));
     if (kind == OutputKind::film) return Error{"a reference is one picture: .png or .exr", out};
     scene::Report report;
-    TRY(scene::Show show, scene::load_show(options.show, false, report));
+    TRY(scene::Show show, open_show(options.show, false, options.quiet, report));
     show.motion = options.motion.value_or(show.motion);
     load_stage(show, report);
     TRY(const std::size_t view, show.find_camera(options.view));

@@ -63,7 +63,7 @@ void add_companions(const fs::path& stage, const fs::path& cache, bake::Hasher& 
 // Hash of all that passes are made from: the show file, the stage with what lies beside it, the fixture files
 // and the baker. The bake itself compares in detail; this only says whether it has to be asked.
 std::string fingerprint(const scene::Show& show) {
-    std::set<fs::path> sources{show.file, show.stage_file};
+    std::set<fs::path> sources{show.file, show.stage_file, show.plot_file};
     for (const scene::PatchedFixture& fixture : show.fixtures) sources.insert(show.folder / fixture.gdtf);
     bake::Hasher hasher;
     hasher.value(bake::kBakerVersion);
@@ -175,15 +175,36 @@ Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
 
 } // namespace
 
+Result<scene::Show> open_show(const std::string& path, bool load_stage, bool quiet, scene::Report& report) {
+    const InterruptScope scope;
+    Progress progress("opening", quiet ? Progress::Style::silent : Progress::style_for_stderr(),
+                      steady_now_s());
+    const scene::ShowLoading loading{[&](double share, const std::string& what) {
+                                         progress.update(share, steady_now_s(), what);
+                                     },
+                                     interrupted};
+    auto show = scene::load_show(path, load_stage, report, loading);
+    progress.finish();
+    return show;
+}
+
 bool load_stage(scene::Show& show, scene::Report& report) {
-    if (show.stage_file.empty() || !show.stage.instances.empty()) return true;
-    Result<scene::Stage> stage = scene::load_stage_file(show.stage_file, report);
+    if ((show.stage_file.empty() && !show.plot) || !show.stage.instances.empty()) return true;
+    const InterruptScope scope;
+    Progress progress("reading the stage", Progress::style_for_stderr(), steady_now_s());
+    const scene::ShowLoading loading{[&](double share, const std::string& what) {
+                                         progress.update(share, steady_now_s(), what);
+                                     },
+                                     interrupted};
+    Result<scene::Stage> stage = scene::read_stage(show, report, loading);
+    progress.finish();
     if (!stage.ok()) {
         report.add(scene::Severity::error, stage.error().where, stage.error().what);
         return false;
     }
     show.stage = std::move(*stage);
-    return !show.stage.instances.empty();
+    // A plot may hold fixtures only.
+    return !show.stage.instances.empty() || show.stage_file.empty();
 }
 
 void print_report(const scene::Report& report, std::size_t skip) {
@@ -265,7 +286,7 @@ render::FrameStatistics Session::draw(double time_s) {
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     auto session = std::make_unique<Session>();
     scene::Report& report = session->report;
-    TRY(scene::Show show, scene::load_show(options.show, false, report));
+    TRY(scene::Show show, open_show(options.show, false, options.quiet, report));
     show.motion = options.motion.value_or(show.motion);
     session->show = std::make_unique<scene::Show>(std::move(show));
     print_report(report);

@@ -72,6 +72,9 @@ struct Session {
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);
 
+// scene::load_show with a bar, and Ctrl-C ends it.
+Result<scene::Show> open_show(const std::string& path, bool load_stage, bool quiet, scene::Report& report);
+
 // The stage, if it can be read. A show without one still has its beams.
 bool load_stage(scene::Show& show, scene::Report& report);
 

@@ -82,32 +82,6 @@ Mesh unit_prism(int sides) {
     return mesh;
 }
 
-// Moves all of the model into the stage and says where its instances are.
-Parts absorb(Stage model, const glm::mat4& place, Stage& stage) {
-    const auto textures = static_cast<int>(stage.textures.size());
-    const auto materials = static_cast<int>(stage.materials.size());
-    const auto meshes = static_cast<int>(stage.meshes.size());
-    const auto shift = [&](int& texture) {
-        if (texture != kNone) texture += textures;
-    };
-    for (Material& material : model.materials) {
-        shift(material.base_texture);
-        shift(material.normal_texture);
-        shift(material.surface_texture);
-        shift(material.emission_texture);
-        stage.materials.push_back(std::move(material));
-    }
-    for (Mesh& mesh : model.meshes) {
-        mesh.material += materials;
-        stage.meshes.push_back(std::move(mesh));
-    }
-    for (Texture& texture : model.textures) stage.textures.push_back(std::move(texture));
-    Parts parts;
-    for (const Instance& instance : model.instances)
-        parts.push_back({instance.name, instance.mesh + meshes, place * instance.world, kNone});
-    return parts;
-}
-
 // A stand-in of the model's size. The 1.1 primitives hang below their origin, the others are about it (GDTF,
 // Model).
 Stage primitive(const fixture::Model& model) {

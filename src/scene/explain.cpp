@@ -21,7 +21,7 @@ float quick_lm(const shared::Light& light) {
 }
 
 fixture::Patch patch_of(const PatchedFixture& fixture) {
-    return {fixture.name, fixture.type.get(), fixture.mode, {{fixture.universe, fixture.address}}};
+    return fixture.patch();
 }
 
 // What the report of loading says that holds all of these words; "" where nothing does.

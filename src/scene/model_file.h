@@ -10,6 +10,7 @@
 #include "scene/stage.h"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -19,11 +20,19 @@ struct aiScene;
 
 namespace ghost::scene {
 
+// A picture that a model inside an archive refers to, by name; called from one thread at a time.
+using ReadPicture = std::function<Result<std::vector<std::uint8_t>>(const std::string& name)>;
+
 // extension: "glb", "3ds", ... without the dot. name: for messages. folder: where external textures are
-// looked for. Error: unreadable, cut short, nothing to draw, over the limits; smaller losses go to the
-// report.
+// looked for, unless there is read_picture. Error: unreadable, cut short, nothing to draw, over the limits;
+// smaller losses go to the report.
 Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::string& name,
-                         const std::filesystem::path& folder, Report& report);
+                         const std::filesystem::path& folder, Report& report,
+                         const ReadPicture& read_picture = {});
+
+// Moves all of a model into the stage; what comes back are its instances there, each placed by `place`, not
+// yet part of the stage.
+std::vector<Instance> absorb(Stage model, const glm::mat4& place, Stage& stage);
 
 // glTF binary: header and chunk lengths against the size of the file. Error: cut short, or no glTF 2.0
 // binary.
@@ -51,8 +60,8 @@ void repair_meshes(aiScene& scene, const GltfExtras& extras, const std::string& 
 
 // Materials in the order of the scene's, and the textures they use, each picture once. extras may be shorter.
 void add_materials(const aiScene& scene, const std::vector<GltfMaterialExtras>& extras,
-                   const std::string& name, const std::filesystem::path& folder, Stage& stage,
-                   Report& report);
+                   const std::string& name, const std::filesystem::path& folder,
+                   const ReadPicture& read_picture, Stage& stage, Report& report);
 
 // "a, b, c and 7 more"
 std::string name_list(const std::vector<std::string>& names);

@@ -34,6 +34,18 @@ glm::vec3 pivot_of(const fixture::Mode& mode) {
 
 } // namespace
 
+fixture::Patch PatchedFixture::patch() const {
+    fixture::Patch patch;
+    patch.name = name;
+    patch.type = type.get();
+    patch.mode = mode;
+    patch.addresses = {{universe, address}};
+    patch.addresses.insert(patch.addresses.end(), more_addresses.begin(), more_addresses.end());
+    patch.invert_pan = invert_pan;
+    patch.invert_tilt = invert_tilt;
+    return patch;
+}
+
 glm::mat4 camera_to_world(const Camera& camera) {
     const glm::vec3 backward = glm::normalize(camera.position_m - camera.target_m);
     // Straight up or down, the top of the picture is up-stage.

@@ -5,22 +5,10 @@
 #include <cmath>
 
 namespace ghost::scene {
-namespace {
-
-fixture::Patch patch_of(const PatchedFixture& fixture) {
-    fixture::Patch patch;
-    patch.name = fixture.name;
-    patch.type = fixture.type.get();
-    patch.mode = fixture.mode;
-    patch.addresses = {{fixture.universe, fixture.address}};
-    return patch;
-}
-
-} // namespace
 
 Rig::Rig(const Show& show) : show_(show), track_(show.fixtures.size(), 0.0f) {
     for (const PatchedFixture& fixture : show.fixtures) {
-        patches_.push_back(patch_of(fixture));
+        patches_.push_back(fixture.patch());
         states_.push_back(fixture.type ? fixture::make_state(patches_.back()) : fixture::State{});
     }
 }

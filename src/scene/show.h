@@ -6,12 +6,14 @@
 
 #include "base/result.h"
 #include "fixture/motion.h"
+#include "fixture/patch.h"
 #include "fixture/type.h"
 #include "scene/overrides.h"
 #include "scene/report.h"
 #include "scene/stage.h"
 
 #include <filesystem>
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
@@ -19,6 +21,8 @@
 #include <vector>
 
 namespace ghost::scene {
+
+struct LoadedPlot; // scene/mvr_load.h
 
 struct Camera {
     std::string name;
@@ -76,12 +80,20 @@ struct PatchedFixture {
         type;         // null where the file could not be read: the fixture stays dark
     int mode = 0;     // index into type->modes
     int universe = 1; // 1-based
-    int address = 1;  // 1-based; 0: not patched
+    int address = 1;  // 1-based, of break 1; 0: not patched
+    std::vector<fixture::Address> more_addresses; // of breaks 2, 3, ...
+    bool invert_pan = false;                      // the desk's values count the other way round
+    bool invert_tilt = false;
     glm::vec3 position_m{0};
     glm::vec3 rotation_deg{0}; // about X, then Y, then Z; zero hangs, (180, 0, 0) stands on the floor
     float home_pan_deg = 0;    // pose of the body in baked passes
     float home_tilt_deg = 0;
     std::optional<Track> track;
+    std::string fixture_id; // of the plot, as the desk calls it; "" where the show file has the fixture
+    std::string uuid;       // of the plot's object, or ""
+
+    // Where its channels are; for readers of channels, type must be there.
+    fixture::Patch patch() const;
 
     // Hanging positions to bake: the stops of the track, or the one position.
     std::vector<glm::vec3> stops_m() const {
@@ -90,10 +102,16 @@ struct PatchedFixture {
 };
 
 struct Show {
-    std::filesystem::path file;   // show.toml
+    std::filesystem::path file;   // show.toml, or the .mvr that was opened as it is
     std::filesystem::path folder; // where relative names start
+    std::string cache_name;       // its folder in .ghost; "": .ghost itself
     std::string name;
     std::filesystem::path stage_file;
+    std::filesystem::path plot_file;  // .mvr, or empty
+    std::shared_ptr<LoadedPlot> plot; // of it, as the show changes it; null where it could not be read
+    glm::dvec3 plot_origin_m{0.0};    // taken off all places of a plot in survey coordinates
+    std::vector<std::string> hidden_layers; // of the plot, by name
+    std::vector<std::string> hidden_classes;
     std::filesystem::path recording; // the show's own DMX recording, or empty
     float ambient_lux = 0.0f;        // even light from everywhere, so that the house is not pitch black
     glm::vec3 ambient_colour{1.0f};  // of it: linear Rec.2020, luminance 1
@@ -106,17 +124,30 @@ struct Show {
     std::vector<ObjectSettings> objects; // applied by stage_with_bodies
     std::vector<Camera> cameras;
     std::vector<PatchedFixture> fixtures;
-    Stage stage; // the model as its file has it, without fixture bodies
+    Stage stage; // the model as its file has it and all that the plot draws, without fixture bodies
 
     // Index of the camera of this name (the first one where name is empty); the error suggests a near name.
     Result<std::size_t> find_camera(const std::string& camera_name) const;
-    std::filesystem::path cache_folder() const { return folder / ".ghost"; }
+    std::filesystem::path cache_folder() const {
+        return cache_name.empty() ? folder / ".ghost" : folder / ".ghost" / cache_name;
+    }
 };
 
-// path: show.toml or the folder that holds it. An error only where nothing can go on (no such file, not TOML,
-// no camera at all); everything else goes to the report with file and line, and the rest is kept. load_stage
-// = false leaves the stage empty (a renderer with baked passes needs no geometry).
-Result<Show> load_show(const std::filesystem::path& path, bool load_stage, Report& report);
+struct ShowLoading {
+    // share 0..1 and what is being read; called from the loading thread, a few hundred times at most.
+    std::function<void(double share, const std::string& what)> progress;
+    std::function<bool()> stop; // asked as often; true: loading ends with an error
+};
+
+// path: show.toml, the folder that holds it, or an .mvr, which then gets cameras of its own (plot_show.h). An
+// error only where nothing can go on (no such file, not TOML, no camera at all, stopped); everything else
+// goes to the report with file and line, and the rest is kept. load_stage = false leaves the stage empty (a
+// renderer with baked passes needs no geometry), unless default cameras have to be made from it.
+Result<Show> load_show(const std::filesystem::path& path, bool load_stage, Report& report,
+                       const ShowLoading& loading = {});
+
+// The model of stage_file and all that the plot draws. What cannot be read goes to the report. Error: stopped.
+Result<Stage> read_stage(const Show& show, Report& report, const ShowLoading& loading = {});
 
 // A glTF binary (or any format Assimp reads), instanced, turned to Z up. Error: unreadable, cut short, over
 // the limits.

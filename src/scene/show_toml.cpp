@@ -15,6 +15,9 @@ namespace {
 constexpr std::size_t kMaxCameras = 256;
 constexpr std::size_t kMaxFixtures = 10'000;
 constexpr std::size_t kMaxStops = 64;
+constexpr std::size_t kMaxHidden = 1000;
+constexpr std::size_t kMaxChanges = 100'000;
+constexpr std::size_t kMaxBreaks = 64;
 constexpr int kMaxPictureSide = 16384;
 constexpr std::size_t kMaxNameBytes = 100;
 
@@ -123,6 +126,11 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
         reader.problem(Severity::warning, "address",
                        "is missing: the fixture is not patched and keeps its defaults");
 
+    if (const auto more = reader.pairs("more_addresses", kMaxBreaks, {1, 0}, {dmx::kMaxUniverse, 512}))
+        for (const glm::ivec2& place : *more) fixture.more_addresses.push_back({place.x, place.y});
+    fixture.invert_pan = reader.boolean("invert_pan").value_or(false);
+    fixture.invert_tilt = reader.boolean("invert_tilt").value_or(false);
+
     if (const toml::table* track = reader.table("track")) {
         fixture.track = read_track(*track, section, file, report);
         source.track_line = reader.line_of("track");
@@ -152,7 +160,14 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
         TableReader reader(*table, "[show]", file, report);
         put(show.name, reader.text("name"));
         if (const auto stage = reader.text("stage")) show.stage_file = show.folder / *stage;
-        if (!reader.has("stage")) reader.missing("stage", "the name of a model file (.glb)");
+        if (const auto plot = reader.text("plot")) show.plot_file = show.folder / *plot;
+        parsed.plot_line = reader.line_of("plot");
+        if (!reader.has("stage") && !reader.has("plot"))
+            reader.missing("stage", "the name of a model file (.glb), or plot = that of an .mvr");
+        show.hidden_layers = reader.texts("hide_layers", kMaxHidden).value_or(std::vector<std::string>{});
+        show.hidden_classes = reader.texts("hide_classes", kMaxHidden).value_or(std::vector<std::string>{});
+        parsed.hidden_layers_line = reader.line_of("hide_layers");
+        parsed.hidden_classes_line = reader.line_of("hide_classes");
         parsed.stage_line = reader.line_of("stage");
         if (const auto recording = reader.text("recording")) show.recording = show.folder / *recording;
         parsed.recording_line = reader.line_of("recording");
@@ -191,6 +206,13 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
         show.fixtures.push_back(read_fixture(reader, name, file, parsed.sources.back(), report));
         reader.finish();
     }
+    for (const toml::table* table : top.tables("change", kMaxChanges)) {
+        TableReader reader(*table, "[[change]]", file, report);
+        parsed.changes.push_back(read_change(reader));
+    }
+    if (!parsed.changes.empty() && show.plot_file.empty())
+        report.add(Severity::error, parsed.changes.front().where,
+                   "[[change]] changes a plot, and [show] has none (plot = \"name.mvr\")");
     top.finish();
 }
 
@@ -208,7 +230,8 @@ Result<ParsedShow> parse_show(std::string_view text, const std::filesystem::path
         return Error{"is not TOML: " + std::string(problem.description()),
                      file_line(file.string(), static_cast<int>(problem.source().begin.line))};
     }
-    if (parsed.show.cameras.empty()) return Error{"has no [[camera]], expected at least one", file.string()};
+    if (parsed.show.cameras.empty() && parsed.show.plot_file.empty())
+        return Error{"has no [[camera]], expected at least one", file.string()};
     return parsed;
 }
 

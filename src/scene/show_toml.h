@@ -3,6 +3,7 @@
 // show.toml -> Show, without opening any other file (docs/show-file.md says what each key means). Pure.
 
 #include "base/result.h"
+#include "scene/plot_changes.h"
 #include "scene/report.h"
 #include "scene/show.h"
 
@@ -26,12 +27,16 @@ struct FixtureSource {
 struct ParsedShow {
     Show show;                          // types and stage are not loaded
     std::vector<FixtureSource> sources; // one per fixture
+    std::vector<ChangeEntry> changes;   // of the plot
     int stage_line = 0;
+    int plot_line = 0;
+    int hidden_layers_line = 0;
+    int hidden_classes_line = 0;
     int recording_line = 0;
     std::vector<int> passes_lines; // one per camera
 };
 
-// Error: not TOML (with line), no camera. Everything else goes to the report and the rest is kept.
+// Error: not TOML (with line), no camera and no plot that could give some. Everything else goes to the report and the rest is kept.
 Result<ParsedShow> parse_show(std::string_view text, const std::filesystem::path& file, Report& report);
 
 } // namespace ghost::scene

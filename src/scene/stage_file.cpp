@@ -78,9 +78,9 @@ void add_instances(const aiNode* root, const std::vector<int>& kept, const std::
 }
 
 Result<Stage> convert(const aiScene& scene, const GltfExtras& extras, const std::string& name,
-                      const std::filesystem::path& folder, Report& report) {
+                      const std::filesystem::path& folder, const ReadPicture& read_picture, Report& report) {
     Stage stage;
-    add_materials(scene, extras.materials, name, folder, stage, report);
+    add_materials(scene, extras.materials, name, folder, read_picture, stage, report);
     std::vector<int> kept;
     for (unsigned k = 0; k < scene.mNumMeshes; ++k) {
         Mesh mesh = mesh_from(*scene.mMeshes[k]);
@@ -122,7 +122,8 @@ private:
 } // namespace
 
 Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::string& name,
-                         const std::filesystem::path& folder, Report& report) {
+                         const std::filesystem::path& folder, Report& report,
+                         const ReadPicture& read_picture) {
     const std::string format = lower(extension);
     const bool is_gltf = format == "glb" || format == "gltf";
     if (format == "glb") TRY_VOID(check_glb(bytes, name));
@@ -151,10 +152,35 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
                                aiProcess_CalcTangentSpace | (is_gltf ? 0u : aiProcess_JoinIdenticalVertices);
         scene = importer.ApplyPostProcessing(steps);
         if (!scene) return Error{std::string("cannot prepare the model: ") + importer.GetErrorString(), name};
-        return convert(*scene, extras, name, folder, report);
+        return convert(*scene, extras, name, folder, read_picture, report);
     } catch (const std::exception& problem) {
         return Error{std::string("cannot read the model: ") + problem.what(), name};
     }
+}
+
+std::vector<Instance> absorb(Stage model, const glm::mat4& place, Stage& stage) {
+    const auto textures = static_cast<int>(stage.textures.size());
+    const auto materials = static_cast<int>(stage.materials.size());
+    const auto meshes = static_cast<int>(stage.meshes.size());
+    const auto shift = [&](int& texture) {
+        if (texture != kNone) texture += textures;
+    };
+    for (Material& material : model.materials) {
+        shift(material.base_texture);
+        shift(material.normal_texture);
+        shift(material.surface_texture);
+        shift(material.emission_texture);
+        stage.materials.push_back(std::move(material));
+    }
+    for (Mesh& mesh : model.meshes) {
+        mesh.material += materials;
+        stage.meshes.push_back(std::move(mesh));
+    }
+    for (Texture& texture : model.textures) stage.textures.push_back(std::move(texture));
+    std::vector<Instance> parts;
+    for (const Instance& instance : model.instances)
+        parts.push_back({instance.name, instance.mesh + meshes, place * instance.world, kNone});
+    return parts;
 }
 
 Result<Stage> load_stage_file(const std::filesystem::path& path, Report& report) {

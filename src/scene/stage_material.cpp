@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <thread>
 #include <utility>
 
@@ -41,8 +42,8 @@ std::string percent_decoded(const std::string& text) {
 // The textures of one file, each picture of each kind once.
 class TextureTable {
 public:
-    TextureTable(const aiScene& scene, std::filesystem::path folder)
-        : scene_(scene), folder_(std::move(folder)) {}
+    TextureTable(const aiScene& scene, std::filesystem::path folder, const ReadPicture& read_picture)
+        : scene_(scene), folder_(std::move(folder)), read_picture_(read_picture) {}
 
     int add(const std::string& path, bool is_colour) {
         const auto [entry, is_new] = index_.try_emplace({path, is_colour}, static_cast<int>(wanted_.size()));
@@ -51,7 +52,7 @@ public:
     }
 
     // Decodes all on a few threads. place[index of add] is the texture of the stage, or kNone.
-    std::vector<int> decode(const std::string& name, Stage& stage, Report& report) const {
+    std::vector<int> decode(const std::string& name, Stage& stage, Report& report) {
         std::vector<Result<image::Image8>> pictures(wanted_.size(), Error{"not decoded", ""});
         const std::size_t count = std::min(wanted_.size(), kMaxTextures);
         const std::size_t workers = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 16);
@@ -82,14 +83,21 @@ public:
     }
 
 private:
-    Result<image::Image8> decode_one(const std::string& path) const {
+    Result<image::Image8> decode_one(const std::string& path) {
         const aiTexture* embedded = scene_.GetEmbeddedTexture(path.c_str());
         if (embedded && embedded->mHeight == 0)
             return image::decode_ldr(
                 Bytes(reinterpret_cast<const std::uint8_t*>(embedded->pcData), embedded->mWidth), "");
         if (embedded) return Error{"embedded without compression, expected PNG or JPEG", ""};
-        TRY(const auto bytes, read_file(file_of(path), kMaxTextureFileBytes));
+        TRY(const auto bytes, read_external(path));
         return image::decode_ldr(bytes, "");
+    }
+
+    Result<std::vector<std::uint8_t>> read_external(const std::string& path) {
+        if (!read_picture_) return read_file(file_of(path), kMaxTextureFileBytes);
+        const std::lock_guard lock(reading_);
+        auto read = read_picture_(path);
+        return read.ok() ? std::move(read) : read_picture_(percent_decoded(path));
     }
 
     // As it is written; as glTF 2.0 writes it (percent-encoded); as Windows does.
@@ -105,6 +113,8 @@ private:
 
     const aiScene& scene_;
     std::filesystem::path folder_;
+    const ReadPicture& read_picture_;
+    std::mutex reading_;
     std::map<std::pair<std::string, bool>, int> index_;
     std::vector<std::pair<std::string, bool>> wanted_;
 };
@@ -178,9 +188,9 @@ Material material_from(const aiMaterial& source, TextureTable& table, bool& odd_
 } // namespace
 
 void add_materials(const aiScene& scene, const std::vector<GltfMaterialExtras>& extras,
-                   const std::string& name, const std::filesystem::path& folder, Stage& stage,
-                   Report& report) {
-    TextureTable table(scene, folder);
+                   const std::string& name, const std::filesystem::path& folder,
+                   const ReadPicture& read_picture, Stage& stage, Report& report) {
+    TextureTable table(scene, folder, read_picture);
     std::vector<std::string> oddly_mapped;
     for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
         bool odd_mapping = false;

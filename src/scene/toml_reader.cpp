@@ -219,6 +219,47 @@ std::optional<std::vector<glm::vec3>> TableReader::vec3_list(const std::string& 
     return std::nullopt;
 }
 
+std::optional<std::vector<std::string>> TableReader::texts(const std::string& key, std::size_t at_most) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    std::vector<std::string> values;
+    const toml::array* array = node->as_array();
+    bool good = array && array->size() <= at_most;
+    for (std::size_t k = 0; good && k < array->size(); ++k) {
+        const auto value = array->get(k)->is_string() ? array->get(k)->value<std::string>() : std::nullopt;
+        good = value && value->size() <= kMaxTextBytes;
+        if (good) values.push_back(*value);
+    }
+    if (good) return values;
+    wrong(key, "a list of at most " + std::to_string(at_most) + " texts");
+    return std::nullopt;
+}
+
+std::optional<std::vector<glm::ivec2>> TableReader::pairs(const std::string& key, std::size_t at_most,
+                                                          glm::ivec2 low, glm::ivec2 high) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    std::vector<glm::ivec2> values;
+    const toml::array* array = node->as_array();
+    bool good = array && array->size() <= at_most;
+    for (std::size_t k = 0; good && k < array->size(); ++k) {
+        const toml::array* pair = array->get(k)->as_array();
+        good = pair && pair->size() == 2;
+        glm::ivec2 value(0);
+        for (int i = 0; good && i < 2; ++i) {
+            const toml::node& item = *pair->get(static_cast<std::size_t>(i));
+            const auto number = item.is_integer() ? item.value<std::int64_t>() : std::nullopt;
+            good = number && *number >= low[i] && *number <= high[i];
+            if (good) value[i] = static_cast<int>(*number);
+        }
+        values.push_back(value);
+    }
+    if (good) return values;
+    wrong(key, "a list of at most " + std::to_string(at_most) + " pairs [" + range_text(low.x, high.x) + ", " +
+                   range_text(low.y, high.y) + "]");
+    return std::nullopt;
+}
+
 const toml::table* TableReader::table(const std::string& key) {
     const toml::node* node = find(key);
     if (!node) return nullptr;

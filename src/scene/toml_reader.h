@@ -39,6 +39,10 @@ public:
     std::optional<std::vector<int>> integers(const std::string& key, std::size_t count, int low, int high);
     std::optional<std::vector<glm::vec3>> vec3_list(const std::string& key, std::size_t at_least,
                                                     std::size_t at_most, double limit);
+    std::optional<std::vector<std::string>> texts(const std::string& key, std::size_t at_most);
+    // [[universe, address], ...], each at least low and at most high.
+    std::optional<std::vector<glm::ivec2>> pairs(const std::string& key, std::size_t at_most, glm::ivec2 low,
+                                                 glm::ivec2 high);
     const toml::table* table(const std::string& key);
     std::vector<const toml::table*> tables(const std::string& key, std::size_t at_most); // [[key]]
 

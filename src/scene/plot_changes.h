@@ -1,0 +1,41 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// [[change]] of show.toml: what the user changes about objects of a plot, by UUID, without touching the
+// plot's file, so that it outlives the designer's next version. Places are world metres and degrees as
+// everywhere in show.toml. Pure; what cannot be done goes to the report with file and line.
+
+#include "scene/mvr_merge.h"
+#include "scene/report.h"
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ghost::scene {
+
+class TableReader;
+
+struct ChangeEntry {
+    std::string uuid;
+    std::string where; // file:line, for messages
+    std::optional<fixture::Address> address;
+    int dmx_break = 1; // as GDTF counts
+    std::optional<std::string> mode;
+    std::optional<std::string> name;
+    std::optional<glm::vec3> position_m;
+    std::optional<glm::vec3> rotation_deg;
+    std::optional<bool> hidden;
+};
+
+ChangeEntry read_change(TableReader& reader);
+
+// For this plot. An entry whose object the plot does not have (or no longer has) becomes changes all the
+// same, which merge_plots reports; apply_changes says so.
+std::vector<PlotChange> plot_changes(const Plot& plot, const std::vector<ChangeEntry>& entries,
+                                     const glm::dvec3& origin_m);
+
+void apply_changes(Plot& plot, const std::vector<ChangeEntry>& entries, const glm::dvec3& origin_m,
+                   Report& report);
+
+} // namespace ghost::scene

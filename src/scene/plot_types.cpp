@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/plot_types.h"
+
+#include "fixture/gdtf.h"
+#include "fixture/load_type.h"
+#include "fixture/patch.h"
+#include "fixture/values.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace ghost::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Letters to change, add or leave out (Levenshtein).
+std::size_t edits(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t k = 0; k < b.size(); ++k) {
+            const std::size_t above = row[k + 1];
+            row[k + 1] = std::min({above + 1, row[k] + 1, diagonal + (a[i] == b[k] ? 0u : 1u)});
+            diagonal = above;
+        }
+    }
+    return row[b.size()];
+}
+
+} // namespace
+
+Severity severity_of(fixture::Severity severity) {
+    switch (severity) {
+    case fixture::Severity::note:
+        return Severity::note;
+    case fixture::Severity::warning:
+        return Severity::warning;
+    case fixture::Severity::lost:
+        return Severity::error;
+    }
+    return Severity::error;
+}
+
+int nearest_mode(const fixture::Type& type, const std::string& name) {
+    constexpr std::size_t kLooked = 200; // letters: names come from outside
+    const std::string wanted = fixture::lower(fixture::trimmed(name)).substr(0, kLooked);
+    int nearest = -1;
+    std::size_t fewest = 0;
+    for (std::size_t k = 0; k < type.modes.size(); ++k) {
+        if (type.modes[k].name == name) return static_cast<int>(k);
+        const std::size_t distance =
+            edits(wanted, fixture::lower(fixture::trimmed(type.modes[k].name)).substr(0, kLooked));
+        if (nearest < 0 || distance < fewest) {
+            nearest = static_cast<int>(k);
+            fewest = distance;
+        }
+    }
+    return nearest;
+}
+
+fs::path PlotTypes::beside(const std::string& spec) const {
+    if (spec.empty() || spec.size() > 200) return {};
+    const std::string name = fs::path(spec).filename().string();
+    for (const fs::path& folder : {folder_, folder_ / "fixtures"})
+        for (const char* ending : {"", ".gdtf", ".qxf", ".json"}) {
+            const fs::path file = folder / (name + ending);
+            std::error_code code;
+            if (fixture::has_type_extension(file) && fs::is_regular_file(file, code)) return file;
+        }
+    return {};
+}
+
+std::shared_ptr<const fixture::Type> PlotTypes::read(const PlotGdtf& gdtf, File& file) {
+    const std::string who = gdtf.objects == 1 ? "; its fixture stays dark" : "; its fixtures stay dark";
+    const auto load = [&]() -> Result<fixture::LoadedType> {
+        if (gdtf.member.empty()) return fixture::load_type(folder_ / file.name);
+        TRY(const auto bytes, loaded_.archive.read(gdtf.member));
+        return fixture::load_gdtf(bytes, loaded_.name + ": " + gdtf.member);
+    };
+    auto loaded = load();
+    if (!loaded.ok()) {
+        report_.add(Severity::error, loaded.error().where.empty() ? loaded_.name : loaded.error().where,
+                    loaded.error().what + who);
+        return nullptr;
+    }
+    for (const fixture::Message& message : loaded->messages)
+        report_.add(severity_of(message.severity), message.where, message.what);
+    if (loaded->type.modes.empty()) {
+        report_.add(Severity::error, loaded_.name + ": " + file.name.string(), "has no DMX mode" + who);
+        return nullptr;
+    }
+    return std::make_shared<const fixture::Type>(std::move(loaded->type));
+}
+
+PlotTypes::File& PlotTypes::file(int index) {
+    File& file = files_[index];
+    if (file.is_read) return file;
+    file.is_read = true;
+    const PlotGdtf& gdtf = loaded_.plot.gdtf_files[static_cast<std::size_t>(index)];
+    file.name = fs::path(gdtf.member.empty() ? gdtf.spec : gdtf.member).filename();
+    if (gdtf.member.empty()) {
+        const fs::path found = beside(gdtf.spec);
+        if (found.empty()) return file; // the reader of the plot has said so
+        file.name = found.lexically_relative(folder_);
+        // What the reader said of the archive is right, and no loss any more.
+        for (Message& message : report_.messages)
+            if (message.severity == Severity::error &&
+                message.what.find("'" + gdtf.spec + "' is not in the archive") != std::string::npos) {
+                message.severity = Severity::note;
+                message.what += "; " + found.string() + " is taken, which lies beside the plot";
+            }
+    }
+    file.type = read(gdtf, file);
+    return file;
+}
+
+PlotTypes::Found PlotTypes::find(const PlotDevice& device, const std::string& where) {
+    if (device.gdtf < 0) return {};
+    Found found{file(device.gdtf).type, 0};
+    if (!found.type) return found;
+    // Programs that know one mode only leave its name out.
+    found.mode = device.gdtf_mode.empty() ? 0 : nearest_mode(*found.type, device.gdtf_mode);
+    const std::string& taken = found.type->modes[static_cast<std::size_t>(found.mode)].name;
+    if (device.gdtf_mode.empty() || taken == device.gdtf_mode) return found;
+    WrongMode& wrong = wrong_modes_[{device.gdtf, device.gdtf_mode}];
+    if (wrong.fixtures++ == 0) {
+        wrong.where = where;
+        const auto mode = fixture::find_mode(*found.type, device.gdtf_mode);
+        wrong.what = (mode.ok() ? "" : mode.error().what) + "; it gets '" + taken + "'";
+    }
+    return found;
+}
+
+fs::path PlotTypes::file_of(const PlotDevice& device) {
+    return device.gdtf >= 0 ? file(device.gdtf).name : fs::path(device.gdtf_spec).filename();
+}
+
+void PlotTypes::finish() {
+    for (const auto& [key, wrong] : wrong_modes_)
+        report_.add(Severity::error, wrong.where,
+                    wrong.what +
+                        (wrong.fixtures > 1 ? " (" + std::to_string(wrong.fixtures) + " fixtures)" : ""));
+    wrong_modes_.clear();
+}
+
+} // namespace ghost::scene
