@@ -24,6 +24,14 @@ std::string forward(std::string_view name) {
     return result;
 }
 
+void say_names(Report& report, const std::string& archive, const std::vector<std::string>& which,
+               const std::string& what) {
+    if (which.empty()) return;
+    std::string text = what + ": '" + which.front().substr(0, 80) + "'";
+    if (which.size() > 1) text += " and " + std::to_string(which.size() - 1) + " more";
+    report.add(Severity::warning, archive, text);
+}
+
 struct LimitedWriter : pugi::xml_writer {
     std::string text;
     void write(const void* data, std::size_t size) override {
@@ -43,10 +51,6 @@ void read_user_data(MvrReader& reader, pugi::xml_node root) {
 }
 
 Result<void> check_description(Bytes xml, const std::string& where) {
-    if (xml.size() > kMaxMvrXmlBytes)
-        return Error{"the description has " + std::to_string(xml.size()) + " bytes, at most " +
-                         std::to_string(kMaxMvrXmlBytes) + " are allowed",
-                     where};
     if (std::count(xml.begin(), xml.end(), '<') > kMaxXmlTags ||
         std::count(xml.begin(), xml.end(), '=') > kMaxXmlTags)
         return Error{"the description has more than " + std::to_string(kMaxXmlTags) + " tags or attributes",
@@ -56,7 +60,7 @@ Result<void> check_description(Bytes xml, const std::string& where) {
 
 Result<void> read_description(LoadedPlot& loaded, const MvrMembers& members, const MvrLoading& loading) {
     const std::string where = loaded.name + ": " + loaded.description;
-    TRY(std::vector<std::uint8_t> xml, loaded.archive.read(loaded.description));
+    TRY(std::vector<std::uint8_t> xml, loaded.archive.read(loaded.description, kMaxMvrXmlBytes));
     TRY_VOID(check_description(xml, where));
     if (loading.progress) loading.progress(0.2, "description");
     MvrReader reader(loaded, loading, members, xml);
@@ -117,6 +121,8 @@ Result<LoadedPlot> load(fixture::Archive archive, const std::string& name,
                       .bytes = std::move(bytes)};
     if (loading.cancel && loading.cancel->load()) return Error{"cancelled", name};
     if (loading.progress) loading.progress(0.05, "archive");
+    say_names(loaded.report, name, loaded.archive.climbing(),
+              "names that lead out of the archive are left out");
     const MvrMembers members(loaded.archive.names(), name, loaded.report);
     const MvrMembers::Found found = members.find(kDescription);
     if (found.member.empty())
@@ -143,14 +149,9 @@ bool leads_out(const std::string& member) {
 }
 
 MvrMembers::MvrMembers(const std::vector<std::string>& names, const std::string& archive, Report& report) {
-    std::vector<std::string> climbing;
     std::vector<std::string> repeated;
     std::vector<std::string> alike;
     for (const std::string& name : names) {
-        if (leads_out(name)) {
-            climbing.push_back(name);
-            continue;
-        }
         if (name.ends_with('/')) continue;
         const int index = static_cast<int>(names_.size());
         if (!by_name_.emplace(name, index).second) {
@@ -163,15 +164,8 @@ MvrMembers::MvrMembers(const std::vector<std::string>& names, const std::string&
         names_.push_back(name);
         if (small.ends_with(".gdtf")) gdtf_files_.push_back(name);
     }
-    const auto say = [&](const std::vector<std::string>& which, const std::string& what) {
-        if (which.empty()) return;
-        std::string text = what + ": '" + which.front().substr(0, 80) + "'";
-        if (which.size() > 1) text += " and " + std::to_string(which.size() - 1) + " more";
-        report.add(Severity::warning, archive, text);
-    };
-    say(climbing, "names that lead out of the archive are left out");
-    say(repeated, "the archive holds two files of one name, the first counts");
-    say(alike, "the archive holds names that differ only by case");
+    say_names(report, archive, repeated, "the archive holds two files of one name, the first counts");
+    say_names(report, archive, alike, "the archive holds names that differ only by case");
 }
 
 MvrMembers::Found MvrMembers::find(std::string_view name) const {
