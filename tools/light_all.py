@@ -1,21 +1,24 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes a recording (OLA show file) in which every patched fixture of an .mvr shines: dimmers full, shutters open,
+"""Writes a recording (OLA show file) in which every patched fixture of a plot shines: dimmers full, shutters open,
 colours on, everything else at its GDTF's default. For a first look at a plot without a desk:
 
     tools/light_all.py festival.mvr -o all.show
     ghostlight render festival.mvr -o festival.png --live --replay all.show
 
-A plot whose fixtures have no addresses gets some by --changes FILE: [[change]] entries for the show.toml that
-`ghostlight import` makes.
+Takes the folder of a show, too, with its [[change]] addresses and [[substitute]] files (GDTF only). A plot whose
+fixtures have no addresses gets some by --changes FILE: [[change]] entries for the show.toml that `ghostlight import`
+makes.
 
 --tilt leans heads forwards and backwards in turn (degrees), --colours gives every type of fixture a colour of its
 own. Standard library only; same arguments, same bytes.
 """
 import argparse
+import fnmatch
 import io
 import re
 import sys
+import tomllib
 import xml.etree.ElementTree as ET
 import zipfile
 from pathlib import Path
@@ -149,9 +152,33 @@ def last_universe(root):
     return (highest + UNIVERSE - 1) // UNIVERSE
 
 
-def light(plot, colours, tilt, changes):
+class Show:
+    """An .mvr as it is, or what a show.toml makes of one."""
+
+    def __init__(self, path):
+        self.folder, self.plot, self.patch, self.substitutes = path.parent, path, {}, []
+        if path.is_dir() or path.suffix == ".toml":
+            file = path / "show.toml" if path.is_dir() else path
+            settings = tomllib.loads(file.read_text(encoding="utf-8"))
+            self.folder = file.parent
+            self.plot = self.folder / settings["show"]["plot"]
+            self.substitutes = settings.get("substitute", [])
+            for change in settings.get("change", []):
+                if "address" in change:
+                    absolute_place = (change.get("universe", 1) - 1) * UNIVERSE + change["address"]
+                    places = self.patch.setdefault(change["uuid"].lower(), {})
+                    places[change.get("break", 1)] = absolute_place if change["address"] else 0
+
+    def substitute(self, spec, member):
+        for entry in self.substitutes:
+            if any(fnmatch.fnmatchcase(name.lower(), entry["for"].lower()) for name in (spec, member or "") if name):
+                return entry
+        return None
+
+
+def light(show, colours, tilt, changes):
     universes, lit, unlit = {}, 0, 0
-    with zipfile.ZipFile(plot) as archive:
+    with zipfile.ZipFile(show.plot) as archive:
         names = archive.namelist()
         description = next(name for name in names if name.lower() == "generalscenedescription.xml")
         root = ET.fromstring(archive.read(description))
@@ -160,18 +187,26 @@ def light(plot, colours, tilt, changes):
         for index, fixture in enumerate(root.iter("Fixture")):
             spec = (fixture.findtext("GDTFSpec") or "").strip()
             member = find_member(names, spec)
+            mode = fixture.findtext("GDTFMode") or ""
+            if substitute := show.substitute(spec, member):
+                member = show.folder / substitute["gdtf"]
+                mode = substitute.get("mode", mode)
             if member and member not in types:
-                types[member] = modes_of(archive.read(member))
+                data = member.read_bytes() if isinstance(member, Path) else archive.read(member)
+                types[member] = modes_of(data)
             modes = types.get(member) or {}
-            channels = modes.get(fixture.findtext("GDTFMode") or "") or next(iter(modes.values()), [])
-            addresses = {int(a.get("break") or 0): absolute(a.text) for a in fixture.iter("Address")}
+            channels = modes.get(mode) or next(iter(modes.values()), [])
+            addresses = {int(a.get("break") or 0): absolute(a.text) for a in fixture.findall("Addresses/Address")}
+            lowest = min(addresses, default=0)
+            addresses = {key - lowest + 1 if lowest == 0 else key: value for key, value in addresses.items()}
+            addresses |= show.patch.get((fixture.get("uuid") or "").lower(), {})
             addresses = {key: value for key, value in addresses.items() if value > 0}
             if channels and not addresses and changes is not None:
                 for dmx_break in sorted({channel.dmx_break for channel in channels if channel.offsets}):
                     needed = footprint(channels, dmx_break)
                     if (free - 1) % UNIVERSE + needed > UNIVERSE:
                         free += UNIVERSE - (free - 1) % UNIVERSE
-                    addresses[dmx_break - 1] = free
+                    addresses[dmx_break] = free
                     changes.append(
                         f'[[change]]\nuuid = "{fixture.get("uuid")}"\nbreak = {dmx_break}\n'
                         f"universe = {(free - 1) // UNIVERSE + 1}\naddress = {(free - 1) % UNIVERSE + 1}\n"
@@ -180,13 +215,12 @@ def light(plot, colours, tilt, changes):
             if not channels or not addresses:
                 unlit += 1
                 continue
-            lowest = min(addresses)
             lit += 1
             kind = kinds.setdefault(spec, len(kinds))
             colour = COLOURS[kind % len(COLOURS)] if colours else (1.0, 1.0, 1.0)
             lean = tilt if index % 2 else -tilt
             for channel in channels:
-                base = addresses.get(channel.dmx_break - (0 if lowest else 1), 0)
+                base = addresses.get(channel.dmx_break, 0)
                 if not base:
                     continue
                 value = channel.value(colour, lean)
@@ -199,14 +233,14 @@ def light(plot, colours, tilt, changes):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("plot", type=Path, help=".mvr file")
+    parser.add_argument("show", type=Path, help=".mvr file, or a show with one")
     parser.add_argument("-o", "--out", type=Path, required=True, help="recording to write")
     parser.add_argument("--tilt", type=float, default=0.0, help="degrees that heads lean, in turn both ways")
     parser.add_argument("--colours", action="store_true", help="a colour for each type of fixture")
     parser.add_argument("--changes", type=Path, help="write addresses for fixtures that have none, as [[change]] entries")
     arguments = parser.parse_args()
     changes = [] if arguments.changes else None
-    universes, lit, unlit = light(arguments.plot, arguments.colours, arguments.tilt, changes)
+    universes, lit, unlit = light(Show(arguments.show), arguments.colours, arguments.tilt, changes)
     if arguments.changes:
         arguments.changes.write_text("\n".join(changes), encoding="utf-8", newline="\n")
     lines = ["OLA Show"]

@@ -11,6 +11,7 @@ namespace {
 using glm::vec3;
 
 constexpr float kHouseFov_deg = 40.0f;
+constexpr float kRoomFov_deg = 65.0f;
 constexpr float kCloseFov_deg = 60.0f;
 constexpr float kHighFov_deg = 45.0f;
 constexpr float kAspect = 16.0f / 9.0f;
@@ -137,7 +138,8 @@ Box subject_of(const Show& show, const Sight& sight) {
     float floor_m = 0.0f;
     if (!things.empty() && (things.low_m.z > 1.0f || things.low_m.z < -3.0f))
         floor_m = std::clamp(things.low_m.z, box.low_m.z - 12.0f, box.low_m.z);
-    if (things.empty() && (box.low_m.z < -0.5f || box.low_m.z > 20.0f)) floor_m = box.low_m.z - 3.0f;
+    // Fixtures alone: with room for their light below them.
+    if (things.empty() && (box.low_m.z < 1.0f || box.low_m.z > 20.0f)) floor_m = box.low_m.z - 3.0f;
     box.low_m.z = std::min(box.low_m.z, floor_m);
     if (places_m.size() > 0 && box.low_m.z < floor_m - 0.01f) box.low_m.z = floor_m;
     box.high_m.z = std::max(box.high_m.z + 0.5f, box.low_m.z + 3.5f);
@@ -164,15 +166,26 @@ float half_tangent(float fov_deg) {
     return std::tan(glm::radians(0.5f * fov_deg));
 }
 
-// Walls between the place and what is looked at: the camera steps before them, if that leaves most of the
-// way.
-vec3 before_walls(const Sight& sight, const vec3& from_m, const vec3& wanted_m) {
+// Walls between the place and what is looked at: the camera steps before them. Nothing where that leaves too
+// little of the way.
+std::optional<vec3> before_walls(const Sight& sight, const vec3& from_m, const vec3& wanted_m) {
     const float way_m = glm::distance(from_m, wanted_m);
     if (way_m < 0.5f) return wanted_m;
     const vec3 direction = (wanted_m - from_m) / way_m;
     const float clear_m = sight.clear_m(from_m, direction, way_m + 0.5f);
-    if (clear_m >= way_m + 0.5f || clear_m < 0.35f * way_m) return wanted_m;
+    if (clear_m >= way_m + 0.5f) return wanted_m;
+    if (clear_m < 0.35f * way_m) return std::nullopt;
     return from_m + direction * std::max(clear_m - 0.5f, 0.2f);
+}
+
+// Lights that fill a room leave no place before them: by its front wall, with a wide lens.
+Camera in_the_room(const Sight& sight, const Box& box, float eye_z) {
+    const vec3 middle = box.middle_m();
+    const float half_m = std::max(0.5f * box.size_m().y, 2.0f);
+    const float clear_m = sight.clear_m({middle.x, middle.y, eye_z}, vec3(0, -1, 0), half_m + 1.0f);
+    const vec3 eye_m(middle.x, middle.y - std::max(clear_m - 0.6f, 0.0f), eye_z);
+    return camera("house", eye_m, {middle.x, box.high_m.y, box.low_m.z + 0.5f * box.size_m().z},
+                  kRoomFov_deg);
 }
 
 } // namespace
@@ -184,13 +197,15 @@ std::vector<Camera> default_cameras(const Show& show) {
     const vec3 middle = box.middle_m();
     const float width_m = std::max(size.x / (2.0f * half_tangent(kHouseFov_deg) * kAspect),
                                    size.z / (2.0f * half_tangent(kHouseFov_deg)));
-    const float away_m = 1.1f * width_m + 1.0f;
+    const float away_m = 1.2f * width_m + 1.0f;
 
     // A little above the heads, looking at two fifths of the height.
     const float house_z = box.low_m.z + std::clamp(0.25f * size.z, kEye_m, 5.0f);
-    const vec3 house_target(middle.x, middle.y, box.low_m.z + 0.45f * size.z);
+    const vec3 house_target(middle.x, middle.y, box.low_m.z + 0.5f * size.z);
     const vec3 front(middle.x, box.low_m.y - 0.5f, house_z);
-    const vec3 house = before_walls(sight, front, {middle.x, box.low_m.y - away_m, house_z});
+    const auto house_m = before_walls(sight, front, {middle.x, box.low_m.y - away_m, house_z});
+    const Camera house =
+        house_m ? camera("house", *house_m, house_target, kHouseFov_deg) : in_the_room(sight, box, house_z);
 
     // On whatever one can stand on there, left of the middle, looking through the rig.
     vec3 close(middle.x - 0.18f * size.x, box.low_m.y + 0.1f * size.y, box.low_m.z + kEye_m);
@@ -202,9 +217,9 @@ std::vector<Camera> default_cameras(const Show& show) {
 
     const float reach_m = 0.75f * glm::length(vec3(size.x, size.y, size.z)) + 2.0f;
     const vec3 high_wanted = middle + reach_m * glm::normalize(vec3(-0.75f, -0.95f, 0.55f));
-    const vec3 high = before_walls(sight, middle + vec3(0, 0, 0.3f * size.z), high_wanted);
-    return {camera("house", house, house_target, kHouseFov_deg),
-            camera("close", close, close_target, kCloseFov_deg),
+    const vec3 high_from = middle + vec3(0, 0, 0.3f * size.z);
+    const vec3 high = before_walls(sight, high_from, high_wanted).value_or(high_wanted);
+    return {house, camera("close", close, close_target, kCloseFov_deg),
             camera("high", high, {middle.x, middle.y, box.low_m.z + 0.3f * size.z}, kHighFov_deg)};
 }
 

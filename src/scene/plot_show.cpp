@@ -70,8 +70,9 @@ bool is_device(const PlotObject& object) {
 
 class FixtureMaker {
 public:
-    FixtureMaker(Show& show, Report& report)
-        : show_(show), loaded_(*show.plot), types_(*show.plot, show.folder, report), names_(show.fixtures) {}
+    FixtureMaker(Show& show, const std::vector<SubstituteEntry>& substitutes, Report& report)
+        : show_(show), loaded_(*show.plot), types_(*show.plot, show.folder, substitutes, report),
+          names_(show.fixtures) {}
 
     // index: of the object; called for every object in order, parents first.
     void visit(int index, bool adds) {
@@ -256,9 +257,10 @@ Result<std::shared_ptr<LoadedPlot>> load_plot(const std::filesystem::path& file,
     return std::make_shared<LoadedPlot>(std::move(loaded));
 }
 
-Result<void> add_plot_fixtures(Show& show, const std::vector<bool>& shown, Report& report,
+Result<void> add_plot_fixtures(Show& show, const std::vector<bool>& shown,
+                               const std::vector<SubstituteEntry>& substitutes, Report& report,
                                const ShowLoading& loading) {
-    FixtureMaker maker(show, report);
+    FixtureMaker maker(show, substitutes, report);
     const std::vector<PlotObject>& objects = show.plot->plot.objects;
     const std::size_t step = std::max<std::size_t>(1, objects.size() / 100);
     for (std::size_t k = 0; k < objects.size(); ++k) {

@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "scene/mvr_load.h"
 #include "scene/plot_stage.h"
+#include "scene/plot_types.h"
 #include "scene/report.h"
 #include "scene/show.h"
 
@@ -25,7 +26,8 @@ Result<std::shared_ptr<LoadedPlot>> load_plot(const std::filesystem::path& file,
 // have a GDTF file and no geometry of their own. show.plot must be there. Files that the archive lacks are
 // looked for beside the plot. Names are made unique against those that are in show.fixtures already.
 // Error: stopped.
-Result<void> add_plot_fixtures(Show& show, const std::vector<bool>& shown, Report& report,
+Result<void> add_plot_fixtures(Show& show, const std::vector<bool>& shown,
+                               const std::vector<SubstituteEntry>& substitutes, Report& report,
                                const ShowLoading& loading);
 
 // A matrix as a turn, by what rotation_deg of show.toml means.

@@ -137,7 +137,8 @@ public:
             }
             drawn_ += triangles;
             Instance& made = stage_.instances.emplace_back();
-            made.name = object.name.empty() ? part.name : object.name;
+            made.name = name_of_object(object);
+            if (made.name.empty()) made.name = part.name;
             made.mesh = part.mesh;
             made.world = glm::mat4(to_world * glm::dmat4(part.world));
             if (usable(made.world)) continue;
@@ -158,6 +159,15 @@ public:
     }
 
 private:
+    // Many programs name groups and layers only.
+    std::string name_of_object(const PlotObject& object) const {
+        const Plot& plot = loaded_.plot;
+        const PlotObject* at = &object;
+        while (at->name.empty() && at->parent >= 0) at = &plot.objects[static_cast<std::size_t>(at->parent)];
+        if (at->name.empty() && at->layer >= 0) return plot.layers[static_cast<std::size_t>(at->layer)].name;
+        return at->name;
+    }
+
     static bool usable(const glm::mat4& matrix) {
         for (int column = 0; column < 4; ++column)
             for (int row = 0; row < 4; ++row)

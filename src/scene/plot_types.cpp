@@ -5,6 +5,8 @@
 #include "fixture/load_type.h"
 #include "fixture/patch.h"
 #include "fixture/values.h"
+#include "scene/overrides.h"
+#include "scene/toml_reader.h"
 
 #include <algorithm>
 #include <numeric>
@@ -73,10 +75,10 @@ fs::path PlotTypes::beside(const std::string& spec) const {
     return {};
 }
 
-std::shared_ptr<const fixture::Type> PlotTypes::read(const PlotGdtf& gdtf, File& file) {
+std::shared_ptr<const fixture::Type> PlotTypes::read(const PlotGdtf& gdtf, const File& file) {
     const std::string who = gdtf.objects == 1 ? "; its fixture stays dark" : "; its fixtures stay dark";
     const auto load = [&]() -> Result<fixture::LoadedType> {
-        if (gdtf.member.empty()) return fixture::load_type(folder_ / file.name);
+        if (file.substitute || gdtf.member.empty()) return fixture::load_type(folder_ / file.name);
         TRY(const auto bytes, loaded_.archive.read(gdtf.member));
         return fixture::load_gdtf(bytes, loaded_.name + ": " + gdtf.member);
     };
@@ -101,34 +103,66 @@ PlotTypes::File& PlotTypes::file(int index) {
     file.is_read = true;
     const PlotGdtf& gdtf = loaded_.plot.gdtf_files[static_cast<std::size_t>(index)];
     file.name = fs::path(gdtf.member.empty() ? gdtf.spec : gdtf.member).filename();
-    if (gdtf.member.empty()) {
+    if (const SubstituteEntry* substitute = substitute_for(gdtf)) {
+        file.substitute = substitute;
+        file.name = substitute->gdtf;
+        forgive(gdtf, file.name.string());
+    } else if (gdtf.member.empty()) {
         const fs::path found = beside(gdtf.spec);
         if (found.empty()) return file; // the reader of the plot has said so
         file.name = found.lexically_relative(folder_);
-        // What the reader said of the archive is right, and no loss any more.
-        for (Message& message : report_.messages)
-            if (message.severity == Severity::error &&
-                message.what.find("'" + gdtf.spec + "' is not in the archive") != std::string::npos) {
-                message.severity = Severity::note;
-                message.what += "; " + found.string() + " is taken, which lies beside the plot";
-            }
+        forgive(gdtf, found.string());
     }
     file.type = read(gdtf, file);
     return file;
 }
 
+// What the reader said of the archive is right, and no loss any more.
+void PlotTypes::forgive(const PlotGdtf& gdtf, const std::string& instead) {
+    for (Message& message : report_.messages)
+        if (message.severity == Severity::error &&
+            message.what.find("'" + gdtf.spec + "' is not in the archive") != std::string::npos) {
+            message.severity = Severity::note;
+            message.what += "; " + instead + " is taken";
+        }
+}
+
+const SubstituteEntry* PlotTypes::substitute_for(const PlotGdtf& gdtf) const {
+    for (const SubstituteEntry& entry : substitutes_)
+        for (const std::string& name : {gdtf.spec, gdtf.member})
+            if (!name.empty() && matches(fixture::lower(entry.spec), fixture::lower(name))) return &entry;
+    return nullptr;
+}
+
+SubstituteEntry read_substitute(TableReader& reader) {
+    SubstituteEntry entry;
+    entry.spec = reader.text("for").value_or("");
+    entry.where = reader.where("for");
+    entry.gdtf = reader.text("gdtf").value_or("");
+    entry.mode = reader.text("mode").value_or("");
+    if (!reader.has("for")) reader.missing("for", "the name of a fixture file of the plot, with * and ?");
+    if (!reader.has("gdtf")) reader.missing("gdtf", "the name of a fixture file in the show's folder");
+    reader.finish();
+    return entry;
+}
+
 PlotTypes::Found PlotTypes::find(const PlotDevice& device, const std::string& where) {
     if (device.gdtf < 0) return {};
-    Found found{file(device.gdtf).type, 0};
+    const File& file_of_plot = file(device.gdtf);
+    Found found{file_of_plot.type, 0};
     if (!found.type) return found;
+    const bool is_chosen = file_of_plot.substitute && !file_of_plot.substitute->mode.empty();
+    const std::string& wanted = is_chosen ? file_of_plot.substitute->mode : device.gdtf_mode;
     // Programs that know one mode only leave its name out.
-    found.mode = device.gdtf_mode.empty() ? 0 : nearest_mode(*found.type, device.gdtf_mode);
+    found.mode = wanted.empty() ? 0 : nearest_mode(*found.type, wanted);
     const std::string& taken = found.type->modes[static_cast<std::size_t>(found.mode)].name;
-    if (device.gdtf_mode.empty() || taken == device.gdtf_mode) return found;
-    WrongMode& wrong = wrong_modes_[{device.gdtf, device.gdtf_mode}];
+    if (wanted.empty() || taken == wanted) return found;
+    WrongMode& wrong = wrong_modes_[{device.gdtf, wanted}];
     if (wrong.fixtures++ == 0) {
-        wrong.where = where;
-        const auto mode = fixture::find_mode(*found.type, device.gdtf_mode);
+        // Another maker's fixture has other modes; only one that was asked for by name is missing.
+        if (file_of_plot.substitute && !is_chosen) wrong.severity = Severity::warning;
+        wrong.where = is_chosen ? file_of_plot.substitute->where : where;
+        const auto mode = fixture::find_mode(*found.type, wanted);
         wrong.what = (mode.ok() ? "" : mode.error().what) + "; it gets '" + taken + "'";
     }
     return found;
@@ -140,10 +174,18 @@ fs::path PlotTypes::file_of(const PlotDevice& device) {
 
 void PlotTypes::finish() {
     for (const auto& [key, wrong] : wrong_modes_)
-        report_.add(Severity::error, wrong.where,
+        report_.add(wrong.severity, wrong.where,
                     wrong.what +
                         (wrong.fixtures > 1 ? " (" + std::to_string(wrong.fixtures) + " fixtures)" : ""));
     wrong_modes_.clear();
+    for (const SubstituteEntry& entry : substitutes_) {
+        const bool used = std::any_of(files_.begin(), files_.end(),
+                                      [&](const auto& file) { return file.second.substitute == &entry; });
+        if (!used && !entry.spec.empty())
+            report_.add(Severity::warning, entry.where,
+                        "[[substitute]] for '" + entry.spec.substr(0, 80) +
+                            "': no fixture of the plot asks for a file of that name");
+    }
 }
 
 } // namespace ghost::scene

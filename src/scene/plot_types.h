@@ -19,14 +19,27 @@ namespace ghost::scene {
 
 Severity severity_of(fixture::Severity severity);
 
+// [[substitute]] of show.toml: another fixture file for all fixtures of a plot that ask for some file,
+// because the plot has none, or one that says nothing of its light.
+struct SubstituteEntry {
+    std::string spec;           // pattern: * any letters, ? one letter; case does not count
+    std::filesystem::path gdtf; // in the show's folder
+    std::string mode;           // empty: the one whose name is nearest to the plot's
+    std::string where;          // file:line
+};
+
+class TableReader;
+SubstituteEntry read_substitute(TableReader& reader);
+
 // The mode of that name; where there is none, the one whose name is nearest (same letters in other case, then
 // fewest edits). -1: the type has no mode.
 int nearest_mode(const fixture::Type& type, const std::string& name);
 
 class PlotTypes {
 public:
-    PlotTypes(LoadedPlot& loaded, std::filesystem::path folder, Report& report)
-        : loaded_(loaded), folder_(std::move(folder)), report_(report) {}
+    PlotTypes(LoadedPlot& loaded, std::filesystem::path folder,
+              const std::vector<SubstituteEntry>& substitutes, Report& report)
+        : loaded_(loaded), folder_(std::move(folder)), substitutes_(substitutes), report_(report) {}
 
     struct Found {
         std::shared_ptr<const fixture::Type> type; // null: the fixture stays dark
@@ -44,19 +57,24 @@ private:
     struct File {
         std::shared_ptr<const fixture::Type> type;
         std::filesystem::path name;
+        const SubstituteEntry* substitute = nullptr;
         bool is_read = false;
     };
     struct WrongMode {
+        Severity severity = Severity::error;
         std::string where;
         std::string what;
         int fixtures = 0;
     };
     File& file(int gdtf);
     std::filesystem::path beside(const std::string& spec) const;
-    std::shared_ptr<const fixture::Type> read(const PlotGdtf& gdtf, File& file);
+    std::shared_ptr<const fixture::Type> read(const PlotGdtf& gdtf, const File& file);
+    const SubstituteEntry* substitute_for(const PlotGdtf& gdtf) const;
+    void forgive(const PlotGdtf& gdtf, const std::string& instead);
 
     LoadedPlot& loaded_;
     std::filesystem::path folder_;
+    const std::vector<SubstituteEntry>& substitutes_;
     Report& report_;
     std::map<int, File> files_;
     std::map<std::pair<int, std::string>, WrongMode> wrong_modes_;

@@ -266,7 +266,7 @@ Result<void> open_plot(ParsedShow& parsed, Report& report, const ShowLoading& lo
     check_hidden(show, show.hidden_classes, false, file_line(file, parsed.hidden_classes_line), report);
     const std::vector<bool> shown =
         shown_objects(show.plot->plot, show.hidden_layers, show.hidden_classes);
-    return add_plot_fixtures(show, shown, report, part_of(loading, kPlotShare, kFixturesShare));
+    return add_plot_fixtures(show, shown, parsed.substitutes, report, part_of(loading, kPlotShare, kFixturesShare));
 }
 
 Result<ParsedShow> parse_file(const fs::path& path, Report& report) {

@@ -210,6 +210,11 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
         TableReader reader(*table, "[[change]]", file, report);
         parsed.changes.push_back(read_change(reader));
     }
+    for (const toml::table* table : top.tables("substitute", kMaxHidden)) {
+        TableReader reader(*table, "[[substitute]]", file, report);
+        SubstituteEntry entry = read_substitute(reader);
+        if (!entry.spec.empty() && !entry.gdtf.empty()) parsed.substitutes.push_back(std::move(entry));
+    }
     if (!parsed.changes.empty() && show.plot_file.empty())
         report.add(Severity::error, parsed.changes.front().where,
                    "[[change]] changes a plot, and [show] has none (plot = \"name.mvr\")");

@@ -4,6 +4,7 @@
 
 #include "base/result.h"
 #include "scene/plot_changes.h"
+#include "scene/plot_types.h"
 #include "scene/report.h"
 #include "scene/show.h"
 
@@ -28,6 +29,7 @@ struct ParsedShow {
     Show show;                          // types and stage are not loaded
     std::vector<FixtureSource> sources; // one per fixture
     std::vector<ChangeEntry> changes;   // of the plot
+    std::vector<SubstituteEntry> substitutes;
     int stage_line = 0;
     int plot_line = 0;
     int hidden_layers_line = 0;

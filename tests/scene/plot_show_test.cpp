@@ -278,6 +278,32 @@ TEST(PlotShow, FixtureFilesBesideThePlotAreTaken) {
     EXPECT_FALSE(report.lost_anything()) << messages_of(report);
 }
 
+TEST(PlotShow, SubstitutesStandInForFilesOfThePlot) {
+    const fs::path folder = scratch("substitute");
+    write_mvr(folder / "plot.mvr",
+              small_xml(fixture_xml(20, "A", kIdentity + "{0,0,0}", "", "Gone@r1.gdtf", "Any") +
+                        fixture_xml(21, "B", kIdentity + "{0,0,0}", "", "Head.gdtf", "Standard")));
+    const std::string gdtf = head_gdtf();
+    std::ofstream(folder / "Own.gdtf", std::ios::binary).write(gdtf.data(), std::ssize(gdtf));
+    std::ofstream(folder / "show.toml") << R"([show]
+plot = "plot.mvr"
+[[substitute]]
+for = "gone*"
+gdtf = "Own.gdtf"
+mode = "Standard"
+[[substitute]]
+for = "Nothing"
+gdtf = "Own.gdtf"
+)";
+    Report report;
+    const Show show = opened(folder, report);
+    EXPECT_NE(named(show, "A").type, nullptr);
+    EXPECT_EQ(named(show, "A").gdtf, "Own.gdtf");
+    EXPECT_NE(named(show, "A").type, named(show, "B").type);
+    EXPECT_FALSE(report.lost_anything()) << messages_of(report);
+    EXPECT_TRUE(says(report, {"show.toml:8", "'Nothing'", "no fixture of the plot"})) << messages_of(report);
+}
+
 TEST(PlotShow, NearestMode) {
     fixture::Type type;
     for (const char* name : {"Standard 16 bit", "Reduced 8 bit", "standard"}) {
@@ -441,7 +467,7 @@ name = "Nobody"
     EXPECT_EQ(key.more_addresses[0].channel, 50);
     expect_near(key.position_m, {2, 3, 5});
     expect_near(-glm::vec3(fixture_to_world(key, 0)[2]), {0, 0, 1});
-    EXPECT_TRUE(says(report, {"show.toml:25", "(Nobody)", "not in the plot"})) << messages_of(report);
+    EXPECT_TRUE(says(report, {"show.toml:27", "(Nobody)", "not in the plot"})) << messages_of(report);
     EXPECT_EQ(show.cache_folder(), folder / ".ghost");
 }
 
