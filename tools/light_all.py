@@ -176,7 +176,7 @@ class Show:
         return None
 
 
-def light(show, colours, tilt, changes):
+def light(show, colours, tilt, changes, without=()):
     universes, lit, unlit = {}, 0, 0
     with zipfile.ZipFile(show.plot) as archive:
         names = archive.namelist()
@@ -215,6 +215,8 @@ def light(show, colours, tilt, changes):
             if not channels or not addresses:
                 unlit += 1
                 continue
+            if any(fnmatch.fnmatchcase(spec.lower(), pattern.lower()) for pattern in without):
+                continue
             lit += 1
             kind = kinds.setdefault(spec, len(kinds))
             colour = COLOURS[kind % len(COLOURS)] if colours else (1.0, 1.0, 1.0)
@@ -237,10 +239,11 @@ def main():
     parser.add_argument("-o", "--out", type=Path, required=True, help="recording to write")
     parser.add_argument("--tilt", type=float, default=0.0, help="degrees that heads lean, in turn both ways")
     parser.add_argument("--colours", action="store_true", help="a colour for each type of fixture")
+    parser.add_argument("--without", action="append", default=[], help="fixture files that stay dark, with * and ?")
     parser.add_argument("--changes", type=Path, help="write addresses for fixtures that have none, as [[change]] entries")
     arguments = parser.parse_args()
     changes = [] if arguments.changes else None
-    universes, lit, unlit = light(Show(arguments.show), arguments.colours, arguments.tilt, changes)
+    universes, lit, unlit = light(Show(arguments.show), arguments.colours, arguments.tilt, changes, arguments.without)
     if arguments.changes:
         arguments.changes.write_text("\n".join(changes), encoding="utf-8", newline="\n")
     lines = ["OLA Show"]
