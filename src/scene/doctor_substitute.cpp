@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/doctor_substitute.h"
+
+#include "fixture/values.h"
+#include "scene/plot_types.h"
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+#include <vector>
+
+namespace ghost::scene {
+namespace {
+
+constexpr std::size_t kMaxLetters = 120; // names come from outside
+constexpr std::size_t kLoaded = 3;
+
+struct Word {
+    std::string text;
+    double weight = 0;
+};
+
+std::vector<Word> words_of(const std::string& name) {
+    std::string small = fixture::lower(name.substr(0, kMaxLetters));
+    for (const char* ending : {".gdtf", ".qxf", ".json"})
+        if (small.ends_with(ending)) small.resize(small.size() - std::string(ending).size());
+    std::vector<Word> words;
+    const auto kind = [](char c) {
+        if (std::isdigit(static_cast<unsigned char>(c))) return 1;
+        return std::isalpha(static_cast<unsigned char>(c)) || (static_cast<unsigned char>(c) & 0x80) ? 2 : 0;
+    };
+    int before = 0;
+    for (const char c : small) {
+        const int now = kind(c);
+        if (now != 0 && now != before) words.push_back({});
+        if (now != 0) words.back().text += c;
+        before = now;
+    }
+    for (Word& word : words) {
+        word.weight =
+            static_cast<double>(std::max<std::size_t>(2, std::min<std::size_t>(8, word.text.size())));
+        for (const char* dull : {"lighting", "light", "lights", "led", "professional", "fixture", "custom",
+                                 "rev", "revision", "technology", "gmbh", "inc", "the", "mode", "instr"})
+            if (word.text == dull) word.weight = 0.5;
+    }
+    return words;
+}
+
+std::size_t edits(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i + 1;
+        for (std::size_t k = 0; k < b.size(); ++k) {
+            const std::size_t above = row[k + 1];
+            row[k + 1] = std::min({above + 1, row[k] + 1, diagonal + (a[i] == b[k] ? 0u : 1u)});
+            diagonal = above;
+        }
+    }
+    return row[b.size()];
+}
+
+// 2500 and 2000 are two fixtures, Spider and Spiider one.
+double alike(const std::string& a, const std::string& b) {
+    if (a == b) return 1;
+    if (std::isdigit(static_cast<unsigned char>(a[0])) || std::isdigit(static_cast<unsigned char>(b[0])))
+        return 0;
+    const double longer = static_cast<double>(std::max(a.size(), b.size()));
+    const double share = 1.0 - static_cast<double>(edits(a, b)) / longer;
+    return share >= 0.7 ? share : 0;
+}
+
+int length_of(const fixture::Mode& mode) {
+    return mode.footprint.empty() ? 0 : mode.footprint.front();
+}
+
+} // namespace
+
+double likeness(const std::string& wanted, const std::string& offered) {
+    const std::vector<Word> first = words_of(wanted);
+    std::vector<Word> second = words_of(offered);
+    double all = 0;
+    for (const Word& word : first) all += word.weight;
+    for (const Word& word : second) all += word.weight;
+    if (first.empty() || second.empty()) return 0;
+    double shared = 0;
+    std::vector<bool> used(second.size());
+    for (const Word& word : first) {
+        double best = 0;
+        std::size_t at = second.size();
+        for (std::size_t k = 0; k < second.size(); ++k)
+            if (const double now = used[k] ? 0 : alike(word.text, second[k].text); now > best) {
+                best = now;
+                at = k;
+            }
+        if (at == second.size()) continue;
+        used[at] = true;
+        shared += best * (word.weight + second[at].weight);
+    }
+    return shared / all;
+}
+
+std::optional<Suggestion>
+suggest_substitute(const WantedFixture& wanted, std::span<const std::string> names,
+                   const std::function<std::shared_ptr<const fixture::Type>(std::size_t)>& load) {
+    std::vector<std::pair<double, std::size_t>> ranked;
+    for (std::size_t k = 0; k < names.size(); ++k)
+        if (const double value = likeness(wanted.name, names[k]); value >= kLikeFixture)
+            ranked.push_back({value, k});
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    if (ranked.size() > kLoaded) ranked.resize(kLoaded);
+    for (const auto& [value, offer] : ranked) {
+        const std::shared_ptr<const fixture::Type> type = load(offer);
+        if (!type || type->modes.empty()) continue;
+        Suggestion suggestion{offer, value, "", 0, false};
+        int mode = -1;
+        for (std::size_t k = 0; k < type->modes.size() && mode < 0 && wanted.channels > 0; ++k)
+            if (length_of(type->modes[k]) == wanted.channels) mode = static_cast<int>(k);
+        suggestion.by_length = mode >= 0;
+        if (mode < 0) mode = std::max(0, nearest_mode(*type, wanted.mode));
+        suggestion.mode = type->modes[static_cast<std::size_t>(mode)].name;
+        suggestion.channels = length_of(type->modes[static_cast<std::size_t>(mode)]);
+        return suggestion;
+    }
+    return std::nullopt;
+}
+
+} // namespace ghost::scene
