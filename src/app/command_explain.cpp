@@ -147,7 +147,7 @@ Result<Moment> run_input(const Options& options, const scene::Show& show, scene:
 Result<void> run(const Options& options) {
     catch_interrupts();
     scene::Report report;
-    TRY(scene::Show show, scene::load_show(options.show, false, report));
+    TRY(scene::Show show, open_show(options.show, false, options.quiet, report));
     std::vector<std::size_t> wanted;
     if (options.all) {
         for (std::size_t i = 0; i < show.fixtures.size(); ++i) wanted.push_back(i);
@@ -217,7 +217,7 @@ void add_explain(CLI::App& app, int& exit_code) {
         "explain", "why a fixture is dark, or where its light goes: from packet to optics");
     command->footer("Example: ghostlight explain assets/demo \"Spot 3\" --at 36\n"
                     "         ghostlight explain assets/demo --all --live-input --for 5");
-    command->add_option("SHOW", options->show, "folder with show.toml")->required();
+    command->add_option("SHOW", options->show, "folder with show.toml, or an .mvr")->required();
     command->add_option("FIXTURE", options->fixture, "its name in the show");
     command->add_flag("--all", options->all, "one line for every fixture, and a summary");
     CLI::Option* replay =

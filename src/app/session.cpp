@@ -179,10 +179,9 @@ Result<scene::Show> open_show(const std::string& path, bool load_stage, bool qui
     const InterruptScope scope;
     Progress progress("opening", quiet ? Progress::Style::silent : Progress::style_for_stderr(),
                       steady_now_s());
-    const scene::ShowLoading loading{[&](double share, const std::string& what) {
-                                         progress.update(share, steady_now_s(), what);
-                                     },
-                                     interrupted};
+    const scene::ShowLoading loading{
+        [&](double share, const std::string& what) { progress.update(share, steady_now_s(), what); },
+        interrupted};
     auto show = scene::load_show(path, load_stage, report, loading);
     progress.finish();
     return show;
@@ -192,10 +191,9 @@ bool load_stage(scene::Show& show, scene::Report& report) {
     if ((show.stage_file.empty() && !show.plot) || !show.stage.instances.empty()) return true;
     const InterruptScope scope;
     Progress progress("reading the stage", Progress::style_for_stderr(), steady_now_s());
-    const scene::ShowLoading loading{[&](double share, const std::string& what) {
-                                         progress.update(share, steady_now_s(), what);
-                                     },
-                                     interrupted};
+    const scene::ShowLoading loading{
+        [&](double share, const std::string& what) { progress.update(share, steady_now_s(), what); },
+        interrupted};
     Result<scene::Stage> stage = scene::read_stage(show, report, loading);
     progress.finish();
     if (!stage.ok()) {

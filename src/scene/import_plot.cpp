@@ -120,7 +120,7 @@ std::string show_text(const Show& show, const std::string& plot_name) {
 Result<ImportedPlot> import_plot(const fs::path& plot, const fs::path& folder, Report& report,
                                  const ShowLoading& loading) {
     TRY(const Show opened, load_show(plot, true, report, loading));
-    if (opened.plot_file.empty()) return Error{"is no plot, expected an .mvr file", plot.string()};
+    if (opened.file != opened.plot_file) return Error{"is no plot, expected an .mvr file", plot.string()};
     ImportedPlot imported;
     imported.show_file = folder / "show.toml";
     imported.plot_file = folder / plot.filename();

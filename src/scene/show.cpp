@@ -123,8 +123,9 @@ struct Patched {
 std::string overlap_text(const fixture::Overlap& overlap, const std::string& first, const std::string& where,
                          const std::string& second, bool same) {
     return "'" + second + "' shares universe " + std::to_string(overlap.universe) + " channels " +
-           std::to_string(overlap.channel_from) + " to " + std::to_string(overlap.channel_to) + " with '" + first +
-           "' (" + where + ")" + (same ? "; they will do the same" : ", expected channels of its own");
+           std::to_string(overlap.channel_from) + " to " + std::to_string(overlap.channel_to) + " with '" +
+           first + "' (" + where + ")" +
+           (same ? "; they will do the same" : ", expected channels of its own");
 }
 
 void check_addresses(const ParsedShow& parsed, const std::string& file, Report& report) {
@@ -264,9 +265,9 @@ Result<void> open_plot(ParsedShow& parsed, Report& report, const ShowLoading& lo
     const std::string file = show.file.string();
     check_hidden(show, show.hidden_layers, true, file_line(file, parsed.hidden_layers_line), report);
     check_hidden(show, show.hidden_classes, false, file_line(file, parsed.hidden_classes_line), report);
-    const std::vector<bool> shown =
-        shown_objects(show.plot->plot, show.hidden_layers, show.hidden_classes);
-    return add_plot_fixtures(show, shown, parsed.substitutes, report, part_of(loading, kPlotShare, kFixturesShare));
+    const std::vector<bool> shown = shown_objects(show.plot->plot, show.hidden_layers, show.hidden_classes);
+    return add_plot_fixtures(show, shown, parsed.substitutes, report,
+                             part_of(loading, kPlotShare, kFixturesShare));
 }
 
 Result<ParsedShow> parse_file(const fs::path& path, Report& report) {
@@ -328,8 +329,7 @@ Result<Show> load_show(const fs::path& path, bool load_stage, Report& report, co
     }
     if (needs_cameras) {
         show.cameras = default_cameras(show);
-        if (show.file == show.plot_file)
-            show.haze.extinction_per_m = default_extinction_per_m(show.cameras);
+        if (show.file == show.plot_file) show.haze.extinction_per_m = default_extinction_per_m(show.cameras);
     }
     return std::move(parsed.show);
 }

@@ -107,9 +107,9 @@ struct Show {
     std::string cache_name;       // its folder in .ghost; "": .ghost itself
     std::string name;
     std::filesystem::path stage_file;
-    std::filesystem::path plot_file;  // .mvr, or empty
-    std::shared_ptr<LoadedPlot> plot; // of it, as the show changes it; null where it could not be read
-    glm::dvec3 plot_origin_m{0.0};    // taken off all places of a plot in survey coordinates
+    std::filesystem::path plot_file;        // .mvr, or empty
+    std::shared_ptr<LoadedPlot> plot;       // of it, as the show changes it; null where it could not be read
+    glm::dvec3 plot_origin_m{0.0};          // taken off all places of a plot in survey coordinates
     std::vector<std::string> hidden_layers; // of the plot, by name
     std::vector<std::string> hidden_classes;
     std::filesystem::path recording; // the show's own DMX recording, or empty
@@ -146,7 +146,8 @@ struct ShowLoading {
 Result<Show> load_show(const std::filesystem::path& path, bool load_stage, Report& report,
                        const ShowLoading& loading = {});
 
-// The model of stage_file and all that the plot draws. What cannot be read goes to the report. Error: stopped.
+// The model of stage_file and all that the plot draws. What cannot be read goes to the report. Error:
+// stopped.
 Result<Stage> read_stage(const Show& show, Report& report, const ShowLoading& loading = {});
 
 // A glTF binary (or any format Assimp reads), instanced, turned to Z up. Error: unreadable, cut short, over

@@ -38,7 +38,8 @@ struct ParsedShow {
     std::vector<int> passes_lines; // one per camera
 };
 
-// Error: not TOML (with line), no camera and no plot that could give some. Everything else goes to the report and the rest is kept.
+// Error: not TOML (with line), no camera and no plot that could give some. Everything else goes to the report
+// and the rest is kept.
 Result<ParsedShow> parse_show(std::string_view text, const std::filesystem::path& file, Report& report);
 
 } // namespace ghost::scene

@@ -255,8 +255,8 @@ std::optional<std::vector<glm::ivec2>> TableReader::pairs(const std::string& key
         values.push_back(value);
     }
     if (good) return values;
-    wrong(key, "a list of at most " + std::to_string(at_most) + " pairs [" + range_text(low.x, high.x) + ", " +
-                   range_text(low.y, high.y) + "]");
+    wrong(key, "a list of at most " + std::to_string(at_most) + " pairs [" + range_text(low.x, high.x) +
+                   ", " + range_text(low.y, high.y) + "]");
     return std::nullopt;
 }
 

@@ -55,7 +55,8 @@ TEST(plot_real_files, open_as_shows) {
             EXPECT_EQ(fixture.fixture_id, expected[k]["id"].get<std::string>());
             // "Cluster S2" is found by the part behind the @, which the oracle does not look at.
             EXPECT_EQ(fixture.type != nullptr,
-                      !expected[k]["resolved"].is_null() || (expected[k]["gdtf"] == "Cluster S2" && file == "bauke_basic_festival.mvr"))
+                      !expected[k]["resolved"].is_null() ||
+                          (expected[k]["gdtf"] == "Cluster S2" && file == "bauke_basic_festival.mvr"))
                 << fixture.name;
             if (fixture.type && !expected[k]["mode"].get<std::string>().empty() &&
                 !says(report, {"no mode '" + expected[k]["mode"].get<std::string>()})) {
