@@ -35,8 +35,8 @@ std::string said(const Report& report, const std::vector<std::string>& words) {
     return "";
 }
 
-Finding no_type(const PatchedFixture& fixture, const Report& report) {
-    Finding finding{Cause::no_type, true, "", "their fixture file is missing or cannot be read", {}};
+Reason no_type(const PatchedFixture& fixture, const Report& report) {
+    Reason finding{Cause::no_type, true, "", "their fixture file is missing or cannot be read", {}};
     if (fixture.gdtf.empty()) {
         finding.text = "the show names no fixture file for it (gdtf = ...)";
         return finding;
@@ -71,8 +71,8 @@ bool covers(const fixture::Overlap& overlap, const fixture::Address& place) {
 }
 
 // Another fixture that reads the same channels.
-Finding overlap_finding(const fixture::Overlap& overlap, const fixture::Patch& own,
-                        const fixture::Patch& other, const Explanation& explanation, const Finding* direct) {
+Reason overlap_finding(const fixture::Overlap& overlap, const fixture::Patch& own,
+                       const fixture::Patch& other, const Explanation& explanation, const Reason* direct) {
     const bool same_place = own.addresses[0].universe == other.addresses[0].universe &&
                             own.addresses[0].channel == other.addresses[0].channel;
     const bool twin = same_place && own.type == other.type && own.mode == other.mode;
@@ -85,12 +85,11 @@ Finding overlap_finding(const fixture::Overlap& overlap, const fixture::Patch& o
         const int bytes = patch.mode_of().footprint.empty() ? 0 : patch.mode_of().footprint[0];
         return std::to_string(bytes) + " channels from " + address_text(patch.addresses[0]);
     };
-    Finding finding{same_place ? Cause::same_address : Cause::overlap,
-                    blocks,
-                    "",
-                    same_place ? "another fixture has their address"
-                               : "another fixture begins inside of them",
-                    {}};
+    Reason finding{same_place ? Cause::same_address : Cause::overlap,
+                   blocks,
+                   "",
+                   same_place ? "another fixture has their address" : "another fixture begins inside of them",
+                   {}};
     if (twin)
         finding.text = "'" + other.name + "' has the same address and does the same";
     else if (same_place)
@@ -103,14 +102,14 @@ Finding overlap_finding(const fixture::Overlap& overlap, const fixture::Patch& o
     return finding;
 }
 
-const Finding* first_blocking(const std::vector<Finding>& findings) {
-    for (const Finding& finding : findings)
+const Reason* first_blocking(const std::vector<Reason>& findings) {
+    for (const Reason& finding : findings)
         if (finding.blocks) return &finding;
     return nullptr;
 }
 
 // Where no part alone is to blame.
-Finding several(const BeamFacts& beam) {
+Reason several(const BeamFacts& beam) {
     std::vector<std::string> parts;
     const auto add = [&](const char* name, float share) {
         if (share < 0.9f) parts.push_back(std::string(name) + " " + percent(share));
@@ -189,10 +188,10 @@ Explanation Explainer::explain(std::size_t index) const {
     result.addresses = patch.addresses;
     const auto conclude = [&](Visibility visibility, const std::string& words) {
         std::stable_sort(result.findings.begin(), result.findings.end(),
-                         [](const Finding& a, const Finding& b) {
+                         [](const Reason& a, const Reason& b) {
                              return std::pair(!a.blocks, a.cause) < std::pair(!b.blocks, b.cause);
                          });
-        const Finding* first = first_blocking(result.findings);
+        const Reason* first = first_blocking(result.findings);
         result.visibility = visibility;
         result.cause = first ? first->cause : Cause::none;
         result.verdict = words + (first ? first->text : "");
@@ -226,8 +225,8 @@ Explanation Explainer::explain(std::size_t index) const {
     }
 
     Visibility visibility = Visibility::dark;
-    Finding direct_copy;
-    const Finding* direct = nullptr;
+    Reason direct_copy;
+    const Reason* direct = nullptr;
     if (result.beams.empty()) {
         result.findings.push_back({Cause::no_beam,
                                    true,
@@ -257,7 +256,7 @@ Explanation Explainer::explain(std::size_t index) const {
                                      "they are faint next to the brightest fixture",
                                      {}});
         // A part that dims a lit beam is not why it is dark.
-        for (const Finding& finding : beam.findings) {
+        for (const Reason& finding : beam.findings) {
             const bool hides = finding.cause == Cause::hidden || finding.cause == Cause::away ||
                                finding.cause == Cause::faint || finding.cause == Cause::zoom;
             result.findings.push_back(finding);
@@ -275,7 +274,7 @@ Explanation Explainer::explain(std::size_t index) const {
              "their mode is not in the fixture file",
              {}});
     }
-    for (Finding& finding : causes_in_network(input_, patch, result, state, direct))
+    for (Reason& finding : causes_in_network(input_, patch, result, state, direct))
         result.findings.push_back(std::move(finding));
     for (const fixture::Overlap& overlap : overlaps_)
         if (overlap.first == index || overlap.second == index)
@@ -303,7 +302,7 @@ std::string summary_of(const std::vector<Explanation>& explanations) {
         for (const Explanation& explanation : explanations) {
             if (explanation.visibility != visibility) continue;
             ++count;
-            if (const Finding* first = first_blocking(explanation.findings)) ++groups[first->group];
+            if (const Reason* first = first_blocking(explanation.findings)) ++groups[first->group];
         }
         if (count == 0) continue;
         std::vector<std::pair<int, std::string>> sorted;

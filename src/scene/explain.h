@@ -48,7 +48,7 @@ const char* cause_name(Cause cause); // "same_address"
 enum class Visibility { lit, unseen, nearly_dark, dark };
 const char* visibility_name(Visibility visibility); // "nearly_dark"
 
-struct Finding {
+struct Reason {
     Cause cause = Cause::none;
     bool blocks = false;       // it is why there is no light; else only worth knowing
     std::string text;          // "the shutter function 'Closed' (DMX 3-5) is active on channel 11 (1.55)"
@@ -145,15 +145,15 @@ struct BeamFacts {
     glm::vec3 direction{0, 0, -1};
     std::optional<HitFacts> hit; // along the middle
     std::string edge_object;     // what the rest of the beam meets where the middle meets nothing
-    std::vector<Finding> findings;
+    std::vector<Reason> findings;
 };
 
 struct Explanation {
     std::string fixture;
     Visibility visibility = Visibility::dark;
     Cause cause = Cause::none;
-    std::string verdict;           // "dark because ..."
-    std::vector<Finding> findings; // the first one that blocks is the verdict
+    std::string verdict;          // "dark because ..."
+    std::vector<Reason> findings; // the first one that blocks is the verdict
     std::string file, maker, type, mode;
     std::vector<fixture::Address> addresses; // per break; channel 0: none
     std::vector<int> footprint;              // bytes per break

@@ -63,11 +63,11 @@ bool selects_gobo(Role role) {
            role == Role::gobo_select_spin || role == Role::gobo_select_shake;
 }
 
-Finding blocking(Cause cause, std::string text, std::string group, std::vector<int> channels) {
+Reason blocking(Cause cause, std::string text, std::string group, std::vector<int> channels) {
     return {cause, true, std::move(text), std::move(group), std::move(channels)};
 }
 
-Finding dimmer_finding(const Beam& beam, const fixture::Optics& optics) {
+Reason dimmer_finding(const Beam& beam, const fixture::Optics& optics) {
     const std::string group =
         "their dimmer is " + std::string(optics.dimmer <= 0.0f ? "at 0" : "nearly at 0");
     const auto is_low = [](const ChannelFacts& channel) {
@@ -99,7 +99,7 @@ Finding dimmer_finding(const Beam& beam, const fixture::Optics& optics) {
 }
 
 // A dimmer without an address: the desk multiplies it into other channels.
-void add_virtual_dimmer(const Beam& beam, std::vector<Finding>& findings) {
+void add_virtual_dimmer(const Beam& beam, std::vector<Reason>& findings) {
     const std::vector<int> virtuals = beam.find(
         [](const ChannelFacts& channel) { return channel.role == Role::dimmer && channel.number == 0; });
     if (virtuals.empty()) return;
@@ -115,7 +115,7 @@ void add_virtual_dimmer(const Beam& beam, std::vector<Finding>& findings) {
                         "their dimmer is virtual", virtuals});
 }
 
-Finding shutter_finding(const Beam& beam) {
+Reason shutter_finding(const Beam& beam) {
     const std::vector<int> closed = beam.find([](const ChannelFacts& channel) {
         return channel.role == Role::shutter && channel.reading.physical < kBlocks;
     });
@@ -128,7 +128,7 @@ Finding shutter_finding(const Beam& beam) {
                     group, closed);
 }
 
-Finding strobe_finding(const Beam& beam, const BeamFacts& facts) {
+Reason strobe_finding(const Beam& beam, const BeamFacts& facts) {
     const std::vector<int> active = beam.find([](const ChannelFacts& channel) {
         return channel.role == Role::strobe || channel.role == Role::strobe_random ||
                channel.role == Role::strobe_pulse || channel.role == Role::strobe_effect;
@@ -144,7 +144,7 @@ Finding strobe_finding(const Beam& beam, const BeamFacts& facts) {
 
 // Flags in words: "cyan 100 % on channel 6 (1.6)".
 void add_colour_findings(const Beam& beam, const fixture::Optics& optics, const BeamFacts& facts,
-                         std::vector<Finding>& findings) {
+                         std::vector<Reason>& findings) {
     if (facts.colour >= kBlocks) return;
     const std::string passes = percent(facts.colour) + " of the light";
     std::vector<std::string> parts;
@@ -179,7 +179,7 @@ void add_colour_findings(const Beam& beam, const fixture::Optics& optics, const 
                  "their colours let next to nothing through", channels));
 }
 
-void add_gobo_findings(const Beam& beam, const BeamFacts& facts, std::vector<Finding>& findings) {
+void add_gobo_findings(const Beam& beam, const BeamFacts& facts, std::vector<Reason>& findings) {
     if (facts.gobo >= kBlocks) return;
     for (const WheelFacts& wheel : facts.wheels) {
         if (wheel.colour || wheel.share > 0.6f) continue;
@@ -201,7 +201,7 @@ void add_gobo_findings(const Beam& beam, const BeamFacts& facts, std::vector<Fin
 }
 
 void add_zoom_findings(const Beam& beam, const fixture::Type& type, const fixture::BeamState& state,
-                       const BeamFacts& facts, std::vector<Finding>& findings) {
+                       const BeamFacts& facts, std::vector<Reason>& findings) {
     const fixture::Geometry& geometry = type.geometries[static_cast<std::size_t>(state.geometry)];
     const std::vector<int> zooms = beam.of_role(Role::zoom);
     const bool thin = facts.field_deg < kThinnest_deg && geometry.kind != fixture::GeometryKind::laser;
@@ -227,7 +227,7 @@ void add_zoom_findings(const Beam& beam, const fixture::Type& type, const fixtur
 }
 
 // A lamp that does not burn, and a channel that says so.
-void add_lamp_findings(const Beam& beam, const BeamFacts& facts, std::vector<Finding>& findings) {
+void add_lamp_findings(const Beam& beam, const BeamFacts& facts, std::vector<Reason>& findings) {
     if (!(facts.full_lm > 0.0f))
         findings.push_back(
             blocking(Cause::lamp, "its file gives the lamp 0 lumens", "their lamp has 0 lumens", {}));
@@ -256,12 +256,12 @@ void add_lamp_findings(const Beam& beam, const BeamFacts& facts, std::vector<Fin
 
 } // namespace
 
-std::vector<Finding> causes_in_beam(const fixture::Patch& patch, std::size_t beam_index,
-                                    const fixture::BeamState& state, const BeamFacts& facts,
-                                    const std::vector<ChannelFacts>& channels) {
+std::vector<Reason> causes_in_beam(const fixture::Patch& patch, std::size_t beam_index,
+                                   const fixture::BeamState& state, const BeamFacts& facts,
+                                   const std::vector<ChannelFacts>& channels) {
     const Beam beam{patch.mode_of(), beam_index, channels};
     const fixture::Optics& optics = state.optics;
-    std::vector<Finding> findings;
+    std::vector<Reason> findings;
     if (optics.dimmer < kBlocks) findings.push_back(dimmer_finding(beam, optics));
     add_virtual_dimmer(beam, findings);
     if (facts.shutter < kBlocks) findings.push_back(shutter_finding(beam));
@@ -286,7 +286,7 @@ std::vector<Finding> causes_in_beam(const fixture::Patch& patch, std::size_t bea
     }
     add_lamp_findings(beam, facts, findings);
     std::stable_sort(findings.begin(), findings.end(),
-                     [](const Finding& a, const Finding& b) { return a.cause < b.cause; });
+                     [](const Reason& a, const Reason& b) { return a.cause < b.cause; });
     return findings;
 }
 

@@ -27,7 +27,7 @@ Json vector_json(const glm::vec3& v) {
     return Json::array({rounded(v.x), rounded(v.y), rounded(v.z)});
 }
 
-Json finding_json(const Finding& finding, const std::vector<ChannelFacts>& channels) {
+Json finding_json(const Reason& finding, const std::vector<ChannelFacts>& channels) {
     Json list = Json::array();
     for (const int index : finding.channels) list.push_back(channels[static_cast<std::size_t>(index)].name);
     return {{"cause", cause_name(finding.cause)},
@@ -120,7 +120,7 @@ Json beam_json(const BeamFacts& beam, const std::vector<ChannelFacts>& channels)
                {"facing_lx", rounded(beam.hit->facing_lx)},
                {"lens_inside", beam.hit->lens_inside}};
     Json findings = Json::array();
-    for (const Finding& finding : beam.findings) findings.push_back(finding_json(finding, channels));
+    for (const Reason& finding : beam.findings) findings.push_back(finding_json(finding, channels));
     return {{"name", beam.name},
             {"output_lm", rounded(beam.output_lm)},
             {"full_lm", rounded(beam.full_lm)},
@@ -149,7 +149,7 @@ Json beam_json(const BeamFacts& beam, const std::vector<ChannelFacts>& channels)
 
 Json fixture_json(const Explanation& explanation) {
     Json findings = Json::array();
-    for (const Finding& finding : explanation.findings)
+    for (const Reason& finding : explanation.findings)
         findings.push_back(finding_json(finding, explanation.channels));
     Json patch = Json::array();
     for (std::size_t b = 0; b < explanation.footprint.size(); ++b) {

@@ -64,7 +64,7 @@ std::string never_text(const ExplainInput& input, const UniverseFacts& facts) {
     return text;
 }
 
-bool missing(const Explanation& explanation, const Finding* direct, int universe) {
+bool missing(const Explanation& explanation, const Reason* direct, int universe) {
     if (!direct) return false;
     for (const int index : direct->channels) {
         const ChannelFacts& channel = explanation.channels[static_cast<std::size_t>(index)];
@@ -75,7 +75,7 @@ bool missing(const Explanation& explanation, const Finding* direct, int universe
     return false;
 }
 
-bool uses(const Explanation& explanation, const Finding* direct, int universe) {
+bool uses(const Explanation& explanation, const Reason* direct, int universe) {
     if (!direct) return false;
     for (const int index : direct->channels)
         for (const Address& place : explanation.channels[static_cast<std::size_t>(index)].places)
@@ -83,7 +83,7 @@ bool uses(const Explanation& explanation, const Finding* direct, int universe) {
     return false;
 }
 
-std::string so(const Finding* direct) {
+std::string so(const Reason* direct) {
     return direct ? ", and " + direct->text : "";
 }
 
@@ -138,7 +138,7 @@ bool would_shine(const ExplainInput& input, const fixture::Patch& patch, const f
 }
 
 void add_overrides(const ExplainInput& input, const fixture::Patch& patch, const Explanation& explanation,
-                   const fixture::State& state, const Finding* direct, std::vector<Finding>& findings) {
+                   const fixture::State& state, const Reason* direct, std::vector<Reason>& findings) {
     for (const dmx::SourceStatus& loser : input.reception.sources) {
         if (!loser.slots) continue;
         const std::vector<Beaten> lost = slots_lost(input, explanation, loser);
@@ -229,10 +229,10 @@ std::vector<UniverseFacts> universe_facts(const ExplainInput& input,
     return result;
 }
 
-std::vector<Finding> causes_in_network(const ExplainInput& input, const fixture::Patch& patch,
-                                       const Explanation& explanation, const fixture::State& state,
-                                       const Finding* direct) {
-    std::vector<Finding> findings;
+std::vector<Reason> causes_in_network(const ExplainInput& input, const fixture::Patch& patch,
+                                      const Explanation& explanation, const fixture::State& state,
+                                      const Reason* direct) {
+    std::vector<Reason> findings;
     for (std::size_t b = 0; b < explanation.footprint.size(); ++b) {
         if (explanation.footprint[b] == 0) continue;
         if (b < explanation.addresses.size() && explanation.addresses[b].channel > 0) continue;

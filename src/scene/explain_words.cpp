@@ -222,7 +222,7 @@ std::string line_of(const Explanation& explanation) {
 std::string words_of(const Explanation& explanation, const Reception& reception) {
     std::string text = explanation.fixture + ": " + explanation.verdict + "\n";
     bool said_verdict = false;
-    for (const Finding& finding : explanation.findings) {
+    for (const Reason& finding : explanation.findings) {
         if (finding.blocks && !said_verdict) {
             said_verdict = true;
             continue;
