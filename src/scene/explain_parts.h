@@ -42,7 +42,7 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const fixture::
 float share_of(const fixture::Type& type, const fixture::BeamState& state, const GoboStack& gobos);
 
 // What in the fixture itself keeps this beam dark, in order; the channels that change it only.
-std::vector<Finding> causes_in_beam(const fixture::Patch& patch, std::size_t beam,
+std::vector<Reason> causes_in_beam(const fixture::Patch& patch, std::size_t beam,
                                     const fixture::BeamState& state, const BeamFacts& facts,
                                     const std::vector<ChannelFacts>& channels);
 
@@ -59,8 +59,8 @@ std::vector<UniverseFacts> universe_facts(const ExplainInput& input,
 
 // What lies before the fixture: universes and their senders. direct: the finding of causes_in_beam that there
 // is something to say about, or null.
-std::vector<Finding> causes_in_network(const ExplainInput& input, const fixture::Patch& patch,
+std::vector<Reason> causes_in_network(const ExplainInput& input, const fixture::Patch& patch,
                                        const Explanation& explanation, const fixture::State& state,
-                                       const Finding* direct);
+                                       const Reason* direct);
 
 } // namespace ghost::scene::explained

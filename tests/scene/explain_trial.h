@@ -184,8 +184,8 @@ inline void expect(const Explanation& explanation, Visibility visibility, Cause 
             << "'" << word << "' in: " << explanation.verdict;
 }
 
-inline const Finding* find(const Explanation& explanation, Cause cause) {
-    for (const Finding& finding : explanation.findings)
+inline const Reason* find(const Explanation& explanation, Cause cause) {
+    for (const Reason& finding : explanation.findings)
         if (finding.cause == cause) return &finding;
     return nullptr;
 }
