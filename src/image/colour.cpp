@@ -46,6 +46,23 @@ glm::dvec2 daylight_xy(double t) {
     return {x, -3.0 * x * x + 2.870 * x - 0.275};
 }
 
+glm::dvec2 white_xy(double t) {
+    const double daylight = std::clamp((t - 4000.0) / 1000.0, 0.0, 1.0);
+    return glm::mix(planckian_xy(t), daylight_xy(std::max(t, 4000.0)), daylight);
+}
+
+// CIE 1960.
+glm::dvec2 uv_of(const glm::dvec2& xy) {
+    return glm::dvec2(4.0 * xy.x, 6.0 * xy.y) / (12.0 * xy.y - 2.0 * xy.x + 3.0);
+}
+glm::dvec2 xy_of(const glm::dvec2& uv) {
+    return glm::dvec2(3.0 * uv.x, 2.0 * uv.y) / (2.0 * uv.x - 8.0 * uv.y + 4.0);
+}
+
+double sane_k(float temperature_k) {
+    return std::clamp(static_cast<double>(temperature_k), 1667.0, 25000.0);
+}
+
 } // namespace
 
 float srgb_to_linear(float encoded) {
@@ -79,10 +96,34 @@ glm::vec3 xyy_to_rec2020(const glm::vec3& xyy) {
 }
 
 glm::vec3 cct_to_rec2020(float temperature_k) {
-    const double t = std::clamp(static_cast<double>(temperature_k), 1667.0, 25000.0);
-    const double daylight = std::clamp((t - 4000.0) / 1000.0, 0.0, 1.0);
-    const glm::dvec2 xy = glm::mix(planckian_xy(t), daylight_xy(std::max(t, 4000.0)), daylight);
+    const glm::dvec2 xy = white_xy(sane_k(temperature_k));
     return times(kXyzToRec2020, glm::vec3(xyz_of(xy.x, xy.y)));
+}
+
+glm::vec3 cct_to_rec2020(float temperature_k, float duv) {
+    if (duv == 0.0f) return cct_to_rec2020(temperature_k);
+    const double t = sane_k(temperature_k);
+    constexpr double kStep = 1.01;
+    const double near = std::clamp(t, 1667.0 * kStep, 25000.0 / kStep); // both ends of the tangent are sane
+    const glm::dvec2 cooler = glm::normalize(uv_of(white_xy(near * kStep)) - uv_of(white_xy(near / kStep)));
+    const glm::dvec2 green(cooler.y, -cooler.x); // on the right of one who walks to lower u
+    const glm::dvec2 xy = xy_of(uv_of(white_xy(t)) + static_cast<double>(duv) * green);
+    return times(kXyzToRec2020, glm::vec3(xyz_of(xy.x, xy.y)));
+}
+
+glm::vec3 rec2020_to_xyy(const glm::vec3& rgb) {
+    const glm::vec3 xyz = rec2020_to_xyz(rgb);
+    const float sum = xyz.x + xyz.y + xyz.z;
+    if (!(sum > 1e-12f)) return {kRec2020[6], kRec2020[7], 0.0f};
+    return {xyz.x / sum, xyz.y / sum, xyz.y};
+}
+
+glm::vec3 into_gamut(const glm::vec3& rgb) {
+    if (rgb.x >= 0.0f && rgb.y >= 0.0f && rgb.z >= 0.0f) return rgb;
+    const float luminance = rec2020_to_xyz(rgb).y;
+    const glm::vec3 clipped = glm::max(rgb, glm::vec3(0.0f));
+    const float now = rec2020_to_xyz(clipped).y;
+    return luminance > 0.0f && now > 0.0f ? clipped * (luminance / now) : glm::vec3(0.0f);
 }
 
 } // namespace ghost::image

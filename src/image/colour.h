@@ -31,4 +31,13 @@ glm::vec3 xyy_to_rec2020(const glm::vec3& xyy);
 // 5000 K, mixed between (IES TM-30), clamped to 1667..25000 K, as Rec.2020 with luminance 1.
 glm::vec3 cct_to_rec2020(float temperature_k);
 
+// The same, off that line by duv in CIE 1960 uv at right angles to it: above 0 greener, below more magenta.
+glm::vec3 cct_to_rec2020(float temperature_k, float duv);
+
+// CIE xy and luminance; black has the chromaticity of D65.
+glm::vec3 rec2020_to_xyy(const glm::vec3& rgb);
+
+// A colour outside of Rec.2020 at the border: no component below 0, the luminance as it was.
+glm::vec3 into_gamut(const glm::vec3& rgb);
+
 } // namespace ghost::image

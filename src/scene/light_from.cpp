@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Physical values of a fixture -> shared::Light. Order of the optics: lamp (flux, colour temperature), dimmer
-// and shutter, CMY flags, colour wheels, gobo wheels, iris, zoom, focus.
-#include "image/colour.h"
+// Physical values of a fixture -> shared::Light. Order of the optics: source and its correction
+// (beam_colour.h), dimmer and shutter, flags, colour wheels, gobo wheels, iris, zoom, focus.
+#include "scene/beam_colour.h"
 #include "scene/photometry.h"
 #include "scene/rig.h"
 #include "shared/beam.h"
@@ -14,27 +14,10 @@ namespace {
 
 using glm::vec3;
 
-// What the full flags let through, Rec.2020: dichroics of a touring CMY system, not ideal block dyes.
-const vec3 kCyanFull{0.03f, 0.72f, 0.90f};
-const vec3 kMagentaFull{0.80f, 0.03f, 0.75f};
-const vec3 kYellowFull{0.95f, 0.80f, 0.02f};
-
 constexpr std::uint32_t kOpenSamples = 4; // Screen Space Re-Rendering, section 2.2
 constexpr std::uint32_t kGoboSamples = 10;
 constexpr float kMinLens_m = 0.01f;
 constexpr float kSlotCentred = 0.004f; // of a slot; nearer than a wheel can stand
-
-// A flag that is half in the beam filters half as densely (Beer's law), as graded dichroic flags are cut to
-// do.
-vec3 flag(const vec3& full, float saturation) {
-    return glm::pow(full, vec3(std::clamp(saturation, 0.0f, 1.0f)));
-}
-
-vec3 slot_colour(const fixture::Type& type, const fixture::Slot& slot) {
-    const fixture::ColorCie& color =
-        slot.filter >= 0 ? type.filters[static_cast<std::size_t>(slot.filter)].color : slot.color;
-    return glm::max(image::xyy_to_rec2020({color.x, color.y, color.Y / 100.0f}), vec3(0.0f));
-}
 
 struct SlotPair {
     const fixture::Slot* a = nullptr;
@@ -71,17 +54,6 @@ vec3 gobo_mean(const shared::Gobos& gobos, std::uint32_t layer) {
     return sum / static_cast<float>(kSide * kSide);
 }
 
-vec3 lamp_colour(const fixture::Beam& beam, const fixture::Optics& optics) {
-    if (optics.emitters.empty())
-        return image::cct_to_rec2020(optics.cct_k > 0 ? optics.cct_k
-                                                      : beam.color_temperature_k * optics.lamp_cct_share);
-    vec3 sum(0.0f);
-    for (const fixture::EmitterLevel& emitter : optics.emitters)
-        sum += image::xyy_to_rec2020({emitter.color.x, emitter.color.y, emitter.color.Y / 100.0f}) *
-               emitter.level;
-    return glm::max(sum, vec3(0.0f));
-}
-
 } // namespace
 
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
@@ -113,19 +85,17 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     light.disc_radius_m = source.beam_radius_m;
     light.focus_per_m = 1.0f / std::max(optics.focus_m + light.lens_m, 0.1f);
 
-    vec3 colour = lamp_colour(source, optics);
-    colour *=
-        flag(kCyanFull, optics.cyan) * flag(kMagentaFull, optics.magenta) * flag(kYellowFull, optics.yellow);
+    vec3 colour = source_colour(type, source, optics) * flags_colour(type, source, optics);
     light.colour_b = vec3(1.0f);
     light.split = shared::kNoSplit;
     for (const fixture::WheelState& wheel : optics.color_wheels) {
         const SlotPair pair = slots_at(type, wheel);
         if (!pair.a) continue;
-        const vec3 a = glm::max(slot_colour(type, *pair.a), vec3(1e-4f));
+        const vec3 a = glm::max(slot_colour(type, source, *pair.a), vec3(1e-4f));
         colour *= a;
         if (pair.shift == 0.0f) continue;
         // One wheel at a time stands between two slots in practice; the last one wins.
-        light.colour_b = slot_colour(type, *pair.b) / a;
+        light.colour_b = slot_colour(type, source, *pair.b) / a;
         light.split = shared::kSlotSpacing * (0.5f - pair.shift);
     }
     light.intensity_cd = colour * (peak_candela(profile, source.luminous_flux_lm) * optics.lamp *
