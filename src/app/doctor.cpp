@@ -272,10 +272,9 @@ private:
 } // namespace
 
 std::size_t Checked::count(Severity severity) const {
-    std::size_t sum = 0;
-    for (const scene::Finding& finding : findings)
-        if (finding.severity == severity) sum += static_cast<std::size_t>(std::max(1, finding.times));
-    return sum;
+    return static_cast<std::size_t>(
+        std::count_if(findings.begin(), findings.end(),
+                      [severity](const scene::Finding& finding) { return finding.severity == severity; }));
 }
 
 std::vector<Checked> check_files(const std::vector<std::string>& files, const DoctorOptions& options) {

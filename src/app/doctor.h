@@ -23,7 +23,7 @@ struct Checked {
     std::string title;    // of a fixture: maker and name
     bool is_done = false; // false: interrupted before it
 
-    std::size_t count(scene::Severity severity) const; // of all, repeated ones counted
+    std::size_t count(scene::Severity severity) const;
 };
 
 struct DoctorOptions {

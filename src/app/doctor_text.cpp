@@ -148,10 +148,10 @@ std::string summary_of(std::span<const Checked> all, bool is_long) {
     });
     const std::string folder = common_folder(all);
     const std::size_t shown = is_long ? order.size() : std::min(order.size(), kListedFiles);
-    constexpr std::size_t kNumber = 8;
+    constexpr std::size_t kNumber = 9;
     constexpr std::size_t kName = kColumns - 3 * kNumber - 2;
     std::string text = "\n" + padded(cut(folder.empty() ? "file" : folder, kName, true), kName) +
-                       "      lost repaired   notes\n";
+                       "       lost repaired    notes\n";
     for (std::size_t k = 0; k < shown; ++k) {
         const Checked& checked = *order[k];
         const Counts counts = counts_of(checked);

@@ -37,6 +37,7 @@ constexpr KnownSentence kSentences[] = {
     {"no Beam or Laser geometry", "no_beam", "fine for machines; for a lamp get a newer file from its maker"},
     {"has no DMX mode", "no_mode", "get a newer file from its maker"},
     {"has no mode '", "unknown_mode", "choose a mode that the file has, in the plot or in the show file"},
+    {"no mesh '", "missing_media", "get the file again, with its models; a plain shape stands in"},
     {"the picture ", "missing_media", "get the file again, with its pictures; the gobo is open until then"},
     {"expected a PNG", "missing_media", "get the file again, with its pictures; the gobo is open until then"},
     {"gobo '", "missing_media", "export the plot again, with its gobo pictures"},
@@ -133,6 +134,10 @@ Finding finding_of(const Message& message) {
 }
 
 std::string fault_key(const std::string& what) {
+    // What stands in brackets at the end counts, or lists names.
+    std::string_view sentence = what;
+    if (const std::size_t open = what.rfind(" ("); what.ends_with(')') && open != std::string::npos)
+        sentence = sentence.substr(0, open);
     std::string key;
     std::string word;
     const auto take_word = [&] {
@@ -141,13 +146,13 @@ std::string fault_key(const std::string& what) {
         word.clear();
     };
     bool quoted = false;
-    for (std::size_t i = 0; i < what.size(); ++i) {
-        const char c = what[i];
+    for (std::size_t i = 0; i < sentence.size(); ++i) {
+        const char c = sentence[i];
         // An apostrophe inside of a word ("maker's") opens nothing; inside of quotes it closes only at an
         // end.
-        const bool after_letter = i > 0 && std::isalnum(static_cast<unsigned char>(what[i - 1]));
+        const bool after_letter = i > 0 && std::isalnum(static_cast<unsigned char>(sentence[i - 1]));
         const bool before_letter =
-            i + 1 < what.size() && std::isalnum(static_cast<unsigned char>(what[i + 1]));
+            i + 1 < sentence.size() && std::isalnum(static_cast<unsigned char>(sentence[i + 1]));
         if (c == '\'' && !(after_letter && before_letter)) {
             quoted = !quoted;
             if (quoted) {
@@ -177,8 +182,9 @@ std::vector<FindingGroup> grouped(std::span<const Finding> findings) {
         for (const Finding& finding : findings) {
             if (finding.severity != severity) continue;
             const Place place = split_where(finding.where);
-            const std::string key = std::string(name_of(severity)) + "\n" + place.file + "\n" +
-                                    fault_key(finding.what) + "\n" + finding.advice;
+            std::string key = std::string(name_of(severity)) + "\n" + finding.kind + "\n" +
+                              fault_key(finding.what) + "\n" + finding.advice;
+            if (finding.is_sum) key += "\n" + std::to_string(groups.size());
             const auto [entry, is_new] = index.emplace(key, groups.size());
             if (is_new) groups.push_back({.first = finding, .lines = {}});
             FindingGroup& group = groups[entry->second];
@@ -186,7 +192,9 @@ std::vector<FindingGroup> grouped(std::span<const Finding> findings) {
             ++group.findings;
             if (is_new) continue;
             group.is_one_sentence = group.is_one_sentence && finding.what == group.first.what;
-            if (place.line > 0 && group.lines.size() < kListedLines) group.lines.push_back(place.line);
+            if (place.line > 0 && group.lines.size() < kListedLines &&
+                place.file == split_where(group.first.where).file)
+                group.lines.push_back(place.line);
         }
     return groups;
 }
@@ -195,9 +203,9 @@ std::string text_of(const FindingGroup& group) {
     std::string text = std::string(name_of(group.first.severity)) + ": ";
     if (!group.first.where.empty()) text += group.first.where + ": ";
     text += group.first.what;
-    if (group.times > 1) {
+    if (group.times > 1 && !group.first.is_sum) {
         text += group.is_one_sentence ? " (" + std::to_string(group.times) + " times, first here"
-                                      : " (and " + std::to_string(group.times - 1) + " more like it";
+                                      : " (and " + std::to_string(group.findings - 1) + " more like it";
         for (std::size_t k = 0; k < group.lines.size(); ++k)
             text += (k                                                ? ", "
                      : group.lines.size() == 1 && group.findings == 2 ? "; line "

@@ -18,8 +18,9 @@ struct Finding {
     std::string kind;  // "overlap", "unpatched", "missing_media", ...; docs/import-doctor.md lists all
     std::string where; // as Message::where
     std::string what;
-    std::string advice; // what to do; empty: nothing that we know
-    int times = 1;      // how often it was met; the place is that of the first
+    std::string advice;  // what to do; empty: nothing that we know
+    int times = 1;       // how often it was met; the place is that of the first
+    bool is_sum = false; // what says itself how many it concerns; it is never put together with others
 };
 
 const char* name_of(Severity severity); // "note", "warning", "error"
@@ -38,12 +39,12 @@ Finding finding_of(const Message& message);
 // What two sentences of one fault share: names in quotes, numbers and file names are left out.
 std::string fault_key(const std::string& what);
 
-// The same fault in one file of an archive: one line for all of them.
+// The same fault in one checked file: one line for all of them.
 struct FindingGroup {
     Finding first;
     int times = 0; // of all together
     int findings = 0;
-    std::vector<int> lines; // of the others, in order, at most kListedLines
+    std::vector<int> lines; // of the others in the same member of the archive, in order, at most kListedLines
     bool is_one_sentence = true;
 };
 inline constexpr std::size_t kListedLines = 6;

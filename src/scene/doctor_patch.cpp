@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -96,7 +97,12 @@ private:
     void say(Severity severity, const char* kind, std::size_t first, std::string what, std::string advice,
              std::size_t times) {
         findings_.push_back({severity, kind, entries_[first].where, std::move(what), std::move(advice),
-                             static_cast<int>(times)});
+                             static_cast<int>(times), !is_each(kind)});
+    }
+
+    // Kinds that come once per place; all others sum up what equal fixtures have in common.
+    static bool is_each(std::string_view kind) {
+        return kind == "multipatch" || kind == "duplicate_id" || kind == "bad_address";
     }
 
     void unpatched() {
@@ -115,7 +121,7 @@ private:
         if (none.empty()) return;
         say(Severity::warning, "unpatched", none.front(),
             counted(none.size(), "fixture") + (none.size() == 1 ? " has" : " have") +
-                " no address and stay as they are without a desk" +
+                " no address, all channels keep their defaults" +
                 (patched == 0 ? ": nothing of this rig is patched" : "") + ": " + names(none),
             "patch them in the plot, or with address in [[fixture]] or [[change]] of the show file",
             none.size());
@@ -283,12 +289,13 @@ private:
                                               function.meaning.role == fixture::Role::color_add;
                                    });
             });
-        say(is_lamp ? Severity::warning : Severity::note, "no_beam", equal.front(),
+        say(Severity::warning, "no_beam", equal.front(),
             counted(equal.size(), "fixture") + " of " + kind_text(equal.front()) +
-                (equal.size() == 1 ? " has" : " have") + " no beam and gives no light: " + names(equal),
+                (equal.size() == 1 ? " gives" : " give") +
+                " no light, as the mode has no beam: " + names(equal),
             is_lamp
                 ? "name another file of this fixture in [[substitute]] of the show file, or get a newer one"
-                : "fine where it is no lamp",
+                : "fine where it is no lamp; else name another file of it in [[substitute]] of the show file",
             equal.size());
     }
 

@@ -86,8 +86,17 @@ public:
         names_.insert(names_.end(), offers.names.begin(), offers.names.end());
     }
 
-    std::string advice(const WantedFixture& wanted, bool of_plot) {
-        const auto found = suggest_substitute(wanted, names_, [&](std::size_t k) { return load(k); });
+    // own: the file that is asked for and is of no use; it does not stand in for itself.
+    std::string advice(const WantedFixture& wanted, bool of_plot, const std::string& own = "") {
+        const auto found = suggest_substitute(wanted, names_, [&](std::size_t k) {
+            const std::filesystem::path path =
+                k < members_.size() ? members_[k] : offers_.files[k - members_.size()].string();
+            const auto type = own.empty() || path.filename() != own ? load(k) : nullptr;
+            const bool is_lit =
+                type && std::any_of(type->modes.begin(), type->modes.end(),
+                                    [](const fixture::Mode& mode) { return !mode.beams.empty(); });
+            return own.empty() || is_lit ? type : nullptr;
+        });
         if (!found) return "";
         const bool inside = found->offer < members_.size();
         const std::string file =
@@ -106,11 +115,13 @@ public:
                     "' (" + channels + ")";
         else
             text += "; its mode '" + found->mode + "' has " + channels;
-        if (of_plot)
-            text += ". In the show file: [[substitute]] for = \"" + wanted.name.substr(0, 80) +
-                    "\", gdtf = \"" + std::filesystem::path(file).filename().string() + "\", mode = \"" +
-                    found->mode + "\"";
-        return text;
+        if (!of_plot) return text;
+        const std::string name = wanted.name.substr(0, 80);
+        if (found->likeness >= kSameFixture && found->mode == wanted.mode && !inside)
+            return text + ". Copy it beside the plot as '" + name + "'";
+        return text + ". Copy it into the show's folder, and in the show file: [[substitute]] for = \"" +
+               name + "\", gdtf = \"" + std::filesystem::path(file).filename().string() + "\", mode = \"" +
+               found->mode + "\"";
     }
 
 private:
@@ -173,6 +184,26 @@ void add_substitutes(const Show& show, const std::vector<PatchEntry>& entries, c
     }
 }
 
+// Lamps whose file knows no beam, as some programs export all of theirs.
+void add_lit_ones(const Show& show, const std::vector<PatchEntry>& entries, const FixtureOffers& offers,
+                  std::vector<Finding>& rig) {
+    Substitutes substitutes(show, offers);
+    std::size_t asked = 0;
+    for (Finding& finding : rig) {
+        if (finding.kind != "no_beam" || ++asked > kMaxSuggestions) continue;
+        const auto first = std::find_if(entries.begin(), entries.end(), [&](const PatchEntry& entry) {
+            return entry.where == finding.where && entry.fixture->type;
+        });
+        if (first == entries.end()) continue;
+        const fixture::Mode& mode =
+            first->fixture->type->modes[static_cast<std::size_t>(first->fixture->mode)];
+        const WantedFixture wanted{std::filesystem::path(first->spec).filename().string(), first->mode,
+                                   mode.footprint.empty() ? 0 : mode.footprint.front()};
+        const std::string advice = substitutes.advice(wanted, first->of_plot, wanted.name);
+        if (!advice.empty()) finding.advice += ": " + advice;
+    }
+}
+
 void same_names(const Show& show, std::vector<Finding>& findings) {
     if (!show.plot) return;
     std::map<std::string, std::vector<const PlotObject*>> by_name;
@@ -196,7 +227,7 @@ void same_names(const Show& show, std::vector<Finding>& findings) {
                             std::to_string(times) +
                                 " fixtures share their name with others and are called '" +
                                 second->name.substr(0, 60) + " #2' and so on: " + name_list(names),
-                            "", times});
+                            "", times, true});
     for (const auto& [uuid, objects] : by_uuid) {
         if (objects.size() < 2) continue;
         findings.push_back({Severity::warning, "duplicate_uuid", place_of(*show.plot, *objects[1]),
@@ -218,6 +249,7 @@ std::vector<Finding> findings_of(const Show& show, const Report& report, const F
     add_substitutes(show, entries, offers, findings);
     same_names(show, findings);
     std::vector<Finding> rig = check_rig(entries);
+    add_lit_ones(show, entries, offers, rig);
     findings.insert(findings.end(), std::make_move_iterator(rig.begin()), std::make_move_iterator(rig.end()));
     return findings;
 }

@@ -2,6 +2,7 @@
 #include "scene/doctor_substitute.h"
 
 #include "fixture/values.h"
+#include "scene/doctor_patch.h"
 #include "scene/plot_types.h"
 
 #include <algorithm>
@@ -14,6 +15,8 @@ namespace {
 
 constexpr std::size_t kMaxLetters = 120; // names come from outside
 constexpr std::size_t kLoaded = 3;
+constexpr double kOtherNumber = 0.85; // a 2500 where a 2000 was asked for
+constexpr double kLengthWorth = 0.1;  // of a mode that fits the patch, in likeness
 
 struct Word {
     std::string text;
@@ -71,6 +74,21 @@ double alike(const std::string& a, const std::string& b) {
     return share >= 0.7 ? share : 0;
 }
 
+// "Vari-Lite" is "Varilite": two words of one name that are one of the other.
+void join_words(std::vector<Word>& words, const std::vector<Word>& others) {
+    for (std::size_t k = 0; k + 1 < words.size(); ++k)
+        for (const Word& other : others)
+            if (words[k].text + words[k + 1].text == other.text) {
+                words[k] = other;
+                words.erase(words.begin() + static_cast<std::ptrdiff_t>(k) + 1);
+                break;
+            }
+}
+
+bool is_number(const Word& word) {
+    return std::isdigit(static_cast<unsigned char>(word.text[0])) != 0;
+}
+
 int length_of(const fixture::Mode& mode) {
     return mode.footprint.empty() ? 0 : mode.footprint.front();
 }
@@ -78,13 +96,16 @@ int length_of(const fixture::Mode& mode) {
 } // namespace
 
 double likeness(const std::string& wanted, const std::string& offered) {
-    const std::vector<Word> first = words_of(wanted);
+    std::vector<Word> first = words_of(wanted);
     std::vector<Word> second = words_of(offered);
+    join_words(first, second);
+    join_words(second, first);
     double all = 0;
     for (const Word& word : first) all += word.weight;
     for (const Word& word : second) all += word.weight;
     if (first.empty() || second.empty()) return 0;
     double shared = 0;
+    bool other_number = false; // one that the other name has not
     std::vector<bool> used(second.size());
     for (const Word& word : first) {
         double best = 0;
@@ -94,11 +115,17 @@ double likeness(const std::string& wanted, const std::string& offered) {
                 best = now;
                 at = k;
             }
-        if (at == second.size()) continue;
+        if (at == second.size()) {
+            other_number = other_number || is_number(word);
+            continue;
+        }
         used[at] = true;
         shared += best * (word.weight + second[at].weight);
     }
-    return shared / all;
+    bool has_number = false;
+    for (std::size_t k = 0; k < second.size(); ++k)
+        has_number = has_number || (!used[k] && is_number(second[k]));
+    return shared / all * (other_number && has_number ? kOtherNumber : 1.0);
 }
 
 std::optional<Suggestion>
@@ -111,20 +138,24 @@ suggest_substitute(const WantedFixture& wanted, std::span<const std::string> nam
     std::stable_sort(ranked.begin(), ranked.end(),
                      [](const auto& a, const auto& b) { return a.first > b.first; });
     if (ranked.size() > kLoaded) ranked.resize(kLoaded);
+    std::optional<Suggestion> best;
     for (const auto& [value, offer] : ranked) {
         const std::shared_ptr<const fixture::Type> type = load(offer);
         if (!type || type->modes.empty()) continue;
         Suggestion suggestion{offer, value, "", 0, false};
-        int mode = -1;
-        for (std::size_t k = 0; k < type->modes.size() && mode < 0 && wanted.channels > 0; ++k)
-            if (length_of(type->modes[k]) == wanted.channels) mode = static_cast<int>(k);
-        suggestion.by_length = mode >= 0;
-        if (mode < 0) mode = std::max(0, nearest_mode(*type, wanted.mode));
-        suggestion.mode = type->modes[static_cast<std::size_t>(mode)].name;
-        suggestion.channels = length_of(type->modes[static_cast<std::size_t>(mode)]);
-        return suggestion;
+        int mode = nearest_mode(*type, wanted.mode);
+        if (wanted.channels > 0 && length_of(type->modes[static_cast<std::size_t>(mode)]) != wanted.channels)
+            if (const int fits = mode_of_length(*type, wanted.channels); fits >= 0) mode = fits;
+        const fixture::Mode& chosen = type->modes[static_cast<std::size_t>(mode)];
+        suggestion.mode = chosen.name;
+        suggestion.channels = length_of(chosen);
+        suggestion.by_length = wanted.channels > 0 && suggestion.channels == wanted.channels;
+        const auto worth = [](const Suggestion& of) {
+            return of.likeness + (of.by_length ? kLengthWorth : 0);
+        };
+        if (!best || worth(suggestion) > worth(*best)) best = suggestion;
     }
-    return std::nullopt;
+    return best;
 }
 
 } // namespace ghost::scene

@@ -35,7 +35,8 @@ struct Suggestion {
 inline constexpr double kSameFixture = 0.75; // from here on the names mean one fixture
 inline constexpr double kLikeFixture = 0.35; // below, nothing is suggested
 
-// The likest of the named files that load can read. load: null where it cannot; asked for at most 3.
+// The likest of the named files that load can read; one with a mode of the right length comes before one
+// that is hardly more alike. load: null where it cannot; asked for at most 3.
 std::optional<Suggestion>
 suggest_substitute(const WantedFixture& wanted, std::span<const std::string> names,
                    const std::function<std::shared_ptr<const fixture::Type>(std::size_t)>& load);

@@ -1,0 +1,171 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""`ghostlight check` as a user sees it: whole folders, the summary, JSON, --strict, and the same output with one thread and with
+many. Usage: check_test.py SOURCE_FOLDER BUILD_FOLDER."""
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import zipfile
+
+SOURCE = pathlib.Path(sys.argv[1]).resolve()
+PROGRAM = pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
+SHARED = SOURCE.parent / "shared" / "fixtures"
+WORK = None
+SEVERITIES = {"note", "warning", "error"}
+KEYS = {"severity", "kind", "where", "file", "line", "element", "what", "do", "times"}
+
+
+def run(*arguments):
+    done = subprocess.run([str(PROGRAM), "check", *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                          timeout=600)
+    done.text = done.stdout + done.stderr
+    return done
+
+
+def gdtf(path, beam='<Beam Name="Beam" BeamAngle="20" FieldAngle="25"/>', wheels=""):
+    xml = f"""<?xml version="1.0"?>
+<GDTF DataVersion="1.2"><FixtureType Name="{path.stem}" Manufacturer="Test">
+<Wheels>{wheels}</Wheels>
+<Geometries><Geometry Name="Base">{beam}</Geometry></Geometries>
+<DMXModes><DMXMode Name="M" Geometry="Base"><DMXChannels>
+<DMXChannel Offset="1" Geometry="Beam"><LogicalChannel Attribute="Dimmer"><ChannelFunction Name="D" Attribute="Dimmer"/>
+</LogicalChannel></DMXChannel></DMXChannels></DMXMode></DMXModes></FixtureType></GDTF>"""
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("description.xml", xml)
+    return path
+
+
+def mvr(path, fixtures):
+    rows = "\n".join(
+        f'<Fixture uuid="8BF13DD7-CBF4-415B-99E4-{k:012d}" name="Lamp {k}"><GDTFSpec>{spec}</GDTFSpec><GDTFMode>M</GDTFMode>'
+        f'<Addresses><Address break="0">{address}</Address></Addresses></Fixture>' for k, (spec, address) in enumerate(fixtures, 1))
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("GeneralSceneDescription.xml", '<GeneralSceneDescription verMajor="1" verMinor="6"><Scene><Layers>'
+                         f'<Layer name="L" uuid="1"><ChildList>\n{rows}\n</ChildList></Layer></Layers></Scene></GeneralSceneDescription>')
+    return path
+
+
+class Check(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """A folder with a sound file, one that is repaired, three with losses, and what is none of our business."""
+        cls.folder = WORK / "rig"
+        (cls.folder / "deep" / "er").mkdir(parents=True)
+        (cls.folder / ".hidden").mkdir()
+        gdtf(cls.folder / "sound.gdtf")
+        gdtf(cls.folder / "deep" / "guessed.gdtf", beam='<Beam Name="Beam" BeamAngle="0" FieldAngle="0"/>')
+        slots = "".join(f'<Slot Name="s{k}" MediaFileName="gone{k}"/>\n' for k in range(50))
+        gdtf(cls.folder / "deep" / "er" / "pictures.gdtf", wheels=f'<Wheel Name="Gobo">{slots}</Wheel>')
+        (cls.folder / "deep" / "broken.gdtf").write_text("no zip")
+        mvr(cls.folder / "plot.mvr", [("Test@sound.gdtf", "1"), ("Nothing@Like it.gdtf", "2")])
+        (cls.folder / "settings.json").write_text('{"colour": "dark"}')
+        (cls.folder / ".hidden" / "x.gdtf").write_text("not looked at")
+        (cls.folder / "readme.txt").write_text("no")
+        (cls.folder / "loop").symlink_to(cls.folder)
+
+    def test_a_folder_is_searched_and_nothing_stops_at_the_first_fault(self):
+        done = run(self.folder)
+        self.assertEqual(done.returncode, 1, done.text)
+        for word in ("sound.gdtf: ok", "taking 25 degrees", "wheels/gone0.png is not in the archive", "broken.gdtf",
+                     "'Nothing@Like it.gdtf' is not in the archive", "5 files: 1 ok, 1 repaired, 3 with losses"):
+            self.assertIn(word, done.stdout)
+        self.assertIn("GeneralSceneDescription.xml:3", done.stdout)
+        self.assertIn("1 .json files are no fixtures", done.stderr)
+        self.assertNotIn(".hidden", done.text)
+
+    def test_fifty_equal_faults_are_one_line_and_all_of_them_on_request(self):
+        name = self.folder / "deep" / "er" / "pictures.gdtf"
+        done = run(name)
+        lines = [line for line in done.stdout.splitlines() if "is not in the archive" in line]
+        self.assertEqual(len(lines), 1, done.stdout)
+        self.assertIn("and 49 more like it", lines[0])
+        self.assertIn("description.xml:3", lines[0])
+        done = run(name, "--all")
+        self.assertEqual(sum("is not in the archive" in line for line in done.stdout.splitlines()), 50)
+
+    def test_a_substitute_comes_from_the_same_folder(self):
+        done = run(self.folder)
+        self.assertRegex(done.stdout, r"Test@sound.gdtf' is not in the archive.*\n    do: '.*sound.gdtf' seems to be this fixture")
+
+    def test_json(self):
+        done = run(self.folder, "--json")
+        files = json.loads(done.stdout)
+        self.assertEqual([pathlib.Path(entry["file"]).name for entry in files],
+                         ["broken.gdtf", "pictures.gdtf", "guessed.gdtf", "plot.mvr", "sound.gdtf"])
+        self.assertEqual([entry["state"] for entry in files], ["lost", "lost", "repaired", "lost", "ok"])
+        for entry in files:
+            self.assertEqual(set(entry), {"file", "state", "lost", "counts", "facts", "messages"})
+            self.assertEqual(set(entry["counts"]), SEVERITIES)
+            for message in entry["messages"]:
+                self.assertEqual(set(message), KEYS)
+                self.assertIn(message["severity"], SEVERITIES)
+        self.assertEqual(len([m for m in files[1]["messages"] if m["kind"] == "missing_media"]), 50)
+        lost, = [m for m in files[3]["messages"] if "Nothing@Like" in m["what"]]
+        self.assertEqual((lost["kind"], lost["line"], lost["severity"]), ("missing_fixture_file", 3, "error"))
+        self.assertTrue(lost["element"].endswith("Fixture 'Lamp 2'"), lost)
+
+    def test_one_thread_and_many_say_the_same(self):
+        one = run(self.folder, "--threads", 1)
+        for _ in range(3):
+            self.assertEqual(run(self.folder, "--threads", 8).stdout, one.stdout)
+
+    def test_exit_codes(self):
+        self.assertEqual(run(self.folder / "sound.gdtf").returncode, 0)
+        self.assertEqual(run(self.folder / "sound.gdtf", "--strict").returncode, 0)
+        self.assertEqual(run(self.folder / "deep" / "guessed.gdtf").returncode, 0)
+        self.assertEqual(run(self.folder / "deep" / "guessed.gdtf", "--strict").returncode, 1)
+        self.assertEqual(run(self.folder / "deep" / "er").returncode, 1)
+        self.assertEqual(run().returncode, 2)
+        empty = WORK / "empty"
+        empty.mkdir()
+        done = run(empty)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("nothing to check", done.stderr)
+
+    def test_the_summary_fits_a_screen(self):
+        many = WORK / "many"
+        many.mkdir()
+        for k in range(40):
+            shutil.copy(self.folder / "deep" / "guessed.gdtf", many / f"a fixture with quite a long name, and another word {k:02d}.gdtf")
+        done = run(many, "--summary")
+        self.fits(done.stdout)
+        self.assertIn("... and 28 more (--all)", done.stdout)
+        self.assertNotIn("more (--all)", run(many, "--summary", "--all").stdout)
+
+    def fits(self, text):
+        lines = text.splitlines()
+        self.assertLessEqual(len(lines), 23, text)
+        self.assertLess(max(map(len, lines)), 80, text)
+
+    def test_all_real_files(self):
+        if not SHARED.exists():
+            self.skipTest("no ../shared/fixtures beside the checkout")
+        start = time.monotonic()
+        done = run(SHARED / "gdtf", SHARED / "mvr", "--json")
+        print(f"\nreal files: {time.monotonic() - start:.1f} s", file=sys.stderr)
+        self.assertEqual(done.returncode, 1)
+        files = {pathlib.Path(entry["file"]).name: entry for entry in json.loads(done.stdout)}
+        self.assertEqual(sum(name.endswith(".gdtf") for name in files), 77)
+        self.assertEqual(sum(name.endswith(".mvr") for name in files), 10)
+        summary = run(SHARED / "gdtf", SHARED / "mvr", "--summary", "--threads", 1).stdout
+        self.assertEqual(summary, run(SHARED / "gdtf", SHARED / "mvr", "--summary").stdout)
+        self.fits(summary)
+        # A plot without any fixture file: those of the folder beside it stand in, in the mode that its patch shows.
+        advice = {m["what"].split("'")[1]: m["do"] for m in files["bauke_sample_show.mvr"]["messages"]
+                  if m["kind"] == "missing_fixture_file" and "GDTFSpec" not in m["what"]}
+        self.assertRegex(advice["Robe Lighting@Robin Spiider.gdtf"], "Robin_Spiider.*27 channels that the patch leaves")
+        self.assertRegex(advice["Martin Professional@MAC Viper AirFX.gdtf"], "MAC_Viper_AirFX.*20 channels that the patch leaves")
+
+
+if __name__ == "__main__":
+    if not PROGRAM.exists():
+        print(f"{PROGRAM} is not built")
+        sys.exit(77)
+    with tempfile.TemporaryDirectory() as folder:
+        WORK = pathlib.Path(folder)
+        sys.exit(not unittest.main(argv=sys.argv[:1], exit=False).result.wasSuccessful())
