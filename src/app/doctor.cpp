@@ -179,11 +179,11 @@ scene::FixtureOffers offers_of(const std::vector<Checked>& results, const Doctor
     }
     for (const fs::path& folder : folders)
         for (const fs::path& part : {folder.empty() ? fs::path(".") : folder, folder / "fixtures"})
-            for (const fs::path& file : fixture_files(part, kMaxOffers)) add(file, "");
+            for (const fs::path& file : fixture_files(part, kMaxOffers, 0)) add(file, "");
     std::vector<fs::path> more = options.fixture_folders;
     more.push_back(own_fixtures());
     for (const fs::path& folder : more)
-        for (const fs::path& file : fixture_files(folder, kMaxOffers)) add(file, "");
+        for (const fs::path& file : fixture_files(folder, kMaxOffers, kMaxSearchDepth)) add(file, "");
     offers.load = [files = offers.files](std::size_t k) { return load_offer(files[k]); };
     return offers;
 }

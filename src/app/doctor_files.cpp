@@ -98,13 +98,18 @@ FileSearch find_files(const std::vector<std::string>& arguments) {
     return found;
 }
 
-std::vector<fs::path> fixture_files(const fs::path& folder, std::size_t limit) {
+std::vector<fs::path> fixture_files(const fs::path& folder, std::size_t limit, int depth) {
     std::vector<fs::path> files;
     std::error_code code;
-    for (fs::directory_iterator entry(folder, code), end; !code && entry != end && files.size() < limit;
-         entry.increment(code))
+    std::size_t entries = 0;
+    for (fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, code),
+         end;
+         !code && entry != end && files.size() < limit && ++entries < kMaxSearchedEntries;
+         entry.increment(code)) {
+        if (entry.depth() >= depth) entry.disable_recursion_pending();
         if (fixture::has_type_extension(entry->path()) && is_file(entry->path()))
             files.push_back(entry->path());
+    }
     std::sort(files.begin(), files.end());
     return files;
 }

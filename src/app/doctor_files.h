@@ -23,8 +23,9 @@ struct FileSearch {
 
 FileSearch find_files(const std::vector<std::string>& arguments);
 
-// Fixture files of one folder (not of those in it), by name.
-std::vector<std::filesystem::path> fixture_files(const std::filesystem::path& folder, std::size_t limit);
+// Fixture files of one folder, and of those in it down to depth (0: of none), by name.
+std::vector<std::filesystem::path> fixture_files(const std::filesystem::path& folder, std::size_t limit,
+                                                 int depth);
 
 // Fixture files that come with the program, where they can be found; empty: nowhere.
 std::filesystem::path own_fixtures();

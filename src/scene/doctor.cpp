@@ -11,6 +11,8 @@
 namespace ghost::scene {
 namespace {
 
+constexpr std::string_view kTwoNames = "'..', '..'"; // as fault_key writes them
+
 bool is_digit(char c) {
     return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
@@ -172,6 +174,9 @@ std::string fault_key(const std::string& what) {
         }
     }
     take_word();
+    // A list of names is one name.
+    for (std::size_t list = key.find(kTwoNames); list != std::string::npos; list = key.find(kTwoNames, list))
+        key.erase(list, kTwoNames.size() / 2 + 1);
     return key;
 }
 

@@ -86,7 +86,7 @@ public:
         names_.insert(names_.end(), offers.names.begin(), offers.names.end());
     }
 
-    // own: the file that is asked for and is of no use; it does not stand in for itself.
+    // own: the file that is asked for and that gives no light; it does not stand in for itself.
     std::string advice(const WantedFixture& wanted, bool of_plot, const std::string& own = "") {
         const auto found = suggest_substitute(wanted, names_, [&](std::size_t k) {
             const std::filesystem::path path =
@@ -104,20 +104,19 @@ public:
         std::string text = std::string(found->likeness >= kSameFixture ? "'" : "the nearest is '") + file +
                            "'" + (inside ? " of the archive" : "") +
                            (found->likeness >= kSameFixture ? " seems to be this fixture" : "");
+        const std::string needs = own.empty() ? " that the patch leaves for each" : " of the mode asked for";
         const std::string channels =
             std::to_string(found->channels) + (found->channels == 1 ? " channel" : " channels");
         if (found->by_length)
-            text +=
-                "; its mode '" + found->mode + "' has the " + channels + " that the patch leaves for each";
+            text += "; its mode '" + found->mode + "' has the " + channels + needs;
         else if (wanted.channels > 0)
-            text += "; no mode of it has the " + std::to_string(wanted.channels) +
-                    " channels that the patch leaves for each, the nearest by name is '" + found->mode +
-                    "' (" + channels + ")";
+            text += "; no mode of it has the " + std::to_string(wanted.channels) + " channels" + needs +
+                    ", the nearest by name is '" + found->mode + "' (" + channels + ")";
         else
             text += "; its mode '" + found->mode + "' has " + channels;
         if (!of_plot) return text;
         const std::string name = wanted.name.substr(0, 80);
-        if (found->likeness >= kSameFixture && found->mode == wanted.mode && !inside)
+        if (found->likeness >= kSameFixture && found->mode == wanted.mode && !inside && own.empty())
             return text + ". Copy it beside the plot as '" + name + "'";
         return text + ". Copy it into the show's folder, and in the show file: [[substitute]] for = \"" +
                name + "\", gdtf = \"" + std::filesystem::path(file).filename().string() + "\", mode = \"" +

@@ -122,6 +122,7 @@ TEST(doctor, knows_equal_faults) {
     EXPECT_EQ(fault_key("the picture wheels/leaves.png is not there"),
               fault_key("the picture wheels/7.jpg is not there"));
     EXPECT_EQ(fault_key("needs 12 channels (3 fixtures)"), fault_key("needs 7 channels (1 fixture)"));
+    EXPECT_EQ(fault_key("not shown: 'a', 'b', 'c' and 3 more"), fault_key("not shown: 'd', 'e' and 12 more"));
     EXPECT_NE(fault_key("no mode"), fault_key("no beam"));
 
     const std::vector<Finding> findings{
@@ -298,6 +299,21 @@ TEST_F(Doctor, suggests_a_substitute_with_the_mode_that_fits) {
     missing = one(check(objects, {}, offers), "missing_fixture_file");
     EXPECT_EQ(loaded, 1);
     expect_words(missing.advice, {"'/lib/x7.gdtf' seems to be this fixture", "'M8' has the 8 channels"});
+}
+
+TEST_F(Doctor, suggests_a_lamp_that_shines) {
+    const Members members{{"Test@Spot 300.gdtf", gdtf("Spot 300", {4}, false)},
+                          {"Other@Spot 300.gdtf", gdtf("Spot 300", {4, 8}, false)},
+                          {"Third@Spot 300.gdtf", gdtf("Spot 300", {8, 4})}};
+    const std::string objects =
+        lamp(10, "Test@Spot 300.gdtf", "M4", "1") + lamp(11, "Test@Spot 300.gdtf", "M4", "5");
+    bool said = false;
+    for (const Finding& finding : of_kind(check(objects, members), "no_beam"))
+        if (finding.what.find("2 fixtures of 'Test@Spot 300.gdtf'") != std::string::npos) {
+            said = true;
+            expect_words(finding.advice, {"'Third@Spot 300.gdtf' of the archive", "'M4' has the 4 channels"});
+        }
+    EXPECT_TRUE(said);
 }
 
 TEST_F(Doctor, show_files_have_their_lines) {

@@ -92,6 +92,16 @@ class Check(unittest.TestCase):
         done = run(self.folder)
         self.assertRegex(done.stdout, r"Test@sound.gdtf' is not in the archive.*\n    do: '.*sound.gdtf' seems to be this fixture")
 
+    def test_a_substitute_comes_from_a_folder_that_is_named(self):
+        alone = WORK / "alone"
+        alone.mkdir()
+        plot = mvr(alone / "plot.mvr", [("Test@Wonder Wash 7.gdtf", "1")])
+        library = WORK / "library"
+        (library / "Test").mkdir(parents=True)
+        gdtf(library / "Test" / "Test-Wonder-Wash-7.gdtf")
+        self.assertNotIn("Test-Wonder-Wash-7", run(plot).stdout)
+        self.assertIn("Test-Wonder-Wash-7.gdtf' seems to be this fixture", run("--fixtures", library, plot).stdout)
+
     def test_json(self):
         done = run(self.folder, "--json")
         files = json.loads(done.stdout)
