@@ -178,7 +178,7 @@ TEST(explain, DarkGobo) {
 }
 
 TEST(explain, ZoomThatIsNoAngle) {
-    Trial trial(type_of(kDimmer + simple("2", "Zoom"))); // as real files have it: 0 to 1, without a unit
+    Trial trial(type_of(kDimmer + simple("2", "Zoom", 0, 0.9f)));
     const Explanation thin = trial.set(1, 255).set(2, 51).explain();
     expect(thin, Visibility::unseen, Cause::zoom,
            {"the zoom on channel 2 (1.2) is at 51", "0.2 deg", "no angle of a lamp"});
