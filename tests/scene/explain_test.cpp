@@ -181,7 +181,7 @@ TEST(explain, ZoomThatIsNoAngle) {
     Trial trial(type_of(kDimmer + simple("2", "Zoom", 0, 0.9f)));
     const Explanation thin = trial.set(1, 255).set(2, 51).explain();
     expect(thin, Visibility::unseen, Cause::zoom,
-           {"the zoom on channel 2 (1.2) is at 51", "0.2 deg", "no angle of a lamp"});
+           {"the zoom on channel 2 (1.2) is at 51", "0.18 deg", "no angle of a lamp"});
     Trial wide(type_of(kDimmer + simple("2", "Zoom", 10, 400)));
     const Explanation flood = wide.set(1, 255).set(2, 255).explain();
     expect(flood, Visibility::lit, Cause::none, {});
