@@ -71,8 +71,15 @@ Result<bool> check_usage(RenderArguments& arguments) {
                      arguments.session.map_size > 0 ? "--map-size" : "--supersample"};
     if (const int size = arguments.session.map_size; (size & (size - 1)) != 0)
         return Error{std::to_string(size) + " is not a power of two", "--map-size"};
-    if (arguments.no_shadows && !arguments.session.live)
+    if (arguments.no_shadows && !arguments.session.live && !arguments.reference.wanted)
         return Error{"baked pictures have their shadows; with --live or --eye", "--no-shadows"};
+    if (arguments.has_steps && arguments.beams != "march")
+        return Error{"only --beams march takes steps", "--steps"};
+    if (arguments.reference.wanted && (arguments.session.supersample > 1 || arguments.session.map_size > 0))
+        return Error{"the reference takes --pixel-samples, and rays instead of maps",
+                     "--supersample/--map-size"};
+    if (!arguments.session.travel.empty() && arguments.session.travel == arguments.session.view)
+        return Error{"the camera is there already", "--travel"};
     TRY(const OutputKind kind, output_kind(arguments.out));
     if (arguments.reference.wanted && (film || kind == OutputKind::film || !arguments.session.travel.empty()))
         return Error{"a reference is one picture: .png or .exr, with --at", "--reference"};
@@ -205,9 +212,9 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_option("--beams", a->beams, "gate (ours), cone (the paper) or march (the thesis)")
         ->check(CLI::IsMember({"gate", "cone", "march"}))
         ->capture_default_str();
-    command->add_option("--steps", a->session.beams.march_steps, "steps of march")
-        ->check(CLI::Range(1, 4096))
-        ->capture_default_str();
+    CLI::Option* steps = command->add_option("--steps", a->session.beams.march_steps, "steps of march")
+                             ->check(CLI::Range(1, 4096))
+                             ->capture_default_str();
     CLI::Option* ev = command->add_option("--ev", a->ev100, "exposure EV100 instead of the camera's")
                           ->check(number_in(-10.0, 20.0));
     command->add_option("--device", a->session.device, "Vulkan device: part of its name, or its number")
@@ -223,8 +230,9 @@ void add_render(CLI::App& app, int& exit_code) {
         "Example: ghostlight render assets/demo -o demo.mp4 --from 10 --to 20\n"
         "         ghostlight render assets/demo -o now.mp4 --live-input --seconds 20\n"
         "         ghostlight render assets/demo -o fly.mp4 --view house --travel close --from 20 --to 30");
-    command->callback([a, ev, &exit_code] {
+    command->callback([a, ev, steps, &exit_code] {
         a->has_ev100 = ev->count() > 0;
+        a->has_steps = steps->count() > 0;
         if (a->session.quiet) set_log_level(LogLevel::warning);
         const Result<bool> film = check_usage(*a);
         if (!film.ok()) {

@@ -31,6 +31,7 @@ struct RenderArguments {
     bool no_caption = false;
     float ev100 = 0;
     bool has_ev100 = false;
+    bool has_steps = false;
     int image_memory_mb = 1024;
     std::vector<float> eye_m;
     std::vector<float> target_m;

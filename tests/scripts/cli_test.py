@@ -106,6 +106,8 @@ class Usage(Case):
         self.fails(run(*demo, "--seconds", "3"), 2, "--live-input")
         self.fails(run(*demo, "--no-shadows"), 2, "--live")
         self.fails(run(*demo, "--supersample", "2"), 2, "--live")
+        self.fails(run(*demo, "--live", "--reference", "--supersample", "2"), 2, "--pixel-samples")
+        self.fails(run(*demo, "--steps", "20"), 2, "--beams march")
         self.fails(run(*demo, "--map-size", "128"), 2, "--live")
         self.fails(run(*demo, "--live", "--map-size", "100"), 2, "power of two")
         self.fails(run(*demo, "--live", "--size", "8192x8192", "--supersample", "3"), 1, "16384")
