@@ -45,6 +45,7 @@ MAX_LINES = 600
 LONG_FILE_REASON = f"over {MAX_LINES} lines"  # a longer file says why in its first ten lines, with these words
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+TYPE = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?:$| \{| : )")  # defined at the outside of a file, not declared
 
 
 def read_layers(cmake):
@@ -115,10 +116,25 @@ def check_layers(file, lines, folder, visible, layers):
             yield number, message
 
 
+def check_types(file, lines, folder, types):
+    """Breaches of one name for two types of a namespace, which no linker sees and which crash; as (line, message). types: of all files so far."""
+    hidden = False
+    for number, line in enumerate(lines, 1):
+        if line in ("namespace {", "} // namespace"):
+            hidden = line == "namespace {"
+        found = None if hidden else TYPE.match(line)
+        if not found:
+            continue
+        other = types.setdefault((folder, found[1]), f"{file}:{number}")
+        if other != f"{file}:{number}":
+            yield number, f"{found[1]}: another type of this name stands at {other}"
+
+
 def main():
     root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent)
     layers = read_layers((root / "CMakeLists.txt").read_text(encoding="utf-8"))
     files = breaches = 0
+    types = {}
     for path in sorted(path for top in ("src", "shaders", "tests", "tools") for path in (root / top).rglob("*")):
         if path.suffix not in (".h", ".cpp", ".comp", ".glsl", ".py", ".sh"):
             continue
@@ -129,7 +145,9 @@ def main():
         found = list(check_form(path, lines))
         if top == "src" and folder not in layers:
             found.append((1, f"{folder or top} is not a library of CMakeLists.txt"))
-        elif top == "src" or folder == "shared":
+        if top == "src":
+            found += check_types(file, lines, folder, types)
+        if (top == "src" and folder in layers) or folder == "shared":
             found += check_layers(file, lines, folder, layers.get(folder, {folder}), layers)
         for number, message in found:
             print(f"{file}:{number}: {message}")

@@ -31,11 +31,14 @@ BREACHES = [
     ("src/base/k.h", HEAD, "no #pragma once"),
     ("tests/base/l.cpp", "\n", "no licence line"),
     ("src/base/m.cpp", HEAD + "\n" * 600, "601 lines"),
+    ("src/scene/p.cpp", HEAD + "class Twin {\n};\nnamespace {\nstruct Twin {};\n} // namespace\nstruct Twin;\n", "p.cpp:2: Twin: another type of this name stands at src/scene/aa.h:3"),
     ("shaders/shared/n.h", HEAD + '#pragma once\n#include "scene/show.h"\n', "shared does not stand on scene"),
 ]
 with tempfile.TemporaryDirectory() as folder:
     tree = Path(folder)
     shutil.copy(root / "CMakeLists.txt", tree)
+    (tree / "src/scene").mkdir(parents=True)
+    (tree / "src/scene/aa.h").write_text(HEAD + "#pragma once\nstruct Twin {\n};\n", encoding="utf-8")
     for file, text, _ in BREACHES:
         (tree / file).parent.mkdir(parents=True, exist_ok=True)
         (tree / file).write_text(text, encoding="utf-8")
