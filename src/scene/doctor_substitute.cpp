@@ -5,9 +5,10 @@
 #include "scene/doctor_patch.h"
 #include "scene/plot_types.h"
 
+#include "base/suggest.h"
+
 #include <algorithm>
 #include <cctype>
-#include <numeric>
 #include <vector>
 
 namespace ghost::scene {
@@ -49,28 +50,13 @@ std::vector<Word> words_of(const std::string& name) {
     return words;
 }
 
-std::size_t edits(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t k = 0; k < b.size(); ++k) {
-            const std::size_t above = row[k + 1];
-            row[k + 1] = std::min({above + 1, row[k] + 1, diagonal + (a[i] == b[k] ? 0u : 1u)});
-            diagonal = above;
-        }
-    }
-    return row[b.size()];
-}
-
 // 2500 and 2000 are two fixtures, Spider and Spiider one.
 double alike(const std::string& a, const std::string& b) {
     if (a == b) return 1;
     if (std::isdigit(static_cast<unsigned char>(a[0])) || std::isdigit(static_cast<unsigned char>(b[0])))
         return 0;
     const double longer = static_cast<double>(std::max(a.size(), b.size()));
-    const double share = 1.0 - static_cast<double>(edits(a, b)) / longer;
+    const double share = 1.0 - static_cast<double>(edit_distance(a, b)) / longer;
     return share >= 0.7 ? share : 0;
 }
 

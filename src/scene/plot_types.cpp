@@ -8,31 +8,12 @@
 #include "scene/overrides.h"
 #include "scene/toml_reader.h"
 
+#include "base/suggest.h"
+
 #include <algorithm>
-#include <numeric>
 
 namespace ghost::scene {
-namespace {
-
 namespace fs = std::filesystem;
-
-// Letters to change, add or leave out (Levenshtein).
-std::size_t edits(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t k = 0; k < b.size(); ++k) {
-            const std::size_t above = row[k + 1];
-            row[k + 1] = std::min({above + 1, row[k] + 1, diagonal + (a[i] == b[k] ? 0u : 1u)});
-            diagonal = above;
-        }
-    }
-    return row[b.size()];
-}
-
-} // namespace
 
 Severity severity_of(fixture::Severity severity) {
     switch (severity) {
@@ -54,7 +35,7 @@ int nearest_mode(const fixture::Type& type, const std::string& name) {
     for (std::size_t k = 0; k < type.modes.size(); ++k) {
         if (type.modes[k].name == name) return static_cast<int>(k);
         const std::size_t distance =
-            edits(wanted, fixture::lower(fixture::trimmed(type.modes[k].name)).substr(0, kLooked));
+            edit_distance(wanted, fixture::lower(fixture::trimmed(type.modes[k].name)).substr(0, kLooked));
         if (nearest < 0 || distance < fewest) {
             nearest = static_cast<int>(k);
             fewest = distance;
