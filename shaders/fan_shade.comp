@@ -16,7 +16,22 @@ layout(binding = 2, rg32f) uniform image2DArray shade;
 layout(push_constant, scalar) uniform Push { FanPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
-void fill(uint map, Fan fan) {
+const int kSteps = 2; // towards the surface of a ray from beside the map
+
+// How far the light gets in a direction (unit). Where it stands beside its map: along the ray to where the map, seen from its own
+// place, has its surface; once more, as a plane needs it.
+float reach_of(uint map, vec3 off_map_m, vec3 direction, int size) {
+    float reach_m = map_texel(map, ivec2(octahedral_from(direction) * float(size)), size);
+    int steps = dot(off_map_m, off_map_m) > 0.0 ? kSteps : 0;
+    for (int k = 0; k < steps; ++k) {
+        vec3 from_map = direction * reach_m + off_map_m;
+        float there_m = map_texel(map, ivec2(octahedral_from(from_map) * float(size)), size);
+        reach_m *= there_m / max(length(from_map), 1e-3);
+    }
+    return map == 0u ? kNothing_m : min(reach_m, kNothing_m);
+}
+
+void fill(uint map, vec3 off_map_m, Fan fan) {
     int size = textureSize(distance_maps, 0).x;
     uint side = fan_shade_side(fan);
     uint row = gl_GlobalInvocationID.x;
@@ -31,9 +46,7 @@ void fill(uint map, Fan fan) {
     for (uint column = 0u; column < columns; column += 2u) {
         float least = 1.0, most = -1.0;
         for (uint k = 0u; k < 2u; ++k) {
-            vec2 place = octahedral_from(centre + turn * u) * float(size);
-            float reach_m = map_texel(map, ivec2(place), size);
-            reach_m = map == 0u ? kNothing_m : reach_m;
+            float reach_m = reach_of(map, off_map_m, (centre + turn * u) * inversesqrt(1.0 + u * u), size);
             float edge = fan_shade(fan, (chord.xy + u * vec2(-chord.y, chord.x)) * inversesqrt(1.0 + u * u), reach_m);
             imageStore(shade, ivec3(row, column + k, fan.layer), vec4(edge, edge, 0.0, 0.0));
             least = min(least, edge);
@@ -56,7 +69,7 @@ void fill(uint map, Fan fan) {
 
 void main() {
     if (kSingle)
-        fill(lights[p.first].map, fans[p.first]);
+        fill(lights[p.first].map, lights[p.first].off_map_m, fans[p.first]);
     else
-        fill(lights[p.first + gl_WorkGroupID.y].map, fans[p.first + gl_WorkGroupID.y]);
+        fill(lights[p.first + gl_WorkGroupID.y].map, lights[p.first + gl_WorkGroupID.y].off_map_m, fans[p.first + gl_WorkGroupID.y]);
 }

@@ -14,8 +14,10 @@ layout(binding = 2, rgba16f) writeonly uniform image2DArray sum;
 layout(push_constant, scalar) uniform Push { GlareUpPush p; };
 
 void put(ivec2 at, ivec2 size, vec4 above) {
-    if (all(lessThan(at, size)))
-        imageStore(sum, ivec3(at, 0), light_to_store(vec4((imageLoad(fine, ivec3(at, 0)) * p.fine_weight + above * (p.coarse_weight / 16.0)).rgb, 0.0)));
+    if (any(greaterThanEqual(at, size))) return;
+    vec3 light = light_of_frame(imageLoad(fine, ivec3(at, 0))) * p.fine_weight + above.rgb * (p.coarse_weight / 16.0);
+    float over = max(max(light.x, max(light.y, light.z)) / kMostLight, 1.0);
+    imageStore(sum, ivec3(at, 0), light_to_store(vec4(light / over, over - 1.0)));
 }
 
 void main() {

@@ -56,15 +56,15 @@ int stride_for(float penumbra_texels) {
     return penumbra_texels <= 3.0 ? 1 : (penumbra_texels <= 6.0 ? 2 : (penumbra_texels <= 12.0 ? 4 : 8));
 }
 
-float lit_share(Light light, Fragment f, vec3 from_light, float distance_m, bool wanted) {
+float lit_share(Light light, Fragment f, vec3 from_map, float distance_m, bool wanted) {
     int size = textureSize(distance_maps, 0).x;
     int cells = textureSize(nearest_maps, 0).x;
-    vec2 map_place = octahedral_from(from_light);
-    float per_rad = 1.0 / texel_rad(from_light / distance_m, size);
+    vec2 map_place = octahedral_from(from_map);
+    float per_rad = 1.0 / texel_rad(from_map / distance_m, size);
     float nearest_m =
         texelFetch(nearest_maps, ivec3(min(ivec2(map_place * float(cells)), cells - 1), int(max(light.map, 1u)) - 1), 0).x;
     float bias = kBias_m + kBias * distance_m;
-    float plane = dot(f.facet, from_light);
+    float plane = dot(f.facet, from_map);
     float facing = abs(plane) > 0.02 * distance_m ? 1.0 / plane : 0.0;
     int stride = stride_for(penumbra_rad(light, nearest_m, distance_m) * per_rad);
     vec2 inside = vec2(0.0);
@@ -126,7 +126,11 @@ vec3 shown(Light light, Fragment f, Haze haze) {
                     (haze_transmittance(haze, distance_m) * attenuation_factor(air.attenuation, distance_m) / distance2);
     vec3 value = light_cd * brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light);
     value = facing > 0.0 ? value : vec3(0.0);
-    if (kShadows) value *= lit_share(light, f, from_light, distance_m, max(max(value.r, value.g), value.b) > 0.0);
+    if (kShadows) {
+        // As seen from where the map was made: a cell of a bar is a bit beside it.
+        vec3 from_map = from_light + light.off_map_m;
+        value *= lit_share(light, f, from_map, max(length(from_map), 0.01), max(max(value.r, value.g), value.b) > 0.0);
+    }
     return value;
 }
 

@@ -14,10 +14,11 @@ from pathlib import Path
 
 # Libraries: what the include starts with, and the folders it may stand in.
 LIBRARIES = {
-    "vulkan/": {"gpu", "render", "ui"},
+    "vulkan/": {"gpu", "render"},
     "embree3/": {"bake"},
     "tbb/": {"bake"},
     "zip.h": {"fixture", "scene"},
+    "zstd.h": {"dmx"},
     "pugixml.hpp": {"fixture", "scene"},
     "assimp/": {"scene"},
     "toml++/": {"scene"},
@@ -30,12 +31,14 @@ LIBRARIES = {
     "CLI/": {"app"},
     "glm/": {"image", "fixture", "scene", "bake", "render", "ui", "app", "shared"},
 }
+QT = re.compile(r"Q[A-Z]")
 SOCKETS = ("arpa/", "ifaddrs.h", "net/", "netdb.h", "netinet/", "poll.h", "sys/epoll.h", "sys/socket.h")
 # Operating system and processor: the only files that a port to another system has to look at.
 PLATFORM_FILES = {
     "src/base/files.cpp": "fsync",
     "src/base/progress.cpp": "is standard error a terminal",
     "src/dmx/socket_linux.cpp": "sockets",
+    "src/dmx/serial_linux.cpp": "serial ports",
     "src/bake/tracer.cpp": "SSE mode of Embree",
     "src/app/bench_offline.cpp": "memory and start of another process",
 }
@@ -84,6 +87,8 @@ def check_angled(folder, file, include):
     for start, folders in LIBRARIES.items():
         if include.startswith(start):
             return None if folder in folders else f"<{include}>: only {', '.join(sorted(folders))} may"
+    if QT.match(include):
+        return None if folder == "ui" else f"<{include}>: Qt belongs to ui"
     if include.startswith(SOCKETS) and folder != "dmx":
         return f"<{include}>: sockets belong to dmx"
     if "." not in include and "/" not in include:

@@ -20,8 +20,8 @@ struct Lens {
     vec3 stray;          // cd/m^2 that a dirty lens sends everywhere
     float nearest_m;     // what is nearer to the eye hides the lens
 };
-SHARED_SIZE(Lens, 256);
-SHARED_CONST uint kLensesPerChunk = 256u; // 64 KiB
+SHARED_SIZE(Lens, 268);
+SHARED_CONST uint kLensesPerChunk = 240u; // within 64 KiB
 
 // A workgroup draws a block of pixels.
 SHARED_CONST uint kLensBlockWidth = 8u;
@@ -60,6 +60,10 @@ SHARED_SIZE(GlareTailPush, 8);
 
 // The CIE's general disability glare function holds up to here; our glare ends here, gently.
 SHARED_CONST float kGlareReach_deg = 30.0f;
+
+// Nearer than this the camera's picture is sharp, whatever its pixels: an angle of the lens, so that a finer picture has the
+// same halo.
+SHARED_CONST float kGlareInner_deg = 0.1f;
 
 // Shape of the far glare: 10 / a^3 + 5 / a^2, this many texels from its source; blunt within 0.6 texels, where the step from the
 // level before is least seen.

@@ -66,9 +66,10 @@ struct Light {
     uint haze_samples;     // samples of the cone integrator; 0: surfaces only
     vec3 bounce_cd;        // of a point source that sends out as many lumens: scales the bounced light
     uint map;              // its distance map: layer + 1; 0: nothing is in the way
+    vec3 off_map_m;        // from where that map was made to position_m
     float disc_radius_m;   // of the luminous disc at the lens: how soft shadows are, how large the lens looks
 };
-SHARED_SIZE(Light, 184);
+SHARED_SIZE(Light, 196);
 
 // Homogeneous haze: extinction, scattering and the two-term Henyey-Greenstein phase function.
 struct Haze {

@@ -49,6 +49,8 @@ Result<void> bench_triangles(const BenchOptions& options, const BenchSink& sink)
 Result<void> bench_bake(const BenchOptions& options, const BenchSink& sink);
 // Five moments of the show: relit passes of its first camera against the same beams traced directly.
 Result<void> bench_quality(const BenchOptions& options, const BenchSink& sink);
+// The receiver on the loopback interface under the load of 256 to 1024 universes.
+Result<void> bench_network(const BenchOptions& options, const BenchSink& sink);
 // From nothing to the first picture, and the memory it takes.
 Result<void> bench_start(const BenchOptions& options, const BenchSink& sink);
 

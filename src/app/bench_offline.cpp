@@ -4,7 +4,7 @@
 
 #include "bake/bake_show.h"
 #include "bake/trace_lit.h"
-#include "dmx/recording.h"
+#include "dmx/player.h"
 #include "image/colour.h"
 #include "image/metrics.h"
 #include "scene/passes_file.h"

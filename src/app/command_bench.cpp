@@ -31,6 +31,7 @@ constexpr Table kTables[] = {
     {"triangles", "Triangles do not matter", bench_triangles},
     {"bake", "Baking", bench_bake},
     {"quality", "Relit on the device against traced directly", bench_quality},
+    {"network", "sACN on the loopback interface, each refresh in one burst", bench_network},
     {"start", "Start-up", bench_start},
 };
 

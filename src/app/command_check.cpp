@@ -34,8 +34,7 @@ double steady_now_s() {
 }
 
 std::vector<Checked> check(const std::vector<std::string>& files, const Options& options) {
-    const bool silent = options.quiet || files.size() < 2;
-    Progress progress("checking", silent ? Progress::Style::silent : Progress::style_for_stderr(),
+    Progress progress("checking", options.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
                       steady_now_s());
     DoctorOptions doctor;
     doctor.threads = options.threads;

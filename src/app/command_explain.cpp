@@ -5,15 +5,16 @@
 #include "app/input_options.h"
 #include "app/interrupt.h"
 #include "app/number_option.h"
+#include "app/recordings.h"
 #include "app/session.h"
 #include "bake/tracer.h"
-#include "dmx/recording.h"
 #include "scene/explain_print.h"
 
 #include "base/log.h"
 #include "base/suggest.h"
 
 #include <algorithm>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -52,31 +53,67 @@ double seconds_of(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
 }
 
-Result<std::size_t> find_fixture(const scene::Show& show, const std::string& wanted) {
+// " (fixtures: 'a', 'b', ...)".
+std::string listed(const std::string& kind, const std::vector<std::string>& names) {
     constexpr std::size_t kListed = 20;
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
-        if (show.fixtures[i].name == wanted) return i;
-        names.push_back(show.fixtures[i].name);
-    }
-    std::string what = "has no fixture '" + wanted + "'" + did_you_mean(wanted, names) + " (fixtures:";
-    for (std::size_t i = 0; i < names.size() && i < kListed; ++i) what += (i ? ", '" : " '") + names[i] + "'";
-    return Error{what + (names.size() > kListed ? ", ...)" : ")"), show.file.string()};
+    std::string text = " (" + kind + ":";
+    for (std::size_t i = 0; i < names.size() && i < kListed; ++i) text += (i ? ", '" : " '") + names[i] + "'";
+    return text + (names.size() > kListed ? ", ...)" : ")");
 }
 
-Result<Moment> run_recording(const fs::path& file, double at_s, scene::Rig& rig) {
-    TRY(dmx::Recording recording, dmx::read_recording(file));
-    for (const Error& problem : recording.problems) log_warning(problem.text());
+struct Wanted {
+    std::size_t fixture = 0;
+    int beam = -1; // all of them
+};
+
+// "Bar 3/Pixel 7": a beam by its name in the file, or "Bar 3/7" by its number, from 1.
+Result<int> find_beam(const scene::PatchedFixture& fixture, const std::string& cell,
+                      const std::string& file) {
+    std::vector<std::string> names;
+    if (fixture.type) {
+        const fixture::Mode& mode = fixture.type->modes[static_cast<std::size_t>(fixture.mode)];
+        for (const int node : mode.beams) names.push_back(mode.nodes[static_cast<std::size_t>(node)].name);
+    }
+    const auto found = std::find(names.begin(), names.end(), cell);
+    if (found != names.end()) return static_cast<int>(found - names.begin());
+    int number = 0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+    if (error == std::errc{} && end == cell.data() + cell.size() && number >= 1 &&
+        number <= static_cast<int>(names.size()))
+        return number - 1;
+    if (names.empty()) return Error{"'" + fixture.name + "' has no cells: no beam is known of it", file};
+    return Error{"'" + fixture.name + "' has no cell '" + cell + "'" + did_you_mean(cell, names) + ", nor " +
+                     "is that a number of 1 to " + std::to_string(names.size()) + listed("cells", names),
+                 file};
+}
+
+Result<Wanted> find_fixture(const scene::Show& show, const std::string& wanted) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
+        if (show.fixtures[i].name == wanted) return Wanted{i};
+        names.push_back(show.fixtures[i].name);
+    }
+    // A name may hold a slash itself.
+    for (std::size_t slash = wanted.rfind('/'); slash != std::string::npos && slash > 0;
+         slash = wanted.rfind('/', slash - 1)) {
+        const auto fixture = std::find(names.begin(), names.end(), wanted.substr(0, slash));
+        if (fixture == names.end()) continue;
+        const auto index = static_cast<std::size_t>(fixture - names.begin());
+        TRY(const int beam, find_beam(show.fixtures[index], wanted.substr(slash + 1), show.file.string()));
+        return Wanted{index, beam};
+    }
+    return Error{"has no fixture '" + wanted + "'" + did_you_mean(wanted, names) + listed("fixtures", names),
+                 show.file.string()};
+}
+
+Result<Moment> run_recording(const fs::path& file, const Options& options, scene::Rig& rig) {
+    const double at_s = options.at_s;
+    TRY(dmx::Recording recording, open_recording(file, capture_options(options.input), options.quiet));
     Moment moment;
     moment.reception.kind = Reception::Kind::recording;
     moment.reception.recording = file.string();
-    for (const dmx::RecordedFrame& frame : recording.frames) {
-        auto& first = moment.reception.first_frames_s;
-        const auto same = [&](const auto& entry) { return entry.first == frame.universe; };
-        if (std::none_of(first.begin(), first.end(), same))
-            first.emplace_back(frame.universe, seconds_of(frame.time));
-    }
-    std::sort(moment.reception.first_frames_s.begin(), moment.reception.first_frames_s.end());
+    for (const auto& [universe, time] : recording.first_frames())
+        moment.reception.first_frames_s.emplace_back(universe, seconds_of(time));
     const dmx::Player player(std::move(recording));
     char text[96];
     std::snprintf(text, sizeof text, "there is no second %g: the recording ends at %.2f s", at_s,
@@ -89,6 +126,7 @@ Result<Moment> run_recording(const fs::path& file, double at_s, scene::Rig& rig)
         moment.universes = player.at(static_cast<double>(frame) / kSteps_hz);
         rig.step(moment.universes, 1.0 / kSteps_hz);
     }
+    log_damage(player);
     moment.now_s = static_cast<double>(last) / kSteps_hz;
     moment.reception.at_s = moment.now_s;
     moment.reception.end_s = player.duration_s();
@@ -100,6 +138,7 @@ Result<Moment> listen(const Options& options, scene::Rig& rig) {
     receiver_wants.slot_status = true;
     TRY(const auto receiver, dmx::Receiver::start(receiver_wants));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
+    wait_for_sources(*receiver);
     char text[64];
     std::snprintf(text, sizeof text, "listening for %g s", options.for_s);
     log_info(text);
@@ -131,10 +170,10 @@ Result<Moment> listen(const Options& options, scene::Rig& rig) {
 
 Result<Moment> run_input(const Options& options, const scene::Show& show, scene::Rig& rig) {
     if (options.live_input) return listen(options, rig);
-    if (!options.replay.empty()) return run_recording(options.replay, options.at_s, rig);
+    if (!options.replay.empty()) return run_recording(options.replay, options, rig);
     std::error_code code;
     if (!show.recording.empty() && fs::exists(show.recording, code))
-        return run_recording(show.recording, options.at_s, rig);
+        return run_recording(show.recording, options, rig);
     Moment moment;
     if (!show.recording.empty())
         moment.reception.recording = "its recording " + show.recording.string() + " is missing";
@@ -148,11 +187,11 @@ Result<void> run(const Options& options) {
     catch_interrupts();
     scene::Report report;
     TRY(scene::Show show, open_show(options.show, false, options.quiet, report));
-    std::vector<std::size_t> wanted;
+    std::vector<Wanted> wanted;
     if (options.all) {
-        for (std::size_t i = 0; i < show.fixtures.size(); ++i) wanted.push_back(i);
+        for (std::size_t i = 0; i < show.fixtures.size(); ++i) wanted.push_back({i});
     } else {
-        TRY(const std::size_t found, find_fixture(show, options.fixture));
+        TRY(const Wanted found, find_fixture(show, options.fixture));
         wanted.push_back(found);
     }
     scene::Rig rig(show);
@@ -182,9 +221,9 @@ Result<void> run(const Options& options) {
     };
     const scene::Explainer explainer(input);
     std::vector<scene::Explanation> explanations;
-    for (const std::size_t fixture : wanted) {
+    for (const auto& [fixture, beam] : wanted) {
         if (interrupted()) return Error{"interrupted", ""};
-        explanations.push_back(explainer.explain(fixture));
+        explanations.push_back(explainer.explain(fixture, beam));
     }
     std::string text;
     if (options.json) {
@@ -218,7 +257,8 @@ void add_explain(CLI::App& app, int& exit_code) {
     command->footer("Example: ghostlight explain assets/demo \"Spot 3\" --at 36\n"
                     "         ghostlight explain assets/demo --all --live-input --for 5");
     command->add_option("SHOW", options->show, "folder with show.toml, or an .mvr")->required();
-    command->add_option("FIXTURE", options->fixture, "its name in the show");
+    command->add_option("FIXTURE", options->fixture,
+                        "its name in the show, or of one cell: \"Bar 3/Pixel 7\", \"Bar 3/7\"");
     command->add_flag("--all", options->all, "one line for every fixture, and a summary");
     CLI::Option* replay =
         command->add_option("--replay", options->replay, "DMX recording (default: the show's own)")

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <thread>
@@ -29,11 +30,6 @@ struct MonitorOptions {
     bool quiet = false;
 };
 
-std::string address_text(std::uint32_t ipv4) {
-    return std::to_string(ipv4 >> 24) + "." + std::to_string((ipv4 >> 16) & 255) + "." +
-           std::to_string((ipv4 >> 8) & 255) + "." + std::to_string(ipv4 & 255);
-}
-
 // A name that somebody on the network chose, fit for a terminal.
 std::string printable(const std::string& text) {
     std::string result;
@@ -50,11 +46,83 @@ double age_s(const dmx::Universe& universe) {
     return seconds_of(std::chrono::steady_clock::now().time_since_epoch() - universe.arrival);
 }
 
+// What is on the network beside the levels we show.
+Json network_json(const dmx::Statistics& statistics) {
+    Json network{{"sampling", statistics.sampling}};
+    for (const char* list : {"sync", "discovered", "unlisted", "sockets", "links", "triggers"})
+        network[list] = Json::array();
+    for (const dmx::SyncStatus& sync : statistics.sync)
+        network["sync"].push_back({{"id", dmx::source_id(sync.source)},
+                                   {"universe", sync.universe},
+                                   {"packets", sync.packets},
+                                   {"late", sync.late},
+                                   {"age_s", seconds_of(sync.age)}});
+    for (const dmx::DiscoveredSource& source : statistics.discovered)
+        network["discovered"].push_back({{"id", source.id},
+                                         {"name", source.name},
+                                         {"from", dmx::address_text(source.from)},
+                                         {"universes", *source.universes},
+                                         {"age_s", seconds_of(source.age)}});
+    for (const dmx::UnlistedUniverse& universe : statistics.unlisted_universes)
+        network["unlisted"].push_back({{"universe", universe.universe},
+                                       {"protocol", dmx::protocol_name(universe.protocol)},
+                                       {"from", dmx::address_text(universe.from)},
+                                       {"packets", universe.packets},
+                                       {"age_s", seconds_of(universe.age)}});
+    for (const dmx::SocketStatus& socket : statistics.sockets)
+        network["sockets"].push_back({{"name", socket.name},
+                                      {"ipv6", socket.ipv6},
+                                      {"groups", socket.groups},
+                                      {"receive_buffer_bytes", socket.receive_buffer_bytes},
+                                      {"packets", socket.packets},
+                                      {"kernel_overflow", socket.overflow}});
+    for (const dmx::LinkChange& change : statistics.link_changes)
+        network["links"].push_back({{"number", change.number}, {"text", change.text}});
+    for (const dmx::TriggerStatus& trigger : statistics.triggers)
+        network["triggers"].push_back({{"number", trigger.number},
+                                       {"text", dmx::trigger_text(trigger.trigger)},
+                                       {"from", dmx::address_text(trigger.from)}});
+    if (statistics.timecode)
+        network["timecode"] = {{"time", dmx::timecode_text(statistics.timecode->time)},
+                               {"from", dmx::address_text(statistics.timecode->from)},
+                               {"packets", statistics.timecode->packets},
+                               {"age_s", seconds_of(statistics.time - statistics.timecode->arrival)}};
+    network["wire_to_store_ms"] = {{"p50", statistics.latency.percentile_ms(0.5)},
+                                   {"p99", statistics.latency.percentile_ms(0.99)}};
+    return network;
+}
+
+const char* state_text(const dmx::UsbPortStatus& port) {
+    return port.answered ? "ok" : port.open ? "no answer" : "not open";
+}
+
+Json usb_json(const dmx::Statistics& statistics) {
+    Json ports = Json::array();
+    for (const dmx::UsbPortStatus& port : statistics.usb)
+        ports.push_back({{"port", port.path},
+                         {"universe", port.universe},
+                         {"state", state_text(port)},
+                         {"problem", port.problem},
+                         {"serial", port.serial},
+                         {"firmware", port.firmware},
+                         {"openings", port.openings},
+                         {"frames", port.counters.frames},
+                         {"overruns", port.counters.overruns},
+                         {"not_levels", port.counters.not_levels},
+                         {"malformed", port.counters.malformed},
+                         {"other_labels", port.counters.other_labels},
+                         {"skipped_bytes", port.counters.skipped_bytes}});
+    return ports;
+}
+
 Json report_json(const dmx::Universes& universes, const dmx::Statistics& statistics, bool levels) {
     Json report;
     report["universes"] = Json::array();
     for (const dmx::Universe& universe : universes.list) {
-        Json entry{{"universe", universe.number}, {"lost", universe.lost}, {"age_s", age_s(universe)}};
+        Json entry{{"universe", universe.number},
+                   {"lost", universe.lost},
+                   {"black", universe.black},
+                   {"age_s", age_s(universe)}};
         if (levels) entry["levels"] = *universe.levels;
         report["universes"].push_back(std::move(entry));
     }
@@ -64,7 +132,12 @@ Json report_json(const dmx::Universes& universes, const dmx::Statistics& statist
                                      {"protocol", dmx::protocol_name(source.protocol)},
                                      {"id", source.id},
                                      {"name", source.name},
-                                     {"from", address_text(source.from_ipv4)},
+                                     {"from", dmx::place_text(source)},
+                                     {"state", dmx::source_state_name(source.state)},
+                                     {"preview", source.preview},
+                                     {"wrong_group", source.wrong_group},
+                                     {"sync_universe", source.sync_universe},
+                                     {"held", source.held},
                                      {"priority", source.priority},
                                      {"per_address_priority", source.per_address_priority},
                                      {"slots", source.slot_count},
@@ -72,16 +145,23 @@ Json report_json(const dmx::Universes& universes, const dmx::Statistics& statist
                                      {"rate_hz", source.rate_hz},
                                      {"missed", source.missed},
                                      {"out_of_sequence", source.out_of_sequence},
+                                     {"other_way", source.other_way},
                                      {"age_s", seconds_of(source.age)}});
     Json counters{{"packets_sacn", statistics.packets_sacn},
                   {"packets_artnet", statistics.packets_artnet},
                   {"unlisted", statistics.unlisted},
                   {"kernel_overflow", statistics.overflow},
+                  {"wrong_group", statistics.wrong_group},
+                  {"pauses", statistics.pauses},
+                  {"polls_refused", statistics.polls_refused},
                   {"poll_replies_sent", statistics.poll_replies_sent},
                   {"announcements_sent", statistics.announcements_sent},
                   {"preview", statistics.merge.preview},
                   {"missed", statistics.merge.missed},
                   {"out_of_sequence", statistics.merge.out_of_sequence},
+                  {"other_way", statistics.merge.other_way},
+                  {"held", statistics.merge.held},
+                  {"sources_replaced", statistics.merge.sources_replaced},
                   {"too_many_sources", statistics.merge.too_many_sources},
                   {"too_many_universes", statistics.merge.too_many_universes},
                   {"sources_lost", statistics.merge.sources_lost},
@@ -91,27 +171,54 @@ Json report_json(const dmx::Universes& universes, const dmx::Statistics& statist
     for (std::size_t i = 0; i < statistics.drops.size(); ++i)
         counters["drops"][dmx::drop_name(static_cast<dmx::Drop>(i))] = statistics.drops[i];
     report["counters"] = std::move(counters);
+    report["network"] = network_json(statistics);
+    report["usb"] = usb_json(statistics);
     return report;
 }
 
-void print_table(const dmx::Universes& universes, const dmx::Statistics& statistics) {
+void print_usb_port(const dmx::UsbPortStatus& port) {
+    const std::string place = printable(port.path) + ", universe " + std::to_string(port.universe);
+    if (!port.open)
+        std::printf("%s: %s\n", place.c_str(), port.problem.c_str());
+    else if (!port.answered)
+        std::printf("%s: nobody answers; is it a DMX USB Pro? (An Open DMX USB cannot receive)\n",
+                    place.c_str());
+    else
+        std::printf(
+            "%s: DMX USB Pro %s, firmware %s; frames %llu, overruns %llu, not levels %llu, not understood "
+            "%llu and %llu bytes\n",
+            place.c_str(), port.serial.c_str(), port.firmware.c_str(),
+            static_cast<unsigned long long>(port.counters.frames),
+            static_cast<unsigned long long>(port.counters.overruns),
+            static_cast<unsigned long long>(port.counters.not_levels),
+            static_cast<unsigned long long>(port.counters.malformed + port.counters.other_labels),
+            static_cast<unsigned long long>(port.counters.skipped_bytes));
+}
+
+void print_table(const dmx::Universes& universes, const dmx::Statistics& statistics, bool network) {
     std::printf("%-8s %-7s %-15s %4s %5s %7s %7s %6s  %s\n", "universe", "from", "address", "prio", "slots",
                 "rate/s", "missed", "age s", "source");
     for (const dmx::SourceStatus& source : statistics.sources)
         std::printf("%-8d %-7s %-15s %4d %5d %7.1f %7llu %6.1f  %s%s\n", source.universe,
-                    dmx::protocol_name(source.protocol), address_text(source.from_ipv4).c_str(),
+                    dmx::protocol_name(source.protocol), printable(dmx::place_text(source)).c_str(),
                     source.priority, source.slot_count, source.rate_hz,
                     static_cast<unsigned long long>(source.missed), seconds_of(source.age),
-                    source.protocol == dmx::Protocol::sacn ? printable(source.name).c_str()
-                                                           : source.id.c_str(),
+                    source.protocol == dmx::Protocol::artnet ? source.id.c_str()
+                                                             : printable(source.name).c_str(),
                     source.per_address_priority ? " (priority per address)" : "");
     for (const dmx::Universe& universe : universes.list)
         if (universe.lost)
-            std::printf("%-8d LOST, last look held for %.1f s\n", universe.number, age_s(universe));
-    if (statistics.packets_sacn + statistics.packets_artnet == 0)
+            std::printf("%-8d LOST %.1f s ago, %s\n", universe.number, age_s(universe),
+                        universe.black ? "black" : "last look held");
+    for (const dmx::UsbPortStatus& port : statistics.usb) print_usb_port(port);
+    if (network && statistics.packets_sacn + statistics.packets_artnet == 0)
         std::printf("nothing arrives. A desk on this machine must send unicast to 127.0.0.1; another one "
                     "needs the same "
                     "network, no firewall on UDP 5568 and 6454, and --interface where there are several\n");
+    if (statistics.sampling) std::printf("finding out who sends; levels show after 1.5 s\n");
+    if (statistics.timecode)
+        std::printf("time code %s from %s\n", dmx::timecode_text(statistics.timecode->time).c_str(),
+                    dmx::address_text(statistics.timecode->from).c_str());
     std::uint64_t dropped = 0;
     for (const std::uint64_t count : statistics.drops) dropped += count;
     std::printf(
@@ -124,6 +231,18 @@ void print_table(const dmx::Universes& universes, const dmx::Statistics& statist
         static_cast<unsigned long long>(statistics.merge.out_of_sequence),
         static_cast<unsigned long long>(statistics.overflow),
         static_cast<unsigned long long>(statistics.poll_replies_sent));
+}
+
+// Triggers and changes of the links since the last report.
+void log_events(const dmx::Statistics& statistics, std::uint64_t& triggers, std::uint64_t& links) {
+    for (const dmx::TriggerStatus& trigger : statistics.triggers)
+        if (trigger.number > triggers)
+            log_info("ArtTrigger " + dmx::trigger_text(trigger.trigger) + " from " +
+                     dmx::address_text(trigger.from));
+    for (const dmx::LinkChange& change : statistics.link_changes)
+        if (change.number > links) log_info(change.text);
+    if (!statistics.triggers.empty()) triggers = statistics.triggers.back().number;
+    if (!statistics.link_changes.empty()) links = statistics.link_changes.back().number;
 }
 
 int monitor(const MonitorOptions& options) {
@@ -143,11 +262,14 @@ int monitor(const MonitorOptions& options) {
 
     dmx::Universes universes;
     dmx::Statistics statistics;
+    std::uint64_t triggers = 0, links = 0; // said so far
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     auto next = start;
     for (bool running = true; running;) {
-        next += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.every_s));
+        // A program that was stopped owes no reports.
+        next = std::max(next, Clock::now()) +
+               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options.every_s));
         while (Clock::now() < next && running) {
             std::this_thread::sleep_for(20ms);
             const double run_s = std::chrono::duration<double>(Clock::now() - start).count();
@@ -155,12 +277,13 @@ int monitor(const MonitorOptions& options) {
         }
         if (auto newest = (*receiver)->take()) universes = std::move(*newest);
         if (auto newest = (*receiver)->take_statistics()) statistics = std::move(*newest);
+        log_events(statistics, triggers, links);
         if (options.json)
             std::printf("%s\n", report_json(universes, statistics, options.levels)
                                     .dump(-1, ' ', false, Json::error_handler_t::replace)
                                     .c_str());
         else
-            print_table(universes, statistics);
+            print_table(universes, statistics, options.input.protocols != "none");
         std::fflush(stdout);
     }
     return 0;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// ghostlight play: sends a recording as a desk would, sACN or Art-Net.
+// ghostlight play: sends a recording as a desk would, sACN or Art-Net, or writes it, or a part of it, into a
+// file of any format that is written.
 #include "app/commands.h"
-#include "app/input_options.h"
 #include "app/interrupt.h"
 #include "app/number_option.h"
+#include "app/recordings.h"
 #include "base/log.h"
-#include "dmx/recording.h"
+#include "base/progress.h"
 #include "dmx/sender.h"
 
 #include <nlohmann/json.hpp>
@@ -13,19 +14,27 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <thread>
 
 namespace ghost::app {
 
 namespace {
 
+using nlohmann::ordered_json;
+
+constexpr double kSlowest = 0.001, kFastest = 1000.0;
+
 struct PlayOptions {
     std::string file;
+    std::string output;
     std::string protocol = "sacn";
     dmx::SenderOptions send;
+    dmx::CaptureOptions capture;
     double rate_hz = 44.0;
     double from_s = 0.0;
-    double to_s = 0.0;
+    double until_s = 0.0;
+    double speed = 1.0;
     bool loop = false;
     bool json = false;
     bool quiet = false;
@@ -36,78 +45,145 @@ int failed(const Error& error) {
     return 1;
 }
 
-int play(PlayOptions options) {
-    if (options.quiet) set_log_level(LogLevel::error);
-    auto recording = dmx::read_recording(options.file);
+void print(const ordered_json& report) {
+    std::printf("%s\n", report.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+}
+
+std::chrono::microseconds microseconds_of(double time_s) {
+    const double longest_s = std::chrono::duration<double>(dmx::kLongestRecording).count();
+    return std::chrono::microseconds(std::llround(std::min(time_s, longest_s) * 1e6));
+}
+
+// "1:02:03 long, recorded 2026-11-22 21:14:05 UTC"
+std::string about(const dmx::Recording& recording) {
+    std::string text = clock_text(std::chrono::duration<double>(recording.duration()).count()) + " long";
+    const std::time_t begun = std::chrono::floor<std::chrono::seconds>(recording.unix_time()).count();
+    char date[64];
+    const std::tm* const utc = begun > 0 ? std::gmtime(&begun) : nullptr;
+    if (utc && std::strftime(date, sizeof date, ", recorded %Y-%m-%d %H:%M:%S UTC", utc) > 0) text += date;
+    return text;
+}
+
+int write(const PlayOptions& options) {
+    dmx::PartOptions part;
+    part.from = microseconds_of(options.from_s);
+    if (options.until_s > 0.0) part.until = microseconds_of(options.until_s);
+    part.speed = options.speed;
+    const auto written = write_part(options.file, options.capture, part, options.output, options.quiet);
+    if (!written.ok()) return failed(written.error());
+    if (options.json)
+        print({{"file", options.output},
+               {"seconds", written->seconds},
+               {"frames", written->frames},
+               {"bytes", written->bytes}});
+    char text[96];
+    std::snprintf(text, sizeof text, ": %.3f s, %zu frames, %.1f kB", written->seconds, written->frames,
+                  static_cast<double>(written->bytes) / 1000.0);
+    log_info(options.output + text);
+    return 0;
+}
+
+int send(PlayOptions options) {
+    auto recording = open_recording(options.file, options.capture, options.quiet);
     if (!recording.ok()) return failed(recording.error());
-    for (const Error& problem : recording->problems) log_warning(problem.text());
+    const std::string what = about(*recording);
     const dmx::Player player(std::move(*recording));
     const double end_s =
-        options.to_s > 0.0 ? std::min(options.to_s, player.duration_s()) : player.duration_s();
+        options.until_s > 0.0 ? std::min(options.until_s, player.duration_s()) : player.duration_s();
     if (options.from_s > end_s)
         return failed({"--from " + std::to_string(options.from_s) + " lies behind the end at " +
                            std::to_string(end_s) + " s",
                        options.file});
     options.send.protocol = options.protocol == "sacn" ? dmx::Protocol::sacn : dmx::Protocol::artnet;
+    options.send.port = options.protocol == "sacn" ? options.capture.sacn_port : options.capture.artnet_port;
     auto sender = dmx::Sender::open(options.send);
     if (!sender.ok()) return failed(sender.error());
     catch_interrupts();
+    log_info(options.file + ": " + what);
 
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    const double length_s = end_s - options.from_s;
+    const double length_s = end_s - options.from_s; // of the recording; playing it takes that by the speed
+    const double step_s = options.speed / options.rate_hz;
+    const bool bar = !options.quiet && !options.loop && Progress::style_for_stderr() == Progress::Style::bar;
+    Progress progress("playing", bar ? Progress::Style::bar : Progress::Style::silent, 0.0);
     for (std::uint64_t tick = 0; !interrupted(); ++tick) {
-        const double played_s = static_cast<double>(tick) / options.rate_hz;
+        const double passed_s = static_cast<double>(tick) / options.rate_hz;
+        const double played_s = passed_s * options.speed;
         if (!options.loop && played_s > length_s) break;
         std::this_thread::sleep_until(
-            start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(played_s)));
+            start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(passed_s)));
         const double t_s = options.from_s + (length_s > 0.0 ? std::fmod(played_s, length_s) : 0.0);
-        const bool last = !options.loop && played_s + 1.0 / options.rate_hz > length_s;
+        const bool last = !options.loop && played_s + step_s > length_s;
         const auto sent = sender->send(player.at(last ? end_s : t_s));
         if (!sent.ok()) return failed(sent.error());
+        log_damage(player);
+        progress.update(length_s > 0.0 ? played_s / length_s : 1.0, passed_s, clock_text(t_s));
     }
+    progress.finish();
     const auto ended = sender->terminate();
     if (!ended.ok()) return failed(ended.error());
-    if (options.json) {
-        const nlohmann::ordered_json report{
-            {"file", options.file}, {"seconds", length_s}, {"packets", sender->packets()}};
-        std::printf("%s\n", report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-    }
+    if (options.json) print({{"file", options.file}, {"seconds", length_s}, {"packets", sender->packets()}});
     log_info(options.file + ": " + std::to_string(sender->packets()) + " packets sent");
     return 0;
+}
+
+int play(const PlayOptions& options) {
+    if (options.quiet) set_log_level(LogLevel::warning);
+    if (options.until_s > 0.0 && options.until_s < options.from_s) {
+        log_error("--until must be later than --from");
+        return 2;
+    }
+    return options.output.empty() ? send(options) : write(options);
 }
 
 } // namespace
 
 void add_play(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<PlayOptions>();
-    CLI::App* command = app.add_subcommand("play", "send a recording (OLA show file) as sACN or Art-Net");
-    command->footer("Example: ghostlight play assets/demo/demo.show --to 127.0.0.1 --loop");
+    CLI::App* command = app.add_subcommand(
+        "play",
+        "send a recording (.ghostdmx, OLA show file, pcap, pcapng) as sACN or Art-Net, or convert it");
+    command->footer("Example: ghostlight play assets/demo/demo.show --to 127.0.0.1 --loop\n"
+                    "         ghostlight play night.pcapng --from 3600 --until 3720 -o finale.ghostdmx");
     command->add_option("file", options->file, "recording to play")->required();
-    command->add_option("--protocol", options->protocol, "sacn or artnet")
-        ->check(CLI::IsMember({"sacn", "artnet"}))
-        ->capture_default_str();
-    command->add_option("--to", options->send.destination,
-                        "IPv4 address to send to; default: sACN multicast, Art-Net broadcast");
-    command->add_option("--interface", options->send.interface,
-                        "network interface for multicast and broadcast");
-    command->add_option("--priority", options->send.priority, "sACN priority")
-        ->check(CLI::Range(0, 200))
-        ->capture_default_str();
-    command->add_option("--artnet-offset", options->send.artnet_offset, "Port-Address = universe - this")
-        ->check(CLI::Range(kLowestArtnetOffset, kHighestArtnetOffset))
-        ->capture_default_str();
-    command->add_option("--rate", options->rate_hz, "refreshes per second of every universe")
-        ->check(number_in(1.0, 200.0))
-        ->capture_default_str();
+    CLI::Option* const output = command->add_option(
+        "-o,--output", options->output,
+        "write it here instead of sending it, as fast as it goes: .ghostdmx, or .show for an OLA show file");
+    const auto sending = [&](CLI::Option* option) { return option->excludes(output); };
+    sending(command->add_option("--protocol", options->protocol, "sacn or artnet")
+                ->check(CLI::IsMember({"sacn", "artnet"}))
+                ->capture_default_str());
+    sending(command->add_option("--to", options->send.destination,
+                                "address to send to, IPv4 or (sACN) IPv6; default: sACN multicast, Art-Net broadcast"));
+    sending(command->add_option("--interface", options->send.interface,
+                                "network interface for multicast and broadcast"));
+    sending(command->add_option("--priority", options->send.priority, "sACN priority")
+                ->check(CLI::Range(0, 200))
+                ->capture_default_str());
+    sending(command->add_option("--rate", options->rate_hz, "refreshes per second of every universe")
+                ->check(number_in(1.0, 200.0))
+                ->capture_default_str());
+    sending(command->add_flag("--loop", options->loop, "again and again until Ctrl-C"));
     command->add_option("--from", options->from_s, "start at this time, seconds")
         ->check(number_in(0.0, kLongest_s));
-    command->add_option("--until", options->to_s, "end at this time, seconds; 0: at its end")
+    command->add_option("--until", options->until_s, "end at this time, seconds; 0: at its end")
         ->check(number_in(0.0, kLongest_s));
-    command->add_flag("--loop", options->loop, "again and again until Ctrl-C");
+    command->add_option("--speed", options->speed, "2: twice as fast, 0.5: half as fast")
+        ->check(number_in(kSlowest, kFastest))
+        ->capture_default_str();
+    command
+        ->add_option("--artnet-offset", options->send.artnet_offset,
+                     "Port-Address = universe - this, in what is sent and in captures")
+        ->check(CLI::Range(kLowestArtnetOffset, kHighestArtnetOffset))
+        ->capture_default_str();
+    add_port_options(*command, options->capture.sacn_port, options->capture.artnet_port);
     command->add_flag("--json", options->json, "print a summary as one JSON object");
-    command->add_flag("--quiet", options->quiet, "errors only");
-    command->callback([options, &exit_code] { exit_code = play(*options); });
+    command->add_flag("--quiet", options->quiet, "warnings and errors only");
+    command->callback([options, &exit_code] {
+        options->capture.artnet_offset = options->send.artnet_offset;
+        exit_code = play(*options);
+    });
 }
 
 } // namespace ghost::app

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// ghostlight record: what a desk sends, with time stamps, into an OLA show file.
+// ghostlight record: what a desk sends, with time stamps, into a recording. Every change that arrives is
+// written; what the disk cannot take at once waits in memory.
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/interrupt.h"
 #include "app/number_option.h"
 #include "base/log.h"
+#include "dmx/changes.h"
 #include "dmx/receiver.h"
-#include "dmx/recording.h"
+#include "dmx/recorder.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <mutex>
 #include <optional>
 #include <thread>
 
@@ -21,7 +24,12 @@ namespace ghost::app {
 namespace {
 
 using namespace std::chrono_literals;
+using std::chrono::microseconds;
 using std::chrono::nanoseconds;
+
+constexpr std::size_t kMaxWaiting = 1'000'000; // frames: 0.6 GB, 45 s of 512 universes
+constexpr microseconds kFlushEvery = 100ms;    // what a crash costs at most
+constexpr nanoseconds kLookEvery = 5ms;
 
 struct RecordOptions {
     InputOptions input;
@@ -37,10 +45,99 @@ int failed(const Error& error, int code) {
     return code;
 }
 
-nanoseconds newest_arrival(const dmx::Universes& universes) {
-    nanoseconds newest{0};
-    for (const dmx::Universe& universe : universes.list) newest = std::max(newest, universe.arrival);
-    return newest;
+nanoseconds steady_now() {
+    return std::chrono::steady_clock::now().time_since_epoch();
+}
+
+double seconds_between(nanoseconds from, nanoseconds to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+// Frames on their way from the receiver's thread to the one that writes.
+class Waiting {
+public:
+    void put(const dmx::Universes& universes, nanoseconds now) {
+        const std::lock_guard lock(mutex_);
+        const std::size_t before = frames_.size();
+        changes_.find(universes, now, frames_);
+        if (frames_.size() <= kMaxWaiting) return;
+        const std::size_t kept = std::max(before, kMaxWaiting);
+        lost_ += frames_.size() - kept;
+        frames_.resize(kept);
+    }
+    std::vector<dmx::RecordedFrame> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(frames_, {});
+    }
+    std::uint64_t lost() {
+        const std::lock_guard lock(mutex_);
+        return lost_;
+    }
+
+private:
+    std::mutex mutex_;
+    dmx::Changes changes_;
+    std::vector<dmx::RecordedFrame> frames_;
+    std::uint64_t lost_ = 0;
+};
+
+struct Recorded {
+    double seconds = 0.0;
+    dmx::Statistics statistics;
+    std::uint64_t lost = 0;
+};
+
+Result<Recorded> record_into(dmx::Recorder& recorder, const RecordOptions& options,
+                             dmx::ReceiverOptions input) {
+    Waiting waiting;
+    input.on_levels = [&](const dmx::Universes& universes, nanoseconds now) { waiting.put(universes, now); };
+    TRY(auto receiver, dmx::Receiver::start(input));
+    for (const std::string& warning : receiver->warnings()) log_warning(warning);
+    catch_interrupts();
+    log_info("recording to " + options.output + ", Ctrl-C ends it");
+
+    Recorded result;
+    const nanoseconds begin = steady_now();
+    std::optional<microseconds> first;
+    microseconds last{0}, flushed{0}; // since first
+    const auto write_waiting = [&]() -> Result<void> {
+        for (dmx::RecordedFrame& frame : waiting.take()) {
+            if (!first) {
+                first = frame.time;
+                const nanoseconds ago = steady_now() - frame.time;
+                recorder.began(std::chrono::floor<microseconds>(
+                    std::chrono::system_clock::now().time_since_epoch() - ago));
+            }
+            frame.time = last = frame.time - *first;
+            TRY_VOID(recorder.append(frame));
+        }
+        return {};
+    };
+    while (!interrupted()) {
+        const nanoseconds now = steady_now();
+        if (first && options.seconds > 0.0 && seconds_between(*first, now) >= options.seconds) break;
+        if (!first && options.wait_s > 0.0 && seconds_between(begin, now) >= options.wait_s)
+            return Error{"no DMX arrived within " + std::to_string(static_cast<int>(options.wait_s)) +
+                             " s; ghostlight monitor shows what the network brings",
+                         options.output};
+        if (auto newest = receiver->take_statistics()) result.statistics = std::move(*newest);
+        TRY_VOID(write_waiting());
+        // Frames up to this moment may still be on their way; those of a tenth of a second ago are not.
+        const microseconds safe = first ? std::chrono::floor<microseconds>(now) - *first - kFlushEvery : 0us;
+        if (first && safe - flushed >= kFlushEvery) {
+            TRY_VOID(recorder.flush(std::max(safe, last)));
+            flushed = safe;
+        }
+        std::this_thread::sleep_for(kLookEvery);
+    }
+    receiver.reset();
+    TRY_VOID(write_waiting());
+    if (!first) return Error{"nothing was recorded: no DMX arrived", options.output};
+    result.lost = waiting.lost();
+    const microseconds end = std::max(last, std::chrono::floor<microseconds>(steady_now()) - *first);
+    TRY_VOID(recorder.finish(end));
+    result.seconds = std::chrono::duration<double>(end).count();
+    return result;
 }
 
 int record(const RecordOptions& options) {
@@ -49,67 +146,42 @@ int record(const RecordOptions& options) {
     if (!input.ok()) return failed(input.error(), 2);
     auto recorder = dmx::Recorder::create(options.output);
     if (!recorder.ok()) return failed(recorder.error(), 1);
-    const auto receiver = dmx::Receiver::start(*input);
-    if (!receiver.ok()) return failed(receiver.error(), 1);
-    for (const std::string& warning : (*receiver)->warnings()) log_warning(warning);
-    catch_interrupts();
-    log_info("recording to " + options.output + ", Ctrl-C ends it");
-
-    const auto steady = [] { return nanoseconds(std::chrono::steady_clock::now().time_since_epoch()); };
-    const auto passed_s = [](nanoseconds from, nanoseconds to) {
-        return std::chrono::duration<double>(to - from).count();
-    };
-    const nanoseconds begin = steady();
-    std::optional<nanoseconds> first;
-    nanoseconds last = begin;
-    dmx::Statistics statistics;
-    while (!interrupted()) {
-        const nanoseconds now = steady();
-        if (first && options.seconds > 0.0 && passed_s(*first, now) >= options.seconds) break;
-        if (!first && options.wait_s > 0.0 && passed_s(begin, now) >= options.wait_s)
-            return failed({"no DMX arrived within " + std::to_string(static_cast<int>(options.wait_s)) +
-                               " s; ghostlight monitor shows what the network brings",
-                           options.output},
-                          1);
-        if (auto newest = (*receiver)->take_statistics()) statistics = std::move(*newest);
-        if (const auto universes = (*receiver)->take()) {
-            last = std::max(last, newest_arrival(*universes));
-            if (!first) first = last;
-            const auto written = recorder->feed(*universes, last);
-            if (!written.ok()) return failed(written.error(), 1);
-        }
-        std::this_thread::sleep_for(1ms);
-    }
-    if (!first) return failed({"nothing was recorded: no DMX arrived", options.output}, 1);
-    const nanoseconds end = std::max(last, steady());
-    const auto finished = recorder->finish(end);
-    if (!finished.ok()) return failed(finished.error(), 1);
-    const double duration_s = passed_s(*first, end);
+    const auto recorded = record_into(*recorder, options, *input);
+    if (!recorded.ok()) return failed(recorded.error(), 1);
     if (options.json) {
         const nlohmann::ordered_json report{{"file", options.output},
-                                            {"seconds", duration_s},
+                                            {"seconds", recorded->seconds},
                                             {"frames", recorder->frames()},
                                             {"bytes", recorder->bytes()},
-                                            {"missed", statistics.merge.missed},
-                                            {"kernel_overflow", statistics.overflow}};
+                                            {"missed", recorded->statistics.merge.missed},
+                                            {"kernel_overflow", recorded->statistics.overflow},
+                                            {"frames_lost", recorded->lost}};
         std::printf("%s\n", report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     }
     char text[160];
-    std::snprintf(text, sizeof text, ": %.1f s, %zu frames, %.1f kB, %llu packets missed", duration_s,
+    std::snprintf(text, sizeof text, ": %.1f s, %zu frames, %.1f kB, %llu packets missed", recorded->seconds,
                   recorder->frames(), static_cast<double>(recorder->bytes()) / 1000.0,
-                  static_cast<unsigned long long>(statistics.merge.missed));
+                  static_cast<unsigned long long>(recorded->statistics.merge.missed));
     log_info(options.output + text);
-    return 0;
+    if (recorded->lost == 0) return 0;
+    return failed({std::to_string(recorded->lost) + " frames are lost: the disk was too slow for too long",
+                   options.output},
+                  1);
 }
 
 } // namespace
 
 void add_record(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<RecordOptions>();
-    CLI::App* command = app.add_subcommand("record", "record DMX with time stamps (OLA show file)");
-    command->footer("Example: ghostlight record -o tour.show --universes 1-2 --seconds 90\n"
-                    "While it runs the file is called tour.show.part; after a crash that one is playable.");
-    command->add_option("-o,--output", options->output, "file to write")->required();
+    CLI::App* command =
+        app.add_subcommand("record", "record DMX with time stamps (.ghostdmx, or .show: OLA show file)");
+    command->footer(
+        "Example: ghostlight record -o tour.ghostdmx --universes 1-2 --seconds 90\n"
+        "While it runs the file is called tour.ghostdmx.part; after a crash that one is playable.");
+    command
+        ->add_option("-o,--output", options->output,
+                     "file to write: .ghostdmx (small, days long), or .show or .txt for an OLA show file")
+        ->required();
     add_input_options(*command, options->input);
     command->add_option("--seconds", options->seconds, "length, from the first packet; default: until Ctrl-C")
         ->check(number_in(0.0, kLongest_s));

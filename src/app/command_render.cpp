@@ -2,8 +2,8 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/number_option.h"
+#include "app/recordings.h"
 #include "app/render_film.h"
-#include "dmx/recording.h"
 
 #include "base/log.h"
 
@@ -62,6 +62,7 @@ Result<bool> check_usage(RenderArguments& arguments) {
         if (!arguments.session.view.empty()) return Error{"two cameras; give one", "--view/--eye"};
     }
     if (arguments.live_input) TRY_VOID(receiver_options(arguments.input));
+    TRY_VOID(check_live_controls(arguments.controls));
     arguments.session.plays_recording = !arguments.live_input && arguments.replay.empty();
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
     if (!arguments.session.travel.empty() && (arguments.live_input || !film))
@@ -98,7 +99,9 @@ Result<void> run(RenderArguments& arguments, bool film) {
         return Error{"no such folder", folder.string()};
     if (std::filesystem::is_directory(arguments.out, code))
         return Error{"is a folder, expected the name of a picture or film", arguments.out};
-    if (!arguments.replay.empty()) TRY_VOID(dmx::read_recording(arguments.replay));
+    if (!arguments.replay.empty())
+        TRY_VOID(check_recording(arguments.replay, capture_options(arguments.input)));
+    arguments.reference.capture = capture_options(arguments.input);
     if (arguments.reference.wanted)
         return render_reference(arguments.session, arguments.reference, arguments.replay, arguments.at_s,
                                 arguments.fps, arguments.out);
@@ -202,13 +205,15 @@ void add_render(CLI::App& app, int& exit_code) {
         ->check(number_in(0.1, 86400.0))
         ->needs("--live-input")
         ->capture_default_str();
-    CLI::Option* hold =
-        command
-            ->add_option("--hold-fps", a->hold_fps,
-                         "lower the quality of haze where --live-input would be slower; the picture says so")
-            ->check(CLI::Range(1, 240))
-            ->needs("--live-input");
-    command->add_flag("--no-caption", a->no_caption, "the picture does not say it")->needs(hold);
+    command
+        ->add_option("--hold-fps", a->hold_fps,
+                     "lower the quality of haze where --live-input would be slower; the picture says so")
+        ->check(CLI::Range(1, 240))
+        ->needs("--live-input");
+    command
+        ->add_flag("--no-caption", a->no_caption,
+                   "the picture says neither that nor which universes are lost")
+        ->needs("--live-input");
     command->add_option("--beams", a->beams, "gate (ours), cone (the paper) or march (the thesis)")
         ->check(CLI::IsMember({"gate", "cone", "march"}))
         ->capture_default_str();
@@ -226,6 +231,11 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_flag("--quiet", a->session.quiet, "print warnings and errors only");
     command->add_flag("--json", a->json, "print the figures as JSON");
     add_input_options(*command, a->input);
+    add_live_control_options(*command, a->controls);
+    // What it draws with: it would do nothing.
+    for (const char* name :
+         {"--beams", "--steps", "--glare", "--device", "--image-memory", "--validation", "--json"})
+        reference->excludes(command->get_option(name));
     command->footer(
         "Example: ghostlight render assets/demo -o demo.mp4 --from 10 --to 20\n"
         "         ghostlight render assets/demo -o now.mp4 --live-input --seconds 20\n"

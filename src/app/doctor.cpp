@@ -5,6 +5,7 @@
 #include "dmx/recording.h"
 #include "fixture/load_type.h"
 #include "fixture/values.h"
+#include "scene/bodies.h"
 #include "scene/doctor_show.h"
 #include "scene/passes.h"
 #include "scene/plot_types.h"
@@ -18,9 +19,11 @@
 #include <exception>
 #include <mutex>
 #include <new>
+#include <numeric>
 #include <set>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace ghost::app {
 namespace {
@@ -29,6 +32,7 @@ namespace fs = std::filesystem;
 using scene::Severity;
 
 constexpr std::size_t kMaxThreads = 64;
+constexpr std::size_t kMostNames = 16;     // of modes or wheels in a line
 constexpr std::size_t kMaxOffers = 20'000; // files that may stand in for missing ones
 
 std::string counted(std::size_t count, const std::string& thing) {
@@ -37,6 +41,15 @@ std::string counted(std::size_t count, const std::string& thing) {
 
 scene::Finding lost(const std::string& where, const std::string& what) {
     return scene::finding_of({Severity::error, where, what});
+}
+
+// " (a, b and 7 more)"; --json has all.
+std::string in_brackets(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t k = 0; k < std::min(names.size(), kMostNames); ++k)
+        text += (k == 0 ? " (" : ", ") + names[k];
+    if (names.size() > kMostNames) text += " and " + std::to_string(names.size() - kMostNames) + " more";
+    return names.empty() ? "" : text + ")";
 }
 
 void check_type(const fs::path& path, Checked& result) {
@@ -49,34 +62,37 @@ void check_type(const fs::path& path, Checked& result) {
         result.findings.push_back(
             scene::finding_of({scene::severity_of(message.severity), message.where, message.what}));
     const fixture::Type& type = loaded->type;
+    scene::Report report;
+    scene::check_models(type, path.filename().string(), report);
+    for (const scene::Message& message : report.messages)
+        result.findings.push_back(scene::finding_of(message));
     result.title = type.manufacturer + " " + type.name;
     result.facts["manufacturer"] = type.manufacturer;
     result.facts["name"] = type.name;
     result.facts["modes"] = nlohmann::json::array();
     result.facts["wheels"] = nlohmann::json::array();
-    result.summary = result.title + ": " + counted(type.modes.size(), "mode");
+    std::vector<std::string> modes;
     for (const fixture::Mode& mode : type.modes) {
         int channels = 0;
         for (const int bytes : mode.footprint) channels += bytes;
         result.facts["modes"].push_back(
             {{"name", mode.name}, {"channels", channels}, {"beams", mode.beams.size()}});
-        result.summary += (&mode == &type.modes.front() ? " (" : ", ") + std::string("'") + mode.name + "' " +
-                          counted(static_cast<std::size_t>(channels), "channel");
+        modes.push_back("'" + mode.name + "' " + counted(static_cast<std::size_t>(channels), "channel"));
     }
-    result.summary +=
-        (type.modes.empty() ? "" : ")") + std::string(", ") + counted(type.wheels.size(), "wheel");
+    std::vector<std::string> wheels;
     for (const fixture::Wheel& wheel : type.wheels) {
         result.facts["wheels"].push_back({{"name", wheel.name}, {"slots", wheel.slots.size()}});
-        result.summary += (&wheel == &type.wheels.front() ? " (" : ", ") + std::string("'") + wheel.name +
-                          "' " + counted(wheel.slots.size(), "slot");
+        wheels.push_back("'" + wheel.name + "' " + counted(wheel.slots.size(), "slot"));
     }
-    if (!type.wheels.empty()) result.summary += ")";
+    result.summary = result.title + ": " + counted(type.modes.size(), "mode") + in_brackets(modes) + ", " +
+                     counted(type.wheels.size(), "wheel") + in_brackets(wheels);
 }
 
 void check_show(const fs::path& path, const scene::FixtureOffers& offers, const DoctorOptions& options,
-                Checked& result) {
+                std::atomic<double>& share, Checked& result) {
     scene::Report report;
-    const auto show = scene::load_show(path, true, report, {{}, options.stop});
+    const auto show = scene::load_show(
+        path, true, report, {[&share](double now, const std::string&) { share = now; }, options.stop});
     if (!show.ok()) {
         for (const scene::Message& message : report.messages)
             result.findings.push_back(scene::finding_of(message));
@@ -86,11 +102,15 @@ void check_show(const fs::path& path, const scene::FixtureOffers& offers, const 
     const scene::Stage with_bodies = scene::stage_with_bodies(*show, report);
     scene::check_places(*show, with_bodies, show->cameras, report);
     if (std::error_code code; fs::is_regular_file(show->recording, code)) {
-        const auto recording = dmx::read_recording(show->recording);
+        auto recording = dmx::read_recording(show->recording);
         if (!recording.ok()) report.add(Severity::error, recording.error().where, recording.error().what);
-        if (recording.ok())
-            for (const Error& problem : recording->problems)
-                report.add(Severity::error, problem.where, problem.what);
+        if (recording.ok()) {
+            std::vector<Error> problems = recording->problems;
+            (void)recording->first_frames(); // reads all of it
+            const std::vector<Error> damage = recording->take_damage();
+            problems.insert(problems.end(), damage.begin(), damage.end());
+            for (const Error& problem : problems) report.add(Severity::error, problem.where, problem.what);
+        }
     }
     for (const scene::Camera& camera : show->cameras) {
         if (camera.foreign_passes.empty()) continue;
@@ -118,8 +138,8 @@ void check_show(const fs::path& path, const scene::FixtureOffers& offers, const 
 }
 
 // What one thread does with one file; a file that eats all memory must not take the others along.
-Checked check_file(const std::string& file, const scene::FixtureOffers& offers,
-                   const DoctorOptions& options) {
+Checked check_file(const std::string& file, const scene::FixtureOffers& offers, const DoctorOptions& options,
+                   std::atomic<double>& share) {
     Checked result;
     result.file = file;
     const fs::path path(file);
@@ -129,7 +149,7 @@ Checked check_file(const std::string& file, const scene::FixtureOffers& offers,
         if (fixture::has_type_extension(path))
             check_type(path, result);
         else if (ending == ".toml" || ending == ".mvr" || fs::is_directory(path, code))
-            check_show(path, offers, options, result);
+            check_show(path, offers, options, share, result);
         else
             result.findings.push_back(lost(
                 file, fs::exists(path, code) ? "is neither a fixture file (.gdtf, .qxf, .json) nor a show (a "
@@ -191,7 +211,7 @@ scene::FixtureOffers offers_of(const std::vector<Checked>& results, const Doctor
 class Run {
 public:
     Run(const std::vector<std::string>& files, const DoctorOptions& options)
-        : files_(files), options_(options) {
+        : files_(files), options_(options), shares_(files.size()) {
         for (const std::string& file : files) {
             results_.emplace_back();
             results_.back().file = file;
@@ -241,12 +261,12 @@ private:
             for (;;) {
                 const std::size_t at = next.fetch_add(1);
                 if (at >= work.size() || stopped()) break;
-                Checked result = check_file(files_[work[at]], offers, options_);
+                Checked result = check_file(files_[work[at]], offers, options_, shares_[work[at]]);
                 result.is_done = !stopped() || is_fixture(result.file);
                 const std::lock_guard lock(mutex);
                 last = result.file;
                 results_[work[at]] = std::move(result);
-                ++done_;
+                shares_[work[at]] = 1.0;
                 changed.notify_one();
             }
             const std::lock_guard lock(mutex);
@@ -258,15 +278,16 @@ private:
         std::unique_lock lock(mutex);
         while (running > 0) {
             changed.wait_for(lock, std::chrono::milliseconds(200));
-            if (options_.progress)
-                options_.progress(static_cast<double>(done_) / static_cast<double>(files_.size()), last);
+            if (!options_.progress) continue;
+            const double done = std::accumulate(shares_.begin(), shares_.end(), 0.0);
+            options_.progress(done / static_cast<double>(files_.size()), last);
         }
     }
 
     const std::vector<std::string>& files_;
     const DoctorOptions& options_;
     std::vector<Checked> results_;
-    std::size_t done_ = 0; // under the mutex of run
+    std::vector<std::atomic<double>> shares_; // of each file, how much is done
 };
 
 } // namespace

@@ -27,12 +27,12 @@ double steady_now_s() {
 // machine's memory does not hold what the show asks for.
 int map_size(const scene::Show& show, scene::Report& report) {
     constexpr std::size_t kManyLights = 256;
-    const bool few = show.fixtures.size() < kManyLights;
+    const std::uint64_t count = scene::distance_places(show, scene::kDistanceMapSize).size();
+    const bool few = count < kManyLights;
     const int wanted = show.distance_map_size > 0 ? show.distance_map_size
                        : few                      ? 2 * scene::kDistanceMapSize
                                                   : scene::kDistanceMapSize;
     const std::uint64_t room = free_memory_bytes() / 2; // drawing needs some, too
-    const std::uint64_t count = scene::distance_places(show).size();
     const auto bytes = [&](int size) {
         return count * sizeof(std::uint16_t) * static_cast<std::uint64_t>(size) *
                static_cast<std::uint64_t>(size);
@@ -76,23 +76,18 @@ Result<scene::DistanceMaps> make_maps(const scene::Show& show, const scene::Stag
     return maps;
 }
 
-// Turns the way of looking as a head does, around and up: mixing two targets may end in the eye itself.
-glm::vec3 way_between(const glm::vec3& from, const glm::vec3& to, float share) {
-    const auto around = [](const glm::vec3& way) { return std::atan2(way.y, way.x); };
-    const auto up = [](const glm::vec3& way) { return std::atan2(way.z, std::hypot(way.x, way.y)); };
-    const float turn = std::remainder(around(to) - around(from), 2 * shared::kPi);
-    const float yaw = around(from) + turn * share;
-    const float pitch = glm::mix(up(from), up(to), share);
-    return {std::cos(pitch) * std::cos(yaw), std::cos(pitch) * std::sin(yaw), std::sin(pitch)};
-}
-
 } // namespace
 
 LiveView::LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
                    const scene::Camera& camera, scene::Report& report)
-    : show_(show), stage_(std::move(stage)), moving_(scene::moving_instances(show, stage_)),
-      model_(device, stage_, report), g_buffer_(device, camera.width, camera.height) {
+    : device_(device), show_(show), stage_(std::move(stage)), moving_(scene::moving_instances(show, stage_)),
+      model_(device, stage_, report) {
     for (const std::size_t instance : moving_) model_.mark_moving(instance);
+    for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
+        if (stage_.instances[i].shown) continue;
+        model_.show(i, false);
+        if (!solid_) solid_ = scene::visible(stage_);
+    }
     look_from(camera);
 }
 
@@ -100,14 +95,17 @@ Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scen
                                                  const scene::Camera& camera, const LiveOptions& options,
                                                  scene::Report& report) {
     load_stage(show, report);
-    auto view = std::unique_ptr<LiveView>(
-        new LiveView(device, show, scene::stage_with_bodies(show, report), camera, report));
+    auto view = std::unique_ptr<LiveView>(new LiveView(
+        device, show,
+        scene::stage_with_bodies(
+            show, report, options.keep_hidden ? scene::HiddenObjects::kept : scene::HiddenObjects::left_out),
+        camera, report));
     if (!options.shadows) return view;
     if (options.maps_in_background) {
-        view->begin_maps(device, report);
+        view->begin_maps(report);
         return view;
     }
-    TRY(view->maps_, make_maps(show, view->stage_, options.quiet, report));
+    TRY(view->maps_, make_maps(show, view->solid(), options.quiet, report));
     if (view->maps_.maps.empty()) return view;
     view->distances_ = std::make_unique<render::DistanceImages>(device, view->maps_);
     leave_out(view->maps_, view->distances_->count(), report);
@@ -115,17 +113,17 @@ Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scen
     return view;
 }
 
-void LiveView::begin_maps(const gpu::Device& device, scene::Report& report) {
-    const std::vector<scene::DistancePlace> places = scene::distance_places(show_);
-    if (places.empty()) return;
+void LiveView::begin_maps(scene::Report& report) {
     const int size = map_size(show_, report);
+    const std::vector<scene::DistancePlace> places = scene::distance_places(show_, size);
+    if (places.empty()) return;
     const auto texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
     scene::Report unheard; // the maker says it again
     auto found = scene::load_distance_maps(show_, size, unheard);
     maps_ = {size, std::vector<scene::DistanceMap>(places.size())};
     std::set<std::size_t> known;
     for (std::size_t k = 0; k < places.size(); ++k) {
-        const int index = found.ok() ? found->find(places[k].fixture, places[k].stop) : -1;
+        const int index = found.ok() ? found->find(places[k].fixture, places[k].stop, places[k].place) : -1;
         if (index < 0) {
             maps_.maps[k].distance.assign(texels, scene::kNoSurface);
             continue;
@@ -133,7 +131,7 @@ void LiveView::begin_maps(const gpu::Device& device, scene::Report& report) {
         maps_.maps[k] = std::move(found->maps[static_cast<std::size_t>(index)]);
         known.insert(k);
     }
-    distances_ = std::make_unique<render::DistanceImages>(device, maps_);
+    distances_ = std::make_unique<render::DistanceImages>(device_, maps_);
     leave_out(maps_, distances_->count(), report);
     for (scene::DistanceMap& map : maps_.maps) map.distance = {};
     for (std::size_t k = maps_.maps.size(); k < places.size(); ++k) known.insert(k);
@@ -142,7 +140,7 @@ void LiveView::begin_maps(const gpu::Device& device, scene::Report& report) {
         log_info(
             std::to_string(missing_maps_) + " of " + std::to_string(places.size()) +
             " distance maps are missing and are made meanwhile; until then these lights throw no shadows");
-    maker_ = std::make_unique<MapMaker>(show_, stage_, size, std::move(known));
+    maker_ = std::make_unique<MapMaker>(show_, solid(), size, std::move(known));
 }
 
 bool LiveView::take_maps(scene::Report& report) {
@@ -176,24 +174,23 @@ bool LiveView::take_maps(scene::Report& report) {
 bool LiveView::follow(const scene::Rig& rig) {
     for (const std::size_t instance : moving_)
         model_.move(instance, scene::body_to_world(show_, rig, stage_.instances[instance]));
-    return g_buffer_.update(model_);
+    return g_buffer_->update(model_);
 }
 
 void LiveView::look_from(const scene::Camera& camera) {
-    g_buffer_.draw(model_, {scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height},
-                   {show_.ambient_colour * show_.ambient_lux, haze_of(show_)});
-}
-
-scene::Camera camera_between(const scene::Camera& from, const scene::Camera& to, float share) {
-    const float eased = share * share * (3.0f - 2.0f * share);
-    scene::Camera camera = from;
-    camera.position_m = glm::mix(from.position_m, to.position_m, eased);
-    const glm::vec3 from_way = from.target_m - from.position_m, to_way = to.target_m - to.position_m;
-    camera.target_m = camera.position_m + way_between(from_way, to_way, eased) *
-                                              glm::mix(glm::length(from_way), glm::length(to_way), eased);
-    camera.fov_y_deg = glm::mix(from.fov_y_deg, to.fov_y_deg, eased);
-    camera.ev100 = glm::mix(from.ev100, to.ev100, eased);
-    return camera;
+    camera_ = camera;
+    shared::Haze haze = haze_of(show_);
+    haze.extinction_per_m *= haze_density_;
+    haze.scattering_per_m *= haze_density_;
+    if (const bool fits = g_buffer_ &&
+                          g_buffer_->fragments().width == static_cast<std::uint32_t>(camera.width) &&
+                          g_buffer_->fragments().height == static_cast<std::uint32_t>(camera.height);
+        !fits) {
+        g_buffer_.reset(); // first: memory may not hold both
+        g_buffer_ = std::make_unique<render::GBuffer>(device_, camera.width, camera.height);
+    }
+    g_buffer_->draw(model_, {scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height},
+                    {show_.ambient_colour * show_.ambient_lux, haze});
 }
 
 } // namespace ghost::app

@@ -15,6 +15,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ghost::app {
@@ -23,6 +24,7 @@ struct LiveOptions {
     bool shadows = true;
     bool maps_in_background = false; // start at once; a light throws no shadows until its map is made
     bool quiet = false;
+    bool keep_hidden = false; // hidden objects stay, so that they can be shown
 };
 
 class LiveView {
@@ -34,8 +36,16 @@ public:
                                                   const scene::Camera& camera, const LiveOptions& options,
                                                   scene::Report& report);
 
-    // The same picture size as before.
+    // A picture of another size has a new G-buffer.
     void look_from(const scene::Camera& camera);
+    const scene::Camera& camera() const { return camera_; }
+    // Times the show's density, from the next look_from on.
+    void set_haze(float density) { haze_density_ = density; }
+    // For the next look_from. Distance maps stay as they were made: no object takes its shadow along.
+    void show(std::size_t instance, bool shown) { model_.show(instance, shown); }
+    void set_material(std::size_t material, const scene::Material& values) {
+        model_.set_material(material, values);
+    }
     // Turns yokes and heads as the rig does. False: none of them moved in the picture.
     bool follow(const scene::Rig& rig);
     // Uploads the distance maps that were finished in the background. True: one of them replaced another,
@@ -44,29 +54,32 @@ public:
     std::size_t missing_maps() const { return missing_maps_; }
     bool is_making_maps() const { return maker_ != nullptr; }
 
-    const render::GBuffer& g_buffer() const { return g_buffer_; }
+    const render::GBuffer& g_buffer() const { return *g_buffer_; }
     const render::DistanceImages* distances() const { return distances_.get(); }
     // Without the distances, which are on the device; those that are missing have no fixture.
     const scene::DistanceMaps& maps() const { return maps_; }
     const scene::Stage& stage() const { return stage_; }
+    // What light meets: without the objects that were hidden from the beginning.
+    const scene::Stage& solid() const { return solid_ ? *solid_ : stage_; }
 
 private:
     LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
              const scene::Camera& camera, scene::Report& report);
-    void begin_maps(const gpu::Device& device, scene::Report& report);
+    void begin_maps(scene::Report& report);
 
+    const gpu::Device& device_;
     const scene::Show& show_;
-    scene::Stage stage_; // with fixture bodies, at home
+    scene::Stage stage_;                // with fixture bodies, at home
+    std::optional<scene::Stage> solid_; // without hidden objects, where there are any
     std::vector<std::size_t> moving_;
     render::StageModel model_;
-    render::GBuffer g_buffer_;
+    std::unique_ptr<render::GBuffer> g_buffer_;
+    scene::Camera camera_;
+    float haze_density_ = 1;
     scene::DistanceMaps maps_;
     std::size_t missing_maps_ = 0;
     std::unique_ptr<render::DistanceImages> distances_;
     std::unique_ptr<MapMaker> maker_; // reads show and stage: goes first
 };
-
-// The way of a free camera between two others: smooth start and stop, share 0..1.
-scene::Camera camera_between(const scene::Camera& from, const scene::Camera& to, float share);
 
 } // namespace ghost::app

@@ -52,10 +52,10 @@ void MapMaker::run() {
         outcome.error = Error{std::string("making distance maps: ") + problem.what(), show_.file.string()};
     }
 
-    const std::vector<scene::DistancePlace> places = scene::distance_places(show_);
+    const std::vector<scene::DistancePlace> places = scene::distance_places(show_, size_);
     const std::lock_guard lock(mutex_);
     for (std::size_t k = 0; k < places.size(); ++k) {
-        const int kept = maps.find(places[k].fixture, places[k].stop);
+        const int kept = maps.find(places[k].fixture, places[k].stop, places[k].place);
         if (kept < 0 || delivered_.contains(k)) continue;
         queue_.push_back({k, std::move(maps.maps[static_cast<std::size_t>(kept)])});
     }

@@ -3,8 +3,8 @@
 
 #include "app/interrupt.h"
 #include "app/picture_writer.h"
+#include "app/recordings.h"
 #include "bake/reference.h"
-#include "dmx/recording.h"
 #include "scene/bodies.h"
 
 #include "base/log.h"
@@ -23,11 +23,10 @@ double steady_now_s() {
 
 // What the rig does at a moment of a recording, stepped as a film is, because wheels and gobos turn.
 Result<void> step_to(scene::Rig& rig, const scene::Show& show, const std::string& replay, double at_s,
-                     int fps) {
+                     int fps, const dmx::CaptureOptions& capture, bool quiet) {
     const std::filesystem::path file = replay.empty() ? show.recording : std::filesystem::path(replay);
     if (file.empty()) return Error{"has no recording; name one with --replay FILE", show.file.string()};
-    TRY(dmx::Recording recording, dmx::read_recording(file));
-    for (const Error& problem : recording.problems) log_warning(problem.text());
+    TRY(dmx::Recording recording, open_recording(file, capture, quiet));
     const dmx::Player player(std::move(recording));
     if (at_s > player.duration_s())
         log_warning("the recording ends at " + std::to_string(player.duration_s()) +
@@ -36,6 +35,7 @@ Result<void> step_to(scene::Rig& rig, const scene::Show& show, const std::string
     const long last = std::lround(std::max(at_s, 0.0) * rate);
     for (long frame = 0; frame <= last; ++frame)
         rig.step(player.at(static_cast<double>(frame) / rate), 1.0 / rate);
+    log_damage(player);
     return {};
 }
 
@@ -64,7 +64,7 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     scene::Stage stage = scene::stage_with_bodies(show, report);
     print_report(report);
     scene::Rig rig(show);
-    TRY_VOID(step_to(rig, show, replay, at_s, fps));
+    TRY_VOID(step_to(rig, show, replay, at_s, fps, arguments.capture, options.quiet));
     scene::pose_bodies(show, rig, stage);
 
     catch_interrupts();
@@ -86,9 +86,9 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     reference.progress = [&](double share) { progress.update(share, steady_now_s(), out); };
     const bake::Tracer tracer(stage);
     const double start_s = steady_now_s();
-    const Result<image::ImageF> picture =
-        bake::reference_picture(&tracer, camera, rig.lights(gobos, scene::DistanceMaps{}), gobos.images,
-                                haze_of(show), show.ambient_lux, reference);
+    const Result<image::ImageF> picture = bake::reference_picture(
+        &tracer, camera, rig.lit(gobos, scene::DistanceMaps{}, scene::Cells::apart).lights, gobos.images,
+        haze_of(show), show.ambient_lux, reference);
     progress.finish();
     if (interrupted()) return Error{"interrupted: nothing was written", out};
     if (!picture.ok()) return picture.error();

@@ -7,6 +7,7 @@
 
 #include "app/session.h"
 #include "base/result.h"
+#include "dmx/capture.h"
 
 #include <string>
 
@@ -14,9 +15,10 @@ namespace ghost::app {
 
 struct ReferenceArguments {
     bool wanted = false;
-    int samples = 4096;    // along each camera ray, per light
-    int pixel_samples = 4; // per axis of a pixel
-    int lens_samples = 1;  // of the lens that throws the shadows; 1: a point
+    int samples = 4096;          // along each camera ray, per light
+    int pixel_samples = 4;       // per axis of a pixel
+    int lens_samples = 1;        // of the lens that throws the shadows; 1: a point
+    dmx::CaptureOptions capture; // how replay is read where it is a capture
 };
 
 // replay: recording, empty: the show's own. at_s: second of it, stepped through from its start at fps.

@@ -4,6 +4,7 @@
 // Film time is seconds from its first frame. Errors: what cannot be read or written. Main thread.
 
 #include "app/input_options.h"
+#include "app/live_controls.h"
 #include "app/picture_writer.h"
 #include "app/reference_render.h"
 #include "app/session.h"
@@ -16,6 +17,7 @@ namespace ghost::app {
 struct RenderArguments {
     SessionOptions session;
     InputOptions input;
+    LiveControlOptions controls;
     std::string out;
     std::string size;
     std::string beams = "gate";

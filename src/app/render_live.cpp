@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/governor.h"
 #include "app/interrupt.h"
+#include "app/loss_note.h"
 #include "app/render_film.h"
 
 #include "base/log.h"
@@ -72,7 +73,10 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
     TRY(const dmx::ReceiverOptions options, receiver_options(arguments.input));
     TRY(const std::unique_ptr<dmx::Receiver> receiver, dmx::Receiver::start(options));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
+    TRY(LiveControls controls, LiveControls::open(arguments.controls, *session.show,
+                                                  arguments.input.interface, arguments.session.ev100));
     catch_interrupts();
+    wait_for_sources(*receiver);
     char length[32];
     std::snprintf(length, sizeof length, "listening for %g s", arguments.seconds);
     log_info(length);
@@ -85,6 +89,7 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
     long written = 0;
     std::optional<Governor> governor;
     if (arguments.hold_fps > 0) governor.emplace(arguments.hold_fps, quality_levels(arguments.session.beams));
+    LossNote loss;
     Rest rest(quality_levels(arguments.session.beams).front());
     while (written < frames && !interrupted()) {
         std::this_thread::sleep_until(
@@ -95,6 +100,7 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
             universes = std::move(*newest);
         }
         const Clock::time_point now = Clock::now();
+        controls.before_frame(session, std::chrono::duration<double>(now - start).count());
         session.rig->step(universes, std::chrono::duration<double>(now - last_step).count());
         last_step = now;
         const render::FrameStatistics frame =
@@ -113,8 +119,10 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
         const bool for_rest =
             governor && rest.look(*governor, frame.drawn, std::chrono::duration<double>(now - start).count(),
                                   *session.relighter);
+        loss.look(universes, now.time_since_epoch());
         const std::string caption =
-            governor && !arguments.no_caption && !rest.settled() ? governor->note() : std::string();
+            arguments.no_caption ? std::string()
+                                 : joined(governor && !rest.settled() ? governor->note() : "", loss.text());
         TRY_VOID(writer.add(*session.relighter, caption));
         // The pictures that repeat it would not be there had it been in time.
         if (governor && frame.drawn > 0 && !for_rest)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/interrupt.h"
+#include "app/recordings.h"
 #include "app/render_film.h"
-#include "dmx/recording.h"
+#include "scene/camera_moves.h"
 
 #include "base/log.h"
 #include "base/progress.h"
@@ -16,8 +17,8 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
                               Tally& tally) {
     const std::filesystem::path file =
         arguments.replay.empty() ? session.show->recording : std::filesystem::path(arguments.replay);
-    TRY(dmx::Recording recording, dmx::read_recording(file));
-    for (const Error& problem : recording.problems) log_warning(problem.text());
+    TRY(dmx::Recording recording,
+        open_recording(file, capture_options(arguments.input), arguments.session.quiet));
     const dmx::Player player(std::move(recording));
 
     const double fps = arguments.fps;
@@ -53,6 +54,7 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
                         now_s(), arguments.out);
     }
     progress.finish();
+    log_damage(player);
     return {};
 }
 

@@ -261,8 +261,36 @@ render::Settings draw_settings(const scene::Show& show, const scene::Camera& cam
     return settings;
 }
 
+scene::Lit Session::lit() const {
+    scene::Lit lit = live ? rig->lit(gobos, live->maps()) : rig->lit(gobos, passes);
+    for (shared::Light& light : lit.lights) {
+        light.intensity_cd *= master;
+        light.bounce_cd *= master;
+        if (live && !shadows) light.map = 0;
+    }
+    for (scene::Face& face : lit.faces) {
+        face.light.intensity_cd *= master;
+        face.light.bounce_cd *= master;
+    }
+    return lit;
+}
+
+void Session::look_from(const scene::Camera& from) {
+    if (from.width == relighter->width() && from.height == relighter->height()) {
+        live->look_from(from);
+        relighter->forget();
+    } else {
+        relighter.reset(); // it refers to the picture that goes
+        live->look_from(from);
+        relighter = std::make_unique<render::Relighter>(*device, live->g_buffer(), live->distances(),
+                                                        gobos.images, static_cast<int>(lit().lights.size()),
+                                                        draw_settings(*show, from, options));
+    }
+    relighter->set_exposure(options.ev100.value_or(from.ev100), from.auto_exposure && !options.ev100);
+}
+
 render::FrameStatistics Session::draw(double time_s) {
-    if (is_uneven(*show)) relighter->set_air(air_of(*show, time_s));
+    relighter->set_air(air_of(*show, is_uneven(*show) ? time_s : 0.0));
     const double start_s = steady_now_s();
     std::vector<gpu::Span> spans;
     if (live) {
@@ -275,7 +303,7 @@ render::FrameStatistics Session::draw(double time_s) {
         }
     }
     const double before_ms = 1e3 * (steady_now_s() - start_s);
-    render::FrameStatistics statistics = relighter->draw(lights());
+    render::FrameStatistics statistics = relighter->draw(lit());
     statistics.draw_ms += before_ms;
     statistics.spans.insert(statistics.spans.begin(), spans.begin(), spans.end());
     return statistics;
@@ -283,6 +311,7 @@ render::FrameStatistics Session::draw(double time_s) {
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     auto session = std::make_unique<Session>();
+    session->options = options;
     scene::Report& report = session->report;
     TRY(scene::Show show, open_show(options.show, false, options.quiet, report));
     show.motion = options.motion.value_or(show.motion);
@@ -334,12 +363,12 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     const render::Settings settings = draw_settings(*session->show, camera, options);
     if (options.live) {
         const LiveOptions live{options.shadows && session->show->shadows, options.maps_in_background,
-                               options.quiet};
+                               options.quiet, options.keep_hidden};
         TRY(session->live, LiveView::open(*session->device, *session->show, camera, live, report));
         scene::check_places(*session->show, session->live->stage(), {&camera, 1}, report);
         print_report(report, printed);
     }
-    const auto light_count = static_cast<int>(session->lights().size());
+    const auto light_count = static_cast<int>(session->lit().lights.size());
     session->relighter =
         options.live ? std::make_unique<render::Relighter>(*session->device, session->live->g_buffer(),
                                                            session->live->distances(), session->gobos.images,

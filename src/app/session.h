@@ -37,6 +37,7 @@ struct SessionOptions {
     std::string travel;                    // a camera to fly to; live only
     bool shadows = true;                   // live only
     bool maps_in_background = false;       // live only: LiveOptions
+    bool keep_hidden = false;              // live only: LiveOptions
     float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
 };
@@ -56,18 +57,18 @@ struct Session {
     std::unique_ptr<gpu::Device> device;
     std::unique_ptr<LiveView> live; // or null: passes
     std::unique_ptr<render::Relighter> relighter;
+    float master = 1;       // share of all light
+    bool shadows = true;    // live only
+    SessionOptions options; // as it was opened
 
-    std::vector<shared::Light> lights() const {
-        return live ? rig->lights(gobos, live->maps()) : rig->lights(gobos, passes);
-    }
+    // With the master, and without shadows where those are off.
+    scene::Lit lit() const;
     // One frame of what the rig does now; time_s moves the haze. Live: heads turn, maps that were made
     // meanwhile throw their shadows.
     render::FrameStatistics draw(double time_s = 0);
-    // Moves a live camera; its size stays.
-    void look_from(const scene::Camera& from) {
-        live->look_from(from);
-        relighter->forget();
-    }
+    // Moves a live camera, and shows what the show's even light, haze and attenuation are now. A camera of
+    // another size gets a new picture; stage and distance maps stay on the device.
+    void look_from(const scene::Camera& from);
 };
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);

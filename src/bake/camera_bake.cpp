@@ -48,7 +48,7 @@ CameraBake::CameraBake(const scene::Show& show, const scene::Stage& stage, const
             wanted_.bodies.push_back({fixture.name, keys.bodies[k], {rect.x0, rect.y0, rect.x1, rect.y1}});
             layout.text(keys.bodies[k]);
         }
-        if (fixture.type == nullptr) continue;
+        if (scene::light_places_m(fixture, 0).empty()) continue; // no type, or it only glows
         for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop) {
             scene::ManifestLight light;
             light.fixture = fixture.name;

@@ -43,9 +43,9 @@ public:
     Update(const scene::Show& show, const scene::Stage& stage, const DistanceMapOptions& options,
            scene::Report& report)
         : show_(show), stage_(stage), options_(options), report_(report), sight_(options.size),
-          places_(scene::distance_places(show)), right_(places_.size(), 0), complaints_(places_.size()) {
+          places_(scene::distance_places(show, options.size)), right_(places_.size(), 0), complaints_(places_.size()) {
         for (const scene::DistancePlace& place : places_)
-            maps_.push_back({place.fixture, place.stop, place.position_m, {}});
+            maps_.push_back({place.fixture, place.stop, place.place, place.position_m, {}});
     }
 
     DistanceMapStats run(scene::DistanceMaps& maps) {
@@ -93,7 +93,7 @@ private:
 };
 
 void Update::find_kept() {
-    const fs::path folder = scene::distance_folder(show_);
+    const fs::path folder = scene::distance_folder(show_, options_.size);
     std::optional<scene::DistanceStage> old;
     if (auto read = scene::read_distance_stage(folder); read.ok())
         old = std::move(*read);
@@ -272,7 +272,7 @@ void Update::finish(scene::DistanceMaps& maps) {
     std::set<fs::path> names{"stage.json"};
     for (const scene::DistancePlace& place : places_) names.insert(place.file.filename());
     std::error_code code;
-    for (const auto& file : fs::directory_iterator(scene::distance_folder(show_), code))
+    for (const auto& file : fs::directory_iterator(scene::distance_folder(show_, options_.size), code))
         if (!names.contains(file.path().filename())) fs::remove(file.path(), code);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Art-Net 4: packet header and ArtDmx.
+// Art-Net 4: packet header, ArtDmx, ArtPoll, ArtSync, ArtTimeCode, ArtTrigger.
 #include "dmx/packet.h"
 
 #include <algorithm>
@@ -10,28 +10,57 @@ namespace {
 
 constexpr std::uint8_t kIdentifier[8] = {'A', 'r', 't', '-', 'N', 'e', 't', 0};
 constexpr std::uint16_t kPoll = 0x2000, kPollReply = 0x2100, kDmx = 0x5000, kSync = 0x5200,
-                        kTimeCode = 0x9700;
+                        kTimeCode = 0x9700, kTrigger = 0x9900;
 
-} // namespace
+SourceKey key_of(const IpAddress& from, std::uint8_t physical) {
+    SourceKey key;
+    key.protocol = Protocol::artnet;
+    std::copy(from.bytes.begin() + 12, from.bytes.end(), key.id.begin());
+    key.id[4] = physical;
+    return key;
+}
 
-Parsed parse_artnet(Bytes bytes, std::uint32_t from_ipv4, int universe_offset) {
-    ByteReader reader(bytes);
-    const Bytes identifier = reader.take(sizeof kIdentifier);
-    const std::uint16_t opcode = reader.u16_le();
+// Older senders end before the range, the oldest before the flags.
+Parsed parse_poll(ByteReader reader) {
+    PollPacket poll;
+    if (reader.left() == 0 || (reader.u8() & 0x20) == 0) return poll;
+    reader.skip(1);
+    poll.last = reader.u16_be();
+    poll.first = reader.u16_be();
     if (!reader.ok()) return Drop::too_short;
-    if (!std::equal(identifier.begin(), identifier.end(), kIdentifier)) return Drop::not_ours;
-    if (opcode == kPollReply) return Notice::poll_reply; // carries no protocol version
-    const std::uint16_t version = reader.u16_be();
-    if (!reader.ok()) return Drop::too_short;
-    if (version < 14) return Drop::bad_version;
-    if (opcode == kPoll) return Notice::poll;
-    if (opcode == kSync) return Notice::sync;
-    if (opcode == kTimeCode) return Notice::timecode;
-    if (opcode != kDmx) return Notice::other;
+    return poll.first <= poll.last ? Parsed(poll) : Parsed(Drop::bad_value);
+}
 
+Parsed parse_timecode(ByteReader reader) {
+    TimeCode time;
+    reader.skip(1);
+    time.stream = reader.u8();
+    time.frames = reader.u8();
+    time.seconds = reader.u8();
+    time.minutes = reader.u8();
+    time.hours = reader.u8();
+    const std::uint8_t rate = reader.u8();
+    if (!reader.ok()) return Drop::too_short;
+    static constexpr std::uint8_t kFrames[] = {24, 25, 30, 30};
+    if (rate > 3 || time.frames >= kFrames[rate] || time.seconds > 59 || time.minutes > 59 || time.hours > 23)
+        return Drop::bad_value;
+    time.rate = static_cast<TimeCode::Rate>(rate);
+    return time;
+}
+
+Parsed parse_trigger(ByteReader reader) {
+    Trigger trigger;
+    reader.skip(2);
+    trigger.oem = reader.u16_be();
+    trigger.key = reader.u8();
+    trigger.sub_key = reader.u8();
+    return reader.ok() ? Parsed(trigger) : Parsed(Drop::too_short);
+}
+
+Parsed parse_dmx(ByteReader reader, const IpAddress& from, int universe_offset) {
     Packet packet;
     packet.protocol = Protocol::artnet;
-    packet.from_ipv4 = from_ipv4;
+    packet.from = from;
     packet.sequence = reader.u8();
     const std::uint8_t physical = reader.u8();
     const std::uint8_t sub_uni = reader.u8();
@@ -42,10 +71,7 @@ Parsed parse_artnet(Bytes bytes, std::uint32_t from_ipv4, int universe_offset) {
     const int universe = ((net << 8) | sub_uni) + universe_offset;
     if (universe < 1 || universe > kMaxUniverse) return Drop::bad_universe;
     packet.universe = static_cast<std::uint16_t>(universe);
-    packet.source.protocol = Protocol::artnet;
-    for (std::size_t i = 0; i < 4; ++i)
-        packet.source.id[i] = static_cast<std::uint8_t>(from_ipv4 >> (24 - 8 * i));
-    packet.source.id[4] = physical;
+    packet.source = key_of(from, physical);
 
     // Odd lengths, 12 slots and payloads longer than said all exist in the field; shorter ones were cut.
     const std::size_t slots = std::min(static_cast<std::size_t>(length), kSlots);
@@ -54,6 +80,34 @@ Parsed parse_artnet(Bytes bytes, std::uint32_t from_ipv4, int universe_offset) {
     std::copy(levels.begin(), levels.end(), packet.slots.begin());
     packet.slot_count = static_cast<std::uint16_t>(slots);
     return packet;
+}
+
+} // namespace
+
+Parsed parse_artnet(Bytes bytes, const IpAddress& from, int universe_offset) {
+    ByteReader reader(bytes);
+    const Bytes identifier = reader.take(sizeof kIdentifier);
+    const std::uint16_t opcode = reader.u16_le();
+    if (!reader.ok()) return Drop::too_short;
+    if (!std::equal(identifier.begin(), identifier.end(), kIdentifier)) return Drop::not_ours;
+    if (opcode == kPollReply) return Notice::poll_reply; // carries no protocol version
+    const std::uint16_t version = reader.u16_be();
+    if (!reader.ok()) return Drop::too_short;
+    if (version < 14) return Drop::bad_version;
+    switch (opcode) {
+    case kDmx:
+        return parse_dmx(reader, from, universe_offset);
+    case kPoll:
+        return parse_poll(reader);
+    case kSync:
+        return SyncPacket{key_of(from, 0), 0, 0};
+    case kTimeCode:
+        return parse_timecode(reader);
+    case kTrigger:
+        return parse_trigger(reader);
+    default:
+        return Notice::other;
+    }
 }
 
 } // namespace ghost::dmx

@@ -25,33 +25,43 @@ void put_text(std::vector<std::uint8_t>& out, const std::string& text, std::size
     out.insert(out.end(), size - used, 0);
 }
 
-} // namespace
+// Flags and length of a layer that begins here and ends with the packet.
+void put_layer(std::vector<std::uint8_t>& out, std::size_t size) {
+    put_u16(out, 0x7000u | (size - out.size()));
+}
 
-std::vector<std::uint8_t> build_sacn(std::uint16_t universe, Bytes slots, std::uint8_t sequence,
-                                     std::uint8_t priority, const std::array<std::uint8_t, 16>& cid,
-                                     const std::string& source_name, std::uint8_t options,
-                                     std::uint8_t start_code) {
-    CHECK(slots.size() <= kSlots);
-    const std::size_t size = 126 + slots.size();
-    const auto layer = [size](std::size_t offset) { return 0x7000u | (size - offset); };
+std::vector<std::uint8_t> sacn_root(std::size_t size, std::uint32_t vector,
+                                    const std::array<std::uint8_t, 16>& cid) {
     std::vector<std::uint8_t> out;
     out.reserve(size);
     put_u16(out, 0x0010);
     put_u16(out, 0);
     for (const char letter : {'A', 'S', 'C', '-', 'E', '1', '.', '1', '7', '\0', '\0', '\0'})
         out.push_back(static_cast<std::uint8_t>(letter));
-    put_u16(out, layer(16));
-    put_u32(out, 4);
+    put_layer(out, size);
+    put_u32(out, vector);
     out.insert(out.end(), cid.begin(), cid.end());
-    put_u16(out, layer(38));
+    return out;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> build_sacn(std::uint16_t universe, Bytes slots, std::uint8_t sequence,
+                                     std::uint8_t priority, const std::array<std::uint8_t, 16>& cid,
+                                     const std::string& source_name, std::uint8_t options,
+                                     std::uint8_t start_code, std::uint16_t sync_universe) {
+    CHECK(slots.size() <= kSlots);
+    const std::size_t size = 126 + slots.size();
+    std::vector<std::uint8_t> out = sacn_root(size, 4, cid);
+    put_layer(out, size);
     put_u32(out, 2);
     put_text(out, source_name, 64);
     out.push_back(priority);
-    put_u16(out, 0); // no synchronisation
+    put_u16(out, sync_universe);
     out.push_back(sequence);
     out.push_back(options);
     put_u16(out, universe);
-    put_u16(out, layer(115));
+    put_layer(out, size);
     out.push_back(2);
     out.push_back(0xA1);
     put_u16(out, 0);
@@ -59,6 +69,39 @@ std::vector<std::uint8_t> build_sacn(std::uint16_t universe, Bytes slots, std::u
     put_u16(out, slots.size() + 1);
     out.push_back(start_code);
     out.insert(out.end(), slots.begin(), slots.end());
+    CHECK_EQ(out.size(), size);
+    return out;
+}
+
+std::vector<std::uint8_t> build_sacn_sync(std::uint16_t universe, std::uint8_t sequence,
+                                          const std::array<std::uint8_t, 16>& cid) {
+    constexpr std::size_t size = 49;
+    std::vector<std::uint8_t> out = sacn_root(size, 8, cid);
+    put_layer(out, size);
+    put_u32(out, 1);
+    out.push_back(sequence);
+    put_u16(out, universe);
+    put_u16(out, 0);
+    CHECK_EQ(out.size(), size);
+    return out;
+}
+
+std::vector<std::uint8_t> build_sacn_discovery(std::span<const std::uint16_t> universes, std::uint8_t page,
+                                               std::uint8_t last_page,
+                                               const std::array<std::uint8_t, 16>& cid,
+                                               const std::string& source_name) {
+    CHECK(universes.size() <= 512);
+    const std::size_t size = 120 + 2 * universes.size();
+    std::vector<std::uint8_t> out = sacn_root(size, 8, cid);
+    put_layer(out, size);
+    put_u32(out, 2);
+    put_text(out, source_name, 64);
+    put_u32(out, 0);
+    put_layer(out, size);
+    put_u32(out, 1);
+    out.push_back(page);
+    out.push_back(last_page);
+    for (const std::uint16_t universe : universes) put_u16(out, universe);
     CHECK_EQ(out.size(), size);
     return out;
 }
@@ -94,16 +137,17 @@ std::array<std::uint8_t, 239> build_poll_reply(const PollReply& reply) {
     put_text(out, reply.short_name, 18);
     put_text(out, reply.long_name, 64);
     put_text(out, reply.report, 64);
-    put_u16(out, 1);                              // one port
-    out.insert(out.end(), {0x80, 0, 0, 0});       // PortTypes: DMX512 output
-    out.insert(out.end(), 4, 0);                  // GoodInput
-    out.push_back(reply.receiving ? 0x80 : 0x00); // GoodOutputA
-    out.insert(out.end(), 3 + 4, 0);              // rest of it, SwIn
-    out.push_back(reply.port_address & 15);       // SwOut
-    out.insert(out.end(), 3 + 3 + 3, 0);          // rest of it; AcnPriority, SwMacro, SwRemote; spare
-    out.push_back(0);                             // Style: node, because some desks send to nothing else
-    out.insert(out.end(), 6, 0);                  // MAC address not told
-    put_u32(out, reply.ipv4);                     // BindIp
+    put_u16(out, 1);                        // one port
+    out.insert(out.end(), {0x80, 0, 0, 0}); // PortTypes: DMX512 output
+    out.insert(out.end(), 4, 0);            // GoodInput
+    // GoodOutputA: bit 7 levels arrive, bit 1 merges latest-takes-precedence
+    out.push_back(static_cast<std::uint8_t>((reply.receiving ? 0x80 : 0) | (reply.ltp ? 0x02 : 0)));
+    out.insert(out.end(), 3 + 4, 0);        // rest of it, SwIn
+    out.push_back(reply.port_address & 15); // SwOut
+    out.insert(out.end(), 3 + 3 + 3, 0);    // rest of it; AcnPriority, SwMacro, SwRemote; spare
+    out.push_back(0);                       // Style: node, because some desks send to nothing else
+    out.insert(out.end(), 6, 0);            // MAC address not told
+    put_u32(out, reply.ipv4);               // BindIp
     out.push_back(reply.bind_index);
     out.push_back(0x08); // Status2: 15-bit Port-Address
     CHECK_EQ(out.size(), 213u);

@@ -2,178 +2,175 @@
 #include "dmx/recording.h"
 
 #include "base/files.h"
+#include "dmx/ghostdmx_writer.h"
+#include "dmx/ola_show.h"
 
 #include <algorithm>
-#include <charconv>
-#include <optional>
-#include <set>
 
 namespace ghost::dmx {
 
+namespace fs = std::filesystem;
+using std::chrono::microseconds;
+
 namespace {
 
-constexpr std::string_view kHeader = "OLA Show";
-constexpr std::size_t kMaxProblems = 100;
-constexpr std::size_t kMaxRecordedUniverses = 4096;
-constexpr std::int64_t kMaxDelayMs = 24ll * 3600 * 1000;
-constexpr std::int64_t kMaxDurationMs = 7 * kMaxDelayMs;
+enum class Format { ghostdmx, ola_show, capture };
 
-// Digits only, from 0 to limit.
-std::optional<std::int64_t> number(std::string_view text, std::int64_t limit) {
-    std::int64_t value = 0;
-    const auto [end, failed] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failed != std::errc() || end != text.data() + text.size() || value < 0 || value > limit)
-        return std::nullopt;
-    return value;
+Result<Format> find_format(ByteSource& source, const std::string& name) {
+    std::array<std::uint8_t, 16> first{};
+    const Bytes bytes(first.data(), source.read(0, first));
+    if (GhostdmxReader::recognises(bytes)) return Format::ghostdmx;
+    if (is_capture(bytes)) return Format::capture;
+    if (is_ola_show(bytes)) return Format::ola_show;
+    return Error{
+        "is no recording: expected one of Ghostlight (.ghostdmx), an OLA show file (its first line is "
+        "\"OLA Show\"), or a capture (pcap, pcapng)",
+        name};
 }
 
-class Parser {
-public:
-    Parser(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
+// Bytes of a recording that is packed into memory.
+struct Packed {
+    std::vector<std::uint8_t> bytes;
 
-    Result<Recording> parse() {
-        const std::string_view header = next_line();
-        if (header != kHeader || !ended_)
-            return Error{"this is no OLA show file, expected the line \"OLA Show\"", place()};
-        while (!rest_.empty()) {
-            const std::string_view line = next_line();
-            if (line.empty()) continue;
-            if (!ended_) {
-                problem("the last line is cut off and left out");
-                break;
-            }
-            if (line.find(' ') == std::string_view::npos)
-                delay(line);
-            else
-                TRY_VOID(frame(line));
-        }
-        if (recording_.frames.empty()) return Error{"no frame, expected lines like \"1 255,0,128\"", place()};
-        recording_.duration = time_;
-        if (problems_ > kMaxProblems)
-            recording_.problems.push_back(
-                {std::to_string(problems_ - kMaxProblems) + " more lines left out", name_});
-        return std::move(recording_);
-    }
-
-private:
-    std::string place() const { return name_ + ":" + std::to_string(line_); }
-
-    void problem(const std::string& what) {
-        if (problems_++ < kMaxProblems) recording_.problems.push_back({what, place()});
-    }
-
-    std::string_view next_line() {
-        const std::size_t end = rest_.find('\n');
-        ended_ = end != std::string_view::npos;
-        std::string_view line = rest_.substr(0, end);
-        rest_.remove_prefix(ended_ ? end + 1 : rest_.size());
-        ++line_;
-        if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-        return line;
-    }
-
-    void delay(std::string_view line) {
-        const auto ms = number(line, kMaxDelayMs);
-        if (!ms || time_.count() + *ms > kMaxDurationMs)
-            problem("expected \"<universe> <levels>\" or a pause in milliseconds of at most a day (a week in "
-                    "all)");
-        else
-            time_ += std::chrono::milliseconds(*ms);
-    }
-
-    Result<void> frame(std::string_view line) {
-        const std::size_t space = line.find(' ');
-        const auto universe = number(line.substr(0, space), kMaxUniverse);
-        if (!universe || *universe < 1) {
-            problem("universe '" + std::string(line.substr(0, std::min<std::size_t>(space, 20))) +
-                    "', expected 1 to " + std::to_string(kMaxUniverse));
+    ByteSink sink(const std::string& name) {
+        return [this, name](Bytes more) -> Result<void> {
+            if (more.size() > kMaxPackedBytes - bytes.size())
+                return Error{"is too long to be played as it is; ghostlight play " + name +
+                                 " -o NAME.ghostdmx makes it a recording of any length",
+                             name};
+            bytes.insert(bytes.end(), more.begin(), more.end());
             return {};
-        }
-        Levels levels{};
-        std::size_t count = 0;
-        for (std::string_view left = line.substr(space + 1);; ++count) {
-            const std::size_t comma = left.find(',');
-            const std::string_view text = left.substr(0, comma);
-            const auto level = text.empty() ? std::optional<std::int64_t>(0) : number(text, 255);
-            if (!level) {
-                problem("level '" + std::string(text.substr(0, 20)) + "' of slot " +
-                        std::to_string(count + 1) + ", expected 0 to 255");
-                return {};
-            }
-            if (count < kSlots) levels[count] = static_cast<std::uint8_t>(*level);
-            if (comma == std::string_view::npos) break;
-            left.remove_prefix(comma + 1);
-        }
-        ++count;
-        if (count > kSlots) {
-            problem(std::to_string(count) + " levels, expected at most 512; the first 512 are used");
-            count = kSlots;
-        }
-        if (recording_.frames.size() == kMaxRecordingFrames)
-            return Error{"more than " + std::to_string(kMaxRecordingFrames) + " frames", place()};
-        auto& newest = newest_[static_cast<std::uint16_t>(*universe)];
-        if (newest_.size() > kMaxRecordedUniverses)
-            return Error{"more than " + std::to_string(kMaxRecordedUniverses) + " universes", place()};
-        if (!newest || *newest != levels) newest = std::make_shared<const Levels>(levels);
-        recording_.frames.push_back(
-            {time_, static_cast<std::uint16_t>(*universe), static_cast<std::uint16_t>(count), newest});
-        return {};
+        };
     }
-
-    std::string_view rest_;
-    const std::string& name_;
-    std::size_t line_ = 0;
-    bool ended_ = true; // the line that was read last had its line end
-    std::chrono::milliseconds time_{0};
-    std::map<std::uint16_t, std::shared_ptr<const Levels>> newest_;
-    std::size_t problems_ = 0;
-    Recording recording_;
 };
+
+Result<FramesEnd> read_ola_frames(std::string_view text, const std::string& name, const FrameSink& sink) {
+    TRY(OlaShowEnd end, read_ola_show(text, name, sink));
+    return FramesEnd{end.duration, microseconds(0), std::move(end.problems)};
+}
+
+Result<FramesEnd> read_ghostdmx_frames(Recording recording, const ReadOptions& options,
+                                       const PartOptions& part,
+                                       const std::function<void(microseconds)>& began,
+                                       const FrameSink& sink) {
+    FramesEnd end{recording.duration(), recording.unix_time(), std::move(recording.problems)};
+    began(end.unix_time);
+    const std::size_t first = recording.block_at(part.from), last = recording.block_at(part.until);
+    microseconds time{0};
+    bool key_matters = true; // the frames before are not known
+    for (std::size_t number = first; number <= last; ++number) {
+        ghostdmx::BlockCursor cursor = recording.block(number);
+        const auto hand_on = [&](std::uint16_t universe, const ghostdmx::State& state) {
+            time = std::max(time, state.time);
+            return sink({time, universe, state.slot_count, state.lost, state.levels});
+        };
+        if (key_matters) {
+            std::vector<std::pair<microseconds, std::uint16_t>> by_time;
+            for (const auto& [universe, state] : cursor.states()) by_time.emplace_back(state.time, universe);
+            std::sort(by_time.begin(), by_time.end());
+            for (const auto& [when, universe] : by_time)
+                TRY_VOID(hand_on(universe, cursor.states().at(universe)));
+        }
+        while (cursor.next_time()) {
+            const std::uint16_t universe = cursor.next();
+            if (universe != 0) TRY_VOID(hand_on(universe, cursor.states().at(universe)));
+        }
+        recording.check(cursor, number);
+        std::vector<Error> damage = recording.take_damage();
+        key_matters = !damage.empty();
+        end.problems.insert(end.problems.end(), damage.begin(), damage.end());
+        const double share = static_cast<double>(number - first + 1) / static_cast<double>(last - first + 1);
+        if (options.progress && !options.progress(share)) return Error{"interrupted", ""};
+    }
+    return end;
+}
 
 } // namespace
 
-Result<Recording> parse_recording(std::string_view text, const std::string& name) {
-    return Parser(text, name).parse();
+ghostdmx::BlockCursor Recording::block(std::size_t number) {
+    GhostdmxReader::Block block = reader_.block(number);
+    if (block.damage && damaged_.insert(number).second) damage_.push_back(*block.damage);
+    return std::move(block.cursor);
 }
 
-Result<Recording> read_recording(const std::filesystem::path& path) {
-    TRY(const std::string text, read_text_file(path, kMaxRecordingBytes));
-    return parse_recording(text, path.string());
+void Recording::check(const ghostdmx::BlockCursor& cursor, std::size_t number) {
+    if (!cursor.malformed() || !damaged_.insert(number).second) return;
+    damage_.push_back({"holds what is no frame, though its checksum is right; the levels stand still there",
+                       name_ + ", byte " + std::to_string(block_place(number).offset)});
 }
 
-Player::Player(Recording recording) : recording_(std::move(recording)) {
-    for (std::size_t i = 0; i < recording_.frames.size(); ++i) {
-        const RecordedFrame& frame = recording_.frames[i];
-        auto& steps = by_universe_[frame.universe];
-        const bool same = !steps.empty() && recording_.frames[steps.back().frame].levels == frame.levels;
-        steps.push_back({frame.time, i, same ? steps.back().revision : i + 1});
-    }
+std::vector<Error> Recording::take_damage() {
+    return std::exchange(damage_, {});
 }
 
-double Player::duration_s() const {
-    return std::chrono::duration<double>(recording_.duration).count();
+std::size_t Recording::block_at(microseconds time) const {
+    const auto& blocks = reader_.index().blocks;
+    const auto after = std::upper_bound(blocks.begin(), blocks.end(), time,
+                                        [](microseconds t, const auto& block) { return t < block.start; });
+    return after == blocks.begin() ? 0 : static_cast<std::size_t>(after - blocks.begin() - 1);
 }
 
-Universes Player::at(double t_s) const {
-    // Compared in seconds: a frame stamped 40 ms is on at t = 0.04 whatever way that was computed.
-    constexpr double kRounding_s = 1e-6;
-    Universes result;
-    for (const auto& [number, steps] : by_universe_) {
-        const auto later = [&](double t, const Step& step) {
-            return t < std::chrono::duration<double>(step.time).count() - kRounding_s;
-        };
-        auto after = std::upper_bound(steps.begin(), steps.end(), std::max(t_s, 0.0), later);
-        if (after == steps.begin()) continue;
-        const Step& step = *--after;
-        Universe universe;
-        universe.number = number;
-        universe.levels = recording_.frames[step.frame].levels;
-        universe.arrival = step.time;
-        universe.revision = step.revision;
-        result.revision = std::max(result.revision, step.revision);
-        result.list.push_back(std::move(universe));
+std::map<std::uint16_t, microseconds> Recording::first_frames() {
+    std::map<std::uint16_t, microseconds> result;
+    for (std::size_t number = 0; number < blocks(); ++number) {
+        ghostdmx::BlockCursor cursor = block(number);
+        for (const auto& [universe, state] : cursor.states()) result.try_emplace(universe, state.time);
+        while (const auto time = cursor.next_time())
+            if (const std::uint16_t universe = cursor.next(); universe != 0)
+                result.try_emplace(universe, *time);
+        check(cursor, number);
     }
     return result;
+}
+
+Result<Recording> parse_recording(std::string_view text, const std::string& name) {
+    Packed packed;
+    GhostdmxWriter writer(packed.sink(name));
+    TRY(FramesEnd end, read_ola_frames(text, name, [&](const RecordedFrame& f) { return writer.append(f); }));
+    TRY_VOID(writer.finish(end.duration));
+    TRY(GhostdmxReader reader, GhostdmxReader::open(ByteSource(std::move(packed.bytes)), name));
+    Recording recording(std::move(reader), name);
+    recording.problems = std::move(end.problems);
+    return recording;
+}
+
+Result<Recording> read_recording(const fs::path& path, const ReadOptions& options) {
+    const std::string name = path.string();
+    TRY(ByteSource source, ByteSource::open(path));
+    TRY(const Format format, find_format(source, name));
+    if (format == Format::ghostdmx) {
+        TRY(GhostdmxReader reader, GhostdmxReader::open(std::move(source), name));
+        return Recording(std::move(reader), name);
+    }
+    Packed packed;
+    GhostdmxWriter writer(packed.sink(name));
+    TRY(FramesEnd end,
+        read_frames(
+            path, options, PartOptions{}, [&](microseconds unix_time) { writer.began(unix_time); },
+            [&](const RecordedFrame& frame) { return writer.append(frame); }));
+    TRY_VOID(writer.finish(end.duration));
+    TRY(GhostdmxReader reader, GhostdmxReader::open(ByteSource(std::move(packed.bytes)), name));
+    Recording recording(std::move(reader), name);
+    recording.problems = std::move(end.problems);
+    return recording;
+}
+
+Result<FramesEnd> read_frames(const fs::path& path, const ReadOptions& options, const PartOptions& part,
+                              const std::function<void(microseconds)>& began, const FrameSink& sink) {
+    const std::string name = path.string();
+    TRY(ByteSource source, ByteSource::open(path));
+    TRY(const Format format, find_format(source, name));
+    if (format == Format::ghostdmx) {
+        TRY(Recording recording, read_recording(path, options));
+        return read_ghostdmx_frames(std::move(recording), options, part, began, sink);
+    }
+    if (format == Format::ola_show) {
+        TRY(const std::string text, read_text_file(path, kMaxOlaShowBytes));
+        began(microseconds(0));
+        return read_ola_frames(text, name, sink);
+    }
+    TRY(CaptureEnd end, read_capture(source, name, options.capture, options.progress, began, sink));
+    return FramesEnd{end.duration, end.unix_time, std::move(end.problems)};
 }
 
 } // namespace ghost::dmx

@@ -1,94 +1,82 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// DMX with time stamps, in the show-file format of the Open Lighting Architecture (ola_recorder): the line
-// "OLA Show", then in turn "<universe> <level>,<level>,..." and the milliseconds until the next frame.
-// Reading keeps what can be read and lists each line that cannot, by number. OLA universe n is our universe
-// n. Any thread, one object per thread.
+// Recordings of every format that Ghostlight reads: its own (.ghostdmx), OLA show files, and captures of the
+// network (pcap, pcapng); found out by their first bytes, not by their names. docs/recording.md. A .ghostdmx
+// recording is read where it lies, block by block; one of another format is packed into memory in the same
+// form, so everything behind this knows one format only. One thread at a time.
 
-#include "base/result.h"
-#include "dmx/universes.h"
+#include "dmx/capture.h"
+#include "dmx/ghostdmx_reader.h"
+#include "dmx/part.h"
 
-#include <chrono>
-#include <cstdio>
 #include <filesystem>
-#include <map>
+#include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace ghost::dmx {
 
-inline constexpr std::uintmax_t kMaxRecordingBytes = 512u << 20;
-inline constexpr std::size_t kMaxRecordingFrames = 1'000'000;
+// Packed bytes of a capture or an OLA show file, in memory. Longer ones are converted first.
+inline constexpr std::size_t kMaxPackedBytes = 512u << 20;
 
-struct RecordedFrame {
-    std::chrono::milliseconds time{0}; // since the first frame
-    std::uint16_t universe = 0;
-    std::uint16_t slot_count = 0;
-    std::shared_ptr<const Levels> levels; // 0 beyond slot_count; equal successive frames share them
+struct ReadOptions {
+    CaptureOptions capture;
+    // Asked now and then with what share is read; false ends the reading with an error "interrupted".
+    std::function<bool(double share)> progress;
 };
 
-struct Recording {
-    std::vector<RecordedFrame> frames;     // by time
-    std::chrono::milliseconds duration{0}; // with the pause after the last frame
-    std::vector<Error> problems; // lines that were left out, where = "name:line"; at most 100 and a total
+class Recording {
+public:
+    std::vector<Error> problems; // what was left out, as far as opening shows it
+
+    std::chrono::microseconds duration() const { return reader_.index().duration; }
+    std::uint64_t frames() const { return reader_.index().frames; }
+    std::chrono::microseconds unix_time() const {
+        return reader_.header().unix_time;
+    } // of time 0; 0: unknown
+    std::size_t blocks() const { return reader_.index().blocks.size(); }
+    const ghostdmx::BlockPlace& block_place(std::size_t number) const {
+        return reader_.index().blocks.at(number);
+    }
+
+    // Block `number`; what is damaged in it comes out of take_damage(), once.
+    ghostdmx::BlockCursor block(std::size_t number);
+    std::vector<Error> take_damage();
+    // To be called with a cursor of block() that went as far as it does.
+    void check(const ghostdmx::BlockCursor& cursor, std::size_t number);
+    // The last block that starts at or before this time; 0 before the first.
+    std::size_t block_at(std::chrono::microseconds time) const;
+
+    // Every universe with the time of its first frame. Reads everything.
+    std::map<std::uint16_t, std::chrono::microseconds> first_frames();
+
+private:
+    friend Result<Recording> read_recording(const std::filesystem::path&, const ReadOptions&);
+    friend Result<Recording> parse_recording(std::string_view, const std::string&);
+    Recording(GhostdmxReader reader, std::string name)
+        : problems(reader.problems()), reader_(std::move(reader)), name_(std::move(name)) {}
+
+    GhostdmxReader reader_;
+    std::string name_;
+    std::vector<Error> damage_;
+    std::set<std::size_t> damaged_; // blocks that were spoken of
 };
 
-// Error: no "OLA Show" line, no frame at all, or a limit passed. name is for messages.
+Result<Recording> read_recording(const std::filesystem::path& path, const ReadOptions& options = {});
+// The text of an OLA show file. name is for messages.
 Result<Recording> parse_recording(std::string_view text, const std::string& name);
-Result<Recording> read_recording(const std::filesystem::path& path);
 
-// Writes while it happens: the file grows as "<path>.part", every frame is a whole line handed to the kernel
-// at once, and finish() renames it. After a crash the .part file is a valid recording up to its last line.
-class Recorder {
-public:
-    static Result<Recorder> create(const std::filesystem::path& path);
-    Recorder(Recorder&& other) noexcept;
-    Recorder& operator=(Recorder&&) = delete;
-    ~Recorder(); // without finish(): closes and leaves the .part file, unless it has no frame
-
-    // Appends the universes whose levels changed. Time may start anywhere and must not go back.
-    Result<void> feed(const Universes& universes, std::chrono::nanoseconds now);
-    // The pause up to now, then fsync and rename.
-    Result<void> finish(std::chrono::nanoseconds now);
-    std::size_t frames() const { return frames_; }
-    std::uintmax_t bytes() const { return bytes_; }
-
-private:
-    Recorder(std::filesystem::path path, std::FILE* file) : path_(std::move(path)), file_(file) {}
-    Result<void> append(const std::string& line);
-
-    struct Written {
-        std::uint64_t revision = 0;
-        std::size_t slots = 0; // never shrinks, so that a level that returns to 0 is written
-    };
-    std::filesystem::path path_;
-    std::FILE* file_ = nullptr;
-    std::map<std::uint16_t, Written> written_;
-    std::chrono::milliseconds last_{0};
-    std::size_t frames_ = 0;
-    std::uintmax_t bytes_ = 0;
+// What read_frames() says besides the frames.
+struct FramesEnd {
+    std::chrono::microseconds duration{0};
+    std::chrono::microseconds unix_time{0}; // of time 0; 0: unknown
+    std::vector<Error> problems;
 };
-
-// Plays a recording by show time. Deterministic: the same t gives the same levels in any order of calls.
-class Player {
-public:
-    explicit Player(Recording recording);
-
-    // Levels at t_s seconds: of each universe its last frame at or before t (a universe before its first
-    // frame is absent). Before 0 like 0, after the end the last look.
-    Universes at(double t_s) const;
-    double duration_s() const;
-    const Recording& recording() const { return recording_; }
-
-private:
-    Recording recording_;
-    struct Step {
-        std::chrono::milliseconds time;
-        std::size_t frame;
-        std::uint64_t revision;
-    };
-    std::map<std::uint16_t, std::vector<Step>> by_universe_; // by time
-};
+// Hands frames to sink, by time, without holding the recording. Of a .ghostdmx recording only those that part
+// needs, of other formats all. began is called before the first frame.
+Result<FramesEnd> read_frames(const std::filesystem::path& path, const ReadOptions& options,
+                              const PartOptions& part,
+                              const std::function<void(std::chrono::microseconds unix_time)>& began,
+                              const FrameSink& sink);
 
 } // namespace ghost::dmx

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ANSI E1.31-2018 sections 4 to 7: root, framing and DMP layer of a data packet.
+// ANSI E1.31-2018 sections 4 to 8: root layer, and behind it data, synchronisation or universe discovery.
 #include "dmx/packet.h"
 
 #include <algorithm>
@@ -15,32 +15,52 @@ constexpr std::uint32_t kFramingData = 2, kFramingSync = 1, kFramingDiscovery = 
 constexpr std::uint32_t kFramingDraftDiscovery =
     4; // the 2014 draft, still sent by OLA 0.10.9, with the root of data
 
-} // namespace
+constexpr std::uint32_t kDiscoveryList = 1;
+constexpr std::size_t kMaxListed = 512;
 
-Parsed parse_sacn(Bytes bytes, std::uint32_t from_ipv4) {
-    ByteReader reader(bytes);
-    const Bytes identifier = reader.take(sizeof kIdentifier);
+std::string name_of(Bytes name) {
+    if (name.empty()) return {};
+    return {name.begin(), std::find(name.begin(), std::prev(name.end()), std::uint8_t{0})};
+}
+
+Parsed parse_sync(ByteReader reader, const SourceKey& source) {
+    SyncPacket packet;
+    packet.source = source;
+    packet.sequence = reader.u8();
+    packet.universe = reader.u16_be();
+    reader.skip(2); // reserved
     if (!reader.ok()) return Drop::too_short;
-    if (!std::equal(identifier.begin(), identifier.end(), kIdentifier)) return Drop::not_ours;
+    if (packet.universe < 1 || packet.universe > kMaxUniverse) return Drop::bad_universe;
+    return packet;
+}
 
+// draft: after the name comes the rest of a data packet's framing layer, then page, last page and list,
+// without a layer of their own.
+Parsed parse_discovery(ByteReader reader, const SourceKey& source, const IpAddress& from, bool draft) {
+    DiscoveryPacket packet;
+    packet.source = source;
+    packet.from = from;
+    packet.source_name = name_of(reader.take(64));
+    if (draft) {
+        reader.skip(7);
+    } else {
+        reader.skip(4 + 2); // reserved; flags and length
+        if (reader.u32_be() != kDiscoveryList) return reader.ok() ? Drop::bad_vector : Drop::too_short;
+    }
+    packet.page = reader.u8();
+    packet.last_page = reader.u8();
+    if (!reader.ok() || reader.left() % 2 != 0) return Drop::too_short;
+    if (packet.page > packet.last_page) return Drop::bad_value;
+    while (reader.left() > 0 && packet.universes.size() < kMaxListed)
+        packet.universes.push_back(reader.u16_be());
+    return packet;
+}
+
+Parsed parse_data(ByteReader reader, const SourceKey& source, const IpAddress& from) {
     Packet packet;
     packet.protocol = Protocol::sacn;
-    packet.source.protocol = Protocol::sacn;
-    packet.from_ipv4 = from_ipv4;
-    reader.skip(2); // flags and length: real senders get it wrong, so the size of the datagram decides
-    const std::uint32_t root = reader.u32_be();
-    const Bytes cid = reader.take(16);
-    reader.skip(2);
-    const std::uint32_t framing = reader.u32_be();
-    if (!reader.ok()) return Drop::too_short;
-    std::copy(cid.begin(), cid.end(), packet.source.id.begin());
-    if (root == kRootExtended) {
-        if (framing == kFramingSync) return Notice::sync;
-        return framing == kFramingDiscovery ? Parsed(Notice::discovery) : Parsed(Drop::bad_vector);
-    }
-    if (root == kRootData && framing == kFramingDraftDiscovery) return Notice::discovery;
-    if (root != kRootData || framing != kFramingData) return Drop::bad_vector;
-
+    packet.source = source;
+    packet.from = from;
     const Bytes name = reader.take(64);
     packet.priority = reader.u8();
     packet.sync_universe = reader.u16_be();
@@ -60,16 +80,42 @@ Parsed parse_sacn(Bytes bytes, std::uint32_t from_ipv4) {
     if (packet.universe < 1 || packet.universe > kMaxUniverse) return Drop::bad_universe;
     if (packet.start_code != 0x00 && packet.start_code != 0xDD) return Drop::bad_start_code;
 
-    const auto name_end = std::find(name.begin(), std::prev(name.end()), std::uint8_t{0});
-    packet.source_name.assign(name.begin(), name_end);
-    packet.preview = (options & 0x80) != 0;
+    packet.source_name = name_of(name);
+    packet.source.preview = (options & 0x80) != 0;
     packet.terminated = (options & 0x40) != 0;
+    packet.force_sync = (options & 0x20) != 0;
     const std::size_t slots = std::min(static_cast<std::size_t>(count) - 1, kSlots);
     const Bytes levels = reader.take(slots);
     if (!reader.ok()) return Drop::too_short; // half a look must not darken the other half
     std::copy(levels.begin(), levels.end(), packet.slots.begin());
     packet.slot_count = static_cast<std::uint16_t>(slots);
     return packet;
+}
+
+} // namespace
+
+Parsed parse_sacn(Bytes bytes, const IpAddress& from) {
+    ByteReader reader(bytes);
+    const Bytes identifier = reader.take(sizeof kIdentifier);
+    if (!reader.ok()) return Drop::too_short;
+    if (!std::equal(identifier.begin(), identifier.end(), kIdentifier)) return Drop::not_ours;
+
+    SourceKey source;
+    source.protocol = Protocol::sacn;
+    reader.skip(2); // flags and length: real senders get it wrong, so the size of the datagram decides
+    const std::uint32_t root = reader.u32_be();
+    const Bytes cid = reader.take(source.id.size());
+    reader.skip(2);
+    const std::uint32_t framing = reader.u32_be();
+    if (!reader.ok()) return Drop::too_short;
+    std::copy(cid.begin(), cid.end(), source.id.begin());
+    if (root == kRootExtended && framing == kFramingSync) return parse_sync(reader, source);
+    if (root == kRootExtended && framing == kFramingDiscovery)
+        return parse_discovery(reader, source, from, false);
+    if (root == kRootData && framing == kFramingDraftDiscovery)
+        return parse_discovery(reader, source, from, true);
+    if (root == kRootData && framing == kFramingData) return parse_data(reader, source, from);
+    return Drop::bad_vector;
 }
 
 } // namespace ghost::dmx

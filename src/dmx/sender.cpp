@@ -8,7 +8,7 @@
 
 namespace ghost::dmx {
 
-Sender::Sender(SenderOptions options, std::unique_ptr<UdpSocket> socket, std::uint32_t target)
+Sender::Sender(SenderOptions options, std::unique_ptr<UdpSocket> socket, std::optional<IpAddress> target)
     : options_(std::move(options)), socket_(std::move(socket)), target_(target) {
     if (options_.port == 0) options_.port = options_.protocol == Protocol::sacn ? kSacnPort : kArtnetPort;
     // A new source each time: the receivers' sequence rules start afresh.
@@ -22,22 +22,25 @@ Sender::Sender(Sender&&) noexcept = default;
 Sender::~Sender() = default;
 
 Result<Sender> Sender::open(const SenderOptions& options) {
-    std::uint32_t target = 0;
-    TRY(auto socket, UdpSocket::open(0, 0, 64 << 10));
+    std::optional<IpAddress> target;
     if (!options.destination.empty()) {
-        TRY(target, parse_ipv4(options.destination));
+        TRY(target, parse_address(options.destination));
     }
+    const bool ipv6 = target && !target->is_ipv4();
+    if (ipv6 && options.protocol == Protocol::artnet)
+        return Error{"Art-Net knows no IPv6, expected an IPv4 address", options.destination};
+    TRY(auto socket, ipv6 ? UdpSocket::open_ipv6(0, 64 << 10) : UdpSocket::open(0, 0, 64 << 10));
     if (!options.interface.empty()) {
         TRY(const NetInterface interface, find_interface(options.interface));
         TRY_VOID(socket->send_multicast_through(interface));
-        if (target == 0 && options.protocol == Protocol::artnet) target = interface.broadcast;
+        if (!target && options.protocol == Protocol::artnet) target = IpAddress(interface.broadcast);
     }
-    if (target == 0 && options.protocol == Protocol::artnet) target = 0xFFFFFFFFu;
+    if (!target && options.protocol == Protocol::artnet) target = IpAddress(0xFFFFFFFFu);
     return Sender(options, std::move(socket), target);
 }
 
-std::uint32_t Sender::destination(std::uint16_t universe) const {
-    return target_ ? target_ : sacn_group(universe);
+IpAddress Sender::destination(std::uint16_t universe) const {
+    return target_ ? *target_ : IpAddress(sacn_group(universe));
 }
 
 Result<void> Sender::send(const Universes& universes) {

@@ -10,6 +10,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace ghost::dmx {
@@ -18,8 +19,9 @@ class UdpSocket;
 
 struct SenderOptions {
     Protocol protocol = Protocol::sacn;
-    std::string destination; // IPv4 address; empty: sACN multicast, Art-Net broadcast of the interface
-    std::string interface;   // name or IPv4 address; empty: the system's choice
+    std::string
+        destination; // IPv4 or (sACN) IPv6 address; empty: sACN multicast, Art-Net broadcast of the interface
+    std::string interface; // name or IPv4 address; empty: the system's choice
     std::uint8_t priority = 100;
     std::string source_name = "Ghostlight";
     int artnet_offset = 1;  // Port-Address = universe - this; -32768 to 63999
@@ -38,12 +40,12 @@ public:
     std::uint64_t packets() const { return packets_; }
 
 private:
-    Sender(SenderOptions options, std::unique_ptr<UdpSocket> socket, std::uint32_t broadcast);
-    std::uint32_t destination(std::uint16_t universe) const;
+    Sender(SenderOptions options, std::unique_ptr<UdpSocket> socket, std::optional<IpAddress> target);
+    IpAddress destination(std::uint16_t universe) const;
 
     SenderOptions options_;
     std::unique_ptr<UdpSocket> socket_;
-    std::uint32_t target_ = 0; // host byte order; 0 = multicast group of the universe
+    std::optional<IpAddress> target_; // none: the multicast group of the universe
     std::array<std::uint8_t, 16> cid_{};
     std::map<std::uint16_t, std::uint8_t> sequence_;
     std::uint64_t packets_ = 0;

@@ -20,7 +20,8 @@ using Levels = std::array<std::uint8_t, kSlots>;
 
 struct Universe {
     std::uint16_t number = 0;
-    bool lost = false;                    // no live source: the last look is held
+    bool lost = false;                    // no live source: the last look is held, or
+    bool black = false;                   // lost, and the look was taken away (LossPolicy)
     std::shared_ptr<const Levels> levels; // never null in a list; address 1 is element 0
     std::chrono::nanoseconds arrival{
         0};                     // steady time of the newest packet merged in; of a player: the show time

@@ -42,17 +42,21 @@ double tail_sum(float texel) {
 } // namespace
 
 std::vector<float> glare_weights(std::size_t levels, float pixels_per_rad) {
-    // Light per octave of angle: the integral from a to 2 a of (10 / a^3 + 5 / a^2) 2 pi a da, a in degrees.
+    // Light between two angles: the integral of (10 / a^3 + 5 / a^2) a da, a in degrees.
+    const auto light = [](float from, float to) {
+        from = std::clamp(from, shared::kGlareInner_deg, shared::kGlareReach_deg);
+        to = std::clamp(to, from, shared::kGlareReach_deg);
+        return 10.0f / from - 10.0f / to + 5.0f * std::log(to / from);
+    };
+    const float all = light(0, shared::kGlareReach_deg);
     std::vector<float> weights(levels);
     for (std::size_t k = 0; k < levels; ++k) {
         const float texel = texel_deg(k, pixels_per_rad);
-        weights[k] = 5.0f / texel + 5.0f * std::log(2.0f);
-        if (k + 1 < levels) continue;
-        const float octaves = std::max(std::log2(shared::kGlareReach_deg / texel), 1.0f);
-        weights[k] = 10.0f / texel * (1.0f - std::exp2(-octaves)) + 5.0f * std::log(2.0f) * octaves;
+        // A coarsest texel beyond the reach still has what goes that far: its share is that of its last
+        // octave.
+        const float from = k + 1 < levels ? texel : std::min(texel, 0.5f * shared::kGlareReach_deg);
+        weights[k] = light(from, k + 1 < levels ? 2.0f * texel : shared::kGlareReach_deg) / all;
     }
-    const float sum = std::accumulate(weights.begin(), weights.end(), 0.0f);
-    for (float& weight : weights) weight /= sum;
     return weights;
 }
 
@@ -128,7 +132,10 @@ void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float
         coarse = &levels_[k - 1];
         coarse_weight = 1.0f;
     }
-    up(*coarse, frame, seen_, 1.0f - settings_.strength, coarse_weight * settings_.strength / scale);
+    // What is scattered less far than a texel stays in its pixel.
+    const float scattered = std::accumulate(weights_.begin(), weights_.end(), 0.0f);
+    up(*coarse, frame, seen_, 1.0f - settings_.strength * scattered,
+       coarse_weight * settings_.strength / scale);
 }
 
 std::uint64_t GlarePass::memory_bytes() const {

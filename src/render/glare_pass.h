@@ -16,11 +16,12 @@
 namespace ghost::render {
 
 struct GlareSettings {
-    float strength = 0.05f; // share of the light that is scattered, 0..1; 0: off. An eye: about 0.2
+    // Share of the light that is scattered farther than kGlareInner_deg, 0..1; 0: off. An eye: about 0.25
+    float strength = 0.05f;
 };
 
 // Shares of the levels, finest first (a texel is 2 pixels, 4 pixels, ..); the coarsest has all that goes
-// farther. Their sum is 1.
+// farther. Their sum is 1, less what goes no farther than a texel of the first: no pixel can show that.
 std::vector<float> glare_weights(std::size_t levels, float pixels_per_rad);
 
 class GlarePass {
@@ -32,7 +33,8 @@ public:
     // frame: layer 0, rgba16f, is the picture (light_of_frame in shared/glare.h). brightest: what its pixels
     // reach at most, cd/m^2.
     void record(gpu::Commands& commands, const gpu::Texture& frame, float brightest, float pixels_per_rad);
-    // What is to be developed: the picture with glare, or frame itself where glare is off.
+    // What is to be developed: the picture with glare, or frame itself where glare is off. Its alpha as the
+    // frame's.
     const gpu::Texture& seen(const gpu::Texture& frame) const { return on() ? seen_ : frame; }
     std::uint64_t memory_bytes() const;
 

@@ -20,6 +20,10 @@ constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+// Lenses between two chunks: each begins at a multiple of 256 bytes, where every device lets a uniform buffer
+// begin.
+constexpr std::size_t kChunkStart = 64;
+static_assert(kChunkStart * sizeof(shared::Lens) % 256 == 0);
 constexpr int kCounted_px = 32;      // lenses up to this size are measured pixel by pixel
 constexpr float kRimVariance = 0.2f; // of the place of a rim of 1 pixel to both sides, pixels^2
 constexpr float kNearest_m = 0.05f;  // from the eye
@@ -43,9 +47,11 @@ float covered_px(const vec2& centre_px, const vec3& spread, const glm::ivec2& lo
 
 } // namespace
 
-bool lens_in_view(const shared::Light& light, const shared::View& view, const LensSettings& settings,
+bool lens_in_view(const scene::Face& face, const shared::View& view, const LensSettings& settings,
                   LensInView& seen) {
-    const float stray_cd = 4.0f * settings.stray; // on the axis of Lambert's law, per cd of bounce_cd
+    const shared::Light& light = face.light;
+    // On the axis of Lambert's law, per cd of bounce_cd: a few lumens of a lamp, all of what glows.
+    const float stray_cd = 4.0f * (face.glows ? 1.0f : settings.stray);
     if (largest(light.intensity_cd) <= 0) return false;
     const float radius_m = light.disc_radius_m > 0   ? light.disc_radius_m
                            : light.lens_radius_m > 0 ? light.lens_radius_m
@@ -64,7 +70,7 @@ bool lens_in_view(const shared::Light& light, const shared::View& view, const Le
         vec2(glm::dot(apex_m, light.axis_u), glm::dot(apex_m, light.axis_v)) / (z * light.tan_field);
     const float lens_blur =
         light.lens_radius_m * (z * light.focus_per_m - 1.0f) / (light.lens_radius_m + z * light.tan_field);
-    const bool in_beam = glm::length(gate) < light.cut_radius + std::abs(lens_blur);
+    const bool in_beam = !face.glows && glm::length(gate) < light.cut_radius + std::abs(lens_blur);
     if (!in_beam && largest(light.bounce_cd) * stray_cd <= 0) return false;
 
     // The picture of the disc: an ellipse, by the derivatives of the projection at its centre.
@@ -115,8 +121,9 @@ bool lens_in_view(const shared::Light& light, const shared::View& view, const Le
     lens.light_per_cd = light_per_lux / glm::dot(apex_m, apex_m);
     lens.stray = light.bounce_cd * (stray_cd * cosine * light_per_lux / (distance_m * distance_m));
     lens.nearest_m = distance_m - radius_m - settings.body_m;
-    seen.brightest = largest(light.intensity_cd * glm::max(light.colour_b, vec3(1.0f))) * lens.light_per_cd +
-                     largest(lens.stray);
+    seen.brightest =
+        largest(lens.light.intensity_cd * glm::max(light.colour_b, vec3(1.0f))) * lens.light_per_cd +
+        largest(lens.stray);
     return true;
 }
 
@@ -142,6 +149,7 @@ void LensPass::add_chunk(const std::vector<LensInView>& seen, std::uint32_t whee
                  x <= block_of(one.high.x, shared::kLensBlockWidth); ++x)
                 lenses_of[y * blocks_x + x].push_back(k);
     }
+    lens_values_.resize((lens_values_.size() + kChunkStart - 1) / kChunkStart * kChunkStart);
     Chunk chunk{wheels, static_cast<std::uint32_t>(lens_values_.size()),
                 static_cast<std::uint32_t>(list_values_.size()),
                 static_cast<std::uint32_t>(lenses_of.size())};
@@ -168,7 +176,7 @@ void LensPass::upload() {
 }
 
 void LensPass::record(gpu::Commands& commands, const Fragments& fragments, const shared::View& view,
-                      const std::vector<shared::Light>& lights, const gpu::Texture& gobos,
+                      const std::vector<scene::Face>& faces, const gpu::Texture& gobos,
                       const gpu::Texture& frame) {
     lens_values_.clear();
     list_values_.clear();
@@ -178,9 +186,9 @@ void LensPass::record(gpu::Commands& commands, const Fragments& fragments, const
     const std::uint32_t blocks_x = (view.width + shared::kLensBlockWidth - 1) / shared::kLensBlockWidth;
     for (std::uint32_t wheels = 0; settings_.on && wheels < kClasses; ++wheels) {
         std::vector<LensInView> seen;
-        for (const shared::Light& light : lights) {
+        for (const scene::Face& face : faces) {
             LensInView one;
-            if (light.wheel_count != wheels || !lens_in_view(light, view, settings_, one)) continue;
+            if (face.light.wheel_count != wheels || !lens_in_view(face, view, settings_, one)) continue;
             brightest_ += one.brightest;
             seen.push_back(one);
             ++drawn_;

@@ -8,6 +8,7 @@
 #include "gpu/commands.h"
 #include "gpu/texture.h"
 #include "render/fragments.h"
+#include "scene/lit.h"
 #include "shared/glare.h"
 #include "shared/types.h"
 
@@ -36,17 +37,16 @@ struct LensInView {
 };
 
 // False where nothing can be seen of it: dark, turned away, beside its beam, outside the picture.
-bool lens_in_view(const shared::Light& light, const shared::View& view, const LensSettings& settings,
+bool lens_in_view(const scene::Face& face, const shared::View& view, const LensSettings& settings,
                   LensInView& seen);
 
 class LensPass {
 public:
     LensPass(const gpu::Device& device, const LensSettings& settings);
 
-    // Adds to layer 0 of frame, once a frame, after all lights are summed. lights: all of the show.
+    // Adds to layer 0 of frame, once a frame, after all lights are summed. faces: all of the show.
     void record(gpu::Commands& commands, const Fragments& fragments, const shared::View& view,
-                const std::vector<shared::Light>& lights, const gpu::Texture& gobos,
-                const gpu::Texture& frame);
+                const std::vector<scene::Face>& faces, const gpu::Texture& gobos, const gpu::Texture& frame);
 
     // Of the last record: cd/m^2 that the lenses of a pixel reach at most, together; lenses drawn.
     float brightest() const { return brightest_; }

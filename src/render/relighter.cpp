@@ -37,6 +37,13 @@ std::uint32_t batch_size(const gpu::Device& device, const Settings& settings) {
     return device.is_cpu() ? 1 : shared::kLightsPerChunk;
 }
 
+bool same_faces(const std::vector<scene::Face>& a, const std::vector<scene::Face>& b) {
+    return std::equal(
+        a.begin(), a.end(), b.begin(), b.end(), [](const scene::Face& one, const scene::Face& other) {
+            return one.glows == other.glows && std::memcmp(&one.light, &other.light, sizeof one.light) == 0;
+        });
+}
+
 } // namespace
 
 double FrameStatistics::haze_ms() const {
@@ -121,6 +128,13 @@ void Relighter::set_air(const shared::Air& air) {
     if (std::memcmp(&air, air_.mapped(), sizeof air) == 0) return;
     std::memcpy(air_.mapped(), &air, sizeof air);
     forget();
+}
+
+void Relighter::set_exposure(float ev100, bool automatic) {
+    if (ev100 == settings_.ev100 && automatic == settings_.auto_exposure) return;
+    settings_.ev100 = ev100;
+    settings_.auto_exposure = automatic;
+    tree_.invalidate_frame(); // kept images know no exposure
 }
 
 void Relighter::set_quality(const HazeQuality& quality) {
@@ -212,7 +226,14 @@ void Relighter::make_images() {
 }
 
 FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
+    scene::Lit lit{lights, {}};
+    for (const shared::Light& light : lights) lit.faces.push_back({light});
+    return draw(lit);
+}
+
+FrameStatistics Relighter::draw(const scene::Lit& lit) {
     const auto start = std::chrono::steady_clock::now();
+    const std::vector<shared::Light>& lights = lit.lights;
     CHECK_EQ(static_cast<int>(lights.size()), light_count_);
     if (!settings_.reuse) forget();
     std::vector<int> changed;
@@ -220,6 +241,10 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
         if (i >= last_lights_.size() || std::memcmp(&lights[i], &last_lights_[i], sizeof(shared::Light)) != 0)
             changed.push_back(static_cast<int>(i));
     last_lights_ = lights;
+    if (settings_.lens.on && !same_faces(lit.faces, last_faces_)) {
+        tree_.invalidate_frame();
+        last_faces_ = lit.faces;
+    }
 
     const Plan plan = tree_.plan(changed);
     FrameStatistics statistics;
@@ -236,10 +261,11 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
             draw_sum(sum, lights);
             if (mender_) mender_->made(sum);
         }
-        develop(lights);
+        develop(lit.faces);
         commands_.copy(work_, work_read_, sizeof(shared::FrameWork));
         commands_.submit_and_wait();
         statistics.spans = commands_.spans();
+        statistics.faces = lens_.drawn();
         const auto* work = static_cast<const shared::FrameWork*>(work_read_.mapped());
         statistics.haze_tiles = static_cast<int>(work->haze_tiles);
         statistics.surface_tiles = static_cast<int>(work->surface_tiles);
@@ -259,11 +285,11 @@ int Relighter::mend(int slot, const std::vector<shared::Light>& lights) {
     return static_cast<int>(sum.lights.size());
 }
 
-void Relighter::develop(const std::vector<shared::Light>& lights) {
+void Relighter::develop(const std::vector<scene::Face>& faces) {
     const Fragments& f = fragments();
     if (settings_.lens.on) {
         commands_.begin_span("lenses");
-        lens_.record(commands_, f, f.camera, lights, gobos_, images_);
+        lens_.record(commands_, f, f.camera, faces, gobos_, images_);
     }
     if (glare_.on()) {
         commands_.begin_span("glare");
@@ -298,9 +324,11 @@ image::ImageF Relighter::frame() const {
     commands_.copy(glare_.seen(images_), buffer);
     commands_.submit_and_wait();
     const auto* halves = static_cast<const std::uint16_t*>(buffer.mapped());
-    for (std::size_t i = 0; i < result.samples.size() / 3; ++i)
+    for (std::size_t i = 0; i < result.samples.size() / 3; ++i) {
+        const float times = 1.0f + glm::unpackHalf1x16(halves[i * 4 + 3]); // light_of_frame
         for (std::size_t c = 0; c < 3; ++c)
-            result.samples[i * 3 + c] = glm::unpackHalf1x16(halves[i * 4 + c]);
+            result.samples[i * 3 + c] = times * glm::unpackHalf1x16(halves[i * 4 + c]);
+    }
     return result;
 }
 

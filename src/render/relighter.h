@@ -18,6 +18,7 @@
 #include "render/light_tree.h"
 #include "render/mender.h"
 #include "render/pass_images.h"
+#include "scene/lit.h"
 #include "scene/passes.h"
 #include "shared/air.h"
 #include "shared/gobos.h"
@@ -57,6 +58,7 @@ struct FrameStatistics {
     int additions = 0;            // of two images
     int haze_tiles = 0;           // of shared::kTilePixels, whose haze was drawn: once for each light
     int surface_tiles = 0;        // the same for surfaces; blocks of extra fragments count as tiles
+    int faces = 0;                // lenses drawn
     double draw_ms = 0;           // whole draw(), waiting included
     std::vector<gpu::Span> spans; // GPU time
 
@@ -75,6 +77,9 @@ public:
               const shared::Gobos& gobos, int light_count, const Settings& settings);
     ~Relighter();
 
+    // The faces that the camera sees may be other than the lights, and more.
+    FrameStatistics draw(const scene::Lit& lit);
+    // Each light has its own face.
     FrameStatistics draw(const std::vector<shared::Light>& lights);
     // The camera moved, or shadows changed: the G-buffer was drawn again.
     void forget();
@@ -83,6 +88,8 @@ public:
     // Of haze by gate, from the next frame on; at most HazeSettings::most_wide_step. Images of resting lights
     // stay as they were drawn.
     void set_quality(const HazeQuality& quality);
+    // From the next frame on; automatic: measured, and ev100 is not used.
+    void set_exposure(float ev100, bool automatic);
     // The haze moved. Cheap where it is even.
     void set_air(const shared::Air& air);
 
@@ -104,7 +111,7 @@ private:
     int mend(int slot, const std::vector<shared::Light>& lights);
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels, bool wide);
     void record_surfaces(const LightChunk& chunk);
-    void develop(const std::vector<shared::Light>& lights);
+    void develop(const std::vector<scene::Face>& faces);
     const Fragments& fragments() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
 
     const gpu::Device& device_;
@@ -119,6 +126,7 @@ private:
     std::unique_ptr<Mender> mender_; // null: from passes, in which nothing moves
     std::uint32_t mended_tiles_ = 0; // above 0: only these tiles, of mender_, are drawn now
     std::vector<shared::Light> last_lights_;
+    std::vector<scene::Face> last_faces_;
     std::uint64_t lights_used_ = 0; // bytes of lights_, in this frame
 
     static constexpr std::uint32_t kClasses = 3;      // 0, 1, 2 gobo wheels

@@ -47,6 +47,17 @@ glm::vec3 sane(const glm::vec3& value) {
     return {sane(value.x, 0.0f), sane(value.y, 0.0f), sane(value.z, 0.0f)};
 }
 
+void set_values(const scene::Material& material, shared::MeshMaterial& values) {
+    values.base_colour = sane(material.base_colour);
+    values.alpha = sane(material.alpha, 1.0f);
+    values.emission = sane(material.emission);
+    values.alpha_cutoff = sane(material.alpha_cutoff, 0.5f);
+    values.roughness = sane(material.roughness, 1.0f);
+    values.metalness = sane(material.metalness, 0.0f);
+    values.specular = sane(material.specular, 1.0f);
+    values.normal_scale = sane(material.normal_scale, 1.0f);
+}
+
 // A tangent for each vertex, from the triangles around it.
 std::vector<glm::vec4> make_tangents(const scene::Mesh& mesh) {
     std::vector<glm::vec3> along(mesh.positions.size(), glm::vec3(0.0f));
@@ -88,14 +99,8 @@ void StageModel::add_surfaces(const scene::Stage& stage) {
     if (materials.empty()) materials.emplace_back();
     for (const scene::Material& material : materials) {
         Surface surface;
-        surface.material.base_colour = sane(material.base_colour);
-        surface.material.alpha = sane(material.alpha, 1.0f);
-        surface.material.emission = sane(material.emission);
-        surface.material.alpha_cutoff = sane(material.alpha_cutoff, 0.5f);
-        surface.material.roughness = sane(material.roughness, 1.0f);
-        surface.material.metalness = sane(material.metalness, 0.0f);
-        surface.material.specular = sane(material.specular, 1.0f);
-        surface.material.normal_scale = sane(material.normal_scale, 1.0f);
+        surface.made_from = surfaces_.size();
+        set_values(material, surface.material);
         surface.material.seed = static_cast<std::uint32_t>(surfaces_.size() + 1) * 0x9e3779b9u;
         surface.alpha = material.alpha_mode == scene::AlphaMode::mask    ? shared::kMask
                         : material.alpha_mode == scene::AlphaMode::blend ? shared::kBlend
@@ -216,6 +221,13 @@ void StageModel::move(std::size_t instance, const glm::mat4& world) {
     if (!moved.moving && (moved.usable != usable || moved.world != world)) ++still_revision_;
     moved.usable = usable;
     if (usable) moved.world = world;
+}
+
+void StageModel::set_material(std::size_t material, const scene::Material& values) {
+    for (Surface& surface : surfaces_)
+        if (surface.made_from == material) set_values(values, surface.material);
+    ++still_revision_;
+    upload_materials();
 }
 
 void StageModel::mark_moving(std::size_t instance) {

@@ -43,10 +43,13 @@ public:
     // instance: index into Stage::instances.
     void show(std::size_t instance, bool shown);
     void move(std::size_t instance, const glm::mat4& world);
+    // material: index into Stage::materials. Its textures and its way of being transparent stay.
+    void set_material(std::size_t material, const scene::Material& values);
     // Moving it is cheap from now on.
     void mark_moving(std::size_t instance);
     bool has_moving() const { return !moving_.empty(); }
-    // Another number whenever one of the other instances was hidden, shown, moved or marked.
+    // Another number whenever one of the other instances was hidden, shown, moved or marked, or a material
+    // changed.
     std::uint64_t still_revision() const { return still_revision_; }
 
     std::uint64_t memory_bytes() const;  // on the device
@@ -73,6 +76,7 @@ public:
                                            const std::vector<glm::vec4>& planes) const;
 
     struct Surface {
+        std::size_t made_from = 0; // Stage::materials
         shared::MeshMaterial material{};
         std::uint64_t offset = 0; // into materials()
         std::uint32_t alpha = shared::kOpaque;

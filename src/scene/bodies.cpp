@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "fixture/decode.h"
 #include "scene/model_file.h"
+#include "scene/primitives.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,43 +48,7 @@ glm::mat4 fit(const Box& box, const glm::vec3& size_m) {
     return glm::scale(glm::mat4(1.0f), scale);
 }
 
-void add_quad(Mesh& mesh, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, const glm::vec3& d,
-              const glm::vec3& normal_ab, const glm::vec3& normal_cd) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
-    mesh.normals.insert(mesh.normals.end(), {normal_ab, normal_ab, normal_cd, normal_cd});
-    for (const std::uint32_t k : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + k);
-}
-
-// A prism of side 1 about the origin: 4 sides make a box, many a cylinder, smooth then.
-Mesh unit_prism(int sides) {
-    Mesh mesh;
-    const bool is_box = sides == 4;
-    const float radius = is_box ? std::sqrt(0.5f) : 0.5f;
-    const auto rim = [&](int k, float z) {
-        const float angle = glm::radians(360.0f * (static_cast<float>(k) + 0.5f) / static_cast<float>(sides));
-        return glm::vec3(radius * std::cos(angle), radius * std::sin(angle), z);
-    };
-    for (int k = 0; k < sides; ++k) {
-        const glm::vec3 a = rim(k, -0.5f);
-        const glm::vec3 b = rim(k + 1, -0.5f);
-        const glm::vec3 flat = glm::normalize(glm::vec3(a.x + b.x, a.y + b.y, 0));
-        const glm::vec3 normal_a = is_box ? flat : glm::normalize(glm::vec3(a.x, a.y, 0));
-        const glm::vec3 normal_b = is_box ? flat : glm::normalize(glm::vec3(b.x, b.y, 0));
-        add_quad(mesh, rim(k, 0.5f), a, b, rim(k + 1, 0.5f), normal_a, normal_b);
-        for (const float z : {-0.5f, 0.5f}) {
-            const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-            mesh.positions.insert(mesh.positions.end(), {glm::vec3(0, 0, z), rim(k, z), rim(k + 1, z)});
-            mesh.normals.insert(mesh.normals.end(), 3, glm::vec3(0, 0, z > 0 ? 1 : -1));
-            for (const std::uint32_t i : {0u, z > 0 ? 1u : 2u, z > 0 ? 2u : 1u})
-                mesh.indices.push_back(first + i);
-        }
-    }
-    return mesh;
-}
-
-// A stand-in of the model's size. The 1.1 primitives hang below their origin, the others are about it (GDTF,
-// Model).
+// A stand-in of the model's size.
 Stage primitive(const fixture::Model& model) {
     Stage stage;
     Material black;
@@ -91,12 +56,9 @@ Stage primitive(const fixture::Model& model) {
     black.base_colour = glm::vec3(0.03f);
     black.roughness = 0.4f;
     stage.materials.push_back(std::move(black));
-    const bool is_round = model.primitive == "Cylinder" || model.primitive == "Sphere";
-    stage.meshes.push_back(unit_prism(is_round ? 24 : 4));
+    stage.meshes.push_back(primitive_mesh(model.primitive));
     stage.meshes.back().name = model.name;
-    const bool hangs = model.primitive.ends_with("1_1");
-    const glm::mat4 place = glm::translate(glm::mat4(1.0f), glm::vec3(0, 0, hangs ? -0.5f : 0.0f));
-    stage.instances.push_back({model.name, 0, place, kNone});
+    stage.instances.push_back({model.name, 0, glm::mat4(1.0f), kNone});
     return stage;
 }
 
@@ -155,6 +117,17 @@ bool turns(const fixture::Mode& mode, int node) {
 }
 
 } // namespace
+
+void check_models(const fixture::Type& type, const std::string& file, Report& report) {
+    for (const fixture::Model& model : type.models) {
+        if (model.mesh.empty()) continue;
+        const auto loaded =
+            load_model(model.mesh, model.mesh_extension, file + ": " + model.mesh_file, {}, report);
+        if (!loaded.ok())
+            report.add(Severity::error, loaded.error().where,
+                       loaded.error().what + "; a plain shape stands in for it");
+    }
+}
 
 Stage stage_with_bodies(const Show& show, Report& report, HiddenObjects hidden) {
     Stage stage = show.stage;

@@ -18,6 +18,9 @@ namespace ghost::scene {
 // that travels along a track. A base that stands still is none of them.
 std::vector<std::size_t> moving_instances(const Show& show, const Stage& stage);
 
+// Reads all meshes of a fixture file as drawing it would, and says what is wrong with them.
+void check_models(const fixture::Type& type, const std::string& file, Report& report);
+
 // World matrix of an instance that is part of a body (Instance::part), as the rig has turned it.
 glm::mat4 body_to_world(const Show& show, const Rig& rig, const Instance& instance);
 

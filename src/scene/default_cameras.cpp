@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace ghost::scene {
@@ -16,6 +17,7 @@ constexpr float kCloseFov_deg = 60.0f;
 constexpr float kHighFov_deg = 45.0f;
 constexpr float kAspect = 16.0f / 9.0f;
 constexpr float kEye_m = 1.7f;
+constexpr float kNear_m = 3.0f;        // what stands nearer hides too much
 constexpr float kOpticalDepth = 0.35f; // of the haze between the house and the middle of the stage
 
 struct Box {
@@ -188,6 +190,38 @@ Camera in_the_room(const Sight& sight, const Box& box, float eye_z) {
                   kRoomFov_deg);
 }
 
+// Of nine rays over most of the picture, how many something near stops.
+int blocked_rays(const Sight& sight, const vec3& from_m, const vec3& target_m) {
+    const vec3 ahead = glm::normalize(target_m - from_m);
+    const vec3 right = glm::normalize(glm::cross(ahead, vec3(0, 0, 1)));
+    const vec3 up = glm::cross(right, ahead);
+    int blocked = 0;
+    for (const float x : {-0.4f, 0.0f, 0.4f})
+        for (const float y : {-0.2f, 0.0f, 0.25f})
+            blocked += sight.clear_m(from_m, glm::normalize(ahead + x * right + y * up), kNear_m) < kNear_m;
+    return blocked;
+}
+
+// On whatever one can stand on there, left of the middle, looking through the rig; elsewhere at the front
+// where a performer or a set piece stands before the lens.
+vec3 among_the_lights(const Sight& sight, const Box& box, const vec3& target_m) {
+    const vec3 size = box.size_m();
+    const float drop_m = std::max(0.6f * size.z, 2.5f);
+    vec3 best_m(0.0f);
+    int fewest = std::numeric_limits<int>::max();
+    for (const float along : {-0.18f, 0.18f, -0.3f, 0.3f, -0.06f, 0.06f}) {
+        vec3 eye_m(box.middle_m().x + along * size.x, box.low_m.y + 0.1f * size.y, box.low_m.z + kEye_m);
+        const float to_floor_m =
+            sight.clear_m({eye_m.x, eye_m.y, box.low_m.z + drop_m}, vec3(0, 0, -1), drop_m + 0.1f);
+        if (to_floor_m < drop_m) eye_m.z = box.low_m.z + drop_m - to_floor_m + kEye_m;
+        const int blocked = blocked_rays(sight, eye_m, target_m);
+        if (blocked < fewest) best_m = eye_m;
+        fewest = std::min(fewest, blocked);
+        if (fewest == 0) break;
+    }
+    return best_m;
+}
+
 } // namespace
 
 std::vector<Camera> default_cameras(const Show& show) {
@@ -207,13 +241,8 @@ std::vector<Camera> default_cameras(const Show& show) {
     const Camera house =
         house_m ? camera("house", *house_m, house_target, kHouseFov_deg) : in_the_room(sight, box, house_z);
 
-    // On whatever one can stand on there, left of the middle, looking through the rig.
-    vec3 close(middle.x - 0.18f * size.x, box.low_m.y + 0.1f * size.y, box.low_m.z + kEye_m);
-    const float drop_m = std::max(0.6f * size.z, 2.5f);
-    const float to_floor_m =
-        sight.clear_m({close.x, close.y, box.low_m.z + drop_m}, vec3(0, 0, -1), drop_m + 0.1f);
-    if (to_floor_m < drop_m) close.z = box.low_m.z + drop_m - to_floor_m + kEye_m;
     const vec3 close_target(middle.x + 0.1f * size.x, box.high_m.y, box.low_m.z + 0.5f * size.z);
+    const vec3 close = among_the_lights(sight, box, close_target);
 
     const float reach_m = 0.75f * glm::length(vec3(size.x, size.y, size.z)) + 2.0f;
     const vec3 high_wanted = middle + reach_m * glm::normalize(vec3(-0.75f, -0.95f, 0.55f));

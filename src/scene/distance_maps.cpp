@@ -8,9 +8,10 @@
 
 namespace ghost::scene {
 
-int DistanceMaps::find(const std::string& fixture, int stop) const {
+int DistanceMaps::find(const std::string& fixture, int stop, int place) const {
     for (std::size_t k = 0; k < maps.size(); ++k)
-        if (maps[k].fixture == fixture && maps[k].stop == stop) return static_cast<int>(k);
+        if (maps[k].fixture == fixture && maps[k].stop == stop && maps[k].place == place)
+            return static_cast<int>(k);
     return -1;
 }
 
@@ -33,10 +34,10 @@ Result<DistanceMaps> load_distance_maps(const Show& show, int size, Report& repo
                      ""};
     DistanceMaps result;
     result.size = size;
-    const auto stage = read_distance_stage(distance_folder(show));
+    const auto stage = read_distance_stage(distance_folder(show, size));
     if (!stage.ok()) report.add(Severity::warning, stage.error().where, stage.error().what);
     if (!stage.ok() || !stage->has_value()) return result;
-    for (const DistancePlace& place : distance_places(show)) {
+    for (const DistancePlace& place : distance_places(show, size)) {
         auto stored = read_distance_map(place.file, size);
         if (!stored.ok()) {
             report.add(Severity::warning, stored.error().where, stored.error().what);
@@ -45,7 +46,8 @@ Result<DistanceMaps> load_distance_maps(const Show& show, int size, Report& repo
         if (!stored->has_value() || (*stored)->place != place_key(place, size) ||
             !(*stage)->holds_for(**stored))
             continue;
-        DistanceMap map{place.fixture, place.stop, place.position_m, std::move((*stored)->distance)};
+        DistanceMap map{place.fixture, place.stop, place.place, place.position_m,
+                        std::move((*stored)->distance)};
         measure(map);
         result.maps.push_back(std::move(map));
     }

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// DistanceMaps: how far it is from each hanging position of a light to the first surface, in all directions
+// DistanceMaps: how far it is from each hanging position of lights to the first surface, in all directions
 // (shaders/shared/octahedral.h). The baker makes them (bake/distance_maps.h) and keeps them in
-// .ghost/distances/; they tell which parts of a beam are in shadow, in haze and for any camera. Metres; half
+// .ghost/distances/SIZE/; they tell which parts of a beam are in shadow, in haze and for any camera. Metres; half
 // floats, so within 0.05 %. Fixture bodies stop nothing. Plain values. Files: docs/distance-maps.md.
 
 #include "base/result.h"
@@ -25,7 +25,8 @@ inline constexpr std::uint16_t kNoSurface = 0x7b53;
 
 struct DistanceMap {
     std::string fixture;
-    int stop = 0; // of its track
+    int stop = 0;  // of its track
+    int place = 0; // Emitters::places_m
     glm::vec3 position_m{0};
     std::vector<std::uint16_t> distance; // half floats, size x size, row by row; kNoSurface
     float nearest_m = kNoSurface_m;      // of what is hit; both kNoSurface_m where nothing is
@@ -36,7 +37,7 @@ struct DistanceMaps {
     int size = 0; // texels a side, of all maps
     std::vector<DistanceMap> maps;
 
-    int find(const std::string& fixture, int stop) const; // or -1
+    int find(const std::string& fixture, int stop, int place = 0) const; // or -1
 };
 
 // Sets nearest_m and farthest_m.

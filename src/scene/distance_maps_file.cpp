@@ -58,20 +58,24 @@ bool read_instance(const json& entry, StageInstance& instance) {
 
 } // namespace
 
-fs::path distance_folder(const Show& show) {
-    return show.cache_folder() / "distances";
+fs::path distance_folder(const Show& show, int size) {
+    return show.cache_folder() / "distances" / std::to_string(size);
 }
 
-std::vector<DistancePlace> distance_places(const Show& show) {
+std::vector<DistancePlace> distance_places(const Show& show, int size) {
     std::vector<DistancePlace> places;
     std::set<std::string> names;
     for (const PatchedFixture& fixture : show.fixtures) {
         if (fixture.type == nullptr) continue;
         for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop) {
-            std::string name = file_name_of(fixture.name) + "_" + std::to_string(stop);
-            while (!names.insert(name).second) name += "_";
-            places.push_back({fixture.name, static_cast<int>(stop), light_position_m(fixture, stop),
-                              distance_folder(show) / (name + ".exr")});
+            const std::vector<glm::vec3> lights_m = light_places_m(fixture, stop);
+            for (std::size_t place = 0; place < lights_m.size(); ++place) {
+                std::string name = file_name_of(fixture.name) + "_" + std::to_string(stop);
+                if (place > 0) name += "_" + std::to_string(place);
+                while (!names.insert(name).second) name += "_";
+                places.push_back({fixture.name, static_cast<int>(stop), static_cast<int>(place),
+                                  lights_m[place], distance_folder(show, size) / (name + ".exr")});
+            }
         }
     }
     return places;

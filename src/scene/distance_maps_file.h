@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// The files of distance maps, in .ghost/distances/ (docs/distance-maps.md). Each map says for which place and
+// The files of distance maps, in .ghost/distances/SIZE/ (docs/distance-maps.md). Each map says for which place and
 // which stage it was made; stage.json says what the present stage consists of and which maps of earlier
 // stages are right for it too. Every file is a true statement by itself, so nothing that is interrupted
 // between two of them can make a map count for a stage that it does not show. Any thread.
@@ -22,13 +22,16 @@ inline constexpr int kDistanceMapVersion = 1;
 struct DistancePlace {
     std::string fixture;
     int stop = 0;
+    int place = 0;
     glm::vec3 position_m{0};
     std::filesystem::path file;
 };
 
-// In the order of show.fixtures and their stops; fixtures without a type have none.
-std::vector<DistancePlace> distance_places(const Show& show);
-std::filesystem::path distance_folder(const Show& show);
+// In the order of show.fixtures, their stops and places; fixtures without a type, and those that only glow,
+// have none.
+std::vector<DistancePlace> distance_places(const Show& show, int size);
+// Each size has its own, so that who compares two sizes makes each map once.
+std::filesystem::path distance_folder(const Show& show, int size);
 // Version, size and position, to the last bit.
 std::string place_key(const DistancePlace& place, int size);
 

@@ -52,7 +52,7 @@ Reason no_type(const PatchedFixture& fixture, const Report& report) {
 std::string lit_text(const Explanation& explanation) {
     const BeamFacts& beam = explanation.beams[static_cast<std::size_t>(explanation.main_beam)];
     std::string text = "lit: ";
-    if (explanation.beams.size() > 1) {
+    if (explanation.beams.size() > 1 && !explanation.asked_beam) {
         const auto shining =
             std::count_if(explanation.beams.begin(), explanation.beams.end(),
                           [](const BeamFacts& b) { return b.output_lm > kDark * b.full_lm; });
@@ -121,6 +121,8 @@ Reason several(const BeamFacts& beam) {
     add("strobe", beam.strobe);
     add("iris", beam.iris);
     add("colour", beam.colour);
+    add("colour correction", beam.correction);
+    add("mixed colour", beam.mix);
     add("emitters", beam.emitters);
     add("gobo", beam.gobo);
     add("other optics", beam.rest);
@@ -153,25 +155,25 @@ const char* visibility_name(Visibility visibility) {
 
 Explainer::Explainer(const ExplainInput& input) : input_(input) {
     for (const dmx::Universe& universe : input.universes.list) levels_.set(universe.number, *universe.levels);
-    lights_ = input.rig.lights(input.gobos, DistanceMaps{});
+    faces_ = input.rig.lit(input.gobos, DistanceMaps{}).faces;
     std::vector<fixture::Patch> patched; // those with channels
     std::vector<std::size_t> fixture_of;
     std::size_t next = 0;
     for (std::size_t i = 0; i < input.show.fixtures.size(); ++i) {
         patches_.push_back(patch_of(input.show.fixtures[i]));
-        first_light_.push_back(next);
+        first_face_.push_back(next);
         if (!patches_.back().type) continue;
         next += input.rig.states()[i].beams.size();
         patched.push_back(patches_.back());
         fixture_of.push_back(i);
         float sum_lm = 0;
-        for (std::size_t k = first_light_.back(); k < next && k < lights_.size(); ++k) {
-            sum_lm += quick_lm(lights_[k]);
-            brightest_cd_ = std::max(brightest_cd_, glm::dot(lights_[k].intensity_cd, kLuminance));
+        for (std::size_t k = first_face_.back(); k < next && k < faces_.size(); ++k) {
+            sum_lm += quick_lm(faces_[k].light);
+            brightest_cd_ = std::max(brightest_cd_, glm::dot(faces_[k].light.intensity_cd, kLuminance));
         }
         brightest_lm_ = std::max(brightest_lm_, sum_lm);
     }
-    first_light_.push_back(next);
+    first_face_.push_back(next);
     overlaps_ = fixture::find_overlaps(patched);
     for (fixture::Overlap& overlap : overlaps_) {
         overlap.first = fixture_of[overlap.first];
@@ -179,7 +181,7 @@ Explainer::Explainer(const ExplainInput& input) : input_(input) {
     }
 }
 
-Explanation Explainer::explain(std::size_t index) const {
+Explanation Explainer::explain(std::size_t index, int asked_beam) const {
     const PatchedFixture& fixture = input_.show.fixtures[index];
     const fixture::Patch& patch = patches_[index];
     Explanation result;
@@ -212,16 +214,28 @@ Explanation Explainer::explain(std::size_t index) const {
     result.looked = input_.stage != nullptr && input_.first_hit != nullptr;
     float quick_sum_lm = 0, most_cd = 0;
     for (std::size_t b = 0; b < state.beams.size(); ++b) {
-        const shared::Light& light = lights_[first_light_[index] + b];
+        const Face& face = faces_[first_face_[index] + b];
+        const shared::Light& light = face.light;
         quick_sum_lm += quick_lm(light);
         most_cd = std::max(most_cd, glm::dot(light.intensity_cd, kLuminance));
         BeamFacts facts = measure(patch, b, state.beams[b], light, result.channels, input_.gobos);
         facts.findings = causes_in_beam(patch, b, state.beams[b], facts, result.channels);
-        if (result.looked) look(input_, light, facts);
+        facts.glows = face.glows;
+        const Emitters& emitters = input_.rig.emitters(index);
+        if (const int light_index = emitter_of(emitters, static_cast<int>(b)); light_index >= 0)
+            facts.grouped =
+                static_cast<int>(emitters.lights[static_cast<std::size_t>(light_index)].beams.size());
+        if (result.looked && !face.glows) look(input_, light, facts);
         result.beams.push_back(std::move(facts));
         const BeamFacts& best = result.beams[static_cast<std::size_t>(std::max(result.main_beam, 0))];
         if (result.main_beam < 0 || result.beams.back().output_lm > best.output_lm)
             result.main_beam = static_cast<int>(b);
+    }
+
+    if (asked_beam >= 0 && asked_beam < static_cast<int>(result.beams.size())) {
+        result.main_beam = asked_beam;
+        result.asked_beam = true;
+        result.fixture += "/" + result.beams[static_cast<std::size_t>(asked_beam)].name;
     }
 
     Visibility visibility = Visibility::dark;
@@ -240,7 +254,7 @@ Explanation Explainer::explain(std::size_t index) const {
                      : share < kNearlyDark ? Visibility::nearly_dark
                                            : Visibility::lit;
         if (visibility == Visibility::lit) {
-            if (result.looked) add_unseen(input_, beam);
+            if (result.looked && !beam.glows) add_unseen(input_, beam);
         } else {
             if (!first_blocking(beam.findings)) beam.findings.push_back(several(beam));
             direct_copy = *first_blocking(beam.findings);

@@ -125,7 +125,9 @@ struct HitFacts {
 // iris * gobo * rest = output_lm / full_lm.
 struct BeamFacts {
     std::string name;
-    float full_lm = 0; // all open
+    bool glows = false; // lights nothing, is only seen (BeamType None, Glow)
+    int grouped = 1;    // beams that are drawn as one light with it, itself included
+    float full_lm = 0;  // all open
     float output_lm = 0;
     float lamp = 1;   // off, on, or on its way
     float dimmer = 1; // the nearest to the beam
@@ -133,7 +135,9 @@ struct BeamFacts {
     float shutter = 1;
     float strobe = 1; // at this moment
     float strobe_hz = 0;
-    float colour = 1; // flags and wheels
+    float colour = 1;     // flags and wheels
+    float correction = 1; // CTO, CTC, CTB, tint
+    float mix = 1;        // HSB, CIE, RGB, colour macro
     float emitters = 1;
     float iris = 1;
     float gobo = 1;
@@ -160,7 +164,8 @@ struct Explanation {
     std::vector<UniverseFacts> universes;
     std::vector<ChannelFacts> channels;
     std::vector<BeamFacts> beams;
-    int main_beam = -1;  // the brightest; the words are about it
+    int main_beam = -1; // the brightest, or the one asked about; the words are about it
+    bool asked_beam = false;
     bool looked = false; // the stage was there to be hit
 };
 
@@ -185,14 +190,15 @@ struct ExplainInput {
 class Explainer {
 public:
     explicit Explainer(const ExplainInput& input);
-    Explanation explain(std::size_t fixture) const;
+    // beam: the one that it is about; below 0: the brightest.
+    Explanation explain(std::size_t fixture, int beam = -1) const;
 
 private:
     const ExplainInput& input_;
     fixture::Levels levels_;
-    std::vector<shared::Light> lights_;
-    std::vector<std::size_t> first_light_; // per fixture, and one past the end
-    std::vector<fixture::Patch> patches_;  // of fixtures with a type; type null else
+    std::vector<Face> faces_;
+    std::vector<std::size_t> first_face_; // per fixture, and one past the end
+    std::vector<fixture::Patch> patches_; // of fixtures with a type; type null else
     std::vector<fixture::Overlap> overlaps_;
     float brightest_lm_ = 0, brightest_cd_ = 0;
 };

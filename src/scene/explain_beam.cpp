@@ -181,8 +181,21 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
         optics.magenta = now.magenta;
         optics.yellow = now.yellow;
         optics.color_wheels = now.color_wheels;
+        optics.color_flags = now.color_flags;
+        optics.flag_filters = now.flag_filters;
     });
-    if (!now.emitters.empty())
+    facts.correction = shares.with([&](Optics& optics) {
+        optics.cct_k = now.cct_k;
+        optics.cct_is_filter = now.cct_is_filter;
+        optics.tint = now.tint;
+    });
+    facts.mix = shares.with([&](Optics& optics) {
+        optics.has_mix = now.has_mix;
+        optics.mix = now.mix;
+        optics.brightness = now.brightness;
+    });
+    // A mixed colour takes the place of the emitters.
+    if (!now.emitters.empty() && !now.has_mix)
         facts.emitters = shares.with([&](Optics& optics) { optics.emitters = now.emitters; });
     facts.iris = shares.with([&](Optics& optics) { optics.iris = now.iris; });
     facts.gobo = shares.with([&](Optics& optics) { optics.gobo_wheels = now.gobo_wheels; });
@@ -194,8 +207,9 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
         facts.wheels.push_back(wheel_facts(type, wheel, false));
         facts.wheels.back().share = shares.with([&](Optics& optics) { optics.gobo_wheels = {wheel}; });
     }
-    const float known = now.lamp * now.dimmer * facts.shutter * facts.strobe * facts.colour * facts.emitters *
-                        facts.iris * facts.gobo * facts.full_lm;
+    const float known = now.lamp * now.dimmer * facts.shutter * facts.strobe * facts.colour *
+                        facts.correction * facts.mix * facts.emitters * facts.iris * facts.gobo *
+                        facts.full_lm;
     facts.rest = known > 1e-4f * facts.full_lm ? facts.output_lm / known : 1.0f;
 
     const fixture::Beam& source = *item(type.geometries, state.geometry).beam;

@@ -103,6 +103,7 @@ void add_unseen(const ExplainInput& input, BeamFacts& facts) {
 }
 
 std::string hit_text(const Explanation& explanation, const BeamFacts& facts) {
+    if (facts.glows) return "it glows and throws no beam";
     if (!explanation.looked) return "what it hits is not known (no stage)";
     if (facts.hit)
         return "hits '" + facts.hit->object + "' at " +

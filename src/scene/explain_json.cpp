@@ -122,6 +122,8 @@ Json beam_json(const BeamFacts& beam, const std::vector<ChannelFacts>& channels)
     Json findings = Json::array();
     for (const Reason& finding : beam.findings) findings.push_back(finding_json(finding, channels));
     return {{"name", beam.name},
+            {"glows", beam.glows},
+            {"grouped", beam.grouped},
             {"output_lm", rounded(beam.output_lm)},
             {"full_lm", rounded(beam.full_lm)},
             {"shares",
@@ -131,6 +133,8 @@ Json beam_json(const BeamFacts& beam, const std::vector<ChannelFacts>& channels)
               {"shutter", rounded(beam.shutter)},
               {"strobe", rounded(beam.strobe)},
               {"colour", rounded(beam.colour)},
+              {"correction", rounded(beam.correction)},
+              {"mix", rounded(beam.mix)},
               {"emitters", rounded(beam.emitters)},
               {"iris", rounded(beam.iris)},
               {"gobo", rounded(beam.gobo)},

@@ -12,9 +12,7 @@ namespace {
 using fixture::Address;
 
 std::string sender_text(const dmx::SourceStatus& source) {
-    const std::string from =
-        std::to_string(source.from_ipv4 >> 24) + "." + std::to_string((source.from_ipv4 >> 16) & 255) + "." +
-        std::to_string((source.from_ipv4 >> 8) & 255) + "." + std::to_string(source.from_ipv4 & 255);
+    const std::string from = dmx::place_text(source);
     return (source.name.empty() ? from : "'" + source.name + "'") + " (" +
            dmx::protocol_name(source.protocol) + (source.name.empty() ? "" : ", " + from) + ", priority ";
 }
@@ -205,11 +203,8 @@ std::vector<UniverseFacts> universe_facts(const ExplainInput& input,
             if (source.universe != number_of) continue;
             UniverseFacts::Sender sender;
             sender.protocol = dmx::protocol_name(source.protocol);
-            sender.name = source.protocol == dmx::Protocol::sacn ? source.name : source.id;
-            sender.from = std::to_string(source.from_ipv4 >> 24) + "." +
-                          std::to_string((source.from_ipv4 >> 16) & 255) + "." +
-                          std::to_string((source.from_ipv4 >> 8) & 255) + "." +
-                          std::to_string(source.from_ipv4 & 255);
+            sender.name = source.protocol == dmx::Protocol::artnet ? source.id : source.name;
+            sender.from = dmx::place_text(source);
             sender.priority = source.priority;
             sender.per_address_priority = source.per_address_priority;
             sender.rate_hz = source.rate_hz;

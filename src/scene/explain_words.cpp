@@ -143,6 +143,8 @@ std::string light_text(const BeamFacts& beam) {
     };
     add("strobe", beam.strobe, beam.strobe_hz > 0.0f);
     add("colour", beam.colour, true);
+    add("colour correction", beam.correction, false);
+    add("mixed colour", beam.mix, false);
     add("emitters", beam.emitters, false);
     add("iris", beam.iris, false);
     add("gobo", beam.gobo, false);
@@ -175,6 +177,7 @@ std::string direction_text(const glm::vec3& direction) {
 }
 
 std::string hits_text(const Explanation& explanation, const BeamFacts& beam) {
+    if (beam.glows) return "nothing: it glows and throws no beam (BeamType None or Glow of its file)";
     if (!explanation.looked) return "not known, there is no stage";
     if (beam.hit) {
         const auto lux = [](float value) {
@@ -201,6 +204,9 @@ std::string beam_lines(const Explanation& explanation) {
     text += row("points", "from x " + metres(beam.lens_m.x) + ", y " + metres(beam.lens_m.y) + ", z " +
                               metres(beam.lens_m.z) + " m, " + direction_text(beam.direction));
     text += row("hits", hits_text(explanation, beam));
+    if (beam.grouped > 1)
+        text += row("drawn", "as a glow of its own; its beam is part of one light for " +
+                                 std::to_string(beam.grouped) + " cells (docs/multi-cell.md)");
     if (explanation.beams.size() < 2) return text;
     text +=
         row("beams", "this is '" + beam.name + "'; all " + std::to_string(explanation.beams.size()) + ":");

@@ -2,8 +2,8 @@
 // Physical values of a fixture -> shared::Light. Order of the optics: source and its correction
 // (beam_colour.h), dimmer and shutter, flags, colour wheels, gobo wheels, iris, zoom, focus.
 #include "scene/beam_colour.h"
+#include "scene/lit.h"
 #include "scene/photometry.h"
-#include "scene/rig.h"
 #include "shared/beam.h"
 
 #include <algorithm>
@@ -56,8 +56,22 @@ vec3 gobo_mean(const shared::Gobos& gobos, std::uint32_t layer) {
 
 } // namespace
 
+vec3 apex_of(const fixture::BeamState& beam, const glm::mat4& to_world, const vec3& place_m) {
+    const glm::mat4 placed = to_world * beam.to_fixture;
+    const vec3 lens_m(placed[3]);
+    const vec3 axis = -glm::normalize(vec3(placed[2]));
+    const vec3 apex_m = lens_m - axis * std::max(glm::dot(lens_m - place_m, axis), kMinLens_m);
+    return glm::distance(apex_m, place_m) < kOnPlace_m ? place_m : apex_m;
+}
+
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
                          const vec3& position_m, const GoboStack& gobos) {
+    ProfileTable profiles;
+    return light_from(type, beam, to_world, position_m, gobos, profiles);
+}
+
+shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
+                         const vec3& position_m, const GoboStack& gobos, ProfileTable& profiles) {
     const fixture::Optics& optics = beam.optics;
     const fixture::Beam& source = *type.geometries[static_cast<std::size_t>(beam.geometry)].beam;
     const bool hard_edge =
@@ -65,7 +79,9 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
 
     const float field_deg = optics.zoom_deg;
     const float beam_deg = field_deg * source.beam_angle_deg / std::max(source.field_angle_deg, 0.01f);
-    const Profile profile = make_profile(beam_deg, field_deg, hard_edge);
+    const float iris = hard_edge ? std::clamp(optics.iris, 0.02f, 1.0f) : 1.0f;
+    const MeasuredProfile& measured = profiles.find(beam_deg, field_deg, hard_edge, iris);
+    const Profile& profile = measured.profile;
 
     const glm::mat3 axes(to_world * beam.to_fixture);
     shared::Light light{};
@@ -80,7 +96,7 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     light.profile_power = profile.power;
     light.profile_scale = profile.scale;
     light.edge = profile.edge;
-    light.iris_radius = profile.aperture * (hard_edge ? std::clamp(optics.iris, 0.02f, 1.0f) : 1.0f);
+    light.iris_radius = profile.aperture * iris;
     light.lens_radius_m = hard_edge ? source.beam_radius_m : 0.0f;
     light.disc_radius_m = source.beam_radius_m;
     light.focus_per_m = 1.0f / std::max(optics.focus_m + light.lens_m, 0.1f);
@@ -98,8 +114,8 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         light.colour_b = slot_colour(type, source, *pair.b) / a;
         light.split = shared::kSlotSpacing * (0.5f - pair.shift);
     }
-    light.intensity_cd = colour * (peak_candela(profile, source.luminous_flux_lm) * optics.lamp *
-                                   optics.dimmer * optics.shutter);
+    const float peak_cd = measured.open_sr > 0 ? source.luminous_flux_lm / measured.open_sr : 0.0f;
+    light.intensity_cd = colour * (peak_cd * optics.lamp * optics.dimmer * optics.shutter);
 
     for (const fixture::WheelState& wheel : optics.gobo_wheels) {
         if (light.wheel_count >= 2) break;
@@ -115,8 +131,7 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         gate.sine = std::sin(turn);
         light.wheel[light.wheel_count++] = gate;
     }
-    light.bounce_cd =
-        light.intensity_cd * (beam_solid_angle(profile, light.iris_radius) / (4.0f * shared::kPi));
+    light.bounce_cd = light.intensity_cd * (measured.iris_sr / (4.0f * shared::kPi));
     for (std::uint32_t k = 0; k < light.wheel_count; ++k)
         light.bounce_cd *= gobo_mean(gobos.images, light.wheel[k].layer_a);
     light.haze_samples = light.wheel_count > 0 ? kGoboSamples : kOpenSamples;

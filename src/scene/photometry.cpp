@@ -65,4 +65,17 @@ float peak_candela(const Profile& profile, float flux_lm) {
     return solid_angle > 0 ? flux_lm / solid_angle : 0.0f;
 }
 
+const MeasuredProfile& ProfileTable::find(float beam_angle_deg, float field_angle_deg, bool hard_edge,
+                                          float iris) {
+    const auto [entry, is_new] =
+        found_.try_emplace({beam_angle_deg, field_angle_deg, hard_edge ? 1.0f : 0.0f, iris});
+    MeasuredProfile& measured = entry->second;
+    if (is_new) {
+        measured.profile = make_profile(beam_angle_deg, field_angle_deg, hard_edge);
+        measured.open_sr = beam_solid_angle(measured.profile, measured.profile.aperture);
+        measured.iris_sr = beam_solid_angle(measured.profile, measured.profile.aperture * iris);
+    }
+    return measured;
+}
+
 } // namespace ghost::scene

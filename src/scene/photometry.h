@@ -6,6 +6,9 @@
 
 #include "shared/types.h"
 
+#include <array>
+#include <map>
+
 namespace ghost::scene {
 
 struct Profile {
@@ -27,5 +30,22 @@ float peak_candela(const Profile& profile, float flux_lm);
 // Solid angle (steradian) that a beam would fill at its peak intensity: lumens per candela on the axis.
 // aperture: gate radius that the iris leaves open, profile.aperture where there is none.
 float beam_solid_angle(const Profile& profile, float aperture);
+
+// A profile and its solid angles. Finding them takes a thousand powers, and the cells of a bar and most heads
+// of a rig are alike: a table gives the same numbers, each found once.
+struct MeasuredProfile {
+    Profile profile;
+    float open_sr = 0; // beam_solid_angle
+    float iris_sr = 0; // behind the iris
+};
+
+class ProfileTable {
+public:
+    // iris: share of the open aperture.
+    const MeasuredProfile& find(float beam_angle_deg, float field_angle_deg, bool hard_edge, float iris);
+
+private:
+    std::map<std::array<float, 4>, MeasuredProfile> found_;
+};
 
 } // namespace ghost::scene

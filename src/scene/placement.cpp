@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/check.h"
+#include "scene/emitters.h"
 #include "scene/show.h"
 
 #include <cmath>
@@ -7,32 +8,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace ghost::scene {
-namespace {
-
-glm::mat4 node_to_fixture(const fixture::Mode& mode, int node) {
-    glm::mat4 matrix(1.0f);
-    for (; node >= 0; node = mode.nodes[static_cast<std::size_t>(node)].parent)
-        matrix = mode.nodes[static_cast<std::size_t>(node)].local * matrix;
-    return matrix;
-}
-
-bool turns(const fixture::Mode& mode, int node) {
-    for (const fixture::Axis& axis : mode.axes)
-        if (axis.node == node) return true;
-    return false;
-}
-
-// The axis next to the beam (tilt on a moving head), else the beam itself, in the fixture's frame. Pan turns
-// the tilt axis about a line through it, so its origin stays.
-glm::vec3 pivot_of(const fixture::Mode& mode) {
-    if (mode.beams.empty()) return glm::vec3(0.0f);
-    const int beam = mode.beams.front();
-    int node = beam;
-    while (node >= 0 && !turns(mode, node)) node = mode.nodes[static_cast<std::size_t>(node)].parent;
-    return glm::vec3(node_to_fixture(mode, node >= 0 ? node : beam)[3]);
-}
-
-} // namespace
 
 fixture::Patch PatchedFixture::patch() const {
     fixture::Patch patch;
@@ -68,7 +43,17 @@ glm::vec3 light_position_m(const PatchedFixture& fixture, std::size_t stop) {
     const glm::mat4 to_world = fixture_to_world(fixture, stop);
     if (!fixture.type) return glm::vec3(to_world[3]);
     const fixture::Mode& mode = fixture.type->modes[static_cast<std::size_t>(fixture.mode)];
-    return glm::vec3(to_world * glm::vec4(pivot_of(mode), 1.0f));
+    return glm::vec3(to_world * glm::vec4(emitters_of(*fixture.type, mode).middle_m, 1.0f));
+}
+
+std::vector<glm::vec3> light_places_m(const PatchedFixture& fixture, std::size_t stop) {
+    std::vector<glm::vec3> places_m;
+    if (!fixture.type) return places_m;
+    const glm::mat4 to_world = fixture_to_world(fixture, stop);
+    const fixture::Mode& mode = fixture.type->modes[static_cast<std::size_t>(fixture.mode)];
+    for (const glm::vec3& place_m : emitters_of(*fixture.type, mode).places_m)
+        places_m.push_back(glm::vec3(to_world * glm::vec4(place_m, 1.0f)));
+    return places_m;
 }
 
 } // namespace ghost::scene

@@ -2,6 +2,7 @@
 #include "scene/plot_stage.h"
 
 #include "fixture/values.h"
+#include "scene/gltf_pack.h"
 #include "scene/model_file.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ constexpr double kFar_m = 5000.0;
 constexpr double kOriginStep_m = 1000.0;
 constexpr std::size_t kMaxDrawnTriangles = 20'000'000; // as of a model file
 constexpr std::size_t kMaxPictureBytes = std::size_t{2} << 30;
-constexpr std::uint64_t kMaxPictureFileBytes = std::uint64_t{256} << 20;
+constexpr std::uint64_t kMaxPartBytes = std::uint64_t{256} << 20;
 
 std::set<std::string> small_letters(std::span<const std::string> names) {
     std::set<std::string> result;
@@ -100,14 +101,14 @@ private:
 };
 
 // The pictures of an archive by name, wherever in it they lie.
-ReadPicture picture_reader(LoadedPlot& loaded) {
+ReadPicture member_reader(LoadedPlot& loaded) {
     return [&loaded](const std::string& name) -> Result<std::vector<std::uint8_t>> {
         std::string member = loaded.archive.find(name);
         const std::size_t slash = name.find_last_of("/\\");
         if (member.empty() && slash != std::string::npos)
             member = loaded.archive.find(name.substr(slash + 1));
         if (member.empty()) return Error{"is not in the archive", name};
-        return loaded.archive.read(member, kMaxPictureFileBytes);
+        return loaded.archive.read(member, kMaxPartBytes);
     };
 }
 
@@ -182,10 +183,11 @@ private:
         Report of_mesh;
         const auto model = [&]() -> Result<Stage> {
             TRY(const auto bytes, loaded_.archive.read(mesh.member));
-            // A .gltf has its parts in files of its own, which only a folder can hold.
-            if (mesh.extension == "gltf")
-                return Error{"is a .gltf, expected .glb, which holds all in one file", name};
-            return load_model(bytes, mesh.extension, name, {}, of_mesh, picture_reader(loaded_));
+            if (mesh.extension == "gltf") {
+                TRY(const auto glb, glb_from_gltf(bytes, name, member_reader(loaded_)));
+                return load_model(glb, "glb", name, {}, of_mesh, member_reader(loaded_));
+            }
+            return load_model(bytes, mesh.extension, name, {}, of_mesh, member_reader(loaded_));
         };
         auto loaded = model();
         if (!loaded.ok())

@@ -1,24 +1,93 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/rig.h"
 
+#include "base/check.h"
+#include "scene/aim.h"
+
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace ghost::scene {
+namespace {
 
-Rig::Rig(const Show& show) : show_(show), track_(show.fixtures.size(), 0.0f) {
+// Every beam that shines, on its own.
+Emitters apart(const Emitters& emitters) {
+    Emitters result = emitters;
+    result.lights.clear();
+    for (const Emitter& emitter : emitters.lights)
+        for (const int beam : emitter.beams) result.lights.push_back({{beam}, {1.0f}, emitter.place});
+    return result;
+}
+
+} // namespace
+
+struct Rig::Between {
+    std::size_t stop = 0;
+    std::size_t next = 0;
+    float share = 0.0f;       // 0: at stop .. 1: at next
+    glm::mat4 to_world{1.0f}; // of the fixture at stop
+    glm::vec3 stop_m{0};      // where its middle is at stop
+    glm::vec3 next_m{0};
+
+    // Where it is, if those are the places of the two stops.
+    Hung hung(const glm::vec3& at_stop_m, const glm::vec3& at_next_m) const {
+        Hung result{to_world, glm::mix(at_stop_m, at_next_m, share)};
+        result.to_world[3] += glm::vec4(result.middle_m - stop_m, 0.0f);
+        return result;
+    }
+};
+
+Rig::Rig(const Show& show) : show_(show), track_(show.fixtures.size(), 0.0f), aims_(show.fixtures.size()) {
+    std::map<std::pair<const fixture::Type*, int>, std::shared_ptr<const Emitters>> known;
     for (const PatchedFixture& fixture : show.fixtures) {
         patches_.push_back(fixture.patch());
         states_.push_back(fixture.type ? fixture::make_state(patches_.back()) : fixture::State{});
+        auto& emitters = known[{fixture.type.get(), fixture.type ? fixture.mode : 0}];
+        if (!emitters)
+            emitters = std::make_shared<const Emitters>(
+                fixture.type ? emitters_of(*fixture.type, patches_.back().mode_of()) : Emitters{});
+        emitters_.push_back(emitters);
     }
 }
 
-void Rig::step(const dmx::Universes& universes, double dt_s) {
+void Rig::aim_at(std::size_t fixture, const std::optional<glm::vec3>& point_m) {
+    CHECK(fixture < aims_.size());
+    aims_[fixture] = point_m;
+}
+
+// The first axis of each kind, as State::pan_deg and tilt_deg are.
+void Rig::follow(std::size_t fixture, fixture::Targets& targets) const {
+    const PatchedFixture& patched = show_.fixtures[fixture];
+    const fixture::State& state = states_[fixture];
+    const std::size_t last = patched.track ? patched.track->stops_m.size() - 1 : 0;
+    const std::size_t stop = std::min(static_cast<std::size_t>(track_[fixture] + 0.5f), last);
+    const glm::mat3 to_fixture = glm::inverse(glm::mat3(fixture_to_world(patched, stop)));
+    const PanTilt now{state.pan_deg, state.tilt_deg};
+    const PanTilt wanted = aim(to_fixture * (*aims_[fixture] - light_position_m(patched, stop)), now);
+    bool has_pan = false, has_tilt = false;
+    for (std::size_t k = 0; k < state.axes.size(); ++k) {
+        const bool pan = state.axes[k].pan;
+        bool& has = pan ? has_pan : has_tilt;
+        if (has) continue;
+        has = true;
+        targets.axes[k].spinning = false;
+        targets.axes[k].deg = pan ? wanted.pan_deg : wanted.tilt_deg;
+    }
+}
+
+void Rig::step(const dmx::Universes& universes, double dt_s,
+               const std::map<std::size_t, fixture::Manual>& manual) {
     fixture::Levels levels;
     for (const dmx::Universe& universe : universes.list) levels.set(universe.number, *universe.levels);
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         if (!patches_[i].type) continue;
-        fixture::step(states_[i], patches_[i], fixture::decode(patches_[i], levels), dt_s, show_.motion);
+        fixture::Targets targets = fixture::decode(patches_[i], levels);
+        if (aims_[i]) follow(i, targets);
+        if (const auto found = manual.find(i); found != manual.end())
+            fixture::apply(found->second, patches_[i], targets);
+        fixture::step(states_[i], patches_[i], targets, dt_s, show_.motion);
         const auto& track = show_.fixtures[i].track;
         if (!track) continue;
         const auto universe = static_cast<std::uint16_t>(track->universe);
@@ -28,29 +97,48 @@ void Rig::step(const dmx::Universes& universes, double dt_s) {
     }
 }
 
-std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const DistanceMaps& maps) const {
-    std::vector<shared::Light> lights;
+Rig::Between Rig::between(std::size_t index) const {
+    const PatchedFixture& fixture = show_.fixtures[index];
+    const std::size_t last = fixture.track ? fixture.track->stops_m.size() - 1 : 0;
+    Between result;
+    result.stop = std::min(static_cast<std::size_t>(track_[index]), last);
+    result.next = std::min(result.stop + 1, last);
+    result.share = track_[index] - static_cast<float>(result.stop);
+    result.to_world = fixture_to_world(fixture, result.stop);
+    const glm::vec4 middle_m(emitters_[index]->middle_m, 1.0f);
+    result.stop_m = glm::vec3(result.to_world * middle_m);
+    result.next_m = glm::vec3(fixture_to_world(fixture, result.next) * middle_m);
+    return result;
+}
+
+Lit Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) const {
+    Lit lit;
+    ProfileTable profiles;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const PatchedFixture& fixture = show_.fixtures[i];
         if (!fixture.type) continue;
-        const std::size_t last = fixture.track ? fixture.track->stops_m.size() - 1 : 0;
-        const std::size_t stop = std::min(static_cast<std::size_t>(track_[i]), last);
-        const std::size_t next = std::min(stop + 1, last);
-        const float between = track_[i] - static_cast<float>(stop);
-        const glm::vec3 position_m =
-            glm::mix(light_position_m(fixture, stop), light_position_m(fixture, next), between);
-        const int map = maps.find(fixture.name, static_cast<int>(between < 0.5f ? stop : next));
-        for (const fixture::BeamState& beam : states_[i].beams) {
-            lights.push_back(
-                light_from(*fixture.type, beam, fixture_to_world(fixture, stop), position_m, gobos));
-            lights.back().map = static_cast<std::uint32_t>(map + 1);
+        const Between track = between(i);
+        const Hung hung = track.hung(track.stop_m, track.next_m);
+        const Emitters emitters = cells == Cells::apart ? apart(*emitters_[i]) : *emitters_[i];
+        const std::vector<Face> faces =
+            faces_of(*fixture.type, states_[i].beams, emitters, hung, gobos, profiles);
+        const auto stop = static_cast<int>(track.share < 0.5f ? track.stop : track.next);
+        std::vector<int> map_of;
+        for (int place = 0; place < static_cast<int>(emitters.places_m.size()); ++place)
+            map_of.push_back(maps.find(fixture.name, stop, place));
+        for (const Emitter& emitter : emitters.lights) {
+            lit.lights.push_back(light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung)));
+            lit.lights.back().map =
+                static_cast<std::uint32_t>(map_of[static_cast<std::size_t>(emitter.place)] + 1);
         }
+        lit.faces.insert(lit.faces.end(), faces.begin(), faces.end());
     }
-    return lights;
+    return lit;
 }
 
-std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const Passes& passes) const {
-    std::vector<shared::Light> lights;
+Lit Rig::lit(const GoboStack& gobos, const Passes& passes) const {
+    Lit lit;
+    ProfileTable profiles;
     const auto dark_pass = static_cast<std::uint32_t>(passes.lights.size());
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const PatchedFixture& fixture = show_.fixtures[i];
@@ -60,38 +148,46 @@ std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const Passes& pas
             return found < 0 ? dark_pass : static_cast<std::uint32_t>(found);
         };
         // A pass rendered elsewhere says where its light stood; that place is the truth for the masks, too.
-        const auto place_of = [&](std::size_t stop) {
+        const auto place_of = [&](std::size_t stop, const glm::vec3& shown_m) {
             const std::uint32_t pass = pass_of(stop);
-            return pass < dark_pass ? passes.lights[pass].position_m : light_position_m(fixture, stop);
+            return pass < dark_pass ? passes.lights[pass].position_m : shown_m;
         };
-        const std::size_t last = fixture.track ? fixture.track->stops_m.size() - 1 : 0;
-        const std::size_t stop = std::min(static_cast<std::size_t>(track_[i]), last);
-        const std::size_t next = std::min(stop + 1, last);
-        const float between = track_[i] - static_cast<float>(stop);
-        const glm::vec3 position_m = glm::mix(place_of(stop), place_of(next), between);
-        const glm::mat4 to_world = fixture_to_world(fixture, stop);
-        for (const fixture::BeamState& beam : states_[i].beams) {
-            shared::Light light = light_from(*fixture.type, beam, to_world, position_m, gobos);
-            light.pass = pass_of(stop);
+        const Between track = between(i);
+        const Hung hung = track.hung(place_of(track.stop, track.stop_m), place_of(track.next, track.next_m));
+        const Emitters& emitters = *emitters_[i];
+        const std::vector<Face> faces =
+            faces_of(*fixture.type, states_[i].beams, emitters, hung, gobos, profiles);
+        lit.faces.insert(lit.faces.end(), faces.begin(), faces.end());
+        for (const Emitter& emitter : emitters.lights) {
+            shared::Light light = light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung));
+            light.pass = pass_of(track.stop);
             if (!fixture.track) {
-                lights.push_back(light);
+                lit.lights.push_back(light);
                 continue;
             }
             // Between two stops the surfaces cross-fade from one pass to the other; the air needs no pass.
             shared::Light second = light;
-            second.pass = pass_of(next);
+            second.pass = pass_of(track.next);
             second.haze_samples = 0;
-            second.intensity_cd *= between;
-            second.bounce_cd *= between;
+            second.intensity_cd *= track.share;
+            second.bounce_cd *= track.share;
             shared::Light first = light;
             first.haze_samples = 0;
-            first.intensity_cd *= 1.0f - between;
-            first.bounce_cd *= 1.0f - between;
+            first.intensity_cd *= 1.0f - track.share;
+            first.bounce_cd *= 1.0f - track.share;
             light.pass = dark_pass;
-            lights.insert(lights.end(), {first, second, light});
+            lit.lights.insert(lit.lights.end(), {first, second, light});
         }
     }
-    return lights;
+    return lit;
+}
+
+std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const Passes& passes) const {
+    return lit(gobos, passes).lights;
+}
+
+std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const DistanceMaps& maps) const {
+    return lit(gobos, maps).lights;
 }
 
 } // namespace ghost::scene

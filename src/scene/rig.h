@@ -4,13 +4,20 @@
 // time steps give the same bits. Refers to the show, which must outlive it. Main thread.
 
 #include "dmx/universes.h"
-#include "fixture/decode.h"
+#include "fixture/manual.h"
 #include "scene/distance_maps.h"
+#include "scene/emitters.h"
 #include "scene/gobos.h"
+#include "scene/lit.h"
 #include "scene/passes.h"
+#include "scene/photometry.h"
 #include "scene/show.h"
 #include "shared/types.h"
 
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace ghost::scene {
@@ -19,31 +26,46 @@ class Rig {
 public:
     explicit Rig(const Show& show);
 
-    // Decodes the levels and moves every fixture on by dt_s, as Show::motion says.
-    void step(const dmx::Universes& universes, double dt_s);
+    // Decodes the levels and moves every fixture on by dt_s, as Show::motion says. manual: by index of the
+    // fixture, what a person wants instead.
+    void step(const dmx::Universes& universes, double dt_s,
+              const std::map<std::size_t, fixture::Manual>& manual = {});
 
-    // One light per beam of each fixture, in the order of the show; fixtures without a readable type have
-    // none. A light whose pass is missing points at pass number passes.lights.size(), the dark one.
-    std::vector<shared::Light> lights(const GoboStack& gobos, const Passes& passes) const;
+    // The head of this fixture (index into Show::fixtures) follows a point of the world instead of the desk's
+    // pan and tilt, as fast as it can turn; nothing: the desk's again.
+    void aim_at(std::size_t fixture, const std::optional<glm::vec3>& point_m);
+
+    // All that shines, in the order of the show: the lights of each fixture's emitters, the face of each of
+    // its beams. Fixtures without a readable type have none. A light whose pass is missing points at pass
+    // number passes.lights.size(), the dark one.
+    Lit lit(const GoboStack& gobos, const Passes& passes) const;
 
     // The same for a free camera: the shadows of a light are in its distance map (between two stops: the
     // nearer one's), if there is one.
+    Lit lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells = Cells::grouped) const;
+
+    // Of these the lights alone.
+    std::vector<shared::Light> lights(const GoboStack& gobos, const Passes& passes) const;
     std::vector<shared::Light> lights(const GoboStack& gobos, const DistanceMaps& maps) const;
 
     const std::vector<fixture::State>& states() const { return states_; }
+    // How the beams of a fixture are grouped; nothing where it has no type.
+    const Emitters& emitters(std::size_t fixture) const { return *emitters_[fixture]; }
     // Place along the track in stops, 0 where there is none.
     float track_position(std::size_t fixture) const { return track_[fixture]; }
 
 private:
+    struct Between; // two stops of a track
+    Between between(std::size_t fixture) const;
+
+    void follow(std::size_t fixture, fixture::Targets& targets) const;
+
     const Show& show_;
     std::vector<fixture::Patch> patches_;
     std::vector<fixture::State> states_;
     std::vector<float> track_;
+    std::vector<std::shared_ptr<const Emitters>> emitters_; // one for all fixtures of a type and mode
+    std::vector<std::optional<glm::vec3>> aims_;
 };
-
-// What one beam of a fixture emits. stop: place along the track in stops; to_world: of the fixture hung
-// there.
-shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
-                         const glm::vec3& position_m, const GoboStack& gobos);
 
 } // namespace ghost::scene

@@ -11,6 +11,7 @@
 #include "scene/overrides.h"
 #include "scene/report.h"
 #include "scene/stage.h"
+#include "scene/tracking.h"
 
 #include <filesystem>
 #include <functional>
@@ -124,6 +125,7 @@ struct Show {
     std::vector<ObjectSettings> objects; // applied by stage_with_bodies
     std::vector<Camera> cameras;
     std::vector<PatchedFixture> fixtures;
+    Tracking tracking;
     Stage stage; // the model as its file has it and all that the plot draws, without fixture bodies
 
     // Index of the camera of this name (the first one where name is empty); the error suggests a near name.
@@ -167,8 +169,11 @@ glm::mat4 camera_to_world(const Camera& camera);
 // World matrix of a fixture hung at a stop (index into stops_m()).
 glm::mat4 fixture_to_world(const PatchedFixture& fixture, std::size_t stop);
 
-// Where the light comes from for the baker and the renderer: the pivot of the head (tilt axis), which does
-// not move when the head turns, in world metres.
+// Where the light comes from for passes: the pivot of the head (tilt axis), which does not move when the head
+// turns, or the middle of the lights of a bar; in world metres.
 glm::vec3 light_position_m(const PatchedFixture& fixture, std::size_t stop);
+
+// Where distance maps are made: Emitters::places_m, in world metres. None where all beams only glow.
+std::vector<glm::vec3> light_places_m(const PatchedFixture& fixture, std::size_t stop);
 
 } // namespace ghost::scene

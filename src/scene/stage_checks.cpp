@@ -120,6 +120,12 @@ public:
         }
         return kNone;
     }
+    // Of the first of these places that is inside of something.
+    int find_any(const std::vector<vec3>& points_m) {
+        for (const vec3& point_m : points_m)
+            if (const int object = find(point_m); object != kNone) return object;
+        return kNone;
+    }
 
 private:
     const Stage& stage_;
@@ -245,7 +251,7 @@ void check_places(const Show& show, const Stage& stage, std::span<const Camera> 
     for (const PatchedFixture& fixture : show.fixtures) {
         if (!fixture.type) continue;
         for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop)
-            if (const int object = around.find(light_position_m(fixture, stop)); object != kNone) {
+            if (const int object = around.find_any(light_places_m(fixture, stop)); object != kNone) {
                 report.add(Severity::warning, show.file.string(),
                            "the light of fixture '" + fixture.name + "' is inside '" +
                                name_of(stage, object) + "' and lights only that, from within");

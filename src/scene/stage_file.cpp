@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/files.h"
+#include "fixture/mesh_check.h"
 #include "scene/model_file.h"
 #include "scene/show.h"
 #include "scene/stage_checks.h"
@@ -119,6 +120,14 @@ private:
     std::set<std::string> lost_;
 };
 
+// Without Assimp's own name for what it reads from memory.
+std::string plain_words(std::string words) {
+    const std::string own = "$$$___magic___$$$";
+    if (const std::size_t at = words.find(own); at != std::string::npos)
+        words.replace(at, words.find_first_of(" \t\n", at + own.size()) - at, "the file");
+    return words;
+}
+
 } // namespace
 
 Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::string& name,
@@ -127,6 +136,9 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
     const std::string format = lower(extension);
     const bool is_gltf = format == "glb" || format == "gltf";
     if (format == "glb") TRY_VOID(check_glb(bytes, name));
+    if (format == "3ds")
+        if (std::string fault = fixture::fault_of_mesh(bytes, format); !fault.empty())
+            return Error{std::move(fault), name};
     try {
         Assimp::Importer importer;
         auto* const companions = new Companions; // the importer's from here on
@@ -141,7 +153,7 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
             report.add(Severity::error, name,
                        "refers to " + lost + ", which is no plain file: what it says is lost");
         if (!scene || !scene->mRootNode)
-            return Error{std::string("not a readable ") + format + " model: " + importer.GetErrorString(),
+            return Error{"not a readable " + format + " model: " + plain_words(importer.GetErrorString()),
                          name};
         const GltfExtras extras = format == "glb" ? gltf_extras(bytes) : GltfExtras{};
         // The importer owns the scene and hands it out const, but post-processing must not see broken

@@ -4,7 +4,7 @@
 // fails.
 #include "app/session.h"
 #include "demo_copy.h"
-#include "dmx/recording.h"
+#include "dmx/player.h"
 #include "image/ldr.h"
 
 #include "base/log.h"

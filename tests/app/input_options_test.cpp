@@ -27,6 +27,56 @@ TEST(ParseUniverses, what_is_wrong_is_said) {
     }
 }
 
+TEST(LossPolicy, hold_black_or_seconds) {
+    using namespace std::chrono_literals;
+    EXPECT_FALSE(parse_loss_policy("hold")->black_after.has_value());
+    EXPECT_EQ(parse_loss_policy("black")->black_after, std::chrono::nanoseconds(0));
+    EXPECT_EQ(parse_loss_policy("2.5")->black_after, std::chrono::nanoseconds(2500ms));
+    for (const char* text : {"", "-1", "10s", "dark", "nan", "inf", "1e9"}) {
+        const auto result = parse_loss_policy(text);
+        ASSERT_FALSE(result.ok()) << text;
+        EXPECT_EQ(result.error().where, "--on-loss");
+    }
+}
+
+TEST(ReceiverOptions, loss_and_artnet_merge) {
+    InputOptions input;
+    EXPECT_FALSE(receiver_options(input)->loss.black_after.has_value());
+    EXPECT_FALSE(receiver_options(input)->artnet_ltp);
+    input.on_loss = "3";
+    input.artnet_merge = "ltp";
+    EXPECT_TRUE(receiver_options(input)->loss.black_after.has_value());
+    EXPECT_TRUE(receiver_options(input)->artnet_ltp);
+}
+
+TEST(ParseUsbPorts, universes_count_on_from_the_one_before) {
+    const auto ports = parse_usb_ports({"/dev/ttyUSB0", "/dev/ttyUSB1=7", "auto"});
+    ASSERT_TRUE(ports.ok()) << ports.error().text();
+    ASSERT_EQ(ports->size(), 3u);
+    EXPECT_EQ((*ports)[0].path, "/dev/ttyUSB0");
+    EXPECT_EQ((*ports)[0].universe, 1);
+    EXPECT_EQ((*ports)[1].path, "/dev/ttyUSB1");
+    EXPECT_EQ((*ports)[1].universe, 7);
+    EXPECT_EQ((*ports)[2].path, "auto");
+    EXPECT_EQ((*ports)[2].universe, 8);
+    for (const char* text :
+         {"", "ttyUSB0", "/dev/ttyUSB0=", "/dev/ttyUSB0=0", "/dev/ttyUSB0=64000", "auto=x"})
+        EXPECT_FALSE(parse_usb_ports({text}).ok()) << text;
+    EXPECT_FALSE(parse_usb_ports({"auto", "auto=4"}).ok());
+    EXPECT_FALSE(parse_usb_ports({"/dev/a=63999", "/dev/b"}).ok());
+}
+
+TEST(ReceiverOptions, usb_alone) {
+    InputOptions input;
+    input.protocols = "none";
+    EXPECT_FALSE(receiver_options(input).ok());
+    input.usb = {"auto"};
+    const auto options = receiver_options(input);
+    ASSERT_TRUE(options.ok());
+    EXPECT_FALSE(options->sacn || options->artnet);
+    EXPECT_EQ(options->usb.size(), 1u);
+}
+
 TEST(ReceiverOptions, protocols) {
     InputOptions input;
     EXPECT_TRUE(receiver_options(input)->sacn);

@@ -31,7 +31,8 @@ inline const gpu::Device& live_device() {
     return *one;
 }
 
-// One map for each light, in their order; sets Light::map. Lights of one place share none.
+// One map for each light, in their order, made where Light::off_map_m says; sets Light::map. Lights of one
+// place share none.
 inline scene::DistanceMaps trace_maps(const bake::Tracer& tracer, std::vector<shared::Light>& lights,
                                       int size) {
     const bake::DistanceSight sight(size);
@@ -40,7 +41,7 @@ inline scene::DistanceMaps trace_maps(const bake::Tracer& tracer, std::vector<sh
     for (shared::Light& light : lights) {
         scene::DistanceMap map;
         map.fixture = std::to_string(maps.maps.size());
-        map.position_m = light.position_m;
+        map.position_m = light.position_m - light.off_map_m;
         map.distance.resize(sight.directions().size());
         std::atomic<int> next{0};
         const auto rows = [&] {
@@ -51,7 +52,7 @@ inline scene::DistanceMaps trace_maps(const bake::Tracer& tracer, std::vector<sh
                                        static_cast<std::size_t>(x);
                     float distance_m[8];
                     int instance[8];
-                    tracer.distances(light.position_m, sight.directions().data() + first, 8,
+                    tracer.distances(map.position_m, sight.directions().data() + first, 8,
                                      scene::kNoSurface_m, distance_m, instance);
                     for (std::size_t k = 0; k < 8; ++k)
                         map.distance[first + k] =

@@ -5,7 +5,7 @@
 #include "bake/bake_show.h"
 #include "bake/trace_lit.h"
 #include "demo_copy.h"
-#include "dmx/recording.h"
+#include "dmx/player.h"
 #include "scene/passes_file.h"
 #include "scene/relight_cpu.h"
 

@@ -254,7 +254,7 @@ TEST(DistanceMaps, DamagedFilesAreReportedAndMadeAgain) {
     const scene::Show show = two_rooms(folder.path);
     update(show);
     const auto before = contents(folder.path);
-    const auto path = scene::distance_places(show)[1].file;
+    const auto path = scene::distance_places(show, kSize)[1].file;
     std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
     Outcome run = update(show);
     EXPECT_EQ(run.made, Names{"right"});
@@ -262,7 +262,7 @@ TEST(DistanceMaps, DamagedFilesAreReportedAndMadeAgain) {
     EXPECT_EQ(run.report.messages[0].where, path.string());
     EXPECT_TRUE(contents(folder.path) == before);
     // The maps say themselves which stage they show.
-    std::ofstream(scene::distance_folder(show) / "stage.json") << "{";
+    std::ofstream(scene::distance_folder(show, kSize) / "stage.json") << "{";
     run = update(show);
     EXPECT_EQ(run.made, Names{});
     EXPECT_EQ(run.report.messages.size(), 1u);
@@ -270,6 +270,10 @@ TEST(DistanceMaps, DamagedFilesAreReportedAndMadeAgain) {
     DistanceMapOptions options;
     options.size = 80;
     EXPECT_EQ(update(show, options).made.size(), 2u);
+    // Each size keeps its own.
+    run = update(show);
+    EXPECT_EQ(run.made, Names{});
+    EXPECT_TRUE(run.report.messages.empty());
     options.size = 32;
     scene::DistanceMaps maps;
     scene::Report report;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Packets of real consoles (OLA 0.10.9, QLC+ 4.12.6) and the standard's own example, where they lie beside
 // the checkout. The expected counts were taken with tshark 4.0.
-#include "base/files.h"
 #include "dmx/merge.h"
+#include "pcap_file.h"
 
 #include <gtest/gtest.h>
 
@@ -16,44 +16,6 @@ using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
 const fs::path kData = fs::path(GHOST_SOURCE_DIR) / "../shared/control/data";
-
-struct Captured {
-    std::chrono::nanoseconds time;
-    std::uint16_t port;
-    std::uint32_t from;
-    std::vector<std::uint8_t> payload;
-};
-
-// UDP payloads of a little-endian pcap file with Ethernet or raw IPv4 frames.
-std::vector<Captured> read_pcap(const fs::path& path) {
-    std::vector<Captured> result;
-    const auto file = read_file(path, 64 << 20);
-    if (!file.ok()) return result;
-    ByteReader reader{Bytes(*file)};
-    reader.skip(20);
-    const std::size_t link_bytes = reader.u32_le() == 1 ? 14 : 0;
-    while (reader.left() >= 16) {
-        const auto seconds = std::chrono::seconds(reader.u32_le());
-        const auto micros = std::chrono::microseconds(reader.u32_le());
-        const std::uint32_t stored = reader.u32_le();
-        reader.skip(4);
-        const Bytes frame = reader.take(stored);
-        if (frame.size() < link_bytes + 28) continue;
-        ByteReader ip{frame.subspan(link_bytes)};
-        const std::size_t header = (ip.u8() & 15u) * 4u;
-        ip.skip(8);
-        if (ip.u8() != 17) continue;
-        ip.skip(2);
-        const std::uint32_t from = ip.u32_be();
-        ip.skip(header - 16 + 2);
-        const std::uint16_t port = ip.u16_be();
-        const std::size_t length = ip.u16_be();
-        ip.skip(2);
-        const Bytes payload = ip.take(std::min(ip.left(), length - 8));
-        result.push_back({seconds + micros, port, from, {payload.begin(), payload.end()}});
-    }
-    return result;
-}
 
 struct Replay {
     Merge merge;
@@ -73,7 +35,7 @@ struct Replay {
                 ++seen[std::string(protocol_name(levels->protocol)) + " " + std::to_string(levels->universe)];
                 merge.feed(*levels, packet.time);
                 merge.tick(packet.time);
-            } else if (const Notice* notice = std::get_if<Notice>(&parsed)) {
+            } else if (const std::optional<Notice> notice = notice_of(parsed)) {
                 ++seen[std::string("notice ") + notice_name(*notice)];
             } else {
                 ++seen[std::string("drop ") + drop_name(std::get<Drop>(parsed))];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The demo recording holds what the demo promises: looks, moves, gobos turning both ways, a strobe hit, a
 // blackout.
-#include "dmx/recording.h"
+#include "dmx/player.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,9 @@ TEST(DemoRecording, is_a_show) {
     auto recording = read_recording(std::filesystem::path(GHOST_SOURCE_DIR) / "assets/demo/demo.show");
     ASSERT_TRUE(recording.ok()) << recording.error().text();
     EXPECT_TRUE(recording->problems.empty());
-    for (const RecordedFrame& frame : recording->frames) ASSERT_EQ(frame.universe, 1);
+    const auto universes = recording->first_frames();
+    ASSERT_EQ(universes.size(), 1u);
+    EXPECT_EQ(universes.begin()->first, 1);
     const Player player(std::move(*recording));
     EXPECT_GE(player.duration_s(), 75.0);
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "desk.h"
 #include "dmx/merge.h"
 
 #include <gtest/gtest.h>
@@ -8,40 +9,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
-
-// One sACN source that counts its packets.
-struct Desk {
-    std::uint8_t id = 1;
-    std::uint8_t priority = 100;
-    std::uint16_t universe = 1;
-    std::uint8_t sequence = 0;
-
-    Packet packet(std::initializer_list<int> levels) {
-        Packet result;
-        result.source.id[0] = id;
-        result.universe = universe;
-        result.priority = priority;
-        result.sequence = ++sequence;
-        for (const int level : levels) result.slots[result.slot_count++] = static_cast<std::uint8_t>(level);
-        return result;
-    }
-};
-
-Packet art(std::uint8_t ip, std::uint8_t sequence, std::initializer_list<int> levels) {
-    Desk desk{ip, 100, 1, static_cast<std::uint8_t>(sequence - 1)};
-    Packet packet = desk.packet(levels);
-    packet.protocol = packet.source.protocol = Protocol::artnet;
-    return packet;
-}
-
-std::vector<int> levels(Merge& merge, int count, std::uint16_t universe = 1) {
-    std::vector<int> result;
-    for (int address = 1; address <= count; ++address)
-        result.push_back(merge.universes().level(universe, address));
-    return result;
-}
-
-using Ints = std::vector<int>;
 
 TEST(Merge, one_source) {
     Merge merge;
@@ -290,7 +257,7 @@ TEST(Merge, preview_is_left_out_unless_asked_for) {
     Merge merge, curious(MergeOptions{true});
     Desk a;
     Packet packet = a.packet({9});
-    packet.preview = true;
+    packet.source.preview = true;
     merge.feed(packet, 0s);
     curious.feed(packet, 0s);
     EXPECT_TRUE(merge.universes().list.empty());
@@ -354,7 +321,7 @@ TEST(Merge, status_of_a_source) {
     for (int i = 0; i <= 44; ++i) {
         Packet packet = a.packet({1, 2, 3});
         packet.source_name = "Desk";
-        packet.from_ipv4 = 0x0A000001;
+        packet.from = 0x0A000001;
         merge.feed(packet, std::chrono::milliseconds(i * 1000 / 44));
     }
     merge.tick(1s);

@@ -39,25 +39,19 @@ Drop drop_of(const Parsed& parsed) {
     return drop ? *drop : Drop::kCount;
 }
 
-Notice notice_of(const Parsed& parsed) {
-    const Notice* notice = std::get_if<Notice>(&parsed);
-    EXPECT_NE(notice, nullptr);
-    return notice ? *notice : Notice::kCount;
-}
-
 TEST(Sacn, reads_a_data_packet) {
     const Packet packet = packet_of(parse_sacn(literal_sacn(), 0x0A000002));
     EXPECT_EQ(packet.protocol, Protocol::sacn);
     EXPECT_EQ(packet.source.id[0], 0xEF);
     EXPECT_EQ(packet.source.id[15], 0x3E);
     EXPECT_EQ(packet.source_name, "Source_A");
-    EXPECT_EQ(packet.from_ipv4, 0x0A000002u);
+    EXPECT_EQ(packet.from, IpAddress(0x0A000002u));
     EXPECT_EQ(packet.universe, 1);
     EXPECT_EQ(packet.priority, 100);
     EXPECT_EQ(packet.sequence, 0x9A);
     EXPECT_EQ(packet.sync_universe, 7962);
     EXPECT_EQ(packet.start_code, 0);
-    EXPECT_FALSE(packet.preview);
+    EXPECT_FALSE(packet.source.preview);
     EXPECT_FALSE(packet.terminated);
     ASSERT_EQ(packet.slot_count, 3);
     EXPECT_EQ(packet.slots[0], 1);
@@ -86,10 +80,11 @@ TEST(Sacn, a_cut_list_of_priorities_is_refused) {
 TEST(Sacn, options_and_start_codes) {
     Buffer bytes = literal_sacn();
     bytes[112] = 0x80;
-    EXPECT_TRUE(packet_of(parse_sacn(bytes)).preview);
+    EXPECT_TRUE(packet_of(parse_sacn(bytes)).source.preview);
     bytes[112] = 0x40;
     EXPECT_TRUE(packet_of(parse_sacn(bytes)).terminated);
-    bytes[112] = 0x20; // force synchronisation: nothing to us
+    bytes[112] = 0x20;
+    EXPECT_TRUE(packet_of(parse_sacn(bytes)).force_sync);
     EXPECT_FALSE(packet_of(parse_sacn(bytes)).terminated);
     bytes[125] = 0xDD;
     EXPECT_EQ(packet_of(parse_sacn(bytes)).start_code, 0xDD);
@@ -154,17 +149,57 @@ TEST(Sacn, reasons_to_drop) {
     EXPECT_EQ(drop_of(parse_sacn(top)), Drop::bad_universe);
 }
 
-TEST(Sacn, extended_packets_are_notices) {
+TEST(Sacn, sync_packet) {
+    std::array<std::uint8_t, 16> cid{};
+    cid[0] = 0xAB;
+    Buffer bytes = build_sacn_sync(7962, 0x1F, cid);
+    EXPECT_EQ(bytes.size(), 49u);
+    EXPECT_EQ(bytes[17], 0x21);
+    EXPECT_EQ(bytes[39], 0x0B);
+    const Parsed parsed = parse_sacn(bytes);
+    EXPECT_EQ(notice_of(parsed), Notice::sync);
+    const auto* sync = std::get_if<SyncPacket>(&parsed);
+    ASSERT_NE(sync, nullptr);
+    EXPECT_EQ(sync->universe, 7962);
+    EXPECT_EQ(sync->sequence, 0x1F);
+    EXPECT_EQ(sync->source.id, cid);
+    for (std::size_t size = 0; size < bytes.size(); ++size)
+        EXPECT_EQ(drop_of(parse_sacn(Bytes(bytes).first(size))), Drop::too_short) << size;
+    bytes[45] = bytes[46] = 0;
+    EXPECT_EQ(drop_of(parse_sacn(bytes)), Drop::bad_universe);
+}
+
+TEST(Sacn, discovery_packet) {
+    const std::vector<std::uint16_t> universes = {1, 2, 40000};
+    Buffer bytes = build_sacn_discovery(universes, 1, 2, {}, "Desk");
+    EXPECT_EQ(bytes.size(), 126u);
+    const Parsed parsed = parse_sacn(bytes, 0x0A000001);
+    EXPECT_EQ(notice_of(parsed), Notice::discovery);
+    const auto* list = std::get_if<DiscoveryPacket>(&parsed);
+    ASSERT_NE(list, nullptr);
+    EXPECT_EQ(list->universes, universes);
+    EXPECT_EQ(list->page, 1);
+    EXPECT_EQ(list->last_page, 2);
+    EXPECT_EQ(list->source_name, "Desk");
+    EXPECT_EQ(list->from, IpAddress(0x0A000001));
+    for (const std::size_t size : {0u, 44u, 108u, 119u, 121u, 125u})
+        EXPECT_EQ(drop_of(parse_sacn(Bytes(bytes).first(size))), Drop::too_short) << size;
+    bytes[118] = 3; // behind the last page
+    EXPECT_EQ(drop_of(parse_sacn(bytes)), Drop::bad_value);
+    bytes[117] = 9;
+    EXPECT_EQ(drop_of(parse_sacn(bytes)), Drop::bad_vector);
+}
+
+// As OLA 0.10.9 sends it: the framing layer of data, then page, last page and list.
+TEST(Sacn, discovery_of_the_draft) {
     Buffer bytes = literal_sacn();
-    bytes[21] = 8;
-    bytes[43] = 1;
-    bytes.resize(49);
-    EXPECT_EQ(notice_of(parse_sacn(bytes)), Notice::sync);
-    bytes[43] = 2;
-    EXPECT_EQ(notice_of(parse_sacn(bytes)), Notice::discovery);
-    bytes[21] = 4;
-    bytes[43] = 4; // the draft discovery that OLA sends
-    EXPECT_EQ(notice_of(parse_sacn(bytes)), Notice::discovery);
+    bytes[43] = 4;
+    bytes.resize(115);
+    for (const int byte : {0, 0, 0, 1, 0, 5}) bytes.push_back(static_cast<std::uint8_t>(byte));
+    const Parsed parsed = parse_sacn(bytes);
+    const auto* list = std::get_if<DiscoveryPacket>(&parsed);
+    ASSERT_NE(list, nullptr);
+    EXPECT_EQ(list->universes, (std::vector<std::uint16_t>{1, 5}));
 }
 
 TEST(Sacn, a_name_of_64_bytes_without_end_is_cut) {
@@ -238,16 +273,63 @@ TEST(Artnet, other_packets_and_reasons) {
     EXPECT_EQ(notice_of(parse_artnet(bytes)), Notice::poll);
     bytes[9] = 0x52;
     EXPECT_EQ(notice_of(parse_artnet(bytes)), Notice::sync);
-    bytes[9] = 0x97;
-    EXPECT_EQ(notice_of(parse_artnet(bytes)), Notice::timecode);
     bytes[9] = 0x21;
     EXPECT_EQ(notice_of(parse_artnet(bytes)), Notice::poll_reply);
     bytes[9] = 0x60;
     EXPECT_EQ(notice_of(parse_artnet(bytes)), Notice::other);
+    bytes[9] = 0x97; // cut
+    EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::too_short);
     bytes[11] = 13;
     EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::bad_version);
     bytes[0] = 'a';
     EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::not_ours);
+}
+
+TEST(Artnet, a_poll_may_name_the_ports_it_means) {
+    Buffer bytes = {'A',  'r',  't',  '-',  'N',  'e',  't',  0,    0x00,
+                    0x20, 0x00, 0x0e, 0x20, 0x00, 0x01, 0x10, 0x01, 0x00};
+    Parsed parsed = parse_artnet(bytes);
+    const auto* poll = std::get_if<PollPacket>(&parsed);
+    ASSERT_NE(poll, nullptr);
+    EXPECT_EQ(poll->first, 0x0100);
+    EXPECT_EQ(poll->last, 0x0110);
+    bytes[12] = 0; // not targeted
+    parsed = parse_artnet(bytes);
+    EXPECT_EQ(std::get<PollPacket>(parsed).first, 0);
+    EXPECT_EQ(std::get<PollPacket>(parsed).last, 0x7FFF);
+    bytes[12] = 0x20;
+    bytes.resize(16);
+    EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::too_short);
+    bytes.resize(12);
+    EXPECT_EQ(notice_of(parse_artnet(bytes)), Notice::poll);
+}
+
+TEST(Artnet, timecode) {
+    // OLA: ola_timecode -f EBU 01:02:03:04
+    Buffer bytes = {'A', 'r', 't', '-', 'N', 'e', 't', 0, 0x00, 0x97, 0x00, 0x0e, 0, 0, 4, 3, 2, 1, 1};
+    const Parsed parsed = parse_artnet(bytes);
+    const auto* time = std::get_if<TimeCode>(&parsed);
+    ASSERT_NE(time, nullptr);
+    EXPECT_EQ(timecode_text(*time), "01:02:03:04 EBU 25");
+    bytes[14] = 25;
+    EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::bad_value);
+    bytes[18] = 3;
+    EXPECT_EQ(timecode_text(std::get<TimeCode>(parse_artnet(bytes))), "01:02:03:25 SMPTE 30");
+    bytes[18] = 4;
+    EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::bad_value);
+    bytes.pop_back();
+    EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::too_short);
+}
+
+TEST(Artnet, trigger) {
+    const Buffer bytes = {'A',  'r',  't',  '-', 'N', 'e',  't',  0, 0x00,
+                          0x99, 0x00, 0x0e, 0,   0,   0xFF, 0xFF, 1, 5};
+    const Parsed parsed = parse_artnet(bytes);
+    const auto* trigger = std::get_if<Trigger>(&parsed);
+    ASSERT_NE(trigger, nullptr);
+    EXPECT_EQ(trigger->oem, 0xFFFF);
+    EXPECT_EQ(trigger_text(*trigger), "macro 5");
+    EXPECT_EQ(drop_of(parse_artnet(Bytes(bytes).first(17))), Drop::too_short);
 }
 
 TEST(Build, sacn_bytes) {
@@ -269,6 +351,9 @@ TEST(Build, sacn_bytes) {
     EXPECT_EQ(packet.slot_count, 2);
     EXPECT_EQ(packet.slots[1], 20);
     EXPECT_EQ(sacn_group(258), 0xEFFF0102u);
+    EXPECT_EQ(address_text(sacn_group_address(258, false)), "239.255.1.2");
+    EXPECT_EQ(address_text(sacn_group_address(258, true)), "ff18::8300:102");
+    EXPECT_EQ(address_text(sacn_group_address(64214, true)), "ff18::8300:fad6"); // discovery
 }
 
 TEST(Build, artdmx_bytes) {

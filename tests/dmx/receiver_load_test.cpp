@@ -139,6 +139,7 @@ ReceiverOptions on_loopback(std::uint16_t universes) {
     ReceiverOptions options;
     options.interface = "127.0.0.1";
     options.answer_polls = false;
+    options.sampling = 0s;
     options.sacn_port = static_cast<std::uint16_t>(20000 + (getpid() % 10000) * 2);
     options.artnet_port = static_cast<std::uint16_t>(options.sacn_port + 1);
     for (std::uint16_t universe = 1; universe <= universes; ++universe) options.universes.push_back(universe);

@@ -31,6 +31,7 @@ ReceiverOptions on_loopback() {
     options.sacn_port = port_of(0);
     options.artnet_port = port_of(1);
     options.answer_polls = false;
+    options.sampling = 0s;
     return options;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any text as an OLA show file; what can be read is played at a few times.
-#include "dmx/recording.h"
+#include "dmx/player.h"
 
 #include <cstddef>
 #include <cstdlib>
@@ -10,8 +10,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     auto recording = parse_recording({reinterpret_cast<const char*>(data), size}, "fuzz");
     if (!recording.ok()) return 0;
     if (recording->problems.size() > 101) std::abort();
-    for (std::size_t i = 1; i < recording->frames.size(); ++i)
-        if (recording->frames[i].time < recording->frames[i - 1].time) std::abort();
     const Player player(std::move(*recording));
     for (const double t : {0.0, 0.5, 1e6}) {
         const Universes universes = player.at(t * player.duration_s());

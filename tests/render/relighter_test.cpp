@@ -358,9 +358,9 @@ TEST_F(Frames, NoLightsIsTheBaseAndDark) {
         return made;
     }();
     Relighter relighter(device(), passes, test_gobos(), 0, Settings{});
-    relighter.draw({});
+    relighter.draw(std::vector<shared::Light>{});
     for (const float value : relighter.frame().samples) ASSERT_EQ(value, 0.0f);
-    EXPECT_TRUE(relighter.draw({}).spans.empty());
+    EXPECT_TRUE(relighter.draw(std::vector<shared::Light>{}).spans.empty());
 }
 
 // The display picture is the HDR frame through shared::develop, the exposure the camera's or the log average.

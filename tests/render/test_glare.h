@@ -68,10 +68,15 @@ public:
           glare_(device(), view_.width, view_.height, glare) {}
 
     void draw(const std::vector<shared::Light>& lights) {
+        std::vector<scene::Face> faces;
+        for (const shared::Light& light : lights) faces.push_back({light});
+        draw(faces);
+    }
+    void draw(const std::vector<scene::Face>& faces) {
         gpu::Commands commands(device());
         commands.begin();
         commands.clear(frame_);
-        lenses_.record(commands, images_.fragments, view_, lights, gobo_texture(), frame_);
+        lenses_.record(commands, images_.fragments, view_, faces, gobo_texture(), frame_);
         glare_.record(commands, frame_, lenses_.brightest(), pixels_per_rad(view_));
         commands.submit_and_wait();
     }

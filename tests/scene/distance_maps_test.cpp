@@ -109,8 +109,8 @@ protected:
             show.fixtures.push_back(fixture);
         }
         show.fixtures[0].track = Track{{{0, 0, 1}, {0, 0, 2}}, 1, 1};
-        places = distance_places(show);
-        std::filesystem::create_directories(distance_folder(show));
+        places = distance_places(show, kSize);
+        std::filesystem::create_directories(distance_folder(show, kSize));
         stage.key = kStageKey;
         stage.instances = {{"00000000000000aa", {0, 0, 0.1f}, {1, 2, 3}}};
     }
@@ -156,7 +156,7 @@ TEST_F(DistanceFiles, NoSurfaceIsTheHalfOfItsDistance) {
 }
 
 TEST_F(DistanceFiles, WhatIsWrittenIsRead) {
-    ASSERT_TRUE(write_distance_stage(distance_folder(show), stage).ok());
+    ASSERT_TRUE(write_distance_stage(distance_folder(show, kSize), stage).ok());
     for (std::size_t k = 0; k < 3; ++k) write(k, stored(k));
     const auto maps = load_distance_maps(show, kSize, report);
     ASSERT_TRUE(maps.ok());
@@ -171,7 +171,7 @@ TEST_F(DistanceFiles, WhatIsWrittenIsRead) {
     const auto map = read_distance_map(places[1].file, kSize);
     ASSERT_TRUE(map.ok() && map->has_value());
     EXPECT_EQ((*map)->sees, stored(1).sees);
-    const auto read = read_distance_stage(distance_folder(show));
+    const auto read = read_distance_stage(distance_folder(show, kSize));
     ASSERT_TRUE(read.ok() && read->has_value());
     EXPECT_TRUE(**read == stage);
 }
@@ -179,14 +179,14 @@ TEST_F(DistanceFiles, WhatIsWrittenIsRead) {
 TEST_F(DistanceFiles, OnlyWhatFitsPlaceAndStageIsLoaded) {
     write(0, stored(0));
     EXPECT_EQ(loaded(), 0u); // no stage says that it is right
-    ASSERT_TRUE(write_distance_stage(distance_folder(show), stage).ok());
+    ASSERT_TRUE(write_distance_stage(distance_folder(show, kSize), stage).ok());
     EXPECT_EQ(loaded(), 1u);
     StoredDistanceMap other = stored(1);
     other.stage = other.key = kOtherKey;
     write(1, other);
     EXPECT_EQ(loaded(), 1u);
     stage.also_right = {kOtherKey};
-    ASSERT_TRUE(write_distance_stage(distance_folder(show), stage).ok());
+    ASSERT_TRUE(write_distance_stage(distance_folder(show, kSize), stage).ok());
     EXPECT_EQ(loaded(), 2u);
     show.fixtures[0].track->stops_m[1].x = 1e-7f;
     EXPECT_EQ(loaded(), 1u);
@@ -196,7 +196,7 @@ TEST_F(DistanceFiles, OnlyWhatFitsPlaceAndStageIsLoaded) {
 }
 
 TEST_F(DistanceFiles, DamagedFilesAreNamedAndLeftOut) {
-    ASSERT_TRUE(write_distance_stage(distance_folder(show), stage).ok());
+    ASSERT_TRUE(write_distance_stage(distance_folder(show, kSize), stage).ok());
     write(0, stored(0));
     write(1, stored(1));
     const auto named = [&](const char* what) {
@@ -252,7 +252,7 @@ TEST_F(DistanceFiles, DamagedStageFileIsNamed) {
         changed.replace(at, std::string(from).size(), to);
         EXPECT_FALSE(parse_distance_stage(changed, "x").ok()) << changed;
     }
-    std::ofstream(distance_folder(show) / "stage.json") << "{";
+    std::ofstream(distance_folder(show, kSize) / "stage.json") << "{";
     EXPECT_EQ(loaded(), 0u);
     ASSERT_EQ(report.messages.size(), 1u);
     EXPECT_NE(report.messages[0].where.find("stage.json"), std::string::npos);

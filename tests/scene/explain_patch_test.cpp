@@ -79,7 +79,7 @@ struct Desks {
         dmx::Packet result;
         result.source.id[0] = static_cast<std::uint8_t>(desk);
         result.source_name = "Desk " + std::to_string(desk);
-        result.from_ipv4 = 0x0a000000u + static_cast<std::uint32_t>(desk);
+        result.from = 0x0a000000u + static_cast<std::uint32_t>(desk);
         result.universe = 1;
         result.priority = static_cast<std::uint8_t>(priority);
         result.sequence = ++sequence_;

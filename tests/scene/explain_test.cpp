@@ -48,6 +48,21 @@ TEST(explain, LuxFallWithTheAngleAndTheDimmer) {
     EXPECT_NEAR(lit.beams[0].hit->illuminance_lx, 0.5f * peak_cd / 144.0f, 0.01f * peak_cd / 144.0f);
 }
 
+TEST(explain, CorrectionAndMixedColoursHaveTheirOwnShares) {
+    Trial cto(type_of(kDimmer + simple("2", "CTO", 6000, 3200)));
+    const BeamFacts warm = cto.set(1, 255).set(2, 255).explain().beams.at(0);
+    EXPECT_LT(warm.correction, 0.7f);
+    EXPECT_NEAR(warm.correction * warm.full_lm, warm.output_lm, 0.01f * warm.full_lm);
+    EXPECT_EQ(warm.mix, 1.0f);
+    EXPECT_NEAR(warm.rest, 1.0f, 0.01f);
+    Trial hsb(type_of(kDimmer + simple("2", "HSB_Hue", 0, 360) + simple("3", "HSB_Saturation") +
+                      simple("4", "HSB_Brightness")));
+    const BeamFacts blue = hsb.set(1, 255).set(2, 170).set(3, 255).set(4, 255).explain().beams.at(0);
+    EXPECT_LT(blue.mix, 0.2f);
+    EXPECT_EQ(blue.correction, 1.0f);
+    EXPECT_NEAR(blue.rest, 1.0f, 0.01f);
+}
+
 TEST(explain, DimmerAtZero) {
     Trial trial(type_of(kDimmer + kShutter));
     const Explanation dark = trial.set(1, 0).set(2, 0).explain();

@@ -129,6 +129,7 @@ struct Trial {
     Reception reception;
     double dt_s = 1.0 / 30;
     int steps = 1;
+    int beam = -1; // of the first fixture: what is asked about
 
     Trial() {
         hang(stage, "floor", quad({-20, -20, 0}, {40, 0, 0}, {0, 40, 0}));
@@ -170,7 +171,8 @@ struct Trial {
         }
         const Explainer explainer(input);
         std::vector<Explanation> explanations;
-        for (std::size_t i = 0; i < show.fixtures.size(); ++i) explanations.push_back(explainer.explain(i));
+        for (std::size_t i = 0; i < show.fixtures.size(); ++i)
+            explanations.push_back(explainer.explain(i, i == 0 ? beam : -1));
         return explanations;
     }
 };

@@ -225,6 +225,7 @@ TEST(mvr_write, real_files) {
     int files = 0;
     int members = 0;
     for (const auto& entry : fs::directory_iterator(kReal)) {
+        if (entry.path().extension() != ".mvr") continue;
         SCOPED_TRACE(entry.path().filename().string());
         auto loaded = load_mvr(entry.path());
         ASSERT_TRUE(loaded.ok());

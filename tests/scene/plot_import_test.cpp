@@ -189,6 +189,33 @@ TEST(DefaultCameras, SeeTheRigAndStayBeforeWalls) {
     EXPECT_LT(walled[0].position_m.y, -5.0f);
 }
 
+TEST(DefaultCameras, StepAsideFromWhatStandsBeforeThem) {
+    Show show;
+    for (int k = 0; k < 11; ++k) {
+        show.fixtures.emplace_back();
+        show.fixtures.back().position_m = {static_cast<float>(2 * k - 10), k % 2 ? 9.0f : 1.0f, 8};
+    }
+    const Camera before = default_cameras(show)[1];
+    // A set piece 2 m before it, 2 m wide.
+    const glm::vec3 ahead = glm::normalize(before.target_m - before.position_m);
+    const glm::vec3 middle = before.position_m + 2.0f * ahead;
+    Mesh piece;
+    piece.positions = {middle + glm::vec3(-1, 0, -2), middle + glm::vec3(1, 0, -2),
+                       middle + glm::vec3(1, 0, 2), middle + glm::vec3(-1, 0, 2)};
+    piece.normals.assign(4, {0, -1, 0});
+    piece.indices = {0, 1, 2, 0, 2, 3};
+    show.stage.meshes.push_back(piece);
+    show.stage.materials.emplace_back();
+    show.stage.instances.push_back({"piece", 0, glm::mat4(1.0f), kNone});
+    const Camera after = default_cameras(show)[1];
+    EXPECT_GT(glm::distance(after.position_m, before.position_m), 2.0f);
+    EXPECT_NEAR(after.position_m.y, before.position_m.y, 1e-3f);
+    const glm::vec3 way = glm::normalize(after.target_m - after.position_m);
+    const float at = (middle.y - after.position_m.y) / way.y;
+    EXPECT_GT(std::abs((after.position_m + at * way).x - middle.x), 1.0f)
+        << "the middle of the picture is free";
+}
+
 std::string read_text(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

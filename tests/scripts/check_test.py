@@ -5,6 +5,7 @@ many. Usage: check_test.py SOURCE_FOLDER BUILD_FOLDER."""
 import json
 import pathlib
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -27,10 +28,10 @@ def run(*arguments):
     return done
 
 
-def gdtf(path, beam='<Beam Name="Beam" BeamAngle="20" FieldAngle="25"/>', wheels=""):
+def gdtf(path, beam='<Beam Name="Beam" BeamAngle="20" FieldAngle="25"/>', wheels="", models=""):
     xml = f"""<?xml version="1.0"?>
 <GDTF DataVersion="1.2"><FixtureType Name="{path.stem}" Manufacturer="Test">
-<Wheels>{wheels}</Wheels>
+<Wheels>{wheels}</Wheels><Models>{models}</Models>
 <Geometries><Geometry Name="Base">{beam}</Geometry></Geometries>
 <DMXModes><DMXMode Name="M" Geometry="Base"><DMXChannels>
 <DMXChannel Offset="1" Geometry="Beam"><LogicalChannel Attribute="Dimmer"><ChannelFunction Name="D" Attribute="Dimmer"/>
@@ -67,6 +68,22 @@ class Check(unittest.TestCase):
         (cls.folder / ".hidden" / "x.gdtf").write_text("not looked at")
         (cls.folder / "readme.txt").write_text("no")
         (cls.folder / "loop").symlink_to(cls.folder)
+
+    def test_meshes_of_a_fixture_file_are_read(self):
+        """Chunks that are whole, but hold an object without one triangle: only drawing it tells."""
+        def chunk(number, inside):
+            return struct.pack("<HI", number, len(inside) + 6) + inside
+        alone = WORK / "meshes"
+        alone.mkdir()
+        lamp = gdtf(alone / "lamp.gdtf", beam='<Beam Name="Beam" Model="Body" BeamAngle="20" FieldAngle="25"/>',
+                    models='<Model Name="Body" Length="1" Width="1" Height="1" File="body"/>')
+        points = chunk(0x4110, struct.pack("<H9f", 3, 0, 0, 0, 1, 0, 0, 0, 1, 0))
+        with zipfile.ZipFile(lamp, "a") as archive:
+            archive.writestr("models/3ds/body.3ds", chunk(0x4d4d, chunk(0x3d3d, chunk(0x4000, b"Body\0" + chunk(0x4100, points)))))
+        done = run(lamp, "--json")
+        self.assertEqual(done.returncode, 1, done.text)
+        kinds = {message["kind"]: message["where"] for message in json.loads(done.stdout)[0]["messages"]}
+        self.assertIn("lamp.gdtf: models/3ds/body.3ds", kinds.get("missing_media", ""), kinds)
 
     def test_a_folder_is_searched_and_nothing_stops_at_the_first_fault(self):
         done = run(self.folder)

@@ -82,7 +82,8 @@ class Usage(Case):
         self.fails(run(*held, "50", "--fps", "30"), 2, "--hold-fps", "30 frames")
         self.fails(run(*held, "25", "--beams", "cone"), 2, "--hold-fps", "gate")
         self.fails(run(*held, "0"), 2, "--hold-fps")
-        self.fails(run("render", WORK / "demo", "-o", "a.mp4", "--live-input", "--no-caption"), 2, "--hold-fps")
+        self.fails(run("render", WORK / "demo", "-o", "a.mp4", "--no-caption"), 2, "--live-input")
+        self.fails(run("render", WORK / "demo", "-o", "a.mp4", "--live-input", "--on-loss", "dark"), 2, "hold, black")
         self.fails(run("bake", WORK / "demo", "--spp", "0"), 2, "--spp")
 
     def test_options_that_are_no_numbers(self):
@@ -107,6 +108,8 @@ class Usage(Case):
         self.fails(run(*demo, "--no-shadows"), 2, "--live")
         self.fails(run(*demo, "--supersample", "2"), 2, "--live")
         self.fails(run(*demo, "--live", "--reference", "--supersample", "2"), 2, "--pixel-samples")
+        for useless in (["--glare", "0.1"], ["--beams", "cone"], ["--json"], ["--device", "0"]):
+            self.fails(run(*demo, "--reference", *useless), 2, "--reference", useless[0])
         self.fails(run(*demo, "--steps", "20"), 2, "--beams march")
         self.fails(run(*demo, "--map-size", "128"), 2, "--live")
         self.fails(run(*demo, "--live", "--map-size", "100"), 2, "power of two")
@@ -209,7 +212,7 @@ class Pictures(Case):
         live = ("render", show, "--live", "--view", "close", "--size", SIZE, "--at", "50", "--validation")
         self.works(run(*live, "-o", out / "a.png"))
         self.assertFalse((show / ".ghost" / "passes").exists(), "nothing is baked")
-        self.assertEqual(len(list((show / ".ghost" / "distances").glob("*.exr"))), 10)
+        self.assertEqual(len(list((show / ".ghost" / "distances" / "64").glob("*.exr"))), 10)
         again = run(*live, "-o", out / "b.png")
         self.works(again)
         self.assertNotIn("validation", again.text.lower())

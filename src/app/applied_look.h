@@ -1,0 +1,36 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// AppliedLook: puts the part of a look that is not about fixtures onto a session, and takes it off again:
+// air, even light, attenuation, shadows, objects, surfaces. Engine thread; one for each session.
+
+#include "app/session.h"
+#include "ui/link.h"
+
+namespace ghost::app {
+
+// What can be hidden and changed by hand, for the window.
+ui::Opened opened_from(const Session& session);
+
+class AppliedLook {
+public:
+    // The session as it was opened: what an empty look means.
+    explicit AppliedLook(const Session& session);
+
+    // True: Session::look_from has to follow, for the camera sees something else now. A look's indices that
+    // the session does not have are left out.
+    bool apply(const ui::Look& look, Session& session);
+
+private:
+    bool apply_scene(const ui::SceneLook& look, Session& session);
+    bool apply_objects(const ui::Look& look, Session& session);
+    bool apply_surfaces(const ui::Look& look, Session& session);
+
+    scene::HazeSettings haze_;
+    scene::Attenuation attenuation_;
+    float ambient_lux_;
+    glm::vec3 ambient_colour_;
+    bool shadows_;
+    ui::Look applied_;
+};
+
+} // namespace ghost::app

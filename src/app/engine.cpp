@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/engine.h"
+
+#include "app/interrupt.h"
+#include "scene/explain_print.h"
+
+#include "base/log.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <exception>
+
+namespace ghost::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kRest_s = 0.4; // without a change, until the picture is drawn with all its pixels
+constexpr double kRigEvery_s = 0.05;
+constexpr double kExplainEvery_s = 0.25;
+constexpr int kLeastPixels = 16; // across
+constexpr int kMostPixels = 8192;
+constexpr double kLongestStep_s = 0.5; // a slow frame must not make the recording jump
+
+bool same_view(const scene::Camera& a, const scene::Camera& b) {
+    return a.position_m == b.position_m && a.target_m == b.target_m && a.fov_y_deg == b.fov_y_deg &&
+           a.width == b.width && a.height == b.height;
+}
+
+bool same_lit(const scene::Lit& a, const scene::Lit& b) {
+    const auto same = [](const shared::Light& x, const shared::Light& y) {
+        return std::memcmp(&x, &y, sizeof x) == 0;
+    };
+    return std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(), same) &&
+           std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(),
+                      [&](const scene::Face& x, const scene::Face& y) { return same(x.light, y.light); });
+}
+
+} // namespace
+
+Engine::Engine(ui::Link& link, EngineOptions options)
+    : link_(link), options_(std::move(options)), thread_([this] { run(); }) {}
+
+Engine::~Engine() {
+    stop_ = true;
+    thread_.join();
+}
+
+void Engine::run() {
+    try {
+        listen();
+        while (!stop_ && !interrupted()) {
+            if (std::optional<ui::Wishes> newest = link_.wishes.take()) {
+                wishes_ = std::move(*newest);
+                if (wishes_.show != tried_) open(wishes_.show);
+            }
+            const double begin_s = now_s();
+            if (session_ && wishes_.camera.width > 0) frame();
+            const double wait_s = 1.0 / std::clamp(wishes_.quality.fps, 5, 240) - (now_s() - begin_s);
+            std::this_thread::sleep_for(std::chrono::duration<double>(std::clamp(wait_s, 0.0005, 0.04)));
+        }
+    } catch (const std::exception& problem) { // no memory, as a rule
+        link_.failed.put({std::string("the picture stopped: ") + problem.what(), wishes_.show});
+        link_.on_news();
+    }
+}
+
+void Engine::listen() {
+    if (!options_.listens) return;
+    auto receiver = dmx::Receiver::start(options_.receiver);
+    if (receiver.ok()) {
+        receiver_ = std::move(*receiver);
+        for (const std::string& warning : receiver_->warnings())
+            of_receiver_.push_back({scene::Severity::warning, "network", warning});
+        return;
+    }
+    log_warning(receiver.error().text());
+    of_receiver_.push_back({scene::Severity::error, receiver.error().where, receiver.error().what});
+}
+
+void Engine::open(const std::string& path) {
+    tried_ = path;
+    link_.activity.put("opening " + path);
+    link_.on_news();
+    SessionOptions options = options_.session;
+    options.show = path;
+    options.live = true;
+    options.maps_in_background = true;
+    options.keep_hidden = true;
+    options.bake = false;
+    options.width = 320; // until the window says how large it is
+    options.height = 180;
+    auto opened = open_session(options);
+    link_.activity.put("");
+    if (!opened.ok()) {
+        link_.failed.put(opened.error());
+        link_.on_news();
+        return;
+    }
+    tracer_.reset(); // they refer to the session before
+    look_.reset();
+    session_ = std::move(*opened);
+    look_ = std::make_unique<AppliedLook>(*session_);
+    motion_ = session_->show->motion;
+    input_ = std::make_unique<LiveInput>(receiver_.get());
+    if (auto loaded = input_->load_recording(session_->show->recording, session_->report); !loaded.ok())
+        session_->report.add(scene::Severity::warning, loaded.error().where, loaded.error().what);
+    drawn_from_ = {};
+    drawn_ = {};
+    pace_ = {};
+    haze_ = {};
+    last_step_s_ = now_s();
+    messages_sent_ = 0;
+    wishes_.camera.width = 0; // those of the show before
+    ui::Opened news = opened_from(*session_);
+    news.recording_s = input_->recording_s();
+    link_.opened.put(std::move(news));
+    publish_messages();
+    link_.on_news();
+}
+
+scene::Camera Engine::camera_for(double now_s) const {
+    scene::Camera camera = wishes_.camera;
+    const bool moves = now_s - last_change_s_ < kRest_s || (is_uneven(*session_->show) && !wishes_.frozen);
+    const double share = wishes_.quality.percent > 0 ? std::sqrt(wishes_.quality.percent / 100.0)
+                         : moves                     ? pace_.share()
+                                                     : 1.0;
+    const auto pixels = [&](int wanted) {
+        return std::clamp(static_cast<int>(std::lround(wanted * share)), kLeastPixels, kMostPixels);
+    };
+    camera.width = pixels(camera.width);
+    camera.height = pixels(camera.height);
+    return camera;
+}
+
+void Engine::frame() {
+    const double begin_s = now_s();
+    const double dt_s = wishes_.frozen ? 0.0 : std::clamp(begin_s - last_step_s_, 0.0, kLongestStep_s);
+    last_step_s_ = begin_s;
+    input_->step(wishes_.input, wishes_.transport, dt_s);
+    // Motors, too, would wait for ever where time stands still.
+    session_->show->motion = wishes_.frozen ? fixture::Motion::as_commanded : motion_;
+    session_->rig->step(input_->universes(), dt_s, wishes_.look.fixtures);
+    if (arrival_.count() == 0) arrival_ = input_->arrival();
+    session_->master = wishes_.black_out ? 0.0f : std::clamp(wishes_.master, 0.0f, 1.0f);
+    const bool sees_else = look_->apply(wishes_.look, *session_);
+    session_->relighter->set_exposure(wishes_.camera.ev100, wishes_.camera.auto_exposure);
+    if (const int segments = std::clamp(wishes_.quality.most_segments, 1, 256);
+        segments != std::exchange(haze_.most_segments, segments)) {
+        session_->relighter->set_quality(haze_);
+        session_->relighter->forget(); // what rests was drawn with others
+        last_change_s_ = begin_s;
+    }
+
+    scene::Camera unsized = wishes_.camera;
+    unsized.width = drawn_from_.width;
+    unsized.height = drawn_from_.height;
+    scene::Lit lit = session_->lit();
+    if (sees_else || !same_view(unsized, drawn_from_) || !same_lit(lit, drawn_)) last_change_s_ = begin_s;
+    drawn_ = std::move(lit);
+    const scene::Camera camera = camera_for(begin_s);
+    const bool resized =
+        camera.width != session_->relighter->width() || camera.height != session_->relighter->height();
+    if (sees_else || !same_view(camera, drawn_from_)) {
+        session_->look_from(camera);
+        drawn_from_ = camera;
+    }
+    if (resized) session_->relighter->set_quality(haze_);
+    air_s_ += dt_s;
+    const render::FrameStatistics statistics = session_->draw(air_s_);
+    const double draw_ms = 1e3 * (now_s() - begin_s);
+    // Spans: of what the device did; a picture that is the same does nothing.
+    if (!statistics.spans.empty()) {
+        publish_picture(statistics, draw_ms);
+        // A new size costs what no other frame does.
+        if (last_change_s_ == begin_s && !resized) pace_.add(draw_ms, wishes_.quality.fps);
+    } else {
+        arrival_ = std::chrono::nanoseconds{0}; // they changed nothing that is seen
+    }
+    publish_rig(begin_s);
+    publish_explanation(begin_s);
+    if (session_->report.messages.size() != messages_sent_) publish_messages();
+    if (std::optional<dmx::Statistics> network = input_->take_statistics()) {
+        link_.network.put(std::move(*network));
+        link_.on_news();
+    }
+    publish_rest(begin_s, !statistics.spans.empty());
+}
+
+void Engine::publish_rest(double now_s, bool drew) {
+    const bool rests = !drew && now_s - last_change_s_ >= kRest_s && !session_->live->is_making_maps();
+    if (!rests || settled_ == wishes_.number) return;
+    settled_ = wishes_.number;
+    link_.settled.put(settled_);
+    link_.on_news();
+}
+
+void Engine::publish_picture(const render::FrameStatistics& statistics, double draw_ms) {
+    ui::Picture picture;
+    picture.image = std::make_shared<const image::Image8>(session_->relighter->picture());
+    picture.camera = drawn_from_;
+    picture.ev100 = session_->relighter->ev100_used();
+    picture.draw_ms = draw_ms;
+    picture.lights_drawn = statistics.drawn;
+    picture.is_coarse = wishes_.quality.percent == 0 && drawn_from_.width < wishes_.camera.width;
+    picture.missing_maps = session_->live->missing_maps();
+    picture.arrival = std::exchange(arrival_, std::chrono::nanoseconds{0});
+    link_.picture.put(std::move(picture));
+    link_.on_news();
+}
+
+void Engine::publish_rig(double now_s) {
+    if (now_s - rig_sent_s_ < kRigEvery_s) return;
+    rig_sent_s_ = now_s;
+    ui::RigNow rig;
+    rig.universes = input_->universes();
+    rig.from_desk = input_->shows_desk();
+    rig.at_s = input_->at_s();
+    const std::vector<fixture::State>& states = session_->rig->states();
+    std::size_t face = 0; // one for each beam of a fixture with a type
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const scene::PatchedFixture& fixture = session_->show->fixtures[i];
+        ui::FixtureNow now;
+        now.light_m = scene::light_position_m(fixture, 0);
+        now.pan_deg = states[i].pan_deg;
+        now.tilt_deg = states[i].tilt_deg;
+        float brightest_cd = -1;
+        for (const fixture::BeamState& beam : states[i].beams) {
+            if (!fixture.type || face >= drawn_.faces.size()) break;
+            const shared::Light& shines = drawn_.faces[face++].light;
+            const glm::vec3& cd = shines.intensity_cd;
+            const float most_cd = std::max({cd.x, cd.y, cd.z});
+            now.candela += most_cd;
+            if (most_cd <= brightest_cd) continue;
+            brightest_cd = most_cd;
+            now.light_m = shines.position_m;
+            now.direction = shines.axis_w;
+            now.colour = most_cd > 0 ? cd / most_cd : glm::vec3(0);
+            now.dimmer = beam.optics.dimmer * beam.optics.shutter;
+            now.zoom_deg = beam.optics.zoom_deg;
+        }
+        rig.fixtures.push_back(now);
+    }
+    link_.rig.put(std::move(rig));
+    link_.on_news();
+}
+
+void Engine::publish_explanation(double now_s) {
+    if (!wishes_.explained || *wishes_.explained >= session_->show->fixtures.size()) return;
+    if (now_s - explained_s_ < kExplainEvery_s) return;
+    explained_s_ = now_s;
+    const scene::Stage& stage = session_->live->solid();
+    const bake::DenormalsOff mode;
+    if (!tracer_) tracer_ = std::make_unique<bake::Tracer>(stage);
+    const scene::Reception reception = input_->reception();
+    const scene::ExplainInput input{
+        .show = *session_->show,
+        .report = session_->report,
+        .rig = *session_->rig,
+        .gobos = session_->gobos,
+        .universes = input_->universes(),
+        .reception = reception,
+        .now_s = input_->now_s(),
+        .stage = stage.instances.empty() ? nullptr : &stage,
+        .first_hit =
+            [&](const glm::vec3& origin, const glm::vec3& direction) {
+                const bake::Surface hit = tracer_->first_hit(origin, direction, -1.0f, bake::Sees::no_bodies);
+                return scene::ExplainInput::Seen{hit.instance, hit.distance_m, hit.facet_normal};
+            },
+    };
+    ui::Explained explained;
+    explained.fixture = *wishes_.explained;
+    explained.explanation = scene::Explainer(input).explain(explained.fixture);
+    explained.words = scene::words_of(explained.explanation, reception);
+    link_.explained.put(std::move(explained));
+    link_.on_news();
+}
+
+void Engine::publish_messages() {
+    messages_sent_ = session_->report.messages.size();
+    std::vector<scene::Message> all = of_receiver_;
+    all.insert(all.end(), session_->report.messages.begin(), session_->report.messages.end());
+    link_.messages.put(std::move(all));
+    link_.on_news();
+}
+
+} // namespace ghost::app

@@ -1,0 +1,86 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Engine: the thread behind the window. It owns the session, the desk's receiver and the rig, draws what the
+// wishes ask for and puts news into the link; the window never waits for it. While the picture moves it has
+// as many pixels as the wanted rate allows (app/pace.h); when it rests it is drawn once more, with all of
+// them.
+
+#include "app/applied_look.h"
+#include "app/live_input.h"
+#include "app/pace.h"
+#include "app/session.h"
+#include "bake/tracer.h"
+#include "ui/link.h"
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace ghost::app {
+
+struct EngineOptions {
+    SessionOptions session; // show, view and size come from the wishes
+    dmx::ReceiverOptions receiver;
+    bool listens = true; // to a desk
+};
+
+class Engine {
+public:
+    // Starts at once; the link must outlive it.
+    Engine(ui::Link& link, EngineOptions options);
+    // Waits for the frame, or the part of loading, that it is at.
+    ~Engine();
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    void run();
+    void listen();
+    void open(const std::string& path);
+    void frame();
+    // The camera for this frame: the wanted one, with fewer pixels while the picture moves.
+    scene::Camera camera_for(double now_s) const;
+    void publish_picture(const render::FrameStatistics& statistics, double draw_ms);
+    void publish_rig(double now_s);
+    void publish_explanation(double now_s);
+    void publish_messages();
+    void publish_rest(double now_s, bool drew);
+    double now_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+    ui::Link& link_;
+    EngineOptions options_;
+    const Clock::time_point start_ = Clock::now();
+    ui::Wishes wishes_;
+    std::string tried_; // the show that was asked for last, open or not
+    std::unique_ptr<dmx::Receiver> receiver_;
+    std::vector<scene::Message> of_receiver_;
+
+    // Of the show that is open.
+    std::unique_ptr<Session> session_;
+    std::unique_ptr<LiveInput> input_;
+    std::unique_ptr<AppliedLook> look_;
+    std::unique_ptr<bake::Tracer> tracer_; // made when something is to be explained
+    scene::Camera drawn_from_;
+    scene::Lit drawn_;
+    Pace pace_;
+    render::HazeQuality haze_;                                 // of the relighter
+    fixture::Motion motion_ = fixture::Motion::as_the_machine; // of the show
+    double last_step_s_ = 0;
+    double air_s_ = 0; // age of the swirls
+    double last_change_s_ = 0;
+    double rig_sent_s_ = 0;
+    double explained_s_ = 0;
+    std::size_t messages_sent_ = 0;
+    std::uint64_t settled_ = 0;           // number of wishes
+    std::chrono::nanoseconds arrival_{0}; // of packets that no picture shows yet
+
+    std::atomic<bool> stop_{false};
+    std::thread thread_; // the last member: it uses all others
+};
+
+} // namespace ghost::app

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/live_controls.h"
+
+#include "scene/camera_moves.h"
+
+#include "base/log.h"
+
+#include <algorithm>
+
+namespace ghost::app {
+
+namespace {
+
+constexpr float kStill_m = 0.002f; // the G-buffer is drawn again for more
+constexpr float kTooNear_m = 0.1f; // to look at
+
+} // namespace
+
+void add_live_control_options(CLI::App& command, LiveControlOptions& options) {
+    command
+        .add_option(
+            "--osc", options.osc,
+            "listen to a remote control (OSC) at this UDP port of 127.0.0.1, or at an address of ours like "
+            "0.0.0.0:9000; with --live-input")
+        ->type_name("[ADDRESS:]PORT")
+        ->needs("--live-input");
+    command
+        .add_flag(
+            "--psn", options.psn,
+            "follow trackers (PosiStageNet, 236.10.10.10:56565) as the show's [[tracker]] entries say; with "
+            "--live-input")
+        ->needs("--live-input");
+}
+
+Result<void> check_live_controls(const LiveControlOptions& options) {
+    if (!options.osc.empty()) TRY_VOID(parse_port(options.osc, "--osc"));
+    return {};
+}
+
+Result<LiveControls> LiveControls::open(const LiveControlOptions& options, const scene::Show& show,
+                                        const std::string& interface, std::optional<float> ev100) {
+    LiveControls controls;
+    controls.ev100_ = ev100;
+    if (options.psn) {
+        if (show.tracking.uses.empty())
+            return Error{"has no [[tracker]], expected one that says what follows",
+                         show.file.string() + " --psn"};
+        TRY(controls.trackers_, TrackerInput::open(interface));
+    }
+    if (options.osc.empty()) return controls;
+    TRY(const PortOption port, parse_port(options.osc, "--osc"));
+    std::vector<std::string> cameras;
+    for (const scene::Camera& camera : show.cameras) cameras.push_back(camera.name);
+    TRY(controls.remote_, RemoteInput::open(port, std::move(cameras)));
+    log_info("listening to a remote control (OSC) at " + dmx::ipv4_text(port.ipv4) + ":" +
+             std::to_string(port.port));
+    return controls;
+}
+
+// A camera that was asked for, at once or on its way.
+void LiveControls::fly(Session& session, const RemoteWishes& wishes, double now_s) {
+    if (wishes.calls != calls_) {
+        calls_ = wishes.calls;
+        const scene::Camera& from = session.live->camera();
+        scene::Camera to = session.show->cameras[wishes.camera->index];
+        to.width = from.width; // the picture's size stays
+        to.height = from.height;
+        flight_ = Flight{from, to, now_s, static_cast<double>(wishes.camera->flight_s)};
+    }
+    if (!flight_) return;
+    const double share = flight_->length_s > 0 ? (now_s - flight_->start_s) / flight_->length_s : 1.0;
+    scene::Camera camera = flight_->to;
+    if (share < 1) {
+        camera = camera_between(flight_->from, flight_->to, static_cast<float>(share));
+        camera.auto_exposure = flight_->to.auto_exposure;
+    } else {
+        flight_.reset();
+    }
+    exposed_ = camera;
+    session.look_from(camera);
+}
+
+void LiveControls::before_frame(Session& session, double now_s) {
+    if (remote_) apply(session, remote_->poll(now_s), now_s);
+    if (trackers_) apply(session, trackers_->poll());
+}
+
+// Whatever was not heard of yet leaves camera and heads as they are.
+void LiveControls::apply(Session& session, const dmx::Trackers& trackers) {
+    const scene::Show& show = *session.show;
+    for (const scene::TrackerUse& use : show.tracking.uses) {
+        const dmx::Tracker* tracker =
+            use.id >= 0 ? trackers.find(static_cast<std::uint16_t>(use.id)) : trackers.find(use.name);
+        if (!tracker) continue;
+        const auto& [x, y, z] = tracker->position_m;
+        const glm::vec3 point_m = show.tracking.to_world({x, y, z}) + use.offset_m;
+        for (std::size_t i = 0; i < show.fixtures.size(); ++i)
+            if (std::find(use.fixtures.begin(), use.fixtures.end(), show.fixtures[i].name) !=
+                use.fixtures.end())
+                session.rig->aim_at(i, point_m);
+        if (use.camera.empty() || !session.live) continue;
+        scene::Camera camera = session.live->camera();
+        const bool ours = camera.name == use.camera && !flight_;
+        if (!ours || glm::distance(camera.target_m, point_m) < kStill_m ||
+            glm::distance(camera.position_m, point_m) < kTooNear_m)
+            continue;
+        camera.target_m = point_m;
+        session.look_from(camera);
+    }
+}
+
+void LiveControls::apply(Session& session, const RemoteWishes& wishes, double now_s) {
+    session.master = wishes.light();
+    const bool moves = wishes.calls != calls_ || wishes.haze != haze_ || flight_;
+    if (moves && session.live) {
+        const bool denser = wishes.haze != haze_;
+        session.live->set_haze(haze_ = wishes.haze);
+        if (denser && !flight_ && wishes.calls == calls_) session.look_from(session.live->camera());
+        fly(session, wishes, now_s);
+    } else if (moves && !said_passes_) {
+        log_warning("remote control: baked passes know one camera and one haze; --live draws any");
+        said_passes_ = true;
+    }
+    const scene::Camera& camera = exposed_ ? *exposed_ : session.show->cameras[session.camera];
+    const std::optional<float> fixed = wishes.ev100 ? wishes.ev100 : ev100_;
+    session.relighter->set_exposure(fixed.value_or(camera.ev100), camera.auto_exposure && !fixed);
+}
+
+} // namespace ghost::app

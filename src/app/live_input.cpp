@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/live_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ghost::app {
+namespace {
+
+double seconds_of(std::chrono::nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
+}
+
+} // namespace
+
+Result<void> LiveInput::load_recording(const std::filesystem::path& file, scene::Report& report) {
+    player_.reset();
+    played_ = {};
+    at_s_ = 0;
+    file_ = file;
+    if (file.empty()) return {};
+    TRY(dmx::Recording recording, dmx::read_recording(file));
+    for (const Error& problem : recording.problems)
+        report.add(scene::Severity::warning, problem.where, problem.what);
+    first_frames_s_.clear();
+    for (const auto& [universe, time] : recording.first_frames())
+        first_frames_s_.emplace_back(universe, seconds_of(time));
+    player_ = std::make_unique<dmx::Player>(std::move(recording));
+    return {};
+}
+
+void LiveInput::step(ui::Input wanted, const ui::Transport& transport, double dt_s) {
+    arrival_ = std::chrono::nanoseconds{0};
+    listened_s_ += dt_s;
+    if (receiver_) {
+        if (std::optional<dmx::Universes> newest = receiver_->take()) {
+            if (newest->revision != desk_.revision)
+                for (const dmx::Universe& universe : newest->list)
+                    arrival_ = std::max(arrival_, universe.arrival);
+            desk_ = std::move(*newest);
+        }
+        if (std::optional<dmx::Statistics> newest = receiver_->take_statistics()) {
+            statistics_ = std::move(*newest);
+            statistics_are_new_ = true;
+        }
+    }
+    shows_desk_ =
+        wanted == ui::Input::desk || (wanted == ui::Input::automatic && (!player_ || !desk_.list.empty()));
+    if (shows_desk_) return;
+    arrival_ = std::chrono::nanoseconds{0};
+    if (!player_) return;
+    if (transport.playing) at_s_ += dt_s;
+    if (transport.seeks != seeks_) at_s_ = transport.at_s;
+    seeks_ = transport.seeks;
+    const double end_s = std::max(player_->duration_s(), 1e-3);
+    at_s_ = std::isfinite(at_s_) ? std::fmod(std::max(at_s_, 0.0), end_s) : 0.0;
+    played_ = player_->at(at_s_);
+}
+
+std::optional<dmx::Statistics> LiveInput::take_statistics() {
+    if (!std::exchange(statistics_are_new_, false)) return std::nullopt;
+    return statistics_;
+}
+
+scene::Reception LiveInput::reception() const {
+    scene::Reception reception;
+    if (shows_desk_) {
+        reception.kind = receiver_ ? scene::Reception::Kind::desk : scene::Reception::Kind::none;
+        reception.listened_s = listened_s_;
+        reception.sources = statistics_.sources;
+        reception.packets = statistics_.packets_sacn + statistics_.packets_artnet;
+        reception.preview = statistics_.merge.preview;
+        reception.unlisted = statistics_.unlisted;
+        for (const std::uint64_t count : statistics_.drops) reception.not_understood += count;
+        return reception;
+    }
+    if (!player_) return reception;
+    reception.kind = scene::Reception::Kind::recording;
+    reception.recording = file_.string();
+    reception.at_s = at_s_;
+    reception.end_s = player_->duration_s();
+    reception.first_frames_s = first_frames_s_;
+    return reception;
+}
+
+double LiveInput::now_s() const {
+    return shows_desk_ ? seconds_of(std::chrono::steady_clock::now().time_since_epoch()) : at_s_;
+}
+
+} // namespace ghost::app

@@ -1,0 +1,58 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// LiveInput: the levels that a window shows: those of a desk, or of the show's recording, which plays, rests
+// and jumps as a person wants. A desk is heard all the time, also while the recording is shown. Seconds; one
+// thread.
+
+#include "base/result.h"
+#include "dmx/receiver.h"
+#include "dmx/player.h"
+#include "scene/explain.h"
+#include "ui/link.h"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+namespace ghost::app {
+
+class LiveInput {
+public:
+    // receiver: may be null (a port was taken), else must outlive this.
+    explicit LiveInput(dmx::Receiver* receiver) : receiver_(receiver) {}
+
+    // Instead of the recording before; an empty path: none.
+    Result<void> load_recording(const std::filesystem::path& file, scene::Report& report);
+    double recording_s() const { return player_ ? player_->duration_s() : 0; }
+
+    // What is there now, dt_s after the call before.
+    void step(ui::Input wanted, const ui::Transport& transport, double dt_s);
+    const dmx::Universes& universes() const { return shows_desk_ ? desk_ : played_; }
+    bool shows_desk() const { return shows_desk_; }
+    double at_s() const { return at_s_; }
+    // Steady time of the newest packet, where the last step brought levels of a desk that changed; else 0.
+    std::chrono::nanoseconds arrival() const { return arrival_; }
+    // The newest statistics of the network, each once.
+    std::optional<dmx::Statistics> take_statistics();
+
+    // For scene::Explainer: how the levels came here, and the clock of their arrivals.
+    scene::Reception reception() const;
+    double now_s() const;
+
+private:
+    dmx::Receiver* receiver_;
+    std::filesystem::path file_;
+    std::unique_ptr<dmx::Player> player_;
+    std::vector<std::pair<int, double>> first_frames_s_; // of each universe
+    dmx::Universes desk_, played_;
+    dmx::Statistics statistics_;
+    bool statistics_are_new_ = false;
+    bool shows_desk_ = false;
+    double at_s_ = 0;
+    double listened_s_ = 0;
+    std::uint64_t seeks_ = 0;
+    std::chrono::nanoseconds arrival_{0};
+};
+
+} // namespace ghost::app

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/pace.h"
+
+#include <algorithm>
+
+namespace ghost::app {
+namespace {
+
+constexpr double kTooSlow = 1.25; // of a frame's time: below, a coarser picture is worse than a late one
+constexpr double kRoom = 0.8;     // of a frame's time, that the better level may seem to need
+constexpr int kLongestWait = 160;
+
+} // namespace
+
+bool Pace::add(double frame_ms, double frames_per_s) {
+    const double wanted_ms = 1000.0 / frames_per_s;
+    recent_ms_[seen_++ % recent_ms_.size()] = frame_ms;
+    if (seen_ < recent_ms_.size()) return false;
+    std::array<double, 3> sorted = recent_ms_;
+    std::sort(sorted.begin(), sorted.end());
+    const double median_ms = sorted[1];
+    // Most of a frame's time goes with its pixels.
+    const auto expected_ms = [&](std::size_t level) {
+        const double sides = kShares[level] / kShares[level_];
+        return median_ms * sides * sides;
+    };
+    std::size_t level = level_;
+    if (median_ms > kTooSlow * wanted_ms) {
+        while (level + 1 < kShares.size() && (level == level_ || expected_ms(level) > wanted_ms)) ++level;
+        if (raised_ && level > level_) wait_ = std::min(2 * wait_, kLongestWait);
+    } else if (level_ > 0 && expected_ms(level_ - 1) < kRoom * wanted_ms) {
+        if (++calm_ >= wait_) --level;
+    } else {
+        calm_ = 0;
+    }
+    if (level == level_) return false;
+    raised_ = level < level_;
+    level_ = level;
+    seen_ = 0;
+    calm_ = 0;
+    return true;
+}
+
+} // namespace ghost::app

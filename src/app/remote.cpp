@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/remote.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::app {
+
+namespace {
+
+constexpr std::string_view kOurs = "/ghostlight/";
+
+// A number between low and high; a truth value counts as 0 or 1.
+Result<float> number_of(const dmx::OscMessage& message, std::size_t index, float low, float high) {
+    double value = std::nan("");
+    if (index < message.arguments.size()) {
+        if (const double* number = std::get_if<double>(&message.arguments[index])) value = *number;
+        if (const bool* truth = std::get_if<bool>(&message.arguments[index])) value = *truth ? 1.0 : 0.0;
+    }
+    if (value >= static_cast<double>(low) && value <= static_cast<double>(high))
+        return static_cast<float>(value);
+    char expected[64];
+    std::snprintf(expected, sizeof expected, "expected a number from %g to %g", static_cast<double>(low),
+                  static_cast<double>(high));
+    return Error{expected, message.address};
+}
+
+} // namespace
+
+// By name, or by number from 1; then seconds of the flight there.
+Result<void> Remote::recall_camera(const dmx::OscMessage& message) {
+    std::size_t index = cameras_.size();
+    if (!message.arguments.empty()) {
+        if (const std::string* name = std::get_if<std::string>(&message.arguments[0])) {
+            const auto found = std::find(cameras_.begin(), cameras_.end(), *name);
+            index = static_cast<std::size_t>(found - cameras_.begin());
+        } else if (const auto number = number_of(message, 0, 1.0f, static_cast<float>(cameras_.size()));
+                   number.ok()) {
+            index = static_cast<std::size_t>(*number) - 1;
+        }
+    }
+    if (index >= cameras_.size())
+        return Error{"expected the name of a camera, or its number from 1 to " +
+                         std::to_string(cameras_.size()),
+                     message.address};
+    float flight_s = 0;
+    if (message.arguments.size() > 1) {
+        TRY(flight_s, number_of(message, 1, 0.0f, kLongestFlight_s));
+    }
+    wishes_.camera = RemoteCamera{index, flight_s};
+    ++wishes_.calls;
+    return {};
+}
+
+Result<void> Remote::apply(const dmx::OscMessage& message) {
+    const std::string_view address = message.address;
+    const std::string_view what =
+        address.starts_with(kOurs) ? address.substr(kOurs.size()) : std::string_view();
+    if (what == "camera") return recall_camera(message);
+    if (what == "master") {
+        TRY(wishes_.master, number_of(message, 0, 0.0f, 1.0f));
+    } else if (what == "haze") {
+        TRY(wishes_.haze, number_of(message, 0, 0.0f, kThickestHaze));
+    } else if (what == "exposure") {
+        TRY(wishes_.ev100, number_of(message, 0, -10.0f, 20.0f));
+    } else if (what == "exposure/auto") {
+        wishes_.ev100.reset();
+    } else if (what == "blackout") {
+        // A button without a value blacks out; faders and buttons send 0 or 1.
+        if (message.arguments.empty()) {
+            wishes_.blackout = true;
+        } else {
+            TRY(const float value, number_of(message, 0, 0.0f, 1.0f));
+            wishes_.blackout = value >= 0.5f;
+        }
+    } else {
+        return Error{
+            "is no address of ours; they are /ghostlight/camera, master, blackout, haze, exposure and "
+            "exposure/auto",
+            message.address};
+    }
+    return {};
+}
+
+} // namespace ghost::app

@@ -1,0 +1,51 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Remote: what a remote control asks of a live picture, by the OSC addresses of docs/inputs.md. Knows no
+// socket and no picture: messages in, wishes out. It changes what is seen, never a file.
+
+#include "base/result.h"
+#include "dmx/osc.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ghost::app {
+
+inline constexpr float kThickestHaze = 20.0f; // times the show's
+inline constexpr float kLongestFlight_s = 60.0f;
+
+struct RemoteCamera {
+    std::size_t index = 0; // of the show's cameras
+    float flight_s = 0;    // 0: a cut
+};
+
+struct RemoteWishes {
+    float master = 1; // 0..1, of all lamps
+    bool blackout = false;
+    float haze = 1;                     // times the show's density
+    std::optional<float> ev100;         // instead of the camera's exposure
+    std::optional<RemoteCamera> camera; // the last one asked for
+    std::size_t calls = 0;              // of cameras: the same one may be asked for again
+
+    float light() const { return blackout ? 0.0f : master; }
+};
+
+class Remote {
+public:
+    // cameras: names, in the order of the show.
+    explicit Remote(std::vector<std::string> cameras) : cameras_(std::move(cameras)) {}
+
+    // Error: an address that is none of ours, or a value that it does not take; wishes stay as they were.
+    Result<void> apply(const dmx::OscMessage& message);
+    const RemoteWishes& wishes() const { return wishes_; }
+
+private:
+    Result<void> recall_camera(const dmx::OscMessage& message);
+
+    std::vector<std::string> cameras_;
+    RemoteWishes wishes_;
+};
+
+} // namespace ghost::app

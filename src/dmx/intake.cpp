@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dmx/intake.h"
+
+#include "dmx/build.h"
+
+#include <algorithm>
+
+namespace ghost::dmx {
+
+namespace {
+
+constexpr std::chrono::seconds kUnlistedForgotten{10};
+
+template <class T>
+void remember(std::vector<T>& list, T entry) {
+    entry.number = list.empty() ? 1 : list.back().number + 1;
+    if (list.size() >= kMaxRemembered) list.erase(list.begin());
+    list.push_back(std::move(entry));
+}
+
+} // namespace
+
+void Intake::take_levels(Packet& packet, const Arrival& arrival) {
+    const auto& wanted = options_.universes;
+    if (!wanted.empty() && !std::binary_search(wanted.begin(), wanted.end(), packet.universe)) {
+        ++counted_.unlisted;
+        const auto key = std::make_pair(packet.universe, packet.protocol);
+        const auto place = unlisted_.find(key);
+        if (place == unlisted_.end() && unlisted_.size() >= kMaxUnlisted) return;
+        UnlistedUniverse& entry = place == unlisted_.end() ? unlisted_[key] : place->second;
+        entry.universe = packet.universe;
+        entry.protocol = packet.protocol;
+        entry.from = packet.from;
+        entry.age = arrival.time;
+        ++entry.packets;
+        return;
+    }
+    packet.interface_index = arrival.interface_index;
+    packet.wrong_group = packet.protocol == Protocol::sacn && arrival.to.is_multicast() &&
+                         arrival.to != sacn_group_address(packet.universe, !arrival.to.is_ipv4());
+    counted_.wrong_group += packet.wrong_group ? 1 : 0;
+    if (options_.before_levels) options_.before_levels(packet.universe);
+    merge_.feed(packet, arrival.time);
+}
+
+std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
+    const bool sacn = arrival.protocol == Protocol::sacn;
+    Parsed parsed =
+        sacn ? parse_sacn(bytes, arrival.from) : parse_artnet(bytes, arrival.from, options_.artnet_offset);
+    const std::optional<Notice> notice = notice_of(parsed);
+    if (arrival.own && notice == Notice::poll_reply) return std::nullopt;
+    ++(sacn ? counted_.packets_sacn : counted_.packets_artnet);
+    if (notice) ++counted_.notices[static_cast<std::size_t>(*notice)];
+    if (const Drop* drop = std::get_if<Drop>(&parsed)) {
+        ++counted_.drops[static_cast<std::size_t>(*drop)];
+    } else if (Packet* packet = std::get_if<Packet>(&parsed)) {
+        take_levels(*packet, arrival);
+    } else if (const auto* sync = std::get_if<SyncPacket>(&parsed)) {
+        merge_.feed(*sync, arrival.time);
+    } else if (const auto* discovery = std::get_if<DiscoveryPacket>(&parsed)) {
+        discovery_.feed(*discovery, arrival.time);
+    } else if (const auto* time = std::get_if<TimeCode>(&parsed)) {
+        const std::uint64_t packets = counted_.timecode ? counted_.timecode->packets : 0;
+        counted_.timecode = {*time, arrival.from, packets + 1, arrival.time};
+    } else if (const auto* trigger = std::get_if<Trigger>(&parsed)) {
+        remember(counted_.triggers, TriggerStatus{0, *trigger, arrival.from, arrival.time});
+    } else if (const auto* poll = std::get_if<PollPacket>(&parsed)) {
+        return *poll;
+    }
+    return std::nullopt;
+}
+
+void Intake::tick(std::chrono::nanoseconds now) {
+    merge_.tick(now);
+    discovery_.tick(now);
+    std::erase_if(unlisted_, [&](const auto& entry) { return now - entry.second.age > kUnlistedForgotten; });
+}
+
+void Intake::report(Statistics& statistics, std::chrono::nanoseconds now) const {
+    statistics.packets_sacn = counted_.packets_sacn;
+    statistics.packets_artnet = counted_.packets_artnet;
+    statistics.unlisted = counted_.unlisted;
+    statistics.wrong_group = counted_.wrong_group;
+    statistics.notices = counted_.notices;
+    statistics.drops = counted_.drops;
+    statistics.timecode = counted_.timecode;
+    statistics.triggers = counted_.triggers;
+    statistics.time = now;
+    statistics.sampling = merge_.sampling();
+    statistics.merge = merge_.counters();
+    statistics.sources = merge_.sources(now);
+    statistics.sync = merge_.sync().list(now);
+    statistics.discovered = discovery_.list(now);
+    statistics.unlisted_universes.clear();
+    for (const auto& [key, entry] : unlisted_) {
+        statistics.unlisted_universes.push_back(entry);
+        statistics.unlisted_universes.back().age = now - entry.age;
+    }
+}
+
+} // namespace ghost::dmx

@@ -1,0 +1,58 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Intake: what a datagram does to our picture of the network: parsed, counted, merged or noted. The receiver
+// without sockets, thread and clock, so that tests and fuzzers can feed it. Everything in it is bounded.
+
+#include "dmx/discovery.h"
+#include "dmx/merge.h"
+#include "dmx/statistics.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ghost::dmx {
+
+struct IntakeOptions {
+    std::vector<std::uint16_t> universes; // sorted; to accept, empty: all
+    int artnet_offset = 1;
+    MergeOptions merge;
+    // Levels for this universe are about to be merged.
+    std::function<void(std::uint16_t universe)> before_levels;
+};
+
+// How a datagram came.
+struct Arrival {
+    Protocol protocol = Protocol::sacn; // of the port
+    IpAddress from, to;
+    unsigned interface_index = 0;
+    bool own = false; // from one of our addresses and our port
+    std::chrono::nanoseconds time{0};
+};
+
+class Intake {
+public:
+    explicit Intake(const IntakeOptions& options) : options_(options), merge_(options.merge) {}
+
+    // A poll that asks for an answer, if it is one.
+    std::optional<PollPacket> take(Bytes bytes, const Arrival& arrival);
+    void tick(std::chrono::nanoseconds now);
+
+    Merge& merge() { return merge_; }
+    const Merge& merge() const { return merge_; }
+    // All that it knows; what belongs to sockets is left as it is.
+    void report(Statistics& statistics, std::chrono::nanoseconds now) const;
+
+private:
+    void take_levels(Packet& packet, const Arrival& arrival);
+
+    IntakeOptions options_;
+    Merge merge_;
+    Discovery discovery_;
+    Statistics counted_;                                                      // the counters of packets
+    std::map<std::pair<std::uint16_t, Protocol>, UnlistedUniverse> unlisted_; // age: arrival
+};
+
+} // namespace ghost::dmx

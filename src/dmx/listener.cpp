@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dmx/listener.h"
+
+#include "dmx/poll_answers.h"
+
+#include <algorithm>
+
+namespace ghost::dmx {
+
+namespace {
+
+constexpr int kReceiveBufferBytes = 4 << 20; // a burst of 512 universes from two desks with room to spare
+constexpr std::size_t kManyUniverses = 128;  // from here on a small buffer is too small
+constexpr int kMaxBatchesPerTurn = 64;       // so that a flood cannot keep one socket's turn for ever
+
+const NetInterface* find_index(const std::vector<NetInterface>& list, unsigned index) {
+    const auto found =
+        std::find_if(list.begin(), list.end(), [&](const auto& one) { return one.index == index; });
+    return found == list.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+Result<std::unique_ptr<Listener>> Listener::open(const ReceiverOptions& options,
+                                                 const std::vector<std::uint16_t>& announced) {
+    std::unique_ptr<Listener> listener(new Listener(options));
+    TRY_VOID(listener->open_all(announced));
+    return listener;
+}
+
+Result<UdpSocket*> Listener::add(Protocol protocol, std::uint32_t address, bool groups, bool ipv6) {
+    const std::uint16_t port = protocol == Protocol::sacn ? options_.sacn_port : options_.artnet_port;
+    auto opened = ipv6 ? UdpSocket::open_ipv6(port, kReceiveBufferBytes)
+                       : UdpSocket::open(address, port, kReceiveBufferBytes);
+    if (!opened.ok()) return opened.error();
+    sockets_.push_back(std::move(*opened));
+    std::string name = protocol_name(protocol);
+    if (groups) name += " groups";
+    if (address) name += " " + ipv4_text(address);
+    roles_.push_back({protocol, name, groups});
+    return sockets_.back().get();
+}
+
+// Bound to the very address, so that another program on this machine cannot take our unicast.
+Result<void> Listener::open_chosen() {
+    artnet_out_ = artnet_plain_;
+    if (!chosen_ || chosen_->address == 0) return {};
+    if (options_.sacn) TRY_VOID(add(Protocol::sacn, chosen_->address, false, false));
+    if (options_.artnet) {
+        TRY(artnet_out_, add(Protocol::artnet, chosen_->address, false, false));
+    }
+    return {};
+}
+
+void Listener::close(const UdpSocket* socket) {
+    for (std::size_t i = 0; i < sockets_.size(); ++i) {
+        if (sockets_[i].get() != socket) continue;
+        closed_overflow_ += socket->overflow();
+        sockets_.erase(sockets_.begin() + static_cast<std::ptrdiff_t>(i));
+        roles_.erase(roles_.begin() + static_cast<std::ptrdiff_t>(i));
+        return;
+    }
+}
+
+void Listener::look_at_interfaces() {
+    all_ = list_interfaces();
+    interfaces_.clear();
+    if (chosen_) {
+        interfaces_.push_back(*chosen_);
+        return;
+    }
+    for (const NetInterface& interface : all_)
+        if (!find_index(interfaces_, interface.index)) interfaces_.push_back(interface);
+}
+
+Result<void> Listener::open_all(const std::vector<std::uint16_t>& announced) {
+    announced_ = announced;
+    if (options_.sacn) announced_.push_back(kDiscoveryUniverse);
+    std::sort(announced_.begin(), announced_.end());
+    if (!options_.interface.empty()) {
+        TRY(chosen_, find_interface(options_.interface));
+    }
+    look_at_interfaces();
+    if (options_.sacn) {
+        // The socket that was bound last gets the unicast, so the plain one comes after those for groups.
+        groups4_.emplace(false, [this] { return add(Protocol::sacn, 0, true, false); });
+        groups6_.emplace(true, [this] { return add(Protocol::sacn, 0, true, true); });
+        join_groups({});
+        TRY_VOID(add(Protocol::sacn, 0, false, false));
+        // A machine without IPv6 is none the worse.
+        if (std::any_of(all_.begin(), all_.end(), [](const NetInterface& one) { return one.ipv6; }))
+            (void)add(Protocol::sacn, 0, false, true);
+    }
+    if (options_.artnet) {
+        TRY(artnet_plain_, add(Protocol::artnet, 0, false, false));
+    }
+    TRY_VOID(open_chosen());
+    const int granted = sockets_.empty() ? kReceiveBufferBytes : sockets_.front()->receive_buffer();
+    if (granted < kReceiveBufferBytes && announced_.size() > kManyUniverses)
+        warnings_.push_back(
+            "the system grants a receive buffer of " + std::to_string(granted / 1024) +
+            " KiB, too little for bursts of " + std::to_string(announced.size()) +
+            " universes; as root: sysctl -w net.core.rmem_max=" + std::to_string(kReceiveBufferBytes));
+    return {};
+}
+
+void Listener::join_groups(const std::vector<std::uint16_t>& sync_universes) {
+    if (!groups4_) return;
+    sync_universes_ = sync_universes;
+    std::vector<std::uint16_t> universes = announced_;
+    universes.insert(universes.end(), sync_universes.begin(), sync_universes.end());
+    std::sort(universes.begin(), universes.end());
+    universes.erase(std::unique(universes.begin(), universes.end()), universes.end());
+    groups4_->update(universes, interfaces_);
+    groups6_->update(universes, interfaces_); // where it has no room or no IPv6, SocketStatus shows no groups
+    const auto& failures = groups4_->failures();
+    if (!failures.empty() && warnings_.empty())
+        warnings_.push_back(std::to_string(failures.size()) +
+                            " multicast groups could not be joined, the first: " + failures.front());
+}
+
+void Listener::note(const std::string& text, std::chrono::nanoseconds now) {
+    const std::uint64_t number = link_changes_.empty() ? 1 : link_changes_.back().number + 1;
+    if (link_changes_.size() >= kMaxRemembered) link_changes_.erase(link_changes_.begin());
+    link_changes_.push_back({number, text, now});
+}
+
+void Listener::check(const std::vector<std::uint16_t>& sync_universes, std::chrono::nanoseconds now) {
+    const std::vector<NetInterface> before = all_;
+    const std::optional<NetInterface> before_chosen = chosen_;
+    if (!options_.interface.empty()) {
+        const auto found = find_interface(options_.interface);
+        if (found.ok()) chosen_ = *found;
+    }
+    look_at_interfaces();
+    const bool changed = before != all_;
+    for (const NetInterface& interface : before)
+        if (changed && !find_index(all_, interface.index)) note(interface.name + ": gone", now);
+    for (const NetInterface& interface : all_) {
+        if (!changed) break;
+        const NetInterface* old = find_index(before, interface.index);
+        if (!old)
+            note(interface.name + ": came up", now);
+        else if (old->running != interface.running)
+            note(interface.name + (interface.running ? ": cable plugged in" : ": cable pulled"), now);
+        else if (std::find(before.begin(), before.end(), interface) == before.end())
+            note(interface.name + ": its address changed", now);
+    }
+    if (chosen_ && before_chosen && chosen_->address != before_chosen->address) {
+        for (std::size_t i = sockets_.size(); i-- > 0;)
+            if (!roles_[i].groups && roles_[i].name.ends_with(ipv4_text(before_chosen->address)))
+                close(sockets_[i].get());
+        const auto opened = open_chosen();
+        if (!opened.ok()) note(opened.error().text(), now);
+    }
+    if (changed || sync_universes != sync_universes_) join_groups(sync_universes);
+}
+
+bool Listener::is_own(const IpAddress& address) const {
+    if (chosen_ && address == IpAddress(chosen_->address))
+        return true; // of a loopback network not configured
+    return std::any_of(all_.begin(), all_.end(), [&](const NetInterface& one) {
+        return one.address != 0 && address == IpAddress(one.address);
+    });
+}
+
+bool Listener::is_local_network(std::uint32_t ipv4) const {
+    return is_local(ipv4, all_);
+}
+
+// A broadcast reaches every socket of the port, a group those that joined it, unicast the one that was bound
+// to its address or, of several, bound last.
+bool Listener::wanted(const Datagram& datagram, const Role& role) const {
+    if (datagram.to.is_multicast()) return true;
+    const bool unicast = !datagram.to.is_ipv4() || datagram.to == IpAddress(datagram.local_ipv4);
+    if (role.groups && !unicast) return false;
+    if (!chosen_ || datagram.interface_index == chosen_->index) return true;
+    return datagram.to == IpAddress(chosen_->address) || datagram.to.is_loopback();
+}
+
+bool Listener::drain(const Take& take) {
+    bool empty = true;
+    for (std::size_t i = 0; i < std::min(sockets_.size(), ready_.size()); ++i) {
+        if (!ready_[i]) continue;
+        int turn = 0;
+        for (; turn < kMaxBatchesPerTurn; ++turn) {
+            const std::span<const Datagram> batch = sockets_[i]->receive();
+            if (batch.empty()) break;
+            for (const Datagram& datagram : batch)
+                if (wanted(datagram, roles_[i])) take(datagram, roles_[i].protocol);
+        }
+        empty &= turn < kMaxBatchesPerTurn;
+    }
+    return empty;
+}
+
+void Listener::report(Statistics& statistics) const {
+    statistics.overflow = closed_overflow_;
+    statistics.sockets.clear();
+    for (std::size_t i = 0; i < sockets_.size(); ++i) {
+        const UdpSocket& socket = *sockets_[i];
+        const bool ipv6 = socket.version() == IpVersion::v6;
+        const auto& groups = ipv6 ? groups6_ : groups4_;
+        statistics.overflow += socket.overflow();
+        statistics.sockets.push_back({roles_[i].name, ipv6, groups ? groups->joined_by(&socket) : 0,
+                                      socket.receive_buffer(), socket.packets(), socket.overflow()});
+    }
+    statistics.link_changes = link_changes_;
+}
+
+} // namespace ghost::dmx

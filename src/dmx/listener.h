@@ -1,0 +1,74 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Listener: the receiver's sockets: which addresses, ports and groups it listens on, and what becomes of them
+// when interfaces come and go (looked at once a second). Hands on each datagram once, whichever sockets got a
+// copy. Opened by one thread, then used by one.
+
+#include "dmx/groups.h"
+#include "dmx/receiver_options.h"
+#include "dmx/statistics.h"
+
+#include <functional>
+#include <optional>
+
+namespace ghost::dmx {
+
+class Listener {
+public:
+    // Error: unknown interface, or a port that is taken (named). announced: universes whose groups are
+    // joined.
+    static Result<std::unique_ptr<Listener>> open(const ReceiverOptions& options,
+                                                  const std::vector<std::uint16_t>& announced);
+
+    // Returns when a packet is there or one of the handles has bytes, or after timeout.
+    void wait(std::span<const int> handles, std::chrono::nanoseconds timeout) {
+        ready_ = wait_for_packets(sockets_, handles, timeout);
+    }
+    // Everything that waited then, at most 4096 packets a socket. False: there is more.
+    using Take = std::function<void(const Datagram&, Protocol)>;
+    bool drain(const Take& take);
+    // Looks at the interfaces again, and joins the groups of these universes, too (synchronisation).
+    void check(const std::vector<std::uint16_t>& sync_universes, std::chrono::nanoseconds now);
+
+    UdpSocket* artnet_out() const { return artnet_out_; } // null: no Art-Net
+    const std::optional<NetInterface>& chosen() const { return chosen_; }
+    const std::vector<NetInterface>& interfaces() const { return interfaces_; } // each once, the chosen only
+    bool is_own(const IpAddress& address) const;
+    bool is_local_network(std::uint32_t ipv4) const;
+    const std::vector<std::string>& warnings() const { return warnings_; }
+    void report(Statistics& statistics) const;
+
+private:
+    struct Role {
+        Protocol protocol = Protocol::sacn;
+        std::string name;
+        bool groups = false; // made for multicast: what is broadcast reaches another socket as well
+    };
+
+    explicit Listener(const ReceiverOptions& options) : options_(options) {}
+    Result<void> open_all(const std::vector<std::uint16_t>& announced);
+    Result<UdpSocket*> add(Protocol protocol, std::uint32_t address, bool groups, bool ipv6);
+    Result<void> open_chosen();
+    void close(const UdpSocket* socket);
+    void look_at_interfaces();
+    void note(const std::string& text, std::chrono::nanoseconds now);
+    void join_groups(const std::vector<std::uint16_t>& sync_universes);
+    bool wanted(const Datagram& datagram, const Role& role) const;
+
+    ReceiverOptions options_;
+    std::vector<std::uint16_t> announced_;
+    std::vector<NetInterface> all_, interfaces_;
+    std::optional<NetInterface> chosen_;
+    std::vector<std::unique_ptr<UdpSocket>> sockets_;
+    std::vector<Role> roles_; // of sockets_
+    std::vector<bool> ready_; // which of them have packets
+    UdpSocket* artnet_plain_ = nullptr;
+    UdpSocket* artnet_out_ = nullptr;
+    std::optional<Groups> groups4_, groups6_;
+    std::vector<std::uint16_t> sync_universes_;
+    std::vector<std::string> warnings_;
+    std::uint64_t closed_overflow_ = 0;
+    std::vector<LinkChange> link_changes_;
+};
+
+} // namespace ghost::dmx

@@ -1,0 +1,59 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// PosiStageNet 2: where trackers on a stage are, as a tracking system multicasts it. Pure parser of one
+// packet, and a table of trackers fed with them. Metres in the sender's own axes. Any bytes are taken; no
+// clock: calls get the time.
+
+#include "base/byte_reader.h"
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ghost::dmx {
+
+inline constexpr std::uint32_t kPsnGroup = 0xEC0A0A0A; // 236.10.10.10
+inline constexpr std::uint16_t kPsnPort = 56565;
+inline constexpr std::size_t kMostTrackers = 1024;
+inline constexpr std::size_t kMostTrackerName = 128; // bytes
+inline constexpr std::chrono::milliseconds kTrackerLoss{2000};
+
+struct PsnPosition {
+    std::uint16_t id = 0;
+    std::array<float, 3> position_m{}; // finite
+};
+
+struct PsnPacket {
+    std::vector<PsnPosition> positions; // of a data packet; trackers without a valid position are left out
+    std::map<std::uint16_t, std::string> names; // of an info packet
+};
+
+// Nothing where it is no PSN packet or ends inside of a chunk.
+std::optional<PsnPacket> parse_psn(Bytes bytes);
+
+struct Tracker {
+    std::array<float, 3> position_m{};
+    std::string name; // empty: not told yet
+    std::chrono::nanoseconds seen{0};
+    bool placed = false; // a position arrived
+};
+
+class Trackers {
+public:
+    void feed(const PsnPacket& packet, std::chrono::nanoseconds now);
+    // Null: never heard of, or without a position. A tracker that was lost stays where it was.
+    const Tracker* find(std::uint16_t id) const;
+    const Tracker* find(const std::string& name) const;
+    const std::map<std::uint16_t, Tracker>& all() const { return trackers_; }
+
+private:
+    Tracker* find_or_add(std::uint16_t id);
+
+    std::map<std::uint16_t, Tracker> trackers_;
+};
+
+} // namespace ghost::dmx

@@ -1,0 +1,43 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What the receiver listens to and what it makes of it. Values only.
+
+#include "dmx/merge.h"
+#include "dmx/usb_ports.h"
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace ghost::dmx {
+
+inline constexpr std::uint16_t kSacnPort = 5568;
+inline constexpr std::uint16_t kArtnetPort = 6454;
+
+struct ReceiverOptions {
+    std::string interface; // name ("eth0") or IPv4 address of ours; empty: every interface
+    bool sacn = true;
+    bool artnet = true;
+    std::vector<UsbPortOptions> usb; // may be plugged in later; any universe
+    // Universes to join, to announce and to accept. Empty: 1 to 64 are joined and announced, whatever arrives
+    // is accepted.
+    std::vector<std::uint16_t> universes;
+    int artnet_offset = 1; // Ghostlight universe = Port-Address + this; -32768 to 63999
+    bool show_preview = false;
+    bool artnet_ltp = false;
+    LossPolicy loss;
+    bool answer_polls = true;
+    bool slot_status = false; // statistics say what each source sends, slot by slot
+    // Shorter for tests.
+    std::chrono::nanoseconds sampling = kSamplingPeriod;
+    std::chrono::nanoseconds priority_wait = kPriorityWait;
+    std::filesystem::path usb_by_id = kSerialPortsById;
+    std::uint16_t sacn_port = kSacnPort;
+    std::uint16_t artnet_port = kArtnetPort;
+    // For recording: gets every publication, on the receiver's thread, and must be quick. A packet never
+    // takes the place of levels that it did not get.
+    std::function<void(const Universes&, std::chrono::nanoseconds now)> on_levels;
+};
+
+} // namespace ghost::dmx

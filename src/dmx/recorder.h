@@ -1,0 +1,49 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Recorder: writes a recording while it happens, or a part of one, in the format that the file's name asks
+// for: .ghostdmx, or .show and .txt for an OLA show file. The file grows as "<path>.part" and finish()
+// renames it. After a crash the .part file plays: of an OLA show up to its last line, else up to the last
+// flush(). One thread at a time.
+
+#include "dmx/recorded_frame.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace ghost::dmx {
+
+class Recorder {
+public:
+    // Error: a name of no known ending, a folder, or a place that cannot be written.
+    static Result<Recorder> create(const std::filesystem::path& path);
+    Recorder(Recorder&&) noexcept = default;
+    Recorder& operator=(Recorder&&) = delete;
+    ~Recorder(); // without finish(): closes and leaves the .part file, unless it has no frame
+
+    // Wall-clock time of time zero, before the first frame.
+    void began(std::chrono::microseconds unix_time) { writer_->began(unix_time); }
+    Result<void> append(const RecordedFrame& frame);
+    Result<void> flush(std::chrono::microseconds now) { return writer_->flush(now); }
+    // The end, then fsync and rename.
+    Result<void> finish(std::chrono::microseconds duration);
+    // Takes the file away instead.
+    void discard();
+
+    std::size_t frames() const { return frames_; }
+    std::uintmax_t bytes() const { return out_->bytes; }
+
+private:
+    struct Out { // stays where it is: the writer's bytes come here
+        std::filesystem::path path, part;
+        std::FILE* file = nullptr;
+        std::uintmax_t bytes = 0;
+    };
+    Recorder() = default;
+
+    std::unique_ptr<Out> out_;
+    std::unique_ptr<FrameWriter> writer_;
+    std::size_t frames_ = 0;
+};
+
+} // namespace ghost::dmx

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dmx/settle.h"
+
+#include "dmx/merge.h"
+
+#include <algorithm>
+
+namespace ghost::dmx {
+
+bool loss_is_settled(std::span<const LevelSource> sources, std::chrono::nanoseconds now) {
+    std::optional<std::chrono::nanoseconds> last;
+    for (const LevelSource& source : sources)
+        if (source.joined() && source.expired(now))
+            last = std::max(last.value_or(source.expires()), source.expires());
+    if (!last) return false;
+    return std::all_of(sources.begin(), sources.end(), [&](const LevelSource& source) {
+        return !source.joined() || !source.has_levels() || source.expired(now) ||
+               source.last_levels() > *last;
+    });
+}
+
+std::optional<std::size_t> replaceable(std::span<const LevelSource> sources, std::chrono::nanoseconds now) {
+    std::optional<std::size_t> oldest;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const LevelSource& source = sources[i];
+        if (source.key().protocol != Protocol::sacn || source.heard() != 1) continue;
+        if (now - source.first_heard() < kReplaceable) continue;
+        if (!oldest || source.first_heard() < sources[*oldest].first_heard()) oldest = i;
+    }
+    return oldest;
+}
+
+Levels merge_levels(std::span<const LevelSource> sources, bool show_preview, bool artnet_ltp) {
+    const auto any = [&](auto&& which) { return std::any_of(sources.begin(), sources.end(), which); };
+    const bool preview =
+        show_preview && any([](const LevelSource& s) { return s.has_levels() && s.key().preview; });
+    const auto wanted = [&](const LevelSource& s) { return s.has_levels() && s.key().preview == preview; };
+    const bool some_joined = any([&](const LevelSource& s) { return wanted(s) && s.joined(); });
+
+    Levels merged{};
+    Levels best{};                               // priority + 1 of the holder of each slot, 0 = nobody
+    std::array<std::uint32_t, kSlots> changed{}; // by the Art-Net source in merged
+    const auto add = [&](const LevelSource& source) {
+        const bool latest = artnet_ltp && source.key().protocol == Protocol::artnet;
+        for (std::size_t i = 0; i < source.slot_count(); ++i) {
+            const std::uint8_t rank = source.rank(i);
+            if (rank == 0 || rank < best[i]) continue;
+            const bool both_artnet = latest && rank == best[i] && changed[i] != 0;
+            const bool takes = rank > best[i] ||
+                               (both_artnet ? source.changed(i) > changed[i] : source.level(i) > merged[i]);
+            if (!takes) continue;
+            best[i] = rank;
+            merged[i] = source.level(i);
+            changed[i] = latest ? source.changed(i) : 0;
+        }
+    };
+    // Art-Net first: its latest level meets the others as one.
+    for (const Protocol protocol : {Protocol::artnet, Protocol::sacn, Protocol::usb})
+        for (const LevelSource& source : sources)
+            if (source.key().protocol == protocol && wanted(source) && (source.joined() || !some_joined))
+                add(source);
+    return merged;
+}
+
+} // namespace ghost::dmx

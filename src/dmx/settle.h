@@ -1,0 +1,27 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What may leave a universe, and what its slots are: pure functions over the sources of one universe.
+
+#include "dmx/level_source.h"
+
+#include <chrono>
+#include <optional>
+#include <span>
+
+namespace ghost::dmx {
+
+// Whether the silent sources that take part may leave at this time: there are some, and every other one was
+// heard since the last of them fell silent. Until then nobody knows whether the cable of all was pulled, and
+// letting the first go would show the look of the next for a moment.
+bool loss_is_settled(std::span<const LevelSource> sources, std::chrono::nanoseconds now);
+
+// Of a universe whose places are all taken: the source that a newcomer may replace, heard only once and
+// longest ago. So packets from ever new forged sources find places among each other's, never that of a real
+// one.
+std::optional<std::size_t> replaceable(std::span<const LevelSource> sources, std::chrono::nanoseconds now);
+
+// One level per slot of those sources that take part; where none does, of all that have levels. show_preview:
+// where a source for preview is among them, only these.
+Levels merge_levels(std::span<const LevelSource> sources, bool show_preview, bool artnet_ltp);
+
+} // namespace ghost::dmx

@@ -1,0 +1,91 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Statistics: what the receiver knows of the network, for people: who sends what and how, what was dropped
+// and why, what is on the network beside it. Values only; a copy is handed from the receiver's thread to the
+// reader's.
+
+#include "dmx/discovery.h"
+#include "dmx/latency.h"
+#include "dmx/merge.h"
+#include "dmx/usb_ports.h"
+
+#include <array>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ghost::dmx {
+
+// One socket. overflow: packets that the kernel dropped because it was full.
+struct SocketStatus {
+    std::string name; // "sACN groups", "sACN", "sACN 10.0.0.2", "Art-Net" ...
+    bool ipv6 = false;
+    std::size_t groups = 0;
+    int receive_buffer_bytes = 0;
+    std::uint64_t packets = 0;
+    std::uint64_t overflow = 0;
+};
+
+// A universe that sends and was not asked for.
+struct UnlistedUniverse {
+    std::uint16_t universe = 0;
+    Protocol protocol = Protocol::sacn;
+    IpAddress from; // of the newest packet
+    std::uint64_t packets = 0;
+    std::chrono::nanoseconds age{0};
+};
+
+struct TimeCodeStatus {
+    TimeCode time;
+    IpAddress from;
+    std::uint64_t packets = 0;
+    std::chrono::nanoseconds arrival{0};
+};
+
+struct TriggerStatus {
+    std::uint64_t number = 0; // counts from 1, so that a reader knows which it has seen
+    Trigger trigger;
+    IpAddress from;
+    std::chrono::nanoseconds arrival{0};
+};
+
+// An interface that came, went, got or lost its cable or changed its address.
+struct LinkChange {
+    std::uint64_t number = 0; // counts from 1
+    std::string text;         // "eth0: cable pulled", ...
+    std::chrono::nanoseconds time{0};
+};
+
+struct Statistics {
+    std::chrono::nanoseconds time{0}; // when it was taken
+    std::uint64_t packets_sacn = 0;   // everything that arrived on the port, but our own replies
+    std::uint64_t packets_artnet = 0;
+    std::uint64_t unlisted = 0; // for universes that were not asked for
+    std::uint64_t overflow = 0; // dropped by the kernel: socket buffer full; of all sockets since the start
+    std::uint64_t wrong_group = 0; // levels that came by the multicast group of another universe
+    std::array<std::uint64_t, static_cast<std::size_t>(Notice::kCount)> notices{};
+    std::array<std::uint64_t, static_cast<std::size_t>(Drop::kCount)> drops{};
+    std::uint64_t poll_replies_sent = 0;  // to those who asked
+    std::uint64_t announcements_sent = 0; // the same replies, unasked, at start
+    std::uint64_t polls_refused = 0;      // asked too often, too many askers, or from no local network
+    std::uint64_t pauses = 0;             // times that the receiver was kept from running
+    bool sampling = false;                // nothing is shown yet: who sends is still being found out
+    MergeCounters merge;
+    std::vector<SourceStatus> sources; // by universe
+    std::vector<SyncStatus> sync;
+    std::vector<DiscoveredSource> discovered;
+    std::vector<UnlistedUniverse> unlisted_universes; // at most kMaxUnlisted
+    std::vector<SocketStatus> sockets;
+    std::vector<UsbPortStatus> usb;
+    std::optional<TimeCodeStatus> timecode; // the newest
+    std::vector<TriggerStatus> triggers;    // the newest kMaxRemembered
+    std::vector<LinkChange> link_changes;   // the newest kMaxRemembered
+    Latency latency;                        // from the kernel's receipt of a level packet to its publication
+    std::chrono::nanoseconds cpu{0};        // processor time of the receiver's thread
+};
+
+inline constexpr std::size_t kMaxUnlisted = 256;
+inline constexpr std::size_t kMaxRemembered = 32;
+
+} // namespace ghost::dmx

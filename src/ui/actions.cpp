@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions.h"
+
+#include "base/suggest.h"
+
+#include <cmath>
+
+namespace ghost::ui {
+
+void Actions::add(Action action) {
+    auto* item = new QAction(action.text, &window_);
+    QList<QKeySequence> keys;
+    for (const QString& key : action.key.split("; ", Qt::SkipEmptyParts)) keys.append(QKeySequence(key));
+    item->setShortcuts(keys);
+    item->setShortcutContext(Qt::WindowShortcut);
+    item->setCheckable(static_cast<bool>(action.is_on));
+    items_[action.name] = item;
+    window_.addAction(item);
+    QObject::connect(item, &QAction::triggered, &window_, [this, name = action.name] {
+        for (const Action& one : actions_) {
+            if (one.name != name) continue;
+            const Result<void> done = run(one, {});
+            if (!done.ok() && complain) complain(done.error());
+            return;
+        }
+    });
+    actions_.push_back(std::move(action));
+}
+
+QAction* Actions::item(const QString& name) const {
+    const auto found = items_.find(name);
+    return found == items_.end() ? nullptr : found->second;
+}
+
+Result<void> Actions::run(const QString& line) {
+    TRY(QStringList words, split_line(line));
+    if (words.isEmpty()) return {};
+    const QString name = words.takeFirst();
+    std::vector<std::string> names;
+    for (const Action& action : actions_) {
+        if (action.name == name) return run(action, words);
+        names.push_back(action.name.toStdString());
+    }
+    return Error{"there is no action '" + name.toStdString() + "'" + did_you_mean(name.toStdString(), names),
+                 ""};
+}
+
+Result<void> Actions::run(const Action& action, const QStringList& arguments) {
+    const Result<void> done = action.run(arguments);
+    refresh();
+    if (done.ok()) return {};
+    return Error{done.error().text(), action.name.toStdString()};
+}
+
+void Actions::refresh() {
+    for (const Action& action : actions_)
+        if (action.is_on) items_[action.name]->setChecked(action.is_on());
+}
+
+Result<QStringList> split_line(const QString& line) {
+    QStringList words;
+    QString word;
+    bool quoted = false, in_word = false;
+    for (const QChar letter : line) {
+        if (letter == '"') {
+            quoted = !quoted;
+            in_word = true;
+        } else if (letter.isSpace() && !quoted) {
+            if (in_word) words.append(word);
+            word.clear();
+            in_word = false;
+        } else {
+            word.append(letter);
+            in_word = true;
+        }
+    }
+    if (quoted) return Error{"a quote \" without its end", line.toStdString()};
+    if (in_word) words.append(word);
+    return words;
+}
+
+Result<double> number_of(const QStringList& arguments, int index, const char* what, double low, double high) {
+    bool is_number = false;
+    const double value = index < arguments.size() ? arguments[index].toDouble(&is_number) : 0.0;
+    if (is_number && std::isfinite(value) && value >= low && value <= high) return value;
+    const std::string given = index < arguments.size() ? "'" + arguments[index].toStdString() + "' is no "
+                                                       : std::string("it needs a ");
+    return Error{given + what + " from " + QString::number(low).toStdString() + " to " +
+                     QString::number(high).toStdString(),
+                 ""};
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,62 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Actions: everything that a person can do, in one table: a name for scripts, words for menus, a key, and the
+// function. Menus, keys, the shortcut sheet and scripts all read this table, so none of them can do what the
+// others cannot. Window thread.
+
+#include "base/result.h"
+
+#include <QAction>
+#include <QStringList>
+#include <QWidget>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ghost::ui {
+
+struct Action {
+    QString name;      // for scripts: "black-out"
+    QString menu;      // "View"; empty: scripts only
+    QString text;      // "Black-out"
+    QString key;       // "B"; empty: none. Several with "; " between them
+    QString arguments; // of a script line, for people: "FILE"; empty: none
+    std::function<Result<void>(const QStringList& arguments)> run;
+    std::function<bool()> is_on; // where it is a switch: its state, for the tick in the menu
+};
+
+class Actions {
+public:
+    // Keys work in the whole of that window.
+    explicit Actions(QWidget& window) : window_(window) {}
+
+    void add(Action action);
+    const std::vector<Action>& all() const { return actions_; }
+    // For menus and tool bars; null where there is none of that name.
+    QAction* item(const QString& name) const;
+    // One line of a script: the name and its arguments, those with blanks in "quotes". Error: no such action
+    // (with a near name), or what it said itself.
+    Result<void> run(const QString& line);
+    // Sets the ticks of all switches.
+    void refresh();
+
+    // Where what went wrong is said when a person did it, not a script.
+    std::function<void(const Error&)> complain;
+
+private:
+    Result<void> run(const Action& action, const QStringList& arguments);
+
+    QWidget& window_;
+    std::vector<Action> actions_;
+    std::map<QString, QAction*> items_;
+};
+
+// "a "b c"" -> a, b c. Error: a quote without its end.
+Result<QStringList> split_line(const QString& line);
+
+// A finite number in a range; the error names the argument.
+Result<double> number_of(const QStringList& arguments, int index, const char* what, double low, double high);
+
+} // namespace ghost::ui

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/hand_panel.h"
+
+#include "ui/hand.h"
+
+#include <QAbstractItemView>
+#include <QColorDialog>
+#include <QFormLayout>
+#include <QVBoxLayout>
+
+namespace ghost::ui {
+namespace {
+
+QString swatch(const QColor& colour) {
+    return QString("background: %1; color: %2; border: 1px solid #55555a; padding: 4px;")
+        .arg(colour.name(), colour.lightnessF() > 0.5f ? "#111111" : "#eeeeee");
+}
+
+} // namespace
+
+HandPanel::HandPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    title_ = new QLabel(this);
+    title_->setWordWrap(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(title_);
+    intensity_ = add_row("Intensity", {0, 100, 0, " %"}, static_cast<int>(Hand::intensity),
+                         &fixture::Manual::intensity, 0.01);
+    zoom_ = add_row("Zoom", {1, 80, 1, " deg"}, static_cast<int>(Hand::zoom), &fixture::Manual::zoom_deg, 1);
+    pan_ = add_row("Pan", {-330, 330, 1, " deg"}, static_cast<int>(Hand::pan), &fixture::Manual::pan_deg, 1);
+    tilt_ =
+        add_row("Tilt", {-150, 150, 1, " deg"}, static_cast<int>(Hand::tilt), &fixture::Manual::tilt_deg, 1);
+    colour_ = new QPushButton("Colour...", this);
+    connect(colour_, &QPushButton::clicked, this, &HandPanel::choose_colour);
+    gobo_ = new QComboBox(this);
+    gobo_->setAccessibleName("Gobo");
+    connect(gobo_, &QComboBox::activated, this, [this](int index) {
+        change_selected(studio_, "gobo", Hand::gobo, [&](fixture::Manual& manual) {
+            if (index == 0)
+                manual.gobo.reset();
+            else
+                manual.gobo = index - 1;
+        });
+    });
+    release_ = new QPushButton("Give all back (R)", this);
+    connect(release_, &QPushButton::clicked, this, [this] {
+        change_selected(studio_, "release", Hand::step, [](fixture::Manual& manual) { manual = {}; });
+    });
+    auto* form = new QFormLayout;
+    form->addRow("Colour", colour_);
+    form->addRow("Gobo", gobo_);
+    layout->addLayout(form);
+    layout->addWidget(release_);
+    layout->addStretch(1);
+    connect(&studio_, &Studio::selection_changed, this, &HandPanel::list_gobos);
+    for (const auto signal : {&Studio::selection_changed, &Studio::look_changed, &Studio::rig_came})
+        connect(&studio_, signal, this, &HandPanel::refresh);
+    refresh();
+}
+
+ValueRow* HandPanel::add_row(const QString& name, const ValueRange& range, int kind,
+                             std::optional<float> fixture::Manual::*value, double per_unit) {
+    auto* row = new ValueRow(name, range, this);
+    layout()->addWidget(row);
+    row->on_change = [this, name, kind, value, per_unit](double number) {
+        change_selected(studio_, name.toLower(), static_cast<Hand>(kind), [&](fixture::Manual& manual) {
+            manual.*value = static_cast<float>(number * per_unit);
+        });
+    };
+    row->on_release = [this, name, value] {
+        change_selected(studio_, "release " + name.toLower(), Hand::step,
+                        [&](fixture::Manual& manual) { (manual.*value).reset(); });
+    };
+    return row;
+}
+
+void HandPanel::choose_colour() {
+    const auto current = studio_.current();
+    if (!current) return;
+    QColorDialog dialog(colour_->palette().button().color(), this);
+    dialog.setOption(QColorDialog::NoButtons);
+    connect(&dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
+        change_selected(studio_, "colour", Hand::colour,
+                        [&](fixture::Manual& manual) { manual.colour = filter_from(colour); });
+    });
+    dialog.exec();
+}
+
+void HandPanel::list_gobos() {
+    gobo_->clear();
+    const auto current = studio_.current();
+    if (!studio_.show() || !current) return;
+    gobo_->addItem("As the desk says");
+    const scene::PatchedFixture& fixture = studio_.show()->fixtures[*current];
+    if (!fixture.type) return;
+    int slot = 0;
+    for (const std::string& name : fixture::gobo_names(fixture.patch()))
+        gobo_->addItem(QString("%1  %2").arg(slot++).arg(QString::fromStdString(name)));
+}
+
+void HandPanel::refresh() {
+    const auto current = studio_.current();
+    const bool any = studio_.show() && current && *current < studio_.rig().fixtures.size();
+    for (QWidget* one :
+         std::initializer_list<QWidget*>{intensity_, zoom_, pan_, tilt_, colour_, gobo_, release_})
+        one->setEnabled(any);
+    if (!any) {
+        title_->setText("Select fixtures to light the scene by hand, with or without a desk.");
+        return;
+    }
+    const QString name = QString::fromStdString(studio_.show()->fixtures[*current].name);
+    title_->setText(studio_.selection().size() == 1
+                        ? name
+                        : QString("%1 and %2 more").arg(name).arg(studio_.selection().size() - 1));
+    const FixtureNow& now = studio_.rig().fixtures[*current];
+    const auto found = studio_.look().fixtures.find(*current);
+    const fixture::Manual manual = found == studio_.look().fixtures.end() ? fixture::Manual{} : found->second;
+    const auto show = [](ValueRow* row, const std::optional<float>& by_hand, float is, double per_unit) {
+        row->show_value(static_cast<double>(by_hand.value_or(is)) * per_unit, by_hand.has_value());
+    };
+    show(intensity_, manual.intensity, now.dimmer, 100);
+    show(zoom_, manual.zoom_deg, now.zoom_deg, 1);
+    show(pan_, manual.pan_deg, now.pan_deg, 1);
+    show(tilt_, manual.tilt_deg, now.tilt_deg, 1);
+    colour_->setStyleSheet(swatch(screen_colour(manual.colour.value_or(now.colour))));
+    colour_->setText(manual.colour ? "Colour, by hand..." : "Colour...");
+    if (!gobo_->view()->isVisible()) gobo_->setCurrentIndex(manual.gobo ? *manual.gobo + 1 : 0);
+}
+
+} // namespace ghost::ui

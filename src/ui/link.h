@@ -1,0 +1,136 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Link: all that passes between the window and the engine, which draws on a thread of its own. Wishes go in,
+// news come out; both are plain values, the newest wins, nobody waits. Metres, degrees, seconds.
+
+#include "base/mailbox.h"
+#include "dmx/receiver.h"
+#include "image/image.h"
+#include "scene/explain.h"
+#include "scene/show.h"
+#include "ui/look.h"
+
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ghost::ui {
+
+enum class Input {
+    automatic, // a desk as soon as one is heard, until then the show's recording
+    desk,
+    recording,
+};
+
+// The recording of the show as a person plays it.
+struct Transport {
+    bool playing = true;
+    std::uint64_t seeks = 0; // grows with each jump to at_s
+    double at_s = 0;
+
+    bool operator==(const Transport&) const = default;
+};
+
+struct Quality {
+    int fps = 25;           // the picture gets coarser while it moves, to hold this
+    int percent = 0;        // of the window's pixels; 0: as many as fps allows
+    int most_segments = 24; // samples of haze along a ray through one beam
+    bool operator==(const Quality&) const = default;
+};
+
+// What the window wants to see, whole.
+struct Wishes {
+    std::uint64_t number = 0; // grows with every change
+    std::string show;         // path; another one is opened
+    scene::Camera camera;     // size: pixels of the window; exposure, too
+    Look look;
+    bool black_out = false;
+    bool frozen = false; // time stands still: nothing turns, strobes or drifts; hands act at once
+    float master = 1;
+    Input input = Input::automatic;
+    Transport transport;
+    Quality quality;
+    std::optional<std::size_t> explained; // fixture
+};
+
+// An instance of the stage that can be hidden.
+struct Object {
+    std::string name;
+    std::size_t instance = 0;
+    std::size_t material = 0;
+    bool shown = true;
+    glm::vec3 centre_m{0};
+    float radius_m = 1;
+};
+
+struct Opened {
+    std::shared_ptr<const scene::Show> show; // without the triangles of its stage
+    std::vector<Object> objects;
+    std::vector<scene::Material> materials;
+    glm::vec3 centre_m{0}; // of all
+    float radius_m = 10;
+    std::string device;
+    double recording_s = 0; // 0: the show has none
+};
+
+struct Picture {
+    std::shared_ptr<const image::Image8> image;
+    scene::Camera camera; // it was drawn from; its size is that of the image
+    float ev100 = 0;
+    double draw_ms = 0;
+    int lights_drawn = 0;
+    bool is_coarse = false;       // drawn with fewer pixels than asked for, because it moves
+    std::size_t missing_maps = 0; // lights that throw no shadows yet
+    std::chrono::nanoseconds arrival{
+        0}; // steady: of the newest packet that it shows for the first time; 0: none
+};
+
+// A fixture as it shines now.
+struct FixtureNow {
+    glm::vec3 light_m{0};
+    glm::vec3 direction{0, 0, -1};
+    glm::vec3 colour{0}; // of its brightest beam, largest component 1; black: dark
+    float candela = 0;   // on the axis, all beams together
+    float pan_deg = 0;
+    float tilt_deg = 0;
+    float dimmer = 0; // of the brightest beam, shutter included
+    float zoom_deg = 0;
+};
+
+struct RigNow {
+    std::vector<FixtureNow> fixtures;
+    dmx::Universes universes;
+    bool from_desk = false;
+    double at_s = 0; // of the recording
+};
+
+struct Explained {
+    std::size_t fixture = 0;
+    scene::Explanation explanation;
+    std::string words;
+};
+
+struct Link {
+    Mailbox<Wishes> wishes;
+
+    Mailbox<Opened> opened;
+    Mailbox<Error> failed; // the show could not be opened; what was open stays
+    Mailbox<Picture> picture;
+    Mailbox<RigNow> rig;
+    Mailbox<dmx::Statistics> network;
+    Mailbox<Explained> explained;
+    Mailbox<std::vector<scene::Message>> messages; // all of the show that is open
+    // Number of the wishes whose picture is there, at rest: nothing moves, all pixels, all shadows.
+    Mailbox<std::uint64_t> settled;
+    Mailbox<std::string> activity; // what takes long now; empty: nothing
+
+    // The engine calls it after it put something, on its own thread. Set before the engine starts.
+    std::function<void()> on_news;
+};
+
+} // namespace ghost::ui

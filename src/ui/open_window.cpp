@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/open_window.h"
+
+#include "base/files.h"
+#include "base/log.h"
+#include "ui/script.h"
+#include "ui/theme.h"
+#include "ui/window.h"
+
+#include <QApplication>
+#include <QTimer>
+
+#include <cstdlib>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kAsk_ms = 100;
+constexpr std::uintmax_t kMostScriptBytes = 1 << 20;
+
+// Qt ends the program where it finds no display; it shall say what to do first.
+void take_message(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    if (type == QtFatalMsg) {
+        log_error(text.toStdString());
+        log_error("the window needs a display (DISPLAY or WAYLAND_DISPLAY); without one, 'ghostlight render' "
+                  "writes pictures and films");
+        std::_Exit(1);
+    }
+    if (type == QtCriticalMsg)
+        log_error(text.toStdString());
+    else
+        log_debug(text.toStdString());
+}
+
+bool has_display() {
+#if defined(__linux__)
+    for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        if (const char* value = std::getenv(name); value && *value) return true;
+    return false;
+#else
+    return true;
+#endif
+}
+
+// A script's lines in their order; the first that fails ends it, and the window.
+Result<void> run_script(const std::string& file, Window& window, Result<void>& outcome) {
+    TRY(const std::string text, read_text_file(file, kMostScriptBytes));
+    auto* script = new Script(window.actions(), window.studio(), &window);
+    auto line = std::make_shared<int>(0);
+    script->on_line = [file, line, &window, &outcome](const Result<void>& done) {
+        ++*line;
+        if (done.ok() || !outcome.ok()) return;
+        outcome = Error{done.error().text(), file + ":" + std::to_string(*line)};
+        window.close();
+    };
+    for (const QString& one : QString::fromStdString(text).split('\n')) script->add(one);
+    return {};
+}
+
+} // namespace
+
+Result<void> open_window(Link& link, const WindowOptions& options) {
+    if (!has_display())
+        return Error{"there is no display (DISPLAY and WAYLAND_DISPLAY are empty): the window needs one; "
+                     "'ghostlight render' writes pictures and films without",
+                     ""};
+    qInstallMessageHandler(take_message);
+    int argc = 1;
+    char name[] = "ghostlight";
+    char* argv[] = {name, nullptr};
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("ghostlight");
+    QApplication::setOrganizationName("ghostlight");
+    set_theme(application);
+
+    Result<void> outcome;
+    Window window(link, options);
+    RemoteControl remote(window.actions(), window.studio(), &window);
+    if (!options.socket.empty()) TRY_VOID(remote.listen(QString::fromStdString(options.socket)));
+    if (!options.script.empty()) TRY_VOID(run_script(options.script, window, outcome));
+    QTimer ask;
+    QObject::connect(&ask, &QTimer::timeout, &window, [&] {
+        if (options.should_close && options.should_close()) window.close();
+    });
+    ask.start(kAsk_ms);
+    const std::shared_ptr<void> engine = options.begin(); // goes before the window does
+    if (!options.show.empty()) window.studio().open(options.show);
+    window.show();
+    if (options.full_screen) TRY_VOID(window.actions().run("full-screen"));
+    QApplication::exec();
+    return outcome;
+}
+
+} // namespace ghost::ui

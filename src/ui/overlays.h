@@ -1,0 +1,44 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Overlays: what is painted above the picture: marks of the fixtures, names, addresses, aiming lines,
+// figures. Pixels of the widget; stateless. Window thread.
+
+#include "ui/link.h"
+
+#include <QPainter>
+#include <QRectF>
+#include <QString>
+
+#include <optional>
+#include <set>
+
+namespace ghost::ui {
+
+struct OverlayChoice {
+    bool figures = true; // frame time, latency, what is shown
+    bool names = false;
+    bool addresses = false;
+    bool aims = false; // a line from each lamp along its beam
+    bool marks = true; // of what is selected
+    bool operator==(const OverlayChoice&) const = default;
+};
+
+// Where the picture lies in the widget: its full height, as wide as it is; what does not fit is cut off.
+QRectF picture_rect(const QSizeF& widget, const scene::Camera& camera);
+// Nothing: behind the camera.
+std::optional<QPointF> to_widget(const QRectF& picture, const scene::Camera& camera, const glm::vec3& at_m);
+// The fixture whose lamp is nearest to that place, within reach of a finger.
+std::optional<std::size_t> fixture_at(const QRectF& picture, const scene::Camera& camera, const RigNow& rig,
+                                      const QPointF& place);
+std::set<std::size_t> fixtures_in(const QRectF& picture, const scene::Camera& camera, const RigNow& rig,
+                                  const QRectF& box);
+
+void paint_fixtures(QPainter& painter, const QRectF& picture, const scene::Camera& camera,
+                    const scene::Show& show, const RigNow& rig, const std::set<std::size_t>& selection,
+                    const OverlayChoice& choice);
+// Lines of text on a dark ground, in the lower left corner.
+void paint_figures(QPainter& painter, const QSizeF& widget, const QStringList& lines);
+// One sentence in the middle, for a picture that is not there.
+void paint_notice(QPainter& painter, const QSizeF& widget, const QString& title, const QString& text);
+
+} // namespace ghost::ui

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+// The actions that are about the recording, the input, and how finely the picture is drawn.
+#include "ui/hand.h"
+
+namespace ghost::ui {
+
+void add_play_actions(Actions& actions, Studio& studio) {
+    actions.add({"play", "Play", "Play or pause the recording", "Space", "[on|off]",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     const bool plays = studio.wishes().transport.playing;
+                     const QString word = words.value(0, plays ? "off" : "on");
+                     if (word != "on" && word != "off")
+                         return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
+                     studio.wish([&](Wishes& wishes) { wishes.transport.playing = word == "on"; });
+                     return {};
+                 },
+                 [&studio] { return studio.wishes().transport.playing; }});
+    actions.add({"freeze", "Play", "Freeze: time stands still", "Z", "[on|off]",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     const QString word = words.value(0, studio.wishes().frozen ? "off" : "on");
+                     if (word != "on" && word != "off")
+                         return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
+                     studio.wish([&](Wishes& wishes) { wishes.frozen = word == "on"; });
+                     return {};
+                 },
+                 [&studio] { return studio.wishes().frozen; }});
+    const auto jump = [&studio](double at_s) {
+        studio.wish([&](Wishes& wishes) {
+            ++wishes.transport.seeks;
+            wishes.transport.at_s = at_s;
+        });
+    };
+    actions.add({"jump",
+                 "",
+                 "jump",
+                 "",
+                 "SECONDS",
+                 [jump](const QStringList& words) -> Result<void> {
+                     TRY(const double at_s, number_of(words, 0, "number of seconds", 0, 86400));
+                     jump(at_s);
+                     return {};
+                 },
+                 {}});
+    actions.add({"to-start",
+                 "Play",
+                 "Back to the start",
+                 "Ctrl+Home",
+                 "",
+                 [jump](const QStringList&) -> Result<void> {
+                     jump(0);
+                     return {};
+                 },
+                 {}});
+    for (const auto& [name, text, wanted] :
+         {std::tuple{"automatic", "A desk as soon as one is heard", Input::automatic},
+          std::tuple{"desk", "What a desk sends", Input::desk},
+          std::tuple{"recording", "The recording of the show", Input::recording}}) {
+        actions.add({QString("input-") + name, "Play", text, "", "",
+                     [&studio, wanted = wanted](const QStringList&) -> Result<void> {
+                         studio.wish([&](Wishes& wishes) { wishes.input = wanted; });
+                         return {};
+                     },
+                     [&studio, wanted = wanted] { return studio.wishes().input == wanted; }});
+    }
+    actions.add({"fps",
+                 "",
+                 "fps",
+                 "",
+                 "PICTURES-PER-SECOND",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     TRY(const double fps, number_of(words, 0, "number of pictures a second", 1, 240));
+                     studio.wish([&](Wishes& wishes) { wishes.quality.fps = static_cast<int>(fps); });
+                     return {};
+                 },
+                 {}});
+    actions.add({"resolution",
+                 "",
+                 "resolution",
+                 "",
+                 "PERCENT",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     TRY(const double percent,
+                         number_of(words, 0, "share of the pixels in percent, 0 for automatic,", 0, 100));
+                     studio.wish([&](Wishes& wishes) { wishes.quality.percent = static_cast<int>(percent); });
+                     return {};
+                 },
+                 {}});
+    for (const int percent : {0, 100, 50, 25, 10}) {
+        actions.add({QString("resolution-%1").arg(percent), "Quality",
+                     percent == 0 ? QString("As fine as the rate allows, full when at rest")
+                                  : QString("%1 % of the pixels").arg(percent),
+                     percent == 0 ? "Ctrl+0" : "", "",
+                     [&studio, percent](const QStringList&) -> Result<void> {
+                         studio.wish([&](Wishes& wishes) { wishes.quality.percent = percent; });
+                         return {};
+                     },
+                     [&studio, percent] { return studio.wishes().quality.percent == percent; }});
+    }
+    actions.add({"samples",
+                 "",
+                 "samples",
+                 "",
+                 "SEGMENTS",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     TRY(const double segments, number_of(words, 0, "number of segments", 1, 256));
+                     studio.wish(
+                         [&](Wishes& wishes) { wishes.quality.most_segments = static_cast<int>(segments); });
+                     return {};
+                 },
+                 {}});
+}
+
+} // namespace ghost::ui

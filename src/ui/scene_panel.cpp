@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/scene_panel.h"
+
+#include "scene/overrides.h"
+#include "ui/hand.h"
+
+#include <QColorDialog>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+namespace ghost::ui {
+namespace {
+
+constexpr float kMostShininess = 4000;
+
+// The other way round than scene::roughness_from_shininess.
+float shininess_from_roughness(float roughness) {
+    const float alpha = std::max(roughness * roughness, 1e-3f);
+    return std::clamp(2.0f / (alpha * alpha) - 2.0f, 0.0f, kMostShininess);
+}
+
+template <class T>
+ValueRow* scene_row(Studio& studio, const QString& name, const ValueRange& range, QWidget* parent,
+                    std::optional<T> SceneLook::*value) {
+    auto* row = new ValueRow(name, range, parent);
+    row->on_change = [&studio, name, value](double number) {
+        change_scene(studio, name.toLower(), Hand::scene,
+                     [&](SceneLook& scene) { scene.*value = static_cast<T>(number); });
+    };
+    row->on_release = [&studio, name, value] {
+        change_scene(studio, "release " + name.toLower(), Hand::step,
+                     [&](SceneLook& scene) { (scene.*value).reset(); });
+    };
+    return row;
+}
+
+} // namespace
+
+ScenePanel::ScenePanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    auto* layout = new QVBoxLayout(this);
+    add_air(layout);
+    add_stage(layout);
+    connect(&studio_, &Studio::opened_show, this, &ScenePanel::fill);
+    for (const auto signal : {&Studio::look_changed, &Studio::wishes_changed})
+        connect(&studio_, signal, this, &ScenePanel::refresh);
+    setEnabled(false);
+}
+
+void ScenePanel::add_air(QLayout* layout) {
+    smoke_ = scene_row(studio_, "Smoke", {0, 5, 2, " x"}, this, &SceneLook::smoke);
+    ambient_ = scene_row(studio_, "Even light", {0, 200, 1, " lx"}, this, &SceneLook::ambient_lux);
+    layout->addWidget(smoke_);
+    layout->addWidget(ambient_);
+    colour_ = new QPushButton("Colour of the even light...", this);
+    connect(colour_, &QPushButton::clicked, this, &ScenePanel::choose_colour);
+    layout->addWidget(colour_);
+    static const char* const kFactors[] = {"Constant", "Linear", "Quadratic"};
+    for (int k = 0; k < 3; ++k) {
+        attenuation_[k] = new ValueRow(kFactors[k], {0, 2, 2, ""}, this);
+        attenuation_[k]->setToolTip(
+            "Light falls with 1 / (constant + linear d + quadratic d²); 0, 0, 1 is physics.");
+        attenuation_[k]->on_change = [this, k](double value) { change_attenuation(k, value); };
+        attenuation_[k]->on_release = [this] {
+            change_scene(studio_, "release attenuation", Hand::step,
+                         [](SceneLook& scene) { scene.attenuation.reset(); });
+        };
+        layout->addWidget(attenuation_[k]);
+    }
+    segments_ = new ValueRow("Samples", {1, 64, 0, ""}, this);
+    segments_->setToolTip("Of the haze, along a ray through one beam. Fewer are faster.");
+    segments_->on_change = [this](double value) {
+        studio_.wish([&](Wishes& wishes) { wishes.quality.most_segments = static_cast<int>(value); });
+    };
+    segments_->on_release = [this] {
+        studio_.wish([](Wishes& wishes) { wishes.quality.most_segments = Quality{}.most_segments; });
+    };
+    layout->addWidget(segments_);
+    shadows_ = new QCheckBox("Shadows", this);
+    connect(shadows_, &QCheckBox::clicked, this, [this](bool on) {
+        change_scene(studio_, "shadows", Hand::step, [&](SceneLook& scene) { scene.shadows = on; });
+    });
+    layout->addWidget(shadows_);
+}
+
+void ScenePanel::add_stage(QLayout* layout) {
+    objects_ = new QTreeWidget(this);
+    objects_->setHeaderLabels({"Object", "Material"});
+    objects_->setRootIsDecorated(false);
+    objects_->setAlternatingRowColors(true);
+    objects_->setUniformRowHeights(true);
+    connect(objects_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
+        if (follows_) return;
+        const Object& object = studio_.opened().objects[item->data(0, Qt::UserRole).toUInt()];
+        const bool on = item->checkState(0) == Qt::Checked;
+        Look look = studio_.look();
+        look.shown.erase(object.instance);
+        if (on != object.shown) look.shown[object.instance] = on;
+        studio_.set_look(std::move(look), on ? "show object" : "hide object");
+    });
+    connect(objects_, &QTreeWidget::currentItemChanged, this, &ScenePanel::refresh);
+    layout->addWidget(objects_);
+    const auto surface_row = [&](const QString& name, const ValueRange& range,
+                                 std::optional<float> SurfaceLook::*value, auto convert) {
+        auto* row = new ValueRow(name, range, this);
+        row->on_change = [this, name, value, convert](double number) {
+            if (!material()) return;
+            Look look = studio_.look();
+            look.surfaces[*material()].*value = convert(static_cast<float>(number));
+            studio_.set_look(std::move(look), name.toLower(), static_cast<int>(Hand::surface));
+        };
+        row->on_release = [this, name, value] {
+            if (!material()) return;
+            Look look = studio_.look();
+            (look.surfaces[*material()].*value).reset();
+            studio_.set_look(std::move(look), "release " + name.toLower());
+        };
+        layout->addWidget(row);
+        return row;
+    };
+    specular_ =
+        surface_row("Specular", {0, 1, 2, ""}, &SurfaceLook::specular, [](float value) { return value; });
+    shininess_ = surface_row("Shininess", {1, kMostShininess, 0, "", true}, &SurfaceLook::roughness,
+                             [](float value) { return scene::roughness_from_shininess(value); });
+}
+
+std::optional<std::size_t> ScenePanel::material() const {
+    const QTreeWidgetItem* item = objects_->currentItem();
+    if (!item) return std::nullopt;
+    const std::size_t index = studio_.opened().objects[item->data(0, Qt::UserRole).toUInt()].material;
+    return index < studio_.opened().materials.size() ? std::optional(index) : std::nullopt;
+}
+
+void ScenePanel::choose_colour() {
+    QColorDialog dialog(
+        screen_colour(studio_.look().scene.ambient_colour.value_or(studio_.show()->ambient_colour)), this);
+    dialog.setOption(QColorDialog::NoButtons);
+    connect(&dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
+        change_scene(studio_, "colour of the even light", Hand::scene,
+                     [&](SceneLook& scene) { scene.ambient_colour = filter_from(colour); });
+    });
+    dialog.exec();
+}
+
+void ScenePanel::change_attenuation(int factor, double value) {
+    const scene::Attenuation& own = studio_.show()->attenuation;
+    glm::vec3 factors =
+        studio_.look().scene.attenuation.value_or(glm::vec3(own.constant, own.linear, own.quadratic));
+    factors[factor] = static_cast<float>(value);
+    if (factors == glm::vec3(0)) factors[factor] = 0.01f; // light that never falls is none
+    change_scene(studio_, "attenuation", Hand::scene, [&](SceneLook& scene) { scene.attenuation = factors; });
+}
+
+void ScenePanel::fill() {
+    setEnabled(true);
+    follows_ = true;
+    objects_->clear();
+    const Opened& opened = studio_.opened();
+    for (std::size_t i = 0; i < opened.objects.size(); ++i) {
+        auto* item = new QTreeWidgetItem(objects_);
+        item->setText(0, QString::fromStdString(opened.objects[i].name));
+        if (opened.objects[i].material < opened.materials.size())
+            item->setText(1, QString::fromStdString(opened.materials[opened.objects[i].material].name));
+        item->setData(0, Qt::UserRole, static_cast<unsigned>(i));
+        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    }
+    objects_->header()->resizeSection(0, width() / 2);
+    follows_ = false;
+    refresh();
+}
+
+void ScenePanel::refresh() {
+    if (!studio_.show()) return;
+    const scene::Show& show = *studio_.show();
+    const SceneLook& look = studio_.look().scene;
+    follows_ = true;
+    smoke_->show_value(static_cast<double>(look.smoke.value_or(1)), look.smoke.has_value());
+    ambient_->show_value(static_cast<double>(look.ambient_lux.value_or(show.ambient_lux)),
+                         look.ambient_lux.has_value());
+    const glm::vec3 factors = look.attenuation.value_or(
+        glm::vec3(show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic));
+    for (int k = 0; k < 3; ++k)
+        attenuation_[k]->show_value(static_cast<double>(factors[k]), look.attenuation.has_value());
+    const int segments = studio_.wishes().quality.most_segments;
+    segments_->show_value(segments, segments != Quality{}.most_segments);
+    shadows_->setChecked(look.shadows.value_or(show.shadows));
+    for (int i = 0; i < objects_->topLevelItemCount(); ++i) {
+        QTreeWidgetItem* item = objects_->topLevelItem(i);
+        const Object& object = studio_.opened().objects[item->data(0, Qt::UserRole).toUInt()];
+        const auto by_hand = studio_.look().shown.find(object.instance);
+        const bool on = by_hand == studio_.look().shown.end() ? object.shown : by_hand->second;
+        item->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
+    }
+    specular_->setEnabled(material().has_value());
+    shininess_->setEnabled(material().has_value());
+    if (material()) {
+        const scene::Material& own = studio_.opened().materials[*material()];
+        const auto found = studio_.look().surfaces.find(*material());
+        const SurfaceLook surface = found == studio_.look().surfaces.end() ? SurfaceLook{} : found->second;
+        specular_->show_value(static_cast<double>(surface.specular.value_or(own.specular)),
+                              surface.specular.has_value());
+        shininess_->show_value(
+            static_cast<double>(shininess_from_roughness(surface.roughness.value_or(own.roughness))),
+            surface.roughness.has_value());
+    }
+    follows_ = false;
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,41 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// ScenePanel: the air, the even light and the stage under the hand: smoke, even light and its colour,
+// attenuation, shadows, samples; objects that can be hidden and shown; specular and roughness of materials.
+// Window thread.
+
+#include "ui/studio.h"
+#include "ui/value_row.h"
+
+#include <QCheckBox>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QWidget>
+
+namespace ghost::ui {
+
+class ScenePanel : public QWidget {
+    Q_OBJECT
+public:
+    ScenePanel(Studio& studio, QWidget* parent);
+
+private:
+    void add_air(QLayout* layout);
+    void add_stage(QLayout* layout);
+    void choose_colour();
+    void fill();
+    void refresh();
+    void change_attenuation(int factor, double value);
+    std::optional<std::size_t> material() const; // of the object that is chosen
+
+    Studio& studio_;
+    ValueRow *smoke_, *ambient_, *segments_;
+    ValueRow* attenuation_[3];
+    QPushButton* colour_;
+    QCheckBox* shadows_;
+    QTreeWidget* objects_;
+    ValueRow *specular_, *shininess_;
+    bool follows_ = false;
+};
+
+} // namespace ghost::ui

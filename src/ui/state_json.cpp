@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/state_json.h"
+
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace ghost::ui {
+namespace {
+
+QJsonArray array_of(const glm::vec3& values) {
+    return {static_cast<double>(values.x), static_cast<double>(values.y), static_cast<double>(values.z)};
+}
+
+template <class T>
+void put(QJsonObject& object, const char* key, const std::optional<T>& value) {
+    if (!value) return;
+    if constexpr (std::is_same_v<T, glm::vec3>)
+        object[key] = array_of(*value);
+    else if constexpr (std::is_same_v<T, float>)
+        object[key] = static_cast<double>(*value);
+    else
+        object[key] = *value;
+}
+
+QJsonObject camera_json(const scene::Camera& camera) {
+    return {{"position_m", array_of(camera.position_m)},
+            {"target_m", array_of(camera.target_m)},
+            {"fov_y_deg", static_cast<double>(camera.fov_y_deg)},
+            {"ev100", static_cast<double>(camera.ev100)},
+            {"auto_exposure", camera.auto_exposure},
+            {"width", camera.width},
+            {"height", camera.height}};
+}
+
+QJsonObject look_json(const Look& look, const scene::Show& show) {
+    QJsonObject fixtures;
+    for (const auto& [index, manual] : look.fixtures) {
+        QJsonObject one;
+        put(one, "intensity", manual.intensity);
+        put(one, "colour", manual.colour);
+        put(one, "zoom_deg", manual.zoom_deg);
+        put(one, "pan_deg", manual.pan_deg);
+        put(one, "tilt_deg", manual.tilt_deg);
+        put(one, "gobo", manual.gobo);
+        fixtures[QString::fromStdString(show.fixtures[index].name)] = one;
+    }
+    QJsonObject scene;
+    put(scene, "smoke", look.scene.smoke);
+    put(scene, "ambient_lux", look.scene.ambient_lux);
+    put(scene, "ambient_colour", look.scene.ambient_colour);
+    put(scene, "attenuation", look.scene.attenuation);
+    put(scene, "shadows", look.scene.shadows);
+    return {{"fixtures", fixtures},
+            {"scene", scene},
+            {"objects", static_cast<int>(look.shown.size())},
+            {"surfaces", static_cast<int>(look.surfaces.size())}};
+}
+
+} // namespace
+
+QJsonObject state_json(const Studio& studio, const View& view) {
+    if (!studio.show()) return {{"show", QJsonValue()}};
+    const scene::Show& show = *studio.show();
+    QJsonArray selection;
+    for (const std::size_t index : studio.selection())
+        selection.append(QString::fromStdString(show.fixtures[index].name));
+    const Picture& picture = studio.picture();
+    const QPoint corner = view.mapToGlobal(QPoint(0, 0));
+    QJsonObject lamps;
+    for (std::size_t i = 0; i < std::min(studio.rig().fixtures.size(), show.fixtures.size()); ++i)
+        if (const auto at = to_widget(picture_rect(view.size(), picture.camera), picture.camera,
+                                      studio.rig().fixtures[i].light_m))
+            lamps[QString::fromStdString(show.fixtures[i].name)] = QJsonArray{at->x(), at->y()};
+    QJsonArray universes;
+    for (const dmx::Universe& universe : studio.rig().universes.list) universes.append(universe.number);
+    const QJsonObject of_picture{{"camera", camera_json(picture.camera)},
+                                 {"draw_ms", picture.draw_ms},
+                                 {"coarse", picture.is_coarse},
+                                 {"lights_drawn", picture.lights_drawn},
+                                 {"missing_maps", static_cast<int>(picture.missing_maps)},
+                                 {"paint_ms", view.paint_ms()},
+                                 {"pictures_per_s", view.pictures_per_s()},
+                                 {"latency_ms", view.latency_ms()}};
+    return {{"show", QString::fromStdString(show.file.string())},
+            {"device", QString::fromStdString(studio.opened().device)},
+            {"camera", camera_json(studio.camera())},
+            {"selection", selection},
+            {"by_hand", look_json(studio.look(), show)},
+            {"black_out", studio.wishes().black_out},
+            {"master", static_cast<double>(studio.wishes().master)},
+            {"playing", studio.wishes().transport.playing},
+            {"at_s", studio.rig().at_s},
+            {"from_desk", studio.rig().from_desk},
+            {"universes", universes},
+            {"view", QJsonArray{corner.x(), corner.y(), view.width(), view.height()}},
+            {"lamps", lamps},
+            {"messages", static_cast<int>(studio.messages().size())},
+            {"picture", of_picture}};
+}
+
+} // namespace ghost::ui

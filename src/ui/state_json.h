@@ -1,0 +1,15 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What a window shows now, as JSON, for scripts and tests: camera, selection, what is set by hand, the
+// picture and its figures. Keys: docs/window.md. Window thread.
+
+#include "ui/studio.h"
+#include "ui/view.h"
+
+#include <QJsonObject>
+
+namespace ghost::ui {
+
+QJsonObject state_json(const Studio& studio, const View& view);
+
+} // namespace ghost::ui

@@ -1,0 +1,109 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Studio: what all parts of the window share: the show that is open, the newest news of the engine, what is
+// selected, and what is wished for. Parts change it through its functions and hear of it through its signals;
+// they do not know each other. Every change of the look can be undone. Window thread.
+
+#include "ui/link.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <QUndoStack>
+
+#include <set>
+#include <string>
+
+namespace ghost::ui {
+
+class Studio : public QObject {
+    Q_OBJECT
+public:
+    // Sets Link::on_news.
+    explicit Studio(Link& link);
+
+    // What the engine said last.
+    const std::shared_ptr<const scene::Show>& show() const { return opened_.show; } // null: none is open
+    const Opened& opened() const { return opened_; }
+    const Picture& picture() const { return picture_; }
+    const RigNow& rig() const { return rig_; }
+    const dmx::Statistics& network() const { return network_; }
+    const Explained& explained() const { return explained_; }
+    const std::vector<scene::Message>& messages() const { return messages_; }
+    const std::string& activity() const { return activity_; }
+
+    // What is wished for.
+    const Wishes& wishes() const { return wishes_; }
+    const Look& look() const { return wishes_.look; }
+    const scene::Camera& camera() const { return wishes_.camera; }
+    void open(const std::string& show);
+    // Ends a travel.
+    void set_camera(const scene::Camera& camera);
+    // Pixels of the picture.
+    void set_size(int width, int height);
+    // Smoothly, in about a second.
+    void travel_to(const scene::Camera& camera);
+    bool travels() const { return travel_timer_.isActive(); }
+    // Changes nobody undoes: anything but the look.
+    template <class F>
+    void wish(F&& f) {
+        f(wishes_);
+        send();
+    }
+    // text: what was done, for the undo list. Changes of one kind that follow each other closely, as those of
+    // a slider, are one step; kind 0: always a step of its own.
+    void set_look(Look look, const QString& text, int kind = 0);
+    QUndoStack& undo_stack() { return undo_; }
+
+    // Fixtures, by index of the show.
+    const std::set<std::size_t>& selection() const { return selection_; }
+    void select(std::set<std::size_t> fixtures);
+    // The one that panels are about: the first selected one.
+    std::optional<std::size_t> current() const;
+
+    // Whether the picture shows all that is wished for, at rest.
+    bool is_settled() const { return show() && !travels() && settled_ == wishes_.number; }
+
+Q_SIGNALS:
+    void opened_show();
+    void failed(const QString& what);
+    void picture_came();
+    void rig_came();
+    void network_came();
+    void explanation_came();
+    void messages_came();
+    void activity_came();
+    void wishes_changed();
+    void look_changed();
+    void selection_changed();
+
+private:
+    friend class LookStep;
+
+    void read_news();
+    void take_opened(Opened opened);
+    void put_look(const Look& look);
+    void step_travel();
+    void send();
+
+    Link& link_;
+    std::atomic<bool> news_posted_{false};
+    Opened opened_;
+    Picture picture_;
+    RigNow rig_;
+    dmx::Statistics network_;
+    Explained explained_;
+    std::vector<scene::Message> messages_;
+    std::string activity_;
+
+    Wishes wishes_;
+    std::uint64_t settled_ = 0;
+    std::set<std::size_t> selection_;
+    QUndoStack undo_;
+
+    QTimer travel_timer_;
+    QElapsedTimer travel_clock_;
+    scene::Camera travel_from_, travel_to_;
+};
+
+} // namespace ghost::ui

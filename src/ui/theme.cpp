@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/theme.h"
+
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace ghost::ui {
+
+void set_theme(QApplication& application) {
+    application.setStyle(QStyleFactory::create("Fusion")); // the same on every system
+    QPalette palette;
+    const QColor ground(30, 30, 33), deep(22, 22, 24), text(222, 222, 222), grey(125, 125, 128);
+    palette.setColor(QPalette::Window, ground);
+    palette.setColor(QPalette::WindowText, text);
+    palette.setColor(QPalette::Base, deep);
+    palette.setColor(QPalette::AlternateBase, QColor(27, 27, 30));
+    palette.setColor(QPalette::ToolTipBase, QColor(48, 48, 52));
+    palette.setColor(QPalette::ToolTipText, text);
+    palette.setColor(QPalette::PlaceholderText, grey);
+    palette.setColor(QPalette::Text, text);
+    palette.setColor(QPalette::Button, QColor(46, 46, 50));
+    palette.setColor(QPalette::ButtonText, text);
+    palette.setColor(QPalette::BrightText, bad());
+    palette.setColor(QPalette::Link, accent());
+    palette.setColor(QPalette::Highlight, QColor(112, 78, 30));
+    palette.setColor(QPalette::HighlightedText, QColor(255, 240, 220));
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, grey);
+    application.setPalette(palette);
+    application.setStyleSheet(
+        "QToolTip { color: #dedede; background: #303034; border: 1px solid #55555a; padding: 3px; }"
+        "QDockWidget::title { background: #28282b; padding: 5px 8px; }"
+        "QMainWindow::separator { background: #141416; width: 4px; height: 4px; }"
+        "QHeaderView::section { background: #28282b; color: #b4b4b8; border: 0; padding: 4px 6px; }"
+        "QTableView, QTreeView, QPlainTextEdit, QTextBrowser { border: 0; }"
+        "QTabBar::tab { padding: 6px 12px; }"
+        "QStatusBar { background: #18181a; color: #b4b4b8; }");
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/value_panel.h"
+
+#include "ui/theme.h"
+
+#include <QHeaderView>
+#include <QPainter>
+#include <QSplitter>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+namespace ghost::ui {
+namespace {
+
+// The bar of a channel's value.
+class BarPainter : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        const QRectF all = QRectF(option.rect).adjusted(4, 6, -4, -6);
+        painter->fillRect(all, QColor(52, 52, 56));
+        const double share = index.data(ChannelModel::kShare).toDouble();
+        painter->fillRect(QRectF(all.x(), all.y(), all.width() * share, all.height()), QColor(120, 150, 190));
+    }
+};
+
+double share_of(const scene::ChannelFacts& channel) {
+    const auto bytes = static_cast<int>(channel.places.size());
+    const double most = bytes <= 1 ? 255.0 : bytes == 2 ? 65535.0 : bytes == 3 ? 16777215.0 : 4294967295.0;
+    return std::clamp(static_cast<double>(channel.reading.raw) / most, 0.0, 1.0);
+}
+
+// The attribute without the geometry that every row would repeat.
+QString attribute_of(const scene::ChannelFacts& channel) {
+    return QString::fromStdString(channel.attribute.empty() ? channel.name : channel.attribute);
+}
+
+} // namespace
+
+void ChannelModel::show(const scene::Explanation& explanation) {
+    const bool same = channels_.size() == explanation.channels.size();
+    if (!same) beginResetModel();
+    channels_ = explanation.channels;
+    if (!same)
+        endResetModel();
+    else if (!channels_.empty())
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+}
+
+int ChannelModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(channels_.size());
+}
+
+int ChannelModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : kColumns;
+}
+
+QVariant ChannelModel::data(const QModelIndex& index, int role) const {
+    const auto row = static_cast<std::size_t>(index.row());
+    if (row >= channels_.size()) return {};
+    const scene::ChannelFacts& channel = channels_[row];
+    if (role == kShare) return share_of(channel);
+    if (role == Qt::ToolTipRole) return QString::fromStdString(channel.name + ": " + channel.function);
+    if (role == Qt::ForegroundRole && !channel.reading.received) return faint();
+    if (role != Qt::DisplayRole) return {};
+    switch (index.column()) {
+    case address:
+        return QString::fromStdString(channel.addresses);
+    case attribute:
+        return attribute_of(channel);
+    case value:
+        return QString::fromStdString(channel.value);
+    case meaning:
+        return QString::fromStdString(channel.meaning);
+    default:
+        return {};
+    }
+}
+
+QVariant ChannelModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    static const char* const kTitles[kColumns] = {"Address", "Attribute", "DMX", "", "Means"};
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    return kTitles[section];
+}
+
+ValuePanel::ValuePanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    title_ = new QLabel(this);
+    QFont font = title_->font();
+    font.setBold(true);
+    title_->setFont(font);
+    verdict_ = new QLabel(this);
+    verdict_->setWordWrap(true);
+    model_ = new ChannelModel(this);
+    table_ = new QTableView(this);
+    table_->setModel(model_);
+    table_->setItemDelegateForColumn(ChannelModel::bar, new BarPainter(this));
+    table_->setShowGrid(false);
+    table_->setAlternatingRowColors(true);
+    table_->setSelectionMode(QAbstractItemView::NoSelection);
+    table_->setFocusPolicy(Qt::NoFocus);
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 7);
+    table_->horizontalHeader()->setStretchLastSection(true);
+    const int letter = table_->fontMetrics().averageCharWidth();
+    for (const auto& [column, letters] : {std::pair{ChannelModel::address, 14},
+                                          {ChannelModel::attribute, 18},
+                                          {ChannelModel::value, 8},
+                                          {ChannelModel::bar, 9}})
+        table_->setColumnWidth(column, letters * letter);
+    words_ = new QPlainTextEdit(this);
+    words_->setReadOnly(true);
+    words_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
+    auto* splitter = new QSplitter(Qt::Vertical, this);
+    splitter->addWidget(table_);
+    splitter->addWidget(words_);
+    splitter->setStretchFactor(0, 3);
+    splitter->setStretchFactor(1, 2);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(title_);
+    layout->addWidget(verdict_);
+    layout->addWidget(splitter, 1);
+    for (const auto signal : {&Studio::explanation_came, &Studio::selection_changed, &Studio::opened_show})
+        connect(&studio_, signal, this, &ValuePanel::refresh);
+    refresh();
+}
+
+void ValuePanel::refresh() {
+    const auto current = studio_.current();
+    if (!studio_.show() || !current) {
+        title_->setText("No fixture is selected");
+        verdict_->setText("Click a lamp in the picture or a row of the list.");
+        model_->show({});
+        words_->clear();
+        return;
+    }
+    QString title = QString::fromStdString(studio_.show()->fixtures[*current].name);
+    if (studio_.selection().size() > 1) title += QString(" and %1 more").arg(studio_.selection().size() - 1);
+    title_->setText(title);
+    const Explained& explained = studio_.explained();
+    if (explained.fixture != *current || explained.words.empty()) return; // it comes
+    verdict_->setText(QString::fromStdString(explained.explanation.verdict));
+    verdict_->setStyleSheet(
+        QString("color: %1")
+            .arg((explained.explanation.visibility == scene::Visibility::lit ? good() : bad()).name()));
+    model_->show(explained.explanation);
+    const QString words = QString::fromStdString(explained.words);
+    if (words != words_->toPlainText() && !words_->textCursor().hasSelection()) words_->setPlainText(words);
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/value_row.h"
+
+#include "ui/theme.h"
+
+#include <QHBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kSteps = 1000; // of the slider
+
+} // namespace
+
+ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent)
+    : QWidget(parent), range_(range), label_(new QLabel(name, this)),
+      slider_(new QSlider(Qt::Horizontal, this)), field_(new QDoubleSpinBox(this)),
+      release_(new QToolButton(this)) {
+    label_->setFixedWidth(fontMetrics().averageCharWidth() * 14);
+    slider_->setRange(0, kSteps);
+    slider_->setAccessibleName(name);
+    field_->setRange(range.low, range.high);
+    field_->setDecimals(range.decimals);
+    field_->setSingleStep((range.high - range.low) / 100);
+    field_->setSuffix(range.unit);
+    field_->setKeyboardTracking(false);
+    field_->setAccessibleName(name);
+    field_->setFixedWidth(fontMetrics().averageCharWidth() * 14);
+    release_->setText("\u21BA"); // back
+    release_->setToolTip("Give it back to the show and the desk");
+    release_->setEnabled(false);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(label_);
+    layout->addWidget(slider_, 1);
+    layout->addWidget(field_);
+    layout->addWidget(release_);
+    connect(slider_, &QSlider::valueChanged, this, [this](int at) {
+        if (!follows_ && on_change) on_change(from_slider(at));
+    });
+    connect(field_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        if (!follows_ && on_change) on_change(value);
+    });
+    connect(release_, &QToolButton::clicked, this, [this] {
+        if (on_release) on_release();
+    });
+}
+
+int ValueRow::to_slider(double value) const {
+    const double share = range_.by_ratio ? std::log(std::max(value, range_.low) / range_.low) /
+                                               std::log(range_.high / range_.low)
+                                         : (value - range_.low) / (range_.high - range_.low);
+    return static_cast<int>(std::lround(kSteps * std::clamp(share, 0.0, 1.0)));
+}
+
+double ValueRow::from_slider(int at) const {
+    const double share = static_cast<double>(at) / kSteps;
+    return range_.by_ratio ? range_.low * std::pow(range_.high / range_.low, share)
+                           : range_.low + share * (range_.high - range_.low);
+}
+
+void ValueRow::show_value(double value, bool by_hand) {
+    follows_ = true;
+    if (!slider_->isSliderDown()) slider_->setValue(to_slider(value));
+    if (!field_->hasFocus() || by_hand) field_->setValue(value);
+    follows_ = false;
+    release_->setEnabled(by_hand);
+    QPalette colours = palette();
+    if (by_hand) colours.setColor(QPalette::WindowText, accent());
+    label_->setPalette(colours);
+}
+
+} // namespace ghost::ui

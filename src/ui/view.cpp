@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/view.h"
+
+#include "scene/camera_moves.h"
+#include "ui/theme.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kRest_ms = 150; // of a window that is being resized
+constexpr int kFly_ms = 16;
+constexpr float kFly_m_s = 4;
+constexpr float kFastFly = 4;
+constexpr double kClick_px = 4;
+constexpr float kOrbit_rad_px = 0.006f;
+constexpr float kTurn_rad_px = 0.003f;
+
+// Right, forward, up of a key that flies.
+glm::vec3 way_of(int key) {
+    switch (key) {
+    case Qt::Key_W:
+    case Qt::Key_Up:
+        return {0, 1, 0};
+    case Qt::Key_S:
+    case Qt::Key_Down:
+        return {0, -1, 0};
+    case Qt::Key_D:
+    case Qt::Key_Right:
+        return {1, 0, 0};
+    case Qt::Key_A:
+    case Qt::Key_Left:
+        return {-1, 0, 0};
+    case Qt::Key_E:
+    case Qt::Key_PageUp:
+        return {0, 0, 1};
+    case Qt::Key_Q:
+    case Qt::Key_PageDown:
+        return {0, 0, -1};
+    default:
+        return {0, 0, 0};
+    }
+}
+
+} // namespace
+
+View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 90);
+    setAccessibleName("Picture of the stage");
+    resize_timer_.setSingleShot(true);
+    resize_timer_.setInterval(kRest_ms);
+    connect(&resize_timer_, &QTimer::timeout, this, &View::ask_for_size);
+    fly_timer_.setInterval(kFly_ms);
+    connect(&fly_timer_, &QTimer::timeout, this, &View::fly);
+    connect(&studio_, &Studio::picture_came, this, &View::take_picture);
+    connect(&studio_, &Studio::opened_show, this, [this] {
+        scene::Camera camera = studio_.show()->cameras.front();
+        camera.width = camera.height = 0;
+        studio_.set_camera(camera);
+        ask_for_size();
+    });
+    // Marks and aims move with the rig, figures with everything.
+    connect(&studio_, &Studio::rig_came, this, [this] {
+        if (overlays.aims || overlays.names || overlays.addresses || !studio_.selection().empty()) update();
+    });
+    for (const auto signal : {&Studio::selection_changed, &Studio::activity_came, &Studio::opened_show})
+        connect(&studio_, signal, this, qOverload<>(&QWidget::update));
+}
+
+void View::ask_for_size() {
+    if (!studio_.show()) return;
+    const double ratio = devicePixelRatioF();
+    studio_.set_size(std::max(static_cast<int>(std::lround(width() * ratio)), 16),
+                     std::max(static_cast<int>(std::lround(height() * ratio)), 16));
+}
+
+void View::take_picture() {
+    arrival_waits_ = arrival_waits_ || studio_.picture().arrival.count() > 0;
+    ++rate_count_;
+    if (!rate_clock_.isValid()) rate_clock_.start();
+    if (rate_clock_.elapsed() >= 1000) {
+        rate_hz_ = 1000.0 * rate_count_ / static_cast<double>(rate_clock_.restart());
+        rate_count_ = 0;
+    }
+    update();
+}
+
+void View::resizeEvent(QResizeEvent*) {
+    resize_timer_.start();
+}
+
+void View::paintEvent(QPaintEvent*) {
+    QElapsedTimer clock;
+    clock.start();
+    QPainter painter(this);
+    const Picture& picture = studio_.picture();
+    if (!studio_.show() || !picture.image) {
+        painter.fillRect(rect(), QColor(12, 12, 13));
+        const bool waits = !studio_.activity().empty() || studio_.show();
+        paint_notice(painter, size(),
+                     waits ? QString::fromStdString(studio_.activity()) : QString("No show is open"),
+                     waits ? QString() : hint);
+        return;
+    }
+    const image::Image8& pixels = *picture.image;
+    const QImage image(pixels.samples.data(), pixels.width, pixels.height, 4 * pixels.width,
+                       QImage::Format_RGBX8888);
+    const QRectF place = rect_of_picture();
+    if (place.width() < width() - 1) painter.fillRect(rect(), Qt::black);
+    const double ratio = devicePixelRatioF();
+    const bool fits =
+        pixels.width == std::lround(width() * ratio) && pixels.height == std::lround(height() * ratio);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, !fits);
+    painter.drawImage(fits ? QRectF(rect()) : place, image);
+    paint_fixtures(painter, place, picture.camera, *studio_.show(), studio_.rig(), studio_.selection(),
+                   overlays);
+    if (overlays.figures) paint_figures(painter, size(), figures());
+    if (drag_ == Drag::box) {
+        painter.setPen(QPen(accent(), 1));
+        painter.setBrush(QColor(255, 179, 71, 40));
+        painter.drawRect(QRectF(drag_from_, drag_at_).normalized());
+    }
+    painter.end();
+    paint_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+    if (arrival_waits_ && picture.arrival.count() > 0)
+        latency_ms_ = std::chrono::duration<double, std::milli>(
+                          std::chrono::steady_clock::now().time_since_epoch() - picture.arrival)
+                          .count();
+    arrival_waits_ = false;
+}
+
+QStringList View::figures() const {
+    const Picture& picture = studio_.picture();
+    QStringList lines;
+    QString frame = QString("%1 ms a frame, %2 pictures/s, %3x%4")
+                        .arg(picture.draw_ms, 0, 'f', 1)
+                        .arg(rate_hz_, 0, 'f', 1)
+                        .arg(picture.camera.width)
+                        .arg(picture.camera.height);
+    if (picture.is_coarse) frame += " while it moves";
+    lines << frame;
+    QString second = QString("EV %1").arg(static_cast<double>(picture.ev100), 0, 'f', 1);
+    if (latency_ms_ >= 0) second += QString(", packet to window %1 ms").arg(latency_ms_, 0, 'f', 0);
+    lines << second;
+    if (picture.missing_maps > 0)
+        lines << QString("%1 lights throw no shadows yet").arg(picture.missing_maps);
+    if (studio_.wishes().black_out) lines << "BLACK-OUT";
+    if (studio_.wishes().frozen) lines << "frozen (Z goes on)";
+    if (!studio_.look().is_empty()) lines << "set by hand (R releases)";
+    return lines;
+}
+
+void View::mousePressEvent(QMouseEvent* event) {
+    drag_from_ = drag_at_ = event->position();
+    const bool shift = event->modifiers() & Qt::ShiftModifier,
+               control = event->modifiers() & Qt::ControlModifier;
+    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift && !control))
+        drag_ = Drag::pan;
+    else if (event->button() == Qt::RightButton)
+        drag_ = Drag::turn;
+    else if (event->button() == Qt::LeftButton)
+        drag_ = Drag::undecided;
+}
+
+void View::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF moved = event->position() - drag_at_;
+    if (drag_ == Drag::undecided && QLineF(drag_from_, event->position()).length() > kClick_px)
+        drag_ = event->modifiers() & Qt::ControlModifier ? Drag::box : Drag::orbit;
+    if (drag_ == Drag::none || drag_ == Drag::undecided) return;
+    drag_at_ = event->position();
+    const auto x = static_cast<float>(moved.x()), y = static_cast<float>(moved.y());
+    const scene::Camera& camera = studio_.camera();
+    const float height = static_cast<float>(std::max(this->height(), 1));
+    if (drag_ == Drag::orbit)
+        studio_.set_camera(scene::orbited(camera, kOrbit_rad_px * x, kOrbit_rad_px * y));
+    else if (drag_ == Drag::turn)
+        studio_.set_camera(scene::turned(camera, -kTurn_rad_px * x, -kTurn_rad_px * y));
+    else if (drag_ == Drag::pan)
+        studio_.set_camera(scene::panned(camera, -x / height, y / height));
+    else
+        update();
+}
+
+void View::mouseReleaseEvent(QMouseEvent* event) {
+    const bool adds = event->modifiers() & Qt::ControlModifier;
+    std::set<std::size_t> selection = adds ? studio_.selection() : std::set<std::size_t>{};
+    const scene::Camera& camera = studio_.picture().camera;
+    if (drag_ == Drag::undecided) {
+        const auto hit = fixture_at(rect_of_picture(), camera, studio_.rig(), event->position());
+        if (hit && adds && selection.contains(*hit))
+            selection.erase(*hit);
+        else if (hit)
+            selection.insert(*hit);
+        studio_.select(std::move(selection));
+    } else if (drag_ == Drag::box) {
+        selection.merge(fixtures_in(rect_of_picture(), camera, studio_.rig(),
+                                    QRectF(drag_from_, event->position()).normalized()));
+        studio_.select(std::move(selection));
+        update();
+    }
+    drag_ = Drag::none;
+}
+
+void View::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (!studio_.show()) return;
+    const auto hit =
+        fixture_at(rect_of_picture(), studio_.picture().camera, studio_.rig(), event->position());
+    if (hit) studio_.travel_to(scene::focused(studio_.camera(), studio_.rig().fixtures[*hit].light_m, 2.0f));
+}
+
+void View::wheelEvent(QWheelEvent* event) {
+    const float notches = static_cast<float>(event->angleDelta().y()) / 120.0f;
+    studio_.set_camera(scene::dollied(studio_.camera(), std::pow(0.88f, notches)));
+}
+
+void View::keyPressEvent(QKeyEvent* event) {
+    if (way_of(event->key()) == glm::vec3(0) ||
+        event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    if (event->isAutoRepeat()) return;
+    held_.insert(event->key());
+    if (fly_timer_.isActive()) return;
+    fly_clock_.start();
+    fly_timer_.start();
+}
+
+void View::keyReleaseEvent(QKeyEvent* event) {
+    if (event->isAutoRepeat() || !held_.contains(event->key())) {
+        QWidget::keyReleaseEvent(event);
+        return;
+    }
+    fly(); // what is left of the way
+    held_.remove(event->key());
+    if (held_.isEmpty()) fly_timer_.stop();
+}
+
+void View::focusOutEvent(QFocusEvent*) {
+    held_.clear();
+    fly_timer_.stop();
+}
+
+void View::fly() {
+    const float dt_s = static_cast<float>(fly_clock_.restart()) * 1e-3f;
+    glm::vec3 way(0);
+    for (const int key : held_) way += way_of(key);
+    if (way == glm::vec3(0) || dt_s <= 0) return;
+    const bool fast = QGuiApplication::keyboardModifiers() & Qt::ShiftModifier;
+    studio_.set_camera(scene::flown(studio_.camera(), way * (dt_s * kFly_m_s * (fast ? kFastFly : 1.0f))));
+}
+
+} // namespace ghost::ui

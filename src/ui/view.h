@@ -1,0 +1,65 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// View: the picture with its overlays, and the mouse and keys that move the camera in it. It scales the
+// newest picture to its size at once; the engine draws the new size when the window rests. Window thread.
+
+#include "ui/overlays.h"
+#include "ui/studio.h"
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QSet>
+#include <QWidget>
+
+namespace ghost::ui {
+
+class View : public QWidget {
+    Q_OBJECT
+public:
+    View(Studio& studio, QWidget* parent);
+
+    OverlayChoice overlays;
+    QString hint; // shown where no show is open
+    // Packet to window, of the newest picture that packets changed; below 0: none came.
+    double latency_ms() const { return latency_ms_; }
+    double paint_ms() const { return paint_ms_; }
+    double pictures_per_s() const { return rate_hz_; }
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void mouseReleaseEvent(QMouseEvent*) override;
+    void mouseDoubleClickEvent(QMouseEvent*) override;
+    void wheelEvent(QWheelEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
+    void keyReleaseEvent(QKeyEvent*) override;
+    void focusOutEvent(QFocusEvent*) override;
+
+private:
+    enum class Drag { none, undecided, orbit, turn, pan, box };
+
+    void take_picture();
+    void ask_for_size();
+    void fly();
+    QStringList figures() const;
+    QRectF rect_of_picture() const { return picture_rect(size(), studio_.picture().camera); }
+
+    Studio& studio_;
+    QTimer resize_timer_;
+    Drag drag_ = Drag::none;
+    QPointF drag_from_, drag_at_;
+    QSet<int> held_; // keys that fly
+    QTimer fly_timer_;
+    QElapsedTimer fly_clock_;
+
+    bool arrival_waits_ = false; // the picture that is painted next has new packets in it
+    double latency_ms_ = -1;
+    double paint_ms_ = 0;
+    QElapsedTimer rate_clock_;
+    int rate_count_ = 0;
+    double rate_hz_ = 0;
+};
+
+} // namespace ghost::ui

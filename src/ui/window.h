@@ -1,0 +1,60 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Window: the picture in the middle, panels around it, menus made from the table of actions. It remembers its
+// layout. Window thread.
+
+#include "ui/actions.h"
+#include "ui/open_window.h"
+#include "ui/studio.h"
+#include "ui/view.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QMainWindow>
+
+namespace ghost::ui {
+
+class FixturePanel;
+
+class Window : public QMainWindow {
+    Q_OBJECT
+public:
+    Window(Link& link, const WindowOptions& options);
+    ~Window() override;
+
+    Studio& studio() { return studio_; }
+    Actions& actions() { return actions_; }
+
+protected:
+    void closeEvent(QCloseEvent*) override;
+    void dragEnterEvent(QDragEnterEvent*) override;
+    void dropEvent(QDropEvent*) override;
+
+private:
+    QDockWidget* add_panel(const QString& name, const QString& title, QWidget* panel,
+                           Qt::DockWidgetArea area);
+    void add_panels();
+    void add_window_actions();
+    void add_view_switches();
+    void make_menus();
+    void name_cameras();
+    void show_status();
+    void set_full_screen(bool full);
+    void show_shortcuts();
+    Result<void> choose_show(const QStringList& arguments);
+    Result<void> save_screenshot(const QStringList& arguments);
+    Result<void> save_picture(const QStringList& arguments);
+    Result<void> save_state(const QStringList& arguments);
+
+    WindowOptions options_;
+    Studio studio_;
+    Actions actions_;
+    View* view_;
+    FixturePanel* fixtures_ = nullptr;
+    std::vector<QDockWidget*> docks_;
+    std::vector<bool> docks_shown_; // before full screen
+    QLabel* status_input_;
+    QLabel* status_device_;
+};
+
+} // namespace ghost::ui

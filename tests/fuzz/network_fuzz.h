@@ -1,0 +1,64 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// For the fuzzers of both protocols: an intake that lives as long as the run, so that odd sequences of
+// packets meet, and the bounds that hold whatever comes. Input: packets, each behind two bytes of size and
+// two that say how it came (time passed in tens of milliseconds, sender).
+
+#include "base/byte_reader.h"
+#include "dmx/intake.h"
+
+#include <cstdlib>
+
+namespace ghost::dmx {
+
+inline void check(bool holds) {
+    if (!holds) std::abort();
+}
+
+inline void check_packet(const Parsed& parsed, std::size_t size, std::size_t header) {
+    if (const Packet* packet = std::get_if<Packet>(&parsed)) {
+        check(packet->universe >= 1 && packet->universe <= kMaxUniverse && packet->slot_count <= kSlots);
+        check(packet->priority <= 200 && packet->slot_count + header <= size);
+    }
+    if (const auto* list = std::get_if<DiscoveryPacket>(&parsed)) check(list->universes.size() <= 512);
+}
+
+inline void check_bounds(Intake& intake, std::chrono::nanoseconds now) {
+    const Universes& universes = intake.merge().universes();
+    check(universes.list.size() <= kMaxUniverses);
+    for (std::size_t i = 1; i < universes.list.size(); ++i)
+        check(universes.list[i - 1].number < universes.list[i].number);
+    Statistics statistics;
+    intake.report(statistics, now);
+    check(statistics.sources.size() <= kMaxSources);
+    check(statistics.sync.size() <= kMaxSyncStreams && statistics.discovered.size() <= kMaxDiscovered);
+    check(statistics.triggers.size() <= kMaxRemembered);
+}
+
+inline IntakeOptions all_rules(int artnet_offset) {
+    IntakeOptions options;
+    options.artnet_offset = artnet_offset;
+    options.merge.priority_wait = kPriorityWait;
+    options.merge.show_preview = options.merge.artnet_ltp = true;
+    options.merge.loss.black_after = std::chrono::seconds(1);
+    return options;
+}
+
+// Feeds the packets of an input.
+inline void feed_all(Intake& intake, Protocol protocol, Bytes input, std::size_t header, int artnet_offset) {
+    static std::chrono::nanoseconds now{0};
+    for (ByteReader reader(input); reader.left() >= 4;) {
+        const std::size_t size = reader.u16_be() % 1400;
+        now += std::chrono::milliseconds(10 * reader.u8());
+        const std::uint32_t from = 0x0A000000u | (reader.u8() & 3u);
+        const Bytes bytes = reader.take(std::min(size, reader.left()));
+        check_packet(protocol == Protocol::sacn ? parse_sacn(bytes, from)
+                                                : parse_artnet(bytes, from, artnet_offset),
+                     bytes.size(), header);
+        (void)intake.take(bytes, {protocol, from, 0x0A000005, from & 1u, false, now});
+        intake.tick(now);
+    }
+    check_bounds(intake, now);
+}
+
+} // namespace ghost::dmx

@@ -1,0 +1,247 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The receiver on networks that change: interfaces that come, go and come again, two of ours on one net, a program that was stopped,
+and what is shown when the desk is gone. In network namespaces of its own (root); the "desk" is a few lines of Python.
+
+Arguments: source folder, build folder. Exit 77: skipped, with the reason."""
+import json
+import os
+import shutil
+import signal
+import socket
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+GHOSTLIGHT = str(Path(sys.argv[2]) / "ghostlight")
+PAUSE_S = float(os.environ.get("GHOST_PAUSE_S", "4"))
+DESK, VIS = f"gl_d{os.getpid()}", f"gl_v{os.getpid()}"
+CID = bytes(range(16))
+
+# Runs in the desk's namespace: levels that count, 40 Hz, to where it is told.
+SENDER = r'''
+import socket, struct, sys, time
+to, interface, universe = sys.argv[1], sys.argv[2], int(sys.argv[3])
+if ":" in to:
+    out = socket.socket(socket.AF_INET6, socket.SOCK_DGRAM)
+    out.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_MULTICAST_IF, socket.if_nametoindex(interface))
+else:
+    out = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+    out.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
+cid = bytes(range(16))
+start = time.monotonic()
+count = 0
+while True:
+    slots = struct.pack(">I", int(time.monotonic() * 100) & 0xFFFFFFFF)
+    size = 126 + len(slots)
+    def layer(offset): return struct.pack(">H", 0x7000 | (size - offset))
+    packet = struct.pack(">HH", 0x10, 0) + b"ASC-E1.17\0\0\0" + layer(16) + struct.pack(">I", 4) + cid
+    packet += layer(38) + struct.pack(">I", 2) + b"Test desk".ljust(64, b"\0") + bytes([100, 0, 0, count & 255, 0])
+    packet += struct.pack(">H", universe) + layer(115) + bytes([2, 0xA1, 0, 0, 0, 1]) + struct.pack(">H", 1 + len(slots)) + b"\0" + slots
+    try:
+        out.sendto(packet, (to, 5568))
+    except OSError:
+        pass
+    count += 1
+    time.sleep(max(0.0, start + count / 40 - time.monotonic()))
+'''
+
+
+def skip(reason):
+    print("skipped:", reason)
+    sys.exit(77)
+
+
+def ip(*words, check=True):
+    return subprocess.run(["ip", *words], check=check, capture_output=True, text=True, timeout=20)
+
+
+def inside(namespace, *words):
+    return ["ip", "netns", "exec", namespace, *words]
+
+
+class Monitor:
+    """ghostlight monitor --json, read line by line."""
+
+    def __init__(self, folder, *options):
+        self.path = Path(folder) / f"monitor{time.monotonic_ns()}.jsonl"
+        self.process = subprocess.Popen(
+            inside(VIS, GHOSTLIGHT, "monitor", "--json", "--levels", "--every", "0.1", "--quiet", *options),
+            stdout=self.path.open("w"), preexec_fn=os.setsid)
+
+    def reports(self):
+        return [json.loads(line) for line in self.path.read_text().split("\n")[:-1]]
+
+    def wait(self, what, condition, limit_s=30):
+        end = time.monotonic() + limit_s
+        last = None
+        while time.monotonic() < end:
+            found = self.reports()
+            last = found[-1] if found else None
+            if last and condition(last):
+                print("ok:", what)
+                return last
+            time.sleep(0.1)
+        print(json.dumps(last)[:3000])
+        raise AssertionError(what)
+
+    def pid(self):
+        """Of ghostlight itself: ip replaced itself by it."""
+        return self.process.pid
+
+    def stop(self):
+        self.process.terminate()
+        self.process.wait(20)
+
+
+def universe(report, number=1):
+    return next((u for u in report["universes"] if u["universe"] == number), None)
+
+
+def stamp(report, number=1):
+    """Hundredths of seconds that the newest look carries."""
+    found = universe(report, number)
+    return struct.unpack(">I", bytes(found["levels"][:4]))[0] if found else 0
+
+
+def received(report):
+    return sum(source["packets"] for source in report["sources"])
+
+
+def add_link(name, address):
+    """A cable from the bridge of the desk to a network card of ours."""
+    ip("link", "add", f"p{name}{os.getpid()}", "type", "veth", "peer", "name", f"q{name}{os.getpid()}")
+    ip("link", "set", f"p{name}{os.getpid()}", "netns", DESK)
+    ip("link", "set", f"q{name}{os.getpid()}", "netns", VIS)
+    ip("-n", DESK, "link", "set", f"p{name}{os.getpid()}", "name", f"to_{name}")
+    ip("-n", VIS, "link", "set", f"q{name}{os.getpid()}", "name", name)
+    ip("-n", DESK, "link", "set", f"to_{name}", "master", "br0", "up")
+    subprocess.run(inside(VIS, "sysctl", "-qw", f"net.ipv4.conf.{name}.rp_filter=0"), check=True)
+    ip("-n", VIS, "addr", "add", f"{address}/24", "brd", "10.93.0.255", "dev", name)
+    ip("-n", VIS, "link", "set", name, "up")
+
+
+def set_up():
+    for namespace in (DESK, VIS):
+        ip("netns", "add", namespace)
+        ip("-n", namespace, "link", "set", "lo", "up")
+    ip("-n", DESK, "link", "add", "br0", "type", "bridge", "mcast_snooping", "0")
+    ip("-n", DESK, "addr", "add", "10.93.0.1/24", "brd", "10.93.0.255", "dev", "br0")
+    ip("-n", DESK, "link", "set", "br0", "up")
+    subprocess.run(inside(VIS, "sysctl", "-qw", "net.ipv4.conf.all.rp_filter=0"), check=True)
+
+
+def links_come_and_go(folder):
+    monitor = Monitor(folder, "--universes", "1-3")
+    try:
+        monitor.wait("it runs without a network", lambda r: True)
+        add_link("net0", "10.93.0.2")
+        monitor.wait("an interface that came later is joined", lambda r: received(r) > 20)
+        before = received(monitor.reports()[-1])
+        ip("-n", VIS, "link", "del", "net0")
+        monitor.wait("its loss is seen", lambda r: universe(r)["lost"] and any("net0: gone" in c["text"] for c in r["network"]["links"]))
+        add_link("net0", "10.93.0.2")
+        monitor.wait("an interface that came again is joined again", lambda r: received(r) > 20 and not universe(r)["lost"])
+        assert before > 0
+
+        add_link("net1", "10.93.0.3")
+        report = monitor.wait("two of ours on one net: every packet comes twice", lambda r: r["counters"]["other_way"] > 40)
+        assert report["counters"]["out_of_sequence"] == 0, report["counters"]
+        assert len([s for s in report["sources"] if s["universe"] == 1]) == 1, report["sources"]
+        lost_before = report["counters"]["sources_lost"]
+        used = next(s for s in report["sources"])
+        print("ok: its copies are dropped, source by way of", used["from"])
+        newest = stamp(report)
+        ip("-n", VIS, "link", "set", "net0", "down")
+        report = monitor.wait("the other takes over", lambda r: stamp(r) > newest + 300)
+        assert report["counters"]["sources_lost"] == lost_before, "it was never lost"
+        assert not universe(report)["lost"]
+    finally:
+        monitor.stop()
+
+
+def ipv6(folder):
+    desk = subprocess.Popen(inside(DESK, sys.executable, "-c", SENDER, "ff18::8300:2", "br0", "2"))
+    monitor = Monitor(folder, "--universes", "1-3")
+    try:
+        report = monitor.wait("sACN by IPv6 multicast", lambda r: any(s["universe"] == 2 and s["packets"] > 20 for s in r["sources"]))
+        source = next(s for s in report["sources"] if s["universe"] == 2)
+        assert source["from"].startswith("fe80::") and not source["wrong_group"], source
+        assert report["counters"]["out_of_sequence"] == 0
+    finally:
+        desk.kill()
+        monitor.stop()
+
+
+def stopped_program(folder):
+    """After the program was stopped the present is shown, not the backlog, and nothing is taken for lost."""
+    monitor = Monitor(folder, "--universes", "1", "--on-loss", "black")
+    try:
+        monitor.wait("levels arrive", lambda r: stamp(r) > 0)
+        os.kill(monitor.pid(), signal.SIGSTOP)
+        time.sleep(0.3)
+        seen = len(monitor.reports())
+        time.sleep(PAUSE_S)
+        resumed = int(time.monotonic() * 100)
+        os.kill(monitor.pid(), signal.SIGCONT)
+        monitor.wait("after it went on: the present", lambda r: stamp(r) > resumed)
+        reports = monitor.reports()[seen:]
+        shown = [stamp(r) for r in reports]
+        old = [s for s in shown if s < resumed]
+        print(f"   stopped for {PAUSE_S} s; shown afterwards, in s after going on:", [round((s - resumed) / 100, 2) for s in shown[:6]])
+        assert len(set(old)) <= 1 and len(old) <= 3, "what was shown before the stop, then the present"
+        assert not any(universe(r)["lost"] or universe(r)["black"] for r in reports), "our pause is no loss of the desk"
+        assert reports[-1]["counters"]["sources_lost"] == 0
+        assert reports[-1]["counters"]["pauses"] >= 1
+    finally:
+        monitor.stop()
+
+
+def desk_dies(folder, desk):
+    held, black, later = (Monitor(folder, "--universes", "1", *more) for more in ([], ["--on-loss", "black"], ["--on-loss", "2"]))
+    try:
+        for monitor in (held, black, later):
+            monitor.wait("levels arrive", lambda r: stamp(r) > 0)
+        desk.kill()
+        desk.wait()
+        held.wait("hold: the last look, marked lost", lambda r: universe(r)["lost"] and stamp(r) > 0 and not universe(r)["black"])
+        black.wait("black: none", lambda r: universe(r)["lost"] and universe(r)["black"] and stamp(r) == 0)
+        later.wait("2 seconds: held at first, then none", lambda r: universe(r)["black"] and stamp(r) == 0)
+        assert any(universe(r)["lost"] and not universe(r)["black"] for r in later.reports() if universe(r))
+    finally:
+        for monitor in (held, black, later):
+            monitor.stop()
+
+
+def main():
+    if os.geteuid() != 0 or not shutil.which("ip"):
+        skip("needs root and iproute2 for network namespaces")
+    if not os.access(GHOSTLIGHT, os.X_OK):
+        skip(GHOSTLIGHT + " is not built")
+    desk = None
+    try:
+        try:
+            set_up()
+        except subprocess.CalledProcessError as error:
+            skip("no network namespaces or bridges here: " + error.stderr.strip())
+        desk = subprocess.Popen(inside(DESK, sys.executable, "-c", SENDER, "239.255.0.1", "10.93.0.1", "1"))
+        with tempfile.TemporaryDirectory() as folder:
+            links_come_and_go(folder)
+            if Path("/proc/net/if_inet6").exists():
+                ipv6(folder)
+            else:
+                print("IPv6 left out: this kernel has none")
+            stopped_program(folder)
+            desk_dies(folder, desk)
+    finally:
+        if desk and desk.poll() is None:
+            desk.kill()
+        for namespace in (DESK, VIS):
+            ip("netns", "del", namespace, check=False)
+
+
+if __name__ == "__main__":
+    main()

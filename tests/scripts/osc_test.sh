@@ -1,0 +1,54 @@
+#!/bin/bash
+# SPDX-License-Identifier: Apache-2.0
+# A remote control of other people's making (oscsend, package liblo-tools) blacks the live picture out and brings it back.
+# In a network namespace of its own, so that ports are free. Arguments: source folder, build folder.
+set -u
+source_dir=$1
+ghostlight=$2/ghostlight
+skip() { echo "skipped: $1"; exit 77; }
+fail() { echo "FAILED: $1"; exit 1; }
+[ "$(id -u)" = 0 ] || skip "needs root for network namespaces"
+for tool in oscsend ip; do
+    command -v $tool >/dev/null || skip "$tool is not installed (packages liblo-tools, iproute2)"
+done
+/usr/bin/python3 -c 'import PIL' 2>/dev/null || skip "python3-pil is not installed"
+[ -x "$ghostlight" ] || skip "$ghostlight is not built"
+. "$source_dir/tools/demo_show/desk_net.sh"
+work=$(mktemp -d)
+pids=
+cleanup() {
+    for pid in $pids; do kill $pid 2>/dev/null; done
+    sleep 0.3
+    desk_net_down
+    rm -rf "$work"
+}
+trap cleanup EXIT
+desk_net_up || skip "no network namespaces or veth here"
+vis() { ip netns exec $VIS "$@"; }
+
+cp -r "$source_dir/assets/demo" "$work/demo"
+cp -r "$source_dir/assets/fixtures" "$work/fixtures"
+ip netns exec $VIS "$ghostlight" play "$work/demo/demo.show" --to 127.0.0.1 --loop --quiet &
+pids=$!
+# Blackout and light in turn, until the film is there.
+(while :; do
+    for value in 1 0; do
+        vis oscsend osc.udp://127.0.0.1:9000 /ghostlight/blackout i $value
+        sleep 3
+    done
+done) &
+pids="$pids $!"
+vis "$ghostlight" render "$work/demo" -o "$work/f.png" --live --no-shadows --view house --size 192x108 --live-input --osc 9000 \
+    --seconds 24 --fps 2 --ev 4 --quiet || fail "render --osc"
+/usr/bin/python3 - "$work" <<'P' || fail "light and dark in turn"
+import glob, sys
+from PIL import Image, ImageStat
+means = [sum(ImageStat.Stat(Image.open(name).convert('RGB')).mean) for name in sorted(glob.glob(sys.argv[1] + '/*.png'))]
+print([round(m) for m in means])
+low, high = min(means), max(means)
+assert high > 1.5 * low + 5, (low, high)
+states = [m > 0.5 * (low + high) for m in means]
+turns = sum(a != b for a, b in zip(states, states[1:]))
+assert turns >= 2, turns
+print('ok: light and dark change', turns, 'times')
+P

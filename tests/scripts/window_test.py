@@ -1,0 +1,347 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The window on a screen of its own (Xvfb), with a real mouse and keyboard (xdotool): keys, clicks and drags do what they say, each
+of the thesis's controls changes the picture as it should, a desk's packets arrive, and bad input ends in a sentence. Usage:
+window_test.py SOURCE_FOLDER BUILD_FOLDER [FOLDER_FOR_PICTURES]."""
+import json
+import os
+import pathlib
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+SOURCE = pathlib.Path(sys.argv[1]).resolve()
+PROGRAM = pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
+PICTURES = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
+for tool in ("Xvfb", "xdotool"):
+    if not shutil.which(tool):
+        print(f"skipped: {tool} is not installed (packages xvfb, xdotool)")
+        sys.exit(77)
+try:
+    import numpy
+    from PIL import Image
+except ImportError:
+    print("skipped: python3-numpy or python3-pil is not installed")
+    sys.exit(77)
+
+WORK = None
+DISPLAY = None
+LONG_S = 600  # for what a busy machine may take
+
+
+class Window:
+    """A window of its own process, with the demo, driven over its socket."""
+
+    def __init__(self, *arguments, show=None):
+        self.socket_path = str(WORK / f"socket-{os.getpid()}-{time.monotonic_ns()}")
+        environment = dict(os.environ, DISPLAY=DISPLAY, XDG_CONFIG_HOME=str(WORK / "config"))
+        environment.pop("WAYLAND_DISPLAY", None)
+        environment.pop("QT_QPA_PLATFORM", None)
+        self.log = open(WORK / "window.log", "w+")
+        self.process = subprocess.Popen([str(PROGRAM), "open", str(show or WORK / "demo"), "--forget", "--socket", self.socket_path,
+                                         *arguments], env=environment, stderr=self.log, stdout=self.log)
+        self.socket = socket.socket(socket.AF_UNIX)
+        self.socket.settimeout(LONG_S)
+        for _ in range(LONG_S * 10):
+            try:
+                self.socket.connect(self.socket_path)
+                break
+            except OSError:
+                assert self.process.poll() is None, self.text()
+                time.sleep(0.1)
+        self.answers = self.socket.makefile()
+
+    def text(self):
+        self.log.flush()
+        return pathlib.Path(self.log.name).read_text()
+
+    def ask(self, line):
+        self.socket.sendall((line + "\n").encode())
+        return self.answers.readline().strip()
+
+    def do(self, *lines):
+        for line in lines:
+            answer = self.ask(line)
+            assert answer == "ok", f"{line}: {answer}\n{self.text()}"
+
+    def state(self):
+        self.do(f'state "{WORK / "state.json"}"')
+        return json.loads((WORK / "state.json").read_text())
+
+    def until(self, holds):
+        """Waits for a state that holds: keys and clicks take their way through the screen."""
+        for _ in range(LONG_S * 5):
+            state = self.state()
+            if holds(state):
+                return state
+            time.sleep(0.2)
+        raise AssertionError(json.dumps(state, indent=1))
+
+    def picture(self, name):
+        """The picture of the stage, at rest; values 0..255 as floats."""
+        file = WORK / f"{name}.png"
+        self.do("wait settled", f'save-picture "{file}"')
+        return numpy.asarray(Image.open(file).convert("RGB")).astype(float)
+
+    def shoot(self, name):
+        if PICTURES:
+            self.do("wait settled", f'screenshot "{PICTURES / name}"')
+
+    def xdo(self, *arguments):
+        subprocess.run(["xdotool", *map(str, arguments)], env=dict(os.environ, DISPLAY=DISPLAY), check=True, timeout=60)
+
+    def place(self):
+        """Of the picture on the screen: x, y, width, height."""
+        return self.state()["view"]
+
+    def close(self):
+        if self.process.poll() is None:
+            self.do("quit")
+        code = self.process.wait(timeout=LONG_S)
+        self.socket.close()
+        return code
+
+
+def changed(a, b):
+    return float(numpy.abs(a - b).mean())
+
+
+class MouseAndKeys(unittest.TestCase):
+    def test_real_mouse_and_keys(self):
+        window = Window("--size", "900x600", "--no-desk", "--quiet")
+        try:
+            window.do("wait opened", "panel-values off", "panel-hand off", "panel-scene off", "resolution 10", "jump 36", "wait 0.2", "freeze on",
+                      "wait settled")
+            start = window.state()
+            self.assertEqual(start["selection"], [])
+            x, y, width, height = window.place()
+            window.xdo("mousemove", x + width // 2, y + 8, "click", 1)  # the picture has the keys now
+            window.xdo("key", "2")
+            close = window.until(lambda state: abs(state["camera"]["position_m"][1] + 0.7) < 1e-3)
+            self.assertEqual(close["camera"]["target_m"], [-0.75, 5.0, 3.1500000953674316])
+            window.xdo("key", "1")
+            window.until(lambda state: abs(state["camera"]["position_m"][1] + 15.5) < 1e-3)
+
+            # A lamp is where the figures say; a click there selects it, in the list as well.
+            window.do("wait settled")
+            lamp = window.state()["lamps"]["Spot 2"]
+            window.xdo("mousemove", x + round(lamp[0]), y + round(lamp[1]), "click", 1)
+            window.until(lambda state: state["selection"] == ["Spot 2"])
+            window.xdo("key", "Escape")
+            window.until(lambda state: state["selection"] == [])
+
+            before = window.state()["camera"]
+            window.xdo("mousemove", x + 100, y + height - 40, "mousedown", 1)
+            for step in range(1, 9):
+                window.xdo("mousemove", x + 100 + 10 * step, y + height - 40)
+            window.xdo("mouseup", 1)
+            moved = window.until(lambda state: state["camera"]["position_m"] != before["position_m"])
+            self.assertEqual(moved["camera"]["target_m"], before["target_m"])
+            window.xdo("keydown", "w")
+            window.until(lambda state: state["camera"]["target_m"] != before["target_m"])
+            window.xdo("keyup", "w")
+
+            window.xdo("key", "b")
+            window.until(lambda state: state["black_out"])
+            window.xdo("key", "b")
+            window.until(lambda state: not state["black_out"])
+            window.xdo("key", "minus")
+            window.until(lambda state: state["camera"]["ev100"] > 6.4)
+            window.xdo("key", "ctrl+a")
+            window.until(lambda state: len(state["selection"]) == 10)
+        finally:
+            code = window.close()
+        self.assertEqual(code, 0, window.text())
+
+
+class Controls(unittest.TestCase):
+    """The picture before and after each control, alone; everything else rests."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.window = Window("--size", "720x480", "--no-desk", "--quiet")
+        cls.window.do("wait opened", *[f"panel-{one} off" for one in ("fixtures", "values", "hand", "scene")], "resolution 12",
+                      "freeze on", "jump 36", "camera close", "wait settled", "exposure 6.5", "wait settled")
+        cls.show = cls.window.picture("show")
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.window.close()
+
+    def after(self, *lines):
+        self.window.do(*lines)
+        return self.window.picture("after")
+
+    def tearDown(self):
+        self.window.do("release-all", "samples 24", "master 1", "select-none")
+        self.assertLess(changed(self.window.picture("released"), self.show), 0.5, "what was released is still there")
+
+    def test_intensity(self):
+        dark = self.after("select *", "intensity 0")
+        self.assertLess(dark.mean(), 0.5 * self.show.mean())
+        half, full = self.after("intensity 0.5"), self.after("intensity 1")
+        self.assertGreater(half.mean(), dark.mean() + 5)
+        self.assertGreater(full.mean(), half.mean() + 3)
+
+    def test_colour(self):
+        red = self.after("select *", "intensity 1", "colour #ff0000")
+        self.assertGreater(red[..., 0].mean(), 1.5 * red[..., 2].mean())
+        blue = self.after("colour #0000ff")
+        self.assertGreater(blue[..., 2].mean(), 1.5 * blue[..., 0].mean())
+
+    def test_zoom(self):
+        # The same light on less of the stage: fewer bright pixels.
+        self.window.do("select \"Wash *\"", "intensity 0", "select \"Spot *\"", "gobo 0", "intensity 1")
+        wide, narrow = self.after("zoom 50"), self.after("zoom 12")
+        self.assertGreater((wide.mean(axis=2) > 60).sum(), 1.3 * (narrow.mean(axis=2) > 60).sum())
+
+    def test_pan_and_tilt(self):
+        self.window.do("select *", "intensity 1")
+        tilted = self.after("tilt 0")
+        panned = self.after("tilt 60", "pan 0")
+        self.assertGreater(changed(tilted, panned), 4)
+        self.assertGreater(changed(panned, self.after("pan 90")), 4)
+
+    def test_gobo(self):
+        self.window.do("select \"Wash *\"", "intensity 0", "select \"Spot *\"", "intensity 1")
+        opened, gobo = self.after("gobo 0"), self.after("gobo 5")
+        self.assertGreater(changed(opened, gobo), 2)
+        self.assertLess(gobo.mean(), opened.mean())  # metal stops light
+        self.assertGreater(changed(gobo, self.after("gobo 7")), 1)
+
+    def test_smoke(self):
+        # Without smoke the air between lamp and stage is black.
+        clear, thick = self.after("smoke 0"), self.after("smoke 3")
+        self.assertGreater(changed(clear, self.show), 2)
+        self.assertGreater(numpy.percentile(thick, 50), numpy.percentile(clear, 50))
+
+    def test_even_light(self):
+        self.window.do("master 0")
+        dark, lit = self.after("ambient 0"), self.after("ambient 150")
+        self.assertLess(dark.mean(), 1)
+        self.assertGreater(lit.mean(), 20)
+        green = self.after("ambient 150 #00ff00")
+        self.assertGreater(green[..., 1].mean(), 1.5 * green[..., 0].mean())
+
+    def test_attenuation(self):
+        # Light that does not fall off is much brighter at some metres.
+        self.assertGreater(self.after("attenuation 0 1 0").mean(), self.show.mean() + 5)
+        self.assertLess(changed(self.after("attenuation 0 0 1"), self.show), 0.5)
+
+    def test_shadows(self):
+        without = self.after("shadows off")
+        self.assertGreater(changed(without, self.show), 0.5)
+        self.assertGreater(without.mean(), self.show.mean())
+
+    def test_objects(self):
+        self.window.do("ambient 150")
+        whole = self.window.picture("whole")
+        self.assertGreater(changed(self.after("object * off"), whole), 5)
+        self.assertLess(changed(self.after("object * on"), whole), 0.5)
+
+    def test_specular_and_shininess(self):
+        dull = self.after("surface * specular 0")
+        self.assertGreater(changed(dull, self.show), 0.05)
+        rough, shiny = self.after("surface * specular 1", "surface * shininess 2"), self.after("surface * shininess 2000")
+        self.assertGreater(changed(rough, shiny), 0.1)
+
+    def test_samples(self):
+        coarse = self.after("samples 1")
+        self.assertGreater(changed(coarse, self.show), 0.01)
+
+    def test_master_and_exposure(self):
+        self.assertLess(self.after("master 0.2").mean(), self.show.mean() - 5)
+        self.window.do("master 1")
+        brighter = self.after("exposure 4.5")
+        self.window.do("exposure 6.5")
+        self.assertGreater(brighter.mean(), self.show.mean() + 10)
+
+
+class Desk(unittest.TestCase):
+    def test_packets_of_a_desk_come_through(self):
+        offset = str(-1100 - os.getpid() % 500)  # universes of nobody else
+        window = Window("--size", "640x400", "--quiet", "--protocols", "artnet", "--artnet-offset", offset, "--no-poll-reply")
+        play = None
+        try:
+            window.do("wait opened", "resolution 10", "panel-values off", "panel-hand off", "panel-scene off", "panel-fixtures off",
+                      "panel-network on")
+            self.assertFalse(window.state()["from_desk"])
+            play = subprocess.Popen([str(PROGRAM), "play", str(SOURCE / "assets/demo/demo.show"), "--protocol", "artnet", "--to",
+                                     "127.0.0.1", "--artnet-offset", offset, "--loop", "--quiet", "--from", "20"])
+            state = window.until(lambda state: state["from_desk"] and state["picture"]["latency_ms"] >= 0)
+            self.assertLess(state["picture"]["latency_ms"], 1e5)
+            self.assertEqual(state["universes"], [1])
+        finally:
+            if play:
+                play.terminate()
+                play.wait()
+            code = window.close()
+        self.assertEqual(code, 0, window.text())
+
+
+class BadInput(unittest.TestCase):
+    def run_open(self, *arguments, **environment):
+        clean = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")}
+        return subprocess.run([str(PROGRAM), "open", *map(str, arguments)], env={**clean, **environment}, capture_output=True, text=True,
+                              timeout=LONG_S)
+
+    def test_no_display(self):
+        done = self.run_open(WORK / "demo")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("there is no display", done.stderr)
+        self.assertIn("ghostlight render", done.stderr)
+
+    def test_a_display_that_is_not_there(self):
+        done = self.run_open(WORK / "demo", DISPLAY=":987")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("the window needs a display", done.stderr)
+
+    def test_no_such_show(self):
+        done = self.run_open(WORK / "nothing", DISPLAY=DISPLAY)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no such file or folder", done.stderr)
+
+    def test_a_script_that_fails_says_where(self):
+        script = WORK / "bad.txt"
+        script.write_text("# nothing wrong yet\nwait opened\ncamera nowhere\nquit\n")
+        done = self.run_open(WORK / "demo", "--forget", "--no-desk", "--script", script, "--size", "400x300", DISPLAY=DISPLAY)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("bad.txt:3: camera: ", done.stderr)
+
+    def test_a_show_that_breaks_leaves_the_one_that_is_open(self):
+        broken = WORK / "broken"
+        broken.mkdir(exist_ok=True)
+        (broken / "show.toml").write_text("[show\n")
+        window = Window("--size", "500x400", "--no-desk", "--quiet")
+        try:
+            window.do("wait opened", "resolution 5", f'open "{broken}"', "wait 1", "wait settled")
+            self.assertIn("demo", window.state()["show"])
+        finally:
+            window.close()
+
+
+def main():
+    global WORK, DISPLAY
+    with tempfile.TemporaryDirectory() as folder:
+        WORK = pathlib.Path(folder)
+        shutil.copytree(SOURCE / "assets/demo", WORK / "demo", ignore=shutil.ignore_patterns(".ghost"))
+        (WORK / "fixtures").symlink_to(SOURCE / "assets/fixtures")
+        reader, writer = os.pipe()
+        screen = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"],
+                                  pass_fds=[writer], stderr=subprocess.DEVNULL)
+        os.close(writer)
+        try:
+            DISPLAY = ":" + os.fdopen(reader).readline().strip()
+            program = unittest.main(argv=[sys.argv[0], *sys.argv[4:]], exit=False, verbosity=2)
+        finally:
+            screen.terminate()
+            screen.wait()
+    return 0 if program.result.wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

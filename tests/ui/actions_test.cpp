@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of actions, through the window that fills it: lines of scripts do what they say, and every fault
+// is a sentence.
+#include "test_window.h"
+#include "ui/script.h"
+#include "ui/window.h"
+
+#include <QLocalSocket>
+#include <QTemporaryDir>
+
+#include <set>
+
+namespace ghost::ui {
+namespace {
+
+struct Opened4 {
+    Opened4() {
+        application();
+        window =
+            std::make_unique<Window>(link, WindowOptions{.remembers = false, .width = 640, .height = 400});
+        window->show();
+        link.opened.put(four_lamps());
+        link.rig.put(four_lit());
+        link.on_news();
+        settle();
+    }
+    std::string error_of(const char* line) {
+        const Result<void> done = window->actions().run(line);
+        return done.ok() ? "" : done.error().text();
+    }
+    const Wishes& wishes() { return window->studio().wishes(); }
+
+    Link link;
+    std::unique_ptr<Window> window;
+};
+
+TEST(Actions, lines_are_split_at_blanks_and_quotes) {
+    const auto words = split_line("  select \"Spot 1\"  Wash\t \"\" ");
+    ASSERT_TRUE(words.ok());
+    EXPECT_EQ(*words, (QStringList{"select", "Spot 1", "Wash", ""}));
+    EXPECT_TRUE(split_line("")->isEmpty());
+    EXPECT_FALSE(split_line("select \"Spot 1").ok());
+}
+
+TEST(Actions, no_name_and_no_key_stands_twice_and_what_is_in_a_menu_has_words) {
+    Opened4 opened;
+    std::set<QString> names, keys;
+    for (const Action& action : opened.window->actions().all()) {
+        EXPECT_TRUE(names.insert(action.name).second) << action.name.toStdString();
+        EXPECT_FALSE(action.name.contains(' ')) << action.name.toStdString();
+        for (const QString& key : action.key.split("; ", Qt::SkipEmptyParts)) {
+            EXPECT_TRUE(keys.insert(key).second) << key.toStdString() << " of " << action.name.toStdString();
+            EXPECT_FALSE(QKeySequence(key).isEmpty()) << key.toStdString();
+        }
+        EXPECT_TRUE(action.menu.isEmpty() || !action.text.isEmpty()) << action.name.toStdString();
+        EXPECT_TRUE(!action.menu.isEmpty() || action.key.isEmpty())
+            << action.name.toStdString() << " has a key that nobody finds";
+    }
+    // They fly, in the picture.
+    for (const char* const key : {"W", "A", "S", "D", "Q", "E"}) EXPECT_FALSE(keys.contains(key)) << key;
+}
+
+TEST(Actions, a_script_does_what_hands_do) {
+    Opened4 opened;
+    EXPECT_EQ(opened.error_of("select \"Lamp 2\" \"Lamp 4\""), "");
+    EXPECT_EQ(opened.error_of("intensity 0.25"), "");
+    EXPECT_EQ(opened.error_of("colour #ff0000"), "");
+    EXPECT_EQ(opened.error_of("tilt -30"), "");
+    EXPECT_EQ(opened.error_of("gobo 3"), "");
+    const fixture::Manual manual = opened.wishes().look.fixtures.at(3);
+    EXPECT_EQ(manual.intensity, 0.25f);
+    EXPECT_EQ(manual.tilt_deg, -30.0f);
+    EXPECT_EQ(manual.gobo, 3);
+    EXPECT_EQ(manual.colour->x, 1.0f);
+    EXPECT_LT(manual.colour->z, 0.1f);
+    EXPECT_EQ(opened.wishes().look.fixtures.size(), 2u);
+    EXPECT_EQ(opened.error_of("smoke 2.5"), "");
+    EXPECT_EQ(opened.wishes().look.scene.smoke, 2.5f);
+    EXPECT_EQ(opened.error_of("attenuation 1 0.5 0"), "");
+    EXPECT_EQ(opened.error_of("shadows off"), "");
+    EXPECT_EQ(opened.wishes().look.scene.shadows, false);
+    EXPECT_EQ(opened.error_of("object Wall off"), "");
+    EXPECT_EQ(opened.wishes().look.shown.at(1), false);
+    EXPECT_EQ(opened.error_of("surface wood specular 0.3"), "");
+    EXPECT_EQ(opened.wishes().look.surfaces.at(0).specular, 0.3f);
+    EXPECT_EQ(opened.error_of("samples 7"), "");
+    EXPECT_EQ(opened.wishes().quality.most_segments, 7);
+    EXPECT_EQ(opened.error_of("release-all"), "");
+    EXPECT_TRUE(opened.wishes().look.is_empty());
+    EXPECT_EQ(opened.error_of("undo"), "");
+    EXPECT_EQ(opened.wishes().look.scene.smoke, 2.5f);
+    EXPECT_EQ(opened.error_of("black-out"), "");
+    EXPECT_TRUE(opened.wishes().black_out);
+    EXPECT_EQ(opened.error_of("jump 12.5"), "");
+    EXPECT_EQ(opened.wishes().transport.at_s, 12.5);
+}
+
+TEST(Actions, what_cannot_be_done_is_said_with_its_name) {
+    Opened4 opened;
+    EXPECT_EQ(opened.error_of("blackout"), "there is no action 'blackout', did you mean 'black-out'?");
+    EXPECT_EQ(opened.error_of("intensity 0.5"), "intensity: no fixture is selected");
+    EXPECT_EQ(opened.error_of("select Lamp\\ 9"), "select: no further fixture is called 'Lamp\\'");
+    EXPECT_EQ(opened.error_of("select *"), "");
+    EXPECT_EQ(opened.error_of("intensity 1.5"), "intensity: '1.5' is no number from 0 to 1");
+    EXPECT_EQ(opened.error_of("intensity nan"), "intensity: 'nan' is no number from 0 to 1");
+    EXPECT_EQ(opened.error_of("intensity"), "intensity: it needs a number from 0 to 1");
+    EXPECT_EQ(opened.error_of("colour brownish"), "colour: 'brownish' is no colour like #ff8000");
+    EXPECT_EQ(opened.error_of("camera 7"), "camera: the show has 2 cameras, no number 7");
+    EXPECT_NE(opened.error_of("camera fron").find("did you mean 'front'"), std::string::npos);
+    EXPECT_EQ(opened.error_of("shadows maybe"), "shadows: 'maybe' is neither on nor off");
+    EXPECT_EQ(opened.error_of("attenuation 0 0 0"), "attenuation: one of the factors must be above 0");
+    EXPECT_EQ(opened.error_of("look 1 2 3 1 2 3"), "look: the camera stands at what it looks at");
+    EXPECT_EQ(opened.error_of("redo"), "redo: there is nothing to redo");
+    EXPECT_NE(opened.error_of("screenshot /no/such/folder/x.png"), "");
+    EXPECT_NE(opened.error_of("select \"Lamp"), "");
+    EXPECT_TRUE(opened.wishes().look.is_empty());
+}
+
+TEST(Actions, a_script_waits_and_goes_on) {
+    Opened4 opened;
+    Script script(opened.window->actions(), opened.window->studio(), nullptr);
+    std::vector<std::string> answers;
+    script.on_line = [&](const Result<void>& done) {
+        answers.push_back(done.ok() ? "ok" : done.error().text());
+    };
+    for (const char* const line :
+         {"# lamps", "", "wait opened", "select *", "wait 0.05", "intensity 1", "wait forever"})
+        script.add(line);
+    while (!script.is_done()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    ASSERT_EQ(answers.size(), 7u);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(answers[i], "ok") << i;
+    EXPECT_NE(answers[6].find("'forever' is no number of seconds"), std::string::npos) << answers[6];
+    EXPECT_EQ(opened.wishes().look.fixtures.size(), 4u);
+}
+
+TEST(Actions, a_local_socket_takes_the_same_lines) {
+    Opened4 opened;
+    const QTemporaryDir folder;
+    RemoteControl remote(opened.window->actions(), opened.window->studio(), nullptr);
+    const QString name = folder.filePath("socket");
+    ASSERT_TRUE(remote.listen(name.toStdString().c_str()).ok());
+    QLocalSocket socket;
+    socket.connectToServer(name);
+    ASSERT_TRUE(socket.waitForConnected(5000));
+    socket.write("select \"Lamp 3\"\nnonsense\n");
+    QByteArray answer;
+    while (answer.count('\n') < 2) {
+        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        answer += socket.readAll();
+    }
+    EXPECT_EQ(answer, "ok\nerror: there is no action 'nonsense'\n");
+    EXPECT_EQ(opened.window->studio().selection(), std::set<std::size_t>{2});
+}
+
+} // namespace
+} // namespace ghost::ui

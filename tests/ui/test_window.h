@@ -1,0 +1,99 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// For tests of the window: Qt without a screen, a show of four lamps made here, and an engine that is only
+// the other end of the link.
+
+#include "ui/studio.h"
+
+#include <QApplication>
+#include <QCoreApplication>
+
+#include <gtest/gtest.h>
+
+namespace ghost::ui {
+
+// One for the test binary; what a screen would show is drawn into memory.
+inline QApplication& application() {
+    static int argc = 1;
+    static char name[] = "test_ui";
+    static char* argv[] = {name, nullptr};
+    static const bool set = qputenv("QT_QPA_PLATFORM", "offscreen");
+    static QApplication one(argc, argv);
+    EXPECT_TRUE(set);
+    return one;
+}
+
+// What is posted is done, until nothing is.
+inline void settle() {
+    for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+}
+
+inline Opened four_lamps() {
+    auto show = std::make_shared<scene::Show>();
+    show->name = "Test";
+    show->file = "test/show.toml";
+    scene::Camera front;
+    front.name = "front";
+    front.position_m = {0, -10, 2};
+    front.target_m = {0, 0, 2};
+    scene::Camera side = front;
+    side.name = "side";
+    side.position_m = {-10, 0, 3};
+    show->cameras = {front, side};
+    for (int i = 0; i < 4; ++i) {
+        scene::PatchedFixture fixture;
+        fixture.name = "Lamp " + std::to_string(i + 1);
+        fixture.universe = 1;
+        fixture.address = 1 + 16 * i;
+        fixture.position_m = {-3.0f + 2.0f * static_cast<float>(i), 0, 4};
+        show->fixtures.push_back(fixture);
+    }
+    Opened opened;
+    opened.show = std::move(show);
+    opened.objects = {{"Floor", 0, 0}, {"Wall", 1, 1}};
+    opened.materials.resize(2);
+    opened.materials[0].name = "wood";
+    opened.materials[1].name = "paint";
+    opened.centre_m = {0, 0, 4};
+    opened.radius_m = 5;
+    return opened;
+}
+
+inline RigNow four_lit() {
+    RigNow rig;
+    for (const scene::PatchedFixture& fixture : four_lamps().show->fixtures) {
+        FixtureNow now;
+        now.light_m = fixture.position_m;
+        now.candela = 1000;
+        now.colour = {1, 1, 1};
+        now.dimmer = 1;
+        rig.fixtures.push_back(now);
+    }
+    return rig;
+}
+
+// The other end: what the window wished for last, and news for it.
+struct Bench {
+    Bench() { application(); }
+    Link link;
+    Studio studio{link};
+
+    void open() {
+        link.opened.put(four_lamps());
+        link.rig.put(four_lit());
+        link.on_news();
+        settle();
+    }
+    void show_picture(const scene::Camera& camera) {
+        Picture picture;
+        auto image = std::make_shared<image::Image8>(camera.width, camera.height, 4);
+        for (std::size_t i = 0; i < image->samples.size(); i += 4) image->samples[i] = 200; // red
+        picture.image = image;
+        picture.camera = camera;
+        link.picture.put(std::move(picture));
+        link.on_news();
+        settle();
+    }
+};
+
+} // namespace ghost::ui

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture and the mouse in it, without a screen: what is clicked is selected, what is dragged moves, and
+// a picture of another size fills the window until the right one comes.
+#include "test_window.h"
+#include "ui/overlays.h"
+#include "ui/view.h"
+
+#include "scene/camera_moves.h"
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+namespace ghost::ui {
+namespace {
+
+struct Watched {
+    Watched() {
+        view.resize(320, 180);
+        view.show();
+        bench.open();
+        scene::Camera camera = bench.studio.camera();
+        camera.width = 320;
+        camera.height = 180;
+        bench.show_picture(camera);
+    }
+    void mouse(QEvent::Type type, const QPointF& at, Qt::MouseButton button,
+               Qt::KeyboardModifiers keys = {}) {
+        QMouseEvent event(type, at, view.mapToGlobal(at), type == QEvent::MouseMove ? Qt::NoButton : button,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::MouseButtons(button), keys);
+        QCoreApplication::sendEvent(&view, &event);
+    }
+    void click(const QPointF& at, Qt::KeyboardModifiers keys = {}) {
+        mouse(QEvent::MouseButtonPress, at, Qt::LeftButton, keys);
+        mouse(QEvent::MouseButtonRelease, at, Qt::LeftButton, keys);
+    }
+    void drag(const QPointF& from, const QPointF& to, Qt::MouseButton button,
+              Qt::KeyboardModifiers keys = {}) {
+        mouse(QEvent::MouseButtonPress, from, button, keys);
+        mouse(QEvent::MouseMove, (from + to) / 2, button, keys);
+        mouse(QEvent::MouseMove, to, button, keys);
+        mouse(QEvent::MouseButtonRelease, to, button, keys);
+    }
+    QPointF lamp(std::size_t index) {
+        const Picture& picture = bench.studio.picture();
+        return *to_widget(picture_rect(view.size(), picture.camera), picture.camera,
+                          bench.studio.rig().fixtures[index].light_m);
+    }
+
+    Bench bench;
+    View view{bench.studio, nullptr};
+};
+
+TEST(View, asks_for_pictures_of_its_own_size) {
+    Watched watched;
+    EXPECT_EQ(watched.bench.studio.camera().width, 320);
+    EXPECT_EQ(watched.bench.studio.camera().height, 180);
+    EXPECT_EQ(watched.bench.studio.camera().position_m, four_lamps().show->cameras[0].position_m);
+}
+
+TEST(View, a_click_selects_the_lamp_and_beside_it_nothing) {
+    Watched watched;
+    watched.click(watched.lamp(2) + QPointF(3, -2));
+    EXPECT_EQ(watched.bench.studio.selection(), std::set<std::size_t>{2});
+    watched.click(watched.lamp(0), Qt::ControlModifier);
+    EXPECT_EQ(watched.bench.studio.selection(), (std::set<std::size_t>{0, 2}));
+    watched.click(watched.lamp(2), Qt::ControlModifier);
+    EXPECT_EQ(watched.bench.studio.selection(), std::set<std::size_t>{0});
+    watched.click({5, 175});
+    EXPECT_TRUE(watched.bench.studio.selection().empty());
+}
+
+TEST(View, a_box_selects_all_in_it) {
+    Watched watched;
+    watched.drag(watched.lamp(1) - QPointF(8, 8), watched.lamp(3) + QPointF(8, 8), Qt::LeftButton,
+                 Qt::ControlModifier);
+    EXPECT_EQ(watched.bench.studio.selection(), (std::set<std::size_t>{1, 2, 3}));
+}
+
+TEST(View, drags_and_the_wheel_move_the_camera) {
+    Watched watched;
+    Studio& studio = watched.bench.studio;
+    const scene::Camera start = studio.camera();
+    watched.drag({50, 150}, {100, 150}, Qt::LeftButton);
+    EXPECT_EQ(studio.camera().target_m, start.target_m);
+    EXPECT_GT(glm::distance(studio.camera().position_m, start.position_m), 1);
+    studio.set_camera(start);
+    watched.drag({50, 150}, {100, 150}, Qt::RightButton);
+    EXPECT_EQ(studio.camera().position_m, start.position_m);
+    EXPECT_GT(glm::distance(studio.camera().target_m, start.target_m), 0.5f);
+    studio.set_camera(start);
+    watched.drag({50, 150}, {100, 120}, Qt::MiddleButton);
+    // What was grabbed stays under the hand.
+    const auto seen = scene::project(studio.camera(), start.target_m);
+    EXPECT_NEAR(seen->at.x, 0.5f + 50.0f / 320, 1e-3f);
+    EXPECT_NEAR(seen->at.y, 0.5f - 30.0f / 180, 1e-3f);
+    studio.set_camera(start);
+    QWheelEvent wheel({160, 90}, {160, 90}, {}, {0, 120}, {}, {}, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&watched.view, &wheel);
+    EXPECT_LT(glm::distance(studio.camera().position_m, start.target_m),
+              glm::distance(start.position_m, start.target_m));
+    EXPECT_TRUE(studio.selection().empty());
+}
+
+TEST(View, a_smaller_picture_fills_the_window) {
+    Watched watched;
+    scene::Camera coarse = watched.bench.studio.camera();
+    coarse.width = 80;
+    coarse.height = 45;
+    watched.bench.show_picture(coarse);
+    watched.view.overlays = {.figures = false, .marks = false};
+    const QImage shown = watched.view.grab().toImage();
+    for (const QPoint at : {QPoint(2, 2), QPoint(317, 2), QPoint(160, 90), QPoint(2, 177), QPoint(317, 177)})
+        EXPECT_NEAR(qRed(shown.pixel(at)), 200, 2) << at.x() << " " << at.y();
+}
+
+TEST(View, overlays_are_seen_and_go_away) {
+    Watched watched;
+    watched.view.overlays = {.figures = false};
+    const QImage plain = watched.view.grab().toImage();
+    watched.view.overlays = {.figures = false, .names = true};
+    EXPECT_NE(watched.view.grab().toImage(), plain);
+    watched.view.overlays = {.figures = false, .aims = true};
+    EXPECT_NE(watched.view.grab().toImage(), plain);
+    watched.view.overlays = {.figures = true};
+    EXPECT_NE(watched.view.grab().toImage(), plain);
+    watched.view.overlays = {.figures = false};
+    EXPECT_EQ(watched.view.grab().toImage(), plain);
+    watched.bench.studio.select({0});
+    EXPECT_NE(watched.view.grab().toImage(), plain);
+}
+
+TEST(View, a_window_without_a_show_says_what_to_do) {
+    Bench bench;
+    View view(bench.studio, nullptr);
+    view.resize(320, 180);
+    const QImage bare = view.grab().toImage();
+    view.hint = "Drop a show here";
+    EXPECT_NE(view.grab().toImage(), bare);
+}
+
+TEST(View, nothing_is_too_small_or_too_far) {
+    scene::Camera camera;
+    camera.width = camera.height = 1;
+    const RigNow rig = four_lit();
+    for (const QSizeF size : {QSizeF(0, 0), QSizeF(1, 1), QSizeF(16000, 9000)}) {
+        const QRectF rect = picture_rect(size, camera);
+        fixture_at(rect, camera, rig, {0, 0});
+        fixtures_in(rect, camera, rig, rect);
+        EXPECT_EQ(rect.height(), size.height());
+    }
+    EXPECT_FALSE(to_widget({0, 0, 100, 100}, camera, camera.position_m));
+}
+
+} // namespace
+} // namespace ghost::ui
