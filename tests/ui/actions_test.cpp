@@ -15,7 +15,6 @@ namespace {
 
 struct Opened4 {
     Opened4() {
-        application();
         window =
             std::make_unique<Window>(link, WindowOptions{.remembers = false, .width = 640, .height = 400});
         window->show();

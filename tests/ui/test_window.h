@@ -10,18 +10,27 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 namespace ghost::ui {
 
-// One for the test binary; what a screen would show is drawn into memory.
-inline QApplication& application() {
-    static int argc = 1;
-    static char name[] = "test_ui";
-    static char* argv[] = {name, nullptr};
-    static const bool set = qputenv("QT_QPA_PLATFORM", "offscreen");
-    static QApplication one(argc, argv);
-    EXPECT_TRUE(set);
-    return one;
-}
+// One for the test binary; what a screen would show is drawn into memory. It ends with the tests and not with
+// the process: by then Qt's own objects are gone.
+class Application : public testing::Environment {
+public:
+    void SetUp() override {
+        ASSERT_TRUE(qputenv("QT_QPA_PLATFORM", "offscreen"));
+        one_ = std::make_unique<QApplication>(argc_, argv_);
+    }
+    void TearDown() override { one_.reset(); }
+
+private:
+    int argc_ = 1;
+    char name_[8] = "test_ui";
+    char* argv_[2] = {name_, nullptr};
+    std::unique_ptr<QApplication> one_;
+};
+inline testing::Environment* const kApplication = testing::AddGlobalTestEnvironment(new Application);
 
 // What is posted is done, until nothing is.
 inline void settle() {
@@ -74,7 +83,6 @@ inline RigNow four_lit() {
 
 // The other end: what the window wished for last, and news for it.
 struct Bench {
-    Bench() { application(); }
     Link link;
     Studio studio{link};
 
