@@ -2,10 +2,10 @@
 #include "scene/mvr_load.h"
 
 #include "fixture/values.h"
+#include "fixture/xml_entities.h"
 #include "scene/mvr_reader.h"
 
 #include <algorithm>
-#include <cstring>
 #include <set>
 #include <utility>
 
@@ -70,11 +70,9 @@ Result<void> read_description(LoadedPlot& loaded, const MvrMembers& members, con
     if (!parsed)
         return Error{std::string("the XML is not well formed: ") + parsed.description(),
                      where + ":" + std::to_string(reader.line_at(parsed.offset))};
-    for (const pugi::xml_node node : document.children())
-        if (node.type() == pugi::node_doctype && std::strstr(node.value(), "<!ENTITY"))
-            reader.say(Severity::warning, node, "entities of the document type are left as they are written");
     pugi::xml_node root = document.child("GeneralSceneDescription");
     if (!root) return Error{"expected the element GeneralSceneDescription", where};
+    if (fixture::declares_entities(document)) reader.say(Severity::warning, root, fixture::kEntitiesLeft);
     Plot& plot = loaded.plot;
     const auto version = [&](const char* name) {
         const auto number = fixture::parse_int(reader.attribute(root, name));

@@ -136,9 +136,15 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
     const std::string format = lower(extension);
     const bool is_gltf = format == "glb" || format == "gltf";
     if (format == "glb") TRY_VOID(check_glb(bytes, name));
-    if (format == "3ds")
+    if (format == "3ds") {
         if (std::string fault = fixture::fault_of_mesh(bytes, format); !fault.empty())
             return Error{std::move(fault), name};
+        if (const std::size_t beyond = fixture::count_triangles_beyond_3ds(bytes))
+            report.add(
+                Severity::warning, name,
+                std::to_string(beyond) +
+                    " triangles name vertices that their mesh does not have; its last vertex is taken");
+    }
     try {
         Assimp::Importer importer;
         auto* const companions = new Companions; // the importer's from here on

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/show_edit.h"
+
+#include "scene/show.h"
+#include "scene/toml_text.h"
+
+#include <algorithm>
+#include <set>
+
+namespace ghost::scene {
+namespace {
+
+// What an edit writes: a key with its TOML text, or without: the key goes.
+using Keys = std::vector<std::pair<std::string, std::optional<std::string>>>;
+
+std::string toml_text(const glm::vec3& numbers) {
+    using scene::toml_text;
+    return "[" + toml_text(numbers.x) + ", " + toml_text(numbers.y) + ", " + toml_text(numbers.z) + "]";
+}
+
+Keys keys_of(const FixtureEdit& edit, bool of_plot) {
+    Keys keys;
+    if (edit.name) keys.emplace_back("name", scene::toml_text(*edit.name));
+    if (edit.mode) keys.emplace_back("mode", scene::toml_text(*edit.mode));
+    if (edit.address) {
+        keys.emplace_back("universe", std::to_string(edit.address->universe));
+        // In a plot's change 0 says "not patched"; a [[fixture]] says so by having none.
+        if (edit.address->channel > 0 || of_plot)
+            keys.emplace_back("address", std::to_string(edit.address->channel));
+        else
+            keys.emplace_back("address", std::nullopt);
+    }
+    if (edit.position_m) keys.emplace_back("position_m", toml_text(*edit.position_m));
+    if (edit.rotation_deg) keys.emplace_back("rotation_deg", toml_text(*edit.rotation_deg));
+    if (edit.hidden && of_plot) keys.emplace_back("hidden", *edit.hidden ? "true" : "false");
+    return keys;
+}
+
+Result<void> write(TomlText& document, const toml::table& table, const Keys& keys) {
+    for (const auto& [key, value] : keys) {
+        if (value)
+            TRY_VOID(document.set(table, key, *value));
+        else
+            document.unset(table, key);
+    }
+    return {};
+}
+
+std::string block_of(const std::string& header, const Keys& keys, const std::string& line_end) {
+    std::string block = header + line_end;
+    for (const auto& [key, value] : keys)
+        if (value) block += key + " = " + *value + line_end;
+    return block;
+}
+
+// The same in values, to compare with what the new text says.
+void write(toml::table& table, const Keys& keys) {
+    for (const auto& [key, value] : keys) {
+        table.erase(key);
+        if (!value) continue;
+        const toml::table one = toml::parse("k = " + *value);
+        one.get("k")->visit([&, name = key](const auto& node) { table.insert_or_assign(name, node); });
+    }
+}
+
+toml::array& array_of(toml::table& root, const std::string& name) {
+    if (!root[name].as_array()) root.insert_or_assign(name, toml::array{});
+    return *root[name].as_array();
+}
+
+// The cut text, if it says what is expected.
+Result<std::string> checked(const TomlText& document, const toml::table& expected) {
+    std::string text = document.cut();
+    TRY(const TomlText after, TomlText::parse(text));
+    if (after.root() != expected)
+        return Error{"is written in a way that cannot be edited here; change it in a text editor",
+                     "show.toml"};
+    return text;
+}
+
+Result<const toml::table*> fixture_table(const TomlText& document, std::size_t number) {
+    const std::vector<const toml::table*> tables = document.tables("fixture");
+    if (number >= tables.size() || !tables[number])
+        return Error{"has no [[fixture]] number " + std::to_string(number + 1), "show.toml"};
+    return tables[number];
+}
+
+// Of a plot's object; the last one, for later changes win. -1: none.
+int change_of(const TomlText& document, const std::string& uuid) {
+    const std::vector<const toml::table*> tables = document.tables("change");
+    int found = -1;
+    for (std::size_t i = 0; i < tables.size(); ++i)
+        if (tables[i] && (*tables[i])["uuid"].value_or(std::string()) == uuid &&
+            (*tables[i])["break"].value_or(1) == 1)
+            found = static_cast<int>(i);
+    return found;
+}
+
+} // namespace
+
+FixturePlace place_of(const PatchedFixture& fixture, std::size_t index) {
+    return {index, fixture.uuid};
+}
+
+Result<std::string> edit_fixtures(const std::string& text,
+                                  const std::vector<std::pair<FixturePlace, FixtureEdit>>& edits) {
+    TRY(TomlText document, TomlText::parse(text));
+    toml::table expected = document.root();
+    for (const auto& [place, edit] : edits) {
+        const Keys keys = keys_of(edit, !place.uuid.empty());
+        if (keys.empty()) continue;
+        if (place.uuid.empty()) {
+            TRY(const toml::table* table, fixture_table(document, place.number));
+            TRY_VOID(write(document, *table, keys));
+            write(*array_of(expected, "fixture").get(place.number)->as_table(), keys);
+        } else if (const int change = change_of(document, place.uuid); change >= 0) {
+            const auto number = static_cast<std::size_t>(change);
+            TRY_VOID(write(document, *document.tables("change")[number], keys));
+            write(*array_of(expected, "change").get(number)->as_table(), keys);
+        } else {
+            Keys all{{"uuid", scene::toml_text(place.uuid)}};
+            all.insert(all.end(), keys.begin(), keys.end());
+            document.append(block_of("[[change]]", all, document.line_end()));
+            toml::table made;
+            write(made, all);
+            array_of(expected, "change").push_back(std::move(made));
+        }
+    }
+    return checked(document, expected);
+}
+
+Result<std::string> copy_fixture(const std::string& text, std::size_t number, const FixtureEdit& edit) {
+    TRY(TomlText document, TomlText::parse(text));
+    TRY(const toml::table* table, fixture_table(document, number));
+    TRY(const TomlText::Span span, document.span_of(*table, "fixture"));
+    std::string block = document.text().substr(span.begin, span.end - span.begin);
+    if (block.back() != '\n') block = document.line_end() + block;
+    document.replace({span.end, span.end}, document.line_end() + block);
+    toml::table expected = document.root();
+    toml::array& fixtures = array_of(expected, "fixture");
+    fixtures.insert(fixtures.begin() + static_cast<std::ptrdiff_t>(number) + 1, toml::table(*table));
+    TRY(const std::string copied, checked(document, expected));
+    return edit_fixtures(copied, {{FixturePlace{number + 1, ""}, edit}});
+}
+
+Result<std::string> add_fixture(const std::string& text, const NewFixture& fixture) {
+    TRY(TomlText document, TomlText::parse(text));
+    Keys keys;
+    if (fixture.keys.name) keys.emplace_back("name", scene::toml_text(*fixture.keys.name));
+    keys.emplace_back("gdtf", scene::toml_text(fixture.gdtf));
+    FixtureEdit rest = fixture.keys;
+    rest.name.reset();
+    const Keys more = keys_of(rest, false);
+    keys.insert(keys.end(), more.begin(), more.end());
+    const std::string block = block_of("[[fixture]]", keys, document.line_end());
+    const std::vector<const toml::table*> tables = document.tables("fixture");
+    if (!tables.empty() && tables.back() && !tables.back()->is_inline()) {
+        TRY(const TomlText::Span span, document.span_of(*tables.back(), "fixture"));
+        const bool is_open = document.text()[span.end - 1] != '\n';
+        document.replace({span.end, span.end},
+                         (is_open ? document.line_end() : "") + document.line_end() + block);
+    } else {
+        document.append(block);
+    }
+    toml::table expected = document.root();
+    toml::table made;
+    write(made, keys);
+    array_of(expected, "fixture").push_back(std::move(made));
+    return checked(document, expected);
+}
+
+Result<std::string> remove_fixtures(const std::string& text, const std::vector<std::size_t>& numbers) {
+    TRY(TomlText document, TomlText::parse(text));
+    toml::table expected = document.root();
+    const std::set<std::size_t> once(numbers.begin(), numbers.end());
+    for (auto number = once.rbegin(); number != once.rend(); ++number) {
+        TRY(const toml::table* table, fixture_table(document, *number));
+        TRY(TomlText::Span span, document.span_of(*table, "fixture"));
+        // With the blank line that stood behind it.
+        const std::string& all = document.text();
+        if (all.compare(span.end, document.line_end().size(), document.line_end()) == 0)
+            span.end += document.line_end().size();
+        document.replace(span, "");
+        toml::array& fixtures = array_of(expected, "fixture");
+        fixtures.erase(fixtures.begin() + static_cast<std::ptrdiff_t>(*number));
+        if (fixtures.empty()) expected.erase("fixture");
+    }
+    return checked(document, expected);
+}
+
+} // namespace ghost::scene

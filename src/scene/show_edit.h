@@ -1,0 +1,55 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Edits of show.toml as text: what an edit is not about stays byte for byte, comments and order too, so that
+// people and programs can work on one file. Each function gives the whole new text; it has been read again
+// and says what was asked for and nothing else. Units as in docs/show-file.md. Pure, any thread.
+
+#include "base/result.h"
+#include "fixture/patch.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ghost::scene {
+
+struct PatchedFixture;
+
+// Which one: the number-th [[fixture]], which is Show::fixtures[number], or, where uuid says so, an object of
+// the plot, which gets a [[change]].
+struct FixturePlace {
+    std::size_t number = 0;
+    std::string uuid;
+};
+FixturePlace place_of(const PatchedFixture& fixture, std::size_t index);
+
+// What is set is written, anything else stays.
+struct FixtureEdit {
+    std::optional<std::string> name;
+    std::optional<std::string> mode;
+    std::optional<fixture::Address> address; // of break 1; channel 0: not patched
+    std::optional<glm::vec3> position_m;
+    std::optional<glm::vec3> rotation_deg;
+    std::optional<bool> hidden; // objects of the plot only
+};
+
+struct NewFixture {
+    std::string gdtf; // as it shall be written
+    FixtureEdit keys;
+};
+
+// Error, of all of them: no TOML, no such [[fixture]], one written as an inline table or in another way that
+// cannot be edited; the text then stays as it is.
+Result<std::string> edit_fixtures(const std::string& text,
+                                  const std::vector<std::pair<FixturePlace, FixtureEdit>>& edits);
+// Puts a copy with all its keys behind the fixture itself, then edits it.
+Result<std::string> copy_fixture(const std::string& text, std::size_t number, const FixtureEdit& edit);
+// Behind the last [[fixture]].
+Result<std::string> add_fixture(const std::string& text, const NewFixture& fixture);
+Result<std::string> remove_fixtures(const std::string& text, const std::vector<std::size_t>& numbers);
+
+} // namespace ghost::scene
