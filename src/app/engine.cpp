@@ -2,8 +2,11 @@
 #include "app/engine.h"
 
 #include "app/interrupt.h"
+#include "app/take_patch.h"
 #include "scene/explain_print.h"
+#include "scene/show_edit.h"
 
+#include "base/files.h"
 #include "base/log.h"
 
 #include <algorithm>
@@ -21,6 +24,7 @@ constexpr double kRigEvery_s = 0.05;
 constexpr double kExplainEvery_s = 0.25;
 constexpr int kLeastPixels = 16; // across
 constexpr int kMostPixels = 8192;
+constexpr std::uintmax_t kMostShowBytes = std::uintmax_t{16} << 20;
 constexpr double kLongestStep_s = 0.5; // a slow frame must not make the recording jump
 
 bool same_view(const scene::Camera& a, const scene::Camera& b) {
@@ -53,7 +57,10 @@ void Engine::run() {
         while (!stop_ && !interrupted()) {
             if (std::optional<ui::Wishes> newest = link_.wishes.take()) {
                 wishes_ = std::move(*newest);
-                if (wishes_.show != tried_) open(wishes_.show);
+                if (wishes_.show != tried_)
+                    open(wishes_.show);
+                else if (session_ && wishes_.text != text_)
+                    take_edit();
             }
             const double begin_s = now_s();
             if (session_ && wishes_.camera.width > 0) frame();
@@ -81,10 +88,16 @@ void Engine::listen() {
 
 void Engine::open(const std::string& path) {
     tried_ = path;
-    link_.activity.put("opening " + path);
+    if (reopen(path, false)) wishes_.camera.width = 0; // those of the show before
+}
+
+bool Engine::reopen(const std::string& path, bool is_edit) {
+    text_ = wishes_.text;
+    link_.activity.put((is_edit ? "taking the changes of " : "opening ") + path);
     link_.on_news();
     SessionOptions options = options_.session;
     options.show = path;
+    options.text = text_;
     options.live = true;
     options.maps_in_background = true;
     options.keep_hidden = true;
@@ -96,28 +109,63 @@ void Engine::open(const std::string& path) {
     if (!opened.ok()) {
         link_.failed.put(opened.error());
         link_.on_news();
-        return;
+        return false;
     }
     tracer_.reset(); // they refer to the session before
     look_.reset();
     session_ = std::move(*opened);
     look_ = std::make_unique<AppliedLook>(*session_);
     motion_ = session_->show->motion;
-    input_ = std::make_unique<LiveInput>(receiver_.get());
-    if (auto loaded = input_->load_recording(session_->show->recording, session_->report); !loaded.ok())
-        session_->report.add(scene::Severity::warning, loaded.error().where, loaded.error().what);
+    const bool keeps_input = is_edit && input_ && recording_ == session_->show->recording;
+    if (!keeps_input) {
+        input_ = std::make_unique<LiveInput>(receiver_.get());
+        recording_ = session_->show->recording;
+        if (auto loaded = input_->load_recording(recording_, session_->report); !loaded.ok())
+            session_->report.add(scene::Severity::warning, loaded.error().where, loaded.error().what);
+    }
     drawn_from_ = {};
     drawn_ = {};
     pace_ = {};
     haze_ = {};
     last_step_s_ = now_s();
     messages_sent_ = 0;
-    wishes_.camera.width = 0; // those of the show before
+    publish_opened(is_edit);
+    return true;
+}
+
+void Engine::publish_opened(bool is_edit) {
     ui::Opened news = opened_from(*session_);
     news.recording_s = input_->recording_s();
+    news.is_edit = is_edit;
     link_.opened.put(std::move(news));
     publish_messages();
     link_.on_news();
+}
+
+void Engine::take_edit() {
+    if (wishes_.text && text_ && *wishes_.text == *text_) {
+        text_ = wishes_.text;
+        return;
+    }
+    if (!wishes_.text) return; // another show comes
+    scene::Report report;
+    auto edited = open_show(tried_, false, true, report, wishes_.text);
+    if (!edited.ok()) {
+        text_ = wishes_.text;
+        link_.failed.put(edited.error());
+        link_.on_news();
+        return;
+    }
+    const Result<std::string> before =
+        text_ ? Result<std::string>(*text_) : read_text_file(session_->show->file, kMostShowBytes);
+    const bool of_fixtures = before.ok() && scene::differ_in_fixtures_only(*before, *wishes_.text);
+    if (!of_fixtures || !take_patch(*session_, *edited, report)) {
+        reopen(tried_, true);
+        return;
+    }
+    text_ = wishes_.text;
+    drawn_ = {};
+    publish_opened(true);
 }
 
 scene::Camera Engine::camera_for(double now_s) const {

@@ -14,6 +14,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -42,6 +43,10 @@ private:
     void run();
     void listen();
     void open(const std::string& path);
+    // The show that is open has another text.
+    void take_edit();
+    // Opens, as far as the link's news go too. False: what was open stays.
+    bool reopen(const std::string& path, bool is_edit);
     void frame();
     // The camera for this frame: the wanted one, with fewer pixels while the picture moves.
     scene::Camera camera_for(double now_s) const;
@@ -49,6 +54,7 @@ private:
     void publish_rig(double now_s);
     void publish_explanation(double now_s);
     void publish_messages();
+    void publish_opened(bool is_edit);
     void publish_rest(double now_s, bool drew);
     double now_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
@@ -56,13 +62,15 @@ private:
     EngineOptions options_;
     const Clock::time_point start_ = Clock::now();
     ui::Wishes wishes_;
-    std::string tried_; // the show that was asked for last, open or not
+    std::string tried_;                       // the show that was asked for last, open or not
+    std::shared_ptr<const std::string> text_; // of it, likewise
     std::unique_ptr<dmx::Receiver> receiver_;
     std::vector<scene::Message> of_receiver_;
 
     // Of the show that is open.
     std::unique_ptr<Session> session_;
     std::unique_ptr<LiveInput> input_;
+    std::filesystem::path recording_; // that it plays
     std::unique_ptr<AppliedLook> look_;
     std::unique_ptr<bake::Tracer> tracer_; // made when something is to be explained
     scene::Camera drawn_from_;

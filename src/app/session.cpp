@@ -5,6 +5,7 @@
 #include "bake/bake_show.h"
 #include "bake/keys.h"
 #include "scene/passes_file.h"
+#include "scene/show_edit.h"
 #include "scene/stage_checks.h"
 
 #include "base/check.h"
@@ -175,14 +176,18 @@ Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
 
 } // namespace
 
-Result<scene::Show> open_show(const std::string& path, bool load_stage, bool quiet, scene::Report& report) {
+Result<scene::Show> open_show(const std::string& path, bool load_stage, bool quiet, scene::Report& report,
+                              const std::shared_ptr<const std::string>& text) {
     const InterruptScope scope;
     Progress progress("opening", quiet ? Progress::Style::silent : Progress::style_for_stderr(),
                       steady_now_s());
     const scene::ShowLoading loading{
         [&](double share, const std::string& what) { progress.update(share, steady_now_s(), what); },
         interrupted};
-    auto show = scene::load_show(path, load_stage, report, loading);
+    std::error_code code;
+    const fs::path file = fs::is_directory(path, code) ? fs::path(path) / "show.toml" : fs::path(path);
+    auto show = text ? scene::load_show_text(file, *text, load_stage, report, loading)
+                     : scene::load_show(path, load_stage, report, loading);
     progress.finish();
     return show;
 }
@@ -313,7 +318,8 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     auto session = std::make_unique<Session>();
     session->options = options;
     scene::Report& report = session->report;
-    TRY(scene::Show show, open_show(options.show, false, options.quiet, report));
+    TRY(scene::Show show, open_show(options.show, false, options.quiet, report, options.text));
+    session->of_show_file = report.messages.size();
     show.motion = options.motion.value_or(show.motion);
     session->show = std::make_unique<scene::Show>(std::move(show));
     print_report(report);

@@ -19,8 +19,9 @@ namespace ghost::app {
 
 struct SessionOptions {
     std::string show;
-    std::string view; // empty: the first camera
-    int width = 0;    // 0: the camera's own size; else passes of this size are baked beside the others
+    std::shared_ptr<const std::string> text; // of show.toml, instead of what the file says
+    std::string view;                        // empty: the first camera
+    int width = 0; // 0: the camera's own size; else passes of this size are baked beside the others
     int height = 0;
     int supersample = 1; // live only: drawn this many times as large
     int map_size = 0;    // live only: of distance maps, instead of the show's
@@ -48,6 +49,7 @@ bool is_uneven(const scene::Show& show);
 
 struct Session {
     scene::Report report;              // already printed
+    std::size_t of_show_file = 0;      // messages at its begin: those of reading the show
     std::unique_ptr<scene::Show> show; // address is kept by the rig
     std::size_t camera = 0;
     std::optional<scene::Camera> travel_to;
@@ -73,8 +75,9 @@ struct Session {
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);
 
-// scene::load_show with a bar, and Ctrl-C ends it.
-Result<scene::Show> open_show(const std::string& path, bool load_stage, bool quiet, scene::Report& report);
+// scene::load_show with a bar, and Ctrl-C ends it. text: instead of what show.toml says.
+Result<scene::Show> open_show(const std::string& path, bool load_stage, bool quiet, scene::Report& report,
+                              const std::shared_ptr<const std::string>& text = nullptr);
 
 // The stage, if it can be read. A show without one still has its beams.
 bool load_stage(scene::Show& show, scene::Report& report);

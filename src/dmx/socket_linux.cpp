@@ -92,7 +92,7 @@ std::vector<NetInterface> list_interfaces() {
     for (NetInterface& interface : result) interface.ipv6 = ipv6.contains(interface.name);
     for (const auto& [name, interface] : ipv6)
         if (std::none_of(result.begin(), result.end(),
-                         [&](const NetInterface& other) { return other.name == name; }))
+                         [&wanted = name](const NetInterface& other) { return other.name == wanted; }))
             result.push_back(interface);
     return result;
 }

@@ -9,6 +9,7 @@
 #include "scene/default_cameras.h"
 #include "scene/plot_show.h"
 #include "scene/plot_types.h"
+#include "scene/show_edit.h"
 #include "scene/show_toml.h"
 #include "scene/toml_reader.h"
 
@@ -307,8 +308,9 @@ Result<Stage> read_stage(const Show& show, Report& report, const ShowLoading& lo
     return stage;
 }
 
-Result<Show> load_show(const fs::path& path, bool load_stage, Report& report, const ShowLoading& loading) {
-    TRY(ParsedShow parsed, parse_file(path, report));
+namespace {
+
+Result<Show> load_parsed(ParsedShow parsed, bool load_stage, Report& report, const ShowLoading& loading) {
     Show& show = parsed.show;
     const std::string file = show.file.string();
     load_types(parsed, file, report);
@@ -333,6 +335,19 @@ Result<Show> load_show(const fs::path& path, bool load_stage, Report& report, co
         if (show.file == show.plot_file) show.haze.extinction_per_m = default_extinction_per_m(show.cameras);
     }
     return std::move(parsed.show);
+}
+
+} // namespace
+
+Result<Show> load_show(const fs::path& path, bool load_stage, Report& report, const ShowLoading& loading) {
+    TRY(ParsedShow parsed, parse_file(path, report));
+    return load_parsed(std::move(parsed), load_stage, report, loading);
+}
+
+Result<Show> load_show_text(const fs::path& file, const std::string& text, bool load_stage, Report& report,
+                            const ShowLoading& loading) {
+    TRY(ParsedShow parsed, parse_show(text, file, report));
+    return load_parsed(std::move(parsed), load_stage, report, loading);
 }
 
 } // namespace ghost::scene

@@ -188,4 +188,17 @@ Result<std::string> remove_fixtures(const std::string& text, const std::vector<s
     return checked(document, expected);
 }
 
+bool differ_in_fixtures_only(const std::string& a, const std::string& b) {
+    const auto rest = [](const std::string& text) -> Result<toml::table> {
+        TRY(const TomlText document, TomlText::parse(text));
+        toml::table root = document.root();
+        root.erase("fixture");
+        root.erase("change");
+        return root;
+    };
+    const auto first = rest(a);
+    const auto second = rest(b);
+    return first.ok() && second.ok() && *first == *second;
+}
+
 } // namespace ghost::scene

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edits of show.toml as text: what an edit is not about stays byte for byte, comments and order too, so that
 // people and programs can work on one file. Each function gives the whole new text; it has been read again
-// and says what was asked for and nothing else. Units as in docs/show-file.md. Pure, any thread.
+// and says what was asked for and nothing else. Units as in docs/show-file.md. Pure unless said, any thread.
 
 #include "base/result.h"
 #include "fixture/patch.h"
+#include "scene/report.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,6 +20,8 @@
 namespace ghost::scene {
 
 struct PatchedFixture;
+struct Show;
+struct ShowLoading;
 
 // Which one: the number-th [[fixture]], which is Show::fixtures[number], or, where uuid says so, an object of
 // the plot, which gets a [[change]].
@@ -51,5 +55,12 @@ Result<std::string> copy_fixture(const std::string& text, std::size_t number, co
 // Behind the last [[fixture]].
 Result<std::string> add_fixture(const std::string& text, const NewFixture& fixture);
 Result<std::string> remove_fixtures(const std::string& text, const std::vector<std::size_t>& numbers);
+
+// Whether two show files say the same but for [[fixture]] and [[change]]. False where one is no TOML.
+bool differ_in_fixtures_only(const std::string& a, const std::string& b);
+
+// load_show (scene/show.h) of a show.toml that says this instead of what is in the file. Opens files.
+Result<Show> load_show_text(const std::filesystem::path& file, const std::string& text, bool load_stage,
+                            Report& report, const ShowLoading& loading);
 
 } // namespace ghost::scene

@@ -2,13 +2,41 @@
 #include "ui/fixture_panel.h"
 
 #include "ui/hand.h"
+#include "ui/patch_actions.h"
 #include "ui/theme.h"
 
+#include <QComboBox>
 #include <QHeaderView>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 namespace ghost::ui {
 namespace {
+
+QString number(float value) {
+    return QString::number(static_cast<double>(value), 'g', 6);
+}
+
+// Modes are chosen from those that the fixture has.
+class ModeDelegate : public QStyledItemDelegate {
+public:
+    ModeDelegate(Studio& studio, QObject* parent) : QStyledItemDelegate(parent), studio_(studio) {}
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override {
+        const auto* sorted = qobject_cast<const QSortFilterProxyModel*>(index.model());
+        const auto row = static_cast<std::size_t>(sorted->mapToSource(index).row());
+        if (!studio_.show() || row >= studio_.show()->fixtures.size() || !studio_.show()->fixtures[row].type)
+            return QStyledItemDelegate::createEditor(parent, option, index);
+        auto* modes = new QComboBox(parent);
+        for (const fixture::Mode& mode : studio_.show()->fixtures[row].type->modes)
+            modes->addItem(QString::fromStdString(mode.name));
+        modes->setCurrentText(index.data().toString());
+        return modes;
+    }
+
+private:
+    Studio& studio_;
+};
 
 QString text_of(const scene::PatchedFixture& fixture, int column) {
     switch (column) {
@@ -22,6 +50,13 @@ QString text_of(const scene::PatchedFixture& fixture, int column) {
         return fixture.type ? QString::fromStdString(fixture.type->name) : QString("file cannot be read");
     case FixtureModel::mode:
         return fixture.type ? QString::fromStdString(fixture.patch().mode_of().name) : QString();
+    case FixtureModel::x:
+    case FixtureModel::y:
+    case FixtureModel::z:
+        return number(fixture.position_m[column - FixtureModel::x]);
+    case FixtureModel::turn:
+        return number(fixture.rotation_deg.x) + " " + number(fixture.rotation_deg.y) + " " +
+               number(fixture.rotation_deg.z);
     default:
         return {};
     }
@@ -29,22 +64,9 @@ QString text_of(const scene::PatchedFixture& fixture, int column) {
 
 } // namespace
 
-FixtureModel::FixtureModel(Studio& studio, QObject* parent) : QAbstractTableModel(parent), studio_(studio) {
-    connect(&studio_, &Studio::opened_show, this, [this] {
-        beginResetModel();
-        shared_.clear();
-        std::vector<fixture::Patch> patches;
-        std::vector<std::size_t> of_patch;
-        const std::vector<scene::PatchedFixture>& fixtures = studio_.show()->fixtures;
-        for (std::size_t i = 0; i < fixtures.size(); ++i) {
-            if (!fixtures[i].type) continue;
-            patches.push_back(fixtures[i].patch());
-            of_patch.push_back(i);
-        }
-        for (const fixture::Overlap& overlap : fixture::find_overlaps(patches))
-            shared_.insert({of_patch[overlap.first], of_patch[overlap.second]});
-        endResetModel();
-    });
+FixtureModel::FixtureModel(Studio& studio, ShowDocument& document, QObject* parent)
+    : QAbstractTableModel(parent), studio_(studio), document_(document) {
+    connect(&studio_, &Studio::opened_show, this, &FixtureModel::take_show);
     const auto refresh = [this] {
         if (rowCount() > 0) Q_EMIT dataChanged(index(0, level), index(rowCount() - 1, colour));
     };
@@ -52,8 +74,30 @@ FixtureModel::FixtureModel(Studio& studio, QObject* parent) : QAbstractTableMode
     connect(&studio_, &Studio::look_changed, this, refresh);
 }
 
+void FixtureModel::take_show() {
+    const std::vector<scene::PatchedFixture>& fixtures = studio_.show()->fixtures;
+    // Rows that stay keep their place, and who types in one goes on.
+    const bool stays = studio_.opened().is_edit && rows_ == static_cast<int>(fixtures.size());
+    if (!stays) beginResetModel();
+    rows_ = static_cast<int>(fixtures.size());
+    shared_.clear();
+    std::vector<fixture::Patch> patches;
+    std::vector<std::size_t> of_patch;
+    for (std::size_t i = 0; i < fixtures.size(); ++i) {
+        if (!fixtures[i].type) continue;
+        patches.push_back(fixtures[i].patch());
+        of_patch.push_back(i);
+    }
+    for (const fixture::Overlap& overlap : fixture::find_overlaps(patches))
+        shared_.insert({of_patch[overlap.first], of_patch[overlap.second]});
+    if (!stays)
+        endResetModel();
+    else if (rows_ > 0)
+        Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, kColumns - 1));
+}
+
 int FixtureModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() || !studio_.show() ? 0 : static_cast<int>(studio_.show()->fixtures.size());
+    return parent.isValid() ? 0 : rows_;
 }
 
 int FixtureModel::columnCount(const QModelIndex& parent) const {
@@ -67,7 +111,7 @@ QVariant FixtureModel::data(const QModelIndex& index, int role) const {
     const FixtureNow* now = row < studio_.rig().fixtures.size() ? &studio_.rig().fixtures[row] : nullptr;
     if (role == Qt::DisplayRole && index.column() == level)
         return now ? QString("%1 %").arg(100 * static_cast<double>(now->dimmer), 0, 'f', 0) : QString();
-    if (role == Qt::DisplayRole) return text_of(fixture, index.column());
+    if (role == Qt::DisplayRole || role == Qt::EditRole) return text_of(fixture, index.column());
     if (role == Qt::BackgroundRole && index.column() == colour && now && now->candela > 0)
         return screen_colour(now->colour);
     if (role == Qt::TextAlignmentRole && index.column() == level)
@@ -86,16 +130,62 @@ QVariant FixtureModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant FixtureModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    static const char* const kTitles[kColumns] = {"Name", "Patch", "Light", "", "Type", "Mode"};
+    static const char* const kTitles[kColumns] = {"Name", "Patch", "Light", "",    "Type",
+                                                  "Mode", "X m",   "Y m",   "Z m", "Turn"};
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     return kTitles[section];
 }
 
-FixturePanel::FixturePanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+Qt::ItemFlags FixtureModel::flags(const QModelIndex& index) const {
+    const int column = index.column();
+    const bool is_patch = column != level && column != colour && column != type;
+    return QAbstractTableModel::flags(index) | (is_patch ? Qt::ItemIsEditable : Qt::NoItemFlags);
+}
+
+bool FixtureModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    const auto row = static_cast<std::size_t>(index.row());
+    const QString words = value.toString().trimmed();
+    if (role != Qt::EditRole || words == data(index, Qt::EditRole).toString()) return false;
+    if (!studio_.selection().contains(row)) studio_.select({row});
+    const Result<void> done = edit(index.column(), words);
+    if (!done.ok() && complain) complain(done.error());
+    return done.ok();
+}
+
+Result<void> FixtureModel::edit(int column, const QString& words) {
+    PatchEdit edit(studio_, document_);
+    const QStringList parts = words.split(' ', Qt::SkipEmptyParts);
+    constexpr double kMost_m = 100000;
+    switch (column) {
+    case name:
+        return edit.rename(words);
+    case patch: {
+        TRY(const fixture::Address address, address_of(words));
+        return edit.set_address(address);
+    }
+    case mode:
+        return edit.set_mode(words);
+    case turn: {
+        glm::vec3 turn_deg{0};
+        for (int i = 0; i < 3; ++i) {
+            TRY(const double degrees, number_of(parts, i, "degrees", -360, 360));
+            turn_deg[i] = static_cast<float>(degrees);
+        }
+        return edit.set_rotation(turn_deg);
+    }
+    default: {
+        TRY(const double metres, number_of(parts, 0, "metres", -kMost_m, kMost_m));
+        return edit.set_axis(column - x, static_cast<float>(metres));
+    }
+    }
+}
+
+FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* parent)
+    : QWidget(parent), studio_(studio) {
     search_ = new QLineEdit(this);
     search_->setPlaceholderText("Search name, patch, type, mode");
     search_->setClearButtonEnabled(true);
-    model_ = new FixtureModel(studio, this);
+    model_ = new FixtureModel(studio, document, this);
     sorted_ = new QSortFilterProxyModel(this);
     sorted_->setSourceModel(model_);
     sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
@@ -108,6 +198,8 @@ FixturePanel::FixturePanel(Studio& studio, QWidget* parent) : QWidget(parent), s
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setAlternatingRowColors(true);
     table_->setShowGrid(false);
+    table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    table_->setItemDelegateForColumn(FixtureModel::mode, new ModeDelegate(studio, table_));
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
     table_->horizontalHeader()->setStretchLastSection(true);
@@ -116,7 +208,11 @@ FixturePanel::FixturePanel(Studio& studio, QWidget* parent) : QWidget(parent), s
                                           {FixtureModel::patch, 9},
                                           {FixtureModel::level, 8},
                                           {FixtureModel::colour, 4},
-                                          {FixtureModel::type, 18}})
+                                          {FixtureModel::type, 18},
+                                          {FixtureModel::mode, 14},
+                                          {FixtureModel::x, 7},
+                                          {FixtureModel::y, 7},
+                                          {FixtureModel::z, 7}})
         table_->setColumnWidth(column, letters * letter);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);

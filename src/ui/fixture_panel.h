@@ -1,9 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // FixturePanel: all fixtures with their patch and what they do now, a line to search in, and the selection,
-// the same as in the picture. Window thread.
+// the same as in the picture. Cells of the patch are edited where they stand; what is typed goes to all that
+// are selected. Window thread.
 
-#include "ui/studio.h"
+#include "ui/patch_edit.h"
 
 #include <QAbstractTableModel>
 #include <QLineEdit>
@@ -16,24 +17,35 @@ namespace ghost::ui {
 class FixtureModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { name, patch, level, colour, type, mode, kColumns };
+    enum Column { name, patch, level, colour, type, mode, x, y, z, turn, kColumns };
 
-    FixtureModel(Studio& studio, QObject* parent);
+    FixtureModel(Studio& studio, ShowDocument& document, QObject* parent);
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    Qt::ItemFlags flags(const QModelIndex& index) const override;
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+    // What an edit that cannot be done says.
+    std::function<void(const Error&)> complain;
 
 private:
+    void take_show();
+    Result<void> edit(int column, const QString& words);
+
     Studio& studio_;
+    ShowDocument& document_;
+    int rows_ = 0;
     std::set<std::size_t> shared_; // fixtures that read a channel of another one
 };
 
 class FixturePanel : public QWidget {
     Q_OBJECT
 public:
-    FixturePanel(Studio& studio, QWidget* parent);
+    FixturePanel(Studio& studio, ShowDocument& document, QWidget* parent);
     void find() { search_->setFocus(); }
+    FixtureModel& model() { return *model_; }
 
 private:
     void show_selection();

@@ -45,9 +45,10 @@ struct Quality {
 
 // What the window wants to see, whole.
 struct Wishes {
-    std::uint64_t number = 0; // grows with every change
-    std::string show;         // path; another one is opened
-    scene::Camera camera;     // size: pixels of the window; exposure, too
+    std::uint64_t number = 0;                // grows with every change
+    std::string show;                        // path; another one is opened
+    std::shared_ptr<const std::string> text; // of show.toml as it is edited; null: as the file has it
+    scene::Camera camera;                    // size: pixels of the window; exposure, too
     Look look;
     bool black_out = false;
     bool frozen = false; // time stands still: nothing turns, strobes or drifts; hands act at once
@@ -76,6 +77,7 @@ struct Opened {
     float radius_m = 10;
     std::string device;
     double recording_s = 0; // 0: the show has none
+    bool is_edit = false;   // the show that was open, edited: camera, look and undo list stay
 };
 
 struct Picture {

@@ -36,6 +36,7 @@ QJsonObject camera_json(const scene::Camera& camera) {
 QJsonObject look_json(const Look& look, const scene::Show& show) {
     QJsonObject fixtures;
     for (const auto& [index, manual] : look.fixtures) {
+        if (index >= show.fixtures.size()) continue; // of an edit that is not open yet
         QJsonObject one;
         put(one, "intensity", manual.intensity);
         put(one, "colour", manual.colour);
@@ -64,7 +65,7 @@ QJsonObject state_json(const Studio& studio, const View& view) {
     const scene::Show& show = *studio.show();
     QJsonArray selection;
     for (const std::size_t index : studio.selection())
-        selection.append(QString::fromStdString(show.fixtures[index].name));
+        if (index < show.fixtures.size()) selection.append(QString::fromStdString(show.fixtures[index].name));
     const Picture& picture = studio.picture();
     const QPoint corner = view.mapToGlobal(QPoint(0, 0));
     QJsonObject lamps;

@@ -4,6 +4,7 @@
 #include "scene/camera_moves.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -87,6 +88,12 @@ void Studio::read_news() {
 
 void Studio::take_opened(Opened opened) {
     opened_ = std::move(opened);
+    if (opened_.is_edit) {
+        Q_EMIT opened_show();
+        if (selection_after_edit_) select(*std::exchange(selection_after_edit_, std::nullopt));
+        Q_EMIT look_changed();
+        return;
+    }
     travel_timer_.stop();
     undo_.clear();
     selection_.clear();
@@ -102,7 +109,10 @@ void Studio::take_opened(Opened opened) {
 }
 
 void Studio::open(const std::string& show) {
-    wish([&](Wishes& wishes) { wishes.show = show; });
+    wish([&](Wishes& wishes) {
+        wishes.show = show;
+        wishes.text.reset();
+    });
 }
 
 void Studio::set_camera(const scene::Camera& camera) {
@@ -147,6 +157,17 @@ void Studio::set_look(Look look, const QString& text, int kind) {
 
 void Studio::put_look(const Look& look) {
     wish([&](Wishes& wishes) { wishes.look = look; });
+    Q_EMIT look_changed();
+}
+
+void Studio::put_edit(std::shared_ptr<const std::string> text, const Look& look,
+                      std::set<std::size_t> selection) {
+    selection_after_edit_ = selection;
+    wish([&](Wishes& wishes) {
+        wishes.text = std::move(text);
+        wishes.look = look;
+    });
+    select(std::move(selection)); // those that are there already
     Q_EMIT look_changed();
 }
 

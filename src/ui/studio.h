@@ -54,6 +54,8 @@ public:
     // a slider, are one step; kind 0: always a step of its own.
     void set_look(Look look, const QString& text, int kind = 0);
     QUndoStack& undo_stack() { return undo_; }
+    // The show is another text now, with what goes by index of the fixture as that text counts.
+    void put_edit(std::shared_ptr<const std::string> text, const Look& look, std::set<std::size_t> selection);
 
     // Fixtures, by index of the show.
     const std::set<std::size_t>& selection() const { return selection_; }
@@ -99,6 +101,7 @@ private:
     Wishes wishes_;
     std::uint64_t settled_ = 0;
     std::set<std::size_t> selection_;
+    std::optional<std::set<std::size_t>> selection_after_edit_; // as the show counts that is not open yet
     QUndoStack undo_;
 
     QTimer travel_timer_;

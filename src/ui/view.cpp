@@ -62,6 +62,7 @@ View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     connect(&fly_timer_, &QTimer::timeout, this, &View::fly);
     connect(&studio_, &Studio::picture_came, this, &View::take_picture);
     connect(&studio_, &Studio::opened_show, this, [this] {
+        if (studio_.opened().is_edit) return;
         scene::Camera camera = studio_.show()->cameras.front();
         camera.width = camera.height = 0;
         studio_.set_camera(camera);

@@ -8,6 +8,8 @@
 #include "ui/hand_panel.h"
 #include "ui/message_panel.h"
 #include "ui/network_panel.h"
+#include "ui/notice_bar.h"
+#include "ui/patch_actions.h"
 #include "ui/scene_panel.h"
 #include "ui/shortcut_sheet.h"
 #include "ui/state_json.h"
@@ -36,7 +38,7 @@ const char* const kHint = "Drop a show folder, a show.toml or an .mvr here, or p
 } // namespace
 
 Window::Window(Link& link, const WindowOptions& options)
-    : options_(options), studio_(link), actions_(*this), view_(new View(studio_, this)),
+    : options_(options), studio_(link), document_(studio_), actions_(*this), view_(new View(studio_, this)),
       status_input_(new QLabel(this)), status_device_(new QLabel(this)) {
     setWindowTitle("Ghostlight");
     setAcceptDrops(true);
@@ -54,17 +56,23 @@ Window::Window(Link& link, const WindowOptions& options)
     add_hand_actions(actions_, studio_);
     add_camera_actions(actions_, studio_);
     add_play_actions(actions_, studio_);
+    add_patch_actions(actions_, studio_, document_);
+    add_document_actions(actions_, document_);
     make_menus();
     auto* transport = new QToolBar("Transport", this);
     transport->setObjectName("transport");
     transport->setMovable(false);
     transport->addWidget(new TransportPanel(studio_, actions_, transport));
     addToolBar(Qt::BottomToolBarArea, transport);
+    addToolBar(Qt::TopToolBarArea, new NoticeBar(actions_, document_, this));
+    fixtures_->model().complain = actions_.complain;
+    connect(&document_, &ShowDocument::changed, this, [this] { setWindowModified(document_.is_changed()); });
     connect(&studio_, &Studio::opened_show, this, &Window::name_cameras);
     connect(&studio_, &Studio::opened_show, this, [this] {
         setWindowTitle(QString::fromStdString(studio_.show()->name.empty() ? studio_.show()->file.string()
                                                                            : studio_.show()->name) +
-                       " - Ghostlight");
+                       "[*] - Ghostlight");
+        if (studio_.opened().is_edit) return;
         view_->setFocus();
         if (!options_.remembers || !QSettings().contains("layout version"))
             statusBar()->showMessage(
@@ -120,7 +128,7 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
 void Window::add_panels() {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    fixtures_ = new FixturePanel(studio_, this);
+    fixtures_ = new FixturePanel(studio_, document_, this);
     add_panel("fixtures", "Fixtures", fixtures_, Qt::LeftDockWidgetArea);
     QDockWidget* values =
         add_panel("values", "Values", new ValuePanel(studio_, this), Qt::RightDockWidgetArea);
@@ -368,8 +376,16 @@ void Window::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void Window::dropEvent(QDropEvent* event) {
-    studio_.open(event->mimeData()->urls().value(0).toLocalFile().toStdString());
+    const QString file = event->mimeData()->urls().value(0).toLocalFile();
     event->acceptProposedAction();
+    const bool is_fixture =
+        file.endsWith(".gdtf", Qt::CaseInsensitive) || file.endsWith(".qxf", Qt::CaseInsensitive);
+    if (!is_fixture || !studio_.show()) {
+        studio_.open(file.toStdString());
+        return;
+    }
+    if (const Result<void> done = actions_.run("add-fixture \"" + file + "\""); !done.ok())
+        actions_.complain(done.error());
 }
 
 } // namespace ghost::ui

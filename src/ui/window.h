@@ -5,6 +5,7 @@
 
 #include "ui/actions.h"
 #include "ui/open_window.h"
+#include "ui/show_document.h"
 #include "ui/studio.h"
 #include "ui/view.h"
 
@@ -48,6 +49,7 @@ private:
 
     WindowOptions options_;
     Studio studio_;
+    ShowDocument document_;
     Actions actions_;
     View* view_;
     FixturePanel* fixtures_ = nullptr;

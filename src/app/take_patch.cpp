@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/take_patch.h"
+
+#include <algorithm>
+
+namespace ghost::app {
+namespace {
+
+bool hangs_the_same(const scene::PatchedFixture& a, const scene::PatchedFixture& b) {
+    const bool has_types = (a.type == nullptr) == (b.type == nullptr);
+    return has_types && a.gdtf == b.gdtf && a.mode == b.mode && a.uuid == b.uuid &&
+           a.stops_m() == b.stops_m() && a.rotation_deg == b.rotation_deg &&
+           a.home_pan_deg == b.home_pan_deg && a.home_tilt_deg == b.home_tilt_deg &&
+           a.track.has_value() == b.track.has_value();
+}
+
+} // namespace
+
+bool take_patch(Session& session, const scene::Show& edited, const scene::Report& report) {
+    std::vector<scene::PatchedFixture>& fixtures = session.show->fixtures;
+    if (!std::equal(fixtures.begin(), fixtures.end(), edited.fixtures.begin(), edited.fixtures.end(),
+                    hangs_the_same))
+        return false;
+    for (std::size_t i = 0; i < fixtures.size(); ++i) {
+        auto type = std::move(fixtures[i].type); // gobos and bodies are those of the old one
+        fixtures[i] = edited.fixtures[i];
+        fixtures[i].type = std::move(type);
+    }
+    session.rig = std::make_unique<scene::Rig>(*session.show);
+    std::vector<scene::Message>& messages = session.report.messages;
+    messages.erase(messages.begin(), messages.begin() + static_cast<std::ptrdiff_t>(session.of_show_file));
+    messages.insert(messages.begin(), report.messages.begin(), report.messages.end());
+    session.of_show_file = report.messages.size();
+    return true;
+}
+
+} // namespace ghost::app

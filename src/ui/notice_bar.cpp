@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/notice_bar.h"
+
+#include <QLabel>
+
+namespace ghost::ui {
+
+NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, QWidget* parent)
+    : QToolBar("Notice", parent), actions_(actions), document_(document) {
+    setObjectName("notice");
+    setMovable(false);
+    toggleViewAction()->setVisible(false);
+    hide();
+    connect(&document_, &ShowDocument::draft_found, this, [this](const QString& words) {
+        ask(words, {{"Take them", "take-changes"}, {"Drop them", "drop-changes"}});
+    });
+    connect(&document_, &ShowDocument::found_changed_outside, this, [this] {
+        ask("Another program changed the show file, and there are changes here that are not saved.",
+            {{"Take what the file says", "reload"}, {"Save mine over it", "save over"}});
+    });
+    connect(&document_, &ShowDocument::changed, this, [this] {
+        if (!document_.has_draft() && !document_.is_changed_outside()) hide();
+    });
+}
+
+void NoticeBar::ask(const QString& words, const std::vector<std::pair<QString, QString>>& buttons_and_lines) {
+    clear();
+    auto* label = new QLabel(words, this);
+    label->setContentsMargins(8, 0, 8, 0);
+    addWidget(label);
+    for (const auto& [text, line] : buttons_and_lines)
+        connect(addAction(text), &QAction::triggered, this, [this, line = line] {
+            if (const Result<void> done = actions_.run(line); !done.ok() && actions_.complain)
+                actions_.complain(done.error());
+        });
+    show();
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,26 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// NoticeBar: a line over the picture that says what waits for a decision about the show file, with a button
+// for each way. Nobody has to answer it. Window thread.
+
+#include "ui/actions.h"
+#include "ui/show_document.h"
+
+#include <QToolBar>
+
+namespace ghost::ui {
+
+class NoticeBar : public QToolBar {
+    Q_OBJECT
+public:
+    NoticeBar(Actions& actions, ShowDocument& document, QWidget* parent);
+
+private:
+    // A line of a script for each button.
+    void ask(const QString& words, const std::vector<std::pair<QString, QString>>& buttons_and_lines);
+
+    Actions& actions_;
+    ShowDocument& document_;
+};
+
+} // namespace ghost::ui

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/patch_edit.h"
+
+#include "base/files.h"
+#include "base/suggest.h"
+#include "fixture/free_address.h"
+#include "fixture/load_type.h"
+#include "scene/show_edit.h"
+#include "scene/show_toml.h"
+
+#include <algorithm>
+#include <set>
+
+namespace ghost::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostFixtureBytes = std::uintmax_t{256} << 20;
+
+int footprint(const scene::PatchedFixture& fixture) {
+    return fixture.type ? fixture::footprint_of(*fixture.type, fixture.mode) : 1;
+}
+
+// "Spot 3" -> "Spot 4", and on until nobody has it.
+std::string next_name(const std::string& name, std::set<std::string>& taken) {
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    const std::string stem = digits < name.size() ? name.substr(0, digits) : name + " ";
+    long number = digits < name.size() && name.size() - digits < 9 ? std::stol(name.substr(digits)) : 1;
+    std::string next;
+    do {
+        next = stem + std::to_string(++number);
+    } while (!taken.insert(next).second);
+    return next;
+}
+
+// What goes by index of the fixture, as another text counts; f: nothing where the fixture is gone.
+template <class F>
+Look counted_anew(const Look& look, F&& f) {
+    Look anew = look;
+    anew.fixtures.clear();
+    for (const auto& [index, manual] : look.fixtures)
+        if (const std::optional<std::size_t> now = f(index)) anew.fixtures[*now] = manual;
+    return anew;
+}
+
+} // namespace
+
+Result<void> PatchEdit::check() const {
+    TRY_VOID(document_.check_editable());
+    if (studio_.selection().empty()) return Error{"no fixture is selected", ""};
+    return {};
+}
+
+std::vector<fixture::Patch> PatchEdit::patches() const {
+    std::vector<fixture::Patch> all;
+    for (const scene::PatchedFixture& fixture : fixtures())
+        if (fixture.type) all.push_back(fixture.patch());
+    return all;
+}
+
+// f: what becomes of each selected fixture, in their order.
+template <class F>
+Result<void> PatchEdit::edit_each(const QString& what, F&& f) {
+    TRY_VOID(check());
+    std::vector<std::pair<scene::FixturePlace, scene::FixtureEdit>> edits;
+    for (const std::size_t index : studio_.selection()) {
+        if (index >= fixtures().size()) continue;
+        scene::FixtureEdit edit;
+        TRY_VOID(f(fixtures()[index], edit));
+        edits.emplace_back(scene::place_of(fixtures()[index], index), edit);
+    }
+    TRY(std::string text, scene::edit_fixtures(document_.text(), edits));
+    return document_.edit(what, {std::move(text), studio_.look(), studio_.selection()});
+}
+
+Result<void> PatchEdit::set_address(fixture::Address from) {
+    int before = 0; // footprint
+    fixture::Address at = from;
+    return edit_each("Address",
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (before > 0 && from.channel > 0)
+                             at = fixture::next_address(at, before, footprint(fixture));
+                         before = footprint(fixture);
+                         edit.address = at;
+                         return {};
+                     });
+}
+
+Result<void> PatchEdit::rename(const QString& name) {
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < (studio_.show() ? fixtures().size() : 0); ++i)
+        if (!studio_.selection().contains(i)) taken.insert(fixtures()[i].name);
+    std::string next = name.trimmed().toStdString();
+    if (next.empty() || next.size() > 100 || next.front() == '.' ||
+        next.find_first_of("/\\:*?\"<>|") != std::string::npos)
+        return Error{"'" + next + "' is no name: 1 to 100 bytes, no leading dot, none of /\\:*?\"<>|", ""};
+    const bool several = studio_.selection().size() > 1;
+    if (!several && taken.contains(next)) return Error{"another fixture is called '" + next + "'", ""};
+    return edit_each("Name", [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
+        if (several) {
+            // "Spot" -> Spot 1, Spot 2; "Spot 5" -> Spot 5, Spot 6.
+            if (next.find_last_of("0123456789") != next.size() - 1) next += " 1";
+            if (!taken.insert(next).second) next = next_name(next, taken);
+            edit.name = next;
+            std::set<std::string> none;
+            next = next_name(next, none);
+        } else {
+            edit.name = next;
+        }
+        return {};
+    });
+}
+
+Result<void> PatchEdit::set_mode(const QString& mode) {
+    return edit_each("Mode",
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (!fixture.type)
+                             return Error{"has no fixture file that can be read", fixture.name};
+                         if (auto found = fixture::find_mode(*fixture.type, mode.toStdString()); !found.ok())
+                             return Error{found.error().what, fixture.name};
+                         edit.mode = mode.toStdString();
+                         return {};
+                     });
+}
+
+Result<void> PatchEdit::set_position(const glm::vec3& position_m) {
+    return edit_each("Position",
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (fixture.track)
+                             return Error{"hangs on a track, which says where it is", fixture.name};
+                         edit.position_m = position_m;
+                         return {};
+                     });
+}
+
+Result<void> PatchEdit::move_by(const glm::vec3& by_m) {
+    return edit_each("Move",
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (fixture.track)
+                             return Error{"hangs on a track, which says where it is", fixture.name};
+                         edit.position_m = fixture.position_m + by_m;
+                         return {};
+                     });
+}
+
+Result<void> PatchEdit::set_rotation(const glm::vec3& rotation_deg) {
+    return edit_each("Turn", [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
+        edit.rotation_deg = rotation_deg;
+        return {};
+    });
+}
+
+Result<void> PatchEdit::align(int axis) {
+    TRY_VOID(check());
+    return set_axis(axis, fixtures()[*studio_.current()].position_m[axis]);
+}
+
+Result<void> PatchEdit::set_axis(int axis, float place_m) {
+    return edit_each("Position",
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (fixture.track)
+                             return Error{"hangs on a track, which says where it is", fixture.name};
+                         edit.position_m = fixture.position_m;
+                         (*edit.position_m)[axis] = place_m;
+                         return {};
+                     });
+}
+
+Result<void> PatchEdit::distribute() {
+    TRY_VOID(check());
+    const std::set<std::size_t>& chosen = studio_.selection();
+    if (chosen.size() < 3) return Error{"three fixtures or more can be spread evenly", ""};
+    const glm::vec3 first_m = fixtures()[*chosen.begin()].position_m;
+    const glm::vec3 last_m = fixtures()[*chosen.rbegin()].position_m;
+    float number = 0;
+    return edit_each(
+        "Distribute", [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+            if (fixture.track) return Error{"hangs on a track, which says where it is", fixture.name};
+            edit.position_m = glm::mix(first_m, last_m, number++ / static_cast<float>(chosen.size() - 1));
+            return {};
+        });
+}
+
+Result<void> PatchEdit::duplicate(const glm::vec3& by_m) {
+    TRY_VOID(check());
+    std::set<std::string> taken;
+    for (const scene::PatchedFixture& fixture : fixtures()) taken.insert(fixture.name);
+    std::vector<fixture::Patch> patched = patches();
+    std::vector<std::pair<std::size_t, scene::FixtureEdit>> copies;
+    for (const std::size_t index : studio_.selection()) {
+        const scene::PatchedFixture& fixture = fixtures()[index];
+        if (!fixture.uuid.empty())
+            return Error{"is of the plot, which only its own program can add to", fixture.name};
+        scene::FixtureEdit edit;
+        edit.name = next_name(fixture.name, taken);
+        if (!fixture.track) edit.position_m = fixture.position_m + by_m;
+        if (fixture.address > 0) {
+            const auto free =
+                fixture::find_free_address(patched, footprint(fixture), {fixture.universe, fixture.address});
+            edit.address = free.value_or(fixture::Address{fixture.universe, 0});
+            if (free && fixture.type) {
+                patched.push_back(fixture.patch());
+                patched.back().addresses = {*free};
+            }
+        }
+        copies.emplace_back(index, edit);
+    }
+    std::string text = document_.text();
+    for (auto copy = copies.rbegin(); copy != copies.rend(); ++copy) {
+        TRY(text, scene::copy_fixture(text, copy->first, copy->second));
+    }
+    const auto place = [&](std::size_t index) -> std::optional<std::size_t> {
+        return index +
+               static_cast<std::size_t>(std::count_if(copies.begin(), copies.end(),
+                                                      [&](const auto& copy) { return copy.first < index; }));
+    };
+    std::set<std::size_t> selection;
+    for (const auto& copy : copies) selection.insert(*place(copy.first) + 1);
+    return document_.edit("Duplicate", {std::move(text), counted_anew(studio_.look(), place), selection});
+}
+
+Result<void> PatchEdit::remove() {
+    TRY_VOID(check());
+    std::vector<std::size_t> numbers;
+    std::vector<std::pair<scene::FixturePlace, scene::FixtureEdit>> hidden;
+    for (const std::size_t index : studio_.selection()) {
+        const scene::PatchedFixture& fixture = fixtures()[index];
+        if (fixture.uuid.empty())
+            numbers.push_back(index);
+        else
+            hidden.push_back({scene::place_of(fixture, index), {.hidden = true}});
+    }
+    TRY(std::string text, scene::edit_fixtures(document_.text(), hidden));
+    if (!numbers.empty()) {
+        TRY(text, scene::remove_fixtures(text, numbers));
+    }
+    const std::set<std::size_t>& gone = studio_.selection();
+    const auto place = [&](std::size_t index) -> std::optional<std::size_t> {
+        if (gone.contains(index)) return std::nullopt;
+        return index - static_cast<std::size_t>(std::distance(gone.begin(), gone.lower_bound(index)));
+    };
+    return document_.edit("Remove", {std::move(text), counted_anew(studio_.look(), place), {}});
+}
+
+Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
+    TRY_VOID(document_.check_editable());
+    TRY(const fixture::LoadedType loaded, fixture::load_type(file));
+    if (loaded.type.modes.empty()) return Error{"has no DMX mode", file.string()};
+    const fs::path& folder = studio_.show()->folder;
+    std::error_code code;
+    fs::path inside = fs::relative(file, folder, code);
+    if (code || inside.empty() || *inside.begin() == "..") {
+        inside = file.filename();
+        TRY(const std::vector<std::uint8_t> bytes, read_file(file, kMostFixtureBytes));
+        const auto there = read_file(folder / inside, kMostFixtureBytes);
+        if (there.ok() && *there != bytes)
+            return Error{"another file of this name lies beside the show already",
+                         (folder / inside).string()};
+        if (!there.ok()) TRY_VOID(write_file_atomic(folder / inside, bytes));
+    }
+    std::set<std::string> taken;
+    for (const scene::PatchedFixture& fixture : fixtures()) taken.insert(fixture.name);
+    scene::NewFixture made{inside.generic_string(), {}};
+    std::string name = loaded.type.name;
+    std::erase_if(name,
+                  [](char letter) { return std::string("/\\:*?\"<>|").find(letter) != std::string::npos; });
+    made.keys.name = next_name((name.empty() ? "Fixture" : name.substr(0, 80)) + " 0", taken);
+    made.keys.address = fixture::find_free_address(patches(), fixture::footprint_of(loaded.type, 0), {1, 1})
+                            .value_or(fixture::Address{1, 0});
+    made.keys.position_m = position_m;
+    TRY(std::string text, scene::add_fixture(document_.text(), made));
+    const auto of_file = static_cast<std::size_t>(
+        std::count_if(fixtures().begin(), fixtures().end(),
+                      [](const scene::PatchedFixture& fixture) { return fixture.uuid.empty(); }));
+    const auto place = [&](std::size_t index) -> std::optional<std::size_t> {
+        return index < of_file ? index : index + 1;
+    };
+    return document_.edit("Add", {std::move(text), counted_anew(studio_.look(), place), {of_file}});
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/show_document.h"
+
+#include "base/crc32.h"
+#include "base/files.h"
+
+#include <QDateTime>
+#include <QFileInfo>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kDraftAfter_ms = 500;
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
+const std::string kDraftHead = "# Ghostlight: changes that were not saved, of a show.toml with CRC ";
+
+std::string crc_of(const std::string& text) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+    return std::to_string(crc32(Bytes(bytes, text.size())));
+}
+
+} // namespace
+
+// From one text to another, with what is by index of the fixture.
+class EditStep : public QUndoCommand {
+public:
+    EditStep(ShowDocument& document, ShowDocument::Edit before, ShowDocument::Edit after, const QString& text)
+        : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)) {}
+    void undo() override { document_.put(before_); }
+    void redo() override { document_.put(after_); }
+
+private:
+    ShowDocument& document_;
+    ShowDocument::Edit before_, after_;
+};
+
+ShowDocument::ShowDocument(Studio& studio) : studio_(studio) {
+    draft_timer_.setSingleShot(true);
+    draft_timer_.setInterval(kDraftAfter_ms);
+    connect(&draft_timer_, &QTimer::timeout, this, &ShowDocument::keep_draft);
+    connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &ShowDocument::look_at_file);
+    connect(&studio_, &Studio::opened_show, this, [this] {
+        if (!studio_.opened().is_edit) read_opened();
+    });
+}
+
+ShowDocument::~ShowDocument() {
+    if (draft_timer_.isActive()) keep_draft();
+}
+
+std::filesystem::path ShowDocument::draft_file() const {
+    return studio_.show()->cache_folder() / "draft.toml";
+}
+
+void ShowDocument::watch() {
+    if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
+    if (!file_.empty()) watcher_.addPath(QString::fromStdString(file_.string()));
+}
+
+void ShowDocument::read_opened() {
+    if (draft_timer_.isActive()) draft_timer_.stop(); // keep_draft came with the last edit or never
+    file_ = studio_.show()->file;
+    text_.clear();
+    draft_.reset();
+    changed_outside_ = false;
+    if (file_.extension() != ".toml") file_.clear();
+    if (!file_.empty()) {
+        if (auto text = read_text_file(file_, kMostBytes); text.ok())
+            text_ = std::move(*text);
+        else
+            file_.clear();
+    }
+    saved_ = text_;
+    watch();
+    std::error_code code;
+    if (!file_.empty() && std::filesystem::is_regular_file(draft_file(), code))
+        if (auto draft = read_text_file(draft_file(), kMostBytes); draft.ok()) {
+            const std::size_t head = draft->find('\n');
+            const bool is_ours = draft->starts_with(kDraftHead) && head != std::string::npos;
+            if (is_ours && draft->substr(head + 1) != text_) {
+                const bool of_this =
+                    draft->substr(kDraftHead.size(), head - kDraftHead.size()) == crc_of(text_);
+                draft_ = draft->substr(head + 1);
+                const QString when = QFileInfo(QString::fromStdString(draft_file().string()))
+                                         .lastModified()
+                                         .toString("d MMM hh:mm");
+                Q_EMIT draft_found("Changes of " + when + " were not saved." +
+                                   (of_this ? QString()
+                                            : QString(" The show file was changed since; taking them "
+                                                      "drops what was changed there.")));
+            } else {
+                std::filesystem::remove(draft_file(), code);
+            }
+        }
+    Q_EMIT changed();
+}
+
+Result<void> ShowDocument::check_editable() const {
+    if (!studio_.show()) return Error{"no show is open", ""};
+    if (file_.empty())
+        return Error{
+            "a plot that is opened as it is cannot be edited; 'ghostlight import' makes a show of it, "
+            "whose changes outlive the designer's next version",
+            studio_.show()->file.string()};
+    if (draft_)
+        return Error{"changes of an earlier time wait: take them or drop them first (Edit menu)",
+                     file_.string()};
+    return {};
+}
+
+Result<void> ShowDocument::edit(const QString& what, Edit edit) {
+    TRY_VOID(check_editable());
+    if (edit.text == text_) return {};
+    Edit before{text_, studio_.look(), studio_.selection()};
+    studio_.undo_stack().push(new EditStep(*this, std::move(before), std::move(edit), what));
+    return {};
+}
+
+void ShowDocument::put(const Edit& edit) {
+    text_ = edit.text;
+    studio_.put_edit(std::make_shared<const std::string>(text_), edit.look, edit.selection);
+    draft_timer_.start();
+    Q_EMIT changed();
+}
+
+void ShowDocument::keep_draft() {
+    draft_timer_.stop();
+    if (file_.empty() || draft_) return;
+    std::error_code code;
+    if (!is_changed()) {
+        std::filesystem::remove(draft_file(), code);
+        return;
+    }
+    std::filesystem::create_directories(draft_file().parent_path(), code);
+    if (const Result<void> written =
+            write_file_atomic(draft_file(), kDraftHead + crc_of(saved_) + "\n" + text_);
+        !written.ok())
+        Q_EMIT studio_.failed("Changes that are not saved cannot be kept: " +
+                              QString::fromStdString(written.error().text()));
+}
+
+void ShowDocument::look_at_file() {
+    watch(); // a file that was replaced is another one
+    const auto now = read_text_file(file_, kMostBytes);
+    const bool outside = now.ok() && *now != saved_ && *now != text_;
+    if (outside == changed_outside_) return;
+    changed_outside_ = outside;
+    if (!outside) return;
+    if (!is_changed() && !draft_ && reload().ok()) return;
+    Q_EMIT found_changed_outside();
+    Q_EMIT changed();
+}
+
+Result<void> ShowDocument::save(bool over) {
+    TRY_VOID(check_editable());
+    const auto now = read_text_file(file_, kMostBytes);
+    if (!over && now.ok() && *now != saved_ && *now != text_) {
+        changed_outside_ = true;
+        return Error{
+            "was changed by another program since it was read here: 'reload' takes what it says now, "
+            "'save over' writes yours",
+            file_.string()};
+    }
+    TRY_VOID(write_file_atomic(file_, text_));
+    saved_ = text_;
+    changed_outside_ = false;
+    keep_draft();
+    watch();
+    Q_EMIT changed();
+    return {};
+}
+
+Result<void> ShowDocument::reload() {
+    TRY_VOID(check_editable());
+    TRY(std::string now, read_text_file(file_, kMostBytes));
+    changed_outside_ = false;
+    saved_ = now;
+    return edit("Reload", {std::move(now), studio_.look(), studio_.selection()});
+}
+
+Result<void> ShowDocument::take_draft() {
+    if (!draft_) return Error{"there are no changes of an earlier time", ""};
+    std::string text = std::move(*draft_);
+    draft_.reset();
+    return edit("Take changes", {std::move(text), studio_.look(), studio_.selection()});
+}
+
+Result<void> ShowDocument::drop_draft() {
+    if (!draft_) return Error{"there are no changes of an earlier time", ""};
+    draft_.reset();
+    std::error_code code;
+    std::filesystem::remove(draft_file(), code);
+    Q_EMIT changed();
+    return {};
+}
+
+} // namespace ghost::ui

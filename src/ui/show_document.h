@@ -1,0 +1,77 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// ShowDocument: show.toml as the window edits it. Its text is the document: an edit is a step of the undo
+// list from one text to the next, and undone it leaves not one other byte. What is not saved lies in
+// .ghost/draft.toml half a second later, so that neither a crash nor a window that is closed loses more; the
+// next time it is offered. Errors go to who asked. Window thread.
+
+#include "ui/studio.h"
+
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QTimer>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace ghost::ui {
+
+class ShowDocument : public QObject {
+    Q_OBJECT
+public:
+    explicit ShowDocument(Studio& studio);
+    ~ShowDocument() override; // writes the draft that waits
+
+    const std::string& text() const { return text_; }
+    bool is_changed() const { return text_ != saved_; }
+    // Changes of an earlier window, or of one that crashed, that wait for take_draft or drop_draft; nothing
+    // is edited before.
+    bool has_draft() const { return draft_.has_value(); }
+    // Whether the file says something else now than when it was read or written here.
+    bool is_changed_outside() const { return changed_outside_; }
+
+    // Error: no show, an .mvr that was opened as it is, or a draft that waits.
+    Result<void> check_editable() const;
+    // One step. look and selection: as they are with the new text, for indices may move.
+    struct Edit {
+        std::string text;
+        Look look;
+        std::set<std::size_t> selection;
+    };
+    Result<void> edit(const QString& what, Edit edit);
+
+    // Whole or not at all. Error: cannot be written, or the file was changed outside meanwhile and over is
+    // false.
+    Result<void> save(bool over);
+    // What the file says, as a step that can be undone.
+    Result<void> reload();
+    Result<void> take_draft();
+    Result<void> drop_draft();
+
+Q_SIGNALS:
+    void changed(); // any of the above
+    void draft_found(const QString& words);
+    void found_changed_outside();
+
+private:
+    friend class EditStep;
+
+    void read_opened();
+    void put(const Edit& edit);
+    void keep_draft();
+    void look_at_file();
+    void watch();
+    std::filesystem::path draft_file() const;
+
+    Studio& studio_;
+    std::filesystem::path file_; // empty: nothing that can be edited
+    std::string text_;
+    std::string saved_; // as the file has it
+    std::optional<std::string> draft_;
+    bool changed_outside_ = false;
+    QTimer draft_timer_;
+    QFileSystemWatcher watcher_;
+};
+
+} // namespace ghost::ui
