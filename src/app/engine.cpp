@@ -113,7 +113,9 @@ bool Engine::reopen(const std::string& path, bool is_edit) {
     }
     tracer_.reset(); // they refer to the session before
     look_.reset();
-    session_ = std::move(*opened);
+    const std::unique_ptr<Session> before = std::exchange(session_, std::move(*opened));
+    if (is_edit && before)
+        session_->rig->go_on_from(*before->rig, same_fixtures(*before->show, *session_->show));
     look_ = std::make_unique<AppliedLook>(*session_);
     motion_ = session_->show->motion;
     const bool keeps_input = is_edit && input_ && recording_ == session_->show->recording;
@@ -137,6 +139,7 @@ void Engine::publish_opened(bool is_edit) {
     ui::Opened news = opened_from(*session_);
     news.recording_s = input_->recording_s();
     news.is_edit = is_edit;
+    news.text = text_;
     link_.opened.put(std::move(news));
     publish_messages();
     link_.on_news();

@@ -2,6 +2,7 @@
 #include "app/take_patch.h"
 
 #include <algorithm>
+#include <map>
 
 namespace ghost::app {
 namespace {
@@ -26,12 +27,30 @@ bool take_patch(Session& session, const scene::Show& edited, const scene::Report
         fixtures[i] = edited.fixtures[i];
         fixtures[i].type = std::move(type);
     }
+    const std::unique_ptr<scene::Rig> before = std::move(session.rig);
     session.rig = std::make_unique<scene::Rig>(*session.show);
+    std::vector<std::optional<std::size_t>> same;
+    for (std::size_t i = 0; i < fixtures.size(); ++i) same.emplace_back(i);
+    session.rig->go_on_from(*before, same);
     std::vector<scene::Message>& messages = session.report.messages;
     messages.erase(messages.begin(), messages.begin() + static_cast<std::ptrdiff_t>(session.of_show_file));
     messages.insert(messages.begin(), report.messages.begin(), report.messages.end());
     session.of_show_file = report.messages.size();
     return true;
+}
+
+std::vector<std::optional<std::size_t>> same_fixtures(const scene::Show& before, const scene::Show& show) {
+    const auto key = [](const scene::PatchedFixture& fixture) {
+        return fixture.uuid.empty() ? "name " + fixture.name : "uuid " + fixture.uuid;
+    };
+    std::map<std::string, std::size_t> indices;
+    for (std::size_t i = 0; i < before.fixtures.size(); ++i) indices.try_emplace(key(before.fixtures[i]), i);
+    std::vector<std::optional<std::size_t>> same;
+    for (const scene::PatchedFixture& fixture : show.fixtures) {
+        const auto found = indices.find(key(fixture));
+        same.push_back(found == indices.end() ? std::nullopt : std::optional(found->second));
+    }
+    return same;
 }
 
 } // namespace ghost::app

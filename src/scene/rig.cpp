@@ -52,6 +52,18 @@ Rig::Rig(const Show& show) : show_(show), track_(show.fixtures.size(), 0.0f), ai
     }
 }
 
+void Rig::go_on_from(const Rig& before, const std::vector<std::optional<std::size_t>>& from) {
+    for (std::size_t i = 0; i < states_.size() && i < from.size(); ++i) {
+        if (!from[i] || *from[i] >= before.states_.size()) continue;
+        const std::size_t other = *from[i];
+        const PatchedFixture& now = show_.fixtures[i];
+        const PatchedFixture& then = before.show_.fixtures[other];
+        if (!now.type || !then.type || now.gdtf != then.gdtf || now.mode != then.mode) continue;
+        states_[i] = before.states_[other];
+        track_[i] = before.track_[other];
+    }
+}
+
 void Rig::aim_at(std::size_t fixture, const std::optional<glm::vec3>& point_m) {
     CHECK(fixture < aims_.size());
     aims_[fixture] = point_m;

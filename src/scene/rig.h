@@ -31,6 +31,10 @@ public:
     void step(const dmx::Universes& universes, double dt_s,
               const std::map<std::size_t, fixture::Manual>& manual = {});
 
+    // Fixtures go on from where they were in another rig: motors, wheels that turn, lamps. from: for each
+    // fixture here its index there, or nothing. One of another type or mode starts anew.
+    void go_on_from(const Rig& before, const std::vector<std::optional<std::size_t>>& from);
+
     // The head of this fixture (index into Show::fixtures) follows a point of the world instead of the desk's
     // pan and tilt, as fast as it can turn; nothing: the desk's again.
     void aim_at(std::size_t fixture, const std::optional<glm::vec3>& point_m);

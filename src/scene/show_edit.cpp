@@ -2,9 +2,11 @@
 #include "scene/show_edit.h"
 
 #include "scene/show.h"
+#include "scene/show_toml.h"
 #include "scene/toml_text.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace ghost::scene {
@@ -186,6 +188,42 @@ Result<std::string> remove_fixtures(const std::string& text, const std::vector<s
         if (fixtures.empty()) expected.erase("fixture");
     }
     return checked(document, expected);
+}
+
+Result<Show> preview_edit(const Show& before, const std::string& text) {
+    Report unsaid; // whoever opens the text says it
+    TRY(ParsedShow parsed, parse_show(text, before.file, unsaid));
+    std::map<std::filesystem::path, std::shared_ptr<const fixture::Type>> types;
+    for (const PatchedFixture& fixture : before.fixtures) types[fixture.gdtf] = fixture.type;
+    Show show = before;
+    show.fixtures = std::move(parsed.show.fixtures);
+    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
+        PatchedFixture& fixture = show.fixtures[i];
+        fixture.type = types[fixture.gdtf];
+        if (!fixture.type) continue;
+        if (const auto mode = fixture::find_mode(*fixture.type, parsed.sources[i].mode); mode.ok())
+            fixture.mode = *mode;
+    }
+    for (PatchedFixture fixture : before.fixtures) {
+        if (fixture.uuid.empty()) continue;
+        bool hidden = false;
+        for (const ChangeEntry& change : parsed.changes) {
+            if (change.uuid != fixture.uuid) continue;
+            if (change.name) fixture.name = *change.name;
+            if (change.position_m) fixture.position_m = *change.position_m;
+            if (change.rotation_deg) fixture.rotation_deg = *change.rotation_deg;
+            if (change.hidden) hidden = *change.hidden;
+            if (change.address && change.dmx_break == 1) {
+                fixture.universe = change.address->universe;
+                fixture.address = change.address->channel;
+            }
+            if (change.mode && fixture.type)
+                if (const auto mode = fixture::find_mode(*fixture.type, *change.mode); mode.ok())
+                    fixture.mode = *mode;
+        }
+        if (!hidden) show.fixtures.push_back(std::move(fixture));
+    }
+    return show;
 }
 
 bool differ_in_fixtures_only(const std::string& a, const std::string& b) {

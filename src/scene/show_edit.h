@@ -59,6 +59,12 @@ Result<std::string> remove_fixtures(const std::string& text, const std::vector<s
 // Whether two show files say the same but for [[fixture]] and [[change]]. False where one is no TOML.
 bool differ_in_fixtures_only(const std::string& a, const std::string& b);
 
+// The show that was open, with its fixtures as the text has them, without opening a file: for who must show
+// an edit at once. A fixture file that was not read before has no type, and what an object of a plot was
+// before its
+// [[change]] went is not known here.
+Result<Show> preview_edit(const Show& before, const std::string& text);
+
 // load_show (scene/show.h) of a show.toml that says this instead of what is in the file. Opens files.
 Result<Show> load_show_text(const std::filesystem::path& file, const std::string& text, bool load_stage,
                             Report& report, const ShowLoading& loading);

@@ -78,6 +78,7 @@ struct Opened {
     std::string device;
     double recording_s = 0; // 0: the show has none
     bool is_edit = false;   // the show that was open, edited: camera, look and undo list stay
+    std::shared_ptr<const std::string> text; // of show.toml, where the wishes had one
 };
 
 struct Picture {

@@ -3,6 +3,7 @@
 
 #include "base/crc32.h"
 #include "base/files.h"
+#include "scene/show_edit.h"
 
 #include <QDateTime>
 #include <QFileInfo>
@@ -111,6 +112,7 @@ Result<void> ShowDocument::check_editable() const {
 Result<void> ShowDocument::edit(const QString& what, Edit edit) {
     TRY_VOID(check_editable());
     if (edit.text == text_) return {};
+    TRY_VOID(scene::preview_edit(*studio_.show(), edit.text)); // one that opens
     Edit before{text_, studio_.look(), studio_.selection()};
     studio_.undo_stack().push(new EditStep(*this, std::move(before), std::move(edit), what));
     return {};
@@ -118,8 +120,10 @@ Result<void> ShowDocument::edit(const QString& what, Edit edit) {
 
 void ShowDocument::put(const Edit& edit) {
     text_ = edit.text;
-    studio_.put_edit(std::make_shared<const std::string>(text_), edit.look, edit.selection);
-    draft_timer_.start();
+    if (auto preview = scene::preview_edit(*studio_.show(), text_); preview.ok())
+        studio_.put_edit(std::make_shared<const std::string>(text_), std::move(*preview), edit.look,
+                         edit.selection);
+    if (!draft_timer_.isActive()) draft_timer_.start(); // who types on must not put it off
     Q_EMIT changed();
 }
 

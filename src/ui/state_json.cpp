@@ -68,6 +68,12 @@ QJsonObject state_json(const Studio& studio, const View& view) {
         if (index < show.fixtures.size()) selection.append(QString::fromStdString(show.fixtures[index].name));
     const Picture& picture = studio.picture();
     const QPoint corner = view.mapToGlobal(QPoint(0, 0));
+    QJsonObject patch;
+    for (const scene::PatchedFixture& fixture : show.fixtures)
+        patch[QString::fromStdString(fixture.name)] =
+            QJsonObject{{"universe", fixture.universe},
+                        {"address", fixture.address},
+                        {"position_m", array_of(fixture.position_m)}};
     QJsonObject lamps;
     for (std::size_t i = 0; i < std::min(studio.rig().fixtures.size(), show.fixtures.size()); ++i)
         if (const auto at = to_widget(picture_rect(view.size(), picture.camera), picture.camera,
@@ -96,6 +102,7 @@ QJsonObject state_json(const Studio& studio, const View& view) {
             {"universes", universes},
             {"view", QJsonArray{corner.x(), corner.y(), view.width(), view.height()}},
             {"lamps", lamps},
+            {"patch", patch},
             {"messages", static_cast<int>(studio.messages().size())},
             {"picture", of_picture}};
 }

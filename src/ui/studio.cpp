@@ -4,7 +4,6 @@
 #include "scene/camera_moves.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -87,11 +86,11 @@ void Studio::read_news() {
 }
 
 void Studio::take_opened(Opened opened) {
+    // An edit later than this one is shown already.
+    if (opened.is_edit && opened.text != wishes_.text) return;
     opened_ = std::move(opened);
     if (opened_.is_edit) {
-        Q_EMIT opened_show();
-        if (selection_after_edit_) select(*std::exchange(selection_after_edit_, std::nullopt));
-        Q_EMIT look_changed();
+        show_edit();
         return;
     }
     travel_timer_.stop();
@@ -160,14 +159,23 @@ void Studio::put_look(const Look& look) {
     Q_EMIT look_changed();
 }
 
-void Studio::put_edit(std::shared_ptr<const std::string> text, const Look& look,
+void Studio::put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
                       std::set<std::size_t> selection) {
-    selection_after_edit_ = selection;
+    opened_.show = std::make_shared<const scene::Show>(std::move(preview));
+    opened_.is_edit = true;
+    selection_ = std::move(selection);
     wish([&](Wishes& wishes) {
         wishes.text = std::move(text);
         wishes.look = look;
     });
-    select(std::move(selection)); // those that are there already
+    show_edit();
+}
+
+void Studio::show_edit() {
+    std::erase_if(selection_, [&](std::size_t index) { return index >= show()->fixtures.size(); });
+    wish([&](Wishes& wishes) { wishes.explained = current(); });
+    Q_EMIT opened_show();
+    Q_EMIT selection_changed();
     Q_EMIT look_changed();
 }
 

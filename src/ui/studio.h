@@ -54,8 +54,10 @@ public:
     // a slider, are one step; kind 0: always a step of its own.
     void set_look(Look look, const QString& text, int kind = 0);
     QUndoStack& undo_stack() { return undo_; }
-    // The show is another text now, with what goes by index of the fixture as that text counts.
-    void put_edit(std::shared_ptr<const std::string> text, const Look& look, std::set<std::size_t> selection);
+    // The show is another text now, with what goes by index of the fixture as that text counts. It is shown
+    // at once as `preview`, until the engine has opened it.
+    void put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
+                  std::set<std::size_t> selection);
 
     // Fixtures, by index of the show.
     const std::set<std::size_t>& selection() const { return selection_; }
@@ -84,6 +86,7 @@ private:
 
     void read_news();
     void take_opened(Opened opened);
+    void show_edit();
     void put_look(const Look& look);
     void step_travel();
     void send();
@@ -101,7 +104,6 @@ private:
     Wishes wishes_;
     std::uint64_t settled_ = 0;
     std::set<std::size_t> selection_;
-    std::optional<std::set<std::size_t>> selection_after_edit_; // as the show counts that is not open yet
     QUndoStack undo_;
 
     QTimer travel_timer_;

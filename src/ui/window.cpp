@@ -356,7 +356,10 @@ Result<void> Window::save_picture(const QStringList& arguments) {
 }
 
 Result<void> Window::save_state(const QStringList& arguments) {
-    const QByteArray text = QJsonDocument(state_json(studio_, *view_)).toJson();
+    QJsonObject state = state_json(studio_, *view_);
+    state["unsaved"] = document_.is_changed();
+    state["changes_wait"] = document_.has_draft();
+    const QByteArray text = QJsonDocument(state).toJson();
     return write_file_atomic(arguments.value(0).toStdString(), text.toStdString());
 }
 

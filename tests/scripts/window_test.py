@@ -324,6 +324,79 @@ class BadInput(unittest.TestCase):
             window.close()
 
 
+class Editing(unittest.TestCase):
+    """The show is edited, saved, undone, and outlives a kill."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.show = WORK / "edited"
+        shutil.copytree(SOURCE / "assets/demo", cls.show, ignore=shutil.ignore_patterns(".ghost"))
+        cls.file = cls.show / "show.toml"
+        cls.original = cls.file.read_bytes()
+
+    def open(self):
+        window = Window("--size", "900x600", "--no-desk", "--quiet", show=self.show)
+        window.do("wait opened", "resolution 10", "jump 36", "wait 0.2", "freeze on")
+        x, y, width, _ = window.place()
+        window.xdo("mousemove", x + width // 2, y + 8, "click", 1)  # the picture has the keys now
+        return window
+
+    def test_edits_are_seen_saved_and_undone(self):
+        window = self.open()
+        try:
+            window.do("camera house", "select \"Spot 2\"", "intensity 1", "pan 0", "tilt 0")
+            hung = window.picture("hung")
+            window.do("move 0 0 -3")
+            lowered = window.picture("lowered")
+            self.assertGreater(changed(hung, lowered), 0.5, "a lamp that is moved is seen elsewhere")
+            window.do("address 7.100")
+            state = window.until(lambda s: s["patch"]["Spot 2"]["universe"] == 7)
+            self.assertEqual(state["patch"]["Spot 2"]["address"], 100)
+            self.assertEqual(state["selection"], ["Spot 2"])
+            self.assertIn("Spot 2", state["by_hand"]["fixtures"], "what was done by hand stays")
+            self.assertTrue(state["unsaved"])
+            self.assertEqual(self.file.read_bytes(), self.original)
+            window.xdo("key", "ctrl+s")
+            window.until(lambda s: not s["unsaved"])
+            saved = self.file.read_text()
+            self.assertIn("universe = 7\naddress = 100\nposition_m = [0, 7.855, 3.26", saved)
+            self.assertEqual(saved.count("# back truss"), self.original.decode().count("# back truss"))
+            window.xdo("key", "ctrl+d")
+            window.until(lambda s: s["selection"] == ["Spot 7"] or "Spot 2" not in s["selection"])
+            self.assertEqual(len(window.state()["patch"]), saved.count("[[fixture]]") + 1)
+            window.xdo("key", "Delete")
+            window.until(lambda s: len(s["patch"]) == saved.count("[[fixture]]"))
+            for _ in range(4):
+                window.xdo("key", "ctrl+z")
+            window.do("save")
+            self.assertEqual(self.file.read_bytes(), self.original)
+            self.assertLess(changed(hung, window.picture("again")), 0.05)
+            self.assertIn("no fixture is selected", window.ask("select-none") + window.ask("remove"))
+            self.assertIn("is no address like 2.101", window.ask("address 1.900"))
+        finally:
+            self.assertEqual(window.close(), 0)
+
+    def test_what_was_not_saved_outlives_a_kill(self):
+        window = self.open()
+        window.do("select \"Spot 3\"", "rename Killed", "wait 2")
+        window.process.kill()
+        window.process.wait()
+        window.socket.close()
+        self.assertEqual(self.file.read_bytes(), self.original)
+        window = self.open()
+        try:
+            self.assertTrue(window.state()["changes_wait"])
+            window.do("select \"Spot 1\"")
+            self.assertIn("wait: take them or drop them", window.ask("rename Other"))
+            window.shoot("changes_wait.png")
+            window.do("take-changes")
+            window.until(lambda s: "Killed" in s["patch"])
+            window.do("undo", "save")
+            self.assertEqual(self.file.read_bytes(), self.original)
+        finally:
+            self.assertEqual(window.close(), 0)
+
+
 def main():
     global WORK, DISPLAY
     with tempfile.TemporaryDirectory() as folder:

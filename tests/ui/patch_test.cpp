@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+// The show as it is edited in the window: every edit is a step that comes back byte for byte, what is not
+// saved outlives the window, and nobody's file is written over.
+#include "test_desk.h"
+
+#include "ui/patch_actions.h"
+
+#include <random>
+
+namespace ghost::ui {
+namespace {
+
+TEST(Patch, addresses_follow_one_behind_the_other) {
+    Desk desk;
+    desk.open();
+    desk.studio.select({0, 1, 2});
+    ASSERT_TRUE(desk.edit.set_address({2, 481}).ok());
+    desk.follow();
+    const std::vector<std::pair<int, int>> expected{{2, 481}, {2, 497}, {3, 1}};
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(std::pair(desk.fixture(i).universe, desk.fixture(i).address), expected[i]) << i;
+    EXPECT_TRUE(desk.document.is_changed());
+    desk.studio.undo_stack().undo();
+    EXPECT_EQ(desk.document.text(), kShow);
+    EXPECT_FALSE(desk.document.is_changed());
+}
+
+TEST(Patch, copies_get_room_names_and_the_selection) {
+    Desk desk;
+    desk.open();
+    desk.studio.select({0, 1});
+    desk.studio.set_look(
+        [&] {
+            Look look;
+            look.fixtures[2].intensity = 0.5f;
+            return look;
+        }(),
+        "by hand");
+    ASSERT_TRUE(desk.edit.duplicate({0, 2, 0}).ok());
+    desk.follow();
+    ASSERT_EQ(desk.studio.show()->fixtures.size(), 5u);
+    EXPECT_EQ(desk.fixture(1).name, "Lamp 4");
+    EXPECT_EQ(desk.fixture(3).name, "Lamp 5");
+    EXPECT_EQ(desk.fixture(1).address, 49) << "behind all that is patched";
+    EXPECT_EQ(desk.fixture(3).address, 65);
+    EXPECT_EQ(desk.fixture(3).position_m, glm::vec3(-1, 3, 4));
+    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{1, 3}));
+    ASSERT_TRUE(desk.studio.look().fixtures.contains(4)) << "Lamp 3 is number 5 now";
+    ASSERT_TRUE(desk.edit.remove().ok());
+    desk.follow();
+    EXPECT_EQ(desk.document.text(), kShow);
+    EXPECT_TRUE(desk.studio.look().fixtures.contains(2));
+    EXPECT_TRUE(desk.studio.selection().empty());
+}
+
+TEST(Patch, places_are_aligned_and_spread) {
+    Desk desk;
+    desk.open();
+    desk.studio.select({0, 1, 2});
+    ASSERT_TRUE(desk.edit.align(1).ok());
+    desk.follow();
+    EXPECT_EQ(desk.fixture(1).position_m, glm::vec3(-1, 0, 4));
+    ASSERT_TRUE(desk.edit.distribute().ok());
+    desk.follow();
+    EXPECT_EQ(desk.fixture(1).position_m, glm::vec3(0, 0, 4));
+    desk.studio.select({0, 1});
+    EXPECT_FALSE(desk.edit.distribute().ok());
+}
+
+TEST(Patch, what_cannot_be_done_is_said_and_not_done) {
+    Desk desk;
+    EXPECT_FALSE(desk.edit.remove().ok()) << "no show";
+    desk.open();
+    EXPECT_FALSE(desk.edit.remove().ok()) << "nothing selected";
+    desk.studio.select({0});
+    EXPECT_FALSE(desk.edit.set_mode("Stndard").ok());
+    EXPECT_FALSE(desk.edit.rename("Lamp 2").ok());
+    EXPECT_FALSE(desk.edit.rename("a/b").ok());
+    EXPECT_FALSE(desk.edit.add("nothing.gdtf", {}).ok());
+    EXPECT_FALSE(address_of("0.1").ok());
+    EXPECT_FALSE(address_of("1.513").ok());
+    EXPECT_FALSE(address_of("1.2.3").ok());
+    EXPECT_EQ(desk.document.text(), kShow);
+    EXPECT_FALSE(desk.studio.undo_stack().canUndo());
+}
+
+TEST(Patch, any_sequence_comes_back_to_the_same_bytes) {
+    std::mt19937 random(3);
+    for (int round = 0; round < 20; ++round) {
+        Desk desk;
+        desk.open();
+        std::vector<std::string> texts{desk.document.text()};
+        for (int step = 0; step < 25; ++step) {
+            const std::size_t count = desk.studio.show()->fixtures.size();
+            std::set<std::size_t> chosen;
+            for (std::size_t i = 0; i < count; ++i)
+                if (random() % 2) chosen.insert(i);
+            desk.studio.select(chosen);
+            switch (random() % 6) {
+            case 0:
+                (void)desk.edit.set_address(
+                    {1 + static_cast<int>(random() % 4), 1 + static_cast<int>(random() % 400)});
+                break;
+            case 1:
+                (void)desk.edit.move_by({0.25f, 0, -1});
+                break;
+            case 2:
+                if (count < 20) (void)desk.edit.duplicate({1, 0, 0});
+                break;
+            case 3:
+                if (chosen.size() < count) (void)desk.edit.remove();
+                break;
+            case 4:
+                (void)desk.edit.rename("Name");
+                break;
+            default:
+                (void)desk.edit.set_mode(random() % 2 ? "Short" : "Standard");
+            }
+            desk.follow();
+            if (desk.document.text() != texts.back()) texts.push_back(desk.document.text());
+        }
+        QUndoStack& stack = desk.studio.undo_stack();
+        ASSERT_EQ(static_cast<std::size_t>(stack.count()) + 1, texts.size());
+        for (std::size_t i = texts.size() - 1; i > 0; --i) {
+            ASSERT_EQ(desk.document.text(), texts[i]);
+            stack.undo();
+        }
+        ASSERT_EQ(desk.document.text(), kShow);
+        while (stack.canRedo()) stack.redo();
+        ASSERT_EQ(desk.document.text(), texts.back());
+    }
+}
+
+TEST(Patch, what_is_not_saved_waits_for_the_next_window) {
+    QTemporaryDir place;
+    std::string edited;
+    {
+        Desk desk(place.path().toStdString());
+        desk.open();
+        desk.studio.select({1});
+        ASSERT_TRUE(desk.edit.rename("Changed").ok());
+        edited = desk.document.text();
+    } // closed
+    Desk desk(place.path().toStdString());
+    EXPECT_EQ(desk.on_disk(), kShow);
+    desk.open();
+    EXPECT_TRUE(desk.document.has_draft());
+    EXPECT_FALSE(desk.draft.isEmpty());
+    desk.studio.select({0});
+    EXPECT_FALSE(desk.edit.rename("Too early").ok()) << "it would write over what waits";
+    ASSERT_TRUE(desk.document.take_draft().ok());
+    EXPECT_EQ(desk.document.text(), edited);
+    desk.follow();
+    ASSERT_TRUE(desk.document.save(false).ok());
+    EXPECT_EQ(desk.on_disk(), edited);
+    EXPECT_FALSE(fs::exists(fs::path(desk.folder) / ".ghost" / "draft.toml"));
+}
+
+TEST(Patch, dropped_changes_are_gone) {
+    QTemporaryDir place;
+    {
+        Desk desk(place.path().toStdString());
+        desk.open();
+        desk.studio.select({1});
+        ASSERT_TRUE(desk.edit.rename("Changed").ok());
+    }
+    {
+        Desk desk(place.path().toStdString());
+        desk.open();
+        ASSERT_TRUE(desk.document.drop_draft().ok());
+        EXPECT_EQ(desk.document.text(), kShow);
+    }
+    Desk desk(place.path().toStdString());
+    desk.open();
+    EXPECT_FALSE(desk.document.has_draft());
+}
+
+TEST(Patch, a_file_that_others_change_is_followed_and_never_written_over) {
+    Desk desk;
+    desk.open();
+    const std::string by_hand = kShow + "[haze]\npreset = \"fog\"\n";
+    ASSERT_TRUE(write_file_atomic(desk.file, by_hand).ok());
+    for (int i = 0; i < 100 && desk.document.text() != by_hand; ++i) wait_ms(20);
+    ASSERT_EQ(desk.document.text(), by_hand) << "nothing was unsaved, so it is taken";
+    desk.follow();
+    desk.studio.select({0});
+    ASSERT_TRUE(desk.edit.rename("Mine").ok());
+    ASSERT_TRUE(write_file_atomic(desk.file, kShow).ok());
+    const auto refused = desk.document.save(false);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(desk.on_disk(), kShow);
+    ASSERT_TRUE(desk.document.save(true).ok());
+    EXPECT_NE(desk.on_disk().find("Mine"), std::string::npos);
+    EXPECT_NE(desk.on_disk().find("fog"), std::string::npos);
+}
+
+TEST(Patch, where_nothing_can_be_written_it_is_said) {
+    Desk desk;
+    desk.open();
+    desk.studio.select({0});
+    ASSERT_TRUE(desk.edit.rename("Mine").ok());
+    fs::remove(desk.file);
+    fs::create_directory(desk.file); // as good as a full disk, also for root
+    EXPECT_FALSE(desk.document.save(true).ok());
+    EXPECT_TRUE(desk.document.is_changed());
+    wait_ms(700);
+    EXPECT_TRUE(fs::exists(fs::path(desk.folder) / ".ghost" / "draft.toml"));
+}
+
+} // namespace
+} // namespace ghost::ui
