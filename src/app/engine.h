@@ -41,6 +41,7 @@ private:
 
     void run();
     void listen();
+    void listen_to_patch();
     void open(const std::string& path);
     void frame();
     // The camera for this frame: the wanted one, with fewer pixels while the picture moves.
@@ -59,6 +60,7 @@ private:
     std::string tried_; // the show that was asked for last, open or not
     std::unique_ptr<dmx::Receiver> receiver_;
     std::vector<scene::Message> of_receiver_;
+    double listens_again_s_ = 0; // where a port was taken
 
     // Of the show that is open.
     std::unique_ptr<Session> session_;

@@ -87,6 +87,8 @@ void Studio::read_news() {
 
 void Studio::take_opened(Opened opened) {
     opened_ = std::move(opened);
+    patch_ = opened_.show ? scene::PatchMap(*opened_.show) : scene::PatchMap();
+    latency_ = {};
     travel_timer_.stop();
     undo_.clear();
     selection_.clear();

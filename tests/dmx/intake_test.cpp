@@ -38,7 +38,7 @@ std::vector<Sample> samples() {
         for (const int byte : rest) bytes.push_back(static_cast<std::uint8_t>(byte));
         return bytes;
     };
-    const auto reply = build_poll_reply({});
+    const auto reply = build_poll_reply({.ports = {{1}}});
     return {
         {"sACN levels", Protocol::sacn, build_sacn(1, Buffer(512, 200), 1, 150, cid, "Other")},
         {"sACN short", Protocol::sacn, build_sacn(1, Buffer(3, 200), 1, 150, cid, "Other")},
