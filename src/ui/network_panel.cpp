@@ -131,11 +131,12 @@ NetworkPanel::NetworkPanel(Studio& studio, QWidget* parent) : QWidget(parent), s
     summary_->setWordWrap(true);
     sources_ = new QTableWidget(0, kColumns, this);
     sources_->setHorizontalHeaderLabels(
-        {"Universe", "Source", "From", "Protocol", "Priority", "Rate", "Jitter", "Missed", "Is", "Patched"});
+        {"Universe", "Source", "Is", "Priority", "Rate", "Jitter", "Missed", "From", "Protocol", "Patched"});
     sources_->verticalHeader()->hide();
     sources_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     sources_->setSelectionBehavior(QAbstractItemView::SelectRows);
     sources_->setShowGrid(false);
+    sources_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     sources_->horizontalHeader()->setStretchLastSection(true);
     universes_ = new QComboBox(this);
     grid_ = new UniverseGrid(studio, this);
@@ -208,14 +209,14 @@ void NetworkPanel::refresh_sources() {
         const QStringList cells{
             QString::number(source.universe),
             QString::fromStdString(source.name.empty() ? source.id : source.name),
-            source.protocol == dmx::Protocol::usb ? QString()
-                                                  : QString::fromStdString(dmx::address_text(source.from)),
-            QString::fromUtf8(dmx::protocol_name(source.protocol)),
+            QString::fromStdString(scene::role_text(source, network.sources)),
             QString::number(source.priority),
             QString("%1 Hz").arg(source.rate_hz, 0, 'f', 1),
             QString("%1 ms").arg(source.jitter_ms, 0, 'f', 1),
             QString::number(source.missed),
-            QString::fromStdString(scene::role_text(source, network.sources)),
+            source.protocol == dmx::Protocol::usb ? QString()
+                                                  : QString::fromStdString(dmx::address_text(source.from)),
+            QString::fromUtf8(dmx::protocol_name(source.protocol)),
             studio_.patch().has(source.universe) ? QString("yes") : QString("no"),
         };
         for (int column = 0; column < cells.size(); ++column) {
