@@ -26,7 +26,8 @@ public:
         std::uint64_t sum = 0;
         for (std::size_t i = 0; count_ > 0 && i < kSteps; ++i) {
             sum += counts_[i];
-            if (sum >= wanted && sum > 0) return 1e-3 * std::exp2(static_cast<double>(i) / kPerOctave);
+            if (sum >= wanted && sum > 0)
+                return std::min(1e-3 * std::exp2(static_cast<double>(i) / kPerOctave), max_ms());
         }
         return 0.0;
     }

@@ -69,7 +69,9 @@ TEST(Learner, LeavesOutWhatMovesByItself) {
         if (i == 10) desk.levels[6] = 255;
         const auto moved = desk.look();
         ASSERT_EQ(moved.size(), i == 10 ? 1u : 0u);
-        if (i == 10) EXPECT_EQ(moved[0].address, 7);
+        if (i == 10) {
+            EXPECT_EQ(moved[0].address, 7);
+        }
     }
 }
 
