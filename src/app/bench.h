@@ -27,6 +27,7 @@ struct BenchOptions {
     int frames = 40;         // measured, after a few that are not
     double row_seconds = 20; // of the table scale: rows that would take longer are skipped, by name
     std::string program;     // our own file, for the start-up table
+    double soak_seconds = 0; // of the table network: an even load for so long, instead of the ladder
 };
 
 using BenchSink = std::function<void(const BenchRow&)>;
@@ -51,6 +52,8 @@ Result<void> bench_bake(const BenchOptions& options, const BenchSink& sink);
 Result<void> bench_quality(const BenchOptions& options, const BenchSink& sink);
 // The receiver on the loopback interface under the load of 256 to 1024 universes.
 Result<void> bench_network(const BenchOptions& options, const BenchSink& sink);
+// An even load for so long instead, one row a minute. Error: a packet was lost, or memory grew.
+Result<void> network_soak(double seconds, std::uint16_t port, const BenchSink& sink);
 // From nothing to the first picture, and the memory it takes.
 Result<void> bench_start(const BenchOptions& options, const BenchSink& sink);
 

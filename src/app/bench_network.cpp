@@ -99,6 +99,7 @@ Result<BenchRow> measure(const Rung& rung, std::uint16_t port) {
                    {"kernel_overflow", static_cast<double>(statistics.overflow)},
                    {"p50_ms", statistics.latency.percentile_ms(0.5)},
                    {"p99_ms", statistics.latency.percentile_ms(0.99)},
+                   {"max_ms", statistics.latency.max_ms()},
                    {"cpu_percent", 100.0 * cpu_s / took_s},
                    {"cpu_us_per_packet", 1e6 * cpu_s / static_cast<double>(std::max<std::uint64_t>(1, all))}};
     row.note = std::to_string(statistics.sources.size()) + " sources";
@@ -108,9 +109,10 @@ Result<BenchRow> measure(const Rung& rung, std::uint16_t port) {
 
 } // namespace
 
-Result<void> bench_network(const BenchOptions&, const BenchSink& sink) {
+Result<void> bench_network(const BenchOptions& options, const BenchSink& sink) {
     const auto port = static_cast<std::uint16_t>(30000 + Clock::now().time_since_epoch().count() / 1'000'000 %
                                                              20000); // nobody else's, most likely
+    if (options.soak_seconds > 0) return network_soak(options.soak_seconds, port, sink);
     for (const Rung& rung : kLadder) {
         if (interrupted()) break;
         TRY(const BenchRow row, measure(rung, port));

@@ -91,12 +91,23 @@ void add_bench(CLI::App& app, int& exit_code) {
                      "rows of the table scale that would take longer are skipped, by name")
         ->check(number_in(1.0, 86400.0))
         ->capture_default_str();
+    command
+        ->add_option(
+            "--soak", a->options.soak_seconds,
+            "with network: an even load for so many seconds, one row a minute, instead of the ladder")
+        ->check(number_in(1.0, 86400.0 * 7));
     command->add_option("--device", a->options.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
     command->add_flag("--json", a->json, "one line of JSON per row");
-    command->footer("Example: ghostlight bench paper --json");
+    command->footer("Example: ghostlight bench paper --json\n"
+                    "         ghostlight bench network --soak 3600");
     command->callback([a, &exit_code] {
         std::error_code code;
+        if (a->options.soak_seconds > 0 && a->table != "network") {
+            log_error("--soak: belongs to the table network: ghostlight bench network --soak 3600");
+            exit_code = 2;
+            return;
+        }
         a->options.program = std::filesystem::read_symlink("/proc/self/exe", code).string();
         exit_code = run_bench(*a);
     });

@@ -133,9 +133,10 @@ Result<Moment> run_recording(const fs::path& file, const Options& options, scene
     return moment;
 }
 
-Result<Moment> listen(const Options& options, scene::Rig& rig) {
+Result<Moment> listen(const Options& options, const scene::PatchMap& patch, scene::Rig& rig) {
     TRY(dmx::ReceiverOptions receiver_wants, receiver_options(options.input));
     receiver_wants.slot_status = true;
+    receiver_wants.universes = joined_universes(receiver_wants.universes, patch);
     TRY(const auto receiver, dmx::Receiver::start(receiver_wants));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
     wait_for_sources(*receiver);
@@ -164,12 +165,14 @@ Result<Moment> listen(const Options& options, scene::Rig& rig) {
     reception.packets = statistics.packets_sacn + statistics.packets_artnet;
     reception.preview = statistics.merge.preview;
     reception.unlisted = statistics.unlisted;
+    for (const dmx::UnlistedUniverse& one : statistics.unlisted_universes)
+        reception.elsewhere.push_back(one.universe);
     for (const std::uint64_t count : statistics.drops) reception.not_understood += count;
     return moment;
 }
 
 Result<Moment> run_input(const Options& options, const scene::Show& show, scene::Rig& rig) {
-    if (options.live_input) return listen(options, rig);
+    if (options.live_input) return listen(options, scene::PatchMap(show), rig);
     if (!options.replay.empty()) return run_recording(options.replay, options, rig);
     std::error_code code;
     if (!show.recording.empty() && fs::exists(show.recording, code))

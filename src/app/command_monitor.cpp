@@ -3,9 +3,11 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/interrupt.h"
+#include "app/monitor_report.h"
 #include "app/number_option.h"
+#include "app/session.h"
 #include "base/log.h"
-#include "dmx/receiver.h"
+#include "scene/learn.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,213 +27,12 @@ struct MonitorOptions {
     InputOptions input;
     double seconds = 0.0;
     double every_s = 1.0;
+    std::string show;
+    bool learn = false;
     bool levels = false;
     bool json = false;
     bool quiet = false;
 };
-
-// A name that somebody on the network chose, fit for a terminal.
-std::string printable(const std::string& text) {
-    std::string result;
-    for (const char letter : text)
-        result += static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F ? '?' : letter;
-    return result;
-}
-
-double seconds_of(std::chrono::nanoseconds time) {
-    return std::chrono::duration<double>(time).count();
-}
-
-double age_s(const dmx::Universe& universe) {
-    return seconds_of(std::chrono::steady_clock::now().time_since_epoch() - universe.arrival);
-}
-
-// What is on the network beside the levels we show.
-Json network_json(const dmx::Statistics& statistics) {
-    Json network{{"sampling", statistics.sampling}};
-    for (const char* list : {"sync", "discovered", "unlisted", "sockets", "links", "triggers"})
-        network[list] = Json::array();
-    for (const dmx::SyncStatus& sync : statistics.sync)
-        network["sync"].push_back({{"id", dmx::source_id(sync.source)},
-                                   {"universe", sync.universe},
-                                   {"packets", sync.packets},
-                                   {"late", sync.late},
-                                   {"age_s", seconds_of(sync.age)}});
-    for (const dmx::DiscoveredSource& source : statistics.discovered)
-        network["discovered"].push_back({{"id", source.id},
-                                         {"name", source.name},
-                                         {"from", dmx::address_text(source.from)},
-                                         {"universes", *source.universes},
-                                         {"age_s", seconds_of(source.age)}});
-    for (const dmx::UnlistedUniverse& universe : statistics.unlisted_universes)
-        network["unlisted"].push_back({{"universe", universe.universe},
-                                       {"protocol", dmx::protocol_name(universe.protocol)},
-                                       {"from", dmx::address_text(universe.from)},
-                                       {"packets", universe.packets},
-                                       {"age_s", seconds_of(universe.age)}});
-    for (const dmx::SocketStatus& socket : statistics.sockets)
-        network["sockets"].push_back({{"name", socket.name},
-                                      {"ipv6", socket.ipv6},
-                                      {"groups", socket.groups},
-                                      {"receive_buffer_bytes", socket.receive_buffer_bytes},
-                                      {"packets", socket.packets},
-                                      {"kernel_overflow", socket.overflow}});
-    for (const dmx::LinkChange& change : statistics.link_changes)
-        network["links"].push_back({{"number", change.number}, {"text", change.text}});
-    for (const dmx::TriggerStatus& trigger : statistics.triggers)
-        network["triggers"].push_back({{"number", trigger.number},
-                                       {"text", dmx::trigger_text(trigger.trigger)},
-                                       {"from", dmx::address_text(trigger.from)}});
-    if (statistics.timecode)
-        network["timecode"] = {{"time", dmx::timecode_text(statistics.timecode->time)},
-                               {"from", dmx::address_text(statistics.timecode->from)},
-                               {"packets", statistics.timecode->packets},
-                               {"age_s", seconds_of(statistics.time - statistics.timecode->arrival)}};
-    network["wire_to_store_ms"] = {{"p50", statistics.latency.percentile_ms(0.5)},
-                                   {"p99", statistics.latency.percentile_ms(0.99)}};
-    return network;
-}
-
-const char* state_text(const dmx::UsbPortStatus& port) {
-    return port.answered ? "ok" : port.open ? "no answer" : "not open";
-}
-
-Json usb_json(const dmx::Statistics& statistics) {
-    Json ports = Json::array();
-    for (const dmx::UsbPortStatus& port : statistics.usb)
-        ports.push_back({{"port", port.path},
-                         {"universe", port.universe},
-                         {"state", state_text(port)},
-                         {"problem", port.problem},
-                         {"serial", port.serial},
-                         {"firmware", port.firmware},
-                         {"openings", port.openings},
-                         {"frames", port.counters.frames},
-                         {"overruns", port.counters.overruns},
-                         {"not_levels", port.counters.not_levels},
-                         {"malformed", port.counters.malformed},
-                         {"other_labels", port.counters.other_labels},
-                         {"skipped_bytes", port.counters.skipped_bytes}});
-    return ports;
-}
-
-Json report_json(const dmx::Universes& universes, const dmx::Statistics& statistics, bool levels) {
-    Json report;
-    report["universes"] = Json::array();
-    for (const dmx::Universe& universe : universes.list) {
-        Json entry{{"universe", universe.number},
-                   {"lost", universe.lost},
-                   {"black", universe.black},
-                   {"age_s", age_s(universe)}};
-        if (levels) entry["levels"] = *universe.levels;
-        report["universes"].push_back(std::move(entry));
-    }
-    report["sources"] = Json::array();
-    for (const dmx::SourceStatus& source : statistics.sources)
-        report["sources"].push_back({{"universe", source.universe},
-                                     {"protocol", dmx::protocol_name(source.protocol)},
-                                     {"id", source.id},
-                                     {"name", source.name},
-                                     {"from", dmx::place_text(source)},
-                                     {"state", dmx::source_state_name(source.state)},
-                                     {"preview", source.preview},
-                                     {"wrong_group", source.wrong_group},
-                                     {"sync_universe", source.sync_universe},
-                                     {"held", source.held},
-                                     {"priority", source.priority},
-                                     {"per_address_priority", source.per_address_priority},
-                                     {"slots", source.slot_count},
-                                     {"packets", source.packets},
-                                     {"rate_hz", source.rate_hz},
-                                     {"missed", source.missed},
-                                     {"out_of_sequence", source.out_of_sequence},
-                                     {"other_way", source.other_way},
-                                     {"age_s", seconds_of(source.age)}});
-    Json counters{{"packets_sacn", statistics.packets_sacn},
-                  {"packets_artnet", statistics.packets_artnet},
-                  {"unlisted", statistics.unlisted},
-                  {"kernel_overflow", statistics.overflow},
-                  {"wrong_group", statistics.wrong_group},
-                  {"pauses", statistics.pauses},
-                  {"polls_refused", statistics.polls_refused},
-                  {"poll_replies_sent", statistics.poll_replies_sent},
-                  {"announcements_sent", statistics.announcements_sent},
-                  {"preview", statistics.merge.preview},
-                  {"missed", statistics.merge.missed},
-                  {"out_of_sequence", statistics.merge.out_of_sequence},
-                  {"other_way", statistics.merge.other_way},
-                  {"held", statistics.merge.held},
-                  {"sources_replaced", statistics.merge.sources_replaced},
-                  {"too_many_sources", statistics.merge.too_many_sources},
-                  {"too_many_universes", statistics.merge.too_many_universes},
-                  {"sources_lost", statistics.merge.sources_lost},
-                  {"sources_terminated", statistics.merge.sources_terminated}};
-    for (std::size_t i = 0; i < statistics.notices.size(); ++i)
-        counters["notices"][dmx::notice_name(static_cast<dmx::Notice>(i))] = statistics.notices[i];
-    for (std::size_t i = 0; i < statistics.drops.size(); ++i)
-        counters["drops"][dmx::drop_name(static_cast<dmx::Drop>(i))] = statistics.drops[i];
-    report["counters"] = std::move(counters);
-    report["network"] = network_json(statistics);
-    report["usb"] = usb_json(statistics);
-    return report;
-}
-
-void print_usb_port(const dmx::UsbPortStatus& port) {
-    const std::string place = printable(port.path) + ", universe " + std::to_string(port.universe);
-    if (!port.open)
-        std::printf("%s: %s\n", place.c_str(), port.problem.c_str());
-    else if (!port.answered)
-        std::printf("%s: nobody answers; is it a DMX USB Pro? (An Open DMX USB cannot receive)\n",
-                    place.c_str());
-    else
-        std::printf(
-            "%s: DMX USB Pro %s, firmware %s; frames %llu, overruns %llu, not levels %llu, not understood "
-            "%llu and %llu bytes\n",
-            place.c_str(), port.serial.c_str(), port.firmware.c_str(),
-            static_cast<unsigned long long>(port.counters.frames),
-            static_cast<unsigned long long>(port.counters.overruns),
-            static_cast<unsigned long long>(port.counters.not_levels),
-            static_cast<unsigned long long>(port.counters.malformed + port.counters.other_labels),
-            static_cast<unsigned long long>(port.counters.skipped_bytes));
-}
-
-void print_table(const dmx::Universes& universes, const dmx::Statistics& statistics, bool network) {
-    std::printf("%-8s %-7s %-15s %4s %5s %7s %7s %6s  %s\n", "universe", "from", "address", "prio", "slots",
-                "rate/s", "missed", "age s", "source");
-    for (const dmx::SourceStatus& source : statistics.sources)
-        std::printf("%-8d %-7s %-15s %4d %5d %7.1f %7llu %6.1f  %s%s\n", source.universe,
-                    dmx::protocol_name(source.protocol), printable(dmx::place_text(source)).c_str(),
-                    source.priority, source.slot_count, source.rate_hz,
-                    static_cast<unsigned long long>(source.missed), seconds_of(source.age),
-                    source.protocol == dmx::Protocol::artnet ? source.id.c_str()
-                                                             : printable(source.name).c_str(),
-                    source.per_address_priority ? " (priority per address)" : "");
-    for (const dmx::Universe& universe : universes.list)
-        if (universe.lost)
-            std::printf("%-8d LOST %.1f s ago, %s\n", universe.number, age_s(universe),
-                        universe.black ? "black" : "last look held");
-    for (const dmx::UsbPortStatus& port : statistics.usb) print_usb_port(port);
-    if (network && statistics.packets_sacn + statistics.packets_artnet == 0)
-        std::printf("nothing arrives. A desk on this machine must send unicast to 127.0.0.1; another one "
-                    "needs the same "
-                    "network, no firewall on UDP 5568 and 6454, and --interface where there are several\n");
-    if (statistics.sampling) std::printf("finding out who sends; levels show after 1.5 s\n");
-    if (statistics.timecode)
-        std::printf("time code %s from %s\n", dmx::timecode_text(statistics.timecode->time).c_str(),
-                    dmx::address_text(statistics.timecode->from).c_str());
-    std::uint64_t dropped = 0;
-    for (const std::uint64_t count : statistics.drops) dropped += count;
-    std::printf(
-        "packets: sACN %llu, Art-Net %llu; not listed %llu, not understood %llu, preview %llu, late %llu, "
-        "kernel overflow %llu; polls answered with %llu replies\n\n",
-        static_cast<unsigned long long>(statistics.packets_sacn),
-        static_cast<unsigned long long>(statistics.packets_artnet),
-        static_cast<unsigned long long>(statistics.unlisted), static_cast<unsigned long long>(dropped),
-        static_cast<unsigned long long>(statistics.merge.preview),
-        static_cast<unsigned long long>(statistics.merge.out_of_sequence),
-        static_cast<unsigned long long>(statistics.overflow),
-        static_cast<unsigned long long>(statistics.poll_replies_sent));
-}
 
 // Triggers and changes of the links since the last report.
 void log_events(const dmx::Statistics& statistics, std::uint64_t& triggers, std::uint64_t& links) {
@@ -245,24 +46,69 @@ void log_events(const dmx::Statistics& statistics, std::uint64_t& triggers, std:
     if (!statistics.link_changes.empty()) links = statistics.link_changes.back().number;
 }
 
-int monitor(const MonitorOptions& options) {
-    if (options.quiet) set_log_level(LogLevel::error);
-    const auto input = receiver_options(options.input);
-    if (!input.ok()) {
-        log_error(input.error().text());
-        return 2;
+// One line for each slot that moved.
+void print_moved(const std::vector<scene::Moved>& moved, const MonitorReport& report, bool json) {
+    const int offset = report.statistics.listening.artnet_offset;
+    for (const scene::Moved& one : moved) {
+        const std::string text = scene::moved_text(one, report.patch, offset);
+        if (!json) {
+            std::printf("%s\n", text.c_str());
+            continue;
+        }
+        Json fixtures = Json::array();
+        for (const scene::PatchedSlot* slot : report.patch.at(one.universe, one.address))
+            fixtures.push_back({{"fixture", slot->fixture_name}, {"channel", slot->channel}});
+        const Json line{{"moved", one.universe},
+                        {"address", one.address},
+                        {"protocol", dmx::protocol_name(one.protocol)},
+                        {"from", one.from},
+                        {"to", one.to},
+                        {"source", one.source},
+                        {"fixtures", fixtures},
+                        {"text", text}};
+        std::printf("%s\n", line.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
     }
-    const auto receiver = dmx::Receiver::start(*input);
-    if (!receiver.ok()) {
-        log_error(receiver.error().text());
-        return 1;
+}
+
+class Learning {
+public:
+    void look(const MonitorReport& report, bool json) {
+        const bool listened = learner_.listens_first();
+        const std::vector<scene::Moved> moved = learner_.feed(report.statistics);
+        if (listened && !learner_.listens_first()) log_info("now move one fader");
+        if (learner_.too_many() > 0)
+            log_warning(std::to_string(learner_.too_many()) +
+                        " slots moved at once: that was no fader; move a single one");
+        print_moved(moved, report, json);
     }
-    for (const std::string& warning : (*receiver)->warnings()) log_warning(warning);
+
+private:
+    scene::Learner learner_;
+};
+
+Result<void> read_patch(const MonitorOptions& options, dmx::ReceiverOptions& input, MonitorReport& report) {
+    if (options.show.empty()) return {};
+    scene::Report said;
+    TRY(const scene::Show show, open_show(options.show, false, options.quiet, said));
+    print_report(said);
+    report.has_patch = true;
+    report.patch = scene::PatchMap(show);
+    input.universes = joined_universes(input.universes, report.patch);
+    input.accept_others = true; // to say that it comes
+    return {};
+}
+
+Result<void> monitor(const MonitorOptions& options, dmx::ReceiverOptions input) {
+    MonitorReport report;
+    TRY_VOID(read_patch(options, input, report));
+    input.slot_status = options.learn;
+    TRY(const auto receiver, dmx::Receiver::start(input));
+    for (const std::string& warning : receiver->warnings()) log_warning(warning);
+    if (options.learn) log_info("leave the faders alone for two seconds: what moves by itself is left out");
     catch_interrupts();
 
-    dmx::Universes universes;
-    dmx::Statistics statistics;
     std::uint64_t triggers = 0, links = 0; // said so far
+    Learning learning;
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     auto next = start;
@@ -274,19 +120,33 @@ int monitor(const MonitorOptions& options) {
             std::this_thread::sleep_for(20ms);
             const double run_s = std::chrono::duration<double>(Clock::now() - start).count();
             running = !interrupted() && (options.seconds <= 0.0 || run_s < options.seconds);
+            if (auto newest = receiver->take_statistics()) {
+                report.statistics = std::move(*newest);
+                if (options.learn) learning.look(report, options.json);
+            }
         }
-        if (auto newest = (*receiver)->take()) universes = std::move(*newest);
-        if (auto newest = (*receiver)->take_statistics()) statistics = std::move(*newest);
-        log_events(statistics, triggers, links);
-        if (options.json)
-            std::printf("%s\n", report_json(universes, statistics, options.levels)
-                                    .dump(-1, ' ', false, Json::error_handler_t::replace)
-                                    .c_str());
-        else
-            print_table(universes, statistics, options.input.protocols != "none");
+        if (auto newest = receiver->take()) report.universes = std::move(*newest);
+        log_events(report.statistics, triggers, links);
+        if (options.json && !options.learn)
+            std::printf("%s\n", monitor_json(report, options.levels).c_str());
+        else if (!options.learn)
+            print_monitor_table(report);
         std::fflush(stdout);
     }
-    return 0;
+    return {};
+}
+
+int run_monitor(const MonitorOptions& options) {
+    if (options.quiet) set_log_level(LogLevel::error);
+    const auto input = receiver_options(options.input);
+    if (!input.ok()) {
+        log_error(input.error().text());
+        return 2;
+    }
+    const Result<void> done = monitor(options, *input);
+    if (done.ok()) return 0;
+    log_error(done.error().text());
+    return 1;
 }
 
 } // namespace
@@ -295,17 +155,26 @@ void add_monitor(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<MonitorOptions>();
     CLI::App* command =
         app.add_subcommand("monitor", "who sends what, now: universes, sources, priorities, rates, loss");
-    command->footer("Example: ghostlight monitor --interface eth0 --universes 1-4");
+    command->footer("Example: ghostlight monitor --interface eth0 --universes 1-4\n"
+                    "         ghostlight monitor --show myshow --learn");
     add_input_options(*command, options->input);
     command->add_option("--seconds", options->seconds, "stop after this long; 0 and default: until Ctrl-C")
         ->check(number_in(0.0, kLongest_s));
     command->add_option("--every", options->every_s, "seconds between two reports")
         ->check(number_in(0.1, 3600.0))
         ->capture_default_str();
+    command
+        ->add_option(
+            "--show", options->show,
+            "folder with show.toml, or an .mvr: joins its universes, says what is patched and what is "
+            "missing")
+        ->type_name("SHOW");
+    command->add_flag("--learn", options->learn,
+                      "move one fader: says which address of which source it is, and what --show has there");
     command->add_flag("--levels", options->levels, "with --json: all 512 levels of each universe");
     command->add_flag("--json", options->json, "one JSON object per line and report");
     command->add_flag("--quiet", options->quiet, "no warnings");
-    command->callback([options, &exit_code] { exit_code = monitor(*options); });
+    command->callback([options, &exit_code] { exit_code = run_monitor(*options); });
 }
 
 } // namespace ghost::app

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/engine.h"
 
+#include "app/input_options.h"
 #include "app/interrupt.h"
 #include "app/take_patch.h"
 #include "scene/explain_print.h"
@@ -21,6 +22,7 @@ using namespace std::chrono_literals;
 
 constexpr double kRest_s = 0.4; // without a change, until the picture is drawn with all its pixels
 constexpr double kRigEvery_s = 0.05;
+constexpr double kListenAgain_s = 3;
 constexpr double kExplainEvery_s = 0.25;
 constexpr int kLeastPixels = 16; // across
 constexpr int kMostPixels = 8192;
@@ -53,8 +55,8 @@ Engine::~Engine() {
 
 void Engine::run() {
     try {
-        listen();
         while (!stop_ && !interrupted()) {
+            listen();
             if (std::optional<ui::Wishes> newest = link_.wishes.take()) {
                 wishes_ = std::move(*newest);
                 if (wishes_.show != tried_)
@@ -73,17 +75,38 @@ void Engine::run() {
     }
 }
 
+// A port that is taken may be free again when whoever has it is closed.
 void Engine::listen() {
-    if (!options_.listens) return;
+    if (!options_.listens || receiver_ || now_s() < listens_again_s_) return;
+    listens_again_s_ = now_s() + kListenAgain_s;
+    std::vector<scene::Message> said;
     auto receiver = dmx::Receiver::start(options_.receiver);
     if (receiver.ok()) {
         receiver_ = std::move(*receiver);
+        if (!of_receiver_.empty()) log_info("the port is free: listening");
         for (const std::string& warning : receiver_->warnings())
-            of_receiver_.push_back({scene::Severity::warning, "network", warning});
-        return;
+            said.push_back({scene::Severity::warning, "network", warning});
+        if (input_) input_->set_receiver(receiver_.get());
+        listen_to_patch();
+    } else {
+        dmx::Statistics none;
+        none.listening.problem = receiver.error().text();
+        link_.network.put(std::move(none));
+        link_.on_news();
+        said.push_back({scene::Severity::error, receiver.error().where, receiver.error().what});
+        if (of_receiver_.empty()) log_warning(receiver.error().text());
     }
-    log_warning(receiver.error().text());
-    of_receiver_.push_back({scene::Severity::error, receiver.error().where, receiver.error().what});
+    const auto same = [](const scene::Message& a, const scene::Message& b) {
+        return a.where == b.where && a.what == b.what;
+    };
+    if (std::equal(said.begin(), said.end(), of_receiver_.begin(), of_receiver_.end(), same)) return;
+    of_receiver_ = std::move(said);
+    if (session_) publish_messages();
+}
+
+void Engine::listen_to_patch() {
+    if (receiver_ && session_)
+        receiver_->listen_to(joined_universes(options_.receiver.universes, scene::PatchMap(*session_->show)));
 }
 
 void Engine::open(const std::string& path) {
@@ -125,6 +148,7 @@ bool Engine::reopen(const std::string& path, bool is_edit) {
         if (auto loaded = input_->load_recording(recording_, session_->report); !loaded.ok())
             session_->report.add(scene::Severity::warning, loaded.error().where, loaded.error().what);
     }
+    listen_to_patch();
     drawn_from_ = {};
     drawn_ = {};
     pace_ = {};
@@ -167,6 +191,7 @@ void Engine::take_edit() {
         return;
     }
     text_ = wishes_.text;
+    listen_to_patch();
     drawn_ = {};
     publish_opened(true);
 }

@@ -42,6 +42,7 @@ private:
 
     void run();
     void listen();
+    void listen_to_patch();
     void open(const std::string& path);
     // The show that is open has another text.
     void take_edit();
@@ -66,6 +67,7 @@ private:
     std::shared_ptr<const std::string> text_; // of it, likewise
     std::unique_ptr<dmx::Receiver> receiver_;
     std::vector<scene::Message> of_receiver_;
+    double listens_again_s_ = 0; // where a port was taken
 
     // Of the show that is open.
     std::unique_ptr<Session> session_;

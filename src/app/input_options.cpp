@@ -41,7 +41,8 @@ void add_input_options(CLI::App& command, InputOptions& options) {
         ->capture_default_str();
     command.add_option(
         "--universes", options.universes,
-        "universes to join and accept, like 1-4,7; default: join 1-64, accept whatever arrives");
+        "universes to join and accept, like 1-4,7, beside those that the show patches; without a show: these "
+        "only, default: join 1-64, accept whatever arrives");
     command
         .add_option("--artnet-offset", options.artnet_offset,
                     "universe = Art-Net Port-Address + this (Port-Address 0 is universe 1)")
@@ -64,6 +65,8 @@ void add_input_options(CLI::App& command, InputOptions& options) {
     command.add_flag(
         "--show-preview", options.show_preview,
         "where a desk sends packets marked as preview (blind), show these instead of the live ones");
+    command.add_option("--preview-universes", options.preview_universes,
+                       "like --show-preview, of these universes only, like 1-4,7");
     command.add_flag("--no-poll-reply", options.no_poll_reply, "stay silent: do not answer ArtPoll");
     command
         .add_option(
@@ -74,12 +77,12 @@ void add_input_options(CLI::App& command, InputOptions& options) {
         ->allow_extra_args(false);
 }
 
-Result<std::vector<std::uint16_t>> parse_universes(std::string_view text) {
+Result<std::vector<std::uint16_t>> parse_universes(std::string_view text, const std::string& option) {
     std::vector<std::uint16_t> result;
     const Error expected{"universes '" + std::string(text) +
                              "', expected numbers and ranges of 1 to 63999, at most 4096 "
                              "in all, like 1-4,7",
-                         "--universes"};
+                         option};
     if (text.empty()) return result;
     for (std::string_view left = text;;) {
         const std::size_t comma = left.find(',');
@@ -154,9 +157,20 @@ Result<dmx::ReceiverOptions> receiver_options(const InputOptions& options) {
     result.artnet_offset = options.artnet_offset;
     result.sacn_port = options.sacn_port;
     result.artnet_port = options.artnet_port;
-    result.show_preview = options.show_preview;
+    TRY(result.preview_universes, parse_universes(options.preview_universes, "--preview-universes"));
+    result.show_preview = options.show_preview || !result.preview_universes.empty();
+    if (options.show_preview) result.preview_universes.clear();
     result.answer_polls = !options.no_poll_reply;
     return result;
+}
+
+std::vector<std::uint16_t> joined_universes(std::vector<std::uint16_t> asked_for,
+                                            const scene::PatchMap& patch) {
+    const std::vector<std::uint16_t> patched = patch.universe_numbers();
+    asked_for.insert(asked_for.end(), patched.begin(), patched.end());
+    std::sort(asked_for.begin(), asked_for.end());
+    asked_for.erase(std::unique(asked_for.begin(), asked_for.end()), asked_for.end());
+    return asked_for;
 }
 
 void wait_for_sources(const dmx::Receiver& receiver) {

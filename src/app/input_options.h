@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "dmx/receiver.h"
+#include "scene/patch_map.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -21,25 +22,28 @@ inline constexpr int kHighestArtnetOffset = 63999;
 struct InputOptions {
     std::string interface;
     std::string protocols = "both"; // sacn | artnet | both | none
-    std::string universes;          // "1-4,7"; empty: whatever arrives
+    std::string universes;          // "1-4,7"; empty: those of the show, without one whatever arrives
     int artnet_offset = 1;
     std::string on_loss = "hold";     // hold | black | seconds until black
     std::string artnet_merge = "htp"; // htp | ltp
     std::uint16_t sacn_port = dmx::kSacnPort;
     std::uint16_t artnet_port = dmx::kArtnetPort;
     bool show_preview = false;
+    std::string preview_universes; // "1-4,7"; empty: all
     bool no_poll_reply = false;
     std::vector<std::string> usb; // "/dev/ttyUSB0=3", "auto"
 };
 
 // Adds --sacn-port and --artnet-port alone.
 void add_port_options(CLI::App& command, std::uint16_t& sacn_port, std::uint16_t& artnet_port);
-// Adds --interface, --protocols, --universes, --artnet-offset, --artnet-merge, --sacn-port, --artnet-port, --on-loss, --show-preview,
-// --no-poll-reply, --usb. options must outlive command.
+// Adds --interface, --protocols, --universes, --artnet-offset, --artnet-merge, --sacn-port, --artnet-port,
+// --on-loss, --show-preview,
+// --preview-universes, --no-poll-reply, --usb. options must outlive command.
 void add_input_options(CLI::App& command, InputOptions& options);
 
 // "1-4,7" -> 1 2 3 4 7: sorted, each once, at most 4096 of 1..63999. Empty text: empty list.
-Result<std::vector<std::uint16_t>> parse_universes(std::string_view text);
+Result<std::vector<std::uint16_t>> parse_universes(std::string_view text,
+                                                   const std::string& option = "--universes");
 
 // "hold", "black", or the seconds that the last look is held for.
 Result<dmx::LossPolicy> parse_loss_policy(const std::string& text);
@@ -48,6 +52,10 @@ Result<dmx::LossPolicy> parse_loss_policy(const std::string& text);
 Result<std::vector<dmx::UsbPortOptions>> parse_usb_ports(const std::vector<std::string>& texts);
 
 Result<dmx::ReceiverOptions> receiver_options(const InputOptions& options);
+
+// What to join for a show: the universes that are patched, and those of --universes.
+std::vector<std::uint16_t> joined_universes(std::vector<std::uint16_t> asked_for,
+                                            const scene::PatchMap& patch);
 
 // Returns when the receiver knows who sends (1.5 s after its start), or at Ctrl-C: from then on there are
 // levels.

@@ -72,6 +72,8 @@ scene::Reception LiveInput::reception() const {
         reception.packets = statistics_.packets_sacn + statistics_.packets_artnet;
         reception.preview = statistics_.merge.preview;
         reception.unlisted = statistics_.unlisted;
+        for (const dmx::UnlistedUniverse& one : statistics_.unlisted_universes)
+            reception.elsewhere.push_back(one.universe);
         for (const std::uint64_t count : statistics_.drops) reception.not_understood += count;
         return reception;
     }

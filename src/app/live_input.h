@@ -5,8 +5,8 @@
 // thread.
 
 #include "base/result.h"
-#include "dmx/receiver.h"
 #include "dmx/player.h"
+#include "dmx/receiver.h"
 #include "scene/explain.h"
 #include "ui/link.h"
 
@@ -22,6 +22,8 @@ public:
     // receiver: may be null (a port was taken), else must outlive this.
     explicit LiveInput(dmx::Receiver* receiver) : receiver_(receiver) {}
 
+    // One that could not be started before.
+    void set_receiver(dmx::Receiver* receiver) { receiver_ = receiver; }
     // Instead of the recording before; an empty path: none.
     Result<void> load_recording(const std::filesystem::path& file, scene::Report& report);
     double recording_s() const { return player_ ? player_->duration_s() : 0; }

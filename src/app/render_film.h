@@ -45,8 +45,8 @@ struct RenderArguments {
 
 struct Tally {
     std::vector<double> draw_ms;
-    std::vector<double> latency_ms; // packet to picture
-    int late = 0;                   // film frames that repeat a picture because drawing took too long
+    dmx::Latency latency; // packet to picture
+    int late = 0;         // film frames that repeat a picture because drawing took too long
     int additions = 0;
     int drawn = 0;
     int quality_changes = 0;

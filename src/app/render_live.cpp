@@ -70,7 +70,8 @@ private:
 
 Result<void> render_live(const RenderArguments& arguments, Session& session, PictureWriter& writer,
                          Tally& tally) {
-    TRY(const dmx::ReceiverOptions options, receiver_options(arguments.input));
+    TRY(dmx::ReceiverOptions options, receiver_options(arguments.input));
+    options.universes = joined_universes(options.universes, scene::PatchMap(*session.show));
     TRY(const std::unique_ptr<dmx::Receiver> receiver, dmx::Receiver::start(options));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
     TRY(LiveControls controls, LiveControls::open(arguments.controls, *session.show,
@@ -110,8 +111,7 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
             std::chrono::nanoseconds arrival{0};
             for (const dmx::Universe& universe : universes.list)
                 arrival = std::max(arrival, universe.arrival);
-            tally.latency_ms.push_back(
-                std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch() - arrival).count());
+            tally.latency.add(Clock::now().time_since_epoch() - arrival);
         }
         const auto due = static_cast<long>(std::chrono::duration<double>(Clock::now() - start) / frame_time);
         const long repeat = std::clamp(due - written, 1L, frames - written);
@@ -131,7 +131,7 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
         TRY_VOID(writer.repeat(repeat - 1));
         written += repeat;
     }
-    if (tally.latency_ms.empty())
+    if (tally.latency.count() == 0)
         log_warning(
             "no packet arrived: the rig stayed at its defaults; 'ghostlight monitor' shows who sends what");
     return {};

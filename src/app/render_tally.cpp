@@ -40,9 +40,10 @@ void print_tally(const RenderArguments& arguments, const Session& session, const
                            {"ev100", session.relighter->ev100_used()}};
         if (arguments.live_input) {
             row["late_frames"] = tally.late;
-            row["packet_to_picture_ms_median"] = percentile(tally.latency_ms, 0.5);
-            row["packet_to_picture_ms_p99"] = percentile(tally.latency_ms, 0.99);
-            row["frames_with_new_packets"] = tally.latency_ms.size();
+            row["packet_to_picture_ms_median"] = tally.latency.percentile_ms(0.5);
+            row["packet_to_picture_ms_p99"] = tally.latency.percentile_ms(0.99);
+            row["packet_to_picture_ms_max"] = tally.latency.max_ms();
+            row["frames_with_new_packets"] = tally.latency.count();
             row["quality_level"] = tally.quality_level;
             row["quality_changes"] = tally.quality_changes;
         }
@@ -53,9 +54,10 @@ void print_tally(const RenderArguments& arguments, const Session& session, const
     const std::string frames = std::to_string(drawn + static_cast<std::size_t>(tally.late)) + " frames";
     log_info(arguments.out + ": " + frames + (tally.late > 0 ? ", " + std::to_string(drawn) + " drawn" : "") +
              ", " + in_ms(median) + " a drawing (median), " + in_ms(p99) + " (99 %)");
-    if (arguments.live_input && !tally.latency_ms.empty())
-        log_info("packet to picture: " + in_ms(percentile(tally.latency_ms, 0.5)) + " (median); " +
-                 std::to_string(tally.late) +
+    if (arguments.live_input && tally.latency.count() > 0)
+        log_info("packet to picture: " + in_ms(tally.latency.percentile_ms(0.5)) + " (median), " +
+                 in_ms(tally.latency.percentile_ms(0.99)) + " (99 %), " + in_ms(tally.latency.max_ms()) +
+                 " at most; " + std::to_string(tally.late) +
                  " film frames repeat a picture because drawing took longer than a frame");
 }
 

@@ -122,32 +122,41 @@ std::vector<std::uint8_t> build_artdmx(std::uint16_t port_address, Bytes slots, 
 }
 
 std::array<std::uint8_t, 239> build_poll_reply(const PollReply& reply) {
-    CHECK(reply.port_address < 0x8000);
+    CHECK(!reply.ports.empty() && reply.ports.size() <= kMaxPortsPerReply);
+    const std::uint16_t first = reply.ports.front().address;
+    for (const PollReply::Port& port : reply.ports)
+        CHECK(port.address < 0x8000 && port.address >> 4 == first >> 4);
+    const auto put_ports = [&](std::vector<std::uint8_t>& to, auto&& value) {
+        for (std::size_t i = 0; i < kMaxPortsPerReply; ++i)
+            to.push_back(static_cast<std::uint8_t>(i < reply.ports.size() ? value(reply.ports[i]) : 0));
+    };
     std::vector<std::uint8_t> out{'A', 'r', 't', '-', 'N', 'e', 't', 0, 0x00, 0x21};
     put_u32(out, reply.ipv4);
     out.push_back(0x36); // port 6454, low byte first
     out.push_back(0x19);
-    put_u16(out, 1);                                                   // firmware version
-    out.push_back(static_cast<std::uint8_t>(reply.port_address >> 8)); // NetSwitch
-    out.push_back((reply.port_address >> 4) & 15);                     // SubSwitch
-    put_u16(out, 0x00FF);                                              // OEM code: unknown
-    out.push_back(0);                                                  // no UBEA
-    out.push_back(0xE0); // Status1: indicators normal, set from the network
-    put_u16(out, 0);     // no ESTA manufacturer code
+    put_u16(out, 1);                                      // firmware version
+    out.push_back(static_cast<std::uint8_t>(first >> 8)); // NetSwitch
+    out.push_back((first >> 4) & 15);                     // SubSwitch
+    put_u16(out, 0x00FF);                                 // OEM code: unknown
+    out.push_back(0);                                     // no UBEA
+    out.push_back(0xE0);                                  // Status1: indicators normal, set from the network
+    put_u16(out, 0);                                      // no ESTA manufacturer code
     put_text(out, reply.short_name, 18);
     put_text(out, reply.long_name, 64);
     put_text(out, reply.report, 64);
-    put_u16(out, 1);                        // one port
-    out.insert(out.end(), {0x80, 0, 0, 0}); // PortTypes: DMX512 output
-    out.insert(out.end(), 4, 0);            // GoodInput
+    put_u16(out, reply.ports.size());
+    put_ports(out, [](const PollReply::Port&) { return 0x80; }); // PortTypes: DMX512 output
+    out.insert(out.end(), 4, 0);                                 // GoodInput
     // GoodOutputA: bit 7 levels arrive, bit 1 merges latest-takes-precedence
-    out.push_back(static_cast<std::uint8_t>((reply.receiving ? 0x80 : 0) | (reply.ltp ? 0x02 : 0)));
-    out.insert(out.end(), 3 + 4, 0);        // rest of it, SwIn
-    out.push_back(reply.port_address & 15); // SwOut
-    out.insert(out.end(), 3 + 3 + 3, 0);    // rest of it; AcnPriority, SwMacro, SwRemote; spare
-    out.push_back(0);                       // Style: node, because some desks send to nothing else
-    out.insert(out.end(), 6, 0);            // MAC address not told
-    put_u32(out, reply.ipv4);               // BindIp
+    put_ports(out, [&](const PollReply::Port& port) {
+        return (port.receiving ? 0x80 : 0) | (reply.ltp ? 0x02 : 0);
+    });
+    out.insert(out.end(), 4, 0);                                                   // SwIn
+    put_ports(out, [](const PollReply::Port& port) { return port.address & 15; }); // SwOut
+    out.insert(out.end(), 3 + 3, 0); // AcnPriority, SwMacro, SwRemote; spare
+    out.push_back(0);                // Style: node, because some desks send to nothing else
+    out.insert(out.end(), 6, 0);     // MAC address not told
+    put_u32(out, reply.ipv4);        // BindIp
     out.push_back(reply.bind_index);
     out.push_back(0x08); // Status2: 15-bit Port-Address
     CHECK_EQ(out.size(), 213u);

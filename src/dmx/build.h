@@ -30,11 +30,16 @@ std::vector<std::uint8_t> build_sacn_discovery(std::span<const std::uint16_t> un
 // port_address: 15 bits. An odd number of slots gets one more, of level 0 (Art-Net lengths are even).
 std::vector<std::uint8_t> build_artdmx(std::uint16_t port_address, Bytes slots, std::uint8_t sequence);
 
+inline constexpr std::size_t kMaxPortsPerReply = 4;
+
 struct PollReply {
-    std::uint32_t ipv4 = 0; // ours, host byte order
-    std::uint16_t port_address = 0;
-    std::uint8_t bind_index = 1; // 1-based; past 255 the index stays 255
-    bool receiving = false;      // levels arrive for this port right now
+    struct Port {
+        std::uint16_t address = 0; // all of a reply share all but the last four bits
+        bool receiving = false;    // levels arrive for it right now
+    };
+    std::uint32_t ipv4 = 0;      // ours, host byte order
+    std::vector<Port> ports;     // 1 to 4
+    std::uint8_t bind_index = 1; // 1-based
     bool ltp = false;            // two sources merge latest-takes-precedence
     std::string short_name;      // at most 17 bytes are sent
     std::string long_name;       // at most 63

@@ -25,7 +25,7 @@ public:
     Reader(ByteSource& source, const std::string& name, const CaptureOptions& options,
            const std::function<void(microseconds)>& began, const FrameSink& sink)
         : file_(source, name), name_(name), options_(options), began_(began), sink_(sink),
-          merge_(MergeOptions{options.show_preview, false}) {}
+          merge_(MergeOptions{.show_preview = options.show_preview}) {}
 
     Result<CaptureEnd> read(const std::function<bool(double)>& progress) {
         while (const auto frame = file_.next()) {

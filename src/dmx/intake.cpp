@@ -20,9 +20,20 @@ void remember(std::vector<T>& list, T entry) {
 
 } // namespace
 
-void Intake::take_levels(Packet& packet, const Arrival& arrival) {
+bool Intake::accepts(std::uint16_t universe) const {
     const auto& wanted = options_.universes;
-    if (!wanted.empty() && !std::binary_search(wanted.begin(), wanted.end(), packet.universe)) {
+    return wanted.empty() || options_.accept_others ||
+           std::binary_search(wanted.begin(), wanted.end(), universe);
+}
+
+void Intake::listen_to(std::vector<std::uint16_t> universes) {
+    options_.universes = std::move(universes);
+    if (!options_.universes.empty() && !options_.accept_others) merge_.keep_only(options_.universes);
+    std::erase_if(unlisted_, [&](const auto& entry) { return accepts(entry.first.first); });
+}
+
+void Intake::take_levels(Packet& packet, const Arrival& arrival) {
+    if (!accepts(packet.universe)) {
         ++counted_.unlisted;
         const auto key = std::make_pair(packet.universe, packet.protocol);
         const auto place = unlisted_.find(key);
@@ -89,6 +100,8 @@ void Intake::report(Statistics& statistics, std::chrono::nanoseconds now) const 
     statistics.sampling = merge_.sampling();
     statistics.merge = merge_.counters();
     statistics.sources = merge_.sources(now);
+    statistics.ignored = merge_.ignored(now);
+    statistics.lost = merge_.lost(now);
     statistics.sync = merge_.sync().list(now);
     statistics.discovered = discovery_.list(now);
     statistics.unlisted_universes.clear();

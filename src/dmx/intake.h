@@ -16,7 +16,8 @@
 namespace ghost::dmx {
 
 struct IntakeOptions {
-    std::vector<std::uint16_t> universes; // sorted; to accept, empty: all
+    std::vector<std::uint16_t> universes; // sorted; to accept
+    bool accept_others = false;           // than those; without any all are accepted
     int artnet_offset = 1;
     MergeOptions merge;
     // Levels for this universe are about to be merged.
@@ -40,12 +41,17 @@ public:
     std::optional<PollPacket> take(Bytes bytes, const Arrival& arrival);
     void tick(std::chrono::nanoseconds now);
 
+    // Instead of IntakeOptions::universes; what was known of others is forgotten where they are not accepted.
+    // Sorted.
+    void listen_to(std::vector<std::uint16_t> universes);
+
     Merge& merge() { return merge_; }
     const Merge& merge() const { return merge_; }
     // All that it knows; what belongs to sockets is left as it is.
     void report(Statistics& statistics, std::chrono::nanoseconds now) const;
 
 private:
+    bool accepts(std::uint16_t universe) const;
     void take_levels(Packet& packet, const Arrival& arrival);
 
     IntakeOptions options_;

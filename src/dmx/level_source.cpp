@@ -2,6 +2,7 @@
 #include "dmx/level_source.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace ghost::dmx {
@@ -92,6 +93,7 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
         last_priorities_ = std::max(last_priorities_, now);
         joined_ = true; // nothing better is to come
     } else {
+        if (packets_ > 0) measure_jitter(now - last_levels_);
         last_levels_ = std::max(last_levels_, now);
         ++packets_;
         ++window_packets_;
@@ -139,6 +141,14 @@ bool LevelSource::drop_old_priorities(std::chrono::nanoseconds now) {
     if (!per_address_ || now - last_priorities_ <= kSacnLoss) return false;
     per_address_ = false;
     return true;
+}
+
+// As RFC 3550 smooths it, against the mean interval.
+void LevelSource::measure_jitter(std::chrono::nanoseconds interval) {
+    const double ms = std::chrono::duration<double, std::milli>(interval).count();
+    if (interval_ms_ == 0.0) interval_ms_ = ms;
+    interval_ms_ += (ms - interval_ms_) / 16.0;
+    jitter_ms_ += (std::abs(ms - interval_ms_) - jitter_ms_) / 16.0;
 }
 
 void LevelSource::measure_rate(std::chrono::nanoseconds now) {
@@ -189,6 +199,7 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     const double window_s = std::chrono::duration<double>(now - window_start_).count();
     const bool young = rate_hz_ == 0.0 && window_s > 0.2;
     status.rate_hz = young ? static_cast<double>(window_packets_) / window_s : rate_hz_;
+    status.jitter_ms = jitter_ms_;
     status.age = now - last_levels_;
     if (with_slots) {
         SourceSlots slots;

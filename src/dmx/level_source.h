@@ -70,6 +70,7 @@ private:
         std::uint32_t stamp = 0;
     };
     void show(const Held& levels);
+    void measure_jitter(std::chrono::nanoseconds interval);
 
     SourceKey key_;
     std::string name_;
@@ -93,6 +94,7 @@ private:
     std::uint64_t window_packets_ = 0;
     std::chrono::nanoseconds window_start_{0};
     double rate_hz_ = 0.0;
+    double interval_ms_ = 0.0, jitter_ms_ = 0.0; // means of the last 16 packets or so
 };
 
 } // namespace ghost::dmx

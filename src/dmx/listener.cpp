@@ -73,10 +73,15 @@ void Listener::look_at_interfaces() {
         if (!find_index(interfaces_, interface.index)) interfaces_.push_back(interface);
 }
 
-Result<void> Listener::open_all(const std::vector<std::uint16_t>& announced) {
-    announced_ = announced;
+void Listener::announce(const std::vector<std::uint16_t>& universes) {
+    announced_ = universes;
     if (options_.sacn) announced_.push_back(kDiscoveryUniverse);
     std::sort(announced_.begin(), announced_.end());
+    join_groups(sync_universes_);
+}
+
+Result<void> Listener::open_all(const std::vector<std::uint16_t>& announced) {
+    announce(announced);
     if (!options_.interface.empty()) {
         TRY(chosen_, find_interface(options_.interface));
     }
@@ -105,8 +110,8 @@ Result<void> Listener::open_all(const std::vector<std::uint16_t>& announced) {
 }
 
 void Listener::join_groups(const std::vector<std::uint16_t>& sync_universes) {
-    if (!groups4_) return;
     sync_universes_ = sync_universes;
+    if (!groups4_) return;
     std::vector<std::uint16_t> universes = announced_;
     universes.insert(universes.end(), sync_universes.begin(), sync_universes.end());
     std::sort(universes.begin(), universes.end());
@@ -202,10 +207,14 @@ void Listener::report(Statistics& statistics) const {
         const bool ipv6 = socket.version() == IpVersion::v6;
         const auto& groups = ipv6 ? groups6_ : groups4_;
         statistics.overflow += socket.overflow();
-        statistics.sockets.push_back({roles_[i].name, ipv6, groups ? groups->joined_by(&socket) : 0,
-                                      socket.receive_buffer(), socket.packets(), socket.overflow()});
+        const Protocol protocol = roles_[i].protocol;
+        const std::uint16_t port = protocol == Protocol::sacn ? options_.sacn_port : options_.artnet_port;
+        statistics.sockets.push_back({roles_[i].name, protocol, port, ipv6,
+                                      groups ? groups->joined_by(&socket) : 0, socket.receive_buffer(),
+                                      socket.packets(), socket.overflow()});
     }
     statistics.link_changes = link_changes_;
+    statistics.interfaces = all_;
 }
 
 } // namespace ghost::dmx

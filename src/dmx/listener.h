@@ -30,6 +30,9 @@ public:
     // Looks at the interfaces again, and joins the groups of these universes, too (synchronisation).
     void check(const std::vector<std::uint16_t>& sync_universes, std::chrono::nanoseconds now);
 
+    // Joins the groups of these universes instead, without a gap for those that stay.
+    void announce(const std::vector<std::uint16_t>& universes);
+
     UdpSocket* artnet_out() const { return artnet_out_; } // null: no Art-Net
     const std::optional<NetInterface>& chosen() const { return chosen_; }
     const std::vector<NetInterface>& interfaces() const { return interfaces_; } // each once, the chosen only

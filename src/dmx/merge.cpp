@@ -16,6 +16,26 @@ void Merge::mark(std::uint16_t number, Input& input) {
     input.dirty = true;
 }
 
+bool Merge::shows_preview(std::uint16_t number) const {
+    const std::vector<std::uint16_t>& only = options_.preview_universes;
+    return options_.show_preview && (only.empty() || std::binary_search(only.begin(), only.end(), number));
+}
+
+void Merge::ignore(const Packet& packet, IgnoredSource::Why why, std::chrono::nanoseconds now) {
+    ++(why == IgnoredSource::Why::preview ? counters_.preview : counters_.too_many_sources);
+    const auto key = std::make_pair(packet.universe, packet.source);
+    const auto place = ignored_.find(key);
+    if (place == ignored_.end() && ignored_.size() >= kMaxIgnored) return;
+    IgnoredSource& entry = place == ignored_.end() ? ignored_[key] : place->second;
+    entry.universe = packet.universe;
+    entry.protocol = packet.protocol;
+    entry.why = why;
+    entry.name = packet.source_name;
+    entry.from = packet.from;
+    entry.age = now;
+    ++entry.packets;
+}
+
 LevelSource* Merge::find_or_add(Input& input, const Packet& packet, std::chrono::nanoseconds now) {
     std::vector<LevelSource>& sources = input.sources;
     const auto same = [&](const LevelSource& source) { return source.key() == packet.source; };
@@ -33,7 +53,7 @@ LevelSource* Merge::find_or_add(Input& input, const Packet& packet, std::chrono:
         full = false;
     }
     if (full || (artnet && artnets >= static_cast<int>(kMaxArtnetSources))) {
-        ++counters_.too_many_sources;
+        ignore(packet, IgnoredSource::Why::too_many, now);
         return nullptr;
     }
     const bool alone = std::none_of(sources.begin(), sources.end(),
@@ -73,8 +93,8 @@ bool Merge::must_hold(const Input& input, const LevelSource& source, const Packe
 }
 
 void Merge::feed(const Packet& packet, std::chrono::nanoseconds now) {
-    if (packet.source.preview && !options_.show_preview) {
-        ++counters_.preview;
+    if (packet.source.preview && !shows_preview(packet.universe)) {
+        ignore(packet, IgnoredSource::Why::preview, now);
         return;
     }
     auto place = inputs_.find(packet.universe);
@@ -113,7 +133,9 @@ void Merge::feed(const Packet& packet, std::chrono::nanoseconds now) {
 
 void Merge::feed(const SyncPacket& packet, std::chrono::nanoseconds now) {
     for (const std::uint16_t number : sync_.heard(packet, now)) {
-        Input& input = inputs_.at(number);
+        const auto place = inputs_.find(number);
+        if (place == inputs_.end()) continue; // not kept
+        Input& input = place->second;
         for (LevelSource& source : input.sources)
             if (sync_key(source.key()) == sync_key(packet.source) &&
                 source.sync_universe() == packet.universe && source.release())
@@ -149,8 +171,22 @@ bool Merge::let_newcomers_in(Input& input, std::chrono::nanoseconds now) {
     return changed;
 }
 
+void Merge::keep_only(const std::vector<std::uint16_t>& universes) {
+    const auto others = [&](std::uint16_t number) {
+        return !std::binary_search(universes.begin(), universes.end(), number);
+    };
+    for (const auto& [number, input] : inputs_)
+        if (others(number)) source_count_ -= input.sources.size();
+    std::erase_if(inputs_, [&](const auto& input) { return others(input.first); });
+    std::erase_if(ignored_, [&](const auto& entry) { return others(entry.first.first); });
+    std::erase_if(dirty_, others);
+    if (std::erase_if(universes_.list, [&](const Universe& one) { return others(one.number); }) > 0)
+        ++universes_.revision;
+}
+
 void Merge::tick(std::chrono::nanoseconds now) {
     sync_.tick(now);
+    std::erase_if(ignored_, [&](const auto& entry) { return now - entry.second.age > kIgnoredForgotten; });
     if (sampling_until_ && now >= *sampling_until_) sampling_until_.reset();
     for (auto& [number, input] : inputs_) {
         bool changed = release_unsynchronised(input, now);
@@ -206,7 +242,7 @@ void Merge::rebuild(std::uint16_t number, Input& input) {
     universe.black = !live && input.black_due;
     if (!live && !universe.black) return; // hold the last look
     const Levels merged =
-        live ? merge_levels(input.sources, options_.show_preview, options_.artnet_ltp) : Levels{};
+        live ? merge_levels(input.sources, shows_preview(number), options_.artnet_ltp) : Levels{};
     if (universe.revision != 0 && *universe.levels == merged) return;
     universe.levels = std::make_shared<const Levels>(merged);
     universe.revision = ++universes_.revision;
@@ -230,9 +266,29 @@ const Universes& Merge::universes() {
 
 std::vector<SourceStatus> Merge::sources(std::chrono::nanoseconds now) const {
     std::vector<SourceStatus> result;
-    for (const auto& [number, input] : inputs_)
+    for (const auto& [number, input] : inputs_) {
+        const std::size_t first = result.size();
         for (const LevelSource& source : input.sources)
             result.push_back(source.status(number, options_.slot_status, now));
+        const std::vector<std::size_t> held = slots_held(input.sources, shows_preview(number));
+        for (std::size_t i = 0; i < held.size(); ++i) result[first + i].slots_held = held[i];
+    }
+    return result;
+}
+
+std::vector<IgnoredSource> Merge::ignored(std::chrono::nanoseconds now) const {
+    std::vector<IgnoredSource> result;
+    for (const auto& [key, entry] : ignored_) {
+        result.push_back(entry);
+        result.back().age = now - entry.age;
+    }
+    return result;
+}
+
+std::vector<LostUniverse> Merge::lost(std::chrono::nanoseconds now) const {
+    std::vector<LostUniverse> result;
+    for (const auto& [number, input] : inputs_)
+        if (input.lost_since) result.push_back({number, input.black_due, now - *input.lost_since});
     return result;
 }
 

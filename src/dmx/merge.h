@@ -16,6 +16,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ghost::dmx {
@@ -24,9 +25,11 @@ inline constexpr std::size_t kMaxSourcesPerUniverse = 16; // more are counted an
 inline constexpr std::size_t kMaxArtnetSources = 2;
 inline constexpr std::size_t kMaxUniverses = 4096;
 inline constexpr std::size_t kMaxSources = 8192; // on all universes together
+inline constexpr std::size_t kMaxIgnored = 64;   // of sources that are only told of
 inline constexpr std::chrono::milliseconds kSamplingPeriod{1500};
 inline constexpr std::chrono::milliseconds kPriorityWait{1500};
 inline constexpr std::chrono::milliseconds kReplaceable{100}; // a source heard once, that long ago
+inline constexpr std::chrono::seconds kIgnoredForgotten{10};
 
 // What a universe shows when its last source is gone.
 struct LossPolicy {
@@ -36,8 +39,9 @@ struct LossPolicy {
 
 struct MergeOptions {
     bool show_preview = false; // packets marked "preview" (blind), where there are any, instead of live ones
-    bool slot_status = false;  // sources() says what each source sends: a kilobyte per source
-    bool artnet_ltp = false;   // of two Art-Net sources the one that changed a slot last holds it
+    std::vector<std::uint16_t> preview_universes; // sorted; only of these; empty: of all
+    bool slot_status = false; // sources() says what each source sends: a kilobyte per source
+    bool artnet_ltp = false;  // of two Art-Net sources the one that changed a slot last holds it
     LossPolicy loss;
     // After listen() nothing is shown for so long, so that all sources of a universe are known
     // (kSamplingPeriod).
@@ -74,6 +78,9 @@ public:
     // next number of each counts whatever it is.
     void resume(std::chrono::nanoseconds pause);
 
+    // Nothing is known of other universes any more. Sorted.
+    void keep_only(const std::vector<std::uint16_t>& universes);
+
     // Something changed since the last call of universes().
     bool pending() const { return !dirty_.empty() && !sampling_until_; }
     bool pending(std::uint16_t universe) const;
@@ -84,6 +91,8 @@ public:
 
     bool sampling() const { return sampling_until_.has_value(); }
     std::vector<SourceStatus> sources(std::chrono::nanoseconds now) const;
+    std::vector<IgnoredSource> ignored(std::chrono::nanoseconds now) const;
+    std::vector<LostUniverse> lost(std::chrono::nanoseconds now) const;
     // Universes whose synchronisation packets somebody waits for, sorted: their groups have to be joined.
     std::vector<std::uint16_t> sync_universes() const;
     const SyncStreams& sync() const { return sync_; }
@@ -100,6 +109,8 @@ private:
     };
 
     void mark(std::uint16_t number, Input& input);
+    bool shows_preview(std::uint16_t number) const;
+    void ignore(const Packet& packet, IgnoredSource::Why why, std::chrono::nanoseconds now);
     LevelSource* find_or_add(Input& input, const Packet& packet, std::chrono::nanoseconds now);
     void terminate(std::uint16_t number, Input& input, const Packet& packet, std::chrono::nanoseconds now);
     bool must_hold(const Input& input, const LevelSource& source, const Packet& packet,
@@ -115,7 +126,8 @@ private:
     SyncStreams sync_;
     std::vector<std::uint16_t> dirty_;
     std::size_t source_count_ = 0;
-    std::uint32_t stamp_ = 0; // of the newest packet
+    std::uint32_t stamp_ = 0;                                              // of the newest packet
+    std::map<std::pair<std::uint16_t, SourceKey>, IgnoredSource> ignored_; // age: arrival
     std::optional<std::chrono::nanoseconds> sampling_until_;
     Universes universes_;
 };

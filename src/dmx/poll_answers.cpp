@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dmx/poll_answers.h"
 
+#include "dmx/build.h"
+
 #include <algorithm>
 
 namespace ghost::dmx {
+
+namespace {
+
+constexpr std::size_t kMaxBindIndex = 255;
+
+} // namespace
 
 bool is_local(std::uint32_t ipv4, std::span<const NetInterface> interfaces) {
     struct Block {
@@ -17,6 +25,20 @@ bool is_local(std::uint32_t ipv4, std::span<const NetInterface> interfaces) {
            std::any_of(interfaces.begin(), interfaces.end(), [&](const NetInterface& interface) {
                return interface.address != 0 && ((ipv4 ^ interface.address) & interface.netmask) == 0;
            });
+}
+
+void PollAnswers::announce(const std::vector<std::uint16_t>& port_addresses) {
+    std::vector<bool> waited;
+    for (const Run& run : runs_) waited.push_back(waits(run));
+    const std::size_t most = port_addresses.size() > kMaxBindIndex ? kMaxPortsPerReply : 1;
+    replies_.clear();
+    for (const std::uint16_t port : port_addresses) {
+        const bool joins =
+            !replies_.empty() && replies_.back().size() < most && replies_.back().front() >> 4 == port >> 4;
+        if (!joins) replies_.emplace_back();
+        replies_.back().push_back(port);
+    }
+    for (std::size_t i = 0; i < runs_.size(); ++i) runs_[i].next = waited[i] ? 0 : replies_.size();
 }
 
 void PollAnswers::hello(std::uint32_t broadcast, std::uint32_t our_ipv4, std::chrono::nanoseconds now) {
@@ -45,10 +67,10 @@ std::optional<PollAnswers::Reply> PollAnswers::next(std::chrono::nanoseconds now
         runs_.pop_front();
         std::optional<Reply> reply;
         while (!reply && waits(run) && run.start <= now) {
-            const std::uint16_t port = ports_[run.next++];
-            if (port < run.range.first || port > run.range.last) continue;
-            reply = {run.to_ipv4, run.our_ipv4, port,
-                     static_cast<std::uint8_t>(std::min<std::size_t>(run.next, 255)), run.asked};
+            const std::vector<std::uint16_t>& ports = replies_[run.next++];
+            if (ports.back() < run.range.first || ports.front() > run.range.last) continue;
+            reply = {run.to_ipv4, run.our_ipv4, ports,
+                     static_cast<std::uint8_t>(std::min(run.next, kMaxBindIndex)), run.asked};
         }
         if (waits(run) || run.rests > now) runs_.push_back(run);
         if (!reply) continue;

@@ -3,7 +3,9 @@
 // PollAnswers: who gets which ArtPollReply when. A poll of 14 bytes asks for a reply of 239 bytes per
 // universe, so whoever forges its sender could have us flood somebody: an address is answered once in
 // kPollerRest, replies to all together are paced (2000 a second, 0.5 MB), at most kMaxPollers wait, and only
-// addresses of local networks are answered. No clock, no sockets.
+// addresses of local networks are answered. Art-Net 4 has one port per reply, and the bind index, which tells
+// the replies of one address apart, ends at 255; where that does not do, neighbours share a reply as Art-Net
+// 3 has it, up to four. No clock, no sockets.
 
 #include "dmx/packet.h"
 #include "dmx/socket.h"
@@ -28,14 +30,16 @@ bool is_local(std::uint32_t ipv4, std::span<const NetInterface> interfaces);
 class PollAnswers {
 public:
     // What is announced, in this order.
-    explicit PollAnswers(std::vector<std::uint16_t> port_addresses) : ports_(std::move(port_addresses)) {}
+    explicit PollAnswers(const std::vector<std::uint16_t>& port_addresses) { announce(port_addresses); }
+    // Instead of those; who is just being told hears of these from the beginning. Sorted.
+    void announce(const std::vector<std::uint16_t>& port_addresses);
 
     struct Reply {
         std::uint32_t to_ipv4 = 0;
         std::uint32_t our_ipv4 = 0;
-        std::uint16_t port_address = 0;
-        std::uint8_t bind_index = 1; // past 255 it stays 255
-        bool asked = false;          // else the hello at start
+        std::vector<std::uint16_t> ports; // 1 to 4, of one net and sub-net
+        std::uint8_t bind_index = 1;      // past 255 replies (as many as 1020 ports may need) it stays 255
+        bool asked = false;               // else the hello at start
     };
 
     // A node says hello when it comes up, so that controllers need not wait for their next poll.
@@ -54,14 +58,14 @@ private:
         std::uint32_t to_ipv4 = 0;
         std::uint32_t our_ipv4 = 0;
         PollPacket range;
-        std::size_t next = 0;              // index in ports_
+        std::size_t next = 0;              // index in replies_
         std::chrono::nanoseconds start{0}; // of the first
         std::chrono::nanoseconds rests{0}; // until it may ask again
         bool asked = false;
     };
-    bool waits(const Run& run) const { return run.next < ports_.size(); }
+    bool waits(const Run& run) const { return run.next < replies_.size(); }
 
-    std::vector<std::uint16_t> ports_;
+    std::vector<std::vector<std::uint16_t>> replies_; // the ports of each
     std::deque<Run> runs_;
     std::chrono::nanoseconds slice_{0}; // start of the current kReplyEvery
     std::size_t sent_in_slice_ = 0;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <thread>
+#include <utility>
 
 namespace ghost::dmx {
 
@@ -22,6 +23,7 @@ constexpr nanoseconds kPublishEvery = 1ms;   // packets that trickle in share on
 constexpr nanoseconds kPublishAtLast = 20ms; // with a flood that never lets the sockets run dry
 constexpr nanoseconds kTickEvery = 100ms;
 constexpr nanoseconds kStatisticsEvery = 250ms;
+constexpr nanoseconds kLossWindow = 10s;
 constexpr nanoseconds kInterfacesEvery = 1s;
 // A turn that took longer than this is a pause: what waits in the sockets is old, and what is newest was
 // dropped.
@@ -32,27 +34,36 @@ nanoseconds steady_now() {
     return std::chrono::steady_clock::now().time_since_epoch();
 }
 
-std::vector<std::uint16_t> announced_universes(const ReceiverOptions& options) {
-    std::vector<std::uint16_t> result = options.universes;
-    for (std::uint16_t i = 1; options.universes.empty() && i <= kDefaultUniverses; ++i) result.push_back(i);
+std::vector<std::uint16_t> announced_universes(const std::vector<std::uint16_t>& universes) {
+    std::vector<std::uint16_t> result = universes;
+    for (std::uint16_t i = 1; universes.empty() && i <= kDefaultUniverses; ++i) result.push_back(i);
     return result;
 }
 
-std::vector<std::uint16_t> port_addresses(const ReceiverOptions& options) {
+std::vector<std::uint16_t> port_addresses(const std::vector<std::uint16_t>& universes, int artnet_offset) {
     std::vector<std::uint16_t> result;
-    for (const std::uint16_t universe : announced_universes(options)) {
-        const int port_address = universe - options.artnet_offset;
+    for (const std::uint16_t universe : announced_universes(universes)) {
+        const int port_address = universe - artnet_offset;
         if (port_address >= 0 && port_address <= 0x7FFF)
             result.push_back(static_cast<std::uint16_t>(port_address));
     }
     return result;
 }
 
+std::vector<std::uint16_t> ports_of(const ReceiverOptions& options) {
+    std::vector<std::uint16_t> ports;
+    if (options.sacn) ports.push_back(options.sacn_port);
+    if (options.artnet) ports.push_back(options.artnet_port);
+    return ports;
+}
+
 IntakeOptions intake_options(const ReceiverOptions& options) {
     IntakeOptions result;
     result.universes = options.universes;
+    result.accept_others = options.accept_others;
     result.artnet_offset = options.artnet_offset;
     result.merge.show_preview = options.show_preview;
+    result.merge.preview_universes = options.preview_universes;
     result.merge.slot_status = options.slot_status;
     result.merge.artnet_ltp = options.artnet_ltp;
     result.merge.loss = options.loss;
@@ -66,7 +77,11 @@ IntakeOptions intake_options(const ReceiverOptions& options) {
 struct Receiver::Loop {
     Loop(Receiver& receiver, const ReceiverOptions& wanted, std::unique_ptr<Listener> opened)
         : owner(receiver), options(wanted), listener(std::move(opened)), intake(with_recording(wanted)),
-          usb(wanted.usb, wanted.usb_by_id), answers(port_addresses(wanted)) {}
+          usb(wanted.usb, wanted.usb_by_id), answers(port_addresses(wanted.universes, wanted.artnet_offset)),
+          port_watch(ports_of(wanted)) {
+        statistics.listening = {wanted.sacn,          wanted.artnet,       wanted.interface,
+                                wanted.artnet_offset, wanted.show_preview, steady_now()};
+    }
 
     IntakeOptions with_recording(const ReceiverOptions& wanted) {
         IntakeOptions result = intake_options(wanted);
@@ -81,6 +96,7 @@ struct Receiver::Loop {
     }
     bool take_all();
     void take_usb(nanoseconds now);
+    void listen_to(const std::vector<std::uint16_t>& universes, nanoseconds now);
     void take(const Datagram& datagram, Protocol protocol);
     void announce(nanoseconds now);
     void answer(const PollPacket& poll, const Datagram& datagram);
@@ -95,7 +111,10 @@ struct Receiver::Loop {
     Intake intake;
     UsbPorts usb;
     PollAnswers answers;
+    PortWatch port_watch;
     Statistics statistics;
+    RecentLoss before, at_last; // totals when the window of Statistics::recent begins, and half way
+    nanoseconds next_window{0};
     std::vector<nanoseconds> unpublished; // arrivals of level packets
     nanoseconds published{0};
     nanoseconds quiet_until{0}; // after a pause nothing is published until then
@@ -121,16 +140,20 @@ void Receiver::Loop::answer(const PollPacket& poll, const Datagram& datagram) {
 
 void Receiver::Loop::send_replies(nanoseconds now) {
     while (const std::optional<PollAnswers::Reply> due = answers.next(now)) {
-        const int universe = due->port_address + options.artnet_offset;
-        const Universe* live = intake.merge().current().find(static_cast<std::uint16_t>(universe));
         PollReply reply;
         reply.ipv4 = due->our_ipv4;
-        reply.port_address = due->port_address;
+        for (const std::uint16_t port_address : due->ports) {
+            const int universe = port_address + options.artnet_offset;
+            const Universe* live = intake.merge().current().find(static_cast<std::uint16_t>(universe));
+            reply.ports.push_back({port_address, live && !live->lost});
+        }
         reply.bind_index = due->bind_index;
-        reply.receiving = live && !live->lost;
         reply.ltp = options.artnet_ltp;
         reply.short_name = "Ghostlight";
-        reply.long_name = "Ghostlight visualiser, universe " + std::to_string(universe);
+        reply.long_name =
+            "Ghostlight visualiser, universe " + std::to_string(due->ports.front() + options.artnet_offset);
+        if (due->ports.size() > 1)
+            reply.long_name += " to " + std::to_string(due->ports.back() + options.artnet_offset);
         reply.report = "#0001 [0000] ok";
         // A desk that went away must not stop the others.
         if (listener->artnet_out()->send(build_poll_reply(reply), due->to_ipv4, options.artnet_port).ok())
@@ -160,6 +183,16 @@ void Receiver::Loop::take_usb(nanoseconds now) {
     });
 }
 
+void Receiver::Loop::listen_to(const std::vector<std::uint16_t>& universes, nanoseconds now) {
+    if (universes == options.universes) return;
+    options.universes = universes;
+    listener->announce(announced_universes(universes));
+    intake.listen_to(universes);
+    answers.announce(port_addresses(universes, options.artnet_offset));
+    announce(now);
+    publish(now);
+}
+
 nanoseconds Receiver::Loop::time_to_wait(nanoseconds now) const {
     nanoseconds wait = kTickEvery / 2;
     if (intake.merge().pending())
@@ -181,6 +214,13 @@ void Receiver::Loop::publish_statistics(nanoseconds now) {
     intake.report(statistics, now);
     listener->report(statistics);
     statistics.usb = usb.status();
+    statistics.port_users = port_watch.users();
+    const RecentLoss total{statistics.merge.missed, statistics.overflow};
+    if (now >= next_window) {
+        before = std::exchange(at_last, total);
+        next_window = now + kLossWindow;
+    }
+    statistics.recent = {total.missed - before.missed, total.overflow - before.overflow};
     statistics.cpu = thread_cpu_time();
     owner.statistics_.put(statistics);
 }
@@ -203,6 +243,7 @@ void Receiver::Loop::run() {
         if (turn > kPause) intake.merge().resume(nanoseconds(0));
         const nanoseconds now = steady_now();
         take_usb(now);
+        if (const auto universes = owner.wanted_.take()) listen_to(*universes, now);
         if (now >= next_tick) {
             intake.tick(now);
             owner.sampling_.store(intake.merge().sampling(), std::memory_order_relaxed);
@@ -228,12 +269,19 @@ Result<std::unique_ptr<Receiver>> Receiver::start(const ReceiverOptions& options
     std::unique_ptr<Receiver> receiver(new Receiver());
     ReceiverOptions sorted = options;
     std::sort(sorted.universes.begin(), sorted.universes.end());
-    TRY(auto listener, Listener::open(sorted, announced_universes(sorted)));
+    std::sort(sorted.preview_universes.begin(), sorted.preview_universes.end());
+    TRY(auto listener, Listener::open(sorted, announced_universes(sorted.universes)));
     receiver->warnings_ = listener->warnings();
     receiver->sampling_ = sorted.sampling.count() > 0;
     receiver->loop_ = std::make_unique<Loop>(*receiver, sorted, std::move(listener));
     receiver->loop_->thread = std::thread([loop = receiver->loop_.get()] { loop->run(); });
     return receiver;
+}
+
+void Receiver::listen_to(std::vector<std::uint16_t> universes) {
+    std::sort(universes.begin(), universes.end());
+    universes.erase(std::unique(universes.begin(), universes.end()), universes.end());
+    wanted_.put(std::move(universes));
 }
 
 Receiver::~Receiver() {

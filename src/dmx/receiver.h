@@ -27,6 +27,10 @@ public:
     Receiver(const Receiver&) = delete;
     Receiver& operator=(const Receiver&) = delete;
 
+    // Joins, announces and accepts these universes from now on (ReceiverOptions::universes); those that stay
+    // lose nothing, what was known of others goes. Any thread.
+    void listen_to(std::vector<std::uint16_t> universes);
+
     // The newest levels since the last take, if anything arrived or was lost since.
     std::optional<Universes> take() { return levels_.take(); }
     // The newest statistics since the last take; made four times a second.
@@ -44,6 +48,7 @@ private:
 
     Mailbox<Universes> levels_;
     Mailbox<Statistics> statistics_;
+    Mailbox<std::vector<std::uint16_t>> wanted_; // for listen_to
     std::atomic<bool> sampling_{false};
     std::vector<std::string> warnings_;
     std::unique_ptr<Loop> loop_;

@@ -23,8 +23,10 @@ struct ReceiverOptions {
     // Universes to join, to announce and to accept. Empty: 1 to 64 are joined and announced, whatever arrives
     // is accepted.
     std::vector<std::uint16_t> universes;
-    int artnet_offset = 1; // Ghostlight universe = Port-Address + this; -32768 to 63999
+    bool accept_others = false; // whatever else arrives is accepted, too
+    int artnet_offset = 1;      // Ghostlight universe = Port-Address + this; -32768 to 63999
     bool show_preview = false;
+    std::vector<std::uint16_t> preview_universes; // only of these; empty: of all
     bool artnet_ltp = false;
     LossPolicy loss;
     bool answer_polls = true;

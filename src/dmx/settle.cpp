@@ -30,13 +30,38 @@ std::optional<std::size_t> replaceable(std::span<const LevelSource> sources, std
     return oldest;
 }
 
-Levels merge_levels(std::span<const LevelSource> sources, bool show_preview, bool artnet_ltp) {
+namespace {
+
+// Which sources count: those for preview or those that are live, and of these the ones that joined.
+std::vector<bool> taking_part(std::span<const LevelSource> sources, bool show_preview) {
     const auto any = [&](auto&& which) { return std::any_of(sources.begin(), sources.end(), which); };
     const bool preview =
         show_preview && any([](const LevelSource& s) { return s.has_levels() && s.key().preview; });
     const auto wanted = [&](const LevelSource& s) { return s.has_levels() && s.key().preview == preview; };
     const bool some_joined = any([&](const LevelSource& s) { return wanted(s) && s.joined(); });
+    std::vector<bool> result(sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i)
+        result[i] = wanted(sources[i]) && (sources[i].joined() || !some_joined);
+    return result;
+}
 
+} // namespace
+
+std::vector<std::size_t> slots_held(std::span<const LevelSource> sources, bool show_preview) {
+    const std::vector<bool> takes_part = taking_part(sources, show_preview);
+    Levels best{};
+    for (std::size_t i = 0; i < sources.size(); ++i)
+        for (std::size_t slot = 0; takes_part[i] && slot < sources[i].slot_count(); ++slot)
+            best[slot] = std::max(best[slot], sources[i].rank(slot));
+    std::vector<std::size_t> result(sources.size());
+    for (std::size_t i = 0; i < sources.size(); ++i)
+        for (std::size_t slot = 0; takes_part[i] && slot < sources[i].slot_count(); ++slot)
+            result[i] += best[slot] > 0 && sources[i].rank(slot) == best[slot] ? 1 : 0;
+    return result;
+}
+
+Levels merge_levels(std::span<const LevelSource> sources, bool show_preview, bool artnet_ltp) {
+    const std::vector<bool> takes_part = taking_part(sources, show_preview);
     Levels merged{};
     Levels best{};                               // priority + 1 of the holder of each slot, 0 = nobody
     std::array<std::uint32_t, kSlots> changed{}; // by the Art-Net source in merged
@@ -56,9 +81,8 @@ Levels merge_levels(std::span<const LevelSource> sources, bool show_preview, boo
     };
     // Art-Net first: its latest level meets the others as one.
     for (const Protocol protocol : {Protocol::artnet, Protocol::sacn, Protocol::usb})
-        for (const LevelSource& source : sources)
-            if (source.key().protocol == protocol && wanted(source) && (source.joined() || !some_joined))
-                add(source);
+        for (std::size_t i = 0; i < sources.size(); ++i)
+            if (takes_part[i] && sources[i].key().protocol == protocol) add(sources[i]);
     return merged;
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace ghost::dmx {
 
@@ -19,6 +20,10 @@ bool loss_is_settled(std::span<const LevelSource> sources, std::chrono::nanoseco
 // longest ago. So packets from ever new forged sources find places among each other's, never that of a real
 // one.
 std::optional<std::size_t> replaceable(std::span<const LevelSource> sources, std::chrono::nanoseconds now);
+
+// Of each source the number of slots that it holds, alone or together with others: where nobody that takes
+// part ranks higher.
+std::vector<std::size_t> slots_held(std::span<const LevelSource> sources, bool show_preview);
 
 // One level per slot of those sources that take part; where none does, of all that have levels. show_preview:
 // where a source for preview is among them, only these.

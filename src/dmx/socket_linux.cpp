@@ -4,6 +4,8 @@
 // bound last gets unicast, unless one is bound to the very address. IPv6 has the same rules but the first.
 #include "dmx/socket.h"
 
+#include "dmx/port_users.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -190,9 +192,13 @@ Result<std::unique_ptr<UdpSocket>> UdpSocket::open_bound(IpVersion version, std:
     const bool bound = v6 ? bind(handle, reinterpret_cast<const sockaddr*>(&name6), sizeof name6) == 0
                           : bind(handle, reinterpret_cast<const sockaddr*>(&name), sizeof name) == 0;
     if (!bound) {
-        if (errno == EADDRINUSE)
-            return Error{
-                "the port is taken by another program that does not share it; close it and try again", place};
+        if (errno == EADDRINUSE) {
+            const std::vector<PortUser> users = port_users(std::array{port});
+            const std::string who =
+                users.empty() ? std::string("another program") : program_text(users.front());
+            return Error{"the port is taken by " + who + ", which does not share it; close it and try again",
+                         place};
+        }
         return Error{"cannot listen: " + reason(), place};
     }
     return result;

@@ -24,6 +24,28 @@ enum class SourceState : std::uint8_t {
 };
 const char* source_state_name(SourceState state);
 
+// A source whose levels nobody looks at.
+struct IgnoredSource {
+    enum class Why : std::uint8_t {
+        preview, // its packets are marked "not for live output", and these are not asked for
+        too_many // all places of its universe are taken; of Art-Net there are two
+    };
+    std::uint16_t universe = 0;
+    Protocol protocol = Protocol::sacn;
+    Why why = Why::preview;
+    std::string name; // not of Art-Net
+    IpAddress from;
+    std::uint64_t packets = 0;
+    std::chrono::nanoseconds age{0}; // of the newest
+};
+
+// A universe whose last source is gone.
+struct LostUniverse {
+    std::uint16_t universe = 0;
+    bool black = false; // else its last look is held
+    std::chrono::nanoseconds since{0};
+};
+
 struct SourceStatus {
     std::uint16_t universe = 0;
     Protocol protocol = Protocol::sacn;
@@ -45,6 +67,8 @@ struct SourceStatus {
     std::uint64_t missed = 0;          // gaps in the sequence numbers
     std::uint64_t other_way = 0;       // dropped: came by another interface or from another address as well
     double rate_hz = 0.0;              // level packets per second over about the last second
+    double jitter_ms = 0.0;            // how far its packets come from an even beat, in the mean
+    std::size_t slots_held = 0;        // of slot_count: where nobody on its universe ranks higher
     std::chrono::nanoseconds age{0};   // since its last level packet, without time in which we did not listen
     std::shared_ptr<const SourceSlots> slots; // where MergeOptions::slot_status asks for it, else null
 };

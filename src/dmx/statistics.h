@@ -7,6 +7,8 @@
 #include "dmx/discovery.h"
 #include "dmx/latency.h"
 #include "dmx/merge.h"
+#include "dmx/port_users.h"
+#include "dmx/socket.h"
 #include "dmx/usb_ports.h"
 
 #include <array>
@@ -20,6 +22,8 @@ namespace ghost::dmx {
 // One socket. overflow: packets that the kernel dropped because it was full.
 struct SocketStatus {
     std::string name; // "sACN groups", "sACN", "sACN 10.0.0.2", "Art-Net" ...
+    Protocol protocol = Protocol::sacn;
+    std::uint16_t port = 0;
     bool ipv6 = false;
     std::size_t groups = 0;
     int receive_buffer_bytes = 0;
@@ -34,6 +38,23 @@ struct UnlistedUniverse {
     IpAddress from; // of the newest packet
     std::uint64_t packets = 0;
     std::chrono::nanoseconds age{0};
+};
+
+// What we listen to, and how: what a person may have chosen wrongly.
+struct Listening {
+    bool sacn = true;
+    bool artnet = true;
+    std::string interface; // as asked for; empty: all
+    int artnet_offset = 1;
+    bool show_preview = false;
+    std::chrono::nanoseconds since{0}; // steady time of its beginning
+    std::string problem;               // why we do not listen at all: a port that is taken, as a rule
+};
+
+// What got lost in the last ten to twenty seconds.
+struct RecentLoss {
+    std::uint64_t missed = 0;   // by sequence number
+    std::uint64_t overflow = 0; // dropped by the kernel
 };
 
 struct TimeCodeStatus {
@@ -59,10 +80,14 @@ struct LinkChange {
 
 struct Statistics {
     std::chrono::nanoseconds time{0}; // when it was taken
-    std::uint64_t packets_sacn = 0;   // everything that arrived on the port, but our own replies
+    Listening listening;
+    std::vector<NetInterface> interfaces; // of this machine, that are up
+    std::vector<PortUser> port_users;     // other programs on our ports
+    std::uint64_t packets_sacn = 0;       // everything that arrived on the port, but our own replies
     std::uint64_t packets_artnet = 0;
     std::uint64_t unlisted = 0; // for universes that were not asked for
     std::uint64_t overflow = 0; // dropped by the kernel: socket buffer full; of all sockets since the start
+    RecentLoss recent;
     std::uint64_t wrong_group = 0; // levels that came by the multicast group of another universe
     std::array<std::uint64_t, static_cast<std::size_t>(Notice::kCount)> notices{};
     std::array<std::uint64_t, static_cast<std::size_t>(Drop::kCount)> drops{};
@@ -73,6 +98,8 @@ struct Statistics {
     bool sampling = false;                // nothing is shown yet: who sends is still being found out
     MergeCounters merge;
     std::vector<SourceStatus> sources; // by universe
+    std::vector<IgnoredSource> ignored;
+    std::vector<LostUniverse> lost;
     std::vector<SyncStatus> sync;
     std::vector<DiscoveredSource> discovered;
     std::vector<UnlistedUniverse> unlisted_universes; // at most kMaxUnlisted

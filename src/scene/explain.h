@@ -66,6 +66,7 @@ struct Reception {
     double listened_s = 0;
     std::vector<dmx::SourceStatus> sources; // with slots
     std::uint64_t packets = 0, preview = 0, unlisted = 0, not_understood = 0;
+    std::vector<int> elsewhere; // universes that come and that nobody asked for
 };
 
 struct UniverseFacts {

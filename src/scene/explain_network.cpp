@@ -45,6 +45,7 @@ std::string never_text(const ExplainInput& input, const UniverseFacts& facts) {
     }
     std::string text = universe + " never arrived in " + number(reception.listened_s, 1) + " s";
     for (const dmx::Universe& seen : input.universes.list) others.push_back(seen.number);
+    others.insert(others.end(), reception.elsewhere.begin(), reception.elsewhere.end());
     if (reception.packets == 0)
         text += ", nor did any packet: is the desk sending, to this network, and no firewall on UDP 5568 and "
                 "6454 "

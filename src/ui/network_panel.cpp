@@ -16,6 +16,7 @@ namespace {
 constexpr int kAcross = 32;
 constexpr int kDown = static_cast<int>(dmx::kSlots) / kAcross;
 constexpr qint64 kFresh_ms = 600; // a value that changed is marked so long
+constexpr int kColumns = 10;
 
 } // namespace
 
@@ -121,15 +122,21 @@ bool UniverseGrid::event(QEvent* event) {
 }
 
 NetworkPanel::NetworkPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    diagnosis_ = new QLabel(this);
+    diagnosis_->setWordWrap(true);
+    diagnosis_->setTextFormat(Qt::RichText);
+    diagnosis_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    diagnosis_->hide();
     summary_ = new QLabel("Nothing has come from the network yet.", this);
     summary_->setWordWrap(true);
-    sources_ = new QTableWidget(0, 7, this);
+    sources_ = new QTableWidget(0, kColumns, this);
     sources_->setHorizontalHeaderLabels(
-        {"Universe", "Source", "From", "Protocol", "Priority", "Rate", "Missed"});
+        {"Universe", "Source", "Is", "Priority", "Rate", "Jitter", "Missed", "From", "Protocol", "Patched"});
     sources_->verticalHeader()->hide();
     sources_->setEditTriggers(QAbstractItemView::NoEditTriggers);
     sources_->setSelectionBehavior(QAbstractItemView::SelectRows);
     sources_->setShowGrid(false);
+    sources_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     sources_->horizontalHeader()->setStretchLastSection(true);
     universes_ = new QComboBox(this);
     grid_ = new UniverseGrid(studio, this);
@@ -148,10 +155,12 @@ NetworkPanel::NetworkPanel(Studio& studio, QWidget* parent) : QWidget(parent), s
     splitter->addWidget(right);
     splitter->setStretchFactor(0, 2);
     splitter->setStretchFactor(1, 3);
+    splitter->setSizes({400, 600}); // the grid would like to have it all
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
-    layout->addWidget(splitter);
-    connect(&studio_, &Studio::network_came, this, &NetworkPanel::refresh_sources);
+    layout->addWidget(diagnosis_);
+    layout->addWidget(splitter, 1);
+    connect(&studio_, &Studio::network_came, this, &NetworkPanel::refresh);
     connect(&studio_, &Studio::rig_came, this, &NetworkPanel::refresh_universes);
     connect(&studio_, &Studio::opened_show, this, &NetworkPanel::refresh_universes);
     connect(&studio_, &Studio::selection_changed, grid_, qOverload<>(&QWidget::update));
@@ -160,8 +169,24 @@ NetworkPanel::NetworkPanel(Studio& studio, QWidget* parent) : QWidget(parent), s
     });
 }
 
-void NetworkPanel::refresh_sources() {
+void NetworkPanel::refresh() {
     if (!isVisible()) return;
+    refresh_diagnosis();
+    refresh_sources();
+}
+
+void NetworkPanel::refresh_diagnosis() {
+    QString text;
+    for (const scene::Sentence& sentence : studio_.diagnosis()) {
+        const QString words = QString::fromStdString(sentence.text).toHtmlEscaped();
+        const QString colour = (sentence.is_problem ? bad() : faint()).name();
+        text += QString("<p style='margin:2px; color:%1'>%2</p>").arg(colour, words);
+    }
+    diagnosis_->setText(text);
+    diagnosis_->setVisible(!text.isEmpty());
+}
+
+void NetworkPanel::refresh_sources() {
     const dmx::Statistics& network = studio_.network();
     std::uint64_t dropped = 0;
     for (const std::uint64_t count : network.drops) dropped += count;
@@ -172,6 +197,11 @@ void NetworkPanel::refresh_sources() {
     if (network.overflow > 0) text += QString(", %1 lost in this machine").arg(network.overflow);
     if (network.merge.preview > 0)
         text += QString(", %1 of a desk in preview (blind)").arg(network.merge.preview);
+    if (const dmx::Latency& latency = studio_.latency(); latency.count() > 0)
+        text += QString("; packet to picture %1 ms (median), %2 (99 %), %3 at most")
+                    .arg(latency.percentile_ms(0.5), 0, 'f', 0)
+                    .arg(latency.percentile_ms(0.99), 0, 'f', 0)
+                    .arg(latency.max_ms(), 0, 'f', 0);
     summary_->setText(text);
     sources_->setRowCount(static_cast<int>(network.sources.size()));
     for (int row = 0; row < sources_->rowCount(); ++row) {
@@ -179,12 +209,15 @@ void NetworkPanel::refresh_sources() {
         const QStringList cells{
             QString::number(source.universe),
             QString::fromStdString(source.name.empty() ? source.id : source.name),
+            QString::fromStdString(scene::role_text(source, network.sources)),
+            QString::number(source.priority),
+            QString("%1 Hz").arg(source.rate_hz, 0, 'f', 1),
+            QString("%1 ms").arg(source.jitter_ms, 0, 'f', 1),
+            QString::number(source.missed),
             source.protocol == dmx::Protocol::usb ? QString()
                                                   : QString::fromStdString(dmx::address_text(source.from)),
             QString::fromUtf8(dmx::protocol_name(source.protocol)),
-            QString::number(source.priority),
-            QString("%1 Hz").arg(source.rate_hz, 0, 'f', 1),
-            QString::number(source.missed),
+            studio_.patch().has(source.universe) ? QString("yes") : QString("no"),
         };
         for (int column = 0; column < cells.size(); ++column) {
             QTableWidgetItem* item = sources_->item(row, column);

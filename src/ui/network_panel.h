@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// NetworkPanel: who sends what: all sources with their rates and losses, the 512 values of one universe as a
-// grid, and what was not understood. Window thread.
+// NetworkPanel: who sends what: what is wrong, in sentences; all sources with their rates and losses; the 512
+// values of one universe as a grid; how late the picture is. Window thread.
 
 #include "ui/studio.h"
 
@@ -46,10 +46,13 @@ public:
     NetworkPanel(Studio& studio, QWidget* parent);
 
 private:
+    void refresh();
+    void refresh_diagnosis();
     void refresh_sources();
     void refresh_universes();
 
     Studio& studio_;
+    QLabel* diagnosis_;
     QLabel* summary_;
     QTableWidget* sources_;
     QComboBox* universes_;

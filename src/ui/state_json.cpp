@@ -89,6 +89,16 @@ QJsonObject state_json(const Studio& studio, const View& view) {
                                  {"paint_ms", view.paint_ms()},
                                  {"pictures_per_s", view.pictures_per_s()},
                                  {"latency_ms", view.latency_ms()}};
+    const dmx::Latency& latency = studio.latency();
+    const QJsonObject packet_to_window{{"count", static_cast<qint64>(latency.count())},
+                                       {"p50", latency.percentile_ms(0.5)},
+                                       {"p99", latency.percentile_ms(0.99)},
+                                       {"max", latency.max_ms()}};
+    QJsonArray diagnosis;
+    for (const scene::Sentence& sentence : studio.diagnosis())
+        diagnosis.append(QJsonObject{{"trouble", scene::trouble_name(sentence.trouble)},
+                                     {"problem", sentence.is_problem},
+                                     {"text", QString::fromStdString(sentence.text)}});
     return {{"show", QString::fromStdString(show.file.string())},
             {"device", QString::fromStdString(studio.opened().device)},
             {"camera", camera_json(studio.camera())},
@@ -104,7 +114,9 @@ QJsonObject state_json(const Studio& studio, const View& view) {
             {"lamps", lamps},
             {"patch", patch},
             {"messages", static_cast<int>(studio.messages().size())},
-            {"picture", of_picture}};
+            {"picture", of_picture},
+            {"packet_to_window_ms", packet_to_window},
+            {"network", diagnosis}};
 }
 
 } // namespace ghost::ui

@@ -93,6 +93,8 @@ void Studio::take_opened(Opened opened) {
         show_edit();
         return;
     }
+    patch_ = opened_.show ? scene::PatchMap(*opened_.show) : scene::PatchMap();
+    latency_ = {};
     travel_timer_.stop();
     undo_.clear();
     selection_.clear();
@@ -172,6 +174,7 @@ void Studio::put_edit(std::shared_ptr<const std::string> text, scene::Show previ
 }
 
 void Studio::show_edit() {
+    patch_ = scene::PatchMap(*show());
     std::erase_if(selection_, [&](std::size_t index) { return index >= show()->fixtures.size(); });
     wish([&](Wishes& wishes) { wishes.explained = current(); });
     Q_EMIT opened_show();

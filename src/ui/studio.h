@@ -4,6 +4,7 @@
 // selected, and what is wished for. Parts change it through its functions and hear of it through its signals;
 // they do not know each other. Every change of the look can be undone. Window thread.
 
+#include "scene/diagnosis.h"
 #include "ui/link.h"
 
 #include <QElapsedTimer>
@@ -28,6 +29,9 @@ public:
     const Picture& picture() const { return picture_; }
     const RigNow& rig() const { return rig_; }
     const dmx::Statistics& network() const { return network_; }
+    // What is wrong with it, for the show that is open.
+    std::vector<scene::Sentence> diagnosis() const { return scene::diagnose(network_, patch_); }
+    const scene::PatchMap& patch() const { return patch_; }
     const Explained& explained() const { return explained_; }
     const std::vector<scene::Message>& messages() const { return messages_; }
     const std::string& activity() const { return activity_; }
@@ -58,6 +62,10 @@ public:
     // at once as `preview`, until the engine has opened it.
     void put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
                   std::set<std::size_t> selection);
+
+    // From the receipt of packets to the painting of the picture that shows them first.
+    const dmx::Latency& latency() const { return latency_; }
+    void count_latency(std::chrono::nanoseconds latency) { latency_.add(latency); }
 
     // Fixtures, by index of the show.
     const std::set<std::size_t>& selection() const { return selection_; }
@@ -97,6 +105,8 @@ private:
     Picture picture_;
     RigNow rig_;
     dmx::Statistics network_;
+    scene::PatchMap patch_; // of the show
+    dmx::Latency latency_;
     Explained explained_;
     std::vector<scene::Message> messages_;
     std::string activity_;

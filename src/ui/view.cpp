@@ -131,10 +131,11 @@ void View::paintEvent(QPaintEvent*) {
     }
     painter.end();
     paint_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
-    if (arrival_waits_ && picture.arrival.count() > 0)
-        latency_ms_ = std::chrono::duration<double, std::milli>(
-                          std::chrono::steady_clock::now().time_since_epoch() - picture.arrival)
-                          .count();
+    if (arrival_waits_ && picture.arrival.count() > 0) {
+        const auto latency = std::chrono::steady_clock::now().time_since_epoch() - picture.arrival;
+        latency_ms_ = std::chrono::duration<double, std::milli>(latency).count();
+        studio_.count_latency(latency);
+    }
     arrival_waits_ = false;
 }
 

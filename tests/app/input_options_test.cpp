@@ -93,5 +93,27 @@ TEST(ReceiverOptions, protocols) {
     EXPECT_FALSE(receiver_options(input).ok());
 }
 
+TEST(InputOptions, preview_of_all_or_of_some_universes) {
+    InputOptions input;
+    EXPECT_FALSE(receiver_options(input)->show_preview);
+    input.preview_universes = "2-3";
+    EXPECT_TRUE(receiver_options(input)->show_preview);
+    EXPECT_EQ(receiver_options(input)->preview_universes, (Numbers{2, 3}));
+    input.show_preview = true;
+    EXPECT_TRUE(receiver_options(input)->preview_universes.empty());
+    input.preview_universes = "0";
+    EXPECT_EQ(receiver_options(input).error().where, "--preview-universes");
+}
+
+TEST(InputOptions, universes_of_a_show_and_those_asked_for) {
+    scene::Report report;
+    const auto show = scene::load_show(std::string(GHOST_SOURCE_DIR) + "/assets/demo", false, report);
+    ASSERT_TRUE(show.ok()) << show.error().text();
+    const scene::PatchMap demo(*show);
+    EXPECT_EQ(joined_universes({}, demo), Numbers{1});
+    EXPECT_EQ(joined_universes({1, 4, 5}, demo), (Numbers{1, 4, 5}));
+    EXPECT_EQ(joined_universes({}, scene::PatchMap()), Numbers{}) << "whatever arrives";
+}
+
 } // namespace
 } // namespace ghost::app

@@ -38,7 +38,7 @@ std::vector<Sample> samples() {
         for (const int byte : rest) bytes.push_back(static_cast<std::uint8_t>(byte));
         return bytes;
     };
-    const auto reply = build_poll_reply({});
+    const auto reply = build_poll_reply({.ports = {{1}}});
     return {
         {"sACN levels", Protocol::sacn, build_sacn(1, Buffer(512, 200), 1, 150, cid, "Other")},
         {"sACN short", Protocol::sacn, build_sacn(1, Buffer(3, 200), 1, 150, cid, "Other")},
@@ -224,6 +224,10 @@ TEST(Latency, percentiles) {
     latency.add(100h);
     latency.add(-1s); // a clock that was set
     EXPECT_GT(latency.percentile_ms(1.0), 60000.0);
+    EXPECT_EQ(latency.max_ms(), 3600e3 * 100);
+    Latency one;
+    one.add(1003us);
+    EXPECT_EQ(one.percentile_ms(0.5), one.max_ms()) << "no step is above the maximum";
 }
 
 } // namespace

@@ -265,6 +265,66 @@ TEST(Merge, preview_is_left_out_unless_asked_for) {
     EXPECT_EQ(levels(curious, 1), Ints{9});
 }
 
+TEST(Merge, preview_by_universe) {
+    Merge merge(MergeOptions{.show_preview = true, .preview_universes = {2, 5}});
+    Desk a;
+    for (const std::uint16_t universe : std::initializer_list<std::uint16_t>{1, 2}) {
+        a.universe = universe;
+        Packet packet = a.packet({9});
+        packet.source.preview = true;
+        packet.source_name = "Eos";
+        merge.feed(packet, 1s);
+        merge.feed(packet, 2s);
+    }
+    EXPECT_EQ(merge.universes().find(1), nullptr);
+    EXPECT_EQ(levels(merge, 1, 2), Ints{9});
+    const auto ignored = merge.ignored(3s);
+    ASSERT_EQ(ignored.size(), 1u);
+    EXPECT_EQ(ignored[0].universe, 1);
+    EXPECT_EQ(ignored[0].why, IgnoredSource::Why::preview);
+    EXPECT_EQ(ignored[0].name, "Eos");
+    EXPECT_EQ(ignored[0].packets, 2u);
+    EXPECT_EQ(ignored[0].age, nanoseconds(1s));
+    merge.tick(12s + 1ms);
+    EXPECT_TRUE(merge.ignored(13s).empty());
+}
+
+TEST(Merge, ignored_sources_are_told_of_to_a_limit) {
+    Merge merge;
+    for (int id = 0; id < 200; ++id) {
+        Packet packet = Desk{static_cast<std::uint8_t>(id)}.packet({1});
+        packet.source.preview = true;
+        merge.feed(packet, 1s);
+    }
+    EXPECT_EQ(merge.ignored(1s).size(), kMaxIgnored);
+    EXPECT_EQ(merge.counters().preview, 200u);
+}
+
+TEST(Merge, forgets_universes_that_are_not_kept) {
+    Merge merge;
+    Desk a{1, 100, 1}, b{1, 100, 2};
+    merge.feed(a.packet({10}), 1s);
+    merge.feed(b.synchronised(7, {20}), 1s);
+    merge.feed(b.sync(7), 1s);
+    merge.feed(b.synchronised(7, {30}), 1s); // waits
+    EXPECT_EQ(merge.universes().list.size(), 2u);
+    const std::uint64_t before = merge.universes().revision;
+    merge.feed(b.packet({1}), 1s); // due, when it is forgotten
+    merge.keep_only({1, 3});
+    EXPECT_FALSE(merge.pending());
+    ASSERT_EQ(merge.universes().list.size(), 1u);
+    EXPECT_GT(merge.universes().revision, before);
+    EXPECT_EQ(merge.sources(1s).size(), 1u);
+    merge.feed(b.sync(7), 1s); // of what waited there
+    merge.feed(a.packet({11}), 1s);
+    EXPECT_EQ(levels(merge, 1), Ints{11});
+    merge.tick(10s);
+    EXPECT_EQ(merge.counters().sources_lost, 1u);
+    EXPECT_EQ(merge.lost(11s).size(), 1u);
+    merge.feed(b.packet({40}), 10s); // patched again
+    EXPECT_EQ(levels(merge, 1, 2), Ints{40});
+}
+
 TEST(Merge, revision_grows_with_the_levels_only) {
     Merge merge;
     Desk a, b{2, 100, 2};
@@ -336,12 +396,41 @@ TEST(Merge, status_of_a_source) {
     EXPECT_NEAR(sources[0].rate_hz, 45.0, 0.01);
     EXPECT_EQ(sources[0].age, nanoseconds(500ms));
 
+    EXPECT_EQ(sources[0].slots_held, 3u);
+    EXPECT_LT(sources[0].jitter_ms, 1.0);
+
     Merge nodes;
     Packet packet = art(10, 0, {1});
     packet.source.id[3] = 2;
     packet.source.id[4] = 1;
     nodes.feed(packet, 0s);
     EXPECT_EQ(nodes.sources(0s).at(0).id, "10.0.0.2/1");
+}
+
+TEST(Merge, jitter_is_the_mean_way_from_an_even_beat) {
+    Merge merge;
+    Desk a;
+    for (int i = 0; i < 400; ++i) // every 25 ms, each other one 5 ms late
+        merge.feed(a.packet({1}), std::chrono::milliseconds(25 * i + (i % 2) * 5));
+    EXPECT_NEAR(merge.sources(10s).at(0).jitter_ms, 5.0, 0.5);
+}
+
+TEST(Merge, slots_that_a_source_holds) {
+    Merge merge;
+    Desk main{1, 100}, backup{2, 90}, equal{3, 100};
+    merge.feed(main.packet({1, 1}), 0s);
+    merge.feed(backup.packet({1, 1, 1, 1}), 0s);
+    const auto held = [&] {
+        Ints result;
+        for (const SourceStatus& source : merge.sources(0s))
+            result.push_back(static_cast<int>(source.slots_held));
+        return result;
+    };
+    EXPECT_EQ(held(), (Ints{2, 2}));
+    merge.feed(equal.packet({0, 0, 0, 0}), 0s);
+    EXPECT_EQ(held(), (Ints{2, 0, 4}));
+    merge.feed(equal.priorities({100, 0, 0, 0}), 0s);
+    EXPECT_EQ(held(), (Ints{2, 2, 1}));
 }
 
 } // namespace

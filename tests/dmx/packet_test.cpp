@@ -366,9 +366,8 @@ TEST(Build, artdmx_bytes) {
 TEST(Build, poll_reply_fields) {
     PollReply reply;
     reply.ipv4 = 0x7F010002;
-    reply.port_address = 0x0423;
+    reply.ports = {{0x0423, true}};
     reply.bind_index = 3;
-    reply.receiving = true;
     reply.short_name = "a name that is longer than 17";
     reply.long_name = "long";
     const auto bytes = build_poll_reply(reply);
@@ -393,6 +392,25 @@ TEST(Build, poll_reply_fields) {
     EXPECT_EQ(bytes[211], 3);
     EXPECT_EQ(bytes[212], 0x08);
     EXPECT_EQ(notice_of(parse_artnet(bytes)), Notice::poll_reply);
+}
+
+TEST(Build, poll_reply_of_four_ports) {
+    PollReply reply;
+    reply.ports = {{0x0124, false}, {0x0125, true}, {0x0128, false}};
+    reply.ltp = true;
+    const auto bytes = build_poll_reply(reply);
+    EXPECT_EQ(bytes[18], 1);
+    EXPECT_EQ(bytes[19], 2);
+    EXPECT_EQ(bytes[173], 3);
+    const auto four = [&](std::size_t at) {
+        return std::vector<int>(bytes.begin() + at, bytes.begin() + at + 4);
+    };
+    EXPECT_EQ(four(174), (std::vector<int>{0x80, 0x80, 0x80, 0}));
+    EXPECT_EQ(four(182), (std::vector<int>{0x02, 0x82, 0x02, 0}));
+    EXPECT_EQ(four(186), (std::vector<int>{0, 0, 0, 0}));
+    EXPECT_EQ(four(190), (std::vector<int>{4, 5, 8, 0}));
+    EXPECT_EQ(bytes[200], 0);
+    EXPECT_EQ(bytes[211], 1);
 }
 
 } // namespace

@@ -29,29 +29,63 @@ std::vector<PollAnswers::Reply> run(PollAnswers& answers, nanoseconds from, nano
 }
 
 TEST(PollAnswers, one_reply_per_port_paced) {
-    PollAnswers answers(ports(512));
+    PollAnswers answers(ports(255));
     EXPECT_FALSE(answers.wait(10s).has_value());
     EXPECT_TRUE(answers.asked({}, kDesk, kOurs, 10s));
     EXPECT_EQ(answers.wait(10s), nanoseconds(5ms)); // the last byte of our address
     EXPECT_TRUE(run(answers, 10s, 10s + 5ms).empty());
-    const auto early = run(answers, 10s + 5ms, 10s + 105ms);
-    EXPECT_GE(early.size(), 25 * kRepliesAtOnce);
-    EXPECT_LE(early.size(), 26 * kRepliesAtOnce);
-    const auto late = run(answers, 10s + 105ms, 11s);
-    EXPECT_EQ(early.size() + late.size(), 512u);
+    const auto early = run(answers, 10s + 5ms, 10s + 65ms);
+    EXPECT_GE(early.size(), 15 * kRepliesAtOnce);
+    EXPECT_LE(early.size(), 16 * kRepliesAtOnce);
+    const auto late = run(answers, 10s + 65ms, 11s);
+    EXPECT_EQ(early.size() + late.size(), 255u);
     EXPECT_EQ(early[0].to_ipv4, kDesk);
     EXPECT_EQ(early[0].our_ipv4, kOurs);
     EXPECT_TRUE(early[0].asked);
-    EXPECT_EQ(early[3].port_address, 3);
+    EXPECT_EQ(early[3].ports, std::vector<std::uint16_t>{3});
     EXPECT_EQ(early[3].bind_index, 4);
     EXPECT_EQ(late.back().bind_index, 255);
+}
+
+// A desk tells the replies of one address apart by the bind index.
+TEST(PollAnswers, more_ports_than_bind_indices_share_replies) {
+    for (const std::size_t count : {256u, 512u, 1020u}) {
+        PollAnswers answers(ports(count));
+        ASSERT_TRUE(answers.asked({}, kDesk, kOurs, 0s));
+        std::set<int> seen, indices;
+        for (const auto& reply : run(answers, 0s, 2s)) {
+            EXPECT_TRUE(indices.insert(reply.bind_index).second) << int{reply.bind_index};
+            EXPECT_LE(reply.ports.size(), 4u);
+            for (const std::uint16_t port : reply.ports) {
+                EXPECT_EQ(port >> 4, reply.ports[0] >> 4);
+                EXPECT_TRUE(seen.insert(port).second) << port;
+            }
+        }
+        EXPECT_EQ(seen.size(), count);
+    }
+}
+
+TEST(PollAnswers, new_ports_instead_of_those_before) {
+    PollAnswers answers(ports(40));
+    answers.hello(0x0A0000FF, kOurs, 0s);
+    EXPECT_EQ(run(answers, 0s, 1s).size(), 40u);
+    ASSERT_TRUE(answers.asked({}, kDesk, kOurs, 2s));
+    EXPECT_EQ(run(answers, 2s, 2s + 7ms).size(), kRepliesAtOnce) << "it is just being told";
+    answers.announce({7, 9});
+    std::vector<int> got;
+    for (const auto& reply : run(answers, 2s + 7ms, 4s)) {
+        EXPECT_EQ(reply.to_ipv4, kDesk) << "who was told before asks again";
+        got.push_back(reply.ports[0]);
+    }
+    EXPECT_EQ(got, (std::vector<int>{7, 9}));
+    EXPECT_FALSE(answers.wait(4s).has_value());
 }
 
 TEST(PollAnswers, only_the_ports_that_are_meant) {
     PollAnswers answers(ports(100));
     ASSERT_TRUE(answers.asked({10, 12}, kDesk, kOurs, 0s));
     std::vector<int> got;
-    for (const auto& reply : run(answers, 0s, 1s)) got.push_back(reply.port_address);
+    for (const auto& reply : run(answers, 0s, 1s)) got.push_back(reply.ports[0]);
     EXPECT_EQ(got, (std::vector<int>{10, 11, 12}));
 }
 

@@ -221,7 +221,7 @@ TEST(Receiver, our_own_hello_is_no_traffic_and_no_answer) {
     const auto node = UdpSocket::open(0x7F000003, options.artnet_port, 1 << 16);
     const auto desk = UdpSocket::open(0x7F000001, options.artnet_port, 1 << 16);
     ASSERT_TRUE(node.ok() && desk.ok());
-    ASSERT_TRUE((*node)->send(build_poll_reply({}), 0x7FFFFFFF, options.artnet_port).ok());
+    ASSERT_TRUE((*node)->send(build_poll_reply({.ports = {{1}}}), 0x7FFFFFFF, options.artnet_port).ok());
     const std::vector<std::uint8_t> levels(512, 80);
     ASSERT_TRUE((*desk)->send(build_artdmx(0, levels, 1), 0x7FFFFFFF, options.artnet_port).ok());
     const Universes seen = wait_for(*receiver, [](const Universes& u) { return u.find(1) != nullptr; });
@@ -288,6 +288,66 @@ TEST(Receiver, a_taken_port_is_named) {
     EXPECT_NE(receiver.error().text().find("UDP port " + std::to_string(options.artnet_port)),
               std::string::npos);
     EXPECT_NE(receiver.error().text().find("taken"), std::string::npos);
+}
+
+// Levels of 1 and 2 go on while others come and go.
+TEST(Receiver, other_universes_from_now_on) {
+    ReceiverOptions options = on_loopback();
+    options.universes = {1, 2};
+    const auto receiver = start(options);
+    ASSERT_TRUE(receiver);
+    Sender desk = sender(Protocol::sacn, "127.0.0.1", options);
+    std::uint8_t level = 0;
+    const auto send = [&](std::initializer_list<std::uint16_t> universes) {
+        ++level;
+        for (const std::uint16_t universe : universes) ASSERT_TRUE(desk.send(look(universe, level)).ok());
+    };
+    send({1, 2, 5});
+    Universes seen = wait_for(*receiver, [&](const Universes& now) { return now.level(2, 1) == level; });
+    EXPECT_EQ(seen.list.size(), 2u);
+    receiver->listen_to({5, 2, 5});
+    seen = wait_for(*receiver, [](const Universes& now) { return now.list.size() == 1; });
+    ASSERT_EQ(seen.list.size(), 1u);
+    EXPECT_EQ(seen.list[0].number, 2) << "that of 1 is forgotten, not lost";
+    for (int i = 0; i < 50; ++i) {
+        send({1, 2, 5});
+        if (i == 20) receiver->listen_to({2, 5, 6});
+        if (i == 30) receiver->listen_to({2, 5});
+        std::this_thread::sleep_for(2ms);
+    }
+    seen = wait_for(*receiver, [&](const Universes& now) { return now.level(5, 1) == level; });
+    EXPECT_EQ(seen.level(2, 1), level);
+    EXPECT_EQ(seen.list.size(), 2u);
+    const Statistics statistics = statistics_after(*receiver, 300ms);
+    ASSERT_EQ(statistics.sources.size(), 2u);
+    EXPECT_EQ(statistics.sources[0].universe, 2);
+    EXPECT_EQ(statistics.sources[0].packets, 51u) << "not one of those that stayed was lost";
+    EXPECT_EQ(statistics.merge.missed, 0u);
+    EXPECT_EQ(statistics.merge.sources_lost, 0u);
+    EXPECT_TRUE(statistics.lost.empty());
+    ASSERT_EQ(statistics.unlisted_universes.size(), 1u);
+    EXPECT_EQ(statistics.unlisted_universes[0].universe, 1);
+}
+
+TEST(Receiver, groups_of_other_universes_are_joined_and_left) {
+    ReceiverOptions options = on_loopback();
+    options.artnet = false;
+    for (std::uint16_t universe = 1; universe <= 30; ++universe) options.universes.push_back(universe);
+    const auto receiver = start(options);
+    ASSERT_TRUE(receiver);
+    const auto groups = [&] {
+        std::size_t sum = 0;
+        for (const SocketStatus& socket : statistics_after(*receiver, 300ms).sockets)
+            sum += socket.ipv6 ? 0 : socket.groups;
+        return sum;
+    };
+    EXPECT_EQ(groups(), 31u) << "and that of universe discovery";
+    receiver->listen_to({30, 31, 32});
+    EXPECT_EQ(groups(), 4u);
+    std::vector<std::uint16_t> many;
+    for (std::uint16_t universe = 1; universe <= 100; ++universe) many.push_back(universe);
+    receiver->listen_to(many);
+    EXPECT_EQ(groups(), 101u);
 }
 
 TEST(Receiver, an_unknown_interface_is_named_with_the_choice) {

@@ -87,6 +87,9 @@ looks() {
 expect "sACN multicast: OLA universe 1 is our universe 1" "u(1)['levels'][:5] == [10, 20, 30, 255, 0]" looks
 expect "Art-Net unicast: OLA universe 2 sends Port-Address 2, our universe 3" "u(3)['levels'][:4] == [1, 0, 99, 0]" looks
 expect "our poll replies were asked for and sent" "r['counters']['notices']['poll'] >= 1 and r['counters']['poll_replies_sent'] >= 4"
+lists_us() { desk ola_artnet -d $artnet -u 2 | grep -q '^127\.1\.0\.2'; }
+lists_us || fail "ola_artnet does not list us: $(desk ola_artnet -d $artnet -u 2)"
+echo "ok: ola_artnet lists us"
 expect "both sources are listed" "s(1)[0]['protocol'] == 'sACN' and s(1)[0]['id'] == '000102030405060708090a0b0c0d0e0f' and s(3)[0]['from'] == '127.1.0.1'"
 expect "nothing was missed or misread" "r['counters']['missed'] == 0 and sum(r['counters']['drops'].values()) == 0"
 desk ola_patch -r -d $sacn -p 0 -u 1
@@ -117,3 +120,10 @@ assert steps == sorted(steps), steps
 assert len(steps) > 60, len(steps)
 print('ok: %d steps of the chase recorded, from %d to %d' % (len(steps), steps[0], steps[-1]))
 P
+
+# More universes than bind indices: four ports share a reply, and OLA, which takes their ports one by one, goes on sending.
+ip netns exec $VIS "$ghostlight" monitor --interface net0 --universes 1-300 --json --levels --every 0.5 --quiet >"$work/monitor.jsonl" &
+pids="$pids $!"
+expect "300 universes: Art-Net unicast arrives" "u(3)['levels'][:4] == [1, 0, 99, 0] and r['counters']['poll_replies_sent'] >= 76" looks
+lists_us || fail "ola_artnet does not list us with 300 universes"
+echo "ok: ola_artnet lists us, still"
