@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "base/files.h"
+#include "image/jpeg_check.h"
 
 #define STBI_NO_STDIO
 #define STBI_ONLY_PNG
@@ -48,6 +49,8 @@ void append(void* target, void* data, int size) {
 Result<Image8> decode_ldr(Bytes bytes, const std::string& name) {
     if (bytes.size() > kMaxFileBytes) return Error{"picture file is larger than the limit of 512 MiB", name};
     if (jpeg_cut_short(bytes)) return Error{"the JPEG picture is cut short (no end marker)", name};
+    if (const std::string fault = fault_of_jpeg(bytes); !fault.empty())
+        return Error{"the JPEG picture has " + fault, name};
     int width = 0;
     int height = 0;
     int channels = 0;
