@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // For the fuzzers of both protocols: an intake that lives as long as the run, so that odd sequences of
 // packets meet, and the bounds that hold whatever comes. Input: packets, each behind two bytes of size and
-// two that say how it came (time passed in tens of milliseconds, sender).
+// two that say how it came (time passed in tens of milliseconds; sender, and whether other universes are
+// asked for from then on).
 
 #include "base/byte_reader.h"
 #include "dmx/intake.h"
@@ -30,7 +31,8 @@ inline void check_bounds(Intake& intake, std::chrono::nanoseconds now) {
         check(universes.list[i - 1].number < universes.list[i].number);
     Statistics statistics;
     intake.report(statistics, now);
-    check(statistics.sources.size() <= kMaxSources);
+    check(statistics.sources.size() <= kMaxSources && statistics.ignored.size() <= kMaxIgnored);
+    for (const SourceStatus& source : statistics.sources) check(source.slots_held <= source.slot_count);
     check(statistics.sync.size() <= kMaxSyncStreams && statistics.discovered.size() <= kMaxDiscovered);
     check(statistics.triggers.size() <= kMaxRemembered);
 }
@@ -40,6 +42,7 @@ inline IntakeOptions all_rules(int artnet_offset) {
     options.artnet_offset = artnet_offset;
     options.merge.priority_wait = kPriorityWait;
     options.merge.show_preview = options.merge.artnet_ltp = true;
+    options.merge.preview_universes = {1, 2, 256};
     options.merge.loss.black_after = std::chrono::seconds(1);
     return options;
 }
@@ -50,7 +53,10 @@ inline void feed_all(Intake& intake, Protocol protocol, Bytes input, std::size_t
     for (ByteReader reader(input); reader.left() >= 4;) {
         const std::size_t size = reader.u16_be() % 1400;
         now += std::chrono::milliseconds(10 * reader.u8());
-        const std::uint32_t from = 0x0A000000u | (reader.u8() & 3u);
+        const std::uint8_t how = reader.u8();
+        const std::uint32_t from = 0x0A000000u | (how & 3u);
+        if (how >= 0xF8)
+            intake.listen_to(how & 4 ? std::vector<std::uint16_t>{} : std::vector<std::uint16_t>{1, 2, 3});
         const Bytes bytes = reader.take(std::min(size, reader.left()));
         check_packet(protocol == Protocol::sacn ? parse_sacn(bytes, from)
                                                 : parse_artnet(bytes, from, artnet_offset),

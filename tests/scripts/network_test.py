@@ -16,6 +16,7 @@ import tempfile
 import time
 from pathlib import Path
 
+SOURCE = Path(sys.argv[1]).resolve()
 GHOSTLIGHT = str(Path(sys.argv[2]) / "ghostlight")
 PAUSE_S = float(os.environ.get("GHOST_PAUSE_S", "4"))
 DESK, VIS = f"gl_d{os.getpid()}", f"gl_v{os.getpid()}"
@@ -216,6 +217,42 @@ def desk_dies(folder, desk):
             monitor.stop()
 
 
+def groups():
+    """sACN universes whose multicast groups this machine of ours has joined, without that of universe discovery."""
+    text = subprocess.run(inside(VIS, "cat", "/proc/net/igmp"), check=True, capture_output=True, text=True).stdout
+    numbers = {int(word[2:4] + word[0:2], 16) for word in text.split() if len(word) == 8 and word.endswith("FFEF")}
+    return sorted(numbers - {64214})
+
+
+def window_follows_the_patch(folder):
+    """The window joins the universes of the show that is open, and those asked for."""
+    shows = Path(folder) / "shows"
+    shutil.copytree(SOURCE / "assets", shows / "one")
+    shutil.copytree(SOURCE / "assets", shows / "two")
+    file = shows / "two/demo/show.toml"
+    file.write_text(file.read_text().replace("universe = 1\n", "universe = 300\n"))
+    path = str(Path(folder) / "socket")
+    log = open(Path(folder) / "window.log", "w+")
+    window = subprocess.Popen(inside(VIS, "env", "QT_QPA_PLATFORM=offscreen", f"XDG_RUNTIME_DIR={folder}", GHOSTLIGHT, "open", str(shows / "one/demo"),
+                                     "--forget", "--socket", path, "--interface", "net1", "--universes", "7"), stdout=log, stderr=log)
+    try:
+        def wait(wanted):
+            end = time.monotonic() + 300
+            while groups() != wanted:
+                assert time.monotonic() < end and window.poll() is None, (groups(), Path(log.name).read_text())
+                time.sleep(0.2)
+            print("ok: joined", wanted)
+
+        wait([1, 7])
+        actions = socket.socket(socket.AF_UNIX)
+        actions.connect(path)
+        actions.sendall(f"open {shows}/two/demo\n".encode())
+        wait([7, 300])
+    finally:
+        window.kill()
+        window.wait()
+
+
 def main():
     if os.geteuid() != 0 or not shutil.which("ip"):
         skip("needs root and iproute2 for network namespaces")
@@ -236,6 +273,7 @@ def main():
                 print("IPv6 left out: this kernel has none")
             stopped_program(folder)
             desk_dies(folder, desk)
+            window_follows_the_patch(folder)
     finally:
         if desk and desk.poll() is None:
             desk.kill()
