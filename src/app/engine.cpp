@@ -47,16 +47,19 @@ Engine::Engine(ui::Link& link, EngineOptions options)
 Engine::~Engine() {
     stop_ = true;
     thread_.join();
+    if (reopening_.valid()) reopening_.wait();
 }
 
 void Engine::run() {
     try {
+        begin_inputs();
         while (!stop_ && !interrupted()) {
             listen();
             if (std::optional<ui::Wishes> newest = link_.wishes.take()) {
                 wishes_ = std::move(*newest);
                 if (wishes_.show != tried_) open(wishes_.show);
             }
+            look_for_plots();
             const double begin_s = now_s();
             if (session_ && wishes_.camera.width > 0) frame();
             const double wait_s = 1.0 / std::clamp(wishes_.quality.fps, 5, 240) - (now_s() - begin_s);
@@ -65,6 +68,27 @@ void Engine::run() {
     } catch (const std::exception& problem) { // no memory, as a rule
         link_.failed.put({std::string("the picture stopped: ") + problem.what(), wishes_.show});
         link_.on_news();
+    }
+}
+
+void Engine::begin_inputs() {
+    if (options_.xchange) {
+        auto xchange = Xchange::start(*options_.xchange);
+        if (xchange.ok())
+            xchange_ = std::move(*xchange);
+        else
+            add_news(scene::Severity::error, xchange.error().where, xchange.error().what);
+    }
+    if (options_.controls.psn) {
+        auto trackers = TrackerInput::open(options_.receiver.interface);
+        if (trackers.ok())
+            trackers_ = std::move(*trackers);
+        else
+            add_news(scene::Severity::error, trackers.error().where, trackers.error().what);
+    }
+    if (auto timecode = open_timecode(options_.timecode); timecode.ok() && *timecode) {
+        timecode_ = std::move(*timecode);
+        timecode_->listen(options_.receiver);
     }
 }
 
@@ -106,6 +130,17 @@ void Engine::open(const std::string& path) {
     tried_ = path;
     link_.activity.put("opening " + path);
     link_.on_news();
+    auto opened = open_session(session_options(path));
+    link_.activity.put("");
+    if (!opened.ok()) {
+        link_.failed.put(opened.error());
+        link_.on_news();
+        return;
+    }
+    adopt(std::move(*opened), false);
+}
+
+SessionOptions Engine::session_options(const std::string& path) const {
     SessionOptions options = options_.session;
     options.show = path;
     options.live = true;
@@ -114,38 +149,86 @@ void Engine::open(const std::string& path) {
     options.bake = false;
     options.width = 320; // until the window says how large it is
     options.height = 180;
-    auto opened = open_session(options);
-    link_.activity.put("");
-    if (!opened.ok()) {
-        link_.failed.put(opened.error());
-        link_.on_news();
-        return;
-    }
+    return options;
+}
+
+void Engine::adopt(std::unique_ptr<Session> session, bool again) {
     tracer_.reset(); // they refer to the session before
     look_.reset();
-    session_ = std::move(*opened);
+    session_ = std::move(session);
+    followers_ = {};
+    begin_controls();
+    const std::unique_ptr<LiveInput> before = std::move(input_);
     look_ = std::make_unique<AppliedLook>(*session_);
     motion_ = session_->show->motion;
-    input_ = std::make_unique<LiveInput>(receiver_.get());
+    input_ = std::make_unique<LiveInput>(receiver_.get(), timecode_.get());
     listen_to_patch();
     if (auto loaded = input_->load_recording(session_->show->recording, session_->report); !loaded.ok())
         session_->report.add(scene::Severity::warning, loaded.error().where, loaded.error().what);
+    if (again && before) input_->go_on_from(*before);
     drawn_from_ = {};
     drawn_ = {};
     pace_ = {};
     haze_ = {};
     last_step_s_ = now_s();
     messages_sent_ = 0;
-    wishes_.camera.width = 0; // those of the show before
+    // Those of the show before are none of this one.
+    wishes_.look = {};
+    wishes_.explained.reset();
+    if (!again) wishes_.camera.width = 0;
     ui::Opened news = opened_from(*session_);
     news.recording_s = input_->recording_s();
+    news.again = again;
     link_.opened.put(std::move(news));
     publish_messages();
     link_.on_news();
 }
 
+void Engine::begin_controls() {
+    if (options_.controls.osc.empty()) return;
+    std::vector<std::string> cameras;
+    for (const scene::Camera& camera : session_->show->cameras) cameras.push_back(camera.name);
+    if (remote_) { // its faders stay where they are
+        remote_->know(std::move(cameras), session_->show->cues);
+        session_->live->set_haze(remote_wishes_.haze);
+        return;
+    }
+    const auto port = parse_port(options_.controls.osc, "--osc");
+    if (!port.ok()) return; // checked before
+    auto remote = RemoteInput::open(*port, std::move(cameras), session_->show->cues);
+    if (remote.ok())
+        remote_ = std::move(*remote);
+    else
+        session_->report.add(scene::Severity::error, remote.error().where, remote.error().what);
+}
+
+bool Engine::apply_controls(double now_s) {
+    wanted_camera_ = wishes_.camera;
+    bool sees_else = false;
+    if (remote_) {
+        const RemoteWishes& wishes = remote_->poll(now_s);
+        if (wishes.calls != remote_wishes_.calls) {
+            link_.camera_call.put({session_->show->cameras[wishes.camera->index], wishes.camera->flight_s});
+            link_.on_news();
+        }
+        if (wishes.jumps != remote_wishes_.jumps) input_->jump(wishes.at_s);
+        sees_else = wishes.haze != remote_wishes_.haze;
+        if (sees_else) session_->live->set_haze(wishes.haze);
+        remote_wishes_ = wishes;
+    }
+    if (remote_wishes_.ev100) {
+        wanted_camera_.ev100 = *remote_wishes_.ev100;
+        wanted_camera_.auto_exposure = false;
+    }
+    if (!trackers_) return sees_else;
+    const dmx::Trackers& trackers = trackers_->poll();
+    followers_.apply(*session_, trackers);
+    wanted_camera_ = follow(wanted_camera_, *session_->show, trackers);
+    return sees_else;
+}
+
 scene::Camera Engine::camera_for(double now_s) const {
-    scene::Camera camera = wishes_.camera;
+    scene::Camera camera = wanted_camera_;
     const bool moves = now_s - last_change_s_ < kRest_s || (is_uneven(*session_->show) && !wishes_.frozen);
     const double share = wishes_.quality.percent > 0 ? std::sqrt(wishes_.quality.percent / 100.0)
                          : moves                     ? pace_.share()
@@ -162,14 +245,16 @@ void Engine::frame() {
     const double begin_s = now_s();
     const double dt_s = wishes_.frozen ? 0.0 : std::clamp(begin_s - last_step_s_, 0.0, kLongestStep_s);
     last_step_s_ = begin_s;
+    const bool thicker = apply_controls(begin_s);
     input_->step(wishes_.input, wishes_.transport, dt_s);
     // Motors, too, would wait for ever where time stands still.
     session_->show->motion = wishes_.frozen ? fixture::Motion::as_commanded : motion_;
     session_->rig->step(input_->universes(), dt_s, wishes_.look.fixtures);
     if (arrival_.count() == 0) arrival_ = input_->arrival();
-    session_->master = wishes_.black_out ? 0.0f : std::clamp(wishes_.master, 0.0f, 1.0f);
-    const bool sees_else = look_->apply(wishes_.look, *session_);
-    session_->relighter->set_exposure(wishes_.camera.ev100, wishes_.camera.auto_exposure);
+    session_->master =
+        wishes_.black_out ? 0.0f : std::clamp(wishes_.master, 0.0f, 1.0f) * remote_wishes_.light();
+    const bool sees_else = look_->apply(wishes_.look, *session_) || thicker;
+    session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
     if (const int segments = std::clamp(wishes_.quality.most_segments, 1, 256);
         segments != std::exchange(haze_.most_segments, segments)) {
         session_->relighter->set_quality(haze_);
@@ -177,7 +262,7 @@ void Engine::frame() {
         last_change_s_ = begin_s;
     }
 
-    scene::Camera unsized = wishes_.camera;
+    scene::Camera unsized = wanted_camera_;
     unsized.width = drawn_from_.width;
     unsized.height = drawn_from_.height;
     scene::Lit lit = session_->lit();
@@ -304,6 +389,7 @@ void Engine::publish_explanation(double now_s) {
 void Engine::publish_messages() {
     messages_sent_ = session_->report.messages.size();
     std::vector<scene::Message> all = of_receiver_;
+    all.insert(all.end(), news_.begin(), news_.end());
     all.insert(all.end(), session_->report.messages.begin(), session_->report.messages.end());
     link_.messages.put(std::move(all));
     link_.on_news();

@@ -69,6 +69,7 @@ IntakeOptions intake_options(const ReceiverOptions& options) {
     result.merge.loss = options.loss;
     result.merge.sampling = options.sampling;
     result.merge.priority_wait = options.priority_wait;
+    result.on_timecode = options.on_timecode;
     return result;
 }
 

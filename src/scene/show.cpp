@@ -324,6 +324,7 @@ Result<Show> load_show(const fs::path& path, bool load_stage, Report& report, co
     check_addresses(parsed, file, report);
     check_files(parsed, file, report);
     check_tracking(show, report);
+    check_cues(show, report);
     const bool needs_cameras = show.cameras.empty();
     if (load_stage || needs_cameras) {
         TRY(show.stage, read_stage(show, report, part_of(loading, kFixturesShare, 1.0)));
