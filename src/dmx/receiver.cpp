@@ -187,7 +187,7 @@ void Receiver::Loop::take_usb(nanoseconds now) {
 void Receiver::Loop::listen_to(const std::vector<std::uint16_t>& universes, nanoseconds now) {
     if (universes == options.universes) return;
     options.universes = universes;
-    listener->announce(announced_universes(universes));
+    listener->announce(announced_universes(universes), now);
     intake.listen_to(universes);
     answers.announce(port_addresses(universes, options.artnet_offset));
     announce(now);
