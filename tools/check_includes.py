@@ -18,6 +18,7 @@ LIBRARIES = {
     "embree3/": {"bake"},
     "tbb/": {"bake"},
     "zip.h": {"fixture", "scene"},
+    "zlib.h": {"dmx"},
     "zstd.h": {"dmx"},
     "pugixml.hpp": {"fixture", "scene"},
     "assimp/": {"scene"},
@@ -36,8 +37,10 @@ SOCKETS = ("arpa/", "ifaddrs.h", "net/", "netdb.h", "netinet/", "poll.h", "sys/e
 # Operating system and processor: the only files that a port to another system has to look at.
 PLATFORM_FILES = {
     "src/base/files.cpp": "fsync",
+    "src/base/disk_sync.cpp": "fdatasync",
     "src/base/progress.cpp": "is standard error a terminal",
     "src/dmx/socket_linux.cpp": "sockets",
+    "src/dmx/tcp_linux.cpp": "TCP",
     "src/dmx/serial_linux.cpp": "serial ports",
     "src/bake/tracer.cpp": "SSE mode of Embree",
     "src/app/bench_offline.cpp": "memory and start of another process",

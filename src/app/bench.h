@@ -54,6 +54,8 @@ Result<void> bench_quality(const BenchOptions& options, const BenchSink& sink);
 Result<void> bench_network(const BenchOptions& options, const BenchSink& sink);
 // An even load for so long instead, one row a minute. Error: a packet was lost, or memory grew.
 Result<void> network_soak(double seconds, std::uint16_t port, const BenchSink& sink);
+// Recordings: bytes for an hour of a universe, time to open and to seek.
+Result<void> bench_recording(const BenchOptions& options, const BenchSink& sink);
 // From nothing to the first picture, and the memory it takes.
 Result<void> bench_start(const BenchOptions& options, const BenchSink& sink);
 

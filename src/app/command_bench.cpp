@@ -32,6 +32,7 @@ constexpr Table kTables[] = {
     {"bake", "Baking", bench_bake},
     {"quality", "Relit on the device against traced directly", bench_quality},
     {"network", "sACN on the loopback interface, each refresh in one burst", bench_network},
+    {"recording", "Recordings: bytes for an hour of a universe, time to seek", bench_recording},
     {"start", "Start-up", bench_start},
 };
 

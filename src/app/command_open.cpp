@@ -19,6 +19,8 @@ struct OpenArguments {
     ui::WindowOptions window;
     EngineOptions engine;
     InputOptions input;
+    XchangeOptions xchange;
+    std::string save;
     std::string size;
     bool no_desk = false;
     bool forget = false;
@@ -30,6 +32,15 @@ Result<void> check_usage(OpenArguments& arguments) {
     arguments.engine.receiver.slot_status = true; // for the panel that explains
     arguments.engine.listens = arguments.window.takes_desk = !arguments.no_desk;
     arguments.engine.session.quiet = arguments.quiet;
+    TRY_VOID(check_live_controls(arguments.engine.controls));
+    TRY_VOID(open_timecode(arguments.engine.timecode));
+    if (!arguments.engine.timecode.empty() && arguments.no_desk)
+        return Error{"the time code comes by the network, too", "--no-desk/--timecode"};
+    if (!arguments.save.empty()) {
+        arguments.xchange.save = arguments.save;
+        arguments.xchange.interface = arguments.input.interface;
+        arguments.engine.xchange = arguments.xchange;
+    }
     arguments.window.remembers = !arguments.forget;
     if (arguments.size.empty()) return {};
     char end = 0;
@@ -75,6 +86,22 @@ void add_open(CLI::App& app, int& exit_code) {
         ->type_name("NAME");
     command->add_flag("--validation", a->engine.session.validation, "check our use of Vulkan");
     command->add_flag("--quiet", a->quiet, "print warnings and errors only");
+    CLI::Option* const save = command
+                                  ->add_option("--xchange", a->save,
+                                               "take part in MVR-xchange: plots that others commit come to "
+                                               "this folder, and the window offers them")
+                                  ->type_name("FOLDER");
+    command->add_option("--group", a->xchange.group, "of MVR-xchange")->needs(save)->capture_default_str();
+    command->add_option("--peer", a->xchange.peers, "a station that mDNS does not reach, like 10.0.0.5:4568")
+        ->type_name("ADDRESS:PORT")
+        ->allow_extra_args(false)
+        ->needs(save);
+    command
+        ->add_flag("--take-plots", a->engine.takes_plots,
+                   "merge them into the show as they come, without asking")
+        ->needs(save);
+    add_live_control_options(*command, a->engine.controls);
+    add_timecode_option(*command, a->engine.timecode);
     add_input_options(*command, a->input);
     command->footer("Example: ghostlight open assets/demo\n"
                     "         ghostlight open tour.mvr --full-screen");

@@ -5,8 +5,10 @@
 #include "app/interrupt.h"
 #include "app/number_option.h"
 #include "app/recordings.h"
+#include "app/timecode_input.h"
 #include "base/log.h"
 #include "base/progress.h"
+#include "dmx/receiver.h"
 #include "dmx/sender.h"
 
 #include <nlohmann/json.hpp>
@@ -35,6 +37,8 @@ struct PlayOptions {
     double from_s = 0.0;
     double until_s = 0.0;
     double speed = 1.0;
+    std::string timecode;
+    double seconds = 0.0;
     bool loop = false;
     bool json = false;
     bool quiet = false;
@@ -83,6 +87,34 @@ int write(const PlayOptions& options) {
     return 0;
 }
 
+// Sends what the time code wants until Ctrl-C: what it stands at, again and again.
+Result<void> follow_timecode(const PlayOptions& options, const dmx::Player& player, dmx::Sender& sender) {
+    TRY(const std::unique_ptr<TimeCodeInput> timecode, open_timecode(options.timecode));
+    dmx::ReceiverOptions listen;
+    listen.interface = options.send.interface;
+    listen.sacn = false;
+    listen.answer_polls = false;
+    // While we send Art-Net to its own port, the time code comes by that one.
+    listen.artnet_port = options.capture.artnet_port;
+    timecode->listen(listen);
+    TRY(const auto receiver, dmx::Receiver::start(listen));
+    log_info("following the time code; Ctrl-C ends it");
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    const std::chrono::duration<double> step(1.0 / options.rate_hz);
+    for (std::uint64_t tick = 0; !interrupted(); ++tick) {
+        const auto passed = step * static_cast<double>(tick);
+        if (options.seconds > 0.0 && passed.count() >= options.seconds) break;
+        std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(passed));
+        const auto at_s = timecode->at_s(player.duration_s());
+        if (!at_s) continue;
+        TRY_VOID(sender.send(player.at(*at_s)));
+        log_damage(player);
+    }
+    if (!timecode->at_s(0.0)) log_warning("no time code arrived; ghostlight monitor shows what does");
+    return {};
+}
+
 int send(PlayOptions options) {
     auto recording = open_recording(options.file, options.capture, options.quiet);
     if (!recording.ok()) return failed(recording.error());
@@ -100,6 +132,14 @@ int send(PlayOptions options) {
     if (!sender.ok()) return failed(sender.error());
     catch_interrupts();
     log_info(options.file + ": " + what);
+    if (!options.timecode.empty()) {
+        const auto followed = follow_timecode(options, player, *sender);
+        if (!followed.ok()) return failed(followed.error());
+        const auto ended = sender->terminate();
+        if (!ended.ok()) return failed(ended.error());
+        if (options.json) print({{"file", options.file}, {"packets", sender->packets()}});
+        return 0;
+    }
 
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
@@ -134,6 +174,10 @@ int play(const PlayOptions& options) {
         log_error("--until must be later than --from");
         return 2;
     }
+    if (const auto timecode = open_timecode(options.timecode); !timecode.ok()) {
+        log_error(timecode.error().text());
+        return 2;
+    }
     return options.output.empty() ? send(options) : write(options);
 }
 
@@ -154,8 +198,9 @@ void add_play(CLI::App& app, int& exit_code) {
     sending(command->add_option("--protocol", options->protocol, "sacn or artnet")
                 ->check(CLI::IsMember({"sacn", "artnet"}))
                 ->capture_default_str());
-    sending(command->add_option("--to", options->send.destination,
-                                "address to send to, IPv4 or (sACN) IPv6; default: sACN multicast, Art-Net broadcast"));
+    sending(command->add_option(
+        "--to", options->send.destination,
+        "address to send to, IPv4 or (sACN) IPv6; default: sACN multicast, Art-Net broadcast"));
     sending(command->add_option("--interface", options->send.interface,
                                 "network interface for multicast and broadcast"));
     sending(command->add_option("--priority", options->send.priority, "sACN priority")
@@ -165,13 +210,22 @@ void add_play(CLI::App& app, int& exit_code) {
                 ->check(number_in(1.0, 200.0))
                 ->capture_default_str());
     sending(command->add_flag("--loop", options->loop, "again and again until Ctrl-C"));
-    command->add_option("--from", options->from_s, "start at this time, seconds")
-        ->check(number_in(0.0, kLongest_s));
-    command->add_option("--until", options->until_s, "end at this time, seconds; 0: at its end")
-        ->check(number_in(0.0, kLongest_s));
-    command->add_option("--speed", options->speed, "2: twice as fast, 0.5: half as fast")
-        ->check(number_in(kSlowest, kFastest))
-        ->capture_default_str();
+    CLI::Option* const from = command->add_option("--from", options->from_s, "start at this time, seconds")
+                                  ->check(number_in(0.0, kLongest_s));
+    CLI::Option* const until =
+        command->add_option("--until", options->until_s, "end at this time, seconds; 0: at its end")
+            ->check(number_in(0.0, kLongest_s));
+    CLI::Option* const speed =
+        command->add_option("--speed", options->speed, "2: twice as fast, 0.5: half as fast")
+            ->check(number_in(kSlowest, kFastest))
+            ->capture_default_str();
+    CLI::Option* const timecode = add_timecode_option(*command, options->timecode);
+    sending(timecode)->excludes(from)->excludes(until)->excludes(speed)->excludes(
+        command->get_option("--loop"));
+    command
+        ->add_option("--seconds", options->seconds, "of --timecode: end after this time; default: at Ctrl-C")
+        ->check(number_in(0.0, kLongest_s))
+        ->needs(timecode);
     command
         ->add_option("--artnet-offset", options->send.artnet_offset,
                      "Port-Address = universe - this, in what is sent and in captures")

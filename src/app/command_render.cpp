@@ -62,8 +62,13 @@ Result<bool> check_usage(RenderArguments& arguments) {
         if (!arguments.session.view.empty()) return Error{"two cameras; give one", "--view/--eye"};
     }
     if (arguments.live_input) TRY_VOID(receiver_options(arguments.input));
+    TRY_VOID(open_timecode(arguments.timecode));
+    if (arguments.live_input && !arguments.replay.empty() && arguments.timecode.empty())
+        return Error{"a desk's levels or a recording's; with --timecode a recording is played live",
+                     "--replay"};
     TRY_VOID(check_live_controls(arguments.controls));
-    arguments.session.plays_recording = !arguments.live_input && arguments.replay.empty();
+    arguments.session.plays_recording =
+        (!arguments.live_input || !arguments.timecode.empty()) && arguments.replay.empty();
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
     if (!arguments.session.travel.empty() && (arguments.live_input || !film))
         return Error{"only the camera of a film of a recording travels: --from and --to", "--travel"};
@@ -190,17 +195,17 @@ void add_render(CLI::App& app, int& exit_code) {
             "machine: fixtures take the time that they need; commanded: at once (default: the show's)")
         ->check(CLI::IsMember({"commanded", "machine"}));
     command->add_option("--replay", a->replay, "DMX recording (default: the show's own)")->type_name("FILE");
-    command->add_option("--at", a->at_s, "second of the recording")->check(number_in(0.0, 86400.0));
+    command->add_option("--at", a->at_s, "second of the recording")->check(number_in(0.0, kLongest_s));
     command->add_option("--from", a->from_s, "first second of a film")
-        ->check(number_in(0.0, 86400.0))
+        ->check(number_in(0.0, kLongest_s))
         ->excludes("--at");
     command->add_option("--to", a->to_s, "last second of a film")
-        ->check(number_in(0.0, 86400.0))
+        ->check(number_in(0.0, kLongest_s))
         ->excludes("--at");
     command->add_option("--fps", a->fps, "frames a second")->check(CLI::Range(1, 240))->capture_default_str();
     command->add_flag("--live-input", a->live_input, "draw what a desk sends now, by sACN or Art-Net")
-        ->excludes("--replay")
         ->excludes("--at");
+    add_timecode_option(*command, a->timecode)->needs("--live-input");
     command->add_option("--seconds", a->seconds, "length of --live-input")
         ->check(number_in(0.1, 86400.0))
         ->needs("--live-input")
@@ -232,6 +237,7 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_flag("--json", a->json, "print the figures as JSON");
     add_input_options(*command, a->input);
     add_live_control_options(*command, a->controls);
+    for (const char* name : {"--osc", "--psn"}) command->get_option(name)->needs("--live-input");
     // What it draws with: it would do nothing.
     for (const char* name :
          {"--beams", "--steps", "--glare", "--device", "--image-memory", "--validation", "--json"})

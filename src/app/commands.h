@@ -19,5 +19,6 @@ void add_open(CLI::App& app, int& exit_code);
 void add_play(CLI::App& app, int& exit_code);
 void add_record(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
+void add_xchange(CLI::App& app, int& exit_code);
 
 } // namespace ghost::app

@@ -106,7 +106,7 @@ void check_show(const fs::path& path, const scene::FixtureOffers& offers, const 
         if (!recording.ok()) report.add(Severity::error, recording.error().where, recording.error().what);
         if (recording.ok()) {
             std::vector<Error> problems = recording->problems;
-            (void)recording->first_frames(); // reads all of it
+            recording->check_all();
             const std::vector<Error> damage = recording->take_damage();
             problems.insert(problems.end(), damage.begin(), damage.end());
             for (const Error& problem : problems) report.add(Severity::error, problem.where, problem.what);

@@ -5,9 +5,7 @@
 #include "app/interrupt.h"
 #include "app/take_patch.h"
 #include "scene/explain_print.h"
-#include "scene/show_edit.h"
 
-#include "base/files.h"
 #include "base/log.h"
 
 #include <algorithm>
@@ -26,7 +24,6 @@ constexpr double kListenAgain_s = 3;
 constexpr double kExplainEvery_s = 0.25;
 constexpr int kLeastPixels = 16; // across
 constexpr int kMostPixels = 8192;
-constexpr std::uintmax_t kMostShowBytes = std::uintmax_t{16} << 20;
 constexpr double kLongestStep_s = 0.5; // a slow frame must not make the recording jump
 
 bool same_view(const scene::Camera& a, const scene::Camera& b) {
@@ -51,10 +48,12 @@ Engine::Engine(ui::Link& link, EngineOptions options)
 Engine::~Engine() {
     stop_ = true;
     thread_.join();
+    if (reopening_.valid()) reopening_.wait();
 }
 
 void Engine::run() {
     try {
+        begin_inputs();
         while (!stop_ && !interrupted()) {
             listen();
             if (std::optional<ui::Wishes> newest = link_.wishes.take()) {
@@ -64,6 +63,7 @@ void Engine::run() {
                 else if (session_ && wishes_.text != text_)
                     take_edit();
             }
+            look_for_plots();
             const double begin_s = now_s();
             if (session_ && wishes_.camera.width > 0) frame();
             const double wait_s = 1.0 / std::clamp(wishes_.quality.fps, 5, 240) - (now_s() - begin_s);
@@ -72,6 +72,27 @@ void Engine::run() {
     } catch (const std::exception& problem) { // no memory, as a rule
         link_.failed.put({std::string("the picture stopped: ") + problem.what(), wishes_.show});
         link_.on_news();
+    }
+}
+
+void Engine::begin_inputs() {
+    if (options_.xchange) {
+        auto xchange = Xchange::start(*options_.xchange);
+        if (xchange.ok())
+            xchange_ = std::move(*xchange);
+        else
+            add_news(scene::Severity::error, xchange.error().where, xchange.error().what);
+    }
+    if (options_.controls.psn) {
+        auto trackers = TrackerInput::open(options_.receiver.interface);
+        if (trackers.ok())
+            trackers_ = std::move(*trackers);
+        else
+            add_news(scene::Severity::error, trackers.error().where, trackers.error().what);
+    }
+    if (auto timecode = open_timecode(options_.timecode); timecode.ok() && *timecode) {
+        timecode_ = std::move(*timecode);
+        timecode_->listen(options_.receiver);
     }
 }
 
@@ -111,13 +132,20 @@ void Engine::listen_to_patch() {
 
 void Engine::open(const std::string& path) {
     tried_ = path;
-    if (reopen(path, false)) wishes_.camera.width = 0; // those of the show before
+    text_ = wishes_.text;
+    link_.activity.put("opening " + path);
+    link_.on_news();
+    auto opened = open_session(session_options(path));
+    link_.activity.put("");
+    if (!opened.ok()) {
+        link_.failed.put(opened.error());
+        link_.on_news();
+        return;
+    }
+    adopt(std::move(*opened), Opening::another);
 }
 
-bool Engine::reopen(const std::string& path, bool is_edit) {
-    text_ = wishes_.text;
-    link_.activity.put((is_edit ? "taking the changes of " : "opening ") + path);
-    link_.on_news();
+SessionOptions Engine::session_options(const std::string& path) const {
     SessionOptions options = options_.session;
     options.show = path;
     options.text = text_;
@@ -127,77 +155,96 @@ bool Engine::reopen(const std::string& path, bool is_edit) {
     options.bake = false;
     options.width = 320; // until the window says how large it is
     options.height = 180;
-    auto opened = open_session(options);
-    link_.activity.put("");
-    if (!opened.ok()) {
-        link_.failed.put(opened.error());
-        link_.on_news();
-        return false;
-    }
+    return options;
+}
+
+void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
     tracer_.reset(); // they refer to the session before
     look_.reset();
-    const std::unique_ptr<Session> before = std::exchange(session_, std::move(*opened));
-    if (is_edit && before)
-        session_->rig->go_on_from(*before->rig, same_fixtures(*before->show, *session_->show));
+    const std::unique_ptr<Session> session_before = std::exchange(session_, std::move(session));
+    if (opening != Opening::another && session_before)
+        session_->rig->go_on_from(*session_before->rig,
+                                  same_fixtures(*session_before->show, *session_->show));
+    followers_ = {};
+    begin_controls();
+    const std::unique_ptr<LiveInput> before = std::move(input_);
     look_ = std::make_unique<AppliedLook>(*session_);
     motion_ = session_->show->motion;
-    const bool keeps_input = is_edit && input_ && recording_ == session_->show->recording;
-    if (!keeps_input) {
-        input_ = std::make_unique<LiveInput>(receiver_.get());
-        recording_ = session_->show->recording;
-        if (auto loaded = input_->load_recording(recording_, session_->report); !loaded.ok())
-            session_->report.add(scene::Severity::warning, loaded.error().where, loaded.error().what);
-    }
+    input_ = std::make_unique<LiveInput>(receiver_.get(), timecode_.get());
     listen_to_patch();
+    if (auto loaded = input_->load_recording(session_->show->recording, session_->report); !loaded.ok())
+        session_->report.add(scene::Severity::warning, loaded.error().where, loaded.error().what);
+    if (opening != Opening::another && before) input_->go_on_from(*before);
     drawn_from_ = {};
     drawn_ = {};
     pace_ = {};
     haze_ = {};
     last_step_s_ = now_s();
     messages_sent_ = 0;
-    publish_opened(is_edit);
-    return true;
+    if (opening != Opening::edit) { // those of the show before are none of this one
+        wishes_.look = {};
+        wishes_.explained.reset();
+    }
+    if (opening == Opening::another) wishes_.camera.width = 0;
+    publish_opened(opening);
 }
 
-void Engine::publish_opened(bool is_edit) {
+void Engine::publish_opened(Opening opening) {
     ui::Opened news = opened_from(*session_);
     news.recording_s = input_->recording_s();
-    news.is_edit = is_edit;
+    news.again = opening == Opening::newer_plot;
+    news.is_edit = opening == Opening::edit;
     news.text = text_;
     link_.opened.put(std::move(news));
     publish_messages();
     link_.on_news();
 }
 
-void Engine::take_edit() {
-    if (wishes_.text && text_ && *wishes_.text == *text_) {
-        text_ = wishes_.text;
+void Engine::begin_controls() {
+    if (options_.controls.osc.empty()) return;
+    std::vector<std::string> cameras;
+    for (const scene::Camera& camera : session_->show->cameras) cameras.push_back(camera.name);
+    if (remote_) { // its faders stay where they are
+        remote_->know(std::move(cameras), session_->show->cues);
+        session_->live->set_haze(remote_wishes_.haze);
         return;
     }
-    if (!wishes_.text) return; // another show comes
-    scene::Report report;
-    auto edited = open_show(tried_, false, true, report, wishes_.text);
-    if (!edited.ok()) {
-        text_ = wishes_.text;
-        link_.failed.put(edited.error());
-        link_.on_news();
-        return;
+    const auto port = parse_port(options_.controls.osc, "--osc");
+    if (!port.ok()) return; // checked before
+    auto remote = RemoteInput::open(*port, std::move(cameras), session_->show->cues);
+    if (remote.ok())
+        remote_ = std::move(*remote);
+    else
+        session_->report.add(scene::Severity::error, remote.error().where, remote.error().what);
+}
+
+bool Engine::apply_controls(double now_s) {
+    wanted_camera_ = wishes_.camera;
+    bool sees_else = false;
+    if (remote_) {
+        const RemoteWishes& wishes = remote_->poll(now_s);
+        if (wishes.calls != remote_wishes_.calls) {
+            link_.camera_call.put({session_->show->cameras[wishes.camera->index], wishes.camera->flight_s});
+            link_.on_news();
+        }
+        if (wishes.jumps != remote_wishes_.jumps) input_->jump(wishes.at_s);
+        sees_else = wishes.haze != remote_wishes_.haze;
+        if (sees_else) session_->live->set_haze(wishes.haze);
+        remote_wishes_ = wishes;
     }
-    const Result<std::string> before =
-        text_ ? Result<std::string>(*text_) : read_text_file(session_->show->file, kMostShowBytes);
-    const bool of_fixtures = before.ok() && scene::differ_in_fixtures_only(*before, *wishes_.text);
-    if (!of_fixtures || !take_patch(*session_, *edited, report)) {
-        reopen(tried_, true);
-        return;
+    if (remote_wishes_.ev100) {
+        wanted_camera_.ev100 = *remote_wishes_.ev100;
+        wanted_camera_.auto_exposure = false;
     }
-    text_ = wishes_.text;
-    listen_to_patch();
-    drawn_ = {};
-    publish_opened(true);
+    if (!trackers_) return sees_else;
+    const dmx::Trackers& trackers = trackers_->poll();
+    followers_.apply(*session_, trackers);
+    wanted_camera_ = follow(wanted_camera_, *session_->show, trackers);
+    return sees_else;
 }
 
 scene::Camera Engine::camera_for(double now_s) const {
-    scene::Camera camera = wishes_.camera;
+    scene::Camera camera = wanted_camera_;
     const bool moves = now_s - last_change_s_ < kRest_s || (is_uneven(*session_->show) && !wishes_.frozen);
     const double share = wishes_.quality.percent > 0 ? std::sqrt(wishes_.quality.percent / 100.0)
                          : moves                     ? pace_.share()
@@ -214,14 +261,16 @@ void Engine::frame() {
     const double begin_s = now_s();
     const double dt_s = wishes_.frozen ? 0.0 : std::clamp(begin_s - last_step_s_, 0.0, kLongestStep_s);
     last_step_s_ = begin_s;
+    const bool thicker = apply_controls(begin_s);
     input_->step(wishes_.input, wishes_.transport, dt_s);
     // Motors, too, would wait for ever where time stands still.
     session_->show->motion = wishes_.frozen ? fixture::Motion::as_commanded : motion_;
     session_->rig->step(input_->universes(), dt_s, wishes_.look.fixtures);
     if (arrival_.count() == 0) arrival_ = input_->arrival();
-    session_->master = wishes_.black_out ? 0.0f : std::clamp(wishes_.master, 0.0f, 1.0f);
-    const bool sees_else = look_->apply(wishes_.look, *session_);
-    session_->relighter->set_exposure(wishes_.camera.ev100, wishes_.camera.auto_exposure);
+    session_->master =
+        wishes_.black_out ? 0.0f : std::clamp(wishes_.master, 0.0f, 1.0f) * remote_wishes_.light();
+    const bool sees_else = look_->apply(wishes_.look, *session_) || thicker;
+    session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
     if (const int segments = std::clamp(wishes_.quality.most_segments, 1, 256);
         segments != std::exchange(haze_.most_segments, segments)) {
         session_->relighter->set_quality(haze_);
@@ -229,7 +278,7 @@ void Engine::frame() {
         last_change_s_ = begin_s;
     }
 
-    scene::Camera unsized = wishes_.camera;
+    scene::Camera unsized = wanted_camera_;
     unsized.width = drawn_from_.width;
     unsized.height = drawn_from_.height;
     scene::Lit lit = session_->lit();
@@ -265,7 +314,8 @@ void Engine::frame() {
 }
 
 void Engine::publish_rest(double now_s, bool drew) {
-    const bool rests = !drew && now_s - last_change_s_ >= kRest_s && !session_->live->is_making_maps();
+    const bool rests = !drew && !reopening_.valid() && now_s - last_change_s_ >= kRest_s &&
+                       !session_->live->is_making_maps();
     if (!rests || settled_ == wishes_.number) return;
     settled_ = wishes_.number;
     link_.settled.put(settled_);
@@ -356,6 +406,7 @@ void Engine::publish_explanation(double now_s) {
 void Engine::publish_messages() {
     messages_sent_ = session_->report.messages.size();
     std::vector<scene::Message> all = of_receiver_;
+    all.insert(all.end(), news_.begin(), news_.end());
     all.insert(all.end(), session_->report.messages.begin(), session_->report.messages.end());
     link_.messages.put(std::move(all));
     link_.on_news();

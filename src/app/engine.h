@@ -6,15 +6,18 @@
 // them.
 
 #include "app/applied_look.h"
+#include "app/followers.h"
+#include "app/live_controls.h"
 #include "app/live_input.h"
 #include "app/pace.h"
 #include "app/session.h"
+#include "app/xchange.h"
 #include "bake/tracer.h"
 #include "ui/link.h"
 
 #include <atomic>
 #include <chrono>
-#include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -25,7 +28,11 @@ namespace ghost::app {
 struct EngineOptions {
     SessionOptions session; // show, view and size come from the wishes
     dmx::ReceiverOptions receiver;
-    bool listens = true; // to a desk
+    bool listens = true;                   // to a desk
+    LiveControlOptions controls;           // remote control and trackers
+    std::string timecode;                  // what the recording follows; empty: nothing
+    std::optional<XchangeOptions> xchange; // where plots come from
+    bool takes_plots = false;              // at once, without asking
 };
 
 class Engine {
@@ -41,21 +48,34 @@ private:
     using Clock = std::chrono::steady_clock;
 
     void run();
+    void begin_inputs();
     void listen();
     void listen_to_patch();
+    SessionOptions session_options(const std::string& path) const;
     void open(const std::string& path);
-    // The show that is open has another text.
-    void take_edit();
-    // Opens, as far as the link's news go too. False: what was open stays.
-    bool reopen(const std::string& path, bool is_edit);
+    enum class Opening { another, newer_plot, edit }; // the latter two: of the show that is open
+    void adopt(std::unique_ptr<Session> session, Opening opening);
+    void begin_controls();
     void frame();
+    // A remote control and trackers, before the rig's step. True: the camera sees something else now.
+    bool apply_controls(double now_s);
+
+    // The show that is open has another text; engine_edits.cpp.
+    void take_edit();
+
+    // engine_plots.cpp
+    void look_for_plots();
+    void take_plot();
+    void adopt_reopened();
+    void add_news(scene::Severity severity, const std::string& where, const std::string& what);
+
     // The camera for this frame: the wanted one, with fewer pixels while the picture moves.
     scene::Camera camera_for(double now_s) const;
     void publish_picture(const render::FrameStatistics& statistics, double draw_ms);
     void publish_rig(double now_s);
     void publish_explanation(double now_s);
     void publish_messages();
-    void publish_opened(bool is_edit);
+    void publish_opened(Opening opening);
     void publish_rest(double now_s, bool drew);
     double now_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
@@ -65,16 +85,28 @@ private:
     ui::Wishes wishes_;
     std::string tried_;                       // the show that was asked for last, open or not
     std::shared_ptr<const std::string> text_; // of it, likewise
+    std::unique_ptr<TimeCodeInput> timecode_; // the receiver feeds it, and goes first
     std::unique_ptr<dmx::Receiver> receiver_;
     std::vector<scene::Message> of_receiver_;
-    double listens_again_s_ = 0; // where a port was taken
+    std::vector<scene::Message> news_; // of what else belongs to no show
+    double listens_again_s_ = 0;       // where a port was taken
+    std::unique_ptr<TrackerInput> trackers_;
+    std::unique_ptr<Xchange> xchange_;
+    ui::ReceivedPlot plot_;        // the newest
+    std::uint64_t plot_taken_ = 0; // number of the last one that was
+    // A show that is opened while another one is drawn.
+    std::future<Result<std::unique_ptr<Session>>> reopening_;
+    Opening reopening_as_ = Opening::newer_plot;
 
     // Of the show that is open.
     std::unique_ptr<Session> session_;
     std::unique_ptr<LiveInput> input_;
-    std::filesystem::path recording_; // that it plays
     std::unique_ptr<AppliedLook> look_;
     std::unique_ptr<bake::Tracer> tracer_; // made when something is to be explained
+    std::unique_ptr<RemoteInput> remote_;
+    Followers followers_;
+    RemoteWishes remote_wishes_;  // those that hold
+    scene::Camera wanted_camera_; // of the wishes, turned to the tracker that it follows
     scene::Camera drawn_from_;
     scene::Lit drawn_;
     Pace pace_;

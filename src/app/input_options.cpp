@@ -3,6 +3,8 @@
 
 #include "app/interrupt.h"
 
+#include "base/log.h"
+
 #include <algorithm>
 #include <charconv>
 #include <chrono>
@@ -170,6 +172,11 @@ std::vector<std::uint16_t> joined_universes(std::vector<std::uint16_t> asked_for
     asked_for.insert(asked_for.end(), patched.begin(), patched.end());
     std::sort(asked_for.begin(), asked_for.end());
     asked_for.erase(std::unique(asked_for.begin(), asked_for.end()), asked_for.end());
+    if (asked_for.size() > dmx::kMaxUniverses) {
+        log_warning("the show patches " + std::to_string(asked_for.size()) + " universes; the first " +
+                    std::to_string(dmx::kMaxUniverses) + " are listened to");
+        asked_for.resize(dmx::kMaxUniverses);
+    }
     return asked_for;
 }
 

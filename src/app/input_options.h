@@ -53,7 +53,8 @@ Result<std::vector<dmx::UsbPortOptions>> parse_usb_ports(const std::vector<std::
 
 Result<dmx::ReceiverOptions> receiver_options(const InputOptions& options);
 
-// What to join for a show: the universes that are patched, and those of --universes.
+// What to join for a show: the universes that are patched, and those of --universes; at most
+// dmx::kMaxUniverses.
 std::vector<std::uint16_t> joined_universes(std::vector<std::uint16_t> asked_for,
                                             const scene::PatchMap& patch);
 

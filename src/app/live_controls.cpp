@@ -9,27 +9,16 @@
 
 namespace ghost::app {
 
-namespace {
-
-constexpr float kStill_m = 0.002f; // the G-buffer is drawn again for more
-constexpr float kTooNear_m = 0.1f; // to look at
-
-} // namespace
-
 void add_live_control_options(CLI::App& command, LiveControlOptions& options) {
     command
         .add_option(
             "--osc", options.osc,
             "listen to a remote control (OSC) at this UDP port of 127.0.0.1, or at an address of ours like "
-            "0.0.0.0:9000; with --live-input")
-        ->type_name("[ADDRESS:]PORT")
-        ->needs("--live-input");
-    command
-        .add_flag(
-            "--psn", options.psn,
-            "follow trackers (PosiStageNet, 236.10.10.10:56565) as the show's [[tracker]] entries say; with "
-            "--live-input")
-        ->needs("--live-input");
+            "0.0.0.0:9000")
+        ->type_name("[ADDRESS:]PORT");
+    command.add_flag(
+        "--psn", options.psn,
+        "follow trackers (PosiStageNet, 236.10.10.10:56565) as the show's [[tracker]] entries say");
 }
 
 Result<void> check_live_controls(const LiveControlOptions& options) {
@@ -51,7 +40,7 @@ Result<LiveControls> LiveControls::open(const LiveControlOptions& options, const
     TRY(const PortOption port, parse_port(options.osc, "--osc"));
     std::vector<std::string> cameras;
     for (const scene::Camera& camera : show.cameras) cameras.push_back(camera.name);
-    TRY(controls.remote_, RemoteInput::open(port, std::move(cameras)));
+    TRY(controls.remote_, RemoteInput::open(port, std::move(cameras), show.cues));
     log_info("listening to a remote control (OSC) at " + dmx::ipv4_text(port.ipv4) + ":" +
              std::to_string(port.port));
     return controls;
@@ -85,28 +74,11 @@ void LiveControls::before_frame(Session& session, double now_s) {
     if (trackers_) apply(session, trackers_->poll());
 }
 
-// Whatever was not heard of yet leaves camera and heads as they are.
 void LiveControls::apply(Session& session, const dmx::Trackers& trackers) {
-    const scene::Show& show = *session.show;
-    for (const scene::TrackerUse& use : show.tracking.uses) {
-        const dmx::Tracker* tracker =
-            use.id >= 0 ? trackers.find(static_cast<std::uint16_t>(use.id)) : trackers.find(use.name);
-        if (!tracker) continue;
-        const auto& [x, y, z] = tracker->position_m;
-        const glm::vec3 point_m = show.tracking.to_world({x, y, z}) + use.offset_m;
-        for (std::size_t i = 0; i < show.fixtures.size(); ++i)
-            if (std::find(use.fixtures.begin(), use.fixtures.end(), show.fixtures[i].name) !=
-                use.fixtures.end())
-                session.rig->aim_at(i, point_m);
-        if (use.camera.empty() || !session.live) continue;
-        scene::Camera camera = session.live->camera();
-        const bool ours = camera.name == use.camera && !flight_;
-        if (!ours || glm::distance(camera.target_m, point_m) < kStill_m ||
-            glm::distance(camera.position_m, point_m) < kTooNear_m)
-            continue;
-        camera.target_m = point_m;
-        session.look_from(camera);
-    }
+    followers_.apply(session, trackers);
+    if (!session.live || flight_) return;
+    const scene::Camera camera = follow(session.live->camera(), *session.show, trackers);
+    if (camera.target_m != session.live->camera().target_m) session.look_from(camera);
 }
 
 void LiveControls::apply(Session& session, const RemoteWishes& wishes, double now_s) {

@@ -3,6 +3,7 @@
 // LiveControls: what moves a live picture besides DMX: a remote control (OSC) and trackers (PosiStageNet).
 // Applied to a session before each frame, by the thread that draws.
 
+#include "app/followers.h"
 #include "app/remote_input.h"
 #include "app/session.h"
 #include "app/tracker_input.h"
@@ -46,6 +47,7 @@ private:
     };
     std::unique_ptr<RemoteInput> remote_;    // or null
     std::unique_ptr<TrackerInput> trackers_; // or null
+    Followers followers_;
     std::optional<float> ev100_;
     std::optional<Flight> flight_;
     std::optional<scene::Camera> exposed_; // whose exposure holds; none: that of the start

@@ -55,7 +55,16 @@ void LiveInput::step(ui::Input wanted, const ui::Transport& transport, double dt
     seeks_ = transport.seeks;
     const double end_s = std::max(player_->duration_s(), 1e-3);
     at_s_ = std::isfinite(at_s_) ? std::fmod(std::max(at_s_, 0.0), end_s) : 0.0;
+    if (const auto wanted_s = timecode_ ? timecode_->at_s(end_s) : std::nullopt) at_s_ = *wanted_s;
     played_ = player_->at(at_s_);
+}
+
+void LiveInput::go_on_from(const LiveInput& before) {
+    desk_ = before.desk_;
+    statistics_ = before.statistics_;
+    listened_s_ = before.listened_s_;
+    at_s_ = before.at_s_;
+    seeks_ = before.seeks_;
 }
 
 std::optional<dmx::Statistics> LiveInput::take_statistics() {

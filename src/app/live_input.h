@@ -4,6 +4,7 @@
 // and jumps as a person wants. A desk is heard all the time, also while the recording is shown. Seconds; one
 // thread.
 
+#include "app/timecode_input.h"
 #include "base/result.h"
 #include "dmx/player.h"
 #include "dmx/receiver.h"
@@ -20,7 +21,9 @@ namespace ghost::app {
 class LiveInput {
 public:
     // receiver: may be null (a port was taken), else must outlive this.
-    explicit LiveInput(dmx::Receiver* receiver) : receiver_(receiver) {}
+    // timecode: what the recording follows instead of the transport, once it is heard; may be null, too.
+    explicit LiveInput(dmx::Receiver* receiver, const TimeCodeInput* timecode = nullptr)
+        : receiver_(receiver), timecode_(timecode) {}
 
     // One that could not be started before.
     void set_receiver(dmx::Receiver* receiver) { receiver_ = receiver; }
@@ -33,6 +36,10 @@ public:
     const dmx::Universes& universes() const { return shows_desk_ ? desk_ : played_; }
     bool shows_desk() const { return shows_desk_; }
     double at_s() const { return at_s_; }
+    // A remote control jumps; the transport goes on from there.
+    void jump(double at_s) { at_s_ = at_s; }
+    // Goes on where another one was: its desk, its place in the recording.
+    void go_on_from(const LiveInput& before);
     // Steady time of the newest packet, where the last step brought levels of a desk that changed; else 0.
     std::chrono::nanoseconds arrival() const { return arrival_; }
     // The newest statistics of the network, each once.
@@ -44,6 +51,7 @@ public:
 
 private:
     dmx::Receiver* receiver_;
+    const TimeCodeInput* timecode_;
     std::filesystem::path file_;
     std::unique_ptr<dmx::Player> player_;
     std::vector<std::pair<int, double>> first_frames_s_; // of each universe

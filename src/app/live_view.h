@@ -14,6 +14,7 @@
 #include "scene/show.h"
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -46,8 +47,15 @@ public:
     void set_material(std::size_t material, const scene::Material& values) {
         model_.set_material(material, values);
     }
-    // Turns yokes and heads as the rig does. False: none of them moved in the picture.
+    // Turns yokes and heads as the rig does, and puts tracked objects where they are. False: nothing moved in
+    // the picture.
     bool follow(const scene::Rig& rig);
+    // Objects that will move all the time, by name pattern ([[object]]). Their middle, at the height of their
+    // feet; none: no object has such a name.
+    std::optional<glm::vec3> track(const std::vector<std::string>& patterns);
+    // So far from where the show has them; the picture shows it after follow(). The distance maps of the
+    // lights that see them are made again in the background, as often as they get finished.
+    void move_tracked(const std::vector<std::string>& patterns, const glm::vec3& by_m);
     // Uploads the distance maps that were finished in the background. True: one of them replaced another,
     // so that images of lights which did not change are wrong. What went wrong goes to the report.
     bool take_maps(scene::Report& report);
@@ -66,6 +74,8 @@ private:
     LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
              const scene::Camera& camera, scene::Report& report);
     void begin_maps(scene::Report& report);
+    void begin_tracked_maps();
+    std::vector<std::size_t> objects_named(const std::vector<std::string>& patterns) const;
 
     const gpu::Device& device_;
     const scene::Show& show_;
@@ -79,6 +89,11 @@ private:
     scene::DistanceMaps maps_;
     std::size_t missing_maps_ = 0;
     std::unique_ptr<render::DistanceImages> distances_;
+    // Tracked objects: what the maker makes their maps of. The maps go to a folder of their own, so that
+    // those of the show as it is stay.
+    std::map<std::size_t, glm::vec3> moved_m_, mapped_m_; // instance: how far; with which maps were begun
+    scene::Show tracked_show_;
+    std::optional<scene::Stage> tracked_stage_;
     std::unique_ptr<MapMaker> maker_; // reads show and stage: goes first
 };
 

@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "dmx/osc.h"
+#include "scene/cues.h"
 
 #include <cstddef>
 #include <optional>
@@ -28,6 +29,8 @@ struct RemoteWishes {
     std::optional<float> ev100;         // instead of the camera's exposure
     std::optional<RemoteCamera> camera; // the last one asked for
     std::size_t calls = 0;              // of cameras: the same one may be asked for again
+    double at_s = 0;                    // of the recording: the last place asked for
+    std::size_t jumps = 0;              // to such places
 
     float light() const { return blackout ? 0.0f : master; }
 };
@@ -35,16 +38,26 @@ struct RemoteWishes {
 class Remote {
 public:
     // cameras: names, in the order of the show.
-    explicit Remote(std::vector<std::string> cameras) : cameras_(std::move(cameras)) {}
+    explicit Remote(std::vector<std::string> cameras, std::vector<scene::Cue> cues = {})
+        : cameras_(std::move(cameras)), cues_(std::move(cues)) {}
 
     // Error: an address that is none of ours, or a value that it does not take; wishes stay as they were.
     Result<void> apply(const dmx::OscMessage& message);
     const RemoteWishes& wishes() const { return wishes_; }
+    // Another show's; the wishes stay.
+    void know(std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
+        cameras_ = std::move(cameras);
+        cues_ = std::move(cues);
+        cue_.reset();
+    }
 
 private:
     Result<void> recall_camera(const dmx::OscMessage& message);
+    Result<void> call_cue(const dmx::OscMessage& message, int steps);
 
     std::vector<std::string> cameras_;
+    std::vector<scene::Cue> cues_;
+    std::optional<std::size_t> cue_; // called last
     RemoteWishes wishes_;
 };
 

@@ -42,10 +42,11 @@ Result<PortOption> parse_port(const std::string& text, const std::string& option
     return result;
 }
 
-Result<std::unique_ptr<RemoteInput>> RemoteInput::open(const PortOption& where,
-                                                       std::vector<std::string> cameras) {
+Result<std::unique_ptr<RemoteInput>>
+RemoteInput::open(const PortOption& where, std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
     TRY(auto socket, dmx::UdpSocket::open(where.ipv4, where.port, kReceiveBufferBytes));
-    return std::unique_ptr<RemoteInput>(new RemoteInput(std::move(socket), std::move(cameras)));
+    return std::unique_ptr<RemoteInput>(
+        new RemoteInput(std::move(socket), Remote(std::move(cameras), std::move(cues))));
 }
 
 void RemoteInput::complain(const std::string& text, double now_s) {

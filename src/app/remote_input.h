@@ -23,15 +23,19 @@ Result<PortOption> parse_port(const std::string& text, const std::string& option
 
 class RemoteInput {
 public:
-    static Result<std::unique_ptr<RemoteInput>> open(const PortOption& where,
-                                                     std::vector<std::string> cameras);
+    static Result<std::unique_ptr<RemoteInput>>
+    open(const PortOption& where, std::vector<std::string> cameras, std::vector<scene::Cue> cues = {});
 
+    // Of another show.
+    void know(std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
+        remote_.know(std::move(cameras), std::move(cues));
+    }
     // Takes what has arrived. now_s: any steady seconds.
     const RemoteWishes& poll(double now_s);
 
 private:
-    RemoteInput(std::unique_ptr<dmx::UdpSocket> socket, std::vector<std::string> cameras)
-        : socket_(std::move(socket)), remote_(std::move(cameras)) {}
+    RemoteInput(std::unique_ptr<dmx::UdpSocket> socket, Remote remote)
+        : socket_(std::move(socket)), remote_(std::move(remote)) {}
     void complain(const std::string& text, double now_s);
 
     std::unique_ptr<dmx::UdpSocket> socket_;

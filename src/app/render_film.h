@@ -8,6 +8,7 @@
 #include "app/picture_writer.h"
 #include "app/reference_render.h"
 #include "app/session.h"
+#include "app/timecode_input.h"
 
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ struct RenderArguments {
     std::string size;
     std::string beams = "gate";
     std::string replay;
-    std::string motion; // empty: the show's
+    std::string timecode; // live: the recording by time code instead of a desk
+    std::string motion;   // empty: the show's
     double at_s = -1;
     double from_s = -1;
     double to_s = -1;
@@ -62,7 +64,8 @@ struct Tally {
 void print_tally(const RenderArguments& arguments, const Session& session, const Tally& tally);
 
 // The rig is run from the start of the recording, because wheels and gobos turn: a frame is the same wherever
-// it is asked from.
+// it is asked from. Where that is more than ten minutes, from a minute before: only what turns without end
+// may then stand at another angle.
 Result<void> render_recording(const RenderArguments& arguments, Session& session, PictureWriter& writer,
                               Tally& tally);
 // Film time is wall time: a picture that takes longer than a frame is shown for several.

@@ -2,6 +2,7 @@
 #include "app/governor.h"
 #include "app/interrupt.h"
 #include "app/loss_note.h"
+#include "app/recordings.h"
 #include "app/render_film.h"
 
 #include "base/log.h"
@@ -72,6 +73,16 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
                          Tally& tally) {
     TRY(dmx::ReceiverOptions options, receiver_options(arguments.input));
     options.universes = joined_universes(options.universes, scene::PatchMap(*session.show));
+    TRY(const std::unique_ptr<TimeCodeInput> timecode, open_timecode(arguments.timecode));
+    std::optional<dmx::Player> player;
+    if (timecode) {
+        timecode->listen(options);
+        const std::filesystem::path file =
+            arguments.replay.empty() ? session.show->recording : std::filesystem::path(arguments.replay);
+        TRY(dmx::Recording recording,
+            open_recording(file, capture_options(arguments.input), arguments.session.quiet));
+        player.emplace(std::move(recording));
+    }
     TRY(const std::unique_ptr<dmx::Receiver> receiver, dmx::Receiver::start(options));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
     TRY(LiveControls controls, LiveControls::open(arguments.controls, *session.show,
@@ -100,6 +111,11 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
             fresh = newest->revision != universes.revision;
             universes = std::move(*newest);
         }
+        if (player) {
+            const auto at_s = timecode->at_s(player->duration_s());
+            if (at_s) universes = player->at(*at_s);
+            fresh = false; // of a recording nothing arrives
+        }
         const Clock::time_point now = Clock::now();
         controls.before_frame(session, std::chrono::duration<double>(now - start).count());
         session.rig->step(universes, std::chrono::duration<double>(now - last_step).count());
@@ -119,7 +135,7 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
         const bool for_rest =
             governor && rest.look(*governor, frame.drawn, std::chrono::duration<double>(now - start).count(),
                                   *session.relighter);
-        loss.look(universes, now.time_since_epoch());
+        if (!player) loss.look(universes, now.time_since_epoch());
         const std::string caption =
             arguments.no_caption ? std::string()
                                  : joined(governor && !rest.settled() ? governor->note() : "", loss.text());
@@ -131,7 +147,10 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
         TRY_VOID(writer.repeat(repeat - 1));
         written += repeat;
     }
-    if (tally.latency.count() == 0)
+    if (timecode && !timecode->at_s(0.0))
+        log_warning(
+            "no time code arrived: the rig stayed at its defaults; 'ghostlight monitor' shows what does");
+    if (!timecode && tally.latency.count() == 0)
         log_warning(
             "no packet arrived: the rig stayed at its defaults; 'ghostlight monitor' shows who sends what");
     return {};

@@ -13,6 +13,19 @@
 
 namespace ghost::app {
 
+namespace {
+
+constexpr double kShort_s = 600; // up to here all that comes before is stepped through
+constexpr double kLeadIn_s = 60; // further on this much: more than the slowest machine needs for any way
+
+// The frame from which machines are moved, so that they stand right in `first`.
+long begin_at(long first, double fps) {
+    if (static_cast<double>(first) / fps <= kShort_s) return 0;
+    return first - std::lround(kLeadIn_s * fps);
+}
+
+} // namespace
+
 Result<void> render_recording(const RenderArguments& arguments, Session& session, PictureWriter& writer,
                               Tally& tally) {
     const std::filesystem::path file =
@@ -40,7 +53,7 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
     Progress progress(
         "rendering",
         arguments.session.quiet || still ? Progress::Style::silent : Progress::style_for_stderr(), now_s());
-    for (long frame = 0; frame <= last; ++frame) {
+    for (long frame = begin_at(first, fps); frame <= last; ++frame) {
         if (interrupted()) break;
         session.rig->step(player.at(static_cast<double>(frame) / fps), 1.0 / fps);
         if (frame < first) continue;

@@ -15,10 +15,18 @@ Result<ByteSource> ByteSource::open(const fs::path& path) {
     if (code) return Error{"cannot read its size: " + code.message(), path.string()};
     std::ifstream file(path, std::ios::binary);
     if (!file) return Error{"cannot open", path.string()};
-    return ByteSource(std::move(file), size);
+    std::uint8_t first[3] = {};
+    file.read(reinterpret_cast<char*>(first), sizeof first);
+    const bool packed = GzipFile::recognises(Bytes(first, static_cast<std::size_t>(file.gcount())));
+    file.clear();
+    if (!packed) return ByteSource(std::move(file), size);
+    ByteSource source((std::vector<std::uint8_t>()));
+    source.gzip_ = std::make_unique<GzipFile>(std::move(file), size);
+    return source;
 }
 
 std::size_t ByteSource::read(std::uint64_t offset, std::span<std::uint8_t> target) {
+    if (gzip_) return gzip_->read(offset, target);
     if (offset >= size_) return 0;
     const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(target.size(), size_ - offset));
     if (!file_.is_open()) {

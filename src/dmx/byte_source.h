@@ -1,9 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// ByteSource: bytes of a file or of memory, read from any place, for files too long to hold. One thread.
+// ByteSource: bytes of a file or of memory, read from any place, for files too long to hold; of a gzip file
+// what it unpacks to. One thread.
 
 #include "base/byte_reader.h"
 #include "base/result.h"
+#include "dmx/gzip_file.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -19,8 +21,11 @@ public:
     explicit ByteSource(std::vector<std::uint8_t> memory)
         : memory_(std::move(memory)), size_(memory_.size()) {}
 
-    // As it was when it was opened.
-    std::uint64_t size() const { return size_; }
+    // As it was when it was opened; of a gzip file what it says of itself.
+    std::uint64_t size() const { return gzip_ ? gzip_->likely_size() : size_; }
+    bool is_gzip() const { return gzip_ != nullptr; }
+    // Of a gzip file: why it ended where it did.
+    std::optional<std::string> problem() const { return gzip_ ? gzip_->problem() : std::nullopt; }
     // Up to target.size() bytes from offset; how many there were.
     std::size_t read(std::uint64_t offset, std::span<std::uint8_t> target);
 
@@ -28,6 +33,7 @@ private:
     ByteSource(std::ifstream file, std::uint64_t size) : file_(std::move(file)), size_(size) {}
 
     std::ifstream file_;
+    std::unique_ptr<GzipFile> gzip_;
     std::vector<std::uint8_t> memory_;
     std::uint64_t size_ = 0;
 };

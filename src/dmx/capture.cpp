@@ -40,11 +40,13 @@ public:
             now_ = now;
             TRY_VOID(take(*frame));
         }
+        if (const auto why = file_.source_problem()) problem_ = Error{*why, name_};
         if (!first_) return nothing();
         CaptureEnd end;
         end.unix_time = *first_;
         end.duration = std::chrono::floor<microseconds>(now_) - *first_;
         end.problems = file_.problems();
+        if (problem_) end.problems.push_back(*problem_);
         say_losses(end.problems);
         return end;
     }
@@ -118,6 +120,7 @@ private:
                            " or Art-Net to " + std::to_string(options_.artnet_port) + " (" +
                            std::to_string(other_ports_) + " went to other ports)";
         std::vector<Error> problems = file_.problems();
+        if (problem_) problems.push_back(*problem_);
         say_losses(problems);
         for (const Error& problem : problems) what += "; " + problem.what;
         return Error{what, name_};
@@ -148,6 +151,7 @@ private:
     Merge merge_;
     Changes changes_;
     std::vector<RecordedFrame> frames_;
+    std::optional<Error> problem_;      // of the file below the packets
     std::optional<microseconds> first_; // levels
     nanoseconds now_{0}, next_tick_{0};
     std::uint64_t packets_ = 0, backwards_ = 0, fragments_ = 0, cut_ = 0, other_ports_ = 0;

@@ -69,15 +69,17 @@ CaptureFile::CaptureFile(ByteSource& source, std::string name) : source_(source)
 
 double CaptureFile::share() const {
     const std::uint64_t done = offset_ - (buffer_.size() - used_);
-    return source_.size() ? static_cast<double>(done) / static_cast<double>(source_.size()) : 1.0;
+    return source_.size() ? std::min(1.0, static_cast<double>(done) / static_cast<double>(source_.size()))
+                          : 1.0;
 }
 
 void CaptureFile::stop(const std::string& what) {
     stopped_ = true;
     const std::uint64_t here = offset_ - (buffer_.size() - used_);
+    const std::uint64_t rest = source_.size() - std::min(here, source_.size());
+    const std::string size = source_.is_gzip() ? "" : ", about " + std::to_string(rest) + " bytes,";
     problems_.push_back(
-        {what + "; what follows, about " + std::to_string(source_.size() - here) + " bytes, is left out",
-         name_ + ", byte " + std::to_string(here)});
+        {what + "; what follows" + size + " is left out", name_ + ", byte " + std::to_string(here)});
 }
 
 Bytes CaptureFile::take(std::size_t count) {

@@ -29,6 +29,7 @@ public:
     std::optional<CapturedFrame> next();
     const std::vector<Error>& problems() const { return problems_; }
     double share() const; // of the file that was read
+    std::optional<std::string> source_problem() const { return source_.problem(); }
 
 private:
     struct Interface {

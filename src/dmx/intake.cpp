@@ -73,6 +73,7 @@ std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
     } else if (const auto* time = std::get_if<TimeCode>(&parsed)) {
         const std::uint64_t packets = counted_.timecode ? counted_.timecode->packets : 0;
         counted_.timecode = {*time, arrival.from, packets + 1, arrival.time};
+        if (options_.on_timecode) options_.on_timecode(*time, arrival.time);
     } else if (const auto* trigger = std::get_if<Trigger>(&parsed)) {
         remember(counted_.triggers, TriggerStatus{0, *trigger, arrival.from, arrival.time});
     } else if (const auto* poll = std::get_if<PollPacket>(&parsed)) {

@@ -22,6 +22,7 @@ struct IntakeOptions {
     MergeOptions merge;
     // Levels for this universe are about to be merged.
     std::function<void(std::uint16_t universe)> before_levels;
+    std::function<void(const TimeCode&, std::chrono::nanoseconds arrival)> on_timecode;
 };
 
 // How a datagram came.

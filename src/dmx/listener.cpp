@@ -73,15 +73,18 @@ void Listener::look_at_interfaces() {
         if (!find_index(interfaces_, interface.index)) interfaces_.push_back(interface);
 }
 
-void Listener::announce(const std::vector<std::uint16_t>& universes) {
+void Listener::announce(const std::vector<std::uint16_t>& universes, std::chrono::nanoseconds now) {
     announced_ = universes;
     if (options_.sacn) announced_.push_back(kDiscoveryUniverse);
     std::sort(announced_.begin(), announced_.end());
     join_groups(sync_universes_);
+    if (const std::string failed = failed_joins(); !failed.empty()) note(failed, now);
 }
 
 Result<void> Listener::open_all(const std::vector<std::uint16_t>& announced) {
-    announce(announced);
+    announced_ = announced;
+    if (options_.sacn) announced_.push_back(kDiscoveryUniverse);
+    std::sort(announced_.begin(), announced_.end());
     if (!options_.interface.empty()) {
         TRY(chosen_, find_interface(options_.interface));
     }
@@ -118,10 +121,15 @@ void Listener::join_groups(const std::vector<std::uint16_t>& sync_universes) {
     universes.erase(std::unique(universes.begin(), universes.end()), universes.end());
     groups4_->update(universes, interfaces_);
     groups6_->update(universes, interfaces_); // where it has no room or no IPv6, SocketStatus shows no groups
-    const auto& failures = groups4_->failures();
-    if (!failures.empty() && warnings_.empty())
-        warnings_.push_back(std::to_string(failures.size()) +
-                            " multicast groups could not be joined, the first: " + failures.front());
+    if (const std::string failed = failed_joins(); !failed.empty() && warnings_.empty())
+        warnings_.push_back(failed);
+}
+
+std::string Listener::failed_joins() const {
+    if (!groups4_ || groups4_->failures().empty()) return "";
+    const std::vector<std::string>& failures = groups4_->failures();
+    return std::to_string(failures.size()) +
+           " multicast groups could not be joined, the first: " + failures.front();
 }
 
 void Listener::note(const std::string& text, std::chrono::nanoseconds now) {

@@ -30,8 +30,9 @@ public:
     // Looks at the interfaces again, and joins the groups of these universes, too (synchronisation).
     void check(const std::vector<std::uint16_t>& sync_universes, std::chrono::nanoseconds now);
 
-    // Joins the groups of these universes instead, without a gap for those that stay.
-    void announce(const std::vector<std::uint16_t>& universes);
+    // Joins the groups of these universes instead, without a gap for those that stay. What cannot be joined
+    // is noted with the changes of links.
+    void announce(const std::vector<std::uint16_t>& universes, std::chrono::nanoseconds now);
 
     UdpSocket* artnet_out() const { return artnet_out_; } // null: no Art-Net
     const std::optional<NetInterface>& chosen() const { return chosen_; }
@@ -55,6 +56,7 @@ private:
     void close(const UdpSocket* socket);
     void look_at_interfaces();
     void note(const std::string& text, std::chrono::nanoseconds now);
+    std::string failed_joins() const;
     void join_groups(const std::vector<std::uint16_t>& sync_universes);
     bool wanted(const Datagram& datagram, const Role& role) const;
 

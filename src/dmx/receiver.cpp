@@ -69,6 +69,7 @@ IntakeOptions intake_options(const ReceiverOptions& options) {
     result.merge.loss = options.loss;
     result.merge.sampling = options.sampling;
     result.merge.priority_wait = options.priority_wait;
+    result.on_timecode = options.on_timecode;
     return result;
 }
 
@@ -186,7 +187,7 @@ void Receiver::Loop::take_usb(nanoseconds now) {
 void Receiver::Loop::listen_to(const std::vector<std::uint16_t>& universes, nanoseconds now) {
     if (universes == options.universes) return;
     options.universes = universes;
-    listener->announce(announced_universes(universes));
+    listener->announce(announced_universes(universes), now);
     intake.listen_to(universes);
     answers.announce(port_addresses(universes, options.artnet_offset));
     announce(now);

@@ -40,6 +40,8 @@ struct ReceiverOptions {
     // For recording: gets every publication, on the receiver's thread, and must be quick. A packet never
     // takes the place of levels that it did not get.
     std::function<void(const Universes&, std::chrono::nanoseconds now)> on_levels;
+    // Gets every time code, on the receiver's thread, and must be quick. arrival: as the kernel stamped it.
+    std::function<void(const TimeCode&, std::chrono::nanoseconds arrival)> on_timecode;
 };
 
 } // namespace ghost::dmx

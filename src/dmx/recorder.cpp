@@ -2,6 +2,7 @@
 #include "dmx/recorder.h"
 
 #include "base/check.h"
+#include "base/disk_sync.h"
 #include "base/files.h"
 #include "dmx/ghostdmx_writer.h"
 #include "dmx/ola_show.h"
@@ -16,6 +17,8 @@ namespace ghost::dmx {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::chrono::seconds kSyncEvery{2};
 
 Error cannot_write(const fs::path& part) {
     return Error{std::string("cannot write: ") + std::strerror(errno), part.string()};
@@ -82,6 +85,16 @@ Result<void> Recorder::append(const RecordedFrame& frame) {
         return written.error().where.empty() ? Error{written.error().what, out_->part.string()}
                                              : written.error();
     ++frames_;
+    return {};
+}
+
+Result<void> Recorder::flush(std::chrono::microseconds now) {
+    TRY_VOID(writer_->flush(now));
+    const auto present = std::chrono::steady_clock::now();
+    if (present - out_->synced < kSyncEvery || out_->bytes == out_->synced_bytes) return {};
+    out_->synced = present;
+    out_->synced_bytes = out_->bytes;
+    if (!sync_to_disk(out_->file)) return cannot_write(out_->part);
     return {};
 }
 

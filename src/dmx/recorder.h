@@ -7,6 +7,7 @@
 
 #include "dmx/recorded_frame.h"
 
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -24,7 +25,8 @@ public:
     // Wall-clock time of time zero, before the first frame.
     void began(std::chrono::microseconds unix_time) { writer_->began(unix_time); }
     Result<void> append(const RecordedFrame& frame);
-    Result<void> flush(std::chrono::microseconds now) { return writer_->flush(now); }
+    // Written, and every two seconds of real time on the disk: a loss of power costs no more.
+    Result<void> flush(std::chrono::microseconds now);
     // The end, then fsync and rename.
     Result<void> finish(std::chrono::microseconds duration);
     // Takes the file away instead.
@@ -37,7 +39,8 @@ private:
     struct Out { // stays where it is: the writer's bytes come here
         std::filesystem::path path, part;
         std::FILE* file = nullptr;
-        std::uintmax_t bytes = 0;
+        std::uintmax_t bytes = 0, synced_bytes = 0;
+        std::chrono::steady_clock::time_point synced = std::chrono::steady_clock::now();
     };
     Recorder() = default;
 

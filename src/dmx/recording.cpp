@@ -19,8 +19,10 @@ enum class Format { ghostdmx, ola_show, capture };
 Result<Format> find_format(ByteSource& source, const std::string& name) {
     std::array<std::uint8_t, 16> first{};
     const Bytes bytes(first.data(), source.read(0, first));
-    if (GhostdmxReader::recognises(bytes)) return Format::ghostdmx;
     if (is_capture(bytes)) return Format::capture;
+    if (source.is_gzip())
+        return Error{"is packed with gzip and no capture of the network; unpack it first (gunzip)", name};
+    if (GhostdmxReader::recognises(bytes)) return Format::ghostdmx;
     if (is_ola_show(bytes)) return Format::ola_show;
     return Error{
         "is no recording: expected one of Ghostlight (.ghostdmx), an OLA show file (its first line is "
@@ -110,17 +112,45 @@ std::size_t Recording::block_at(microseconds time) const {
     return after == blocks.begin() ? 0 : static_cast<std::size_t>(after - blocks.begin() - 1);
 }
 
-std::map<std::uint16_t, microseconds> Recording::first_frames() {
-    std::map<std::uint16_t, microseconds> result;
+void Recording::check_all() {
     for (std::size_t number = 0; number < blocks(); ++number) {
         ghostdmx::BlockCursor cursor = block(number);
-        for (const auto& [universe, state] : cursor.states()) result.try_emplace(universe, state.time);
-        while (const auto time = cursor.next_time())
-            if (const std::uint16_t universe = cursor.next(); universe != 0)
-                result.try_emplace(universe, *time);
+        while (cursor.next_time()) cursor.next();
         check(cursor, number);
     }
-    return result;
+}
+
+void Recording::add_first_frames(std::size_t number, FirstFrames& found) {
+    ghostdmx::BlockCursor cursor = block(number);
+    for (const auto& [universe, state] : cursor.states()) found.try_emplace(universe, state.time);
+    while (const auto time = cursor.next_time())
+        if (const std::uint16_t universe = cursor.next(); universe != 0) found.try_emplace(universe, *time);
+    check(cursor, number);
+}
+
+std::size_t Recording::universes_before(std::size_t number) {
+    return block(number).states().size();
+}
+
+// Once there, a universe is in the key of every later block: where two keys hold as many, none came between.
+// A damaged key holds none, so what lies beside it is read.
+void Recording::find_first_frames(std::size_t from, std::size_t to, std::size_t at_from, std::size_t at_to,
+                                  FirstFrames& found) {
+    if (at_from == at_to && at_from > 0) return;
+    if (to == from + 1) return add_first_frames(from, found);
+    const std::size_t middle = from + (to - from) / 2, at_middle = universes_before(middle);
+    find_first_frames(from, middle, at_from, at_middle, found);
+    find_first_frames(middle, to, at_middle, at_to, found);
+}
+
+std::map<std::uint16_t, microseconds> Recording::first_frames() {
+    FirstFrames found;
+    if (blocks() == 0) return found;
+    add_first_frames(0, found);
+    const std::size_t last = blocks() - 1;
+    if (last > 1) find_first_frames(1, last, universes_before(1), universes_before(last), found);
+    if (last > 0) add_first_frames(last, found);
+    return found;
 }
 
 Result<Recording> parse_recording(std::string_view text, const std::string& name) {

@@ -47,8 +47,11 @@ public:
     // The last block that starts at or before this time; 0 before the first.
     std::size_t block_at(std::chrono::microseconds time) const;
 
-    // Every universe with the time of its first frame. Reads everything.
+    // Every universe with the time of its first frame. Reads only the blocks in which new ones appear, and
+    // some to find these.
     std::map<std::uint16_t, std::chrono::microseconds> first_frames();
+    // Reads everything, for the damage that there is.
+    void check_all();
 
 private:
     friend Result<Recording> read_recording(const std::filesystem::path&, const ReadOptions&);
@@ -57,6 +60,12 @@ private:
         : problems(reader.problems()), reader_(std::move(reader)), name_(std::move(name)) {}
 
     GhostdmxReader reader_;
+    using FirstFrames = std::map<std::uint16_t, std::chrono::microseconds>;
+    std::size_t universes_before(std::size_t block);
+    void add_first_frames(std::size_t block, FirstFrames& found);
+    void find_first_frames(std::size_t from, std::size_t to, std::size_t at_from, std::size_t at_to,
+                           FirstFrames& found);
+
     std::string name_;
     std::vector<Error> damage_;
     std::set<std::size_t> damaged_; // blocks that were spoken of

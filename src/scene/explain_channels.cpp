@@ -132,6 +132,26 @@ std::string master_text(const std::vector<ChannelFacts>& channels, const fixture
            range_text(function.master_from, function.master_to, bytes);
 }
 
+bool is_emitter(const fixture::Mode& mode, int channel, const ChannelReading& reading, bool of_macro) {
+    if (reading.function < 0) return false;
+    const ChannelFunction& chosen = item(item(mode.channels, channel).functions, reading.function);
+    return chosen.meaning.role == Role::color_add && chosen.attribute.starts_with("ColorMacro") == of_macro;
+}
+
+// "; the macro on channel 8 (1.8) is in its place": an emitter that is not shown.
+std::string macro_text(const std::vector<ChannelFacts>& channels, const fixture::Mode& mode,
+                       const Channel& channel) {
+    const ChannelFacts* macro = nullptr;
+    for (const int index : mode.order) {
+        if (!is_emitter(mode, index, item(channels, index).reading, true)) continue;
+        const std::vector<int>& beams = item(mode.channels, index).beams;
+        if (std::find_first_of(channel.beams.begin(), channel.beams.end(), beams.begin(), beams.end()) !=
+            channel.beams.end())
+            macro = &item(channels, index); // the last one counts
+    }
+    return macro ? "; the macro on " + place_text(*macro) + " is in its place" : "";
+}
+
 std::string why_of(const std::vector<ChannelFacts>& channels, const fixture::Mode& mode,
                    const Channel& channel, const ChannelFacts& facts) {
     const ChannelReading& reading = facts.reading;
@@ -143,6 +163,8 @@ std::string why_of(const std::vector<ChannelFacts>& channels, const fixture::Mod
     if (reading.function < 0) return "no function has " + text;
     const ChannelFunction& chosen = item(channel.functions, reading.function);
     text += " is in " + range_text(chosen.dmx_from, chosen.dmx_to, bytes_of(channel));
+    if (is_emitter(mode, static_cast<int>(&channel - mode.channels.data()), reading, false))
+        text += macro_text(channels, mode, channel);
     if (chosen.master_channel >= 0) return text + " and " + master_text(channels, mode, chosen);
     for (const ChannelFunction& other : channel.functions)
         if (other.master_channel >= 0 && reading.raw >= other.dmx_from && reading.raw <= other.dmx_to)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/gltf_pack.h"
 
+#include "base/base64.h"
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -14,31 +16,6 @@ using nlohmann::json;
 
 constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 constexpr std::size_t kMaxBuffers = 1024;
-
-int base64_digit(char c) {
-    if (c >= 'A' && c <= 'Z') return c - 'A';
-    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-    if (c >= '0' && c <= '9') return c - '0' + 52;
-    if (c == '+' || c == '-') return 62;
-    return c == '/' || c == '_' ? 63 : -1;
-}
-
-std::optional<std::vector<std::uint8_t>> from_base64(std::string_view text) {
-    std::vector<std::uint8_t> bytes;
-    std::uint32_t bits = 0;
-    int count = 0;
-    while (text.ends_with('=')) text.remove_suffix(1);
-    for (const char c : text) {
-        const int digit = base64_digit(c);
-        if (digit < 0) return std::nullopt;
-        bits = (bits << 6) | static_cast<std::uint32_t>(digit);
-        count += 6;
-        if (count < 8) continue;
-        count -= 8;
-        bytes.push_back(static_cast<std::uint8_t>(bits >> count));
-    }
-    return bytes;
-}
 
 // "my%20mesh.bin"
 std::string unescaped(std::string_view uri) {

@@ -326,6 +326,7 @@ Result<Show> load_parsed(ParsedShow parsed, bool load_stage, Report& report, con
     check_addresses(parsed, file, report);
     check_files(parsed, file, report);
     check_tracking(show, report);
+    check_cues(show, report);
     const bool needs_cameras = show.cameras.empty();
     if (load_stage || needs_cameras) {
         TRY(show.stage, read_stage(show, report, part_of(loading, kFixturesShare, 1.0)));

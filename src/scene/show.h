@@ -8,6 +8,7 @@
 #include "fixture/motion.h"
 #include "fixture/patch.h"
 #include "fixture/type.h"
+#include "scene/cues.h"
 #include "scene/overrides.h"
 #include "scene/report.h"
 #include "scene/stage.h"
@@ -125,6 +126,7 @@ struct Show {
     std::vector<ObjectSettings> objects; // applied by stage_with_bodies
     std::vector<Camera> cameras;
     std::vector<PatchedFixture> fixtures;
+    std::vector<Cue> cues;
     Tracking tracking;
     Stage stage; // the model as its file has it and all that the plot draws, without fixture bodies
 

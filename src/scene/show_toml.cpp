@@ -190,6 +190,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
     read_scene_sections(top, file, ambient_where, show, report);
 
     show.tracking = read_tracking(top, file, report);
+    show.cues = read_cues(top, file, report);
     std::map<std::string, int> cameras;
     for (const toml::table* table : top.tables("camera", kMaxCameras)) {
         TableReader reader(*table, "[[camera]]", file, report);

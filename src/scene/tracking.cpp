@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostUses = 256;
 constexpr std::size_t kMostFixtures = 10'000;
+constexpr std::size_t kMostObjects = 1000;
 constexpr int kLastTracker = 65535;
 
 // "x", "-z"; false: neither.
@@ -69,8 +70,12 @@ Tracking read_tracking(TableReader& top, const std::string& file, Report& report
         if (const auto offset = reader.vec3("offset_m", kMaxCoordinate_m)) use.offset_m = *offset;
         use.camera = reader.text("camera").value_or("");
         use.fixtures = reader.texts("fixtures", kMostFixtures).value_or(std::vector<std::string>{});
-        if (use.camera.empty() && use.fixtures.empty())
-            reader.missing("camera", "what follows it: camera = a name, or fixtures = a list of names");
+        use.objects = reader.texts("objects", kMostObjects).value_or(std::vector<std::string>{});
+        use.home_m = reader.vec3("home_m", kMaxCoordinate_m);
+        if (use.home_m && use.objects.empty())
+            reader.problem(Severity::warning, "home_m", "does nothing without objects = a list of names");
+        if (use.camera.empty() && use.fixtures.empty() && use.objects.empty())
+            reader.missing("camera", "what follows it: camera = a name, fixtures or objects = a list of names");
         reader.finish();
         if (use.id >= 0 || !use.name.empty()) tracking.uses.push_back(std::move(use));
     }

@@ -5,6 +5,7 @@
 
 #include "scene/report.h"
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,9 @@ struct TrackerUse {
     glm::vec3 offset_m{0}; // from the tracker to what is looked at: a beacon on the back, the head above it
     std::string camera;    // looks at it; empty: none
     std::vector<std::string> fixtures; // aim at it
+    std::vector<std::string> objects;  // of the stage, go with it; patterns as in [[object]]
+    std::optional<glm::vec3> home_m;   // where it is, in the show, while they stand as the model has them;
+                                       // none: below the middle of them all
     std::string where;                 // file:line
 };
 

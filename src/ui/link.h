@@ -57,6 +57,7 @@ struct Wishes {
     Transport transport;
     Quality quality;
     std::optional<std::size_t> explained; // fixture
+    std::uint64_t take_plot = 0;          // number of the received plot to be merged into the show; 0: none
 };
 
 // An instance of the stage that can be hidden.
@@ -79,6 +80,21 @@ struct Opened {
     double recording_s = 0; // 0: the show has none
     bool is_edit = false;   // the show that was open, edited: camera, look and undo list stay
     std::shared_ptr<const std::string> text; // of show.toml, where the wishes had one
+    bool again = false;                      // a newer version of the show that was open: the camera stays
+};
+
+// A plot that came from the network (MVR-xchange), to be taken or left.
+struct ReceivedPlot {
+    std::uint64_t number = 0; // grows
+    std::string file;         // where it was saved
+    std::string from;         // name of the station
+    std::string comment;      // what they wrote about it
+};
+
+// A remote control wants the picture from there.
+struct CameraCall {
+    scene::Camera camera;
+    float flight_s = 0; // 0: a cut
 };
 
 struct Picture {
@@ -131,6 +147,8 @@ struct Link {
     // Number of the wishes whose picture is there, at rest: nothing moves, all pixels, all shadows.
     Mailbox<std::uint64_t> settled;
     Mailbox<std::string> activity; // what takes long now; empty: nothing
+    Mailbox<ReceivedPlot> plot;
+    Mailbox<CameraCall> camera_call;
 
     // The engine calls it after it put something, on its own thread. Set before the engine starts.
     std::function<void()> on_news;

@@ -41,7 +41,8 @@ ShowDocument::ShowDocument(Studio& studio) : studio_(studio) {
     connect(&draft_timer_, &QTimer::timeout, this, &ShowDocument::keep_draft);
     connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &ShowDocument::look_at_file);
     connect(&studio_, &Studio::opened_show, this, [this] {
-        if (!studio_.opened().is_edit) read_opened();
+        const bool goes_on = studio_.opened().again && studio_.show()->file == file_;
+        if (!studio_.opened().is_edit && !goes_on) read_opened();
     });
 }
 

@@ -24,7 +24,8 @@ void put(QJsonObject& object, const char* key, const std::optional<T>& value) {
 }
 
 QJsonObject camera_json(const scene::Camera& camera) {
-    return {{"position_m", array_of(camera.position_m)},
+    return {{"name", QString::fromStdString(camera.name)},
+            {"position_m", array_of(camera.position_m)},
             {"target_m", array_of(camera.target_m)},
             {"fov_y_deg", static_cast<double>(camera.fov_y_deg)},
             {"ev100", static_cast<double>(camera.ev100)},
@@ -102,6 +103,8 @@ QJsonObject state_json(const Studio& studio, const View& view) {
     return {{"show", QString::fromStdString(show.file.string())},
             {"device", QString::fromStdString(studio.opened().device)},
             {"camera", camera_json(studio.camera())},
+            {"fixtures", static_cast<int>(show.fixtures.size())},
+            {"received_plot", QString::fromStdString(studio.plot().file)},
             {"selection", selection},
             {"by_hand", look_json(studio.look(), show)},
             {"black_out", studio.wishes().black_out},

@@ -8,7 +8,6 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kTravel_ms = 900;
 constexpr int kTravelStep_ms = 16;
 constexpr int kMergeWithin_ms = 1500; // changes of a slider
 
@@ -67,6 +66,19 @@ void Studio::read_news() {
         messages_ = std::move(*news);
         Q_EMIT messages_came();
     }
+    if (auto news = link_.plot.take()) {
+        plot_ = std::move(*news);
+        Q_EMIT plot_came();
+    }
+    if (auto news = link_.camera_call.take()) {
+        if (news->flight_s > 0) {
+            travel_to(news->camera, static_cast<int>(1000 * news->flight_s));
+        } else {
+            news->camera.width = wishes_.camera.width;
+            news->camera.height = wishes_.camera.height;
+            set_camera(news->camera);
+        }
+    }
     if (auto news = link_.rig.take()) {
         rig_ = std::move(*news);
         Q_EMIT rig_came();
@@ -102,8 +114,10 @@ void Studio::take_opened(Opened opened) {
     explained_ = {};
     wishes_.look = {};
     wishes_.explained.reset();
-    wishes_.transport = {};
-    wishes_.black_out = wishes_.frozen = false;
+    if (!opened_.again) {
+        wishes_.transport = {};
+        wishes_.black_out = wishes_.frozen = false;
+    }
     Q_EMIT opened_show(); // the view says how large it is, and from where it looks
     Q_EMIT selection_changed();
     Q_EMIT look_changed();
@@ -111,8 +125,8 @@ void Studio::take_opened(Opened opened) {
 
 void Studio::open(const std::string& show) {
     wish([&](Wishes& wishes) {
+        if (wishes.show != show) wishes.text.reset();
         wishes.show = show;
-        wishes.text.reset();
     });
 }
 
@@ -130,7 +144,8 @@ void Studio::set_size(int width, int height) {
     });
 }
 
-void Studio::travel_to(const scene::Camera& camera) {
+void Studio::travel_to(const scene::Camera& camera, int travel_ms) {
+    travel_ms_ = std::max(travel_ms, 1);
     travel_from_ = wishes_.camera;
     travel_to_ = camera;
     travel_to_.width = travel_from_.width;
@@ -141,7 +156,7 @@ void Studio::travel_to(const scene::Camera& camera) {
 
 void Studio::step_travel() {
     const float share =
-        std::min(static_cast<float>(travel_clock_.elapsed()) / static_cast<float>(kTravel_ms), 1.0f);
+        std::min(static_cast<float>(travel_clock_.elapsed()) / static_cast<float>(travel_ms_), 1.0f);
     scene::Camera camera = share < 1 ? scene::camera_between(travel_from_, travel_to_, share) : travel_to_;
     camera.width = wishes_.camera.width;
     camera.height = wishes_.camera.height;

@@ -35,6 +35,8 @@ public:
     const Explained& explained() const { return explained_; }
     const std::vector<scene::Message>& messages() const { return messages_; }
     const std::string& activity() const { return activity_; }
+    // Came from the network and may be taken; number 0: none yet.
+    const ReceivedPlot& plot() const { return plot_; }
 
     // What is wished for.
     const Wishes& wishes() const { return wishes_; }
@@ -45,8 +47,8 @@ public:
     void set_camera(const scene::Camera& camera);
     // Pixels of the picture.
     void set_size(int width, int height);
-    // Smoothly, in about a second.
-    void travel_to(const scene::Camera& camera);
+    // Smoothly, in about a second if nothing else is said.
+    void travel_to(const scene::Camera& camera, int travel_ms = 900);
     bool travels() const { return travel_timer_.isActive(); }
     // Changes nobody undoes: anything but the look.
     template <class F>
@@ -85,6 +87,7 @@ Q_SIGNALS:
     void explanation_came();
     void messages_came();
     void activity_came();
+    void plot_came();
     void wishes_changed();
     void look_changed();
     void selection_changed();
@@ -110,6 +113,7 @@ private:
     Explained explained_;
     std::vector<scene::Message> messages_;
     std::string activity_;
+    ReceivedPlot plot_;
 
     Wishes wishes_;
     std::uint64_t settled_ = 0;
@@ -118,6 +122,7 @@ private:
 
     QTimer travel_timer_;
     QElapsedTimer travel_clock_;
+    int travel_ms_ = 900;
     scene::Camera travel_from_, travel_to_;
 };
 

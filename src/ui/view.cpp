@@ -63,7 +63,8 @@ View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     connect(&studio_, &Studio::picture_came, this, &View::take_picture);
     connect(&studio_, &Studio::opened_show, this, [this] {
         if (studio_.opened().is_edit) return;
-        scene::Camera camera = studio_.show()->cameras.front();
+        // A newer version of what was open: the picture goes on from where it was seen.
+        scene::Camera camera = studio_.opened().again ? studio_.camera() : studio_.show()->cameras.front();
         camera.width = camera.height = 0;
         studio_.set_camera(camera);
         ask_for_size();

@@ -85,6 +85,12 @@ Window::Window(Link& link, const WindowOptions& options)
         statusBar()->showMessage(what, 15000);
         view_->update();
     });
+    connect(&studio_, &Studio::plot_came, this, [this] {
+        const ReceivedPlot& plot = studio_.plot();
+        statusBar()->showMessage(QString::fromStdString(plot.from + " sent a plot (" +
+                                                        (plot.comment.empty() ? plot.file : plot.comment) +
+                                                        "): Show, Take the received plot, Ctrl+T"));
+    });
     connect(&studio_, &Studio::wishes_changed, this, [this] { actions_.refresh(); });
     connect(&studio_, &Studio::rig_came, this, &Window::show_status);
     resize(1280, 760);
@@ -155,6 +161,19 @@ void Window::add_window_actions() {
                   "Ctrl+O",
                   "[PATH]",
                   [this](const QStringList& words) { return choose_show(words); },
+                  {}});
+    actions_.add({"take-plot",
+                  "Show",
+                  "Take the received plot",
+                  "Ctrl+T",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      if (studio_.plot().number == 0)
+                          return Error{"no plot came from the network (MVR-xchange)", ""};
+                      studio_.wish([&](Wishes& wishes) { wishes.take_plot = studio_.plot().number; });
+                      statusBar()->clearMessage();
+                      return {};
+                  },
                   {}});
     actions_.add({"save-picture",
                   "Show",

@@ -56,6 +56,44 @@ TEST(Remote, cameras_by_name_and_number) {
     EXPECT_EQ(remote.wishes().calls, 2u);
 }
 
+TEST(Remote, cues_by_name_by_number_and_one_after_another) {
+    scene::Cue walk_in{"Walk-in", 0.0, "", 0, ""}, solo{"Solo", 61.5, "high", 2, ""},
+        end{"End", {}, "house", 0, ""};
+    Remote remote({"house", "high"}, {walk_in, solo, end});
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue", {std::string("Solo")})).ok());
+    EXPECT_EQ(remote.wishes().jumps, 1u);
+    EXPECT_DOUBLE_EQ(remote.wishes().at_s, 61.5);
+    EXPECT_EQ(remote.wishes().camera->index, 1u);
+    EXPECT_FLOAT_EQ(remote.wishes().camera->flight_s, 2.0f);
+    // The next one has a camera only; then there is none any more.
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue/go")).ok());
+    EXPECT_EQ(remote.wishes().jumps, 1u);
+    EXPECT_EQ(remote.wishes().camera->index, 0u);
+    EXPECT_EQ(remote.wishes().calls, 2u);
+    EXPECT_FALSE(remote.apply(message("/ghostlight/cue/go", {1.0})).ok());
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue/back")).ok());
+    EXPECT_DOUBLE_EQ(remote.wishes().at_s, 61.5);
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue/back", {0.0})).ok()) << "a button let go";
+    EXPECT_DOUBLE_EQ(remote.wishes().at_s, 61.5);
+    EXPECT_TRUE(remote.apply(message("/ghostlight/cue", {1.0})).ok());
+    EXPECT_DOUBLE_EQ(remote.wishes().at_s, 0.0);
+    EXPECT_TRUE(remote.apply(message("/ghostlight/recording", {12.5})).ok());
+    EXPECT_DOUBLE_EQ(remote.wishes().at_s, 12.5);
+    const std::size_t jumps = remote.wishes().jumps;
+    for (const char* address : {"/ghostlight/cue", "/ghostlight/recording"})
+        EXPECT_FALSE(remote.apply(message(address)).ok());
+    EXPECT_FALSE(remote.apply(message("/ghostlight/cue", {std::string("solo")})).ok());
+    EXPECT_FALSE(remote.apply(message("/ghostlight/cue", {4.0})).ok());
+    EXPECT_FALSE(remote.apply(message("/ghostlight/recording", {-1.0})).ok());
+    EXPECT_EQ(remote.wishes().jumps, jumps);
+    // "go" without a cue before it is the first one.
+    Remote fresh({}, {solo});
+    EXPECT_TRUE(fresh.apply(message("/ghostlight/cue/go")).ok());
+    EXPECT_DOUBLE_EQ(fresh.wishes().at_s, 61.5);
+    EXPECT_FALSE(fresh.wishes().camera.has_value()) << "the show has no such camera";
+    EXPECT_FALSE(Remote({"house"}).apply(message("/ghostlight/cue/go")).ok());
+}
+
 TEST(Remote, what_is_wrong_changes_nothing) {
     Remote remote({"house"});
     const double nan = std::nan("");

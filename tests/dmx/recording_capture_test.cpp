@@ -11,6 +11,7 @@
 #include "dmx/merge.h"
 
 #include <thread>
+#include <zlib.h>
 
 namespace ghost::dmx {
 namespace {
@@ -326,6 +327,62 @@ TEST(RealCaptures, play_what_a_live_receiver_has) {
                 << one.name << " " << played.list[i].number;
         }
     }
+}
+
+class GzipCaptures : public CaptureFiles {
+protected:
+    static std::vector<ByteList> on_the_wire(int count) {
+        std::vector<ByteList> frames;
+        for (const ByteList& payload : counting(count))
+            frames.push_back(ethernet_of(ipv4_of(udp_of(payload, 5568))));
+        return frames;
+    }
+    // gzip of the system's zlib; level 0 to 9.
+    static ByteList packed(const ByteList& bytes, int level = 6) {
+        z_stream stream{};
+        EXPECT_EQ(deflateInit2(&stream, level, Z_DEFLATED, 16 + MAX_WBITS, 8, Z_DEFAULT_STRATEGY), Z_OK);
+        ByteList out(deflateBound(&stream, bytes.size()) + 64);
+        stream.next_in = const_cast<Bytef*>(bytes.data());
+        stream.avail_in = static_cast<uInt>(bytes.size());
+        stream.next_out = out.data();
+        stream.avail_out = static_cast<uInt>(out.size());
+        EXPECT_EQ(deflate(&stream, Z_FINISH), Z_STREAM_END);
+        out.resize(stream.total_out);
+        deflateEnd(&stream);
+        return out;
+    }
+};
+
+TEST_F(GzipCaptures, are_read_as_what_they_hold) {
+    const ByteList plain = pcap_of(each_20_ms(on_the_wire(200)));
+    for (const int level : {0, 1, 9}) expect_counted(packed(plain, level), 200, "pcap.gz");
+    const ReadBack next = read(packed(pcapng_of(each_20_ms(on_the_wire(200)))));
+    ASSERT_TRUE(next.ok) << next.error;
+    EXPECT_EQ(next.frames.size(), 200u);
+    // Two gzip files one behind the other are one (RFC 1952), as pigz and cat make them.
+    ByteList two = packed(ByteList(plain.begin(), plain.begin() + 1000));
+    add_bytes(two, packed(ByteList(plain.begin() + 1000, plain.end())));
+    expect_counted(two, 200, "two members");
+}
+
+TEST_F(GzipCaptures, that_end_early_or_are_damaged_say_so) {
+    const ByteList whole = packed(pcap_of(each_20_ms(on_the_wire(2000))));
+    const ReadBack cut =
+        read(ByteList(whole.begin(), whole.end() - static_cast<std::ptrdiff_t>(whole.size() / 2)));
+    ASSERT_TRUE(cut.ok) << cut.error;
+    EXPECT_GT(cut.frames.size(), 100u);
+    EXPECT_LT(cut.frames.size(), 2000u);
+    std::string all;
+    for (const Error& problem : cut.end.problems) all += problem.text() + "\n";
+    EXPECT_NE(all.find("gzip file ends early"), std::string::npos) << all;
+    ByteList damaged = whole;
+    for (std::size_t i = damaged.size() / 2; i < damaged.size() / 2 + 40; ++i) damaged[i] ^= 0x5A;
+    (void)read(damaged);
+    for (std::size_t size = 0; size < 64; ++size)
+        (void)read(ByteList(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)));
+    const ReadBack other = read(packed(ByteList(100, 'x')));
+    EXPECT_FALSE(other.ok);
+    EXPECT_NE(other.error.find("gunzip"), std::string::npos) << other.error;
 }
 
 // At every packet, against the merge fed by hand.

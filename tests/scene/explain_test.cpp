@@ -3,6 +3,7 @@
 // from lumens, angles and metres.
 #include "explain_trial.h"
 
+#include "fixture/ofl.h"
 #include "scene/explain_print.h"
 
 #include <map>
@@ -113,6 +114,21 @@ TEST(explain, ModeMasterIsPartOfWhy) {
     expect(lit, Visibility::lit, Cause::none, {});
     EXPECT_EQ(lit.channels[1].why,
               "4 is in 0-255; 'Closed' does not count: channel 1 (1.1) is at 100, needed is 0-99");
+}
+
+TEST(explain, AMacroInThePlaceOfTheEmitters) {
+    const string file = R"json({"name": "Thing", "categories": ["Other"], "availableChannels": {
+ "Red": {"capability": {"type": "ColorIntensity", "color": "Red"}},
+ "Macro": {"capabilities": [{"dmxRange": [0, 9], "type": "NoFunction"},
+  {"dmxRange": [10, 255], "type": "ColorPreset", "colors": ["#0000ff"]}]}},
+ "modes": [{"name": "m", "channels": ["Red", "Macro"]}]})json";
+    auto loaded = fixture::load_ofl(Bytes(reinterpret_cast<const std::uint8_t*>(file.data()), file.size()),
+                                    "thing.json");
+    ASSERT_TRUE(loaded.ok());
+    Trial trial(std::make_shared<const fixture::Type>(std::move(loaded->type)));
+    EXPECT_EQ(trial.set(1, 200).set(2, 0).explain().channels[0].why, "200 is in 0-255");
+    EXPECT_EQ(trial.set(2, 10).explain().channels[0].why,
+              "200 is in 0-255; the macro on channel 2 (1.2) is in its place");
 }
 
 TEST(explain, StrobeInItsDarkPhase) {

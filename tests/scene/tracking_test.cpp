@@ -135,5 +135,73 @@ TEST(TrackingToml, what_is_wrong_is_said_and_left_out) {
     }
 }
 
+constexpr const char* kHead = R"(
+[show]
+name = "x"
+stage = "x.glb"
+[[camera]]
+name = "house"
+position_m = [0, -9, 2]
+target_m = [0, 0, 1]
+)";
+
+TEST(TrackingInShow, objects_go_with_a_tracker) {
+    Report report;
+    const auto parsed = parse_show(std::string(kHead) + R"(
+[[tracker]]
+id = 4
+objects = ["riser_*", "piano"]
+home_m = [1, 2, 0]
+[[tracker]]
+id = 5
+camera = "house"
+home_m = [0, 0, 0]
+[[tracker]]
+id = 6
+)",
+                                   "show.toml", report);
+    ASSERT_TRUE(parsed.ok());
+    ASSERT_EQ(parsed->show.tracking.uses.size(), 3u);
+    EXPECT_EQ(parsed->show.tracking.uses[0].objects, (std::vector<std::string>{"riser_*", "piano"}));
+    EXPECT_EQ(parsed->show.tracking.uses[0].home_m, glm::vec3(1, 2, 0));
+    ASSERT_EQ(report.messages.size(), 2u);
+    EXPECT_NE(report.messages[0].what.find("home_m"), std::string::npos) << report.messages[0].what;
+    EXPECT_NE(report.messages[1].what.find("what follows it"), std::string::npos) << report.messages[1].what;
+}
+
+TEST(CuesInShow, have_a_name_and_somewhere_to_go) {
+    Report report;
+    auto parsed = parse_show(std::string(kHead) + R"(
+[[cue]]
+name = "Walk-in"
+at_s = 0
+[[cue]]
+name = "Solo"
+at_s = 61.5
+camera = "hose"
+flight_s = 2
+[[cue]]
+name = "Solo"
+at_s = 9
+[[cue]]
+name = "Nothing"
+[[cue]]
+camera = "house"
+)",
+                             "show.toml", report);
+    ASSERT_TRUE(parsed.ok());
+    const std::vector<Cue>& cues = parsed->show.cues;
+    ASSERT_EQ(cues.size(), 3u);
+    EXPECT_EQ(cues[0].at_s, 0.0);
+    EXPECT_EQ(cues[1].at_s, 61.5);
+    EXPECT_FLOAT_EQ(cues[1].flight_s, 2);
+    EXPECT_EQ(cues[2].name, "Nothing");
+    ASSERT_EQ(report.messages.size(), 3u);
+    check_cues(parsed->show, report);
+    ASSERT_EQ(report.messages.size(), 4u);
+    EXPECT_NE(report.messages[3].what.find("did you mean 'house'"), std::string::npos)
+        << report.messages[3].what;
+}
+
 } // namespace
 } // namespace ghost::scene

@@ -275,6 +275,9 @@ class Desk(unittest.TestCase):
             state = window.until(lambda state: state["from_desk"] and state["picture"]["latency_ms"] >= 0)
             self.assertLess(state["picture"]["latency_ms"], 1e5)
             self.assertEqual(state["universes"], [1])
+            self.assertGreater(state["packet_to_window_ms"]["count"], 0)
+            self.assertGreaterEqual(state["packet_to_window_ms"]["max"], state["packet_to_window_ms"]["p50"])
+            self.assertEqual(state["network"], [], "all is well")
         finally:
             if play:
                 play.terminate()

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edits of the show that is drawn: names and addresses with the next frame, anything else by opening the show
+// anew beside the one that is drawn until then.
+#include "app/engine.h"
+
+#include "app/take_patch.h"
+#include "base/files.h"
+#include "scene/show_edit.h"
+
+namespace ghost::app {
+namespace {
+
+constexpr std::uintmax_t kMostShowBytes = std::uintmax_t{16} << 20;
+
+bool differs_in_fixtures_only(const Session& session, const std::shared_ptr<const std::string>& before,
+                              const std::string& now) {
+    const Result<std::string> text =
+        before ? Result<std::string>(*before) : read_text_file(session.show->file, kMostShowBytes);
+    return text.ok() && scene::differ_in_fixtures_only(*text, now);
+}
+
+} // namespace
+
+void Engine::take_edit() {
+    if (!wishes_.text || reopening_.valid()) return; // another show comes; or later
+    const bool of_fixtures = differs_in_fixtures_only(*session_, text_, *wishes_.text);
+    text_ = wishes_.text;
+    if (of_fixtures) {
+        scene::Report report;
+        const auto edited = open_show(tried_, false, true, report, text_);
+        if (edited.ok() && take_patch(*session_, *edited, report)) {
+            listen_to_patch();
+            drawn_ = {};
+            publish_opened(Opening::edit);
+            return;
+        }
+    }
+    link_.activity.put("taking the changes of " + tried_);
+    link_.on_news();
+    reopening_as_ = Opening::edit;
+    reopening_ =
+        std::async(std::launch::async, [options = session_options(tried_)] { return open_session(options); });
+}
+
+} // namespace ghost::app

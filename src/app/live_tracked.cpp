@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects that go with trackers: their places on the device, and the distance maps of the lights that see
+// them.
+#include "app/live_view.h"
+
+#include "scene/distance_maps_file.h"
+#include "scene/overrides.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <set>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace ghost::app {
+
+namespace {
+
+constexpr float kStill_m = 0.002f;     // in the picture
+constexpr float kShadowStep_m = 0.01f; // maps are made again for more
+
+bool any_matches(const std::vector<std::string>& patterns, const std::string& name) {
+    return std::any_of(patterns.begin(), patterns.end(),
+                       [&](const std::string& pattern) { return scene::matches(pattern, name); });
+}
+
+} // namespace
+
+// As [[object]] does: the name of the object, else that of its mesh.
+std::vector<std::size_t> LiveView::objects_named(const std::vector<std::string>& patterns) const {
+    std::vector<std::size_t> by_name, by_mesh;
+    for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
+        const scene::Instance& instance = stage_.instances[i];
+        if (instance.fixture != scene::kNone || instance.mesh < 0) continue;
+        if (any_matches(patterns, instance.name))
+            by_name.push_back(i);
+        else if (any_matches(patterns, stage_.meshes[static_cast<std::size_t>(instance.mesh)].name))
+            by_mesh.push_back(i);
+    }
+    return by_name.empty() ? by_mesh : by_name;
+}
+
+std::optional<glm::vec3> LiveView::track(const std::vector<std::string>& patterns) {
+    glm::vec3 low_m(std::numeric_limits<float>::max()), high_m(-low_m);
+    for (const std::size_t i : objects_named(patterns)) {
+        const scene::Instance& instance = stage_.instances[i];
+        for (const glm::vec3& position : stage_.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
+            const glm::vec3 at_m(instance.world * glm::vec4(position, 1.0f));
+            low_m = glm::min(low_m, at_m);
+            high_m = glm::max(high_m, at_m);
+        }
+        model_.mark_moving(i);
+    }
+    if (low_m.x > high_m.x) return std::nullopt;
+    return glm::vec3(0.5f * (low_m.x + high_m.x), 0.5f * (low_m.y + high_m.y), low_m.z);
+}
+
+void LiveView::move_tracked(const std::vector<std::string>& patterns, const glm::vec3& by_m) {
+    for (const std::size_t i : objects_named(patterns)) {
+        glm::vec3& moved_m = moved_m_[i];
+        if (glm::distance(moved_m, by_m) < kStill_m) continue;
+        moved_m = by_m;
+        model_.move(i, glm::translate(glm::mat4(1.0f), by_m) * stage_.instances[i].world);
+    }
+}
+
+void LiveView::begin_tracked_maps() {
+    const auto mapped = [&](const auto& entry) {
+        const auto place = mapped_m_.find(entry.first);
+        const glm::vec3 then_m = place == mapped_m_.end() ? glm::vec3(0) : place->second;
+        return glm::distance(then_m, entry.second) < kShadowStep_m;
+    };
+    if (!distances_ || std::all_of(moved_m_.begin(), moved_m_.end(), mapped)) return;
+    if (!tracked_stage_) {
+        tracked_stage_ = scene::visible(stage_);
+        tracked_show_ = show_;
+        tracked_show_.stage = {};
+        tracked_show_.cache_name = (show_.cache_name.empty() ? "" : show_.cache_name + "-") + "tracked";
+        // What is right for the show as it is, is right for most lights wherever the objects are.
+        namespace fs = std::filesystem;
+        const fs::path from = scene::distance_folder(show_, maps_.size);
+        const fs::path to = scene::distance_folder(tracked_show_, maps_.size);
+        std::error_code code;
+        fs::create_directories(to, code);
+        fs::copy(from, to, fs::copy_options::overwrite_existing, code);
+    }
+    std::size_t shown = 0; // of tracked_stage_, which is without the hidden ones
+    for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
+        if (!stage_.instances[i].shown) continue;
+        if (const auto moved = moved_m_.find(i); moved != moved_m_.end())
+            tracked_stage_->instances[shown].world =
+                glm::translate(glm::mat4(1.0f), moved->second) * stage_.instances[i].world;
+        ++shown;
+    }
+    mapped_m_ = moved_m_;
+    std::set<std::size_t> known;
+    for (std::size_t k = 0; k < maps_.maps.size(); ++k) known.insert(k);
+    maker_ = std::make_unique<MapMaker>(tracked_show_, *tracked_stage_, maps_.size, std::move(known));
+}
+
+} // namespace ghost::app

@@ -1,0 +1,30 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Cues: moments of a show that a remote control calls by name or one after another: [[cue]] of show.toml.
+// Ghostlight does not program light; a cue is a place in the recording, a camera, or both. Plain values.
+
+#include "scene/report.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ghost::scene {
+
+class TableReader; // scene/toml_reader.h
+struct Show;       // scene/show.h
+
+struct Cue {
+    std::string name;
+    std::optional<double> at_s; // of the recording; none: it goes on where it is
+    std::string camera;         // empty: the picture stays where it is
+    float flight_s = 0;         // to that camera; 0: a cut
+    std::string where;          // file:line
+};
+
+std::vector<Cue> read_cues(TableReader& top, const std::string& file, Report& report);
+
+// Names of cameras that the show does not have.
+void check_cues(const Show& show, Report& report);
+
+} // namespace ghost::scene
