@@ -96,6 +96,22 @@ struct View {
     double march_rms;
 };
 
+// Blades in planes of their own, one gobo, the iris: focused so that nothing but one plane is sharp.
+shared::Light shaped_light(const vec3& from, const vec3& to, float field_deg, bool gobo) {
+    shared::Light light = aimed_light(from, to, field_deg, 8000);
+    light.shaped = 2;
+    light.haze_samples = 10;
+    light.iris_depth = 0.05f;
+    if (gobo) put_gobo(light, 2, 20);
+    const float offsets[4] = {0.5f, 0.6f, 0.2f, 0.4f};
+    for (int k = 0; k < 4; ++k) {
+        const float turn = 0.2f - 1.5708f * static_cast<float>(k);
+        light.blade[k] = {
+            {-std::sin(turn), std::cos(turn)}, offsets[k], 0.07f + 0.005f * static_cast<float>(k)};
+    }
+    return light;
+}
+
 std::vector<View> views() {
     const auto wall = [](const vec3& eye, const vec3& target, float fov_deg) {
         return wall_passes(camera_at(eye, target, fov_deg, 45, 27), 6.0f);
@@ -142,6 +158,22 @@ std::vector<View> views() {
                    0.25,
                    0.03,
                    0.5});
+    all.push_back(
+        {"blades across", house, {shaped_light({-4, 2, 6}, {4, 2, 0.5f}, 30, false)}, 0.02, 0.3, 0.03, 0.3});
+    all.push_back({"blades and gobo across",
+                   house,
+                   {shaped_light({-4, 2, 6}, {4, 2, 0.5f}, 30, true)},
+                   0.02,
+                   0.35,
+                   0.03,
+                   0.35});
+    all.push_back({"blades into the camera",
+                   house,
+                   {shaped_light({1, 5, 6}, {0.5f, -12, 2}, 24, false)},
+                   0.2,
+                   1.8,
+                   0.02,
+                   0.1});
     return all;
 }
 
@@ -189,6 +221,51 @@ TEST_F(Haze, ExtinctionAloneScattersNothing) {
     Relighter relighter(device(), view.passes, test_gobos(), 1, settings);
     relighter.draw(view.lights);
     for (const float value : relighter.frame().samples) ASSERT_EQ(value, 0.0f);
+}
+
+// A thin sheet of air right before the wall, seen along it, is lit as the wall is: what the air there sends
+// on, divided by its phase and thickness, is the beam that the surface shows.
+TEST_F(Haze, AirAndSurfaceAgreeAtTheWall) {
+    constexpr float kWall_m = 8.0f;
+    const shared::Light light = shaped_light({0, 0, 3}, {0, kWall_m, 3}, 24, true);
+    // Two walls, a centimetre apart; the camera looks at the second through the light between them.
+    const auto haze_before = [&](float wall_m) {
+        scene::Camera camera = camera_at({0, 0.4f, 3}, {0, kWall_m, 3}, 30, 96, 96);
+        const scene::Passes passes = wall_passes(camera, wall_m);
+        Settings settings;
+        settings.haze = {0.0f, 1.0f, 0.0f, 0.0f, 0.0f};
+        settings.surfaces = false;
+        Relighter relighter(device(), passes, test_gobos(), 1, settings);
+        relighter.draw({light});
+        return relighter.frame();
+    };
+    const image::ImageF less = haze_before(kWall_m - 1.0f), more = haze_before(kWall_m);
+    const scene::Passes passes = wall_passes(camera_at({0, 0.4f, 3}, {0, kWall_m, 3}, 30, 96, 96), kWall_m);
+    double air = 0, wall = 0, apart = 0, all = 0;
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 96; ++x) {
+            const vec3 eye = eye_of(passes), end(passes.fragments[static_cast<std::size_t>(y * 96 + x)]);
+            const vec3 dir = glm::normalize(end - eye);
+            // Of the last metre, by the surfaces' definition of the beam.
+            double lit = 0;
+            constexpr int kSteps = 64;
+            for (int k = 0; k < kSteps; ++k) {
+                const vec3 place = end - dir * ((static_cast<float>(k) + 0.5f) / kSteps / dir.y);
+                const vec3 way = place - light.position_m;
+                lit += static_cast<double>(
+                           shared::beam_candela(light, shared::to_gate(light, way), test_gobos()).y /
+                           glm::dot(way, way)) /
+                       kSteps / static_cast<double>(dir.y) / (4 * 3.14159265358979);
+            }
+            const double seen = static_cast<double>(more.at(x, y)[1] - less.at(x, y)[1]);
+            air += seen;
+            wall += lit;
+            apart += std::abs(seen - lit);
+            all += lit;
+        }
+    std::printf("air before the wall: %.2f %% of what the wall gets, %.2f %% apart\n", 100 * air / wall,
+                100 * apart / all);
+    EXPECT_NEAR(air / wall, 1.0, 0.01);
 }
 
 // What culling leaves out must be dark: every light alone, with the picture larger than one tile.
