@@ -3,8 +3,9 @@
 """Writes the show of docs/optics.md: a hall of a floor and a wall, and a recording in which every optic of the fixture
 assets/fixtures/Ghostlight@Optics_Profile.gdtf has its turn; and that fixture's animation disc. Same bytes each time.
 
-usage: make_optics.py            writes assets/optics/ and assets/fixtures/src/Optics_Profile/wheels/
+usage: make_optics.py [--out FOLDER]     default: assets/optics, and the disc into the fixture's own wheels/
 """
+import argparse
 import math
 import struct
 import zlib
@@ -93,11 +94,14 @@ def disc(size=512):
 
 
 def main():
-    SHOW.mkdir(parents=True, exist_ok=True)
-    WHEELS.mkdir(parents=True, exist_ok=True)
-    (WHEELS / "animation_flames.png").write_bytes(disc())
-    (SHOW / "optics.show").write_text(recording())
-    (SHOW / "stage.glb").write_bytes(hall())
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--out", type=Path)
+    out = parser.parse_args().out
+    for folder, name, data in ((SHOW, "optics.show", recording().encode()), (SHOW, "stage.glb", hall()),
+                               (WHEELS, "animation_flames.png", disc())):
+        folder = out or folder
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_bytes(data)
     for place, (name, _) in enumerate(SCENES):
         print(f"{4 * place + 2:4d} s  {name}")
 

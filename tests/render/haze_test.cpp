@@ -159,14 +159,14 @@ std::vector<View> views() {
                    0.03,
                    0.5});
     all.push_back(
-        {"blades across", house, {shaped_light({-4, 2, 6}, {4, 2, 0.5f}, 30, false)}, 0.02, 0.3, 0.03, 0.3});
+        {"blades across", house, {shaped_light({-4, 2, 6}, {4, 2, 0.5f}, 30, false)}, 0.02, 0.3, 0.03, 0.5});
     all.push_back({"blades and gobo across",
                    house,
                    {shaped_light({-4, 2, 6}, {4, 2, 0.5f}, 30, true)},
                    0.02,
                    0.35,
                    0.03,
-                   0.35});
+                   0.6});
     all.push_back({"blades into the camera",
                    house,
                    {shaped_light({1, 5, 6}, {0.5f, -12, 2}, 24, false)},
@@ -208,7 +208,9 @@ TEST_F(Haze, GateAgreesWithTheReference) {
         const double psnr_db = tone_mapped_psnr(gate, reference);
         std::printf("%-22s gate: bias %6.3f %%, rms %5.2f %% of the mean, tone-mapped PSNR %.1f dB\n",
                     view.name, 100 * difference.mean_bias, 100 * difference.rms, psnr_db);
-        EXPECT_LT(std::abs(difference.mean_bias), 0.003);
+        // Several pictures blurred each by itself: see docs/optics.md.
+        const bool mixed = view.lights[0].shaped != 0 && view.lights[0].wheel_count > 0;
+        EXPECT_LT(std::abs(difference.mean_bias), mixed ? 0.01 : 0.003);
         EXPECT_GE(psnr_db, 45.0);
     }
 }
@@ -223,49 +225,31 @@ TEST_F(Haze, ExtinctionAloneScattersNothing) {
     for (const float value : relighter.frame().samples) ASSERT_EQ(value, 0.0f);
 }
 
-// A thin sheet of air right before the wall, seen along it, is lit as the wall is: what the air there sends
-// on, divided by its phase and thickness, is the beam that the surface shows.
+// Rays right before a wall that stands across the beam: what the air shows there, row by row, is the beam
+// that the wall shows.
 TEST_F(Haze, AirAndSurfaceAgreeAtTheWall) {
-    constexpr float kWall_m = 8.0f;
-    const shared::Light light = shaped_light({0, 0, 3}, {0, kWall_m, 3}, 24, true);
-    // Two walls, a centimetre apart; the camera looks at the second through the light between them.
-    const auto haze_before = [&](float wall_m) {
-        scene::Camera camera = camera_at({0, 0.4f, 3}, {0, kWall_m, 3}, 30, 96, 96);
-        const scene::Passes passes = wall_passes(camera, wall_m);
-        Settings settings;
-        settings.haze = {0.0f, 1.0f, 0.0f, 0.0f, 0.0f};
-        settings.surfaces = false;
-        Relighter relighter(device(), passes, test_gobos(), 1, settings);
-        relighter.draw({light});
-        return relighter.frame();
-    };
-    const image::ImageF less = haze_before(kWall_m - 1.0f), more = haze_before(kWall_m);
-    const scene::Passes passes = wall_passes(camera_at({0, 0.4f, 3}, {0, kWall_m, 3}, 30, 96, 96), kWall_m);
-    double air = 0, wall = 0, apart = 0, all = 0;
-    for (int y = 0; y < 96; ++y)
-        for (int x = 0; x < 96; ++x) {
-            const vec3 eye = eye_of(passes), end(passes.fragments[static_cast<std::size_t>(y * 96 + x)]);
-            const vec3 dir = glm::normalize(end - eye);
-            // Of the last metre, by the surfaces' definition of the beam.
-            double lit = 0;
-            constexpr int kSteps = 64;
-            for (int k = 0; k < kSteps; ++k) {
-                const vec3 place = end - dir * ((static_cast<float>(k) + 0.5f) / kSteps / dir.y);
-                const vec3 way = place - light.position_m;
-                lit += static_cast<double>(
-                           shared::beam_candela(light, shared::to_gate(light, way), test_gobos()).y /
-                           glm::dot(way, way)) /
-                       kSteps / static_cast<double>(dir.y) / (4 * 3.14159265358979);
+    for (const bool gobo : {false, true}) {
+        const shared::Light light = shaped_light({0, 0, 3}, {0, 8, 3}, 24, gobo);
+        const scene::Passes passes =
+            wall_passes(camera_at({-6, 7.95f, 3}, {0, 7.95f, 3}, 34, 8, 96), 7.95f);
+        const image::ImageF air = drawn(passes, {light}, Beams::gate, 0),
+                            wall = rays_of(passes, {light}, 0.5f);
+        double air_all = 0, wall_all = 0, apart = 0;
+        for (int y = 0; y < 96; ++y) {
+            double air_row = 0, wall_row = 0;
+            for (int x = 3; x < 5; ++x) {
+                air_row += static_cast<double>(air.at(x, y)[1]);
+                wall_row += static_cast<double>(wall.at(x, y)[1]);
             }
-            const double seen = static_cast<double>(more.at(x, y)[1] - less.at(x, y)[1]);
-            air += seen;
-            wall += lit;
-            apart += std::abs(seen - lit);
-            all += lit;
+            air_all += air_row;
+            wall_all += wall_row;
+            apart += std::abs(air_row - wall_row);
         }
-    std::printf("air before the wall: %.2f %% of what the wall gets, %.2f %% apart\n", 100 * air / wall,
-                100 * apart / all);
-    EXPECT_NEAR(air / wall, 1.0, 0.01);
+        std::printf("air before the wall%s: %.2f %% of the wall's light, rows %.2f %% apart\n",
+                    gobo ? ", gobo" : "", 100 * air_all / wall_all, 100 * apart / wall_all);
+        EXPECT_NEAR(air_all / wall_all, 1.0, 0.01);
+        EXPECT_LT(apart / wall_all, gobo ? 0.1 : 0.01);
+    }
 }
 
 // What culling leaves out must be dark: every light alone, with the picture larger than one tile.
