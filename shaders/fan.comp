@@ -22,16 +22,26 @@ void fill(Light light, Fan fan) {
     // Rows of all levels lie one after another.
     uint level = 0u;
     uint row = gl_GlobalInvocationID.x;
-    for (uint before = 0u; before < kFanLevels; ++before) {
-        uint rows = fan_side(fan, before);
-        bool beyond = level == before && row >= rows;
-        row -= beyond ? rows : 0u;
-        level += beyond ? 1u : 0u;
+    if (IS_SHAPED(light)) {
+        uint small_rows = fan.halvings * kLeastFan;
+        bool small = row < small_rows;
+        level = small ? row / kLeastFan : fan.halvings + (row - small_rows) / fan.size;
+        row = small ? row % kLeastFan : (row - small_rows) % fan.size;
+    } else {
+        for (uint before = 0u; before < kFanLevels; ++before) {
+            uint rows = fan_side(fan, before);
+            bool beyond = level == before && row >= rows;
+            row -= beyond ? rows : 0u;
+            level += beyond ? 1u : 0u;
+        }
     }
     bool wanted = level < fan.levels;
     level = min(level, fan.levels - 1u);
-    uint side = fan_side(fan, level);
+    uint side = IS_SHAPED(light) ? fan_node_side(fan, level) : fan_side(fan, level);
+    uvec2 corner = IS_SHAPED(light) ? fan_node_corner(fan, level) : uvec2(fan_left(fan, level), 0u);
     float blur = fan.levels > 1u ? fan.sharpest * exp2(float(level)) : max(light.edge, fan.sharpest);
+    Focus focus = even_focus(light, blur);
+    if (IS_SHAPED(light)) focus = focus_at(light, fan.node[level], fan.sharpest);
     float most = fan_most(light.colour_b);
 
     vec2 meridian = fan_meridian(fan, 2.0 * float(row) / float(side - 1u) - 1.0);
@@ -47,16 +57,17 @@ void fill(Light light, Fan fan) {
     float step_u = 2.0 * chord.w * share;
     vec4 sum = vec4(0.0);
     float place = 0.5 * share;
-    ivec3 at = ivec3(fan_left(fan, level), row, fan.layer);
+    ivec3 at = ivec3(corner.x, corner.y + row, fan.layer);
     // Levels of blur are whole levels of the gobos; a level between two costs twice as much.
     float whole = gobo_level_of(blur);
     gobo_level = fan.levels > 1u ? floor(whole + 0.5) : whole;
+    if (IS_SHAPED(light)) gobo_level = kLevelOfBlur;
     uint columns = wanted ? side : 0u;
     for (uint column = 0u; column < columns; ++column) {
         imageStore(table, at, sum);
         vec3 direction = centre + turn * u;
         vec2 gate = direction.xy / (max(direction.z, 1e-4) * light.tan_field);
-        vec3 value = beam_gate(light, gate, blur) * (share / (most * (1.0 + u * u)));
+        vec3 value = beam_gate(light, gate, focus) * (share / (most * (1.0 + u * u)));
         sum += vec4(value, luminance_of(value) * place);
         u += step_u;
         place += share;

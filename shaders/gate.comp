@@ -27,7 +27,8 @@ layout(binding = 10, scalar) readonly buffer Groups { TileGroups groups[]; };
 layout(binding = 11, r16ui) readonly uniform uimage2DArray lonely; // of wide beams, as the next one
 layout(binding = 12, rgba16f) uniform image2DArray rays;
 layout(push_constant, scalar) uniform Push { GatePush p; };
-layout(constant_id = 0) const bool kFocus = true;   // some light gets out of focus: the table has levels of blur
+// Levels of the table: one, of blur (some light gets out of focus), of places along the beam (shaped ones).
+layout(constant_id = 0) const uint kFocus = 1u;
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 layout(constant_id = 2) const bool kShadows = false;
 layout(constant_id = 3) const bool kUneven = false; // haze is not the same everywhere
@@ -37,20 +38,21 @@ layout(constant_id = 4) const bool kWide = false;   // every few rays only, and 
 
 // Prefix sums at a place 0..1 of a row -1..1.
 vec4 prefix(Fan fan, vec2 texel, uint level, float row, float column) {
-    vec2 at = vec2(float(fan_left(fan, level)), 0.0) + 0.5 +
-              vec2(column, 0.5 * row + 0.5) * (float(fan_side(fan, level)) - 1.0);
+    vec2 corner = kFocus == 2u ? vec2(fan_node_corner(fan, level)) : vec2(float(fan_left(fan, level)), 0.0);
+    uint side = kFocus == 2u ? fan_node_side(fan, level) : fan_side(fan, level);
+    vec2 at = corner + 0.5 + vec2(column, 0.5 * row + 0.5) * (float(side) - 1.0);
     return textureLod(table, vec3(at * texel, float(fan.layer)), 0.0);
 }
 
 vec4 between(Fan fan, vec2 texel, float level, float row, float from, float to) {
     uint low = uint(level);
     vec4 sharp = prefix(fan, texel, low, row, to) - prefix(fan, texel, low, row, from);
-    if (!kFocus) return sharp;
+    if (kFocus == 0u) return sharp;
     uint high = min(low + 1u, fan.levels - 1u);
     // A rim out of focus loses light in proportion to its blur at first, and to the octaves of its blur where it is wide: between
     // the two a beam is off by 0.2 % at most, either alone by up to 0.35 %.
     float octaves = level - float(low);
-    float share = mix(octaves, exp2(octaves) - 1.0, 0.6);
+    float share = kFocus == 2u ? octaves : mix(octaves, exp2(octaves) - 1.0, 0.6);
     return mix(sharp, prefix(fan, texel, high, row, to) - prefix(fan, texel, high, row, from), share);
 }
 
@@ -164,9 +166,12 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
             }
             float middle = from + 0.5 * step_u;
             float level = 0.0;
-            if (kFocus) {
+            if (kFocus > 0u) {
                 float z = distance_m * chord.z / max(across + middle * across_u, 1e-6);
-                level = clamp(log2(beam_blur(light, z) / fan.sharpest), 0.0, float(fan.levels - 1u));
+                if (kFocus == 2u)
+                    level = fan_node_level(fan, 1.0 - beam_focus(light, z).away);
+                else
+                    level = clamp(log2(beam_blur(light, z) / fan.sharpest), 0.0, float(fan.levels - 1u));
             }
             float share = step_u * scale;
             float grow = max(0.5 * (narrowest - share), 0.0);

@@ -33,7 +33,7 @@ void main() {
         float cover = lens_cover(offset, lens.spread);
         cover *= place_m < lens.nearest_m ? 1.0 - clamp(place.w, 0.0, 1.0) : 1.0;
         vec2 on_lens = vec2(dot(lens.to_lens.xy, offset), dot(lens.to_lens.zw, offset));
-        vec3 gate = beam_gate(lens.light, lens.gate + lens.gate_per_lens * on_lens, lens.blur);
+        vec3 gate = beam_gate(lens.light, lens.gate + lens.gate_per_lens * on_lens, even_focus(lens.light, lens.blur));
         light += (lens.light.intensity_cd * gate * lens.light_per_cd + lens.stray) * cover;
     }
     float over = max(max(light.x, max(light.y, light.z)) / kMostLight, 1.0);

@@ -120,8 +120,9 @@ vec3 shown(Light light, Fragment f, Haze haze) {
     float width_m = sqrt(f.area_m2 * max(facing, 0.0));
     float z = max(q.z, 1e-4);
     float per_m = 1.0 / (z * light.tan_field);
-    float blur = length(vec2(beam_blur(light, z), 0.5 * width_m * per_m));
-    vec3 beam_cd = q.z > 1e-4 ? light.intensity_cd * beam_gate(light, q.xy * per_m, blur) : vec3(0.0);
+    Focus focus = beam_focus(light, z);
+    focus.least = 0.5 * width_m * per_m;
+    vec3 beam_cd = q.z > 1e-4 ? light.intensity_cd * beam_gate(light, q.xy * per_m, focus) : vec3(0.0);
     vec3 light_cd = beam_cd *
                     (haze_transmittance(haze, distance_m) * attenuation_factor(air.attenuation, distance_m) / distance2);
     vec3 value = light_cd * brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light);

@@ -48,7 +48,8 @@ def main():
     out = parser.parse_args().out
     out.mkdir(parents=True, exist_ok=True)
     for description in sorted(SOURCES.glob("*/description.xml")):
-        path = out / f"Vari-Lite@{description.parent.name}.gdtf"
+        maker = ElementTree.parse(description).find("FixtureType").get("Manufacturer")
+        path = out / f"{maker}@{description.parent.name}.gdtf"
         pack(description.parent, path)
         print(f"{path} {path.stat().st_size} bytes")
 

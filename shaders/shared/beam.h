@@ -15,12 +15,17 @@
 #define WITH_GOBOS , const ::ghost::shared::Gobos& gobos
 #define PASS_GOBOS , gobos
 #define WHEEL_COUNT(light) (light).wheel_count
+#define IS_SHAPED(light) ((light).shaped != 0u)
+#define IS_CUT(light) ((light).shaped > 1u)
 #else
 #define WITH_GOBOS
 #define PASS_GOBOS
-// A shader is compiled once per number of wheels: lavapipe runs a loop body at least once, masked.
-layout(constant_id = 0) const uint kWheels = 0u;
-#define WHEEL_COUNT(light) kWheels
+// A shader is compiled once per class of beams (shared/optics.h). What is not in use costs nothing: lavapipe runs a loop body at
+// least once, masked.
+layout(constant_id = 0) const uint kClass = 0u;
+#define WHEEL_COUNT(light) (kClass >= kPlanesClass ? (light).wheel_count : kClass)
+#define IS_SHAPED(light) (kClass >= kPlanesClass)
+#define IS_CUT(light) (kClass == kCutClass)
 vec3 gobo_sample(uint layer, vec2 gate, float blur);
 #endif
 
@@ -60,19 +65,55 @@ SHARED_FN vec3 wheel_sample(Wheel wheel, vec2 gate, float blur WITH_GOBOS) {
     return gobo_sample(layer, turned, blur PASS_GOBOS) * rim;
 }
 
-// What the gate lets through, relative to the open gate on the axis: profile, aperture, split colour and gobos at a gate
-// position, blurred by a disc of the given radius.
-SHARED_FN vec3 beam_gate(Light light, vec2 gate, float blur WITH_GOBOS) {
+// What the animation wheel leaves of the light.
+SHARED_FN vec3 disc_sample(Light light, vec2 gate, Focus focus WITH_GOBOS) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    Disc disc = light.disc;
+    float blur = blur_of(light, focus, disc.depth) * disc.scale;
+    vec2 place = disc.centre + disc.scale * gate;
+    vec2 turned = vec2(disc.cosine * place.x + disc.sine * place.y, disc.cosine * place.y - disc.sine * place.x);
+    float covered = beam_aperture(length(place), 1.0f, max(blur, 0.01f));
+    return vec3(1.0f) + (gobo_sample(disc.layer, turned, blur PASS_GOBOS) - vec3(1.0f)) * covered;
+}
+
+// What one framing blade leaves of the light.
+SHARED_FN float blade_share(Light light, Blade blade, vec2 gate, Focus focus) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return beam_aperture(dot(gate, blade.normal), blade.offset, blur_of(light, focus, blade.depth));
+}
+
+// What all four leave. Blades that face each other do not cover each other: what they take adds up, so that a blurred slit is right.
+SHARED_FN float blades_share(Light light, vec2 gate, Focus focus) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float first = blade_share(light, light.blade[0], gate, focus) + blade_share(light, light.blade[2], gate, focus);
+    float second = blade_share(light, light.blade[1], gate, focus) + blade_share(light, light.blade[3], gate, focus);
+    return max(first - 1.0f, 0.0f) * max(second - 1.0f, 0.0f);
+}
+
+// What the gate lets through, relative to the open gate on the axis: profile, aperture, split colour, gobos, animation wheel and
+// blades at a gate position, each as blurred as its plane is.
+SHARED_FN vec3 beam_gate(Light light, vec2 gate, Focus focus WITH_GOBOS) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
     float radius2 = dot(gate, gate);
     float value = beam_profile(radius2, light.profile_power, light.profile_scale) *
-                  beam_aperture(sqrt(radius2), light.iris_radius, blur);
+                  beam_aperture(sqrt(radius2), light.iris_radius,
+                                blur_of(light, focus, IS_SHAPED(light) ? light.iris_depth : 0.0f));
+    if (IS_CUT(light)) value *= blades_share(light, gate, focus);
     value = radius2 < light.cut_radius * light.cut_radius ? value : 0.0f;
     float side = clamp((gate.x - light.split) * 4.0f + 0.5f, 0.0f, 1.0f);
     vec3 colour = (vec3(1.0f) + (light.colour_b - vec3(1.0f)) * side) * value;
-    for (uint k = 0u; k < WHEEL_COUNT(light); ++k) colour *= wheel_sample(light.wheel[k], gate, blur PASS_GOBOS);
+    for (uint k = 0u; k < WHEEL_COUNT(light); ++k)
+        colour *= wheel_sample(light.wheel[k], gate,
+                               blur_of(light, focus, IS_SHAPED(light) ? light.wheel[k].depth : 0.0f) PASS_GOBOS);
+    if (IS_CUT(light) && light.disc.layer != 0u) colour *= disc_sample(light, gate, focus PASS_GOBOS);
     return colour;
 }
 
@@ -85,7 +126,7 @@ SHARED_FN vec3 beam_candela(Light light, vec3 q WITH_GOBOS) {
     vec2 gate = vec2(q.x, q.y) / (z * light.tan_field);
     // Nothing leaves backwards.
     vec3 intensity = q.z > 1e-4f ? light.intensity_cd : vec3(0.0f);
-    return intensity * beam_gate(light, gate, beam_blur(light, z) PASS_GOBOS);
+    return intensity * beam_gate(light, gate, beam_focus(light, z) PASS_GOBOS);
 }
 
 // Gate coordinates of a world offset from the apex (or of a direction).

@@ -32,11 +32,15 @@ struct Fan {
     uint size;       // rows and columns of the sharpest level
     float sharpest;  // blur (gate units) of level 0; level n has twice that to the nth
     uint levels;     // of blur: 1 where nothing gets out of focus
-    uint halvings;   // levels that are half of the one before
+    uint halvings;   // levels that are half of the one before; of a shaped beam: small levels
+    float node[14];  // of a shaped beam, whose planes are not blurred alike: falling t (shared/optics.h) of each level
 };
-SHARED_SIZE(Fan, 76);
+SHARED_SIZE(Fan, 132);
 
 SHARED_CONST uint kFanLevels = 8u;
+SHARED_CONST uint kFanNodes = 14u;    // levels of a shaped beam
+SHARED_CONST uint kLargeNodes = 7u;   // that are not small: as many as stand in a line
+SHARED_CONST uint kFinestNode = 128u; // rows and columns of these
 SHARED_CONST uint kLeastFan = 64u;  // rows and columns of any level
 SHARED_CONST uint kFinestFan = 256u;
 SHARED_CONST uint kFanWidth = 2u * kFinestFan + 6u * kLeastFan; // of a layer: all levels
@@ -108,6 +112,28 @@ SHARED_FN uint fan_left(Fan fan, uint level) {
     uint halved = 2u * fan.size - 2u * (fan.size >> level);
     uint even = 2u * fan.size - (fan.size >> fan.halvings) + kLeastFan * (level - fan.halvings - 1u);
     return level <= fan.halvings ? halved : even;
+}
+
+// Rows of a level of a shaped beam: its first ones, near the lens, are blurred and small.
+SHARED_FN uint fan_node_side(Fan fan, uint level) { return level < fan.halvings ? kLeastFan : fan.size; }
+
+// The small ones stand in the first line of the layer, the others below.
+SHARED_FN uvec2 fan_node_corner(Fan fan, uint level) {
+    uint in_line = kFanWidth / fan.size;
+    uint large = level - fan.halvings;
+    return level < fan.halvings ? uvec2(level * kLeastFan, 0u)
+                                : uvec2(large % in_line * fan.size, kLeastFan + large / in_line * fan.size);
+}
+
+// Level of a shaped beam at a place t of its way, between two nodes in proportion.
+SHARED_FN float fan_node_level(Fan fan, float t) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float level = 0.0f;
+    for (uint k = 1u; k < fan.levels; ++k)
+        level += clamp((fan.node[k - 1u] - t) / max(fan.node[k - 1u] - fan.node[k], 1e-6f), 0.0f, 1.0f);
+    return level;
 }
 
 // Rows and columns of the finest level of what is in the light's way: about a texel of a distance map of 1024. Its levels stand side

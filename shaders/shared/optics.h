@@ -1,19 +1,74 @@
 // SPDX-License-Identifier: Apache-2.0
-// Focus: how far a point of the gate is blurred along the beam. Apart from beam.h because haze needs it without the gobos.
+// Focus: how far the planes of the gate are blurred along the beam. Apart from beam.h because haze needs it without the gobos.
+//
+// A thin lens of radius R, with t = R / (R + z tan_field) (1 at the lens, 0 far away), blurs a plane over a disc whose signed
+// radius in gate units is linear in t:  t - (1 - t) (c - depth),  c = R focus_per_m / tan_field.
 #ifndef GHOST_SHARED_OPTICS_H
 #define GHOST_SHARED_OPTICS_H
 #include "shared/types.h"
 
 SHARED_BEGIN
 
-// Radius of the blur disc in gate units at distance z along the beam: a thin lens of radius R focused at 1 / focus_per_m.
-SHARED_FN float beam_blur(Light light, float z) {
+// Classes of beams: 0, 1 or 2 wheels and nothing else in the gate; planes at several depths; those and blades or a disc.
+SHARED_CONST uint kPlanesClass = 3u;
+SHARED_CONST uint kCutClass = 4u;
+SHARED_CONST uint kBeamClasses = 5u;
+
+SHARED_FN uint beam_class(Light light) {
+    return light.shaped == 0u ? light.wheel_count : (light.shaped == 1u ? kPlanesClass : kCutClass);
+}
+
+struct Focus {
+    float plane;  // signed blur of the plane of depth 0, gate units
+    float away;   // 1 - t
+    float least;  // blur in any case, in quadrature: of the picture's pixels
+};
+
+// At distance z along the beam.
+SHARED_FN Focus beam_focus(Light light, float z) {
+    float R = light.lens_radius_m;
+    float spread = z * light.tan_field;
+    Focus focus;
+    focus.plane = R * (1.0f - z * light.focus_per_m) / (R + spread);
+    focus.away = spread / (R + spread);
+    focus.least = 0.0f;
+    return focus;
+}
+
+// The same at a place t of the way, blurred by that much more.
+SHARED_FN Focus focus_at(Light light, float t, float least) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float R = light.lens_radius_m;
-    return light.edge + R * abs(1.0f - z * light.focus_per_m) / (R + z * light.tan_field);
+    Focus focus;
+    focus.plane = light.lens_radius_m > 0.0f
+                      ? t - (1.0f - t) * light.lens_radius_m * light.focus_per_m / light.tan_field
+                      : 0.0f;
+    focus.away = 1.0f - t;
+    focus.least = least;
+    return focus;
 }
+
+// The same where all planes are blurred alike, over a disc of this radius.
+SHARED_FN Focus even_focus(Light light, float blur) {
+    Focus focus;
+    focus.plane = blur - light.edge;
+    focus.away = 0.0f;
+    focus.least = 0.0f;
+    return focus;
+}
+
+// Radius of the blur disc of a plane of the gate, in gate units.
+SHARED_FN float blur_of(Light light, Focus focus, float depth) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float blur = light.edge + abs(focus.plane + depth * focus.away);
+    return focus.least > 0.0f ? length(vec2(blur, focus.least)) : blur;
+}
+
+// Of the plane of depth 0, at distance z.
+SHARED_FN float beam_blur(Light light, float z) { return blur_of(light, beam_focus(light, z), 0.0f); }
 
 SHARED_END
 #endif

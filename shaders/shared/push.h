@@ -12,11 +12,11 @@ SHARED_CONST uint kTileHeight = 8u;
 SHARED_CONST uint kTilePixels = kTileWidth * kTileHeight;
 
 // Lights of one uniform buffer (64 KiB).
-SHARED_CONST uint kLightsPerChunk = 256u;
+SHARED_CONST uint kLightsPerChunk = 128u;
 // The lights of a chunk are drawn in batches: on a GPU all at once, each pixel looping over a mask of the lights that reach
 // its tile; on lavapipe one by one, because there a value that is the same for all lanes is only cheap where the compiler
 // can see that it is (measured: 20 of 50 ms went into loading the light again for every lane).
-SHARED_CONST uint kMaskWords = 8u; // a tile: a bit a light
+SHARED_CONST uint kMaskWords = 4u; // a tile: a bit a light
 
 // All pictures of light are half floats: 0.05 % steps, and a lens at close range is clipped here, in cd/m^2.
 SHARED_CONST float kMostLight = 65000.0f;

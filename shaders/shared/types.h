@@ -18,6 +18,7 @@ namespace ghost::shared {
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
+using glm::uvec2;
 using uint = std::uint32_t;
 } // namespace ghost::shared
 #else
@@ -38,8 +39,29 @@ struct Wheel {
     float shift;  // 0 = slot a centred .. 1 = slot b centred
     float cosine; // rotation of the gobo in its slot, seen along the beam
     float sine;
+    float depth;  // see Light::focus_per_m
 };
-SHARED_SIZE(Wheel, 20);
+SHARED_SIZE(Wheel, 24);
+
+// An animation wheel: a picture beside the beam's axis that turns about its own middle. The gate sees
+// R(turn) (centre + scale gate) of the picture's -1..1; beyond the picture nothing is in the way.
+struct Disc {
+    uint layer; // of the gobos; 0: none
+    float cosine;
+    float sine;
+    vec2 centre;
+    float scale;
+    float depth;
+};
+SHARED_SIZE(Disc, 28);
+
+// A framing blade: a half plane of the gate. Light passes where dot(gate, normal) < offset.
+struct Blade {
+    vec2 normal; // unit, towards the blade
+    float offset;
+    float depth;
+};
+SHARED_SIZE(Blade, 16);
 
 // What one fixture emits now. Gate coordinates: q = (along axis_u, along axis_v, along axis_w) from the apex;
 // (q.x, q.y) / (q.z tan_field) is 1 at the field angle.
@@ -58,9 +80,15 @@ struct Light {
     float split;           // gate coordinate of the split; at or above kNoSplit there is none
     float iris_radius;     // gate radius of the aperture
     float edge;            // half width of the aperture's soft edge where the beam is in focus, gate units
-    float focus_per_m;     // 1 / focus distance
+    // 1 / distance at which the plane of depth 0 is sharp. Depth: radius (gate units) to which another plane is blurred far away
+    // while that one is sharp; above 0 nearer to the lens. See optics.h.
+    float focus_per_m;
     float lens_radius_m;   // blur of a point out of focus grows with it
-    Wheel wheel[2];
+    float iris_depth;
+    uint shaped;           // 1: planes of several depths, or a third wheel; 2: also blades or a disc; 0: these are as if not there
+    Disc disc;
+    Blade blade[4];        // opposite ones are two apart
+    Wheel wheel[3];
     uint wheel_count;      // how many of wheel[] shape the beam
     uint pass;             // its picture as a point source
     uint haze_samples;     // samples of the cone integrator; 0: surfaces only
@@ -69,7 +97,7 @@ struct Light {
     vec3 off_map_m;        // from where that map was made to position_m
     float disc_radius_m;   // of the luminous disc at the lens: how soft shadows are, how large the lens looks
 };
-SHARED_SIZE(Light, 196);
+SHARED_SIZE(Light, 328);
 
 // Homogeneous haze: extinction, scattering and the two-term Henyey-Greenstein phase function.
 struct Haze {

@@ -34,6 +34,8 @@ using BenchSink = std::function<void(const BenchRow&)>;
 
 // Table 1 of Screen Space Re-Rendering: cost of a sample of a simple and of a gobo light.
 Result<void> bench_samples(const BenchOptions& options, const BenchSink& sink);
+// Ten moving beams of a profile, with one optic after the other in the gate.
+Result<void> bench_optics(const BenchOptions& options, const BenchSink& sink);
 // The scene of the paper: 1024x300, five spots with two gobos and five washes, DMX to image.
 Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink);
 // The thesis's picture: 256x256, one spot with a gobo, its numbers of steps beside cone and gate.

@@ -108,7 +108,7 @@ shared::Light festival_light(std::size_t index, const Place& place, double secon
     shared::Light light = aimed_light(place.position_m, place.position_m + way, wash ? 28.0f : 11.0f, !wash);
     light.intensity_cd *= 0.5f + 0.5f * vec3(std::sin(phase), std::sin(phase + 2), std::sin(phase + 4));
     if (!wash && index % 2 == 0) {
-        light.wheel[light.wheel_count++] = {1, 0, 0.0f, std::cos(2 * phase), std::sin(2 * phase)};
+        light.wheel[light.wheel_count++] = {1, 0, 0.0f, std::cos(2 * phase), std::sin(2 * phase), 0.0f};
         light.haze_samples = 10;
     }
     light.map = static_cast<std::uint32_t>(index + 1);

@@ -88,8 +88,12 @@ shared::Light bench_light(int index, std::uint32_t wheels, double seconds) {
     light.split = shared::kNoSplit;
     light.wheel_count = wheels;
     for (std::uint32_t k = 0; k < wheels; ++k)
-        light.wheel[k] = {k + 1, k + 1, 0.0f, std::cos(phase * static_cast<float>(k + 1)),
-                          std::sin(phase * static_cast<float>(k + 1))};
+        light.wheel[k] = {k + 1,
+                          k + 1,
+                          0.0f,
+                          std::cos(phase * static_cast<float>(k + 1)),
+                          std::sin(phase * static_cast<float>(k + 1)),
+                          0.0f};
     light.haze_samples = spot ? 10 : 4;
     return light;
 }

@@ -75,7 +75,7 @@ void add_instance(scene::Stage& stage, int mesh, const glm::mat4& world) {
 
 void put_gobo(shared::Light& light, std::uint32_t layer, float turn_deg) {
     const float turn = glm::radians(turn_deg);
-    light.wheel[light.wheel_count++] = {layer, 0, 0.0f, std::cos(turn), std::sin(turn)};
+    light.wheel[light.wheel_count++] = {layer, 0, 0.0f, std::cos(turn), std::sin(turn), 0.0f};
     light.haze_samples = 10; // the paper's number for lights with gobos
 }
 

@@ -6,6 +6,7 @@
 #include "app/recordings.h"
 #include "bake/reference.h"
 #include "scene/bodies.h"
+#include "scene/prism.h"
 
 #include "base/log.h"
 #include "base/progress.h"
@@ -61,6 +62,7 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
             "camera '" + camera.name +
                 "' measures its exposure; the reference is developed at its ev100, or name one with --ev");
     const scene::GoboStack gobos = scene::build_gobos(show, report);
+    scene::check_prisms(show, report);
     scene::Stage stage = scene::stage_with_bodies(show, report);
     print_report(report);
     scene::Rig rig(show);

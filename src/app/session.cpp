@@ -5,6 +5,7 @@
 #include "bake/bake_show.h"
 #include "bake/keys.h"
 #include "scene/passes_file.h"
+#include "scene/prism.h"
 #include "scene/show_edit.h"
 #include "scene/stage_checks.h"
 
@@ -360,6 +361,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
         TRY(session->passes, get_passes(*session->show, camera, options, report));
     }
     session->gobos = scene::build_gobos(*session->show, report);
+    scene::check_prisms(*session->show, report);
     print_report(report, printed);
     printed = report.messages.size();
 

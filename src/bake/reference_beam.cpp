@@ -61,12 +61,37 @@ dvec3 ReferenceBeam::to_gate(const dvec3& offset_m) const {
     return axes_ * offset_m;
 }
 
-// A thin lens of radius R focused at 1/focus_per_m: its circle of confusion in gate units.
-double ReferenceBeam::blur_at(double z_m) const {
+// A thin lens of radius R, f the distance at which the plane of depth 0 is sharp: its circle of confusion in
+// gate units. Another plane is blurred by `depth` far away while that one is sharp.
+double ReferenceBeam::blur_at(double z_m, double depth) const {
     const double lens_m = light_.lens_radius_m;
-    const double spot_m = lens_m + z_m * static_cast<double>(light_.tan_field);
-    return static_cast<double>(light_.edge) +
-           lens_m * std::abs(1.0 - z_m * static_cast<double>(light_.focus_per_m)) / spot_m;
+    const double wide_m = z_m * static_cast<double>(light_.tan_field);
+    const double signed_blur =
+        (lens_m - lens_m * z_m * static_cast<double>(light_.focus_per_m) + depth * wide_m) /
+        (lens_m + wide_m);
+    return static_cast<double>(light_.edge) + std::abs(signed_blur);
+}
+
+dvec3 ReferenceBeam::disc_colour(const dvec2& gate, double blur) const {
+    const shared::Disc& disc = light_.disc;
+    if (disc.layer == 0) return dvec3(1.0);
+    const double scale = disc.scale;
+    const dvec2 at = dvec2(disc.centre) + scale * gate;
+    const double covered = share_inside(glm::length(at), 1.0, std::max(scale * blur, 0.01));
+    const double c = disc.cosine, s = disc.sine;
+    const dvec3 picture = gobo_colour(disc.layer, {at.x * c + at.y * s, at.y * c - at.x * s}, scale * blur);
+    return glm::mix(dvec3(1.0), picture, covered);
+}
+
+// Two blades that face each other take away what each of them covers.
+double ReferenceBeam::slit(int first, const dvec2& gate, double z_m) const {
+    double open = 1.0;
+    for (const int k : {first, first + 2}) {
+        const shared::Blade& blade = light_.blade[k];
+        const double into = glm::dot(gate, dvec2(blade.normal)) - static_cast<double>(blade.offset);
+        open -= 1.0 - share_inside(into, 0.0, blur_at(z_m, static_cast<double>(blade.depth)));
+    }
+    return std::max(open, 0.0);
 }
 
 dvec3 ReferenceBeam::gobo_colour(std::uint32_t layer, const dvec2& gate, double blur) const {
@@ -100,16 +125,22 @@ dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
     const dvec2 gate = dvec2(gate_m) / (gate_m.z * static_cast<double>(light_.tan_field));
     const double radius = glm::length(gate);
     if (!(radius < static_cast<double>(light_.cut_radius))) return dvec3(0.0);
-    const double blur = blur_at(gate_m.z);
-    const double open = share_inside(radius, light_.iris_radius, blur);
+    const bool shaped = light_.shaped != 0;
+    const auto blur_of = [&](float depth) {
+        return blur_at(gate_m.z, shaped ? static_cast<double>(depth) : 0.0);
+    };
+    double open = share_inside(radius, light_.iris_radius, blur_of(light_.iris_depth));
+    const bool cut = light_.shaped > 1;
+    if (cut) open *= slit(0, gate, gate_m.z) * slit(1, gate, gate_m.z);
     if (open == 0.0) return dvec3(0.0);
     const double shape = std::exp2(-static_cast<double>(light_.profile_scale) *
                                    std::pow(radius * radius, static_cast<double>(light_.profile_power)));
     const double side = std::clamp(4.0 * (gate.x - static_cast<double>(light_.split)) + 0.5, 0.0, 1.0);
     dvec3 colour =
         dvec3(light_.intensity_cd) * (shape * open) * glm::mix(dvec3(1.0), dvec3(light_.colour_b), side);
-    for (std::uint32_t k = 0; k < std::min(light_.wheel_count, 2u); ++k)
-        colour *= wheel_colour(light_.wheel[k], gate, blur);
+    for (std::uint32_t k = 0; k < std::min(light_.wheel_count, 3u); ++k)
+        colour *= wheel_colour(light_.wheel[k], gate, blur_of(light_.wheel[k].depth));
+    if (cut) colour *= disc_colour(gate, blur_of(light_.disc.depth));
     return colour;
 }
 

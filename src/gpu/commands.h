@@ -5,8 +5,10 @@
 
 #include "gpu/device.h"
 
+#include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ghost::gpu {
@@ -50,6 +52,27 @@ private:
     VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
     VkPipelineLayout layout_ = VK_NULL_HANDLE;
     VkPipeline pipeline_ = VK_NULL_HANDLE;
+};
+
+// A program that is made when it is first asked for. The device and the words must outlive it.
+class LateProgram {
+public:
+    LateProgram() = default;
+    LateProgram(const Device& device, std::span<const std::uint32_t> spirv,
+                std::vector<VkDescriptorType> bindings, std::vector<std::uint32_t> constants)
+        : device_(&device), spirv_(spirv), bindings_(std::move(bindings)), constants_(std::move(constants)) {}
+
+    const Program& get() const {
+        if (!program_) program_ = std::make_unique<Program>(*device_, spirv_, bindings_, constants_);
+        return *program_;
+    }
+
+private:
+    const Device* device_ = nullptr;
+    std::span<const std::uint32_t> spirv_;
+    std::vector<VkDescriptorType> bindings_;
+    std::vector<std::uint32_t> constants_;
+    mutable std::unique_ptr<Program> program_;
 };
 
 // Workgroups of so many items each that it takes.

@@ -2,9 +2,11 @@
 #include "render/fan.h"
 
 #include "shared/gobos.h"
+#include "shared/optics.h"
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ghost::render {
 namespace {
@@ -14,17 +16,85 @@ constexpr std::uint32_t kFanStep = 32; // sizes can be halved twice
 constexpr double kParallel = 1e-6;     // sine below which pole and axis are one line
 // Nearer to the rim rows that are even in the sine lie thin at their ends: the two ways are alike here.
 constexpr double kNearRim = 1.05;
+constexpr float kBladeIsOut = 4.0f; // gate radii
+constexpr float kLastNode = 1e-3f;  // of the way, see nodes_of
+constexpr float kNodeRatio = 2.0f;
+constexpr float kCoarser = 1.2f;
 constexpr double kDeepInside = 0.7; // from here to the rim more and more rows lie where the beam is
 
 // With a gobo twice as many rows as the beam is pixels wide where it is as far from the lamp as from the eye
 // (with one a pixel a gobo loses 8 dB, an open beam less than one).
 std::uint32_t size_of(const shared::Light& light, bool surrounds, float pixels_per_rad) {
-    const bool open = light.wheel_count == 0;
-    const std::uint32_t finest = open ? shared::kFinestFan / 2 : shared::kFinestFan;
+    const bool open = light.wheel_count == 0 && light.shaped == 0;
+    const std::uint32_t finest = open || light.shaped != 0 ? shared::kFinestFan / 2 : shared::kFinestFan;
     if (surrounds) return finest;
     const float pixels = 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
     const float steps = std::ceil((open ? 1.0f : 2.0f) * pixels / static_cast<float>(kFanStep));
     return std::clamp(static_cast<std::uint32_t>(steps * static_cast<float>(kFanStep)), kCoarsestFan, finest);
+}
+
+// Depths of the planes that a shaped beam goes through.
+std::vector<float> depths_of(const shared::Light& light) {
+    std::vector<float> depths{light.iris_depth};
+    for (std::uint32_t k = 0; k < light.wheel_count; ++k) depths.push_back(light.wheel[k].depth);
+    if (light.disc.layer != 0) depths.push_back(light.disc.depth);
+    for (const shared::Blade& blade : light.blade)
+        if (blade.offset < kBladeIsOut) depths.push_back(blade.depth);
+    std::sort(depths.begin(), depths.end());
+    depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
+    return depths;
+}
+
+// Falling from 1 (the lens) to 0 (far away), so close that no plane's blur grows or falls by more than
+// `ratio` from one to the next, or by more than `finest` where it is nearly sharp.
+std::vector<float> nodes_of(const shared::Light& light, const std::vector<float>& depths, float finest,
+                            float ratio) {
+    const float far_blur = light.lens_radius_m * light.focus_per_m / light.tan_field;
+    std::vector<float> nodes{1.0f};
+    while (nodes.back() > 0.0f && nodes.size() <= shared::kFanNodes) {
+        float step = nodes.back();
+        for (const float depth : depths) {
+            const float slope = 1.0f + far_blur - depth; // of its blur, which is linear in t
+            const float blur = nodes.back() * slope - (far_blur - depth);
+            const float grows = (ratio - 1.0f) * std::abs(blur), falls = grows / ratio;
+            step = std::min(step, std::max(finest, blur * slope > 0 ? falls : grows) / std::abs(slope));
+        }
+        const float next = nodes.back() - step;
+        nodes.push_back(next > kLastNode ? next : 0.0f);
+    }
+    return nodes;
+}
+
+// The first nodes at which no plane is nearly sharp.
+std::uint32_t small_nodes(const shared::Light& light, const std::vector<float>& depths,
+                          const std::vector<float>& nodes, float finest) {
+    std::uint32_t count = 0;
+    for (const float node : nodes) {
+        const shared::Focus focus = shared::focus_at(light, node, 0);
+        for (const float depth : depths)
+            if (shared::blur_of(light, focus, depth) < finest) return count;
+        ++count;
+    }
+    return count;
+}
+
+// The levels of a shaped beam: as many as there is room for.
+void set_nodes(shared::Fan& fan, const shared::Light& light) {
+    fan.levels = 1;
+    if (!(light.lens_radius_m > 0)) return;
+    const std::vector<float> depths = depths_of(light);
+    // What a level of the least size shows.
+    const float coarse = 2.0f * light.cut_radius / static_cast<float>(shared::kLeastFan);
+    for (float finest = fan.sharpest, ratio = kNodeRatio;; finest *= kCoarser, ratio *= kCoarser) {
+        const std::vector<float> nodes = nodes_of(light, depths, finest, ratio);
+        if (nodes.size() > shared::kFanNodes) continue;
+        const std::uint32_t small = small_nodes(light, depths, nodes, coarse);
+        if (nodes.size() - small > shared::kLargeNodes) continue;
+        fan.levels = static_cast<std::uint32_t>(nodes.size());
+        fan.halvings = small;
+        std::copy(nodes.begin(), nodes.end(), fan.node);
+        return;
+    }
 }
 
 } // namespace
@@ -76,6 +146,11 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
     fan.size = size_of(light, surrounds, pixels_per_rad);
     // Detail finer than a column would be cut into steps. The gobos' own levels of blur are used as they are.
     const float finest = std::max(2.0f * light.cut_radius / static_cast<float>(fan.size), light.edge);
+    if (light.shaped != 0) {
+        fan.sharpest = finest;
+        set_nodes(fan, light);
+        return fan;
+    }
     const float octaves = std::max(std::floor(std::log2(finest / shared::kGoboBlurUnit)), 0.0f);
     fan.sharpest = light.wheel_count > 0 ? shared::kGoboBlurUnit * std::exp2(octaves) : finest;
     fan.levels = 1;

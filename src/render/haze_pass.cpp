@@ -22,10 +22,13 @@ constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Fan);
 constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
+constexpr std::uint32_t kOfPlaces = 2;      // kFocus of gate.comp, for shaped beams
 
-// Rows of all levels.
-std::uint32_t rows_of(const shared::Fan& fan) {
-    return fan.levels == 0 ? shared::kFanWidth : shared::fan_left(fan, fan.levels);
+// Rows of all levels; of no light in particular: at most.
+std::uint32_t rows_of(const shared::Fan& fan, bool shaped) {
+    if (fan.levels == 0) return shaped ? shared::kFanNodes * shared::kFinestNode : shared::kFanWidth;
+    return shaped ? fan.halvings * shared::kLeastFan + (fan.levels - fan.halvings) * fan.size
+                  : shared::fan_left(fan, fan.levels);
 }
 
 // A bit more than half a texel of a distance map: what the edge of a shadow may be off. A whole texel costs
@@ -41,25 +44,31 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
     : settings_(settings), batch_size_(batch_size), distance_maps_(distance_maps) {
     const std::uint32_t single = batch_size == 1 ? 1 : 0;
     if (settings.beams != Beams::gate) {
-        for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
-            samples_[wheels] = std::make_unique<gpu::Program>(
+        for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
+            samples_[kind] = gpu::LateProgram(
                 device, shaders::kShader_haze,
                 std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kUniform},
-                std::vector{wheels, single, settings.uneven ? 1u : 0u});
+                std::vector{kind, single, settings.uneven ? 1u : 0u});
+            if (kind < shared::kPlanesClass) (void)samples_[kind].get();
+        }
         return;
     }
-    for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
-        fill_[wheels] = std::make_unique<gpu::Program>(device, shaders::kShader_fan,
-                                                       std::vector{kSampled, kUniform, kUniform, kStored},
-                                                       std::vector{wheels, single});
+    for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
+        fill_[kind] =
+            gpu::LateProgram(device, shaders::kShader_fan, std::vector{kSampled, kUniform, kUniform, kStored},
+                             std::vector{kind, single});
+        if (kind < shared::kPlanesClass) (void)fill_[kind].get();
+    }
     for (std::uint32_t focus = 0; focus < gate_.size(); ++focus)
         for (const std::uint32_t wide : {0u, 1u}) {
             if (wide == 1 && settings.most_wide_step == 1) continue;
-            (wide == 1 ? wide_gate_ : gate_)[focus] = std::make_unique<gpu::Program>(
+            gpu::LateProgram& gate = (wide == 1 ? wide_gate_ : gate_)[focus];
+            gate = gpu::LateProgram(
                 device, shaders::kShader_gate,
                 std::vector{kUniform, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kSampled,
                             kSampled, kUniform, kStorage, kStored, kStored},
                 std::vector{focus, single, distance_maps ? 1u : 0u, settings.uneven ? 1u : 0u, wide});
+            if (focus != kOfPlaces) (void)gate.get();
         }
     no_rays_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     no_lonely_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UINT, true, false});
@@ -68,8 +77,9 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
                                                      std::vector{kUniform, kUniform, kStored, kSampled},
                                                      std::vector{0u, single});
     // As many chunks as the relighter may draw in a frame (Relighter::Relighter).
-    fans_ = gpu::Buffer(device, (2 * std::uint64_t{light_count} + kClasses) * kAlign + kChunkBytes,
-                        gpu::Access::upload);
+    fans_ =
+        gpu::Buffer(device, (2 * std::uint64_t{light_count} + shared::kBeamClasses) * kAlign + kChunkBytes,
+                    gpu::Access::upload);
     const std::uint32_t layers = std::clamp(light_count, 1u, batch_size);
     // Sums in 0..1: 16 bits are enough, half floats are not (3 % in the narrowest segments).
     constexpr std::array kFormats{VK_FORMAT_R16G16B16A16_UNORM, VK_FORMAT_R32G32B32A32_SFLOAT};
@@ -104,7 +114,7 @@ void HazePass::record_samples(gpu::Commands& commands, const LightChunk& chunk) 
                              chunk.fragments.blocks, march_steps};
     commands.begin_span("haze");
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
-        commands.dispatch_indirect(*samples_[chunk.wheels], push,
+        commands.dispatch_indirect(samples_[chunk.beam_class].get(), push,
                                    {gpu::sampled(chunk.gobos), gpu::uniform(chunk.fragments.view),
                                     gpu::uniform(chunk.light_buffer, chunk.light_offset),
                                     gpu::storage(chunk.masks), gpu::storage(chunk.lists),
@@ -119,6 +129,7 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     CHECK(fans_used_ + kChunkBytes <= fans_.bytes());
     const std::uint64_t offset = fans_used_;
     auto* fans = reinterpret_cast<shared::Fan*>(static_cast<std::uint8_t*>(fans_.mapped()) + offset);
+    const bool shaped = chunk.beam_class >= shared::kPlanesClass;
     bool focus = false;
     for (std::uint32_t k = 0; k < chunk.count(); ++k) {
         const shared::Fan fan =
@@ -142,11 +153,11 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
         const std::uint32_t first = push.batch * batch_size_;
         const std::uint32_t lights = std::min(batch_size_, chunk.count() - first);
-        const std::uint32_t rows = rows_of(batch_size_ == 1 ? fans[first] : shared::Fan{});
+        const std::uint32_t rows = rows_of(batch_size_ == 1 ? fans[first] : shared::Fan{}, shaped);
         const std::uint32_t shade_rows =
             batch_size_ == 1 ? shared::fan_shade_side(fans[first]) : shared::kFinestFan;
         commands.begin_span("fan");
-        commands.dispatch(*fill_[chunk.wheels], shared::FanPush{first},
+        commands.dispatch(fill_[chunk.beam_class].get(), shared::FanPush{first},
                           {gpu::sampled(chunk.gobos), gpu::uniform(chunk.light_buffer, chunk.light_offset),
                            gpu::uniform(fans_, offset), gpu::stored(table_)},
                           (rows + kRowsPerGroup - 1) / kRowsPerGroup, lights);
@@ -159,7 +170,7 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
         commands.barrier();
         commands.begin_span("gate");
         commands.dispatch_indirect(
-            *(chunk.wide ? wide_gate_ : gate_)[focus ? 1 : 0], push,
+            (chunk.wide ? wide_gate_ : gate_)[shaped ? kOfPlaces : (focus ? 1u : 0u)].get(), push,
             {gpu::uniform(chunk.fragments.view), gpu::uniform(chunk.light_buffer, chunk.light_offset),
              gpu::uniform(fans_, offset), gpu::storage(chunk.masks), gpu::storage(chunk.lists),
              gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn), gpu::sampled(table_),

@@ -6,6 +6,7 @@
 
 #include "render/light_chunk.h"
 #include "render/quality.h"
+#include "shared/optics.h"
 
 #include <array>
 #include <memory>
@@ -49,9 +50,8 @@ private:
 
     HazeSettings settings_;
     std::uint32_t batch_size_;
-    static constexpr std::uint32_t kClasses = 3; // 0, 1, 2 gobo wheels
-    std::array<std::unique_ptr<gpu::Program>, kClasses> samples_, fill_;
-    std::array<std::unique_ptr<gpu::Program>, 2> gate_, wide_gate_; // without and with focus
+    std::array<gpu::LateProgram, shared::kBeamClasses> samples_, fill_;
+    std::array<gpu::LateProgram, 3> gate_, wide_gate_; // by kFocus of gate.comp
     std::unique_ptr<gpu::Program> shade_fill_;
     const gpu::Texture* distance_maps_;
     gpu::Buffer fans_;

@@ -70,7 +70,8 @@ bool lens_in_view(const scene::Face& face, const shared::View& view, const LensS
         vec2(glm::dot(apex_m, light.axis_u), glm::dot(apex_m, light.axis_v)) / (z * light.tan_field);
     const float lens_blur =
         light.lens_radius_m * (z * light.focus_per_m - 1.0f) / (light.lens_radius_m + z * light.tan_field);
-    const bool in_beam = !face.glows && glm::length(gate) < light.cut_radius + std::abs(lens_blur);
+    const bool in_beam =
+        !face.glows && !face.split && glm::length(gate) < light.cut_radius + std::abs(lens_blur);
     if (!in_beam && largest(light.bounce_cd) * stray_cd <= 0) return false;
 
     // The picture of the disc: an ellipse, by the derivatives of the projection at its centre.
@@ -130,13 +131,16 @@ bool lens_in_view(const scene::Face& face, const shared::View& view, const LensS
 LensPass::LensPass(const gpu::Device& device, const LensSettings& settings)
     : device_(device), settings_(settings) {
     if (!settings.on) return;
-    for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
-        program_[wheels] = std::make_unique<gpu::Program>(
-            device, shaders::kShader_lens, std::vector{kSampled, kUniform, kStorage, kStored, kStored},
-            std::vector{wheels});
+    for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
+        program_[kind] =
+            gpu::LateProgram(device, shaders::kShader_lens,
+                             std::vector{kSampled, kUniform, kStorage, kStored, kStored}, std::vector{kind});
+        if (kind < shared::kPlanesClass) (void)program_[kind].get();
+    }
 }
 
-void LensPass::add_chunk(const std::vector<LensInView>& seen, std::uint32_t wheels, std::uint32_t blocks_x) {
+void LensPass::add_chunk(const std::vector<LensInView>& seen, std::uint32_t beam_class,
+                         std::uint32_t blocks_x) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> lenses_of; // of a block
     for (std::uint32_t k = 0; k < seen.size(); ++k) {
         const LensInView& one = seen[k];
@@ -150,7 +154,7 @@ void LensPass::add_chunk(const std::vector<LensInView>& seen, std::uint32_t whee
                 lenses_of[y * blocks_x + x].push_back(k);
     }
     lens_values_.resize((lens_values_.size() + kChunkStart - 1) / kChunkStart * kChunkStart);
-    Chunk chunk{wheels, static_cast<std::uint32_t>(lens_values_.size()),
+    Chunk chunk{beam_class, static_cast<std::uint32_t>(lens_values_.size()),
                 static_cast<std::uint32_t>(list_values_.size()),
                 static_cast<std::uint32_t>(lenses_of.size())};
     for (const LensInView& one : seen) lens_values_.push_back(one.lens);
@@ -184,26 +188,26 @@ void LensPass::record(gpu::Commands& commands, const Fragments& fragments, const
     drawn_ = 0;
     brightest_ = 0;
     const std::uint32_t blocks_x = (view.width + shared::kLensBlockWidth - 1) / shared::kLensBlockWidth;
-    for (std::uint32_t wheels = 0; settings_.on && wheels < kClasses; ++wheels) {
+    for (std::uint32_t kind = 0; settings_.on && kind < shared::kBeamClasses; ++kind) {
         std::vector<LensInView> seen;
         for (const scene::Face& face : faces) {
             LensInView one;
-            if (face.light.wheel_count != wheels || !lens_in_view(face, view, settings_, one)) continue;
+            if (shared::beam_class(face.light) != kind || !lens_in_view(face, view, settings_, one)) continue;
             brightest_ += one.brightest;
             seen.push_back(one);
             ++drawn_;
             if (seen.size() < shared::kLensesPerChunk) continue;
-            add_chunk(seen, wheels, blocks_x);
+            add_chunk(seen, kind, blocks_x);
             seen.clear();
         }
-        if (!seen.empty()) add_chunk(seen, wheels, blocks_x);
+        if (!seen.empty()) add_chunk(seen, kind, blocks_x);
     }
     if (chunks_.empty()) return;
     upload();
     commands.begin_span("lenses");
     for (const Chunk& chunk : chunks_) {
         const shared::LensPush push{view.eye_m, blocks_x, view.width, view.height, chunk.first_block};
-        commands.dispatch(*program_[chunk.wheels], push,
+        commands.dispatch(program_[chunk.beam_class].get(), push,
                           {gpu::sampled(gobos),
                            gpu::uniform(lenses_, chunk.first_lens * sizeof(shared::Lens)),
                            gpu::storage(list_), gpu::stored(fragments.places), gpu::stored(frame)},

@@ -9,6 +9,7 @@
 #include "gpu/texture.h"
 #include "render/fragments.h"
 #include "scene/lit.h"
+#include "shared/optics.h"
 #include "shared/glare.h"
 #include "shared/types.h"
 
@@ -55,18 +56,17 @@ public:
 
 private:
     struct Chunk {
-        std::uint32_t wheels = 0;
+        std::uint32_t beam_class = 0;
         std::uint32_t first_lens = 0;
         std::uint32_t first_block = 0; // in the list
         std::uint32_t blocks = 0;
     };
-    void add_chunk(const std::vector<LensInView>& seen, std::uint32_t wheels, std::uint32_t blocks_x);
+    void add_chunk(const std::vector<LensInView>& seen, std::uint32_t beam_class, std::uint32_t blocks_x);
     void upload();
 
     const gpu::Device& device_;
     LensSettings settings_;
-    static constexpr std::uint32_t kClasses = 3; // 0, 1, 2 gobo wheels
-    std::array<std::unique_ptr<gpu::Program>, kClasses> program_;
+    std::array<gpu::LateProgram, shared::kBeamClasses> program_;
     gpu::Buffer lenses_, list_;
     float brightest_ = 0;
     int drawn_ = 0;

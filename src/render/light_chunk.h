@@ -17,8 +17,8 @@
 namespace ghost::render {
 
 struct LightChunk {
-    const std::vector<shared::Light>& lights; // all with the same number of wheels
-    std::uint32_t wheels;
+    const std::vector<shared::Light>& lights; // all of one class
+    std::uint32_t beam_class;                 // shared::beam_class
     const Fragments& fragments;
     const gpu::Texture& gobos;
     const gpu::Texture& drawn;

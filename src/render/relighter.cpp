@@ -38,10 +38,11 @@ std::uint32_t batch_size(const gpu::Device& device, const Settings& settings) {
 }
 
 bool same_faces(const std::vector<scene::Face>& a, const std::vector<scene::Face>& b) {
-    return std::equal(
-        a.begin(), a.end(), b.begin(), b.end(), [](const scene::Face& one, const scene::Face& other) {
-            return one.glows == other.glows && std::memcmp(&one.light, &other.light, sizeof one.light) == 0;
-        });
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const scene::Face& one, const scene::Face& other) {
+                          return one.glows == other.glows && one.split == other.split &&
+                                 std::memcmp(&one.light, &other.light, sizeof one.light) == 0;
+                      });
 }
 
 } // namespace
@@ -96,8 +97,8 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
         wide_ = std::make_unique<WideBeams>(device, fragments().width, fragments().height);
     // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
     // begins a chunk.
-    const std::uint64_t draws = 2 * static_cast<std::uint64_t>(light_count) + kClasses;
-    lights_ = gpu::Buffer(device, draws * kChunkAlign + kChunkBytes, gpu::Access::upload);
+    const std::uint64_t draws = 2 * static_cast<std::uint64_t>(light_count) + shared::kBeamClasses;
+    lights_ = gpu::Buffer(device, draws * kLightRoom + kChunkBytes, gpu::Access::upload);
     upload(gobos, batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1);
     make_images();
 }
@@ -109,12 +110,13 @@ void Relighter::make_surface_programs() {
         bindings.insert(bindings.end(), {kSampled, kStored, kStored, kUniform, kSampled});
     else
         bindings.push_back(kUniform);
-    for (std::uint32_t wheels = 0; wheels < kClasses; ++wheels)
-        surface_[wheels] =
-            g_buffer_ ? std::make_unique<gpu::Program>(device_, shaders::kShader_surface_live, bindings,
-                                                       std::vector{wheels, single, distances_ ? 1u : 0u})
-                      : std::make_unique<gpu::Program>(device_, shaders::kShader_surface, bindings,
-                                                       std::vector{wheels, single});
+    for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
+        surface_[kind] = g_buffer_
+                             ? gpu::LateProgram(device_, shaders::kShader_surface_live, bindings,
+                                                {kind, single, distances_ ? 1u : 0u})
+                             : gpu::LateProgram(device_, shaders::kShader_surface, bindings, {kind, single});
+        if (kind < shared::kPlanesClass) (void)surface_[kind].get();
+    }
 }
 
 shared::Air even_air() {

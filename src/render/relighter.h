@@ -21,6 +21,7 @@
 #include "scene/lit.h"
 #include "scene/passes.h"
 #include "shared/air.h"
+#include "shared/optics.h"
 #include "shared/gobos.h"
 #include "shared/push.h"
 #include "shared/types.h"
@@ -109,7 +110,7 @@ private:
     void make_images();
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
     int mend(int slot, const std::vector<shared::Light>& lights);
-    void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels, bool wide);
+    void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
     void record_surfaces(const LightChunk& chunk);
     void develop(const std::vector<scene::Face>& faces);
     const Fragments& fragments() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
@@ -129,11 +130,13 @@ private:
     std::vector<scene::Face> last_faces_;
     std::uint64_t lights_used_ = 0; // bytes of lights_, in this frame
 
-    static constexpr std::uint32_t kClasses = 3;      // 0, 1, 2 gobo wheels
     static constexpr std::uint64_t kChunkAlign = 256; // offset of a uniform buffer, at most, on every device
+    // Room that a light takes where it begins a chunk.
+    static constexpr std::uint64_t kLightRoom =
+        (sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
     static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
     gpu::Program cull_, sum_, bounce_, fold_, meter_, develop_;
-    std::array<std::unique_ptr<gpu::Program>, kClasses> surface_;
+    std::array<gpu::LateProgram, shared::kBeamClasses> surface_;
     HazePass haze_;
     std::unique_ptr<WideBeams> wide_; // null: HazeSettings::most_wide_step is 1
     std::uint32_t wide_step_ = 1;

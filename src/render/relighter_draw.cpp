@@ -8,6 +8,15 @@
 #include <utility>
 
 namespace ghost::render {
+namespace {
+
+// Facets of prisms that are not in the beam, and lamps that are out.
+bool is_dark(const shared::Light& light) {
+    return light.intensity_cd == glm::vec3(0.0f) && light.bounce_cd == glm::vec3(0.0f);
+}
+
+} // namespace
+
 void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights) {
     if (!sum.lights.empty()) {
         commands_.begin_span("clear");
@@ -24,20 +33,21 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
     });
     if (any_wide && !std::exchange(wide_prepared_, true)) wide_->prepare(commands_, f, wide_step_);
     if (any_wide) commands_.clear(wide_->rays());
-    // Lights with the same number of gobo wheels share a shader that has just these.
-    for (std::uint32_t kind = 0; kind < (any_wide ? 2 : 1) * kClasses; ++kind) {
-        const std::uint32_t wheels = kind % kClasses;
+    // Lights of a class share a shader that has just what is in their gates.
+    for (std::uint32_t kind = 0; kind < (any_wide ? 2 : 1) * shared::kBeamClasses; ++kind) {
+        const std::uint32_t beam_class = kind % shared::kBeamClasses;
+        const bool is_wide = kind >= shared::kBeamClasses;
         std::vector<shared::Light> chunk;
         for (const int index : sum.lights) {
             const shared::Light& light = lights[static_cast<std::size_t>(index)];
-            if (light.wheel_count != wheels || wide(light) != (kind >= kClasses)) continue;
+            if (is_dark(light) || shared::beam_class(light) != beam_class || wide(light) != is_wide) continue;
             chunk.push_back(light);
             if (chunk.size() == shared::kLightsPerChunk) {
-                draw_lights(chunk, wheels, kind >= kClasses);
+                draw_lights(chunk, beam_class, is_wide);
                 chunk.clear();
             }
         }
-        if (!chunk.empty()) draw_lights(chunk, wheels, kind >= kClasses);
+        if (!chunk.empty()) draw_lights(chunk, beam_class, is_wide);
     }
     if (any_wide) wide_->spread(commands_, drawn_);
     const gpu::Buffer& tile_list =
@@ -71,7 +81,7 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
     }
 }
 
-void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t wheels, bool wide) {
+void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide) {
     const std::uint64_t offset = lights_used_;
     const std::uint64_t bytes = lights.size() * sizeof(shared::Light);
     CHECK(offset + kChunkBytes <= lights_.bytes());
@@ -79,7 +89,7 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
     lights_used_ += (bytes + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
 
     const LightChunk chunk{lights,
-                           wheels,
+                           beam_class,
                            fragments(),
                            gobos_,
                            drawn_,
@@ -141,7 +151,7 @@ void Relighter::record_surfaces(const LightChunk& chunk) {
     commands_.begin_span("surfaces");
     shared::RelightPush push{chunk.count(), 0, f.tiles_x, chunk.tiles(), f.blocks, 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
-        commands_.dispatch_indirect(*surface_[chunk.wheels], push, bindings, groups_,
+        commands_.dispatch_indirect(surface_[chunk.beam_class].get(), push, bindings, groups_,
                                     chunk.surface_groups(push.batch));
         commands_.barrier();
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/emitters.h"
 
+#include "scene/prism.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -252,6 +254,7 @@ Emitters emitters_of(const fixture::Type& type, const fixture::Mode& mode) {
         vec3 anchor_m(0.0f);
         for (std::size_t k = 0; k < part.size(); ++k) {
             light.beams.push_back(cell_of(part[k]).beam);
+            light.copies = std::max(light.copies, most_copies(type, mode, cell_of(part[k]).beam));
             anchor_m += light.weights[k] * cell_of(part[k]).anchor_m;
         }
         // Exactly the pivot, where that is what all have.

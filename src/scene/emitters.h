@@ -25,6 +25,7 @@ struct Emitter {
     std::vector<int> beams;     // Mode::beams: its cells, in their order; never empty
     std::vector<float> weights; // of each cell: share of the lumens of all, which add up to 1
     int place = 0;              // Emitters::places_m
+    int copies = 1;             // lights that its prisms may need (prism.h)
 };
 
 struct Emitters {

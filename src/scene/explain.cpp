@@ -125,6 +125,8 @@ Reason several(const BeamFacts& beam) {
     add("mixed colour", beam.mix);
     add("emitters", beam.emitters);
     add("gobo", beam.gobo);
+    add("animation wheel", beam.animation);
+    add("blades", beam.blades);
     add("other optics", beam.rest);
     std::string product = parts.empty() ? "what it gives" : parts[0];
     for (std::size_t i = 1; i < parts.size(); ++i) product += " x " + parts[i];

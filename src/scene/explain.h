@@ -142,7 +142,10 @@ struct BeamFacts {
     float emitters = 1;
     float iris = 1;
     float gobo = 1;
-    float rest = 1; // what else there is
+    float animation = 1; // the animation wheel
+    float blades = 1;
+    float rest = 1;                  // what else there is
+    std::vector<std::string> optics; // what else is in the light: prisms, frost, blades ..., in words
     float axis_cd = 0;
     float beam_deg = 0, field_deg = 0; // full angles, 50 % and 10 %
     std::vector<WheelFacts> wheels;

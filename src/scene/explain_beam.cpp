@@ -4,10 +4,13 @@
 #include "scene/explain_parts.h"
 
 #include "scene/photometry.h"
+#include "scene/prism.h"
 #include "shared/beam.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 namespace ghost::scene::explained {
 namespace {
@@ -80,6 +83,54 @@ WheelFacts wheel_facts(const fixture::Type& type, const WheelState& state, bool 
     return facts;
 }
 
+// "'6F linear' of wheel 'Prism'", or nothing where the file names no slot.
+std::string slot_text(const fixture::Type& type, const fixture::Insert& insert) {
+    if (insert.wheel < 0) return "";
+    const fixture::Wheel& wheel = item(type.wheels, insert.wheel);
+    if (insert.slot < 0 || static_cast<std::size_t>(insert.slot) >= wheel.slots.size()) return "";
+    return " '" + item(wheel.slots, insert.slot).name + "'";
+}
+
+// What shapes the beam besides wheels of colours and gobos, in the order of the light's way.
+std::vector<std::string> optics_text(const fixture::Type& type, const Optics& now) {
+    std::vector<std::string> texts;
+    const auto way = [](float in) {
+        return in < 0.999f ? ", " + percent(in) + " of the way in" : std::string();
+    };
+    const auto turn = [](const fixture::Insert& insert) {
+        return insert.rotating ? ", turning at " + number(static_cast<double>(insert.deg_s), 1) + " deg/s"
+                               : std::string();
+    };
+    for (const fixture::Insert& disc : now.animations)
+        if (disc.in > 1e-3f)
+            texts.push_back("animation wheel " + std::to_string(disc.number) + slot_text(type, disc) +
+                            way(disc.in) + turn(disc));
+    if (now.iris_hz > 0.0f)
+        texts.push_back("the iris pulses at " + number(static_cast<double>(now.iris_hz), 1) + " Hz");
+    constexpr std::array kSides{"top", "right", "bottom", "left"};
+    std::vector<std::string> blades;
+    for (std::size_t k = 0; k < std::min(now.blades.size(), kSides.size()); ++k) {
+        const fixture::Blade& blade = now.blades[k];
+        if (std::max(blade.a, blade.b) <= 1e-3f) continue;
+        blades.push_back(
+            std::string(kSides[k]) + " " + percent(blade.a) +
+            (blade.a != blade.b ? " to " + percent(blade.b) : "") +
+            (blade.deg != 0.0f ? " turned " + number(static_cast<double>(blade.deg), 1) + " deg" : ""));
+    }
+    if (!blades.empty()) texts.push_back("blades in: " + joined(blades));
+    const std::vector<Copy> copies = copies_of(type, now, kMostCopies);
+    for (const fixture::Insert& prism : now.prisms)
+        if (prism.in > 1e-3f)
+            texts.push_back("prism " + std::to_string(prism.number) + slot_text(type, prism) + way(prism.in) +
+                            turn(prism) + ": " + std::to_string(copies.size()) + " pictures" +
+                            (now.prisms.size() > 1 ? " of all prisms" : ""));
+    if (now.frost > 1e-3f)
+        texts.push_back("frost " + percent(now.frost) + ": scatters by " +
+                        number(static_cast<double>(now.frost * now.frost_full_deg), 2) +
+                        " deg (standard deviation)");
+    return texts;
+}
+
 // The dimmer nearest to the beam, and what stands above it.
 void split_dimmers(const fixture::Mode& mode, std::size_t beam, const std::vector<ChannelFacts>& channels,
                    float all, BeamFacts& facts) {
@@ -142,9 +193,9 @@ float output_lm(const shared::Light& light, const GoboStack& gobos) {
                           .cut_radius = light.cut_radius};
     double lumens = static_cast<double>(glm::dot(light.intensity_cd, kLuminance) *
                                         beam_solid_angle(profile, light.iris_radius));
-    if (light.wheel_count > 0 || light.split < shared::kNoSplit) {
+    if (light.wheel_count > 0 || light.shaped != 0 || light.split < shared::kNoSplit) {
         shared::Light plain = light;
-        plain.wheel_count = 0;
+        plain.wheel_count = plain.shaped = 0;
         plain.split = shared::kNoSplit;
         plain.colour_b = glm::vec3(1.0f);
         const double all = sum_of_gate(plain, gobos);
@@ -199,6 +250,12 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
         facts.emitters = shares.with([&](Optics& optics) { optics.emitters = now.emitters; });
     facts.iris = shares.with([&](Optics& optics) { optics.iris = now.iris; });
     facts.gobo = shares.with([&](Optics& optics) { optics.gobo_wheels = now.gobo_wheels; });
+    facts.animation = shares.with([&](Optics& optics) { optics.animations = now.animations; });
+    facts.blades = shares.with([&](Optics& optics) {
+        optics.blades = now.blades;
+        optics.shaper_deg = now.shaper_deg;
+    });
+    facts.optics = optics_text(type, now);
     for (const WheelState& wheel : now.color_wheels) {
         facts.wheels.push_back(wheel_facts(type, wheel, true));
         facts.wheels.back().share = shares.with([&](Optics& optics) { optics.color_wheels = {wheel}; });
@@ -209,14 +266,14 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
     }
     const float known = now.lamp * now.dimmer * facts.shutter * facts.strobe * facts.colour *
                         facts.correction * facts.mix * facts.emitters * facts.iris * facts.gobo *
-                        facts.full_lm;
+                        facts.animation * facts.blades * facts.full_lm;
     facts.rest = known > 1e-4f * facts.full_lm ? facts.output_lm / known : 1.0f;
 
     const fixture::Beam& source = *item(type.geometries, state.geometry).beam;
     facts.field_deg = now.zoom_deg;
     facts.beam_deg = now.zoom_deg * source.beam_angle_deg / std::max(source.field_angle_deg, 0.01f);
     shared::Light plain = light;
-    plain.wheel_count = 0;
+    plain.wheel_count = plain.shaped = 0;
     const float z = 1.0f / std::max(light.focus_per_m, 1e-4f);
     facts.axis_cd = facts.gobo * glm::dot(shared::beam_candela(plain, {0, 0, z}, gobos.images), kLuminance);
     facts.direction = light.axis_w;

@@ -52,7 +52,7 @@ void look(const ExplainInput& input, const shared::Light& light, BeamFacts& fact
         hit.distance_m = seen.distance_m - light.lens_m;
         hit.position_m = light.position_m + light.axis_w * seen.distance_m;
         shared::Light plain = light;
-        plain.wheel_count = 0;
+        plain.wheel_count = plain.shaped = 0;
         const float axis_cd =
             facts.gobo *
             glm::dot(shared::beam_candela(plain, {0, 0, seen.distance_m}, input.gobos.images), kLuminance);

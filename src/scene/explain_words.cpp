@@ -148,6 +148,8 @@ std::string light_text(const BeamFacts& beam) {
     add("emitters", beam.emitters, false);
     add("iris", beam.iris, false);
     add("gobo", beam.gobo, false);
+    add("animation wheel", beam.animation, false);
+    add("blades", beam.blades, false);
     add("other optics", beam.rest, false);
     return text + " = " + number(static_cast<double>(beam.output_lm), beam.output_lm < 10.0f ? 2 : 0) +
            " of " + number(static_cast<double>(beam.full_lm)) + " lm";
@@ -198,6 +200,7 @@ std::string beam_lines(const Explanation& explanation) {
     std::string text = row("light", light_text(beam));
     for (std::size_t i = 0; i < beam.wheels.size(); ++i)
         text += row(i == 0 ? "wheels" : "", wheel_text(beam.wheels[i]));
+    for (std::size_t i = 0; i < beam.optics.size(); ++i) text += row(i == 0 ? "optics" : "", beam.optics[i]);
     text += row("beam", number(static_cast<double>(beam.beam_deg), 1) + " deg at half, field " +
                             number(static_cast<double>(beam.field_deg), 1) + " deg, " +
                             number(static_cast<double>(beam.axis_cd)) + " cd in the middle");

@@ -20,6 +20,7 @@ namespace ghost::scene {
 struct Face {
     shared::Light light;
     bool glows = false;
+    bool split = false; // by a prism: its beam is seen in the faces of the facets, after those of all beams
 };
 
 struct Lit {

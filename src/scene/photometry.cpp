@@ -13,6 +13,7 @@ constexpr float kMinAngleDeg = 0.1f;
 constexpr float kMaxAngleDeg = 170.0f;
 constexpr float kMaxPower = 10.0f; // equal beam and field angle: nearly flat
 constexpr int kSteps = 512;
+constexpr float kFrostEnd = 9.0f; // halvings of the peak where a frosted beam ends
 
 float tan_half(float angle_deg) {
     return std::tan(angle_deg * 0.5f * shared::kPi / 180.0f);
@@ -43,6 +44,29 @@ Profile make_profile(float beam_angle_deg, float field_angle_deg, bool hard_edge
     return profile;
 }
 
+Profile frosted(const Profile& profile, float aperture, float sigma) {
+    if (!(sigma > 0.0f)) return profile;
+    // Radii of 50 and 10 % of a Gaussian, and how far a straight edge reaches to 10 %, in sigmas.
+    constexpr float k50 = 1.17741f, k10 = 2.14597f, kEdge10 = 1.28155f;
+    const float p = profile.power;
+    const float r50 = std::min(std::pow(profile.scale, -0.5f / p), aperture);
+    const float r10 = std::min(std::pow(std::log2(10.0f) / profile.scale, 0.5f / p), aperture);
+    const float wide50 = std::sqrt(r50 * r50 + k50 * k50 * sigma * sigma);
+    const float share = sigma / (sigma + 0.5f * r50); // of a Gaussian in the shape of the edge
+    const float edge10 = std::max(kEdge10 + (k10 - k50 - kEdge10) * share, k10 - k50) * sigma;
+    const float wide10 = wide50 + std::sqrt((r10 - r50) * (r10 - r50) + edge10 * edge10);
+    Profile result = profile;
+    result.power =
+        std::clamp(0.5f * std::log(std::log2(10.0f)) / std::log(wide10 / wide50), 0.25f, kMaxPower);
+    result.scale = std::pow(wide50, -2.0f * result.power);
+    // A disc of twice the radius spreads as far.
+    result.edge = profile.edge + 2.0f * sigma;
+    const float end = std::pow(kFrostEnd / result.scale, 0.5f / result.power);
+    result.cut_radius = std::max({end, 2.0f * result.edge, wide10 + result.edge});
+    result.aperture = result.cut_radius - result.edge;
+    return result;
+}
+
 float beam_solid_angle(const Profile& profile, float aperture) {
     // In gate radii: dOmega = 2 pi r tan^2 / (1 + r^2 tan^2)^(3/2) dr.
     const double tan2 = static_cast<double>(profile.tan_field) * static_cast<double>(profile.tan_field);
@@ -66,14 +90,22 @@ float peak_candela(const Profile& profile, float flux_lm) {
 }
 
 const MeasuredProfile& ProfileTable::find(float beam_angle_deg, float field_angle_deg, bool hard_edge,
-                                          float iris) {
+                                          float iris, float frost_deg) {
     const auto [entry, is_new] =
-        found_.try_emplace({beam_angle_deg, field_angle_deg, hard_edge ? 1.0f : 0.0f, iris});
+        found_.try_emplace({beam_angle_deg, field_angle_deg, hard_edge ? 1.0f : 0.0f, iris, frost_deg});
     MeasuredProfile& measured = entry->second;
     if (is_new) {
         measured.profile = make_profile(beam_angle_deg, field_angle_deg, hard_edge);
         measured.open_sr = beam_solid_angle(measured.profile, measured.profile.aperture);
-        measured.iris_sr = beam_solid_angle(measured.profile, measured.profile.aperture * iris);
+        measured.aperture = measured.profile.aperture * iris;
+        measured.iris_sr = beam_solid_angle(measured.profile, measured.aperture);
+        measured.sent_sr = measured.iris_sr;
+        if (frost_deg > 0.0f) {
+            const float sigma = std::tan(frost_deg * shared::kPi / 180.0f) / measured.profile.tan_field;
+            measured.profile = frosted(measured.profile, measured.aperture, sigma);
+            measured.aperture = measured.profile.aperture;
+            measured.sent_sr = beam_solid_angle(measured.profile, measured.aperture);
+        }
     }
     return measured;
 }

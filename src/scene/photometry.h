@@ -24,6 +24,11 @@ struct Profile {
 // spots and profiles, whose field stop cuts the light at the field angle; otherwise it fades out softly.
 Profile make_profile(float beam_angle_deg, float field_angle_deg, bool hard_edge);
 
+// What a frost makes of it, which scatters light by angles of this standard deviation (gate units): wider,
+// softer, and blurred alike in all planes of the gate. aperture: gate radius that the iris leaves open. Exact
+// for a profile that is a Gaussian; its solid angle says by how much it is dimmer.
+Profile frosted(const Profile& profile, float aperture, float sigma);
+
 // Candela on the axis of an open beam of this profile that carries flux_lm.
 float peak_candela(const Profile& profile, float flux_lm);
 
@@ -35,17 +40,20 @@ float beam_solid_angle(const Profile& profile, float aperture);
 // of a rig are alike: a table gives the same numbers, each found once.
 struct MeasuredProfile {
     Profile profile;
-    float open_sr = 0; // beam_solid_angle
-    float iris_sr = 0; // behind the iris
+    float open_sr = 0;  // beam_solid_angle, without iris and frost
+    float iris_sr = 0;  // behind the iris
+    float sent_sr = 0;  // of the profile, behind iris and frost
+    float aperture = 1; // gate radius that is left open
 };
 
 class ProfileTable {
 public:
-    // iris: share of the open aperture.
-    const MeasuredProfile& find(float beam_angle_deg, float field_angle_deg, bool hard_edge, float iris);
+    // iris: share of the open aperture; frost_deg: standard deviation of the angle of its scatter.
+    const MeasuredProfile& find(float beam_angle_deg, float field_angle_deg, bool hard_edge, float iris,
+                                float frost_deg = 0.0f);
 
 private:
-    std::map<std::array<float, 4>, MeasuredProfile> found_;
+    std::map<std::array<float, 5>, MeasuredProfile> found_;
 };
 
 } // namespace ghost::scene

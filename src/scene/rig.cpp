@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "scene/aim.h"
+#include "scene/prism.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,41 @@ Emitters apart(const Emitters& emitters) {
     Emitters result = emitters;
     result.lights.clear();
     for (const Emitter& emitter : emitters.lights)
-        for (const int beam : emitter.beams) result.lights.push_back({{beam}, {1.0f}, emitter.place});
+        for (const int beam : emitter.beams)
+            result.lights.push_back({{beam}, {1.0f}, emitter.place, emitter.copies});
     return result;
+}
+
+// The lights of an emitter: as many as its prisms may ever need, dark ones among them. What the camera sees
+// in its lens, where a prism splits it, is added to the faces.
+std::vector<shared::Light> split_light(const shared::Light& light, const Emitter& emitter,
+                                       const fixture::Type& type, const fixture::State& state,
+                                       std::vector<Face>& faces, std::vector<Face>& facets) {
+    std::vector<shared::Light> lights{light};
+    if (emitter.copies == 1) return lights;
+    const auto beam = static_cast<std::size_t>(emitter.beams.front());
+    const std::vector<Copy> copies = copies_of(type, state.beams[beam].optics, emitter.copies);
+    shared::Light dark = light;
+    dark.intensity_cd = dark.bounce_cd = glm::vec3(0.0f);
+    dark.wheel_count = dark.shaped = 0;
+    // Dark lights never change: they are drawn once.
+    dark.axis_u = {1, 0, 0};
+    dark.axis_v = {0, -1, 0};
+    dark.axis_w = {0, 0, -1};
+    lights.assign(static_cast<std::size_t>(emitter.copies), dark);
+    if (copies.size() == 1) {
+        lights.front() = light;
+        return lights;
+    }
+    for (std::size_t k = 0; k < copies.size(); ++k) lights[k] = copied(light, copies[k]);
+    faces[beam].split = true;
+    for (const Copy& copy : copies) {
+        Face& facet = facets.emplace_back(faces[beam]);
+        facet.split = false;
+        facet.light = copied(facet.light, copy);
+        facet.light.bounce_cd = glm::vec3(0.0f);
+    }
+    return lights;
 }
 
 } // namespace
@@ -125,6 +159,7 @@ Rig::Between Rig::between(std::size_t index) const {
 
 Lit Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) const {
     Lit lit;
+    std::vector<Face> facets;
     ProfileTable profiles;
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const PatchedFixture& fixture = show_.fixtures[i];
@@ -132,24 +167,27 @@ Lit Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) cons
         const Between track = between(i);
         const Hung hung = track.hung(track.stop_m, track.next_m);
         const Emitters emitters = cells == Cells::apart ? apart(*emitters_[i]) : *emitters_[i];
-        const std::vector<Face> faces =
-            faces_of(*fixture.type, states_[i].beams, emitters, hung, gobos, profiles);
+        std::vector<Face> faces = faces_of(*fixture.type, states_[i].beams, emitters, hung, gobos, profiles);
         const auto stop = static_cast<int>(track.share < 0.5f ? track.stop : track.next);
         std::vector<int> map_of;
         for (int place = 0; place < static_cast<int>(emitters.places_m.size()); ++place)
             map_of.push_back(maps.find(fixture.name, stop, place));
         for (const Emitter& emitter : emitters.lights) {
-            lit.lights.push_back(light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung)));
-            lit.lights.back().map =
-                static_cast<std::uint32_t>(map_of[static_cast<std::size_t>(emitter.place)] + 1);
+            shared::Light light = light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung));
+            light.map = static_cast<std::uint32_t>(map_of[static_cast<std::size_t>(emitter.place)] + 1);
+            const std::vector<shared::Light> lights =
+                split_light(light, emitter, *fixture.type, states_[i], faces, facets);
+            lit.lights.insert(lit.lights.end(), lights.begin(), lights.end());
         }
         lit.faces.insert(lit.faces.end(), faces.begin(), faces.end());
     }
+    lit.faces.insert(lit.faces.end(), facets.begin(), facets.end());
     return lit;
 }
 
 Lit Rig::lit(const GoboStack& gobos, const Passes& passes) const {
     Lit lit;
+    std::vector<Face> facets;
     ProfileTable profiles;
     const auto dark_pass = static_cast<std::uint32_t>(passes.lights.size());
     for (std::size_t i = 0; i < patches_.size(); ++i) {
@@ -167,30 +205,34 @@ Lit Rig::lit(const GoboStack& gobos, const Passes& passes) const {
         const Between track = between(i);
         const Hung hung = track.hung(place_of(track.stop, track.stop_m), place_of(track.next, track.next_m));
         const Emitters& emitters = *emitters_[i];
-        const std::vector<Face> faces =
-            faces_of(*fixture.type, states_[i].beams, emitters, hung, gobos, profiles);
-        lit.faces.insert(lit.faces.end(), faces.begin(), faces.end());
+        std::vector<Face> faces = faces_of(*fixture.type, states_[i].beams, emitters, hung, gobos, profiles);
         for (const Emitter& emitter : emitters.lights) {
-            shared::Light light = light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung));
-            light.pass = pass_of(track.stop);
-            if (!fixture.track) {
-                lit.lights.push_back(light);
-                continue;
+            shared::Light whole = light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung));
+            whole.pass = pass_of(track.stop);
+            for (shared::Light& light :
+                 split_light(whole, emitter, *fixture.type, states_[i], faces, facets)) {
+                if (!fixture.track) {
+                    lit.lights.push_back(light);
+                    continue;
+                }
+                // Between two stops the surfaces cross-fade from one pass to the other; the air needs no
+                // pass.
+                shared::Light second = light;
+                second.pass = pass_of(track.next);
+                second.haze_samples = 0;
+                second.intensity_cd *= track.share;
+                second.bounce_cd *= track.share;
+                shared::Light first = light;
+                first.haze_samples = 0;
+                first.intensity_cd *= 1.0f - track.share;
+                first.bounce_cd *= 1.0f - track.share;
+                light.pass = dark_pass;
+                lit.lights.insert(lit.lights.end(), {first, second, light});
             }
-            // Between two stops the surfaces cross-fade from one pass to the other; the air needs no pass.
-            shared::Light second = light;
-            second.pass = pass_of(track.next);
-            second.haze_samples = 0;
-            second.intensity_cd *= track.share;
-            second.bounce_cd *= track.share;
-            shared::Light first = light;
-            first.haze_samples = 0;
-            first.intensity_cd *= 1.0f - track.share;
-            first.bounce_cd *= 1.0f - track.share;
-            light.pass = dark_pass;
-            lit.lights.insert(lit.lights.end(), {first, second, light});
         }
+        lit.faces.insert(lit.faces.end(), faces.begin(), faces.end());
     }
+    lit.faces.insert(lit.faces.end(), facets.begin(), facets.end());
     return lit;
 }
 

@@ -166,7 +166,7 @@ inline void read_blender_scene(const std::filesystem::path& folder, const std::s
     light.iris_radius = 2;
     light.edge = 1e-4f;
     light.focus_per_m = 0.1f;
-    light.wheel[0] = {1, 1, 0, 1, 0};
+    light.wheel[0] = {1, 1, 0, 1, 0, 0};
     light.wheel_count = 1;
     light.haze_samples = 10;
 

@@ -43,7 +43,23 @@ shared::Light random_light(std::mt19937& random, int layers) {
         const float turn = between(0, 6.28f);
         wheel.cosine = std::cos(turn);
         wheel.sine = std::sin(turn);
+        wheel.depth = between(-0.1f, 0.1f);
     }
+    if (unit(random) < 0.5f) return light;
+    light.shaped = unit(random) < 0.3f ? 1 : 2;
+    light.iris_depth = between(-0.1f, 0.1f);
+    light.wheel_count = static_cast<std::uint32_t>(between(0, 3.99f));
+    for (shared::Blade& blade : light.blade) {
+        const float turn = between(0, 6.28f);
+        blade = {{std::cos(turn), std::sin(turn)}, between(-0.5f, 2.0f), between(-0.1f, 0.1f)};
+    }
+    const float turn = between(0, 6.28f);
+    light.disc = {static_cast<std::uint32_t>(between(0, static_cast<float>(layers) - 0.01f)),
+                  std::cos(turn),
+                  std::sin(turn),
+                  {between(-1, 1), between(-1, 1)},
+                  between(0.2f, 1.0f),
+                  between(-0.1f, 0.1f)};
     return light;
 }
 

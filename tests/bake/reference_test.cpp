@@ -320,7 +320,7 @@ TEST(Reference, ConvergesAndIsRepeatable) {
     std::vector<shared::Light> lights = {spot({-3, 2, 6}, {0.5f, 5, 1}, 8, 0),
                                          spot({2, 11, 6}, {0, -6, 2}, 12, 1)};
     lights[1].wheel_count = 1;
-    lights[1].wheel[0] = {1, 0, 0, 1, 0};
+    lights[1].wheel[0] = {1, 0, 0, 1, 0, 0};
     for (shared::Light& light : lights) light.lens_m = 0.3f;
     const shared::Haze haze = even_haze(0.03f, 0.03f, 0.6f);
     const auto with = [&](int samples, int threads) {

@@ -96,6 +96,22 @@ struct View {
     double march_rms;
 };
 
+// Blades in planes of their own, one gobo, the iris: focused so that nothing but one plane is sharp.
+shared::Light shaped_light(const vec3& from, const vec3& to, float field_deg, bool gobo) {
+    shared::Light light = aimed_light(from, to, field_deg, 8000);
+    light.shaped = 2;
+    light.haze_samples = 10;
+    light.iris_depth = 0.05f;
+    if (gobo) put_gobo(light, 2, 20);
+    const float offsets[4] = {0.5f, 0.6f, 0.2f, 0.4f};
+    for (int k = 0; k < 4; ++k) {
+        const float turn = 0.2f - 1.5708f * static_cast<float>(k);
+        light.blade[k] = {
+            {-std::sin(turn), std::cos(turn)}, offsets[k], 0.07f + 0.005f * static_cast<float>(k)};
+    }
+    return light;
+}
+
 std::vector<View> views() {
     const auto wall = [](const vec3& eye, const vec3& target, float fov_deg) {
         return wall_passes(camera_at(eye, target, fov_deg, 45, 27), 6.0f);
@@ -142,6 +158,22 @@ std::vector<View> views() {
                    0.25,
                    0.03,
                    0.5});
+    all.push_back(
+        {"blades across", house, {shaped_light({-4, 2, 6}, {4, 2, 0.5f}, 30, false)}, 0.02, 0.3, 0.03, 0.5});
+    all.push_back({"blades and gobo across",
+                   house,
+                   {shaped_light({-4, 2, 6}, {4, 2, 0.5f}, 30, true)},
+                   0.02,
+                   0.35,
+                   0.03,
+                   0.6});
+    all.push_back({"blades into the camera",
+                   house,
+                   {shaped_light({1, 5, 6}, {0.5f, -12, 2}, 24, false)},
+                   0.2,
+                   1.8,
+                   0.02,
+                   0.1});
     return all;
 }
 
@@ -176,7 +208,9 @@ TEST_F(Haze, GateAgreesWithTheReference) {
         const double psnr_db = tone_mapped_psnr(gate, reference);
         std::printf("%-22s gate: bias %6.3f %%, rms %5.2f %% of the mean, tone-mapped PSNR %.1f dB\n",
                     view.name, 100 * difference.mean_bias, 100 * difference.rms, psnr_db);
-        EXPECT_LT(std::abs(difference.mean_bias), 0.003);
+        // Several pictures blurred each by itself: see docs/optics.md.
+        const bool mixed = view.lights[0].shaped != 0 && view.lights[0].wheel_count > 0;
+        EXPECT_LT(std::abs(difference.mean_bias), mixed ? 0.01 : 0.003);
         EXPECT_GE(psnr_db, 45.0);
     }
 }
@@ -189,6 +223,33 @@ TEST_F(Haze, ExtinctionAloneScattersNothing) {
     Relighter relighter(device(), view.passes, test_gobos(), 1, settings);
     relighter.draw(view.lights);
     for (const float value : relighter.frame().samples) ASSERT_EQ(value, 0.0f);
+}
+
+// Rays right before a wall that stands across the beam: what the air shows there, row by row, is the beam
+// that the wall shows.
+TEST_F(Haze, AirAndSurfaceAgreeAtTheWall) {
+    for (const bool gobo : {false, true}) {
+        const shared::Light light = shaped_light({0, 0, 3}, {0, 8, 3}, 24, gobo);
+        const scene::Passes passes =
+            wall_passes(camera_at({-6, 7.95f, 3}, {0, 7.95f, 3}, 34, 8, 96), 7.95f);
+        const image::ImageF air = drawn(passes, {light}, Beams::gate, 0),
+                            wall = rays_of(passes, {light}, 0.5f);
+        double air_all = 0, wall_all = 0, apart = 0;
+        for (int y = 0; y < 96; ++y) {
+            double air_row = 0, wall_row = 0;
+            for (int x = 3; x < 5; ++x) {
+                air_row += static_cast<double>(air.at(x, y)[1]);
+                wall_row += static_cast<double>(wall.at(x, y)[1]);
+            }
+            air_all += air_row;
+            wall_all += wall_row;
+            apart += std::abs(air_row - wall_row);
+        }
+        std::printf("air before the wall%s: %.2f %% of the wall's light, rows %.2f %% apart\n",
+                    gobo ? ", gobo" : "", 100 * air_all / wall_all, 100 * apart / wall_all);
+        EXPECT_NEAR(air_all / wall_all, 1.0, 0.01);
+        EXPECT_LT(apart / wall_all, gobo ? 0.1 : 0.01);
+    }
 }
 
 // What culling leaves out must be dark: every light alone, with the picture larger than one tile.

@@ -151,8 +151,10 @@ TEST_F(Lens, ShowsTheGoboWithTheLightOfTheBeam) {
         const glm::vec2 middle = glm::vec2(q) / (q.z * light.tan_field);
         const float blur = 0.1f * (q.z / focus_m - 1.0f) / (0.1f + q.z * light.tan_field);
         const auto gate_at = [&](const glm::vec2& place) {
-            return light.intensity_cd.y *
-                   shared::beam_gate(light, middle + blur * place, light.edge, test_gobos()).y;
+            return light.intensity_cd.y * shared::beam_gate(light, middle + blur * place,
+                                                            shared::even_focus(light, light.edge),
+                                                            test_gobos())
+                                              .y;
         };
         double sum = 0;
         int count = 0;

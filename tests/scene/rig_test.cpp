@@ -186,13 +186,17 @@ TEST(rig, GobosOfBothWheels) {
     EXPECT_EQ(light.wheel[0].shift, 0.0f);
     EXPECT_NEAR(light.wheel[1].cosine, 0.0f, 1e-3f);
     EXPECT_NEAR(light.wheel[1].sine, 1.0f, 1e-3f);
-    // Both filter: the candela is the product of what each alone lets through.
-    Desk first("Spot"), second("Spot"), open("Spot");
-    first.set(13, 72);
-    second.set(14, 41).set(15, 64);
-    for (const vec2 gate : {vec2(0.1f, 0.2f), vec2(-0.4f, 0.3f), vec2(0.2f, -0.6f), vec2(0, 0)}) {
-        const vec3 whole = open.candela(gate);
-        expect_colour(desk.candela(gate), first.candela(gate) * second.candela(gate) / whole, 1e-4f);
+    // Both filter: the candela is the product of what each alone lets through. They stand in two planes.
+    EXPECT_EQ(light.shaped, 1u);
+    shared::Light first = light, second = light, open = light;
+    first.wheel_count = second.wheel_count = 1;
+    second.wheel[0] = light.wheel[1];
+    open.wheel_count = 0;
+    for (const vec3 q : {vec3(0.1f, 0.2f, 8), vec3(-0.4f, 0.3f, 8), vec3(0.2f, -0.6f, 8), vec3(0, 0, 8)}) {
+        const auto candela = [&](const shared::Light& one) {
+            return shared::beam_candela(one, q, desk.gobos.images);
+        };
+        expect_colour(candela(light), candela(first) * candela(second) / candela(open), 1e-4f);
     }
 }
 
