@@ -58,11 +58,9 @@ void Engine::run() {
             listen();
             if (std::optional<ui::Wishes> newest = link_.wishes.take()) {
                 wishes_ = std::move(*newest);
-                if (wishes_.show != tried_)
-                    open(wishes_.show);
-                else if (session_ && wishes_.text != text_)
-                    take_edit();
+                if (wishes_.show != tried_) open(wishes_.show);
             }
+            if (session_ && wishes_.text && wishes_.text != text_) take_edit();
             look_for_plots();
             const double begin_s = now_s();
             if (session_ && wishes_.camera.width > 0) frame();
@@ -314,7 +312,8 @@ void Engine::frame() {
 }
 
 void Engine::publish_rest(double now_s, bool drew) {
-    const bool rests = !drew && !reopening_.valid() && now_s - last_change_s_ >= kRest_s &&
+    const bool has_text = !wishes_.text || wishes_.text == text_;
+    const bool rests = !drew && has_text && !reopening_.valid() && now_s - last_change_s_ >= kRest_s &&
                        !session_->live->is_making_maps();
     if (!rests || settled_ == wishes_.number) return;
     settled_ = wishes_.number;

@@ -22,12 +22,13 @@ bool differs_in_fixtures_only(const Session& session, const std::shared_ptr<cons
 } // namespace
 
 void Engine::take_edit() {
-    if (!wishes_.text || reopening_.valid()) return; // another show comes; or later
+    if (reopening_.valid()) return; // later
+    const std::string& path = session_->options.show;
     const bool of_fixtures = differs_in_fixtures_only(*session_, text_, *wishes_.text);
     text_ = wishes_.text;
     if (of_fixtures) {
         scene::Report report;
-        const auto edited = open_show(tried_, false, true, report, text_);
+        const auto edited = open_show(path, false, true, report, text_);
         if (edited.ok() && take_patch(*session_, *edited, report)) {
             listen_to_patch();
             drawn_ = {};
@@ -35,11 +36,11 @@ void Engine::take_edit() {
             return;
         }
     }
-    link_.activity.put("taking the changes of " + tried_);
+    link_.activity.put("taking the changes of " + path);
     link_.on_news();
     reopening_as_ = Opening::edit;
     reopening_ =
-        std::async(std::launch::async, [options = session_options(tried_)] { return open_session(options); });
+        std::async(std::launch::async, [options = session_options(path)] { return open_session(options); });
 }
 
 } // namespace ghost::app
