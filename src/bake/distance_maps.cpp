@@ -43,7 +43,8 @@ public:
     Update(const scene::Show& show, const scene::Stage& stage, const DistanceMapOptions& options,
            scene::Report& report)
         : show_(show), stage_(stage), options_(options), report_(report), sight_(options.size),
-          places_(scene::distance_places(show, options.size)), right_(places_.size(), 0), complaints_(places_.size()) {
+          places_(scene::distance_places(show, options.size)), right_(places_.size(), 0),
+          complaints_(places_.size()) {
         for (const scene::DistancePlace& place : places_)
             maps_.push_back({place.fixture, place.stop, place.place, place.position_m, {}});
     }

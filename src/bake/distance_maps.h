@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Makes the distance maps of a show (scene/distance_maps.h) and keeps them in .ghost/distances/SIZE/. Only what
-// changed is made: a light that moved, and those that see an object that was shown, hidden or moved. Each
-// finished map is on disk before it counts, so an interrupted update goes on where it was. Runs on any
+// Makes the distance maps of a show (scene/distance_maps.h) and keeps them in .ghost/distances/SIZE/. Only
+// what changed is made: a light that moved, and those that see an object that was shown, hidden or moved.
+// Each finished map is on disk before it counts, so an interrupted update goes on where it was. Runs on any
 // thread; uses all cores.
 
 #include "base/result.h"

@@ -9,8 +9,8 @@
 #include "gpu/texture.h"
 #include "render/fragments.h"
 #include "scene/lit.h"
-#include "shared/optics.h"
 #include "shared/glare.h"
+#include "shared/optics.h"
 #include "shared/types.h"
 
 #include <array>

@@ -21,8 +21,8 @@
 #include "scene/lit.h"
 #include "scene/passes.h"
 #include "shared/air.h"
-#include "shared/optics.h"
 #include "shared/gobos.h"
+#include "shared/optics.h"
 #include "shared/push.h"
 #include "shared/types.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // DistanceMaps: how far it is from each hanging position of lights to the first surface, in all directions
 // (shaders/shared/octahedral.h). The baker makes them (bake/distance_maps.h) and keeps them in
-// .ghost/distances/SIZE/; they tell which parts of a beam are in shadow, in haze and for any camera. Metres; half
-// floats, so within 0.05 %. Fixture bodies stop nothing. Plain values. Files: docs/distance-maps.md.
+// .ghost/distances/SIZE/; they tell which parts of a beam are in shadow, in haze and for any camera. Metres;
+// half floats, so within 0.05 %. Fixture bodies stop nothing. Plain values. Files: docs/distance-maps.md.
 
 #include "base/result.h"
 #include "scene/report.h"

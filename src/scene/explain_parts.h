@@ -43,8 +43,8 @@ float share_of(const fixture::Type& type, const fixture::BeamState& state, const
 
 // What in the fixture itself keeps this beam dark, in order; the channels that change it only.
 std::vector<Reason> causes_in_beam(const fixture::Patch& patch, std::size_t beam,
-                                    const fixture::BeamState& state, const BeamFacts& facts,
-                                    const std::vector<ChannelFacts>& channels);
+                                   const fixture::BeamState& state, const BeamFacts& facts,
+                                   const std::vector<ChannelFacts>& channels);
 
 // The ray along the beam's middle, and where that meets nothing some beside it. Needs a stage.
 void look(const ExplainInput& input, const shared::Light& light, BeamFacts& facts);
@@ -60,7 +60,7 @@ std::vector<UniverseFacts> universe_facts(const ExplainInput& input,
 // What lies before the fixture: universes and their senders. direct: the finding of causes_in_beam that there
 // is something to say about, or null.
 std::vector<Reason> causes_in_network(const ExplainInput& input, const fixture::Patch& patch,
-                                       const Explanation& explanation, const fixture::State& state,
-                                       const Reason* direct);
+                                      const Explanation& explanation, const fixture::State& state,
+                                      const Reason* direct);
 
 } // namespace ghost::scene::explained

@@ -75,7 +75,8 @@ Tracking read_tracking(TableReader& top, const std::string& file, Report& report
         if (use.home_m && use.objects.empty())
             reader.problem(Severity::warning, "home_m", "does nothing without objects = a list of names");
         if (use.camera.empty() && use.fixtures.empty() && use.objects.empty())
-            reader.missing("camera", "what follows it: camera = a name, fixtures or objects = a list of names");
+            reader.missing("camera",
+                           "what follows it: camera = a name, fixtures or objects = a list of names");
         reader.finish();
         if (use.id >= 0 || !use.name.empty()) tracking.uses.push_back(std::move(use));
     }

@@ -72,8 +72,9 @@ TEST(Psn, positions_and_names) {
 }
 
 TEST(Psn, a_tracker_that_is_not_seen_has_no_position) {
-    for (const Buffer& fields : {chunk(0, floats({1, 2, 3})) + chunk(3, floats({0})),
-                                 chunk(0, floats({1, std::numeric_limits<float>::quiet_NaN(), 3})), chunk(2, floats({1, 2, 3}))}) {
+    for (const Buffer& fields :
+         {chunk(0, floats({1, 2, 3})) + chunk(3, floats({0})),
+          chunk(0, floats({1, std::numeric_limits<float>::quiet_NaN(), 3})), chunk(2, floats({1, 2, 3}))}) {
         const auto packet = parse_psn(data_packet(chunk(3, fields, true)));
         ASSERT_TRUE(packet.has_value());
         EXPECT_TRUE(packet->positions.empty());

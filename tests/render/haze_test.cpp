@@ -230,8 +230,7 @@ TEST_F(Haze, ExtinctionAloneScattersNothing) {
 TEST_F(Haze, AirAndSurfaceAgreeAtTheWall) {
     for (const bool gobo : {false, true}) {
         const shared::Light light = shaped_light({0, 0, 3}, {0, 8, 3}, 24, gobo);
-        const scene::Passes passes =
-            wall_passes(camera_at({-6, 7.95f, 3}, {0, 7.95f, 3}, 34, 8, 96), 7.95f);
+        const scene::Passes passes = wall_passes(camera_at({-6, 7.95f, 3}, {0, 7.95f, 3}, 34, 8, 96), 7.95f);
         const image::ImageF air = drawn(passes, {light}, Beams::gate, 0),
                             wall = rays_of(passes, {light}, 0.5f);
         double air_all = 0, wall_all = 0, apart = 0;
