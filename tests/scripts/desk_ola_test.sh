@@ -3,27 +3,8 @@
 # OLA (Debian packages ola, iproute2) as the lighting desk, in a network namespace of its own, drives our receiver in another:
 # sACN by multicast, Art-Net by unicast after OLA has seen our ArtPollReply. Arguments: source folder, build folder.
 set -u
-source_dir=$1
-ghostlight=$2/ghostlight
-skip() { echo "skipped: $1"; exit 77; }
-fail() { echo "FAILED: $1"; exit 1; }
-[ "$(id -u)" = 0 ] || skip "needs root for network namespaces"
-for tool in olad ola_patch ola_set_dmx ola_streaming_client ip setpriv; do
-    command -v $tool >/dev/null || skip "$tool is not installed (packages ola, iproute2, util-linux)"
-done
-[ -x "$ghostlight" ] || skip "$ghostlight is not built"
-. "$source_dir/tools/demo_show/desk_net.sh"
-
-work=$(mktemp -d)
-pids=
-cleanup() {
-    for pid in $pids; do kill $pid 2>/dev/null; done
-    sleep 0.3
-    desk_net_down
-    rm -rf "$work"
-}
-trap cleanup EXIT
-desk_net_up || skip "no network namespaces or veth here"
+. "$1/tests/scripts/lib/desk.sh"
+desk_test "ola, iproute2, util-linux" olad ola_patch ola_set_dmx ola_streaming_client ip setpriv
 
 conf=$work/ola
 mkdir "$conf"

@@ -4,27 +4,8 @@
 # another: Art-Net by broadcast and sACN by multicast. Every slot of every recorded look is compared. Arguments: source folder,
 # build folder.
 set -u
-source_dir=$1
-ghostlight=$2/ghostlight
-skip() { echo "skipped: $1"; exit 77; }
-fail() { echo "FAILED: $1"; exit 1; }
-[ "$(id -u)" = 0 ] || skip "needs root for network namespaces"
-for tool in qlcplus ip; do
-    command -v $tool >/dev/null || skip "$tool is not installed (packages qlcplus, iproute2)"
-done
-[ -x "$ghostlight" ] || skip "$ghostlight is not built"
-. "$source_dir/tools/demo_show/desk_net.sh"
-
-work=$(mktemp -d)
-pids=
-cleanup() {
-    for pid in $pids; do kill $pid 2>/dev/null; done
-    sleep 0.3
-    desk_net_down
-    rm -rf "$work"
-}
-trap cleanup EXIT
-desk_net_up || skip "no network namespaces or veth here"
+. "$1/tests/scripts/lib/desk.sh"
+desk_test "qlcplus, iproute2" qlcplus ip
 
 # Two universes of 512 slots, two looks that change every half second.
 /usr/bin/python3 - "$work/test.qxw" "$work/looks.txt" <<'P'

@@ -4,28 +4,9 @@
 # `ghostlight render --live-input` in another draws the demo stage; the pictures must be red and blue. The demo's passes
 # are baked when they are not there yet. Arguments: source folder, build folder.
 set -u
-source_dir=$1
-ghostlight=$2/ghostlight
-skip() { echo "skipped: $1"; exit 77; }
-fail() { echo "FAILED: $1"; exit 1; }
-[ "$(id -u)" = 0 ] || skip "needs root for network namespaces"
-for tool in olad ola_patch ola_streaming_client ip setpriv; do
-    command -v $tool >/dev/null || skip "$tool is not installed (packages ola, iproute2, util-linux)"
-done
+. "$1/tests/scripts/lib/desk.sh"
 /usr/bin/python3 -c 'import PIL' 2>/dev/null || skip "python3-pil is not installed"
-[ -x "$ghostlight" ] || skip "$ghostlight is not built"
-. "$source_dir/tools/demo_show/desk_net.sh"
-
-work=$(mktemp -d)
-pids=
-cleanup() {
-    for pid in $pids; do kill $pid 2>/dev/null; done
-    sleep 0.3
-    desk_net_down
-    rm -rf "$work"
-}
-trap cleanup EXIT
-desk_net_up || skip "no network namespaces or veth here"
+desk_test "ola, iproute2, util-linux" olad ola_patch ola_streaming_client ip setpriv
 
 "$ghostlight" render "$source_dir/assets/demo" -o "$work/baked.png" --view house --replay "$source_dir/assets/demo/demo.show" \
     --at 0 --quiet || fail "render of the recording"

@@ -3,29 +3,10 @@
 # A QLC+ show of 16 Martin MAC Viper AirFX (../shared), programmed with QLC+'s own definition of that fixture, drives the GDTF
 # file of another author over sACN: pan, tilt and colour must be what QLC+ meant. Arguments: source folder, build folder.
 set -u
-source_dir=$1
-ghostlight=$2/ghostlight
+. "$1/tests/scripts/lib/desk.sh"
 shared=$source_dir/../shared
-skip() { echo "skipped: $1"; exit 77; }
-fail() { echo "FAILED: $1"; exit 1; }
 [ -f "$shared/control/qlc/movers.qxw" ] || skip "no ../shared beside the checkout"
-[ "$(id -u)" = 0 ] || skip "needs root for network namespaces"
-for tool in qlcplus ip; do
-    command -v $tool >/dev/null || skip "$tool is not installed (packages qlcplus, iproute2)"
-done
-[ -x "$ghostlight" ] || skip "$ghostlight is not built"
-. "$source_dir/tools/demo_show/desk_net.sh"
-
-work=$(mktemp -d)
-pids=
-cleanup() {
-    for pid in $pids; do kill $pid 2>/dev/null; done
-    sleep 0.3
-    desk_net_down
-    rm -rf "$work"
-}
-trap cleanup EXIT
-desk_net_up || skip "no network namespaces or veth here"
+desk_test "qlcplus, iproute2" qlcplus ip
 
 mkdir "$work/show"
 cp "$shared/fixtures/gdtf/bauke_Martin_Professional@MAC_Viper_AirFX.gdtf" "$work/show/viper.gdtf"

@@ -3,27 +3,9 @@
 # A remote control of other people's making (oscsend, package liblo-tools) blacks the live picture out and brings it back.
 # In a network namespace of its own, so that ports are free. Arguments: source folder, build folder.
 set -u
-source_dir=$1
-ghostlight=$2/ghostlight
-skip() { echo "skipped: $1"; exit 77; }
-fail() { echo "FAILED: $1"; exit 1; }
-[ "$(id -u)" = 0 ] || skip "needs root for network namespaces"
-for tool in oscsend ip; do
-    command -v $tool >/dev/null || skip "$tool is not installed (packages liblo-tools, iproute2)"
-done
+. "$1/tests/scripts/lib/desk.sh"
 /usr/bin/python3 -c 'import PIL' 2>/dev/null || skip "python3-pil is not installed"
-[ -x "$ghostlight" ] || skip "$ghostlight is not built"
-. "$source_dir/tools/demo_show/desk_net.sh"
-work=$(mktemp -d)
-pids=
-cleanup() {
-    for pid in $pids; do kill $pid 2>/dev/null; done
-    sleep 0.3
-    desk_net_down
-    rm -rf "$work"
-}
-trap cleanup EXIT
-desk_net_up || skip "no network namespaces or veth here"
+desk_test "liblo-tools, iproute2" oscsend ip
 vis() { ip netns exec $VIS "$@"; }
 
 cp -r "$source_dir/assets/demo" "$work/demo"
