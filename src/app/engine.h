@@ -46,6 +46,8 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+    // Without a change, until the picture is drawn with all its pixels.
+    static constexpr double kRest_s = 0.4;
 
     void run();
     void begin_inputs();
@@ -71,6 +73,7 @@ private:
 
     // The camera for this frame: the wanted one, with fewer pixels while the picture moves.
     scene::Camera camera_for(double now_s) const;
+    // engine_news.cpp
     void publish_picture(const render::FrameStatistics& statistics, double draw_ms);
     void publish_rig(double now_s);
     void publish_explanation(double now_s);

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the engine says to the window: each piece of news whole, as often as it changes or as a person can
+// read it.
+#include "app/engine.h"
+
+#include "scene/explain_print.h"
+
+#include <algorithm>
+
+namespace ghost::app {
+namespace {
+
+constexpr double kRigEvery_s = 0.05;
+constexpr double kExplainEvery_s = 0.25;
+
+} // namespace
+
+void Engine::publish_opened(Opening opening) {
+    ui::Opened news = opened_from(*session_);
+    news.recording_s = input_->recording_s();
+    news.again = opening == Opening::newer_plot;
+    news.is_edit = opening == Opening::edit;
+    news.text = text_;
+    link_.opened.put(std::move(news));
+    publish_messages();
+    link_.on_news();
+}
+
+void Engine::publish_rest(double now_s, bool drew) {
+    const bool has_text = !wishes_.text || wishes_.text == text_;
+    const bool rests = !drew && has_text && !reopening_.valid() && now_s - last_change_s_ >= kRest_s &&
+                       !session_->live->is_making_maps();
+    if (!rests || settled_ == wishes_.number) return;
+    settled_ = wishes_.number;
+    link_.settled.put(settled_);
+    link_.on_news();
+}
+
+void Engine::publish_picture(const render::FrameStatistics& statistics, double draw_ms) {
+    ui::Picture picture;
+    picture.image = std::make_shared<const image::Image8>(session_->relighter->picture());
+    picture.camera = drawn_from_;
+    picture.ev100 = session_->relighter->ev100_used();
+    picture.draw_ms = draw_ms;
+    picture.lights_drawn = statistics.drawn;
+    picture.is_coarse = wishes_.quality.percent == 0 && drawn_from_.width < wishes_.camera.width;
+    picture.missing_maps = session_->live->missing_maps();
+    picture.arrival = std::exchange(arrival_, std::chrono::nanoseconds{0});
+    link_.picture.put(std::move(picture));
+    link_.on_news();
+}
+
+void Engine::publish_rig(double now_s) {
+    if (now_s - rig_sent_s_ < kRigEvery_s) return;
+    rig_sent_s_ = now_s;
+    ui::RigNow rig;
+    rig.universes = input_->universes();
+    rig.from_desk = input_->shows_desk();
+    rig.at_s = input_->at_s();
+    const std::vector<fixture::State>& states = session_->rig->states();
+    std::size_t face = 0; // one for each beam of a fixture with a type
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const scene::PatchedFixture& fixture = session_->show->fixtures[i];
+        ui::FixtureNow now;
+        now.light_m = scene::light_position_m(fixture, 0);
+        now.pan_deg = states[i].pan_deg;
+        now.tilt_deg = states[i].tilt_deg;
+        float brightest_cd = -1;
+        for (const fixture::BeamState& beam : states[i].beams) {
+            if (!fixture.type || face >= drawn_.faces.size()) break;
+            const shared::Light& shines = drawn_.faces[face++].light;
+            const glm::vec3& cd = shines.intensity_cd;
+            const float most_cd = std::max({cd.x, cd.y, cd.z});
+            now.candela += most_cd;
+            if (most_cd <= brightest_cd) continue;
+            brightest_cd = most_cd;
+            now.light_m = shines.position_m;
+            now.direction = shines.axis_w;
+            now.colour = most_cd > 0 ? cd / most_cd : glm::vec3(0);
+            now.dimmer = beam.optics.dimmer * beam.optics.shutter;
+            now.zoom_deg = beam.optics.zoom_deg;
+        }
+        rig.fixtures.push_back(now);
+    }
+    link_.rig.put(std::move(rig));
+    link_.on_news();
+}
+
+void Engine::publish_explanation(double now_s) {
+    if (!wishes_.explained || *wishes_.explained >= session_->show->fixtures.size()) return;
+    if (now_s - explained_s_ < kExplainEvery_s) return;
+    explained_s_ = now_s;
+    const scene::Stage& stage = session_->live->solid();
+    const bake::DenormalsOff mode;
+    if (!tracer_) tracer_ = std::make_unique<bake::Tracer>(stage);
+    const scene::Reception reception = input_->reception();
+    const scene::ExplainInput input{
+        .show = *session_->show,
+        .report = session_->report,
+        .rig = *session_->rig,
+        .gobos = session_->gobos,
+        .universes = input_->universes(),
+        .reception = reception,
+        .now_s = input_->now_s(),
+        .stage = stage.instances.empty() ? nullptr : &stage,
+        .first_hit =
+            [&](const glm::vec3& origin, const glm::vec3& direction) {
+                const bake::Surface hit = tracer_->first_hit(origin, direction, -1.0f, bake::Sees::no_bodies);
+                return scene::ExplainInput::Seen{hit.instance, hit.distance_m, hit.facet_normal};
+            },
+    };
+    ui::Explained explained;
+    explained.fixture = *wishes_.explained;
+    explained.explanation = scene::Explainer(input).explain(explained.fixture);
+    explained.words = scene::words_of(explained.explanation, reception);
+    link_.explained.put(std::move(explained));
+    link_.on_news();
+}
+
+void Engine::publish_messages() {
+    messages_sent_ = session_->report.messages.size();
+    std::vector<scene::Message> all = of_receiver_;
+    all.insert(all.end(), news_.begin(), news_.end());
+    all.insert(all.end(), session_->report.messages.begin(), session_->report.messages.end());
+    link_.messages.put(std::move(all));
+    link_.on_news();
+}
+
+} // namespace ghost::app

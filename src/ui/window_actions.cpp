@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// The actions of the window itself: open, save a picture, full screen, overlays.
+#include "ui/window.h"
+
+#include "base/files.h"
+#include "image/ldr.h"
+#include "ui/fixture_panel.h"
+#include "ui/shortcut_sheet.h"
+#include "ui/state_json.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QJsonDocument>
+#include <QMenuBar>
+#include <QStatusBar>
+
+namespace ghost::ui {
+
+void Window::add_window_actions() {
+    actions_.add({"open",
+                  "Show",
+                  "Open a show...",
+                  "Ctrl+O",
+                  "[PATH]",
+                  [this](const QStringList& words) { return choose_show(words); },
+                  {}});
+    actions_.add({"take-plot",
+                  "Show",
+                  "Take the received plot",
+                  "Ctrl+T",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      if (studio_.plot().number == 0)
+                          return Error{"no plot came from the network (MVR-xchange)", ""};
+                      studio_.wish([&](Wishes& wishes) { wishes.take_plot = studio_.plot().number; });
+                      statusBar()->clearMessage();
+                      return {};
+                  },
+                  {}});
+    actions_.add({"save-picture",
+                  "Show",
+                  "Save the picture...",
+                  "Ctrl+Shift+S",
+                  "[FILE]",
+                  [this](const QStringList& words) { return save_picture(words); },
+                  {}});
+    actions_.add({"screenshot",
+                  "Show",
+                  "Save a picture of the window...",
+                  "",
+                  "[FILE]",
+                  [this](const QStringList& words) { return save_screenshot(words); },
+                  {}});
+    actions_.add({"state",
+                  "",
+                  "state",
+                  "",
+                  "FILE",
+                  [this](const QStringList& words) { return save_state(words); },
+                  {}});
+    actions_.add({"quit",
+                  "Show",
+                  "Quit",
+                  "Ctrl+Q",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      close();
+                      return {};
+                  },
+                  {}});
+    actions_.add({"undo",
+                  "Edit",
+                  "Undo",
+                  "Ctrl+Z",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      if (!studio_.undo_stack().canUndo()) return Error{"there is nothing to undo", ""};
+                      studio_.undo_stack().undo();
+                      return {};
+                  },
+                  {}});
+    actions_.add({"redo",
+                  "Edit",
+                  "Redo",
+                  "Ctrl+Shift+Z; Ctrl+Y",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      if (!studio_.undo_stack().canRedo()) return Error{"there is nothing to redo", ""};
+                      studio_.undo_stack().redo();
+                      return {};
+                  },
+                  {}});
+    actions_.add({"find",
+                  "Edit",
+                  "Find a fixture",
+                  "Ctrl+F",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      TRY_VOID(actions_.run("panel-fixtures on"));
+                      fixtures_->find();
+                      return {};
+                  },
+                  {}});
+    actions_.add({"shortcuts",
+                  "Help",
+                  "Keys",
+                  "?; F1",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      show_shortcuts();
+                      return {};
+                  },
+                  {}});
+}
+
+void Window::add_view_switches() {
+    actions_.add({"full-screen", "View", "Full screen, the picture alone", "F11", "",
+                  [this](const QStringList&) -> Result<void> {
+                      set_full_screen(!isFullScreen());
+                      return {};
+                  },
+                  [this] { return isFullScreen(); }});
+    actions_.add({"black-out", "View", "Black-out", "B", "",
+                  [this](const QStringList&) -> Result<void> {
+                      studio_.wish([](Wishes& wishes) { wishes.black_out = !wishes.black_out; });
+                      return {};
+                  },
+                  [this] { return studio_.wishes().black_out; }});
+    actions_.add({"master",
+                  "",
+                  "master",
+                  "",
+                  "SHARE",
+                  [this](const QStringList& words) -> Result<void> {
+                      TRY(const double share, number_of(words, 0, "share", 0, 1));
+                      studio_.wish([&](Wishes& wishes) { wishes.master = static_cast<float>(share); });
+                      return {};
+                  },
+                  {}});
+    const auto add = [this](const QString& name, const QString& text, const QString& key,
+                            bool OverlayChoice::*one) {
+        actions_.add({name, "View", text, key, "",
+                      [this, one](const QStringList&) -> Result<void> {
+                          view_->overlays.*one = !(view_->overlays.*one);
+                          view_->update();
+                          return {};
+                      },
+                      [this, one] { return view_->overlays.*one; }});
+    };
+    add("figures", "Frame time and latency", "I", &OverlayChoice::figures);
+    add("names", "Names of fixtures", "N", &OverlayChoice::names);
+    add("addresses", "Addresses of fixtures", "U", &OverlayChoice::addresses);
+    add("aims", "Where fixtures point", "L", &OverlayChoice::aims);
+    add("marks", "Marks of the selection", "M", &OverlayChoice::marks);
+}
+
+void Window::set_full_screen(bool full) {
+    if (full) {
+        docks_shown_.clear();
+        for (QDockWidget* dock : docks_) docks_shown_.push_back(dock->isVisible());
+        for (QDockWidget* dock : docks_) dock->hide();
+        showFullScreen();
+    } else {
+        showNormal();
+        for (std::size_t i = 0; i < docks_shown_.size(); ++i) docks_[i]->setVisible(docks_shown_[i]);
+    }
+    menuBar()->setVisible(!full);
+    statusBar()->setVisible(!full);
+    view_->setFocus();
+}
+
+void Window::show_shortcuts() {
+    auto* sheet = new ShortcutSheet(actions_, this);
+    sheet->setAttribute(Qt::WA_DeleteOnClose);
+    sheet->show();
+}
+
+Result<void> Window::choose_show(const QStringList& arguments) {
+    QString path = arguments.value(0);
+    if (path.isEmpty())
+        path = QFileDialog::getOpenFileName(this, "Open a show", QDir::currentPath(),
+                                            "Shows (show.toml *.mvr);;All files (*)");
+    if (!path.isEmpty()) studio_.open(path.toStdString());
+    return {};
+}
+
+Result<void> Window::save_screenshot(const QStringList& arguments) {
+    const QString file = arguments.isEmpty()
+                             ? QFileDialog::getSaveFileName(this, "Save a picture of the window",
+                                                            "window.png", "Pictures (*.png)")
+                             : arguments[0];
+    if (file.isEmpty() || grab().save(file, "PNG")) return {};
+    return Error{"the picture cannot be written", file.toStdString()};
+}
+
+Result<void> Window::save_picture(const QStringList& arguments) {
+    if (!studio_.picture().image) return Error{"there is no picture yet", ""};
+    const QString file = arguments.isEmpty() ? QFileDialog::getSaveFileName(this, "Save the picture",
+                                                                            "picture.png", "Pictures (*.png)")
+                                             : arguments[0];
+    if (file.isEmpty()) return {};
+    return image::write_png(file.toStdString(), *studio_.picture().image);
+}
+
+Result<void> Window::save_state(const QStringList& arguments) {
+    QJsonObject state = state_json(studio_, *view_);
+    state["unsaved"] = document_.is_changed();
+    state["changes_wait"] = document_.has_draft();
+    const QByteArray text = QJsonDocument(state).toJson();
+    return write_file_atomic(arguments.value(0).toStdString(), text.toStdString());
+}
+
+} // namespace ghost::ui
