@@ -5,6 +5,7 @@
 #include "app/input_options.h"
 #include "app/interrupt.h"
 #include "app/number_option.h"
+#include "app/recordings.h"
 #include "base/log.h"
 #include "dmx/changes.h"
 #include "dmx/receiver.h"
@@ -146,6 +147,7 @@ int record(const RecordOptions& options) {
     if (!input.ok()) return failed(input.error(), 2);
     auto recorder = dmx::Recorder::create(options.output);
     if (!recorder.ok()) return failed(recorder.error(), 1);
+    log_kept(*recorder);
     const auto recorded = record_into(*recorder, options, *input);
     if (!recorded.ok()) return failed(recorded.error(), 1);
     if (options.json) {

@@ -75,10 +75,21 @@ bool log_damage(const dmx::Player& player) {
     return !damage.empty();
 }
 
+void log_kept(const dmx::Recorder& recorder) {
+    if (!recorder.kept().empty())
+        log_warning(recorder.kept().string() +
+                    ": a recording of this name was not finished; it plays up to where it broke off");
+}
+
 Result<WrittenPart> write_part(const std::filesystem::path& path, const dmx::CaptureOptions& capture,
                                const dmx::PartOptions& options, const std::filesystem::path& out,
                                bool quiet) {
+    std::error_code code;
+    for (const char* const ending : {"", ".part"})
+        if (std::filesystem::equivalent(path, out.string() + ending, code))
+            return Error{"would be written over while it is read; name another output", path.string()};
     TRY(dmx::Recorder recorder, dmx::Recorder::create(out));
+    log_kept(recorder);
     dmx::Part part(options, [&](const dmx::RecordedFrame& frame) { return recorder.append(frame); });
     Result<dmx::FramesEnd> end = dmx::FramesEnd{};
     {

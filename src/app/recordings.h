@@ -6,6 +6,7 @@
 #include "app/input_options.h"
 #include "dmx/part.h"
 #include "dmx/player.h"
+#include "dmx/recorder.h"
 
 namespace ghost::app {
 
@@ -29,6 +30,9 @@ struct WrittenPart {
 };
 // From a recording of any format to one of the format that the name of `out` asks for, without holding
 // either.
+// Says where an unfinished recording of that name is now.
+void log_kept(const dmx::Recorder& recorder);
+
 Result<WrittenPart> write_part(const std::filesystem::path& path, const dmx::CaptureOptions& capture,
                                const dmx::PartOptions& part, const std::filesystem::path& out, bool quiet);
 

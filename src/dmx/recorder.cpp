@@ -12,6 +12,8 @@
 #include <cstring>
 #include <utility>
 
+#include <sys/file.h>
+
 namespace ghost::dmx {
 
 namespace fs = std::filesystem;
@@ -22,6 +24,26 @@ constexpr std::chrono::seconds kSyncEvery{2};
 
 Error cannot_write(const fs::path& part) {
     return Error{std::string("cannot write: ") + std::strerror(errno), part.string()};
+}
+
+// The first of "a.unfinished-1.ghostdmx", "a.unfinished-2.ghostdmx", ... that is free.
+fs::path free_name(const fs::path& path) {
+    std::error_code unreadable;
+    for (int number = 1;; ++number) {
+        fs::path name = path.parent_path() / path.stem();
+        name += ".unfinished-" + std::to_string(number);
+        name += path.extension();
+        if (!fs::exists(name, unreadable)) return name;
+    }
+}
+
+// Opens for writing what no other program writes; locked until it is closed.
+Result<std::FILE*> open_part(const fs::path& part) {
+    std::FILE* const file = std::fopen(part.c_str(), "ab");
+    if (!file) return cannot_write(part);
+    if (flock(fileno(file), LOCK_EX | LOCK_NB) == 0) return file;
+    std::fclose(file);
+    return Error{"another program is recording into it", part.string()};
 }
 
 std::string lower(std::string text) {
@@ -48,8 +70,19 @@ Result<Recorder> Recorder::create(const fs::path& path) {
     Out* const out = recorder.out_.get();
     out->path = out->part = path;
     out->part += ".part";
-    out->file = std::fopen(out->part.c_str(), "wb");
-    if (!out->file) return cannot_write(out->part);
+    TRY(std::FILE* const file, open_part(out->part));
+    out->file = file;
+    std::error_code code;
+    if (fs::file_size(out->part, code) > 0 && !code) {
+        recorder.kept_ = free_name(path);
+        fs::rename(out->part, recorder.kept_, code);
+        std::fclose(std::exchange(out->file, nullptr));
+        if (code)
+            return Error{"holds a recording that was not finished and cannot be moved: " + code.message(),
+                         out->part.string()};
+        TRY(std::FILE* const anew, open_part(out->part));
+        out->file = anew;
+    }
     const ByteSink sink = [out](Bytes bytes) -> Result<void> {
         if (std::fwrite(bytes.data(), 1, bytes.size(), out->file) != bytes.size() ||
             std::fflush(out->file) != 0)

@@ -16,7 +16,8 @@ namespace ghost::dmx {
 
 class Recorder {
 public:
-    // Error: a name of no known ending, a folder, or a place that cannot be written.
+    // Error: a name of no known ending, a folder, a place that cannot be written, or one that another program
+    // is recording to.
     static Result<Recorder> create(const std::filesystem::path& path);
     Recorder(Recorder&&) noexcept = default;
     Recorder& operator=(Recorder&&) = delete;
@@ -31,6 +32,9 @@ public:
     Result<void> finish(std::chrono::microseconds duration);
     // Takes the file away instead.
     void discard();
+
+    // A recording that was not finished lay in the place of the .part file and was given this name; or empty.
+    const std::filesystem::path& kept() const { return kept_; }
 
     std::size_t frames() const { return frames_; }
     std::uintmax_t bytes() const { return out_->bytes; }
@@ -47,6 +51,7 @@ private:
     std::unique_ptr<Out> out_;
     std::unique_ptr<FrameWriter> writer_;
     std::size_t frames_ = 0;
+    std::filesystem::path kept_;
 };
 
 } // namespace ghost::dmx

@@ -48,10 +48,25 @@ void add_links(const dmx::Statistics& statistics, bool any_arrives, std::vector<
             problem(Trouble::cable, ours->name + " has no cable, or what is at its other end is off"));
 }
 
+// "260 too short, 3 not ours"; "" where none was refused.
+std::string refused_text(const dmx::Statistics& statistics) {
+    std::string text;
+    for (std::size_t i = 0; i < statistics.drops.size(); ++i)
+        if (statistics.drops[i] > 0)
+            text += (text.empty() ? "" : ", ") + std::to_string(statistics.drops[i]) + " " +
+                    dmx::drop_name(static_cast<dmx::Drop>(i));
+    return text;
+}
+
 void add_silence(const dmx::Statistics& statistics, const Arriving& arriving, bool all_fed,
                  std::vector<Sentence>& out) {
     const dmx::Listening& listening = statistics.listening;
-    if (arriving.nothing() && statistics.lost.empty() && (listening.sacn || listening.artnet)) {
+    const std::string refused = refused_text(statistics);
+    if (arriving.nothing() && statistics.lost.empty() && !refused.empty()) {
+        out.push_back(problem(Trouble::nothing_arrives,
+                              "packets arrive, and none of them can be read as levels: " + refused +
+                                  ". Whoever sends them has to be mended"));
+    } else if (arriving.nothing() && statistics.lost.empty() && (listening.sacn || listening.artnet)) {
         std::string text =
             "nothing arrives: is the desk's output on, is it in this network, and is no firewall "
             "on UDP 5568 and 6454 in the way? We listen on " +

@@ -95,6 +95,43 @@ TEST(Recorder, a_killed_one_leaves_a_readable_part_file_and_the_old_recording) {
     }
 }
 
+TEST(Recorder, what_a_killed_one_left_is_kept_under_another_name) {
+    const TestFolder folder;
+    const fs::path path = folder.path / "night.ghostdmx";
+    for (int crash = 0; crash < 2; ++crash) {
+        auto recorder = Recorder::create(path);
+        ASSERT_TRUE(recorder.ok());
+        ASSERT_TRUE(recorder->append(make_frame(0us, 1, {static_cast<std::uint8_t>(5 + crash)})).ok());
+        ASSERT_TRUE(recorder->flush(3s).ok());
+    }
+    {
+        auto empty = Recorder::create(path); // sees nothing, and takes nothing with it
+        ASSERT_TRUE(empty.ok());
+        EXPECT_EQ(empty->kept(), folder.path / "night.unfinished-2.ghostdmx");
+    }
+    for (const int number : {1, 2}) {
+        const ReadBack kept =
+            read_back(folder.path / ("night.unfinished-" + std::to_string(number) + ".ghostdmx"));
+        ASSERT_TRUE(kept.ok) << kept.error;
+        ASSERT_EQ(kept.frames.size(), 1u);
+    }
+    EXPECT_FALSE(fs::exists(path.string() + ".part"));
+}
+
+TEST(Recorder, two_do_not_write_one_file) {
+    const TestFolder folder;
+    const fs::path path = folder.path / "night.ghostdmx";
+    auto first = Recorder::create(path);
+    ASSERT_TRUE(first.ok());
+    ASSERT_TRUE(first->append(make_frame(0us, 1, {5})).ok());
+    ASSERT_TRUE(first->flush(3s).ok());
+    const auto second = Recorder::create(path);
+    ASSERT_FALSE(second.ok());
+    EXPECT_NE(second.error().text().find("another program is recording into it"), std::string::npos);
+    ASSERT_TRUE(first->finish(4s).ok());
+    EXPECT_TRUE(read_back(path).ok);
+}
+
 TEST(Recorder, one_that_saw_nothing_leaves_nothing) {
     const TestFolder folder;
     { ASSERT_TRUE(Recorder::create(folder.path / "a.show").ok()); }

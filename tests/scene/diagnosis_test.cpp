@@ -106,6 +106,10 @@ TEST(diagnosis, NothingArrives) {
                  {"firewall on UDP 5568 and 6454", "eth0 (192.168.1.5/24)", "2.x.x.x or 10.x.x.x"});
     silent.statistics.interfaces[1].address = 0x02000005;
     EXPECT_EQ(silent.text(Trouble::nothing_arrives).find("10.x.x.x"), std::string::npos);
+    silent.statistics.drops[static_cast<std::size_t>(dmx::Drop::too_short)] = 260;
+    EXPECT_EQ(silent.troubles(), Troubles{Trouble::nothing_arrives});
+    expect_words(silent.text(Trouble::nothing_arrives),
+                 {"packets arrive, and none of them", "260 too_short"});
     silent.statistics.time = silent.statistics.listening.since + 3s;
     EXPECT_EQ(silent.troubles(), Troubles{}) << "three seconds prove nothing";
 }
