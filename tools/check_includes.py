@@ -37,7 +37,7 @@ SOCKETS = ("arpa/", "ifaddrs.h", "net/", "netdb.h", "netinet/", "poll.h", "sys/e
 # Operating system and processor: the only files that a port to another system has to look at.
 PLATFORM_FILES = {
     "src/base/files.cpp": "fsync",
-    "src/base/disk_sync.cpp": "fdatasync",
+    "src/base/disk_sync.cpp": "fdatasync, flock",
     "src/base/progress.cpp": "is standard error a terminal",
     "src/dmx/socket_linux.cpp": "sockets",
     "src/dmx/tcp_linux.cpp": "TCP",

@@ -1,13 +1,16 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// What was written reaches the disk itself, so that a loss of power keeps it. May take as long as a disk
-// does. Any thread.
+// What the C++ library cannot ask of an open file. Any thread.
 
 #include <cstdio>
 
 namespace ghost {
 
+// What was written reaches the disk itself, so that a loss of power keeps it; takes as long as a disk does.
 // The file's buffer must be flushed (std::fflush). False: the disk says no.
 bool sync_to_disk(std::FILE* file);
+
+// Ours until it is closed, among programs that ask. False: another program has it. Never waits.
+bool lock_file(std::FILE* file);
 
 } // namespace ghost

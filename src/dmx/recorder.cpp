@@ -12,8 +12,6 @@
 #include <cstring>
 #include <utility>
 
-#include <sys/file.h>
-
 namespace ghost::dmx {
 
 namespace fs = std::filesystem;
@@ -41,7 +39,7 @@ fs::path free_name(const fs::path& path) {
 Result<std::FILE*> open_part(const fs::path& part) {
     std::FILE* const file = std::fopen(part.c_str(), "ab");
     if (!file) return cannot_write(part);
-    if (flock(fileno(file), LOCK_EX | LOCK_NB) == 0) return file;
+    if (lock_file(file)) return file;
     std::fclose(file);
     return Error{"another program is recording into it", part.string()};
 }
