@@ -41,7 +41,7 @@ PLATFORM_FILES = {
     "src/base/progress.cpp": "is standard error a terminal",
     "src/dmx/socket_linux.cpp": "sockets",
     "src/dmx/tcp_linux.cpp": "TCP",
-    "src/dmx/serial_linux.cpp": "serial ports",
+    "src/dmx/serial_linux.cpp": "serial ports, MIDI ports",
     "src/bake/tracer.cpp": "SSE mode of Embree",
     "src/app/bench_offline.cpp": "memory and start of another process",
 }

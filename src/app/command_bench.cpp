@@ -94,9 +94,10 @@ void add_bench(CLI::App& app, int& exit_code) {
         ->check(number_in(1.0, 86400.0))
         ->capture_default_str();
     command
-        ->add_option(
-            "--soak", a->options.soak_seconds,
-            "with network: an even load for so many seconds, one row a minute, instead of the ladder")
+        ->add_option("--soak", a->options.soak_seconds,
+                     "with network: an even load for so many seconds, one row a minute, instead of the "
+                     "ladder; an error "
+                     "unless every packet came and memory stayed flat")
         ->check(number_in(1.0, 86400.0 * 7));
     command->add_option("--device", a->options.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");

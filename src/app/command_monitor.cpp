@@ -158,6 +158,7 @@ void add_monitor(CLI::App& app, int& exit_code) {
     command->footer("Example: ghostlight monitor --interface eth0 --universes 1-4\n"
                     "         ghostlight monitor --show myshow --learn");
     add_input_options(*command, options->input);
+    add_midi_option(*command, options->input.midi);
     command->add_option("--seconds", options->seconds, "stop after this long; 0 and default: until Ctrl-C")
         ->check(number_in(0.0, kLongest_s));
     command->add_option("--every", options->every_s, "seconds between two reports")

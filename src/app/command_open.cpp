@@ -101,7 +101,7 @@ void add_open(CLI::App& app, int& exit_code) {
                    "merge them into the show as they come, without asking")
         ->needs(save);
     add_live_control_options(*command, a->engine.controls);
-    add_timecode_option(*command, a->engine.timecode);
+    add_midi_option(*command, a->input.midi)->needs(add_timecode_option(*command, a->engine.timecode));
     add_input_options(*command, a->input);
     command->footer("Example: ghostlight open assets/demo\n"
                     "         ghostlight open tour.mvr --full-screen");

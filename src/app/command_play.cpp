@@ -38,6 +38,7 @@ struct PlayOptions {
     double until_s = 0.0;
     double speed = 1.0;
     std::string timecode;
+    std::string midi;
     double seconds = 0.0;
     bool loop = false;
     bool json = false;
@@ -87,21 +88,55 @@ int write(const PlayOptions& options) {
     return 0;
 }
 
+// Says once that the network takes nothing, and once that it does again.
+class LinkNote {
+public:
+    explicit LinkNote(const dmx::Sender& sender) : sender_(sender) {}
+
+    void look() {
+        if (sender_.trouble() && !down_)
+            log_warning(sender_.trouble()->text() + "; it goes on, and sends again when the network is back");
+        if (!sender_.trouble() && down_)
+            log_info("the network is back; " + std::to_string(sender_.refused()) +
+                     " packets could not be sent");
+        down_ = sender_.trouble().has_value();
+    }
+
+private:
+    const dmx::Sender& sender_;
+    bool down_ = false;
+};
+
+// Goodbye, and whether anything went out at all.
+Result<void> end_sending(const PlayOptions& options, dmx::Sender& sender, bool damaged) {
+    sender.terminate();
+    if (sender.refused() > 0) log_warning(std::to_string(sender.refused()) + " packets could not be sent");
+    if (sender.packets() > 0) return {};
+    if (sender.refused() > 0) return Error{"nothing could be sent", options.file};
+    if (damaged) return Error{"nothing of it can be read: it is damaged as a whole", options.file};
+    return {};
+}
+
 // Sends what the time code wants until Ctrl-C: what it stands at, again and again.
 Result<void> follow_timecode(const PlayOptions& options, const dmx::Player& player, dmx::Sender& sender) {
     TRY(const std::unique_ptr<TimeCodeInput> timecode, open_timecode(options.timecode));
     dmx::ReceiverOptions listen;
     listen.interface = options.send.interface;
     listen.sacn = false;
+    listen.artnet = options.midi.empty();
+    listen.midi = options.midi;
     listen.answer_polls = false;
     // While we send Art-Net to its own port, the time code comes by that one.
     listen.artnet_port = options.capture.artnet_port;
     timecode->listen(listen);
     TRY(const auto receiver, dmx::Receiver::start(listen));
+    for (const std::string& warning : receiver->warnings()) log_warning(warning);
     log_info("following the time code; Ctrl-C ends it");
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const std::chrono::duration<double> step(1.0 / options.rate_hz);
+    LinkNote link(sender);
+    bool damaged = false;
     for (std::uint64_t tick = 0; !interrupted(); ++tick) {
         const auto passed = step * static_cast<double>(tick);
         if (options.seconds > 0.0 && passed.count() >= options.seconds) break;
@@ -109,10 +144,11 @@ Result<void> follow_timecode(const PlayOptions& options, const dmx::Player& play
         const auto at_s = timecode->at_s(player.duration_s());
         if (!at_s) continue;
         TRY_VOID(sender.send(player.at(*at_s)));
-        log_damage(player);
+        link.look();
+        damaged |= log_damage(player);
     }
     if (!timecode->at_s(0.0)) log_warning("no time code arrived; ghostlight monitor shows what does");
-    return {};
+    return end_sending(options, sender, damaged);
 }
 
 int send(PlayOptions options) {
@@ -135,9 +171,8 @@ int send(PlayOptions options) {
     if (!options.timecode.empty()) {
         const auto followed = follow_timecode(options, player, *sender);
         if (!followed.ok()) return failed(followed.error());
-        const auto ended = sender->terminate();
-        if (!ended.ok()) return failed(ended.error());
-        if (options.json) print({{"file", options.file}, {"packets", sender->packets()}});
+        if (options.json)
+            print({{"file", options.file}, {"packets", sender->packets()}, {"not_sent", sender->refused()}});
         return 0;
     }
 
@@ -146,6 +181,8 @@ int send(PlayOptions options) {
     const double length_s = end_s - options.from_s; // of the recording; playing it takes that by the speed
     const double step_s = options.speed / options.rate_hz;
     const bool bar = !options.quiet && !options.loop && Progress::style_for_stderr() == Progress::Style::bar;
+    LinkNote link(*sender);
+    bool damaged = false;
     Progress progress("playing", bar ? Progress::Style::bar : Progress::Style::silent, 0.0);
     for (std::uint64_t tick = 0; !interrupted(); ++tick) {
         const double passed_s = static_cast<double>(tick) / options.rate_hz;
@@ -157,13 +194,18 @@ int send(PlayOptions options) {
         const bool last = !options.loop && played_s + step_s > length_s;
         const auto sent = sender->send(player.at(last ? end_s : t_s));
         if (!sent.ok()) return failed(sent.error());
-        log_damage(player);
+        link.look();
+        damaged |= log_damage(player);
         progress.update(length_s > 0.0 ? played_s / length_s : 1.0, passed_s, clock_text(t_s));
     }
     progress.finish();
-    const auto ended = sender->terminate();
+    const auto ended = end_sending(options, *sender, damaged);
     if (!ended.ok()) return failed(ended.error());
-    if (options.json) print({{"file", options.file}, {"seconds", length_s}, {"packets", sender->packets()}});
+    if (options.json)
+        print({{"file", options.file},
+               {"seconds", length_s},
+               {"packets", sender->packets()},
+               {"not_sent", sender->refused()}});
     log_info(options.file + ": " + std::to_string(sender->packets()) + " packets sent");
     return 0;
 }
@@ -174,10 +216,14 @@ int play(const PlayOptions& options) {
         log_error("--until must be later than --from");
         return 2;
     }
-    if (const auto timecode = open_timecode(options.timecode); !timecode.ok()) {
-        log_error(timecode.error().text());
-        return 2;
-    }
+    const auto ports = check_ports(options.capture.sacn_port, options.capture.artnet_port);
+    const auto timecode = open_timecode(options.timecode);
+    for (const Error* error :
+         {ports.ok() ? nullptr : &ports.error(), timecode.ok() ? nullptr : &timecode.error()})
+        if (error) {
+            log_error(error->text());
+            return 2;
+        }
     return options.output.empty() ? send(options) : write(options);
 }
 
@@ -222,6 +268,7 @@ void add_play(CLI::App& app, int& exit_code) {
     CLI::Option* const timecode = add_timecode_option(*command, options->timecode);
     sending(timecode)->excludes(from)->excludes(until)->excludes(speed)->excludes(
         command->get_option("--loop"));
+    sending(add_midi_option(*command, options->midi))->needs(timecode);
     command
         ->add_option("--seconds", options->seconds, "of --timecode: end after this time; default: at Ctrl-C")
         ->check(number_in(0.0, kLongest_s))

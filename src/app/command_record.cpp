@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <thread>
 
 namespace ghost::app {
@@ -82,10 +83,38 @@ private:
     std::uint64_t lost_ = 0;
 };
 
+// A recording holds dmx::kMaxRecordedUniverses. Those that were asked for always have their place, others as
+// long as there is one.
+class Places {
+public:
+    explicit Places(std::vector<std::uint16_t> asked)
+        : asked_(std::move(asked)), free_(dmx::kMaxRecordedUniverses - asked_.size()) {
+        std::sort(asked_.begin(), asked_.end());
+    }
+    bool has(std::uint16_t universe) {
+        if (std::binary_search(asked_.begin(), asked_.end(), universe) || others_.contains(universe))
+            return true;
+        if (others_.size() < free_) return others_.insert(universe).second;
+        if (left_out_.empty())
+            log_warning("more than " + std::to_string(dmx::kMaxRecordedUniverses) +
+                        " universes arrive, as many as a recording holds; those that come now are left out. "
+                        "--universes says which are to be recorded");
+        left_out_.insert(universe);
+        return false;
+    }
+    std::size_t left_out() const { return left_out_.size(); }
+
+private:
+    std::vector<std::uint16_t> asked_;
+    std::size_t free_;
+    std::set<std::uint16_t> others_, left_out_;
+};
+
 struct Recorded {
     double seconds = 0.0;
     dmx::Statistics statistics;
     std::uint64_t lost = 0;
+    std::size_t universes_left_out = 0;
 };
 
 Result<Recorded> record_into(dmx::Recorder& recorder, const RecordOptions& options,
@@ -98,11 +127,13 @@ Result<Recorded> record_into(dmx::Recorder& recorder, const RecordOptions& optio
     log_info("recording to " + options.output + ", Ctrl-C ends it");
 
     Recorded result;
+    Places places(dmx::announced_universes(input.universes));
     const nanoseconds begin = steady_now();
     std::optional<microseconds> first;
     microseconds last{0}, flushed{0}; // since first
     const auto write_waiting = [&]() -> Result<void> {
         for (dmx::RecordedFrame& frame : waiting.take()) {
+            if (!places.has(frame.universe)) continue;
             if (!first) {
                 first = frame.time;
                 const nanoseconds ago = steady_now() - frame.time;
@@ -135,6 +166,7 @@ Result<Recorded> record_into(dmx::Recorder& recorder, const RecordOptions& optio
     TRY_VOID(write_waiting());
     if (!first) return Error{"nothing was recorded: no DMX arrived", options.output};
     result.lost = waiting.lost();
+    result.universes_left_out = places.left_out();
     const microseconds end = std::max(last, std::chrono::floor<microseconds>(steady_now()) - *first);
     TRY_VOID(recorder.finish(end));
     result.seconds = std::chrono::duration<double>(end).count();
@@ -157,7 +189,8 @@ int record(const RecordOptions& options) {
                                             {"bytes", recorder->bytes()},
                                             {"missed", recorded->statistics.merge.missed},
                                             {"kernel_overflow", recorded->statistics.overflow},
-                                            {"frames_lost", recorded->lost}};
+                                            {"frames_lost", recorded->lost},
+                                            {"universes_left_out", recorded->universes_left_out}};
         std::printf("%s\n", report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     }
     char text[160];

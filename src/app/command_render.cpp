@@ -205,7 +205,9 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_option("--fps", a->fps, "frames a second")->check(CLI::Range(1, 240))->capture_default_str();
     command->add_flag("--live-input", a->live_input, "draw what a desk sends now, by sACN or Art-Net")
         ->excludes("--at");
-    add_timecode_option(*command, a->timecode)->needs("--live-input");
+    CLI::Option* const timecode = add_timecode_option(*command, a->timecode);
+    timecode->needs("--live-input");
+    add_midi_option(*command, a->input.midi)->needs(timecode);
     command->add_option("--seconds", a->seconds, "length of --live-input")
         ->check(number_in(0.1, 86400.0))
         ->needs("--live-input")

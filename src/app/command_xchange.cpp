@@ -57,6 +57,32 @@ bool take_over(const XchangeEvent& event, const Arguments& arguments) {
     return true;
 }
 
+// What happened, to say why --files was not met.
+struct Tally {
+    int found = 0, joined = 0, offered = 0, received = 0;
+
+    void add(XchangeEvent::Kind kind) {
+        found += kind == XchangeEvent::Kind::found;
+        joined += kind == XchangeEvent::Kind::joined;
+        offered += kind == XchangeEvent::Kind::offered;
+        received += kind == XchangeEvent::Kind::received;
+    }
+};
+
+std::string why_not(const Tally& tally, const Arguments& arguments) {
+    const std::string group = "'" + arguments.station.group + "'";
+    const auto count = [](int number, const char* word) {
+        return std::to_string(number) + " " + word + (number == 1 ? "" : "s");
+    };
+    if (tally.offered > 0) return count(tally.offered, "plot") + " offered; what kept them away stands above";
+    if (tally.joined > 0)
+        return count(tally.joined, "station") + " in group " + group + ", which offered none";
+    if (tally.found > 0) return count(tally.found, "station") + " found, and none could be joined";
+    if (!arguments.station.finds) return "no --peer could be joined";
+    return "no station of group " + group +
+           " was found; is one running, and is no firewall on UDP 5353 in the way?";
+}
+
 int run(Arguments& arguments) {
     if (arguments.quiet) set_log_level(LogLevel::warning);
     arguments.station.save = arguments.save;
@@ -70,16 +96,17 @@ int run(Arguments& arguments) {
     log_info("MVR-xchange, group '" + arguments.station.group + "', TCP port " +
              std::to_string((*xchange)->port()) + "; Ctrl-C ends it");
     const auto start = std::chrono::steady_clock::now();
-    int received = 0;
+    Tally tally;
     bool good = true;
     const auto over = [&] {
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
         return (arguments.seconds > 0 && passed.count() >= arguments.seconds) ||
-               (arguments.files > 0 && received >= arguments.files);
+               (arguments.files > 0 && tally.received >= arguments.files);
     };
     while (!interrupted() && !over()) {
         for (const XchangeEvent& event : (*xchange)->take()) {
             const bool file = event.kind == XchangeEvent::Kind::received;
+            tally.add(event.kind);
             if (arguments.json) {
                 ordered_json line{
                     {"event", name_of(event.kind)}, {"station", event.station}, {"text", event.text}};
@@ -91,13 +118,14 @@ int run(Arguments& arguments) {
                             event.station.empty() ? "" : ": ", event.text.c_str());
                 std::fflush(stdout);
             }
-            if (!file) continue;
-            ++received;
-            if (!arguments.show.empty()) good = take_over(event, arguments) && good;
+            if (file && !arguments.show.empty()) good = take_over(event, arguments) && good;
         }
         std::this_thread::sleep_for(20ms);
     }
-    return good && (arguments.files == 0 || received >= arguments.files) ? 0 : 1;
+    if (tally.received < arguments.files)
+        log_error(std::to_string(tally.received) + " of " + std::to_string(arguments.files) +
+                  " plots came: " + why_not(tally, arguments));
+    return good && tally.received >= arguments.files ? 0 : 1;
 }
 
 } // namespace
@@ -135,7 +163,8 @@ void add_xchange(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     command->add_flag("!--no-find", a->station.finds, "neither look for stations nor be found; with --peer");
     command->add_option("--files", a->files, "end after so many plots; exit code 1 if they do not come")
-        ->check(CLI::Range(0, 1000000));
+        ->check(CLI::Range(0, 1000000))
+        ->needs(save);
     command->add_option("--seconds", a->seconds, "end after this time; default: at Ctrl-C")
         ->check(number_in(0.0, kLongest_s));
     command->add_flag("--json", a->json, "one JSON object a line");

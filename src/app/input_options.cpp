@@ -22,6 +22,17 @@ bool read_number(std::string_view text, int& value) {
            value <= dmx::kMaxUniverse;
 }
 
+// One that nobody's Art-Net could ever reach the universes with.
+Result<void> check_offset(const InputOptions& options, const dmx::ReceiverOptions& wanted) {
+    const int offset = options.artnet_offset;
+    if (!wanted.artnet || offset == InputOptions().artnet_offset || wanted.universes.empty()) return {};
+    for (const std::uint16_t universe : wanted.universes)
+        if (universe >= offset && universe - offset <= dmx::kMaxPortAddress) return {};
+    return Error{std::to_string(offset) + " puts all of --universes " + options.universes +
+                     " outside of the Port-Addresses 0 to 32767 (universe minus offset)",
+                 "--artnet-offset"};
+}
+
 } // namespace
 
 void add_port_options(CLI::App& command, std::uint16_t& sacn_port, std::uint16_t& artnet_port) {
@@ -31,6 +42,21 @@ void add_port_options(CLI::App& command, std::uint16_t& sacn_port, std::uint16_t
     command.add_option("--artnet-port", artnet_port, "UDP port of Art-Net, on the network and in captures")
         ->check(CLI::Range(1, 65535))
         ->capture_default_str();
+}
+
+Result<void> check_ports(std::uint16_t sacn_port, std::uint16_t artnet_port) {
+    if (sacn_port != artnet_port) return {};
+    return Error{"port " + std::to_string(sacn_port) + " is that of sACN and of Art-Net, expected two ports",
+                 "--sacn-port/--artnet-port"};
+}
+
+CLI::Option* add_midi_option(CLI::App& command, std::string& port) {
+    return command
+        .add_option(
+            "--midi", port,
+            "MIDI port whose time code is followed instead of Art-Net's, like /dev/snd/midiC1D0 (amidi -l "
+            "lists them); may be plugged in later")
+        ->type_name("PORT");
 }
 
 void add_input_options(CLI::App& command, InputOptions& options) {
@@ -153,9 +179,12 @@ Result<dmx::ReceiverOptions> receiver_options(const InputOptions& options) {
     result.sacn = options.protocols == "sacn" || options.protocols == "both";
     result.artnet = options.protocols == "artnet" || options.protocols == "both";
     TRY(result.usb, parse_usb_ports(options.usb));
-    if (options.protocols == "none" && result.usb.empty())
+    result.midi = options.midi;
+    if (options.protocols == "none" && result.usb.empty() && result.midi.empty())
         return Error{"nothing to listen to; name a port with --usb", "--protocols none"};
+    if (options.protocols == "both") TRY_VOID(check_ports(options.sacn_port, options.artnet_port));
     TRY(result.universes, parse_universes(options.universes));
+    TRY_VOID(check_offset(options, result));
     result.artnet_offset = options.artnet_offset;
     result.sacn_port = options.sacn_port;
     result.artnet_port = options.artnet_port;

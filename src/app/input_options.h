@@ -32,10 +32,15 @@ struct InputOptions {
     std::string preview_universes; // "1-4,7"; empty: all
     bool no_poll_reply = false;
     std::vector<std::string> usb; // "/dev/ttyUSB0=3", "auto"
+    std::string midi;             // add_midi_option
 };
 
 // Adds --sacn-port and --artnet-port alone.
 void add_port_options(CLI::App& command, std::uint16_t& sacn_port, std::uint16_t& artnet_port);
+// Error: one port for two protocols, where what arrives there would be one or the other.
+Result<void> check_ports(std::uint16_t sacn_port, std::uint16_t artnet_port);
+// Adds --midi. port must outlive command.
+CLI::Option* add_midi_option(CLI::App& command, std::string& port);
 // Adds --interface, --protocols, --universes, --artnet-offset, --artnet-merge, --sacn-port, --artnet-port,
 // --on-loss, --show-preview,
 // --preview-universes, --no-poll-reply, --usb. options must outlive command.

@@ -99,6 +99,28 @@ Json usb_json(const dmx::Statistics& statistics) {
     return ports;
 }
 
+const char* state_text(const dmx::MidiStatus& midi) {
+    return !midi.open ? "not open" : midi.time ? "ok" : "no time code";
+}
+
+Json midi_json(const dmx::Statistics& statistics) {
+    const dmx::MidiStatus& midi = statistics.midi;
+    if (midi.path.empty()) return nullptr;
+    Json result{{"port", midi.path},
+                {"state", state_text(midi)},
+                {"problem", midi.problem},
+                {"openings", midi.openings},
+                {"bytes", midi.counters.bytes},
+                {"quarter_frames", midi.counters.quarter_frames},
+                {"full_frames", midi.counters.full_frames},
+                {"malformed", midi.counters.malformed}};
+    if (midi.time) {
+        result["time"] = dmx::timecode_text(*midi.time);
+        result["age_s"] = seconds_of(statistics.time - midi.arrival);
+    }
+    return result;
+}
+
 Json diagnosis_json(const std::vector<scene::Sentence>& sentences) {
     Json list = Json::array();
     for (const scene::Sentence& sentence : sentences)
@@ -134,6 +156,7 @@ std::string monitor_json(const MonitorReport& from, bool levels) {
                                      {"state", dmx::source_state_name(source.state)},
                                      {"preview", source.preview},
                                      {"wrong_group", source.wrong_group},
+                                     {"wrong_length", source.wrong_length},
                                      {"sync_universe", source.sync_universe},
                                      {"held", source.held},
                                      {"priority", source.priority},
@@ -153,6 +176,7 @@ std::string monitor_json(const MonitorReport& from, bool levels) {
                   {"unlisted", statistics.unlisted},
                   {"kernel_overflow", statistics.overflow},
                   {"wrong_group", statistics.wrong_group},
+                  {"wrong_length", statistics.wrong_length},
                   {"pauses", statistics.pauses},
                   {"polls_refused", statistics.polls_refused},
                   {"poll_replies_sent", statistics.poll_replies_sent},
@@ -165,6 +189,7 @@ std::string monitor_json(const MonitorReport& from, bool levels) {
                   {"sources_replaced", statistics.merge.sources_replaced},
                   {"too_many_sources", statistics.merge.too_many_sources},
                   {"too_many_universes", statistics.merge.too_many_universes},
+                  {"universes_forgotten", statistics.merge.universes_forgotten},
                   {"sources_lost", statistics.merge.sources_lost},
                   {"sources_terminated", statistics.merge.sources_terminated}};
     for (std::size_t i = 0; i < statistics.notices.size(); ++i)
@@ -174,6 +199,7 @@ std::string monitor_json(const MonitorReport& from, bool levels) {
     report["counters"] = std::move(counters);
     report["network"] = network_json(statistics);
     report["usb"] = usb_json(statistics);
+    report["midi"] = midi_json(statistics);
     if (from.has_patch) {
         report["patch"] = Json::array();
         for (const scene::PatchedUniverse& one : from.patch.universes())
@@ -206,6 +232,22 @@ void print_usb_port(const dmx::UsbPortStatus& port) {
             static_cast<unsigned long long>(port.counters.skipped_bytes));
 }
 
+void print_midi_port(const dmx::MidiStatus& midi) {
+    if (midi.path.empty()) return;
+    const std::string path = scene::diagnosed::printable(midi.path);
+    if (!midi.open)
+        std::printf("%s: %s\n", path.c_str(), midi.problem.c_str());
+    else if (!midi.time)
+        std::printf("%s: MIDI, %llu bytes and no time code yet\n", path.c_str(),
+                    static_cast<unsigned long long>(midi.counters.bytes));
+    else
+        std::printf("%s: MIDI time code %s; quarter frames %llu, full frames %llu, no times %llu\n",
+                    path.c_str(), dmx::timecode_text(*midi.time).c_str(),
+                    static_cast<unsigned long long>(midi.counters.quarter_frames),
+                    static_cast<unsigned long long>(midi.counters.full_frames),
+                    static_cast<unsigned long long>(midi.counters.malformed));
+}
+
 } // namespace
 
 void print_monitor_table(const MonitorReport& from) {
@@ -229,6 +271,7 @@ void print_monitor_table(const MonitorReport& from) {
             std::printf("%-8d LOST %.1f s ago, %s\n", universe.number, age_s(universe),
                         universe.black ? "black" : "last look held");
     for (const dmx::UsbPortStatus& port : statistics.usb) print_usb_port(port);
+    print_midi_port(statistics.midi);
     if (statistics.sampling) std::printf("finding out who sends; levels show after 1.5 s\n");
     if (statistics.timecode)
         std::printf("time code %s from %s\n", dmx::timecode_text(statistics.timecode->time).c_str(),
@@ -236,11 +279,12 @@ void print_monitor_table(const MonitorReport& from) {
     std::uint64_t dropped = 0;
     for (const std::uint64_t count : statistics.drops) dropped += count;
     std::printf(
-        "packets: sACN %llu, Art-Net %llu; not listed %llu, not understood %llu, preview %llu, late %llu, "
-        "kernel overflow %llu; polls answered with %llu replies\n",
+        "packets: sACN %llu, Art-Net %llu; not listed %llu, not understood %llu, of wrong length %llu, "
+        "preview %llu, late %llu, kernel overflow %llu; polls answered with %llu replies\n",
         static_cast<unsigned long long>(statistics.packets_sacn),
         static_cast<unsigned long long>(statistics.packets_artnet),
         static_cast<unsigned long long>(statistics.unlisted), static_cast<unsigned long long>(dropped),
+        static_cast<unsigned long long>(statistics.wrong_length),
         static_cast<unsigned long long>(statistics.merge.preview),
         static_cast<unsigned long long>(statistics.merge.out_of_sequence),
         static_cast<unsigned long long>(statistics.overflow),

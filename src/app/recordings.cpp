@@ -52,6 +52,7 @@ dmx::CaptureOptions capture_options(const InputOptions& options) {
 
 Result<dmx::Recording> open_recording(const std::filesystem::path& path, const dmx::CaptureOptions& capture,
                                       bool quiet) {
+    TRY_VOID(check_ports(capture.sacn_port, capture.artnet_port));
     ReadingBar bar("reading", path, quiet);
     TRY(dmx::Recording recording, dmx::read_recording(path, bar.options(capture)));
     for (const Error& problem : recording.problems) log_warning(problem.text());
@@ -59,6 +60,7 @@ Result<dmx::Recording> open_recording(const std::filesystem::path& path, const d
 }
 
 Result<void> check_recording(const std::filesystem::path& path, const dmx::CaptureOptions& capture) {
+    TRY_VOID(check_ports(capture.sacn_port, capture.artnet_port));
     bool any = false;
     const auto read = dmx::read_frames(
         path, {capture, {}}, {}, [](std::chrono::microseconds) {},
@@ -112,6 +114,8 @@ Result<WrittenPart> write_part(const std::filesystem::path& path, const dmx::Cap
         return stop({"--from lies behind the end at " +
                          std::to_string(std::chrono::duration<double>(end->duration).count()) + " s",
                      path.string()});
+    if (recorder.frames() == 0 && !end->problems.empty())
+        return stop({"nothing of it can be read: it is damaged as a whole", path.string()});
     TRY_VOID(recorder.finish(*duration));
     return WrittenPart{std::chrono::duration<double>(*duration).count(), recorder.frames(), recorder.bytes(),
                        end->problems.size()};

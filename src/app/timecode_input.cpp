@@ -21,9 +21,10 @@ std::optional<double> TimeCodeInput::at_s(double end_s) const {
 
 CLI::Option* add_timecode_option(CLI::App& command, std::string& text) {
     return command
-        .add_option("--timecode", text,
-                    "the recording follows the network's time code (Art-Net) and begins at this one, like "
-                    "10:00:00:00 or 0")
+        .add_option(
+            "--timecode", text,
+            "the recording follows the time code of the network (Art-Net) or of --midi, and begins at this "
+            "one, like 10:00:00:00 or 0")
         ->type_name("TIME");
 }
 

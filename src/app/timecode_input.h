@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // TimeCodeInput: where a recording stands by the time code of the network (ArtTimeCode, stream 0, the
-// master). Fed by a receiver's thread, asked by any.
+// master) or of a MIDI port. Fed by a receiver's thread, asked by any.
 
 #include "base/result.h"
 #include "dmx/receiver_options.h"

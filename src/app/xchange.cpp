@@ -3,6 +3,7 @@
 
 #include "app/xchange_loop.h"
 #include "base/files.h"
+#include "scene/mvr_load.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -72,6 +73,8 @@ Result<std::unique_ptr<Xchange::Loop>> Xchange::Loop::open(const XchangeOptions&
         return Error{"is no folder that plots can be saved to", own.save.string()};
     for (const std::filesystem::path& file : own.share) {
         TRY(const auto bytes, read_file(file, scene::kMaxXchangeFileBytes));
+        if (const auto plot = scene::load_mvr(file); !plot.ok())
+            return Error{"cannot be shared: " + plot.error().text() + "; expected an .mvr", "--share"};
         const std::string_view content(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         const std::string_view parts[] = {loop->uuid_, content};
         Commit commit;

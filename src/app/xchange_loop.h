@@ -44,6 +44,7 @@ private:
         int tries = 0;
         bool fixed = false; // of the options: never forgotten
         bool joined = false;
+        bool told = false; // that it cannot be joined, since it was last
     };
     enum class Purpose { serves, joins, fetches };
     struct Fetch {
@@ -99,7 +100,8 @@ private:
     Result<void> take_piece(Connection& connection, Bytes piece, bool last);
     Result<void> finish_file(Connection& connection);
     void fetch_failed(Connection& connection, const std::string& why);
-    Connection* begin_connection(const std::string& key, Purpose purpose);
+    Result<Connection*> begin_connection(const std::string& key, Purpose purpose);
+    void join_failed(const std::string& key, const std::string& why);
     Message message_of(const char* type) const;
     void leave();
 

@@ -36,7 +36,8 @@ public:
     bool has_to_send() const { return !out_.empty() || !files_.empty(); }
     int handle() const { return stream_->handle(); }
     const dmx::IpAddress& address() const { return stream_->peer(); }
-    double heard_s() const { return heard_s_; } // the last bytes
+    const std::string& problem() const { return stream_->problem(); } // of the connection itself
+    double heard_s() const { return heard_s_; }                       // the last bytes
 
 private:
     Result<void> send_what_goes(double now_s);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace ghost::app {
 
@@ -74,18 +75,26 @@ void Xchange::Loop::accept() {
     }
 }
 
-Xchange::Loop::Connection* Xchange::Loop::begin_connection(const std::string& key, Purpose purpose) {
+Result<Xchange::Loop::Connection*> Xchange::Loop::begin_connection(const std::string& key, Purpose purpose) {
     const Known& known = known_.at(key);
-    auto stream = dmx::TcpStream::connect(known.station.address, known.station.port, known.interface_index);
-    if (!stream.ok()) return nullptr;
+    TRY(auto stream,
+        dmx::TcpStream::connect(known.station.address, known.station.port, known.interface_index));
     Connection connection;
     connection.purpose = purpose;
     connection.key = key;
     connection.name = known.station.name;
-    connection.peer = std::make_unique<XchangePeer>(std::move(*stream), now_s());
+    connection.peer = std::make_unique<XchangePeer>(std::move(stream), now_s());
     connection.begun_s = now_s();
     connections_.push_back(std::move(connection));
     return &connections_.back();
+}
+
+// Said once; it is tried again and again.
+void Xchange::Loop::join_failed(const std::string& key, const std::string& why) {
+    const auto place = known_.find(key);
+    if (place == known_.end() || place->second.joined || std::exchange(place->second.told, true)) return;
+    tell(XchangeEvent::Kind::trouble, place->second.station.name,
+         "cannot be joined: " + why + "; it is tried again");
 }
 
 void Xchange::Loop::join_known() {
@@ -96,9 +105,12 @@ void Xchange::Loop::join_known() {
         if (known.joined || now_s() < known.next_join_s || joining >= kMostJoining) continue;
         ++known.tries;
         known.next_join_s = now_s() + kJoinPatience_s + kAgain_s * known.tries;
-        Connection* const connection = begin_connection(key, Purpose::joins);
-        if (!connection) continue;
-        connection->peer->say(message_of("MVR_JOIN"));
+        const Result<Connection*> connection = begin_connection(key, Purpose::joins);
+        if (!connection.ok()) {
+            join_failed(key, connection.error().text());
+            continue;
+        }
+        (*connection)->peer->say(message_of("MVR_JOIN"));
         ++joining;
     }
 }
@@ -149,8 +161,10 @@ void Xchange::Loop::fetch_wanted() {
         }
         // Told by a station that mDNS may show only later.
         if (wanted.key.empty()) wanted.key = key_of(wanted.commit.station_uuid);
-        Connection* const connection =
-            known_.contains(wanted.key) ? begin_connection(wanted.key, Purpose::fetches) : nullptr;
+        Connection* connection = nullptr;
+        if (known_.contains(wanted.key))
+            if (const auto begun = begin_connection(wanted.key, Purpose::fetches); begun.ok())
+                connection = *begun;
         if (!connection && ++wanted.tries < kMostTries) {
             wanted.not_before_s = now_s() + kLookAgain_s;
             ++i;
@@ -194,9 +208,15 @@ void Xchange::Loop::turn(Connection& connection) {
         fetch_failed(connection, why.empty() ? "the station closed the connection" : turned.error().text());
         if (!why.empty() && connection.purpose != Purpose::fetches)
             tell(XchangeEvent::Kind::trouble, connection.name, turned.error().text());
+        else if (connection.purpose == Purpose::joins && !connection.done)
+            join_failed(connection.key, connection.peer->problem().empty() ? "it closed the connection"
+                                                                           : connection.peer->problem());
         connection.done = true;
     } else if (connection.purpose == Purpose::joins) {
-        connection.done = connection.done || age_s > kJoinPatience_s;
+        if (!connection.done && age_s > kJoinPatience_s) {
+            join_failed(connection.key, "it does not answer");
+            connection.done = true;
+        }
     } else if (connection.purpose == Purpose::fetches) {
         if (connection.fetch && (silent_s > kFetchSilence_s || age_s > kLongestFetch_s))
             fetch_failed(connection, "nothing came for too long");
@@ -235,6 +255,7 @@ void Xchange::Loop::answer(Connection& connection, const Message& message) {
             return;
         }
         known.joined = true;
+        known.told = false;
         known.tries = 0;
         if (!message.station_name.empty()) known.station.name = message.station_name;
         if (!message.station_uuid.empty()) known.station.uuid = message.station_uuid;
@@ -315,8 +336,8 @@ void Xchange::Loop::leave() {
     connections_.clear();
     for (const auto& [key, known] : known_)
         if (known.joined && connections_.size() < kMostJoining)
-            if (Connection* const connection = begin_connection(key, Purpose::joins))
-                connection->peer->say(message_of("MVR_LEAVE"));
+            if (const auto connection = begin_connection(key, Purpose::joins); connection.ok())
+                (*connection)->peer->say(message_of("MVR_LEAVE"));
     const double end_s = now_s() + kLeavePatience_s;
     const XchangePeer::Sink heard{[](const Message&) {},
                                   [](Bytes, bool) -> Result<void> {

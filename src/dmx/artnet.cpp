@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Art-Net 4: packet header, ArtDmx, ArtPoll, ArtSync, ArtTimeCode, ArtTrigger.
 #include "dmx/packet.h"
+#include "dmx/timecode.h"
 
 #include <algorithm>
 
@@ -41,11 +42,8 @@ Parsed parse_timecode(ByteReader reader) {
     time.hours = reader.u8();
     const std::uint8_t rate = reader.u8();
     if (!reader.ok()) return Drop::too_short;
-    static constexpr std::uint8_t kFrames[] = {24, 25, 30, 30};
-    if (rate > 3 || time.frames >= kFrames[rate] || time.seconds > 59 || time.minutes > 59 || time.hours > 23)
-        return Drop::bad_value;
     time.rate = static_cast<TimeCode::Rate>(rate);
-    return time;
+    return is_timecode(time) ? Parsed(time) : Parsed(Drop::bad_value);
 }
 
 Parsed parse_trigger(ByteReader reader) {
@@ -73,10 +71,11 @@ Parsed parse_dmx(ByteReader reader, const IpAddress& from, int universe_offset) 
     packet.universe = static_cast<std::uint16_t>(universe);
     packet.source = key_of(from, physical);
 
-    // Odd lengths, 12 slots and payloads longer than said all exist in the field; shorter ones were cut.
-    const std::size_t slots = std::min(static_cast<std::size_t>(length), kSlots);
+    // Odd lengths, 12 slots, payloads longer and shorter than said all exist in the field.
+    const std::size_t slots = std::min({std::size_t{length}, reader.left(), kSlots});
+    if (slots == 0 && length > 0) return Drop::too_short;
+    packet.wrong_length = slots < length;
     const Bytes levels = reader.take(slots);
-    if (!reader.ok()) return Drop::too_short;
     std::copy(levels.begin(), levels.end(), packet.slots.begin());
     packet.slot_count = static_cast<std::uint16_t>(slots);
     return packet;

@@ -93,6 +93,7 @@ private:
         }
         const Packet* packet = std::get_if<Packet>(&parsed);
         if (!packet) return {};
+        wrong_length_ += packet->wrong_length ? 1 : 0;
         merge_.feed(*packet, now_);
         const Universe* universe = merge_.universes().find(packet->universe);
         if (!universe) return {};
@@ -137,6 +138,7 @@ private:
         say(cut_, "packets were cut by the capture and are left out (capture with a snap length of 0)");
         for (const auto& [drop, count] : drops_)
             say(count, std::string("packets on our ports were not understood: ") + drop_name(drop));
+        say(wrong_length_, "packets declare more levels than they hold; those that came are used");
         say(backwards_, "packets are stamped earlier than the one before and count as of that moment");
         say(merge_.counters().missed, "level packets are missing, by their sequence numbers");
         say(merge_.counters().too_many_sources, "packets of more sources on a universe than are merged");
@@ -154,7 +156,7 @@ private:
     std::optional<Error> problem_;      // of the file below the packets
     std::optional<microseconds> first_; // levels
     nanoseconds now_{0}, next_tick_{0};
-    std::uint64_t packets_ = 0, backwards_ = 0, fragments_ = 0, cut_ = 0, other_ports_ = 0;
+    std::uint64_t packets_ = 0, backwards_ = 0, fragments_ = 0, cut_ = 0, other_ports_ = 0, wrong_length_ = 0;
     std::map<std::uint32_t, std::uint64_t> unknown_links_;
     std::map<Drop, std::uint64_t> drops_;
 };

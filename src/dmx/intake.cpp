@@ -20,6 +20,10 @@ void remember(std::vector<T>& list, T entry) {
 
 } // namespace
 
+Intake::Intake(const IntakeOptions& options) : options_(options), merge_(options.merge) {
+    if (options.merge.asked.empty()) merge_.ask_for(options.universes);
+}
+
 bool Intake::accepts(std::uint16_t universe) const {
     const auto& wanted = options_.universes;
     return wanted.empty() || options_.accept_others ||
@@ -29,6 +33,7 @@ bool Intake::accepts(std::uint16_t universe) const {
 void Intake::listen_to(std::vector<std::uint16_t> universes) {
     options_.universes = std::move(universes);
     if (!options_.universes.empty() && !options_.accept_others) merge_.keep_only(options_.universes);
+    merge_.ask_for(options_.universes);
     std::erase_if(unlisted_, [&](const auto& entry) { return accepts(entry.first.first); });
 }
 
@@ -50,6 +55,7 @@ void Intake::take_levels(Packet& packet, const Arrival& arrival) {
     packet.wrong_group = packet.protocol == Protocol::sacn && arrival.to.is_multicast() &&
                          arrival.to != sacn_group_address(packet.universe, !arrival.to.is_ipv4());
     counted_.wrong_group += packet.wrong_group ? 1 : 0;
+    counted_.wrong_length += packet.wrong_length ? 1 : 0;
     if (options_.before_levels) options_.before_levels(packet.universe);
     merge_.feed(packet, arrival.time);
 }
@@ -93,6 +99,7 @@ void Intake::report(Statistics& statistics, std::chrono::nanoseconds now) const 
     statistics.packets_artnet = counted_.packets_artnet;
     statistics.unlisted = counted_.unlisted;
     statistics.wrong_group = counted_.wrong_group;
+    statistics.wrong_length = counted_.wrong_length;
     statistics.notices = counted_.notices;
     statistics.drops = counted_.drops;
     statistics.timecode = counted_.timecode;

@@ -16,7 +16,7 @@
 namespace ghost::dmx {
 
 struct IntakeOptions {
-    std::vector<std::uint16_t> universes; // sorted; to accept
+    std::vector<std::uint16_t> universes; // sorted; to accept; they always find a place in the merge
     bool accept_others = false;           // than those; without any all are accepted
     int artnet_offset = 1;
     MergeOptions merge;
@@ -36,7 +36,7 @@ struct Arrival {
 
 class Intake {
 public:
-    explicit Intake(const IntakeOptions& options) : options_(options), merge_(options.merge) {}
+    explicit Intake(const IntakeOptions& options);
 
     // A poll that asks for an answer, if it is one.
     std::optional<PollPacket> take(Bytes bytes, const Arrival& arrival);

@@ -85,6 +85,7 @@ void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std
     ++heard_;
     name_ = packet.source_name;
     wrong_group_ = packet.wrong_group;
+    wrong_length_ = packet.wrong_length;
     sync_universe_ = packet.sync_universe;
     force_sync_ = packet.force_sync;
     const bool priorities = packet.start_code == 0xDD;
@@ -186,6 +187,7 @@ SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
     status.interface_index = interface_index_;
     status.preview = key_.preview;
     status.wrong_group = wrong_group_;
+    status.wrong_length = wrong_length_;
     status.sync_universe = sync_universe_;
     status.held = holding();
     status.priority = priority_;

@@ -78,7 +78,7 @@ private:
     unsigned interface_index_ = 0;
     std::uint16_t sync_universe_ = 0;
     bool force_sync_ = false;
-    bool wrong_group_ = false;
+    bool wrong_group_ = false, wrong_length_ = false;
     std::uint8_t priority_ = 100;
     Sequence sequence_;
     bool has_levels_ = false; // a level packet was shown, so the slots mean something

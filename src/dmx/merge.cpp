@@ -4,6 +4,7 @@
 #include "dmx/settle.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ghost::dmx {
 
@@ -36,31 +37,99 @@ void Merge::ignore(const Packet& packet, IgnoredSource::Why why, std::chrono::na
     ++entry.packets;
 }
 
+bool Merge::asked_for(std::uint16_t number) const {
+    return std::binary_search(options_.asked.begin(), options_.asked.end(), number);
+}
+
+void Merge::forget(const std::function<bool(std::uint16_t)>& which) {
+    for (const auto& [number, input] : inputs_)
+        if (!input.asked && which(number)) other_sources_ -= input.sources.size();
+    std::erase_if(inputs_, [&](const auto& input) { return which(input.first); });
+    std::erase_if(ignored_, [&](const auto& entry) { return which(entry.first.first); });
+    std::erase_if(dirty_, which);
+    if (std::erase_if(universes_.list, [&](const Universe& one) { return which(one.number); }) > 0)
+        ++universes_.revision;
+}
+
+// Where all places are taken: one of those that were asked for takes that of the longest silent one that was
+// not; the others wait for forget_silent().
+Merge::Input* Merge::find_or_make_input(std::uint16_t number) {
+    const auto place = inputs_.find(number);
+    if (place != inputs_.end()) return &place->second;
+    const bool asked = asked_for(number);
+    const auto refuse = [&] {
+        ++counters_.too_many_universes;
+        refused_ = true;
+        return nullptr;
+    };
+    if (inputs_.size() >= kMaxUniverses) {
+        if (!asked) return refuse(); // without a search: there may be a hundred thousand a second
+        const auto oldest =
+            std::min_element(inputs_.begin(), inputs_.end(), [](const auto& a, const auto& b) {
+                return a.second.asked != b.second.asked ? b.second.asked : a.second.heard < b.second.heard;
+            });
+        if (oldest->second.asked) return refuse();
+        ++counters_.universes_forgotten;
+        forget([gone = oldest->first](std::uint16_t one) { return one == gone; });
+    }
+    Input& input = inputs_[number];
+    input.asked = asked;
+    return &input;
+}
+
+void Merge::forget_silent() {
+    if (!std::exchange(refused_, false) || options_.asked.empty()) return;
+    std::vector<std::pair<std::chrono::nanoseconds, std::uint16_t>> silent;
+    for (const auto& [number, input] : inputs_)
+        if (!input.asked && input.sources.empty()) silent.emplace_back(input.heard, number);
+    const std::size_t count = std::min(silent.size(), kForgottenAtOnce);
+    std::partial_sort(silent.begin(), silent.begin() + static_cast<std::ptrdiff_t>(count), silent.end());
+    std::vector<std::uint16_t> gone;
+    for (std::size_t i = 0; i < count; ++i) gone.push_back(silent[i].second);
+    std::sort(gone.begin(), gone.end());
+    counters_.universes_forgotten += count;
+    forget([&](std::uint16_t number) { return std::binary_search(gone.begin(), gone.end(), number); });
+}
+
+// Whether all places that the source could have are taken; then which of the sources may go for it, if any.
+std::optional<std::size_t> Merge::place_for(const Input& input, const Packet& packet,
+                                            std::chrono::nanoseconds now, bool& full) const {
+    const bool artnet = packet.protocol == Protocol::artnet;
+    const auto artnets =
+        std::count_if(input.sources.begin(), input.sources.end(),
+                      [](const LevelSource& one) { return one.key().protocol == Protocol::artnet; });
+    full = artnet && artnets >= static_cast<std::ptrdiff_t>(kMaxArtnetSources);
+    if (full) return longest_silent(input.sources, now, Protocol::artnet);
+    full = input.sources.size() >= kMaxSourcesPerUniverse ||
+           (!input.asked && !input.sources.empty() && other_sources_ >= kMaxOtherSources);
+    if (!full) return std::nullopt;
+    const auto silent = longest_silent(input.sources, now);
+    return silent ? silent : heard_once(input.sources, now);
+}
+
 LevelSource* Merge::find_or_add(Input& input, const Packet& packet, std::chrono::nanoseconds now) {
     std::vector<LevelSource>& sources = input.sources;
     const auto same = [&](const LevelSource& source) { return source.key() == packet.source; };
     const auto found = std::find_if(sources.begin(), sources.end(), same);
     if (found != sources.end()) return &*found;
-    const bool artnet = packet.protocol == Protocol::artnet;
-    const auto artnets = std::count_if(sources.begin(), sources.end(), [](const LevelSource& source) {
-        return source.key().protocol == Protocol::artnet;
-    });
-    bool full = source_count_ >= kMaxSources || sources.size() >= kMaxSourcesPerUniverse;
-    if (const auto old = full ? replaceable(sources, now) : std::nullopt) {
-        sources.erase(sources.begin() + static_cast<std::ptrdiff_t>(*old));
-        --source_count_;
-        ++counters_.sources_replaced;
-        full = false;
-    }
-    if (full || (artnet && artnets >= static_cast<int>(kMaxArtnetSources))) {
+    bool full = false;
+    const std::optional<std::size_t> place = place_for(input, packet, now, full);
+    if (full && !place) {
         ignore(packet, IgnoredSource::Why::too_many, now);
         return nullptr;
     }
+    if (place) {
+        sources.erase(sources.begin() + static_cast<std::ptrdiff_t>(*place));
+        ++counters_.sources_replaced;
+        mark(packet.universe, input);
+    } else {
+        other_sources_ += input.asked ? 0 : 1;
+    }
+    ignored_.erase({packet.universe, packet.source});
     const bool alone = std::none_of(sources.begin(), sources.end(),
                                     [](const LevelSource& source) { return source.has_levels(); });
     const bool joined =
         packet.protocol != Protocol::sacn || alone || sampling_until_ || options_.priority_wait.count() == 0;
-    ++source_count_;
     return &sources.emplace_back(packet, joined, now);
 }
 
@@ -76,7 +145,7 @@ void Merge::terminate(std::uint16_t number, Input& input, const Packet& packet,
     if (found->release()) mark(number, input);
     if (input.dirty) rebuild(number, input); // a look that came just before is the one to hold
     input.sources.erase(found);
-    --source_count_;
+    other_sources_ -= input.asked ? 0 : 1;
     ++counters_.sources_terminated;
     mark(number, input);
 }
@@ -97,22 +166,17 @@ void Merge::feed(const Packet& packet, std::chrono::nanoseconds now) {
         ignore(packet, IgnoredSource::Why::preview, now);
         return;
     }
-    auto place = inputs_.find(packet.universe);
-    if (place == inputs_.end()) {
-        if (packet.terminated) return;
-        if (inputs_.size() >= kMaxUniverses) {
-            ++counters_.too_many_universes;
-            return;
-        }
-        place = inputs_.emplace(packet.universe, Input{}).first;
-    }
-    Input& input = place->second;
     if (packet.terminated) {
-        terminate(packet.universe, input, packet, now);
+        const auto place = inputs_.find(packet.universe);
+        if (place != inputs_.end()) terminate(packet.universe, place->second, packet, now);
         return;
     }
+    Input* const found = find_or_make_input(packet.universe);
+    if (!found) return;
+    Input& input = *found;
     LevelSource* source = find_or_add(input, packet, now);
     if (!source) return;
+    input.heard = std::max(input.heard, now);
     if (!source->same_way(packet, now)) {
         ++counters_.other_way;
         return;
@@ -143,6 +207,13 @@ void Merge::feed(const SyncPacket& packet, std::chrono::nanoseconds now) {
     }
 }
 
+template <class Which>
+std::size_t Merge::remove_sources(Input& input, Which which) {
+    const std::size_t gone = std::erase_if(input.sources, which);
+    other_sources_ -= input.asked ? 0 : gone;
+    return gone;
+}
+
 // Levels that wait for synchronisation that is lost.
 bool Merge::release_unsynchronised(Input& input, std::chrono::nanoseconds now) {
     bool changed = false;
@@ -157,9 +228,8 @@ bool Merge::let_newcomers_in(Input& input, std::chrono::nanoseconds now) {
         std::any_of(input.sources.begin(), input.sources.end(),
                     [](const auto& source) { return source.joined() && source.has_levels(); });
     if (beside_others)
-        source_count_ -= std::erase_if(input.sources, [&](const LevelSource& source) {
-            return !source.joined() && source.expired(now);
-        });
+        remove_sources(input,
+                       [&](const LevelSource& source) { return !source.joined() && source.expired(now); });
     bool changed = false;
     for (LevelSource& source : input.sources) {
         const bool waits =
@@ -172,16 +242,18 @@ bool Merge::let_newcomers_in(Input& input, std::chrono::nanoseconds now) {
 }
 
 void Merge::keep_only(const std::vector<std::uint16_t>& universes) {
-    const auto others = [&](std::uint16_t number) {
+    forget([&](std::uint16_t number) {
         return !std::binary_search(universes.begin(), universes.end(), number);
-    };
-    for (const auto& [number, input] : inputs_)
-        if (others(number)) source_count_ -= input.sources.size();
-    std::erase_if(inputs_, [&](const auto& input) { return others(input.first); });
-    std::erase_if(ignored_, [&](const auto& entry) { return others(entry.first.first); });
-    std::erase_if(dirty_, others);
-    if (std::erase_if(universes_.list, [&](const Universe& one) { return others(one.number); }) > 0)
-        ++universes_.revision;
+    });
+}
+
+void Merge::ask_for(const std::vector<std::uint16_t>& universes) {
+    options_.asked = universes;
+    other_sources_ = 0;
+    for (auto& [number, input] : inputs_) {
+        input.asked = asked_for(number);
+        other_sources_ += input.asked ? 0 : input.sources.size();
+    }
 }
 
 void Merge::tick(std::chrono::nanoseconds now) {
@@ -193,10 +265,8 @@ void Merge::tick(std::chrono::nanoseconds now) {
         if (let_newcomers_in(input, now)) changed = true;
         if (loss_is_settled(input.sources, now)) {
             if (input.dirty || changed) rebuild(number, input); // the last look is the one to hold
-            const auto gone =
-                std::erase_if(input.sources, [&](const LevelSource& source) { return source.expired(now); });
-            counters_.sources_lost += gone;
-            source_count_ -= gone;
+            counters_.sources_lost +=
+                remove_sources(input, [&](const LevelSource& source) { return source.expired(now); });
             changed = true;
         }
         for (LevelSource& source : input.sources) {
@@ -206,6 +276,7 @@ void Merge::tick(std::chrono::nanoseconds now) {
         if (changed) mark(number, input);
         apply_loss_policy(number, input, now);
     }
+    forget_silent();
 }
 
 void Merge::resume(std::chrono::nanoseconds pause) {

@@ -14,6 +14,7 @@
 #include "dmx/sync.h"
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -24,12 +25,14 @@ namespace ghost::dmx {
 inline constexpr std::size_t kMaxSourcesPerUniverse = 16; // more are counted and ignored; Art-Net: 2
 inline constexpr std::size_t kMaxArtnetSources = 2;
 inline constexpr std::size_t kMaxUniverses = 4096;
-inline constexpr std::size_t kMaxSources = 8192; // on all universes together
-inline constexpr std::size_t kMaxIgnored = 64;   // of sources that are only told of
+// On all universes together that nobody asked for; from there on only the first source of each gets in.
+inline constexpr std::size_t kMaxOtherSources = 8192;
+inline constexpr std::size_t kMaxIgnored = 64; // of sources that are only told of
 inline constexpr std::chrono::milliseconds kSamplingPeriod{1500};
 inline constexpr std::chrono::milliseconds kPriorityWait{1500};
 inline constexpr std::chrono::milliseconds kReplaceable{100}; // a source heard once, that long ago
 inline constexpr std::chrono::seconds kIgnoredForgotten{10};
+inline constexpr std::size_t kForgottenAtOnce = 512; // universes that make room for others
 
 // What a universe shows when its last source is gone.
 struct LossPolicy {
@@ -40,6 +43,10 @@ struct LossPolicy {
 struct MergeOptions {
     bool show_preview = false; // packets marked "preview" (blind), where there are any, instead of live ones
     std::vector<std::uint16_t> preview_universes; // sorted; only of these; empty: of all
+    // Sorted. Universes that are patched or asked for: they always find a place, and each has all its
+    // sources. Where all places are taken, others that nobody sends any more make room, the longest silent
+    // first. Empty: whoever came first keeps its place.
+    std::vector<std::uint16_t> asked;
     bool slot_status = false; // sources() says what each source sends: a kilobyte per source
     bool artnet_ltp = false;  // of two Art-Net sources the one that changed a slot last holds it
     LossPolicy loss;
@@ -59,14 +66,16 @@ struct MergeCounters {
     std::uint64_t held = 0;            // level packets that waited for synchronisation
     std::uint64_t too_many_sources = 0;
     std::uint64_t too_many_universes = 0;
-    std::uint64_t sources_replaced = 0;   // heard once, gone for a newcomer where all places were taken
+    std::uint64_t universes_forgotten = 0; // nobody had asked for them and nobody sent them any more
+    // Gone for a newcomer where all places were taken: silent, or heard only once.
+    std::uint64_t sources_replaced = 0;
     std::uint64_t sources_lost = 0;       // by silence
     std::uint64_t sources_terminated = 0; // by their own word
 };
 
 class Merge {
 public:
-    explicit Merge(MergeOptions options = {}) : options_(options) {}
+    explicit Merge(MergeOptions options = {}) : options_(std::move(options)) {}
 
     // Listening begins: the sampling period with it.
     void listen(std::chrono::nanoseconds now);
@@ -80,6 +89,8 @@ public:
 
     // Nothing is known of other universes any more. Sorted.
     void keep_only(const std::vector<std::uint16_t>& universes);
+    // Instead of MergeOptions::asked. Sorted.
+    void ask_for(const std::vector<std::uint16_t>& universes);
 
     // Something changed since the last call of universes().
     bool pending() const { return !dirty_.empty() && !sampling_until_; }
@@ -102,7 +113,9 @@ private:
     struct Input {
         std::vector<LevelSource> sources;
         std::chrono::nanoseconds arrival{0};
+        std::chrono::nanoseconds heard{0}; // newest packet of a source that has a place
         std::optional<std::chrono::nanoseconds> lost_since;
+        bool asked = false;     // for: MergeOptions::asked
         bool seen = false;      // levels were shown at least once
         bool black_due = false; // lost for so long that the policy takes the look away
         bool dirty = false;
@@ -111,10 +124,18 @@ private:
     void mark(std::uint16_t number, Input& input);
     bool shows_preview(std::uint16_t number) const;
     void ignore(const Packet& packet, IgnoredSource::Why why, std::chrono::nanoseconds now);
+    bool asked_for(std::uint16_t number) const;
+    Input* find_or_make_input(std::uint16_t number);
+    void forget(const std::function<bool(std::uint16_t)>& which);
+    void forget_silent();
+    std::optional<std::size_t> place_for(const Input& input, const Packet& packet,
+                                         std::chrono::nanoseconds now, bool& full) const;
     LevelSource* find_or_add(Input& input, const Packet& packet, std::chrono::nanoseconds now);
     void terminate(std::uint16_t number, Input& input, const Packet& packet, std::chrono::nanoseconds now);
     bool must_hold(const Input& input, const LevelSource& source, const Packet& packet,
                    std::chrono::nanoseconds now) const;
+    template <class Which>
+    std::size_t remove_sources(Input& input, Which which);
     bool release_unsynchronised(Input& input, std::chrono::nanoseconds now);
     bool let_newcomers_in(Input& input, std::chrono::nanoseconds now);
     void rebuild(std::uint16_t number, Input& input);
@@ -125,8 +146,9 @@ private:
     std::map<std::uint16_t, Input> inputs_;
     SyncStreams sync_;
     std::vector<std::uint16_t> dirty_;
-    std::size_t source_count_ = 0;
-    std::uint32_t stamp_ = 0;                                              // of the newest packet
+    std::size_t other_sources_ = 0; // on universes that nobody asked for
+    bool refused_ = false;          // a universe, since places were looked for
+    std::uint32_t stamp_ = 0;       // of the newest packet
     std::map<std::pair<std::uint16_t, SourceKey>, IgnoredSource> ignored_; // age: arrival
     std::optional<std::chrono::nanoseconds> sampling_until_;
     Universes universes_;

@@ -39,6 +39,7 @@ struct Packet {
     IpAddress from;                  // of the sender; none of USB
     unsigned interface_index = 0;    // where it came in; 0 = not told
     bool wrong_group = false;        // it came by the multicast group of another universe
+    bool wrong_length = false;       // it declares more levels than came, or than 512
     std::uint16_t universe = 0;      // 1..63999
     std::uint8_t priority = 100;     // 0..200; Art-Net has none and counts as 100
     std::uint8_t sequence = 0;       // Art-Net: 0 = the sender does not number its packets
@@ -94,7 +95,7 @@ std::string trigger_text(const Trigger& trigger); // "macro 5"
 enum class Notice : std::uint8_t { sync, discovery, poll, poll_reply, timecode, trigger, other, kCount };
 // Packets we drop.
 enum class Drop : std::uint8_t {
-    too_short,      // ends before its header or the levels that it declares do
+    too_short,      // ends before its header does, or with none of the levels that it declares
     not_ours,       // identifier of the protocol is missing
     bad_version,    // Art-Net protocol version below 14
     bad_vector,     // sACN layer vector or address type that is no level data

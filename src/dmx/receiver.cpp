@@ -34,19 +34,25 @@ nanoseconds steady_now() {
     return std::chrono::steady_clock::now().time_since_epoch();
 }
 
-std::vector<std::uint16_t> announced_universes(const std::vector<std::uint16_t>& universes) {
-    std::vector<std::uint16_t> result = universes;
-    for (std::uint16_t i = 1; universes.empty() && i <= kDefaultUniverses; ++i) result.push_back(i);
-    return result;
-}
-
 std::vector<std::uint16_t> port_addresses(const std::vector<std::uint16_t>& universes, int artnet_offset) {
     std::vector<std::uint16_t> result;
     for (const std::uint16_t universe : announced_universes(universes)) {
         const int port_address = universe - artnet_offset;
-        if (port_address >= 0 && port_address <= 0x7FFF)
+        if (port_address >= 0 && port_address <= kMaxPortAddress)
             result.push_back(static_cast<std::uint16_t>(port_address));
     }
+    return result;
+}
+
+// Those that find a place in the merge whatever else arrives: of an automatic widget as many as it may take.
+std::vector<std::uint16_t> asked_universes(const ReceiverOptions& options) {
+    std::vector<std::uint16_t> result = announced_universes(options.universes);
+    for (const UsbPortOptions& port : options.usb) {
+        const std::size_t count = port.path == "auto" ? kMostUsbPorts : 1;
+        for (std::size_t i = 0; i < count && port.universe + i <= kMaxUniverse; ++i)
+            result.push_back(static_cast<std::uint16_t>(port.universe + i));
+    }
+    std::sort(result.begin(), result.end());
     return result;
 }
 
@@ -64,22 +70,29 @@ IntakeOptions intake_options(const ReceiverOptions& options) {
     result.artnet_offset = options.artnet_offset;
     result.merge.show_preview = options.show_preview;
     result.merge.preview_universes = options.preview_universes;
+    result.merge.asked = asked_universes(options);
     result.merge.slot_status = options.slot_status;
     result.merge.artnet_ltp = options.artnet_ltp;
     result.merge.loss = options.loss;
     result.merge.sampling = options.sampling;
     result.merge.priority_wait = options.priority_wait;
-    result.on_timecode = options.on_timecode;
+    if (options.midi.empty()) result.on_timecode = options.on_timecode;
     return result;
 }
 
 } // namespace
 
+std::vector<std::uint16_t> announced_universes(const std::vector<std::uint16_t>& universes) {
+    std::vector<std::uint16_t> result = universes;
+    for (std::uint16_t i = 1; universes.empty() && i <= kDefaultUniverses; ++i) result.push_back(i);
+    return result;
+}
+
 struct Receiver::Loop {
     Loop(Receiver& receiver, const ReceiverOptions& wanted, std::unique_ptr<Listener> opened)
         : owner(receiver), options(wanted), listener(std::move(opened)), intake(with_recording(wanted)),
-          usb(wanted.usb, wanted.usb_by_id), answers(port_addresses(wanted.universes, wanted.artnet_offset)),
-          port_watch(ports_of(wanted)) {
+          usb(wanted.usb, wanted.usb_by_id), midi(wanted.midi),
+          answers(port_addresses(wanted.universes, wanted.artnet_offset)), port_watch(ports_of(wanted)) {
         statistics.listening = {wanted.sacn,          wanted.artnet,       wanted.interface,
                                 wanted.artnet_offset, wanted.show_preview, steady_now()};
     }
@@ -96,7 +109,9 @@ struct Receiver::Loop {
         if (options.on_levels && intake.merge().pending(universe)) publish(now);
     }
     bool take_all();
+    std::vector<int> handles() const;
     void take_usb(nanoseconds now);
+    void take_midi(nanoseconds now);
     void listen_to(const std::vector<std::uint16_t>& universes, nanoseconds now);
     void take(const Datagram& datagram, Protocol protocol);
     void announce(nanoseconds now);
@@ -111,6 +126,7 @@ struct Receiver::Loop {
     std::unique_ptr<Listener> listener;
     Intake intake;
     UsbPorts usb;
+    MidiInput midi;
     PollAnswers answers;
     PortWatch port_watch;
     Statistics statistics;
@@ -184,11 +200,24 @@ void Receiver::Loop::take_usb(nanoseconds now) {
     });
 }
 
+void Receiver::Loop::take_midi(nanoseconds now) {
+    midi.take(now, [&](const TimeCode& time) {
+        if (options.on_timecode) options.on_timecode(time, now);
+    });
+}
+
+std::vector<int> Receiver::Loop::handles() const {
+    std::vector<int> result = usb.handles();
+    if (const auto handle = midi.handle()) result.push_back(*handle);
+    return result;
+}
+
 void Receiver::Loop::listen_to(const std::vector<std::uint16_t>& universes, nanoseconds now) {
     if (universes == options.universes) return;
     options.universes = universes;
     listener->announce(announced_universes(universes), now);
     intake.listen_to(universes);
+    intake.merge().ask_for(asked_universes(options));
     answers.announce(port_addresses(universes, options.artnet_offset));
     announce(now);
     publish(now);
@@ -215,13 +244,15 @@ void Receiver::Loop::publish_statistics(nanoseconds now) {
     intake.report(statistics, now);
     listener->report(statistics);
     statistics.usb = usb.status();
+    statistics.midi = midi.status();
     statistics.port_users = port_watch.users();
-    const RecentLoss total{statistics.merge.missed, statistics.overflow};
+    const RecentLoss total{statistics.merge.missed, statistics.overflow, statistics.merge.too_many_universes};
     if (now >= next_window) {
         before = std::exchange(at_last, total);
         next_window = now + kLossWindow;
     }
-    statistics.recent = {total.missed - before.missed, total.overflow - before.overflow};
+    statistics.recent = {total.missed - before.missed, total.overflow - before.overflow,
+                         total.too_many_universes - before.too_many_universes};
     statistics.cpu = thread_cpu_time();
     owner.statistics_.put(statistics);
 }
@@ -232,7 +263,7 @@ void Receiver::Loop::run() {
     intake.merge().listen(start);
     announce(start);
     while (!stop.load(std::memory_order_relaxed)) {
-        listener->wait(usb.handles(), time_to_wait(steady_now()));
+        listener->wait(handles(), time_to_wait(steady_now()));
         const nanoseconds turn = steady_now() - woke;
         woke += turn;
         if (turn > kPause) {
@@ -244,6 +275,7 @@ void Receiver::Loop::run() {
         if (turn > kPause) intake.merge().resume(nanoseconds(0));
         const nanoseconds now = steady_now();
         take_usb(now);
+        take_midi(now);
         if (const auto universes = owner.wanted_.take()) listen_to(*universes, now);
         if (now >= next_tick) {
             intake.tick(now);
@@ -273,8 +305,16 @@ Result<std::unique_ptr<Receiver>> Receiver::start(const ReceiverOptions& options
     std::sort(sorted.preview_universes.begin(), sorted.preview_universes.end());
     TRY(auto listener, Listener::open(sorted, announced_universes(sorted.universes)));
     receiver->warnings_ = listener->warnings();
+    if (sorted.artnet && sorted.artnet_offset != ReceiverOptions().artnet_offset &&
+        port_addresses(sorted.universes, sorted.artnet_offset).empty())
+        receiver->warnings_.push_back(
+            "with an Art-Net offset of " + std::to_string(sorted.artnet_offset) +
+            " none of our universes has a Port-Address (0 to 32767): desks do not find us");
     receiver->sampling_ = sorted.sampling.count() > 0;
     receiver->loop_ = std::make_unique<Loop>(*receiver, sorted, std::move(listener));
+    receiver->loop_->take_midi(steady_now());
+    if (const MidiStatus midi = receiver->loop_->midi.status(); !midi.problem.empty())
+        receiver->warnings_.push_back(midi.path + ": " + midi.problem + "; it is looked for once a second");
     receiver->loop_->thread = std::thread([loop = receiver->loop_.get()] { loop->run(); });
     return receiver;
 }

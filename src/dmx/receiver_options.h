@@ -14,12 +14,14 @@ namespace ghost::dmx {
 
 inline constexpr std::uint16_t kSacnPort = 5568;
 inline constexpr std::uint16_t kArtnetPort = 6454;
+inline constexpr int kMaxPortAddress = 0x7FFF;
 
 struct ReceiverOptions {
     std::string interface; // name ("eth0") or IPv4 address of ours; empty: every interface
     bool sacn = true;
     bool artnet = true;
     std::vector<UsbPortOptions> usb; // may be plugged in later; any universe
+    std::string midi;                // port to read time code from, instead of Art-Net's; empty: none
     // Universes to join, to announce and to accept. Empty: 1 to 64 are joined and announced, whatever arrives
     // is accepted.
     std::vector<std::uint16_t> universes;
@@ -40,8 +42,12 @@ struct ReceiverOptions {
     // For recording: gets every publication, on the receiver's thread, and must be quick. A packet never
     // takes the place of levels that it did not get.
     std::function<void(const Universes&, std::chrono::nanoseconds now)> on_levels;
-    // Gets every time code, on the receiver's thread, and must be quick. arrival: as the kernel stamped it.
+    // Gets every time code, of the MIDI port where one is named, else of Art-Net; on the receiver's thread,
+    // and must be quick. arrival: of Art-Net as the kernel stamped it.
     std::function<void(const TimeCode&, std::chrono::nanoseconds arrival)> on_timecode;
 };
+
+// What is joined and announced for these ReceiverOptions::universes.
+std::vector<std::uint16_t> announced_universes(const std::vector<std::uint16_t>& universes);
 
 } // namespace ghost::dmx

@@ -84,9 +84,11 @@ Parsed parse_data(ByteReader reader, const SourceKey& source, const IpAddress& f
     packet.source.preview = (options & 0x80) != 0;
     packet.terminated = (options & 0x40) != 0;
     packet.force_sync = (options & 0x20) != 0;
-    const std::size_t slots = std::min(static_cast<std::size_t>(count) - 1, kSlots);
+    const std::size_t declared = static_cast<std::size_t>(count) - 1;
+    const std::size_t slots = std::min({declared, reader.left(), kSlots});
+    if (slots == 0 && declared > 0) return Drop::too_short;
+    packet.wrong_length = slots < declared;
     const Bytes levels = reader.take(slots);
-    if (!reader.ok()) return Drop::too_short; // half a look must not darken the other half
     std::copy(levels.begin(), levels.end(), packet.slots.begin());
     packet.slot_count = static_cast<std::uint16_t>(slots);
     return packet;

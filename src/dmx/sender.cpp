@@ -8,8 +8,14 @@
 
 namespace ghost::dmx {
 
-Sender::Sender(SenderOptions options, std::unique_ptr<UdpSocket> socket, std::optional<IpAddress> target)
-    : options_(std::move(options)), socket_(std::move(socket)), target_(target) {
+namespace {
+
+constexpr std::chrono::seconds kLookAgain{1};
+
+} // namespace
+
+Sender::Sender(SenderOptions options, std::unique_ptr<UdpSocket> socket)
+    : options_(std::move(options)), socket_(std::move(socket)) {
     if (options_.port == 0) options_.port = options_.protocol == Protocol::sacn ? kSacnPort : kArtnetPort;
     // A new source each time: the receivers' sequence rules start afresh.
     std::random_device random;
@@ -30,17 +36,38 @@ Result<Sender> Sender::open(const SenderOptions& options) {
     if (ipv6 && options.protocol == Protocol::artnet)
         return Error{"Art-Net knows no IPv6, expected an IPv4 address", options.destination};
     TRY(auto socket, ipv6 ? UdpSocket::open_ipv6(0, 64 << 10) : UdpSocket::open(0, 0, 64 << 10));
-    if (!options.interface.empty()) {
-        TRY(const NetInterface interface, find_interface(options.interface));
-        TRY_VOID(socket->send_multicast_through(interface));
-        if (!target && options.protocol == Protocol::artnet) target = IpAddress(interface.broadcast);
-    }
-    if (!target && options.protocol == Protocol::artnet) target = IpAddress(0xFFFFFFFFu);
-    return Sender(options, std::move(socket), target);
+    Sender sender(options, std::move(socket));
+    sender.target_ = target;
+    TRY_VOID(sender.choose_interface());
+    return sender;
+}
+
+Result<void> Sender::choose_interface() {
+    const bool broadcasts = options_.destination.empty() && options_.protocol == Protocol::artnet;
+    if (broadcasts) target_ = IpAddress(0xFFFFFFFFu);
+    if (options_.interface.empty()) return {};
+    TRY(const NetInterface interface, find_interface(options_.interface));
+    TRY_VOID(socket_->send_multicast_through(interface));
+    if (broadcasts) target_ = IpAddress(interface.broadcast);
+    return {};
 }
 
 IpAddress Sender::destination(std::uint16_t universe) const {
     return target_ ? *target_ : IpAddress(sacn_group(universe));
+}
+
+bool Sender::put(Bytes bytes, std::uint16_t universe) {
+    const auto now = std::chrono::steady_clock::now();
+    if (trouble_ && now >= look_again_) {
+        look_again_ = now + kLookAgain;
+        (void)choose_interface(); // one that is gone shows when it is sent through
+    }
+    const Result<void> sent = socket_->send(bytes, destination(universe), options_.port);
+    if (sent.ok())
+        trouble_.reset();
+    else
+        trouble_ = sent.error();
+    return sent.ok();
 }
 
 Result<void> Sender::send(const Universes& universes) {
@@ -61,22 +88,22 @@ Result<void> Sender::send(const Universes& universes) {
             if (sequence == 0) sequence = 1; // 0 would mean "not numbered"
             bytes = build_artdmx(static_cast<std::uint16_t>(port_address), *universe.levels, sequence);
         }
-        TRY_VOID(socket_->send(bytes, destination(universe.number), options_.port));
-        ++packets_;
+        ++(put(bytes, universe.number) ? packets_ : refused_);
     }
     return {};
 }
 
-Result<void> Sender::terminate() {
-    if (options_.protocol != Protocol::sacn) return {};
-    for (int round = 0; round < 3; ++round) {
-        for (auto& [number, sequence] : sequence_) {
-            const auto bytes =
-                build_sacn(number, {}, ++sequence, options_.priority, cid_, options_.source_name, 0x40);
-            TRY_VOID(socket_->send(bytes, destination(number), options_.port));
-        }
-    }
-    return {};
+std::uint64_t Sender::terminate() {
+    std::uint64_t went = 0;
+    if (options_.protocol != Protocol::sacn) return went;
+    for (int round = 0; round < 3; ++round)
+        for (auto& [number, sequence] : sequence_)
+            went +=
+                put(build_sacn(number, {}, ++sequence, options_.priority, cid_, options_.source_name, 0x40),
+                    number)
+                    ? 1
+                    : 0;
+    return went;
 }
 
 } // namespace ghost::dmx

@@ -1,13 +1,15 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Sender: sends levels as sACN or Art-Net, for `play` and tests. Unicast to one address, else sACN multicast
-// and Art-Net broadcast through the chosen interface. The caller paces: send() sends every universe once. One
-// thread.
+// and Art-Net broadcast through the chosen interface. The caller paces: send() sends every universe once.
+// What the system refuses (no cable, no route, an interface that is gone) is counted and left out; the
+// interface is looked for again once a second, so that sending goes on when the link comes back. One thread.
 
 #include "base/result.h"
 #include "dmx/packet.h"
 #include "dmx/receiver.h"
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
@@ -34,13 +36,21 @@ public:
     Sender(Sender&&) noexcept;
     ~Sender();
 
+    // Error: a universe that has no Port-Address.
     Result<void> send(const Universes& universes);
-    // sACN: three stream-terminated packets per universe that was sent (E1.31 6.2.6); Art-Net: nothing.
-    Result<void> terminate();
-    std::uint64_t packets() const { return packets_; }
+    // sACN: three stream-terminated packets per universe that was sent (E1.31 6.2.6); Art-Net: nothing. How
+    // many went.
+    std::uint64_t terminate();
+    std::uint64_t packets() const { return packets_; } // of levels, sent
+    std::uint64_t refused() const { return refused_; } // of levels, that could not be sent
+    // Why the newest packet could not be sent; nothing where it could.
+    const std::optional<Error>& trouble() const { return trouble_; }
 
 private:
-    Sender(SenderOptions options, std::unique_ptr<UdpSocket> socket, std::optional<IpAddress> target);
+    Sender(SenderOptions options, std::unique_ptr<UdpSocket> socket);
+    // The chosen interface, as it is now; where Art-Net goes without an address.
+    Result<void> choose_interface();
+    bool put(Bytes bytes, std::uint16_t universe);
     IpAddress destination(std::uint16_t universe) const;
 
     SenderOptions options_;
@@ -48,7 +58,9 @@ private:
     std::optional<IpAddress> target_; // none: the multicast group of the universe
     std::array<std::uint8_t, 16> cid_{};
     std::map<std::uint16_t, std::uint8_t> sequence_;
-    std::uint64_t packets_ = 0;
+    std::uint64_t packets_ = 0, refused_ = 0;
+    std::optional<Error> trouble_;
+    std::chrono::steady_clock::time_point look_again_{};
 };
 
 } // namespace ghost::dmx

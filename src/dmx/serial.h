@@ -18,6 +18,8 @@ class SerialPort {
 public:
     // 8 bits, no parity, no flow control; 57600 baud, which widgets behind a USB converter ignore.
     static Result<std::unique_ptr<SerialPort>> open(const std::string& path);
+    // One that MIDI comes by, to be read only: a raw device of ALSA, a serial port or a pipe.
+    static Result<std::unique_ptr<SerialPort>> open_midi(const std::string& path);
     ~SerialPort();
     SerialPort(const SerialPort&) = delete;
     SerialPort& operator=(const SerialPort&) = delete;

@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -47,6 +48,29 @@ Result<std::unique_ptr<SerialPort>> SerialPort::open(const std::string& path) {
         return Error{std::string("cannot be set up: ") + std::strerror(errno), path};
     // What a widget sent before somebody listened is old.
     tcflush(handle, TCIFLUSH);
+    return port;
+}
+
+Result<std::unique_ptr<SerialPort>> SerialPort::open_midi(const std::string& path) {
+    const int handle = ::open(path.c_str(), O_RDONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (handle < 0) {
+        if (errno == EACCES)
+            return Error{
+                "may not be opened; join the group that owns it: sudo usermod -aG audio $USER, then log "
+                "in again",
+                path};
+        if (errno == EBUSY) return Error{"is in use by another program; close it and try again", path};
+        return Error{why_not_opened(), path};
+    }
+    std::unique_ptr<SerialPort> port(new SerialPort(handle));
+    struct stat what {};
+    if (fstat(handle, &what) != 0 || !(S_ISCHR(what.st_mode) || S_ISFIFO(what.st_mode)))
+        return Error{"is no MIDI port, expected a device like /dev/snd/midiC1D0", path};
+    termios settings{};
+    if (tcgetattr(handle, &settings) == 0) {
+        cfmakeraw(&settings);
+        (void)tcsetattr(handle, TCSANOW, &settings);
+    }
     return port;
 }
 

@@ -19,7 +19,18 @@ bool loss_is_settled(std::span<const LevelSource> sources, std::chrono::nanoseco
     });
 }
 
-std::optional<std::size_t> replaceable(std::span<const LevelSource> sources, std::chrono::nanoseconds now) {
+std::optional<std::size_t> longest_silent(std::span<const LevelSource> sources, std::chrono::nanoseconds now,
+                                          std::optional<Protocol> of) {
+    std::optional<std::size_t> longest;
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        const Protocol protocol = sources[i].key().protocol;
+        if (protocol == Protocol::usb || (of && protocol != *of) || !sources[i].expired(now)) continue;
+        if (!longest || sources[i].last_levels() < sources[*longest].last_levels()) longest = i;
+    }
+    return longest;
+}
+
+std::optional<std::size_t> heard_once(std::span<const LevelSource> sources, std::chrono::nanoseconds now) {
     std::optional<std::size_t> oldest;
     for (std::size_t i = 0; i < sources.size(); ++i) {
         const LevelSource& source = sources[i];

@@ -16,10 +16,13 @@ namespace ghost::dmx {
 // letting the first go would show the look of the next for a moment.
 bool loss_is_settled(std::span<const LevelSource> sources, std::chrono::nanoseconds now);
 
-// Of a universe whose places are all taken: the source that a newcomer may replace, heard only once and
-// longest ago. So packets from ever new forged sources find places among each other's, never that of a real
-// one.
-std::optional<std::size_t> replaceable(std::span<const LevelSource> sources, std::chrono::nanoseconds now);
+// Of a universe whose places are all taken: which source a newcomer may replace. The one that is silent for
+// longest, past its time-out, though it could not leave yet (of a protocol, if one is given); never a widget.
+std::optional<std::size_t> longest_silent(std::span<const LevelSource> sources, std::chrono::nanoseconds now,
+                                          std::optional<Protocol> of = std::nullopt);
+// Else the sACN source that was heard only once, and longest ago. So packets from ever new forged sources
+// find places among each other's, never that of a real one.
+std::optional<std::size_t> heard_once(std::span<const LevelSource> sources, std::chrono::nanoseconds now);
 
 // Of each source the number of slots that it holds, alone or together with others: where nobody that takes
 // part ranks higher.

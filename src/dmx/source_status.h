@@ -57,6 +57,7 @@ struct SourceStatus {
     unsigned interface_index = 0;    // where it comes in; 0: not told
     bool preview = false;            // its packets are marked "not for live output"
     bool wrong_group = false;        // its newest packet came by the multicast group of another universe
+    bool wrong_length = false;       // its newest packet declares more levels than came
     std::uint16_t sync_universe = 0; // that its newest packet names
     bool held = false;               // levels wait for a synchronisation packet
     std::uint8_t priority = 0;

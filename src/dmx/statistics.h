@@ -7,6 +7,7 @@
 #include "dmx/discovery.h"
 #include "dmx/latency.h"
 #include "dmx/merge.h"
+#include "dmx/midi_input.h"
 #include "dmx/port_users.h"
 #include "dmx/socket.h"
 #include "dmx/usb_ports.h"
@@ -51,10 +52,11 @@ struct Listening {
     std::string problem;               // why we do not listen at all: a port that is taken, as a rule
 };
 
-// What got lost in the last ten to twenty seconds.
+// What got lost in the last ten to twenty seconds, in packets.
 struct RecentLoss {
     std::uint64_t missed = 0;   // by sequence number
     std::uint64_t overflow = 0; // dropped by the kernel
+    std::uint64_t too_many_universes = 0;
 };
 
 struct TimeCodeStatus {
@@ -88,7 +90,8 @@ struct Statistics {
     std::uint64_t unlisted = 0; // for universes that were not asked for
     std::uint64_t overflow = 0; // dropped by the kernel: socket buffer full; of all sockets since the start
     RecentLoss recent;
-    std::uint64_t wrong_group = 0; // levels that came by the multicast group of another universe
+    std::uint64_t wrong_group = 0;  // levels that came by the multicast group of another universe
+    std::uint64_t wrong_length = 0; // levels that came in packets that declare more of them; they are used
     std::array<std::uint64_t, static_cast<std::size_t>(Notice::kCount)> notices{};
     std::array<std::uint64_t, static_cast<std::size_t>(Drop::kCount)> drops{};
     std::uint64_t poll_replies_sent = 0;  // to those who asked
@@ -105,6 +108,7 @@ struct Statistics {
     std::vector<UnlistedUniverse> unlisted_universes; // at most kMaxUnlisted
     std::vector<SocketStatus> sockets;
     std::vector<UsbPortStatus> usb;
+    MidiStatus midi;
     std::optional<TimeCodeStatus> timecode; // the newest
     std::vector<TriggerStatus> triggers;    // the newest kMaxRemembered
     std::vector<LinkChange> link_changes;   // the newest kMaxRemembered

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace ghost::dmx {
@@ -30,6 +31,8 @@ public:
     std::optional<Bytes> read();
     // How many bytes were taken. nullopt: it is closed, or did not come about.
     std::optional<std::size_t> send(Bytes bytes);
+    // Why it is closed, or did not come about; empty: the other end closed it.
+    const std::string& problem() const { return problem_; }
     const IpAddress& peer() const { return peer_; }
     int handle() const { return handle_; }
 
@@ -40,6 +43,7 @@ private:
     int handle_;
     IpAddress peer_;
     std::vector<std::uint8_t> buffer_;
+    std::string problem_;
 };
 
 class TcpListener {

@@ -70,6 +70,7 @@ std::optional<Bytes> TcpStream::read() {
     const ssize_t count = ::recv(handle_, buffer_.data(), buffer_.size(), 0);
     if (count > 0) return Bytes(buffer_.data(), static_cast<std::size_t>(count));
     if (count < 0 && would_wait()) return Bytes();
+    if (count < 0 && problem_.empty()) problem_ = std::strerror(errno);
     return std::nullopt;
 }
 
@@ -77,6 +78,7 @@ std::optional<std::size_t> TcpStream::send(Bytes bytes) {
     const ssize_t count = ::send(handle_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (count >= 0) return static_cast<std::size_t>(count);
     if (would_wait()) return std::size_t{0};
+    if (problem_.empty()) problem_ = std::strerror(errno);
     return std::nullopt;
 }
 

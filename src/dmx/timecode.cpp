@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 namespace ghost::dmx {
 
@@ -13,6 +14,9 @@ using namespace std::chrono_literals;
 
 constexpr double kLongestStep_s = 0.5; // more is a jump
 constexpr auto kHeard = 1s;
+
+constexpr int kNumbers[] = {24, 25, 30, 30}; // of frames in a second, by rate
+constexpr int kTenMinutes = 17982;           // frames of drop frame
 
 double frames_per_s(TimeCode::Rate rate) {
     switch (rate) {
@@ -28,14 +32,41 @@ double frames_per_s(TimeCode::Rate rate) {
     return 30.0;
 }
 
+int frame_of_day(const TimeCode& time) {
+    const int minutes = time.hours * 60 + time.minutes;
+    const int all =
+        (minutes * 60 + time.seconds) * kNumbers[static_cast<std::size_t>(time.rate)] + time.frames;
+    return time.rate == TimeCode::Rate::drop_29_97 ? all - 2 * (minutes - minutes / 10) : all;
+}
+
 } // namespace
 
+bool is_timecode(const TimeCode& time) {
+    const auto rate = static_cast<std::size_t>(time.rate);
+    return rate < std::size(kNumbers) && time.frames < kNumbers[rate] && time.seconds < 60 &&
+           time.minutes < 60 && time.hours < 24;
+}
+
 double timecode_seconds(const TimeCode& time) {
-    const int whole_s = (time.hours * 60 + time.minutes) * 60 + time.seconds;
-    const double per_s = frames_per_s(time.rate);
-    if (time.rate != TimeCode::Rate::drop_29_97) return whole_s + time.frames / per_s;
-    const int minutes = time.hours * 60 + time.minutes;
-    return (30 * whole_s + time.frames - 2 * (minutes - minutes / 10)) / per_s;
+    return frame_of_day(time) / frames_per_s(time.rate);
+}
+
+TimeCode plus_frames(const TimeCode& time, int frames) {
+    const int numbers = kNumbers[static_cast<std::size_t>(time.rate)];
+    const bool drop = time.rate == TimeCode::Rate::drop_29_97;
+    const int day = drop ? 144 * kTenMinutes : 86400 * numbers;
+    int frame = (frame_of_day(time) + frames % day + day) % day;
+    if (drop) { // the numbers that were left out come back in
+        const int in_ten = frame % kTenMinutes;
+        frame += 18 * (frame / kTenMinutes) + (in_ten >= 1800 ? 2 * ((in_ten - 1800) / 1798 + 1) : 0);
+    }
+    TimeCode result = time;
+    const auto part = [](int value, int limit) { return static_cast<std::uint8_t>(value % limit); };
+    result.frames = part(frame, numbers);
+    result.seconds = part(frame / numbers, 60);
+    result.minutes = part(frame / numbers / 60, 60);
+    result.hours = part(frame / numbers / 3600, 24);
+    return result;
 }
 
 Result<double> parse_timecode(const std::string& text) {

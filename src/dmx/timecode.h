@@ -17,6 +17,11 @@ namespace ghost::dmx {
 // every minute but each tenth.
 double timecode_seconds(const TimeCode& time);
 
+// Its fields are those of a time of day.
+bool is_timecode(const TimeCode& time);
+// So many frames later, or earlier; round midnight.
+TimeCode plus_frames(const TimeCode& time, int frames);
+
 // "10:00:00:00", "10:00:00" or plain seconds; frames are 25 a second.
 Result<double> parse_timecode(const std::string& text);
 

@@ -14,6 +14,7 @@ namespace {
 using namespace diagnosed;
 using namespace std::chrono_literals;
 
+constexpr auto kSilent = 1s;   // too long for a desk whose levels move
 constexpr auto kPatience = 5s; // unchanged levels come every second (sACN) or every four (Art-Net)
 
 Sentence problem(Trouble trouble, std::string text) {
@@ -185,6 +186,20 @@ void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, std::vec
     }
 }
 
+// "; there 10.0.0.7 (silent for 4 s) and 10.0.0.8 have the places of Art-Net, .."; "" where fewer do.
+std::string artnet_holders_text(const dmx::Statistics& statistics, int universe) {
+    std::string text;
+    std::size_t count = 0;
+    for (const dmx::SourceStatus& source : statistics.sources) {
+        if (source.universe != universe || source.protocol != dmx::Protocol::artnet) continue;
+        text += (count++ > 0 ? " and " : "") + printable(source.id);
+        if (source.age >= kSilent) text += " (silent for " + seconds_text(source.age) + ")";
+    }
+    if (count < dmx::kMaxArtnetSources) return "";
+    return "; there " + text + " have the places of Art-Net, and one that is silent for " +
+           seconds_text(dmx::kArtnetLoss) + " makes room";
+}
+
 void add_ignored(const dmx::Statistics& statistics, std::vector<Sentence>& out) {
     std::map<std::pair<dmx::IgnoredSource::Why, std::string>, std::set<int>> ignored; // by who
     for (const dmx::IgnoredSource& one : statistics.ignored)
@@ -200,8 +215,14 @@ void add_ignored(const dmx::Statistics& statistics, std::vector<Sentence>& out) 
         else
             out.push_back(
                 problem(Trouble::too_many, who + " is one source too many on " + universes_text(universes) +
-                                               " and ignored: Art-Net merges two, all together 16"));
+                                               " and ignored: Art-Net merges two, all together 16" +
+                                               artnet_holders_text(statistics, *universes.begin())));
     }
+    if (statistics.recent.too_many_universes > 0)
+        out.push_back(problem(
+            Trouble::too_many_universes,
+            "more universes arrive than the " + std::to_string(dmx::kMaxUniverses) +
+                " that are shown at once; those of the show and of --universes are always among them"));
     std::map<std::string, std::set<int>> low;
     for (const dmx::SourceStatus& source : statistics.sources)
         if (role_text(source, statistics.sources) == "lower priority")
@@ -214,7 +235,7 @@ void add_ignored(const dmx::Statistics& statistics, std::vector<Sentence>& out) 
 }
 
 void add_sources(const dmx::Statistics& statistics, std::vector<Sentence>& out) {
-    std::map<std::string, std::set<int>> waiting, foreign, astray;
+    std::map<std::string, std::set<int>> waiting, foreign, astray, cut;
     for (const dmx::SourceStatus& source : statistics.sources) {
         const std::string who = source_text(source.name, dmx::place_text(source), source.protocol);
         if (source.held && synchronisation_is_late(source, statistics.sync))
@@ -222,6 +243,7 @@ void add_sources(const dmx::Statistics& statistics, std::vector<Sentence>& out) 
         if (source.protocol == dmx::Protocol::artnet && is_foreign(source.from, statistics))
             foreign[who].insert(source.universe);
         if (source.wrong_group) astray[who].insert(source.universe);
+        if (source.wrong_length) cut[who].insert(source.universe);
     }
     for (const auto& [who, universes] : waiting)
         out.push_back(problem(Trouble::waits_for_sync,
@@ -239,6 +261,10 @@ void add_sources(const dmx::Statistics& statistics, std::vector<Sentence>& out) 
             note(Trouble::wrong_group, who + " sends " + universes_text(universes) +
                                            " to the multicast group of another universe; the levels "
                                            "are used"));
+    for (const auto& [who, universes] : cut)
+        out.push_back(note(Trouble::wrong_length, who + " declares more levels on " +
+                                                      universes_text(universes) +
+                                                      " than its packets hold; those that come are used"));
     if (statistics.recent.overflow > 0)
         out.push_back(
             problem(Trouble::packets_lost,
@@ -281,12 +307,16 @@ const char* trouble_name(Trouble trouble) {
         return "low_priority";
     case Trouble::too_many:
         return "too_many";
+    case Trouble::too_many_universes:
+        return "too_many_universes";
     case Trouble::waits_for_sync:
         return "waits_for_sync";
     case Trouble::other_network:
         return "other_network";
     case Trouble::wrong_group:
         return "wrong_group";
+    case Trouble::wrong_length:
+        return "wrong_length";
     case Trouble::packets_lost:
         return "packets_lost";
     }

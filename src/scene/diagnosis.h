@@ -26,10 +26,12 @@ enum class Trouble {
     preview,         // levels are marked for blind
     low_priority,    // another source ranks higher everywhere
     too_many,        // of sources on a universe
-    waits_for_sync,  // levels wait for a synchronisation packet
-    other_network,   // Art-Net from a network that ours cannot answer
-    wrong_group,     // levels by another universe's multicast group
-    packets_lost,    // on the way, or in this machine
+    too_many_universes,
+    waits_for_sync, // levels wait for a synchronisation packet
+    other_network,  // Art-Net from a network that ours cannot answer
+    wrong_group,    // levels by another universe's multicast group
+    wrong_length,   // packets that declare more levels than come
+    packets_lost,   // on the way, or in this machine
 };
 const char* trouble_name(Trouble trouble); // "off_by_one"
 

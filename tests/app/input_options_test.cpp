@@ -93,6 +93,47 @@ TEST(ReceiverOptions, protocols) {
     EXPECT_FALSE(receiver_options(input).ok());
 }
 
+TEST(ReceiverOptions, one_port_for_two_protocols) {
+    InputOptions input;
+    input.sacn_port = input.artnet_port = 7000;
+    ASSERT_FALSE(receiver_options(input).ok());
+    EXPECT_NE(receiver_options(input).error().text().find("--sacn-port"), std::string::npos);
+    input.protocols = "sacn";
+    EXPECT_TRUE(receiver_options(input).ok());
+}
+
+TEST(ReceiverOptions, an_offset_that_reaches_none_of_the_universes) {
+    InputOptions input;
+    input.universes = "1-4,40000";
+    EXPECT_TRUE(receiver_options(input).ok());
+    for (const int offset : {-32768, 40001}) {
+        input.artnet_offset = offset;
+        ASSERT_FALSE(receiver_options(input).ok()) << offset;
+        EXPECT_EQ(receiver_options(input).error().where, "--artnet-offset");
+    }
+    for (const int offset : {-32763, 0, 1, 4, 40000}) {
+        input.artnet_offset = offset;
+        EXPECT_TRUE(receiver_options(input).ok()) << offset;
+    }
+    input.artnet_offset = 50000;
+    input.protocols = "sacn";
+    EXPECT_TRUE(receiver_options(input).ok()) << "no Art-Net";
+    input.protocols = "both";
+    input.universes = "";
+    EXPECT_TRUE(receiver_options(input).ok()) << "whatever arrives";
+    input.artnet_offset = 1;
+    input.universes = "40000";
+    EXPECT_TRUE(receiver_options(input).ok()) << "of sACN only";
+}
+
+TEST(ReceiverOptions, time_code_by_midi_is_something_to_listen_to) {
+    InputOptions input;
+    input.protocols = "none";
+    input.midi = "/dev/snd/midiC1D0";
+    ASSERT_TRUE(receiver_options(input).ok());
+    EXPECT_EQ(receiver_options(input)->midi, "/dev/snd/midiC1D0");
+}
+
 TEST(InputOptions, preview_of_all_or_of_some_universes) {
     InputOptions input;
     EXPECT_FALSE(receiver_options(input)->show_preview);

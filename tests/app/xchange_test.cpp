@@ -3,6 +3,8 @@
 // that is tests/scripts/xchange_test.py.
 #include "app/xchange.h"
 
+#include "../fixture/tiny_gdtf.h"
+
 #include "base/files.h"
 #include "dmx/tcp.h"
 #include "scene/xchange.h"
@@ -29,10 +31,16 @@ struct Folder {
     ~Folder() { fs::remove_all(path); }
 };
 
-// Begins as a zip does; more is not looked at here.
+// A plot without anything in it, and so many bytes beside.
 std::string write_plot(const fs::path& path, std::size_t bytes) {
-    std::string content("PK\3\4", 4);
-    for (std::size_t i = 0; content.size() < bytes; ++i) content += static_cast<char>(i * 2654435761u >> 13);
+    std::string filler;
+    for (std::size_t i = 0; filler.size() < bytes; ++i) filler += static_cast<char>(i * 2654435761u >> 13);
+    const auto zip =
+        fixture::make_zip({{"GeneralSceneDescription.xml",
+                            "<GeneralSceneDescription verMajor=\"1\" verMinor=\"6\"><Scene><Layers/>"
+                            "</Scene></GeneralSceneDescription>"},
+                           {"filler.bin", filler}});
+    const std::string content(zip.begin(), zip.end());
     EXPECT_TRUE(write_file_atomic(path, content).ok());
     return content;
 }
@@ -109,6 +117,51 @@ TEST(XchangeStations, says_goodbye) {
     }
     const auto left = wait_for(*a, Kind::left);
     ASSERT_TRUE(left.has_value());
+}
+
+TEST(XchangeStations, a_peer_that_cannot_be_joined_is_said_once) {
+    std::uint16_t port = 0;
+    {
+        const auto gone = dmx::TcpListener::open(0x7F000001, 0);
+        ASSERT_TRUE(gone.ok());
+        port = (*gone)->port();
+    }
+    XchangeOptions options = station("B");
+    options.peers = {at(port)};
+    const auto b = start(options);
+    const auto trouble = wait_for(*b, Kind::trouble);
+    ASSERT_TRUE(trouble.has_value());
+    EXPECT_EQ(trouble->station, at(port));
+    EXPECT_NE(trouble->text.find("cannot be joined: Connection refused"), std::string::npos) << trouble->text;
+    // It comes, and is joined; nothing more is said of it meanwhile.
+    XchangeOptions late = station("A");
+    late.port = port;
+    const auto a = start(late);
+    const auto end = std::chrono::steady_clock::now() + 40s;
+    bool joined = false;
+    while (!joined && std::chrono::steady_clock::now() < end) {
+        for (const XchangeEvent& event : b->take()) {
+            EXPECT_NE(event.kind, Kind::trouble) << event.text;
+            joined |= event.kind == Kind::joined;
+        }
+        std::this_thread::sleep_for(5ms);
+    }
+    EXPECT_TRUE(joined);
+}
+
+TEST(XchangeStations, what_is_no_plot_is_not_shared) {
+    const Folder folder;
+    const auto bytes = fixture::make_zip({{"else.txt", "no description"}});
+    for (const std::string& content : {std::string("not a zip"), std::string("PK\3\4 nor this", 13),
+                                       std::string(bytes.begin(), bytes.end())}) {
+        ASSERT_TRUE(write_file_atomic(folder.path / "tour.mvr", content).ok());
+        XchangeOptions options = station("A");
+        options.share = {folder.path / "tour.mvr"};
+        const auto started = Xchange::start(options);
+        ASSERT_FALSE(started.ok()) << content;
+        EXPECT_EQ(started.error().where, "--share");
+        EXPECT_NE(started.error().what.find("tour.mvr"), std::string::npos) << started.error().what;
+    }
 }
 
 TEST(XchangeStations, what_cannot_be_is_said_at_the_start) {

@@ -104,6 +104,7 @@ TEST(Intake, valid_packets_are_all_understood) {
 
 TEST(Intake, every_truncation_and_every_flipped_bit) {
     Rig rig;
+    rig.desk(7);
     std::uint64_t fed = 0;
     for (const Sample& sample : samples()) {
         for (std::size_t size = 0; size < sample.bytes.size(); ++size) {
@@ -128,7 +129,8 @@ TEST(Intake, every_truncation_and_every_flipped_bit) {
     EXPECT_GT(fed, 20000u);
     std::uint64_t dropped = 0;
     for (const std::uint64_t count : statistics.drops) dropped += count;
-    EXPECT_GT(dropped, 4000u);
+    EXPECT_GT(dropped, 2500u);
+    EXPECT_GT(statistics.wrong_length, 2000u);
     EXPECT_LE(statistics.sources.size(), 2 * kMaxSourcesPerUniverse);
 }
 
@@ -199,6 +201,27 @@ TEST(Intake, the_wrong_group_is_noted_and_the_levels_used) {
         (void)rig.intake.take(build_sacn(1, Buffer(512, 20), ipv6 ? 3 : 2, 100, {1}, "Desk"), wrong);
         EXPECT_FALSE(rig.statistics().sources[0].wrong_group);
     }
+}
+
+TEST(Intake, a_wrong_length_is_noted_and_the_levels_that_came_are_used) {
+    Rig rig;
+    Buffer sacn = build_sacn(1, Buffer(512, 20), 1, 100, {1}, "Desk");
+    sacn.resize(126 + 400);
+    (void)rig.intake.take(sacn, arrival(Protocol::sacn, kDesk, rig.now));
+    EXPECT_EQ(rig.intake.merge().universes().level(1, 400), 20);
+    EXPECT_EQ(rig.shown(), 0);
+    Buffer artnet = build_artdmx(1, Buffer(512, 30), 1);
+    artnet.resize(18 + 4);
+    (void)rig.intake.take(artnet, arrival(Protocol::artnet, kDesk, rig.now));
+    EXPECT_EQ(rig.intake.merge().universes().level(2, 4), 30);
+    EXPECT_EQ(rig.statistics().wrong_length, 2u);
+    ASSERT_EQ(rig.statistics().sources.size(), 2u);
+    for (const SourceStatus& source : rig.statistics().sources) EXPECT_TRUE(source.wrong_length);
+    rig.sequence = 1;
+    rig.desk(40); // its own packets are right
+    EXPECT_EQ(rig.shown(), 40);
+    EXPECT_FALSE(rig.statistics().sources[0].wrong_length);
+    EXPECT_EQ(rig.statistics().wrong_length, 2u);
 }
 
 TEST(Intake, triggers_are_remembered_to_a_limit) {

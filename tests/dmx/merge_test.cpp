@@ -375,6 +375,45 @@ TEST(Merge, universes_are_limited) {
     EXPECT_EQ(merge.counters().too_many_universes, 10u);
 }
 
+// Of a storm of universes: those that are patched get in whatever came before, others when one falls silent.
+TEST(Merge, universes_that_were_asked_for_always_find_a_place) {
+    Merge merge(MergeOptions{.asked = {60000, 60001}});
+    const auto send = [&](int universe, std::chrono::nanoseconds now) {
+        Desk desk{1, 100, static_cast<std::uint16_t>(universe)};
+        merge.feed(desk.packet({universe % 200 + 1}), now);
+    };
+    const auto shows = [&](int universe) {
+        const auto number = static_cast<std::uint16_t>(universe);
+        return merge.universes().level(number, 1) == universe % 200 + 1;
+    };
+    for (int i = 1; i <= 5000; ++i) send(i, std::chrono::microseconds(i));
+    EXPECT_EQ(merge.universes().list.size(), kMaxUniverses);
+    EXPECT_FALSE(shows(5000));
+    EXPECT_EQ(merge.counters().too_many_universes, 5000 - kMaxUniverses);
+    send(60001, 10ms);
+    send(60000, 10ms);
+    EXPECT_TRUE(shows(60000) && shows(60001));
+    EXPECT_EQ(merge.universes().list.size(), kMaxUniverses);
+    EXPECT_FALSE(shows(1) || shows(2)) << "the longest silent made room";
+    EXPECT_EQ(merge.counters().universes_forgotten, 2u);
+    // A real desk on one of the first and on one that found no place; the others were sent once.
+    for (auto t = 100ms; t <= 3s; t += 50ms) {
+        Desk real{7, 100, 100, static_cast<std::uint8_t>(t / 50ms)};
+        merge.feed(real.packet({99}), t);
+        real.universe = 5000;
+        merge.feed(real.packet({99}), t);
+        merge.tick(t);
+        EXPECT_LE(merge.universes().list.size(), kMaxUniverses);
+    }
+    EXPECT_EQ(levels(merge, 1, 100), Ints{99});
+    EXPECT_EQ(levels(merge, 1, 5000), Ints{99}) << "there is room as soon as others are silent";
+    EXPECT_TRUE(shows(60000)) << "lost, and held";
+    EXPECT_GE(merge.counters().universes_forgotten, 3u);
+    const auto forgotten = merge.counters().universes_forgotten;
+    for (auto t = 4s; t <= 10s; t += 1s) merge.tick(t);
+    EXPECT_EQ(merge.counters().universes_forgotten, forgotten) << "nobody else wants in";
+}
+
 TEST(Merge, status_of_a_source) {
     Merge merge;
     Desk a{0xAB, 120, 7};

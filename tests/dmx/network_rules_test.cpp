@@ -321,6 +321,73 @@ TEST(Forged, ten_thousand_sources_change_nothing_and_lock_nobody_out) {
     EXPECT_EQ(levels(merge, 1), Ints{77});
 }
 
+// What nobody asked for has limits of its own, which those that are patched do not feel.
+TEST(Forged, sources_elsewhere_lock_nobody_out_of_a_patched_universe) {
+    Merge merge(MergeOptions{.asked = {1, 9000}});
+    Packet forged;
+    forged.slot_count = 1;
+    for (int i = 0; i < 10000; ++i) {
+        forged.universe = static_cast<std::uint16_t>(2 + i % 2000);
+        forged.source.id[0] = static_cast<std::uint8_t>(1 + i / 2000);
+        forged.source.id[1] = static_cast<std::uint8_t>(1 + i % 7);
+        merge.feed(forged, 0s);
+    }
+    EXPECT_EQ(merge.sources(0s).size(), kMaxOtherSources);
+    for (const std::uint16_t universe : {std::uint16_t{1}, std::uint16_t{9000}})
+        for (int id = 1; id <= 3; ++id) {
+            Desk desk{static_cast<std::uint8_t>(id), 100, universe};
+            merge.feed(desk.packet({40 + id}), 1ms);
+            EXPECT_EQ(levels(merge, 1, universe), Ints{40 + id});
+        }
+    // One that nobody asked for finds at least a place of its own.
+    Desk late{1, 100, 8000};
+    merge.feed(late.packet({50}), 2ms);
+    EXPECT_EQ(levels(merge, 1, 8000), Ints{50});
+    // The place of a source is free when it left, or when nobody asks for its universe any more.
+    merge.tick(3s);
+    EXPECT_TRUE(merge.sources(3s).empty());
+    merge.ask_for({});
+    Desk back{1, 100, 1};
+    merge.feed(back.packet({60}), 3s);
+    EXPECT_EQ(levels(merge, 1, 1), Ints{60});
+}
+
+TEST(Forged, a_full_universe_has_a_place_where_one_is_silent) {
+    Merge merge;
+    Desk steady{99};
+    for (int id = 1; id < static_cast<int>(kMaxSourcesPerUniverse); ++id) {
+        Desk forged{static_cast<std::uint8_t>(id)};
+        merge.feed(forged.packet({id}), 0s);
+        merge.feed(forged.packet({id}), 1ms); // heard twice: no place to take
+    }
+    merge.feed(steady.packet({99}), 2400ms);
+    Desk late{200};
+    merge.feed(late.packet({200}), 2450ms);
+    EXPECT_EQ(levels(merge, 1), Ints{99});
+    merge.feed(late.packet({200}), 2550ms); // the others are past their time, and have not left yet
+    EXPECT_EQ(levels(merge, 1), Ints{200});
+    EXPECT_EQ(merge.sources(2550ms).size(), kMaxSourcesPerUniverse);
+    EXPECT_EQ(merge.counters().sources_replaced, 1u);
+}
+
+// Art-Net merges two. A place is free after the time-out, also where the other one was heard since the first
+// fell silent and says nothing more.
+TEST(Forged, two_artnet_addresses_hold_a_universe_no_longer_than_their_time_out) {
+    Merge merge(as_the_receiver());
+    merge.feed(art(66, 0, {1}), 0s);
+    for (auto t = 0ms; t <= 12s; t += 25ms) {
+        if (t == 9s) merge.feed(art(77, 0, {2}), t);
+        if (t == 8s) merge.feed(art(77, 0, {2}), t);
+        if (t > 8s) merge.feed(art(3, 0, {200}), t);
+        merge.tick(t);
+        EXPECT_EQ(levels(merge, 1), Ints{t <= 10s ? (t < 8s ? 1 : 2) : 200}) << t.count();
+        EXPECT_EQ(merge.ignored(t).empty(), t <= 8s || t > 10s) << t.count();
+    }
+    EXPECT_EQ(merge.sources(12s).size(), kMaxArtnetSources);
+    EXPECT_EQ(merge.counters().sources_replaced, 1u);
+    EXPECT_GT(merge.counters().too_many_sources, 70u);
+}
+
 TEST(Forged, sources_on_all_universes_are_limited_together) {
     Merge merge;
     Packet forged;
@@ -330,7 +397,7 @@ TEST(Forged, sources_on_all_universes_are_limited_together) {
         forged.source.id[0] = static_cast<std::uint8_t>(i / 4000);
         merge.feed(forged, 0s);
     }
-    EXPECT_EQ(merge.sources(0s).size(), kMaxSources);
+    EXPECT_EQ(merge.sources(0s).size(), kMaxOtherSources);
     merge.tick(3s);
     EXPECT_TRUE(merge.sources(3s).empty());
     merge.feed(forged, 3s); // and there is room again

@@ -59,22 +59,29 @@ TEST(Sacn, reads_a_data_packet) {
     EXPECT_EQ(packet.slots[3], 0);
 }
 
-TEST(Sacn, every_truncation_is_refused) {
-    const Buffer full = build_sacn(1, Buffer(512, 200), 1, 100, {}, "Desk");
-    for (const Buffer& whole : {literal_sacn(), full}) {
-        for (std::size_t size = 0; size < whole.size(); ++size) {
-            const Buffer cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
-            EXPECT_EQ(drop_of(parse_sacn(cut)), Drop::too_short) << size << " of " << whole.size();
-        }
-        EXPECT_EQ(packet_of(parse_sacn(whole)).slot_count, whole.size() - 126);
+// Of a packet that was cut: what came, and that more was declared. Without a single level it is none.
+void expect_clipped(const Parsed& parsed, std::size_t came, std::size_t of) {
+    if (came == 0) {
+        EXPECT_EQ(drop_of(parsed), Drop::too_short) << "none of " << of;
+        return;
     }
+    const Packet packet = packet_of(parsed);
+    EXPECT_EQ(packet.slot_count, came) << of;
+    EXPECT_EQ(packet.wrong_length, came < of) << came << " of " << of;
+    for (std::size_t i = 0; i < kSlots; ++i) EXPECT_EQ(packet.slots[i] > 0, i < came) << i << " of " << came;
 }
 
-TEST(Sacn, a_cut_list_of_priorities_is_refused) {
-    Buffer bytes = build_sacn(1, Buffer(512, 200), 1, 100, {}, "Desk", 0, 0xDD);
-    EXPECT_EQ(packet_of(parse_sacn(bytes)).slot_count, 512);
-    bytes.pop_back();
-    EXPECT_EQ(drop_of(parse_sacn(bytes)), Drop::too_short);
+TEST(Sacn, of_every_truncation_the_levels_that_came_are_used) {
+    const Buffer full = build_sacn(1, Buffer(512, 200), 1, 100, {}, "Desk");
+    const Buffer priorities = build_sacn(1, Buffer(512, 200), 1, 100, {}, "Desk", 0, 0xDD);
+    for (const Buffer& whole : {literal_sacn(), full, priorities})
+        for (std::size_t size = 0; size <= whole.size(); ++size) {
+            const Buffer cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+            if (size < 126)
+                EXPECT_EQ(drop_of(parse_sacn(cut)), Drop::too_short) << size << " of " << whole.size();
+            else
+                expect_clipped(parse_sacn(cut), size - 126, whole.size() - 126);
+        }
 }
 
 TEST(Sacn, options_and_start_codes) {
@@ -109,9 +116,9 @@ TEST(Sacn, count_past_512_is_clipped) {
     bytes.resize(126 + 600, 7);
     bytes[123] = 0xFF;
     bytes[124] = 0xFF;
-    EXPECT_EQ(packet_of(parse_sacn(bytes)).slot_count, 512);
-    bytes.resize(126 + 511); // a universe is not whole
-    EXPECT_EQ(drop_of(parse_sacn(bytes)), Drop::too_short);
+    expect_clipped(parse_sacn(bytes), 512, 0xFFFE);
+    bytes.resize(126 + 511);
+    expect_clipped(parse_sacn(bytes), 511, 0xFFFE);
 }
 
 TEST(Sacn, bytes_behind_the_levels_are_left) {
@@ -119,6 +126,7 @@ TEST(Sacn, bytes_behind_the_levels_are_left) {
     bytes.resize(bytes.size() + 10, 7);
     const Packet packet = packet_of(parse_sacn(bytes));
     EXPECT_EQ(packet.slot_count, 3);
+    EXPECT_FALSE(packet.wrong_length);
     EXPECT_EQ(packet.slots[3], 0);
 }
 
@@ -223,15 +231,16 @@ TEST(Artnet, reads_dmx) {
     EXPECT_EQ(packet.slots[6], 0);
 }
 
-TEST(Artnet, every_truncation_is_refused) {
+TEST(Artnet, of_every_truncation_the_levels_that_came_are_used) {
     const Buffer full = build_artdmx(0, Buffer(512, 200), 1);
-    for (const Buffer& whole : {kArtDmx, full}) {
-        for (std::size_t size = 0; size < whole.size(); ++size) {
+    for (const Buffer& whole : {kArtDmx, full})
+        for (std::size_t size = 0; size <= whole.size(); ++size) {
             const Buffer cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
-            EXPECT_EQ(drop_of(parse_artnet(cut)), Drop::too_short) << size << " of " << whole.size();
+            if (size < 18)
+                EXPECT_EQ(drop_of(parse_artnet(cut)), Drop::too_short) << size << " of " << whole.size();
+            else
+                expect_clipped(parse_artnet(cut), size - 18, whole.size() - 18);
         }
-        EXPECT_EQ(packet_of(parse_artnet(whole)).slot_count, whole.size() - 18);
-    }
 }
 
 // Home Assistant to an ArtGateOne, as somebody captured it.
@@ -260,12 +269,13 @@ TEST(Artnet, odd_and_too_long_lengths) {
     Buffer bytes = kArtDmx;
     bytes[17] = 5;
     EXPECT_EQ(packet_of(parse_artnet(bytes)).slot_count, 5);
+    EXPECT_FALSE(packet_of(parse_artnet(bytes)).wrong_length) << "more came than is declared";
     bytes[16] = 0xFF;
-    EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::too_short);
+    expect_clipped(parse_artnet(bytes), 6, 0xFF05);
     bytes.resize(18 + 700, 9);
-    EXPECT_EQ(packet_of(parse_artnet(bytes)).slot_count, 512);
-    bytes.resize(18 + 511); // a universe is not whole
-    EXPECT_EQ(drop_of(parse_artnet(bytes)), Drop::too_short);
+    expect_clipped(parse_artnet(bytes), 512, 0xFF05);
+    bytes.resize(18 + 511);
+    expect_clipped(parse_artnet(bytes), 511, 0xFF05);
 }
 
 TEST(Artnet, other_packets_and_reasons) {

@@ -31,7 +31,9 @@ inline void check_bounds(Intake& intake, std::chrono::nanoseconds now) {
         check(universes.list[i - 1].number < universes.list[i].number);
     Statistics statistics;
     intake.report(statistics, now);
-    check(statistics.sources.size() <= kMaxSources && statistics.ignored.size() <= kMaxIgnored);
+    // Three universes are asked for at most, the first source of any other one has a place.
+    check(statistics.sources.size() <= kMaxOtherSources + kMaxUniverses + 3 * kMaxSourcesPerUniverse);
+    check(statistics.ignored.size() <= kMaxIgnored);
     for (const SourceStatus& source : statistics.sources) check(source.slots_held <= source.slot_count);
     check(statistics.sync.size() <= kMaxSyncStreams && statistics.discovered.size() <= kMaxDiscovered);
     check(statistics.triggers.size() <= kMaxRemembered);

@@ -263,6 +263,32 @@ TEST(diagnosis, OneArtnetSourceTooMany) {
         {1, dmx::Protocol::artnet, dmx::IgnoredSource::Why::too_many, "", dmx::IpAddress(kOurs), 4, 0s}};
     EXPECT_EQ(network.troubles(), Troubles{Trouble::too_many});
     expect_words(network.text(Trouble::too_many), {"192.168.1.5 (Art-Net)", "merges two"});
+    EXPECT_EQ(network.text(Trouble::too_many).find("have the places"), std::string::npos);
+    network.sends({1}, dmx::Protocol::artnet);
+    network.statistics.sources[1].id = "192.168.1.8";
+    network.statistics.sources[1].age = 4s;
+    expect_words(network.text(Trouble::too_many),
+                 {"there 192.168.1.7 and 192.168.1.8 (silent for 4 s) have the places of Art-Net",
+                  "silent for 10 s makes room"});
+}
+
+TEST(diagnosis, PacketsThatDeclareMoreThanTheyHold) {
+    Network network({1, 2});
+    network.sends({1, 2});
+    for (dmx::SourceStatus& one : network.statistics.sources) one.wrong_length = true;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::wrong_length});
+    expect_words(network.text(Trouble::wrong_length),
+                 {"'Desk' (192.168.1.7)", "more levels on universes 1-2", "are used"});
+}
+
+TEST(diagnosis, MoreUniversesThanAreShown) {
+    Network network({1});
+    network.sends({1});
+    network.statistics.merge.too_many_universes = 1000;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "long ago";
+    network.statistics.recent.too_many_universes = 3;
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::too_many_universes});
+    expect_words(network.text(Trouble::too_many_universes), {"4096", "--universes"});
 }
 
 TEST(diagnosis, LevelsThatWaitForASynchronisationThatStopped) {

@@ -253,6 +253,53 @@ def window_follows_the_patch(folder):
         window.wait()
 
 
+def play_goes_on_without_a_network(folder):
+    """What cannot be sent is counted and said once; when the link is back, so is the show: by multicast through an interface that
+    was taken away and put back, and by unicast."""
+    heard = r'''
+import socket, struct, sys, time
+inward = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+inward.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+inward.bind(("", 5568))
+inward.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, socket.inet_aton("239.255.0.1") + socket.inet_aton("10.93.0.1"))
+while True:
+    inward.recv(2048)
+    print(time.monotonic(), flush=True)
+'''
+    for name, where in (("multicast", ["--interface", "net1"]), ("unicast", ["--to", "10.93.0.1"])):
+        log = Path(folder) / f"{name}.times"
+        desk = subprocess.Popen(inside(DESK, sys.executable, "-c", heard), stdout=log.open("w"))
+        play = subprocess.Popen(inside(VIS, GHOSTLIGHT, "play", str(SOURCE / "assets/demo/demo.show"), "--loop", "--json", *where),
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        try:
+            def wait_for_packets(what, least):
+                end = time.monotonic() + 30
+                while len(log.read_text().split()) < least:
+                    assert play.poll() is None, play.communicate()
+                    assert time.monotonic() < end, what
+                    time.sleep(0.1)
+
+            wait_for_packets("packets before", 20)
+            ip("-n", VIS, "link", "del", "net1")
+            time.sleep(2.5)
+            assert play.poll() is None, play.communicate()
+            before = len(log.read_text().split())
+            add_link("net1", "10.93.0.3")
+            wait_for_packets("packets after", before + 40)
+            play.send_signal(signal.SIGINT)
+            out, said = play.communicate(timeout=30)
+            assert play.returncode == 0, said
+            report = json.loads(out)
+            assert report["not_sent"] >= 40 and report["packets"] > before, report
+            assert said.count("it goes on, and sends again") == 1 and said.count("the network is back;") == 1, said
+            print(f"ok: play by {name} outlives its link: {report['not_sent']} packets not sent, {report['packets']} sent")
+            print("   " + next(line for line in said.splitlines() if "it goes on" in line))
+        finally:
+            for process in (desk, play):
+                process.kill()
+                process.wait()
+
+
 def main():
     if os.geteuid() != 0 or not shutil.which("ip"):
         skip("needs root and iproute2 for network namespaces")
@@ -274,6 +321,7 @@ def main():
             stopped_program(folder)
             desk_dies(folder, desk)
             window_follows_the_patch(folder)
+            play_goes_on_without_a_network(folder)
     finally:
         if desk and desk.poll() is None:
             desk.kill()

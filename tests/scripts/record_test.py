@@ -7,6 +7,7 @@ import pathlib
 import random
 import signal
 import socket
+import struct
 import subprocess
 import sys
 import tempfile
@@ -168,14 +169,76 @@ class Playing(Case):
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_damage_is_said_and_the_rest_plays(self):
-        packed = self.folder / "demo.ghostdmx"
-        self.works(run("play", DEMO, "-o", packed))
+        # Noise, so that it has three blocks; what is damaged is in the middle.
+        chance = random.Random(4)
+        looks = [",".join(map(str, chance.choices(range(256), k=512))) for _ in range(1200)]
+        show, packed, out = self.folder / "noise.show", self.folder / "noise.ghostdmx", self.folder / "out.show"
+        show.write_text("OLA Show\n" + "".join(f"1 {look}\n25\n" for look in looks))
+        self.works(run("play", show, "-o", packed))
         data = bytearray(packed.read_bytes())
         data[len(data) // 2] ^= 1
         packed.write_bytes(data)
-        done = self.works(run("play", packed, "-o", self.folder / "out.show"))
-        self.assertIn("demo.ghostdmx, byte ", done.text)
+        done = self.works(run("play", packed, "-o", out))
+        self.assertIn("noise.ghostdmx, byte ", done.text)
         self.assertIn("the levels stand still", done.text)
+        left = out.read_text().splitlines()
+        self.assertTrue(f"1 {looks[0]}" in left and f"1 {looks[-1]}" in left and f"1 {looks[600]}" not in left)
+
+    def test_what_is_damaged_as_a_whole_is_an_error(self):
+        show, packed, out = self.folder / "a.show", self.folder / "a.ghostdmx", self.folder / "out.show"
+        show.write_text("OLA Show\n1 1\n100\n1 2\n100\n")
+        self.works(run("play", show, "-o", packed))
+        data = bytearray(packed.read_bytes())
+        data[28 + 28 + 20] ^= 1  # behind the header and that of the only block
+        packed.write_bytes(data)
+        self.fails(run("play", packed, "-o", out), 1, "a.ghostdmx: nothing of it can be read")
+        self.assertFalse(out.exists())
+        self.fails(run("play", packed, "--to", "127.0.0.1", "--sacn-port", free_port()), 1, "a.ghostdmx: nothing of it can be read")
+
+    def test_one_port_for_two_protocols(self):
+        self.fails(run("play", DEMO, "--to", "127.0.0.1", "--sacn-port", "6454"), 2, "--sacn-port", "6454", "two ports")
+        self.fails(run("monitor", "--artnet-port", "5568", "--seconds", "1"), 2, "--artnet-port", "5568", "two ports")
+        self.fails(run("monitor", "--artnet-offset", "40000", "--universes", "1-4", "--seconds", "1"), 2, "--artnet-offset", "Port-Addresses")
+
+
+class Storm(Case):
+    def test_universes_nobody_asked_for_take_no_place_of_those_that_were(self):
+        port, path = free_port(), self.folder / "storm.ghostdmx"
+        recorder = subprocess.Popen([str(PROGRAM), "record", "-o", str(path), "--protocols", "sacn", "--sacn-port", port,
+                                     "--interface", "127.0.0.1", "--json"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(lambda: (recorder.kill(), recorder.wait()))
+        out = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+
+        def send(universe, level, sequence):
+            packet = struct.pack(">HH", 0x10, 0) + b"ASC-E1.17\0\0\0" + struct.pack(">HI", 0x706F, 4) + bytes(range(16))
+            packet += struct.pack(">HI", 0x7059, 2) + b"Storm".ljust(64, b"\0") + bytes([100, 0, 0, sequence & 255, 0])
+            packet += struct.pack(">HH", universe, 0x700C) + bytes([2, 0xA1, 0, 0, 0, 1, 0, 2, 0, level])
+            out.sendto(packet, ("127.0.0.1", int(port)))
+
+        time.sleep(1.5)
+        for turn in range(2):  # 4600 universes that nobody asked for, then one of 1 to 64
+            for universe in range(100, 4700):
+                send(universe, 1 + turn, turn)
+                if universe % 50 == 0:
+                    time.sleep(0.005)
+        for sequence in range(60):
+            send(7, 100 + sequence, sequence)
+            time.sleep(0.025)
+        recorder.send_signal(signal.SIGINT)
+        text, said = recorder.communicate(timeout=60)
+        self.assertEqual(recorder.returncode, 0, said)
+        self.assertIn("--universes", said)
+        report = json.loads(text)
+        self.assertEqual(report["frames_lost"], 0)
+        shown = self.folder / "storm.show"
+        self.works(run("play", path, "-o", shown))
+        looks = looks_of(shown)
+        universes = {universe for universe, _ in looks}
+        self.assertIn((7, 159), looks)
+        self.assertGreater(len([1 for universe, _ in looks if universe == 7]), 30)
+        self.assertEqual(len(universes), 4096 - 63, "those of 1 to 64 have a place that nobody else takes")
+        self.assertGreater(report["universes_left_out"], 0)
+        print(f"{len(universes)} universes recorded, {report['universes_left_out']} left out")
 
 
 def main():
