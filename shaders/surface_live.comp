@@ -29,6 +29,7 @@ layout(binding = 12) uniform sampler2DArray nearest_maps; // render/distance_ima
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 layout(constant_id = 2) const bool kShadows = true;
+layout(constant_id = 3) const bool kIlluminance = false; // lux on the surface, instead of what the eye sees of it
 
 struct Fragment {
     vec3 position_m;
@@ -125,7 +126,7 @@ vec3 shown(Light light, Fragment f, Haze haze) {
     vec3 beam_cd = q.z > 1e-4 ? light.intensity_cd * beam_gate(light, q.xy * per_m, focus) : vec3(0.0);
     vec3 light_cd = beam_cd *
                     (haze_transmittance(haze, distance_m) * attenuation_factor(air.attenuation, distance_m) / distance2);
-    vec3 value = light_cd * brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light);
+    vec3 value = light_cd * (kIlluminance ? vec3(facing) : brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light));
     value = facing > 0.0 ? value : vec3(0.0);
     if (kShadows) {
         // As seen from where the map was made: a cell of a bar is a bit beside it.
@@ -174,7 +175,7 @@ void main() {
         }
     }
     // What no fragment fills may hold anything.
-    sum = place.w > 0.0 ? sum * (place.w * haze_transmittance(haze, eye_m)) : vec3(0.0);
+    sum = place.w > 0.0 ? sum * (place.w * (kIlluminance ? 1.0 : haze_transmittance(haze, eye_m))) : vec3(0.0);
     if (inside)
         imageStore(drawn, at, light_to_store(imageLoad(drawn, at) + vec4(sum, 0.0)));
 }

@@ -10,9 +10,6 @@
 namespace ghost::app {
 namespace {
 
-constexpr float kMostSmoke = 20;
-constexpr float kMostLux = 100000;
-
 // The box of an instance, as a ball.
 ui::Object object_of(const scene::Stage& stage, std::size_t instance) {
     const scene::Instance& placed = stage.instances[instance];
@@ -59,6 +56,9 @@ ui::Opened opened_from(const Session& session) {
     opened.materials = stage.materials;
     auto show = std::make_shared<scene::Show>(*session.show);
     show->stage = {};
+    // One of the window's size was added to those of the show.
+    if (session.options.width > 0 && session.camera + 1 == show->cameras.size() && session.camera > 0)
+        show->cameras.pop_back();
     opened.show = std::move(show);
     opened.device = session.device->name();
     return opened;
@@ -80,13 +80,12 @@ bool AppliedLook::apply(const ui::Look& look, Session& session) {
 bool AppliedLook::apply_scene(const ui::SceneLook& look, Session& session) {
     if (look == applied_.scene) return false;
     scene::Show& show = *session.show;
-    const float smoke = std::clamp(look.smoke.value_or(1.0f), 0.0f, kMostSmoke);
-    show.haze.extinction_per_m = haze_.extinction_per_m * smoke;
-    show.ambient_lux = std::clamp(look.ambient_lux.value_or(ambient_lux_), 0.0f, kMostLux);
-    show.ambient_colour = look.ambient_colour.value_or(ambient_colour_);
+    show.haze.extinction_per_m = haze_.extinction_per_m;
+    show.ambient_lux = ambient_lux_;
+    show.ambient_colour = ambient_colour_;
     show.attenuation = attenuation_;
-    if (look.attenuation) show.attenuation = {look.attenuation->x, look.attenuation->y, look.attenuation->z};
-    session.shadows = look.shadows.value_or(shadows_);
+    session.shadows = shadows_;
+    app::apply(look, show, session.shadows);
     return true;
 }
 

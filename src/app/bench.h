@@ -58,6 +58,8 @@ Result<void> bench_network(const BenchOptions& options, const BenchSink& sink);
 Result<void> network_soak(double seconds, std::uint16_t port, const BenchSink& sink);
 // Recordings: bytes for an hour of a universe, time to open and to seek.
 Result<void> bench_recording(const BenchOptions& options, const BenchSink& sink);
+// The window with a desk at 44 Hz: packet to window, and what the window itself costs.
+Result<void> bench_window(const BenchOptions& options, const BenchSink& sink);
 // From nothing to the first picture, and the memory it takes.
 Result<void> bench_start(const BenchOptions& options, const BenchSink& sink);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/passes_sources.h"
 #include "app/session.h"
 #include "bake/bake_show.h"
 #include "bake/frame.h"
@@ -9,6 +10,7 @@
 #include "base/log.h"
 #include "base/progress.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -103,6 +105,18 @@ int run_bake(const BakeArguments& arguments) {
     if (!stats.ok()) {
         log_error(stats.error().text());
         return 1;
+    }
+    // So that renders and windows need not ask the bake again.
+    if (!stats->interrupted && !report.lost_anything()) {
+        const std::string sources = passes_fingerprint(*show);
+        for (const scene::Camera& camera : show->cameras) {
+            const bool is_meant = arguments.views.empty() ||
+                                  std::find(arguments.views.begin(), arguments.views.end(), camera.name) !=
+                                      arguments.views.end();
+            if (!is_meant || !camera.foreign_passes.empty()) continue;
+            if (const Result<void> written = remember_sources(*show, camera.name, sources); !written.ok())
+                log_warning(written.error().text());
+        }
     }
     if (arguments.json)
         print_json(*stats, report);

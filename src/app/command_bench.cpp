@@ -34,6 +34,7 @@ constexpr Table kTables[] = {
     {"quality", "Relit on the device against traced directly", bench_quality},
     {"network", "sACN on the loopback interface, each refresh in one burst", bench_network},
     {"recording", "Recordings: bytes for an hour of a universe, time to seek", bench_recording},
+    {"window", "The window with a desk at 44 Hz", bench_window},
     {"start", "Start-up", bench_start},
 };
 
@@ -83,7 +84,8 @@ void add_bench(CLI::App& app, int& exit_code) {
     std::vector<std::string> names;
     for (const Table& table : kTables) names.emplace_back(table.name);
     command->add_option("NAME", a->table, "only this table")->check(CLI::IsMember(names));
-    command->add_option("--show", a->options.show, "show of the tables paper, bake, quality and start")
+    command
+        ->add_option("--show", a->options.show, "show of the tables paper, bake, quality, window and start")
         ->capture_default_str();
     command->add_option("--frames", a->options.frames, "frames measured per row")
         ->check(CLI::Range(5, 10000))

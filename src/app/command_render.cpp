@@ -67,8 +67,10 @@ Result<bool> check_usage(RenderArguments& arguments) {
         return Error{"a desk's levels or a recording's; with --timecode a recording is played live",
                      "--replay"};
     TRY_VOID(check_live_controls(arguments.controls));
-    arguments.session.plays_recording =
-        (!arguments.live_input || !arguments.timecode.empty()) && arguments.replay.empty();
+    arguments.session.plays_recording = (!arguments.live_input || !arguments.timecode.empty()) &&
+                                        arguments.replay.empty() && arguments.session.look.empty();
+    if (!arguments.session.look.empty() && arguments.reference.wanted)
+        return Error{"the reference draws what a recording does", "--look"};
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
     if (!arguments.session.travel.empty() && (arguments.live_input || !film))
         return Error{"only the camera of a film of a recording travels: --from and --to", "--travel"};
@@ -205,6 +207,13 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_option("--fps", a->fps, "frames a second")->check(CLI::Range(1, 240))->capture_default_str();
     command->add_flag("--live-input", a->live_input, "draw what a desk sends now, by sACN or Art-Net")
         ->excludes("--at");
+    CLI::Option* look =
+        command->add_option("--look", a->session.look, "a look stored in the window, on top of the recording")
+            ->type_name("NAME")
+            ->excludes("--live-input");
+    command->add_option("--looks", a->session.looks_file, "the file that it is in (default: the show's)")
+        ->type_name("FILE")
+        ->needs(look);
     CLI::Option* const timecode = add_timecode_option(*command, a->timecode);
     timecode->needs("--live-input");
     add_midi_option(*command, a->input.midi)->needs(timecode);

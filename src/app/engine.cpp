@@ -8,8 +8,6 @@
 #include "base/log.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <exception>
 
 namespace ghost::app {
@@ -18,23 +16,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kListenAgain_s = 3;
-constexpr int kLeastPixels = 16; // across
-constexpr int kMostPixels = 8192;
-constexpr double kLongestStep_s = 0.5; // a slow frame must not make the recording jump
-
-bool same_view(const scene::Camera& a, const scene::Camera& b) {
-    return a.position_m == b.position_m && a.target_m == b.target_m && a.fov_y_deg == b.fov_y_deg &&
-           a.width == b.width && a.height == b.height;
-}
-
-bool same_lit(const scene::Lit& a, const scene::Lit& b) {
-    const auto same = [](const shared::Light& x, const shared::Light& y) {
-        return std::memcmp(&x, &y, sizeof x) == 0;
-    };
-    return std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(), same) &&
-           std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(),
-                      [&](const scene::Face& x, const scene::Face& y) { return same(x.light, y.light); });
-}
 
 } // namespace
 
@@ -45,6 +26,7 @@ Engine::~Engine() {
     stop_ = true;
     thread_.join();
     if (reopening_.valid()) reopening_.wait();
+    forget_baked();
 }
 
 void Engine::run() {
@@ -153,7 +135,10 @@ SessionOptions Engine::session_options(const std::string& path) const {
 }
 
 void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
-    tracer_.reset(); // they refer to the session before
+    forget_baked(); // all of them refer to the session before
+    tracer_.reset();
+    meter_.reset();
+    frame_ = {};
     look_.reset();
     const std::unique_ptr<Session> session_before = std::exchange(session_, std::move(session));
     if (opening != Opening::another && session_before)
@@ -169,7 +154,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
     if (auto loaded = input_->load_recording(session_->show->recording, session_->report); !loaded.ok())
         session_->report.add(scene::Severity::warning, loaded.error().where, loaded.error().what);
     if (opening != Opening::another && before) input_->go_on_from(*before);
-    drawn_from_ = {};
+    drawn_from_ = live_from_ = {};
     drawn_ = {};
     pace_ = {};
     haze_ = {};
@@ -199,101 +184,6 @@ void Engine::begin_controls() {
         remote_ = std::move(*remote);
     else
         session_->report.add(scene::Severity::error, remote.error().where, remote.error().what);
-}
-
-bool Engine::apply_controls(double now_s) {
-    wanted_camera_ = wishes_.camera;
-    bool sees_else = false;
-    if (remote_) {
-        const RemoteWishes& wishes = remote_->poll(now_s);
-        if (wishes.calls != remote_wishes_.calls) {
-            link_.camera_call.put({session_->show->cameras[wishes.camera->index], wishes.camera->flight_s});
-            link_.on_news();
-        }
-        if (wishes.jumps != remote_wishes_.jumps) input_->jump(wishes.at_s);
-        sees_else = wishes.haze != remote_wishes_.haze;
-        if (sees_else) session_->live->set_haze(wishes.haze);
-        remote_wishes_ = wishes;
-    }
-    if (remote_wishes_.ev100) {
-        wanted_camera_.ev100 = *remote_wishes_.ev100;
-        wanted_camera_.auto_exposure = false;
-    }
-    if (!trackers_) return sees_else;
-    const dmx::Trackers& trackers = trackers_->poll();
-    followers_.apply(*session_, trackers);
-    wanted_camera_ = follow(wanted_camera_, *session_->show, trackers);
-    return sees_else;
-}
-
-scene::Camera Engine::camera_for(double now_s) const {
-    scene::Camera camera = wanted_camera_;
-    const bool moves = now_s - last_change_s_ < kRest_s || (is_uneven(*session_->show) && !wishes_.frozen);
-    const double share = wishes_.quality.percent > 0 ? std::sqrt(wishes_.quality.percent / 100.0)
-                         : moves                     ? pace_.share()
-                                                     : 1.0;
-    const auto pixels = [&](int wanted) {
-        return std::clamp(static_cast<int>(std::lround(wanted * share)), kLeastPixels, kMostPixels);
-    };
-    camera.width = pixels(camera.width);
-    camera.height = pixels(camera.height);
-    return camera;
-}
-
-void Engine::frame() {
-    const double begin_s = now_s();
-    const double dt_s = wishes_.frozen ? 0.0 : std::clamp(begin_s - last_step_s_, 0.0, kLongestStep_s);
-    last_step_s_ = begin_s;
-    const bool thicker = apply_controls(begin_s);
-    input_->step(wishes_.input, wishes_.transport, dt_s);
-    // Motors, too, would wait for ever where time stands still.
-    session_->show->motion = wishes_.frozen ? fixture::Motion::as_commanded : motion_;
-    session_->rig->step(input_->universes(), dt_s, wishes_.look.fixtures);
-    if (arrival_.count() == 0) arrival_ = input_->arrival();
-    session_->master =
-        wishes_.black_out ? 0.0f : std::clamp(wishes_.master, 0.0f, 1.0f) * remote_wishes_.light();
-    const bool sees_else = look_->apply(wishes_.look, *session_) || thicker;
-    session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
-    if (const int segments = std::clamp(wishes_.quality.most_segments, 1, 256);
-        segments != std::exchange(haze_.most_segments, segments)) {
-        session_->relighter->set_quality(haze_);
-        session_->relighter->forget(); // what rests was drawn with others
-        last_change_s_ = begin_s;
-    }
-
-    scene::Camera unsized = wanted_camera_;
-    unsized.width = drawn_from_.width;
-    unsized.height = drawn_from_.height;
-    scene::Lit lit = session_->lit();
-    if (sees_else || !same_view(unsized, drawn_from_) || !same_lit(lit, drawn_)) last_change_s_ = begin_s;
-    drawn_ = std::move(lit);
-    const scene::Camera camera = camera_for(begin_s);
-    const bool resized =
-        camera.width != session_->relighter->width() || camera.height != session_->relighter->height();
-    if (sees_else || !same_view(camera, drawn_from_)) {
-        session_->look_from(camera);
-        drawn_from_ = camera;
-    }
-    if (resized) session_->relighter->set_quality(haze_);
-    air_s_ += dt_s;
-    const render::FrameStatistics statistics = session_->draw(air_s_);
-    const double draw_ms = 1e3 * (now_s() - begin_s);
-    // Spans: of what the device did; a picture that is the same does nothing.
-    if (!statistics.spans.empty()) {
-        publish_picture(statistics, draw_ms);
-        // A new size costs what no other frame does.
-        if (last_change_s_ == begin_s && !resized) pace_.add(draw_ms, wishes_.quality.fps);
-    } else {
-        arrival_ = std::chrono::nanoseconds{0}; // they changed nothing that is seen
-    }
-    publish_rig(begin_s);
-    publish_explanation(begin_s);
-    if (session_->report.messages.size() != messages_sent_) publish_messages();
-    if (std::optional<dmx::Statistics> network = input_->take_statistics()) {
-        link_.network.put(std::move(*network));
-        link_.on_news();
-    }
-    publish_rest(begin_s, !statistics.spans.empty());
 }
 
 } // namespace ghost::app

@@ -6,7 +6,9 @@
 // them.
 
 #include "app/applied_look.h"
+#include "app/baked_view.h"
 #include "app/followers.h"
+#include "app/light_meter.h"
 #include "app/live_controls.h"
 #include "app/live_input.h"
 #include "app/pace.h"
@@ -77,6 +79,21 @@ private:
     void publish_picture(const render::FrameStatistics& statistics, double draw_ms);
     void publish_rig(double now_s);
     void publish_explanation(double now_s);
+    // engine_baked.cpp
+    std::string needs_live() const;
+    bool choose_baked(double now_s);
+    void take_baked();
+    void forget_baked();
+    // That of the picture that is shown.
+    const render::Relighter& relighter() const {
+        return shows_baked_ ? baked_->relighter() : *session_->relighter;
+    }
+    render::FrameStatistics draw_live(double begin_s, double air_s);
+    // engine_probe.cpp
+    std::shared_ptr<const image::Image8> false_colours();
+    const bake::Tracer& tracer();
+    void publish_probe(double now_s, bool drew);
+    void save_frame();
     void publish_messages();
     void publish_opened(Opening opening);
     void publish_rest(double now_s, bool drew);
@@ -105,16 +122,34 @@ private:
     std::unique_ptr<Session> session_;
     std::unique_ptr<LiveInput> input_;
     std::unique_ptr<AppliedLook> look_;
-    std::unique_ptr<bake::Tracer> tracer_; // made when something is to be explained
+    scene::Stage traced_stage_;
+    std::uint64_t traced_changes_ = 0;
+    std::unique_ptr<bake::Tracer> tracer_; // made when something is to be explained or measured
+    std::unique_ptr<LightMeter> meter_;    // made when lux are to be shown; refers to the picture
+    image::ImageF frame_;                  // cd/m^2 of the picture, made when they are asked for
+    ui::FalseColour false_colour_;         // of the picture that was published last
+    std::optional<glm::vec2> probed_place_;
+    double probed_s_ = 0;
+    std::uint64_t saved_frame_ = 0; // number
     std::unique_ptr<RemoteInput> remote_;
     Followers followers_;
     RemoteWishes remote_wishes_;  // those that hold
     scene::Camera wanted_camera_; // of the wishes, turned to the tracker that it follows
-    scene::Camera drawn_from_;
+    scene::Camera drawn_from_;    // the picture that is shown
+    scene::Camera live_from_;     // the live one, which may not be shown
     scene::Lit drawn_;
     Pace pace_;
     render::HazeQuality haze_;                                 // of the relighter
     fixture::Motion motion_ = fixture::Motion::as_the_machine; // of the show
+    std::future<BakedPasses> baked_loading_;
+    std::unique_ptr<BakedView> baked_;
+    bool shows_baked_ = false;
+    std::string baked_for_, baked_stamp_; // camera, and which bake of it
+    std::string baked_why_not_, supply_, supply_sent_;
+    double baked_looked_s_ = 0;
+    bool is_unsaved_ = false;
+    bool sees_else_ = false;   // the live picture, since it was drawn last
+    bool was_resized_ = false; // by the frame that is drawn
     double last_step_s_ = 0;
     double air_s_ = 0; // age of the swirls
     double last_change_s_ = 0;

@@ -23,6 +23,7 @@ bool differs_in_fixtures_only(const Session& session, const std::shared_ptr<cons
 
 void Engine::take_edit() {
     if (reopening_.valid()) return; // later
+    forget_baked();
     const std::string& path = session_->options.show;
     const bool of_fixtures = differs_in_fixtures_only(*session_, text_, *wishes_.text);
     text_ = wishes_.text;

@@ -6,6 +6,7 @@
 #include "scene/explain_print.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ghost::app {
 namespace {
@@ -29,7 +30,7 @@ void Engine::publish_opened(Opening opening) {
 void Engine::publish_rest(double now_s, bool drew) {
     const bool has_text = !wishes_.text || wishes_.text == text_;
     const bool rests = !drew && has_text && !reopening_.valid() && now_s - last_change_s_ >= kRest_s &&
-                       !session_->live->is_making_maps();
+                       !session_->live->is_making_maps() && !baked_loading_.valid();
     if (!rests || settled_ == wishes_.number) return;
     settled_ = wishes_.number;
     link_.settled.put(settled_);
@@ -38,12 +39,18 @@ void Engine::publish_rest(double now_s, bool drew) {
 
 void Engine::publish_picture(const render::FrameStatistics& statistics, double draw_ms) {
     ui::Picture picture;
-    picture.image = std::make_shared<const image::Image8>(session_->relighter->picture());
+    picture.image = wishes_.false_colour.measure == ui::Measure::none
+                        ? std::make_shared<const image::Image8>(relighter().picture())
+                        : false_colours();
+    picture.false_colour = false_colour_ = wishes_.false_colour;
     picture.camera = drawn_from_;
-    picture.ev100 = session_->relighter->ev100_used();
+    picture.ev100 = relighter().ev100_used();
     picture.draw_ms = draw_ms;
     picture.lights_drawn = statistics.drawn;
-    picture.is_coarse = wishes_.quality.percent == 0 && drawn_from_.width < wishes_.camera.width;
+    picture.is_baked = shows_baked_;
+    picture.supply = supply_sent_ = supply_;
+    picture.is_coarse =
+        !shows_baked_ && wishes_.quality.percent == 0 && drawn_from_.width < wishes_.camera.width;
     picture.missing_maps = session_->live->missing_maps();
     picture.arrival = std::exchange(arrival_, std::chrono::nanoseconds{0});
     link_.picture.put(std::move(picture));
@@ -79,7 +86,15 @@ void Engine::publish_rig(double now_s) {
             now.colour = most_cd > 0 ? cd / most_cd : glm::vec3(0);
             now.dimmer = beam.optics.dimmer * beam.optics.shutter;
             now.zoom_deg = beam.optics.zoom_deg;
+            now.gobo.reset();
+            if (!beam.optics.gobo_wheels.empty() && !beam.optics.gobo_wheels.front().spinning)
+                now.gobo = static_cast<int>(std::lround(beam.optics.gobo_wheels.front().position));
         }
+        now.asked = {.intensity = now.dimmer,
+                     .zoom_deg = now.zoom_deg,
+                     .pan_deg = now.pan_deg,
+                     .tilt_deg = now.tilt_deg};
+        if (const fixture::Manual* asked = session_->rig->asked(i)) now.asked = *asked;
         rig.fixtures.push_back(now);
     }
     link_.rig.put(std::move(rig));
@@ -90,9 +105,8 @@ void Engine::publish_explanation(double now_s) {
     if (!wishes_.explained || *wishes_.explained >= session_->show->fixtures.size()) return;
     if (now_s - explained_s_ < kExplainEvery_s) return;
     explained_s_ = now_s;
-    const scene::Stage& stage = session_->live->solid();
     const bake::DenormalsOff mode;
-    if (!tracer_) tracer_ = std::make_unique<bake::Tracer>(stage);
+    const scene::Stage& stage = tracer().stage();
     const scene::Reception reception = input_->reception();
     const scene::ExplainInput input{
         .show = *session_->show,
@@ -105,7 +119,7 @@ void Engine::publish_explanation(double now_s) {
         .stage = stage.instances.empty() ? nullptr : &stage,
         .first_hit =
             [&](const glm::vec3& origin, const glm::vec3& direction) {
-                const bake::Surface hit = tracer_->first_hit(origin, direction, -1.0f, bake::Sees::no_bodies);
+                const bake::Surface hit = tracer().first_hit(origin, direction, -1.0f, bake::Sees::no_bodies);
                 return scene::ExplainInput::Seen{hit.instance, hit.distance_m, hit.facet_normal};
             },
     };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/live_input.h"
 
+#include "dmx/activity.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -10,6 +12,16 @@ namespace {
 
 double seconds_of(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
+}
+
+constexpr std::size_t kParts = 600; // of a recording, across a screen
+
+// Another reader of the file, so that nobody waits.
+std::vector<float> measure_activity(const std::filesystem::path& file, const std::atomic<bool>& stop) {
+    auto recording = dmx::read_recording(file);
+    if (!recording.ok()) return {};
+    const dmx::Player player(std::move(*recording));
+    return dmx::activity_of(player, kParts, [&] { return stop.load(); });
 }
 
 } // namespace
@@ -27,7 +39,18 @@ Result<void> LiveInput::load_recording(const std::filesystem::path& file, scene:
     for (const auto& [universe, time] : recording.first_frames())
         first_frames_s_.emplace_back(universe, seconds_of(time));
     player_ = std::make_unique<dmx::Player>(std::move(recording));
+    measuring_ = std::async(std::launch::async, measure_activity, file, std::cref(stop_measuring_));
     return {};
+}
+
+LiveInput::~LiveInput() {
+    stop_measuring_ = true; // the future waits
+}
+
+std::optional<std::vector<float>> LiveInput::take_activity() {
+    if (!measuring_.valid() || measuring_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return std::nullopt;
+    return measuring_.get();
 }
 
 void LiveInput::step(ui::Input wanted, const ui::Transport& transport, double dt_s) {
@@ -55,6 +78,9 @@ void LiveInput::step(ui::Input wanted, const ui::Transport& transport, double dt
     seeks_ = transport.seeks;
     const double end_s = std::max(player_->duration_s(), 1e-3);
     at_s_ = std::isfinite(at_s_) ? std::fmod(std::max(at_s_, 0.0), end_s) : 0.0;
+    if (const double from_s = transport.loop_from_s, to_s = std::min(transport.loop_to_s, end_s);
+        to_s > from_s && at_s_ >= to_s)
+        at_s_ = from_s + std::fmod(at_s_ - from_s, to_s - from_s);
     if (const auto wanted_s = timecode_ ? timecode_->at_s(end_s) : std::nullopt) at_s_ = *wanted_s;
     played_ = player_->at(at_s_);
 }

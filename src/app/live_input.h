@@ -11,10 +11,13 @@
 #include "scene/explain.h"
 #include "ui/link.h"
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace ghost::app {
 
@@ -24,11 +27,16 @@ public:
     // timecode: what the recording follows instead of the transport, once it is heard; may be null, too.
     explicit LiveInput(dmx::Receiver* receiver, const TimeCodeInput* timecode = nullptr)
         : receiver_(receiver), timecode_(timecode) {}
+    ~LiveInput();
+    LiveInput(const LiveInput&) = delete;
+    LiveInput& operator=(const LiveInput&) = delete;
 
     // One that could not be started before.
     void set_receiver(dmx::Receiver* receiver) { receiver_ = receiver; }
     // Instead of the recording before; an empty path: none.
     Result<void> load_recording(const std::filesystem::path& file, scene::Report& report);
+    // dmx::activity_of the recording, once, when it is measured.
+    std::optional<std::vector<float>> take_activity();
     double recording_s() const { return player_ ? player_->duration_s() : 0; }
 
     // What is there now, dt_s after the call before.
@@ -63,6 +71,8 @@ private:
     double listened_s_ = 0;
     std::uint64_t seeks_ = 0;
     std::chrono::nanoseconds arrival_{0};
+    std::atomic<bool> stop_measuring_{false};
+    std::future<std::vector<float>> measuring_; // the last member: it uses the one above
 };
 
 } // namespace ghost::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects that go with trackers: their places on the device, and the distance maps of the lights that see
-// them.
+// Objects that go with trackers and objects that hands hide or show: on the device, and in the distance maps
+// of the lights that see them.
 #include "app/live_view.h"
 
 #include "scene/distance_maps_file.h"
@@ -65,38 +65,67 @@ void LiveView::move_tracked(const std::vector<std::string>& patterns, const glm:
     }
 }
 
-void LiveView::begin_tracked_maps() {
+void LiveView::show(std::size_t instance, bool shown) {
+    model_.show(instance, shown);
+    if (instance >= stage_.instances.size()) return;
+    const auto by_hand = shown_by_hand_.find(instance);
+    const bool before = by_hand == shown_by_hand_.end() ? stage_.instances[instance].shown : by_hand->second;
+    if (shown == before) return;
+    ++shown_changes_;
+    if (shown == stage_.instances[instance].shown)
+        shown_by_hand_.erase(instance);
+    else
+        shown_by_hand_[instance] = shown;
+}
+
+scene::Stage LiveView::solid_now() const {
+    scene::Stage stage = stage_;
+    for (const auto& [instance, shown] : shown_by_hand_) stage.instances[instance].shown = shown;
+    for (const auto& [instance, by_m] : moved_m_)
+        stage.instances[instance].world =
+            glm::translate(glm::mat4(1.0f), by_m) * stage.instances[instance].world;
+    return scene::visible(std::move(stage));
+}
+
+void LiveView::begin_changed_maps() {
     const auto mapped = [&](const auto& entry) {
         const auto place = mapped_m_.find(entry.first);
         const glm::vec3 then_m = place == mapped_m_.end() ? glm::vec3(0) : place->second;
         return glm::distance(then_m, entry.second) < kShadowStep_m;
     };
-    if (!distances_ || std::all_of(moved_m_.begin(), moved_m_.end(), mapped)) return;
-    if (!tracked_stage_) {
-        tracked_stage_ = scene::visible(stage_);
-        tracked_show_ = show_;
-        tracked_show_.stage = {};
-        tracked_show_.cache_name = (show_.cache_name.empty() ? "" : show_.cache_name + "-") + "tracked";
+    if (!distances_ ||
+        (std::all_of(moved_m_.begin(), moved_m_.end(), mapped) && shown_by_hand_ == mapped_shown_))
+        return;
+    if (changed_show_.cache_name.empty()) {
+        changed_show_ = show_;
+        changed_show_.stage = {};
+        changed_show_.cache_name = (show_.cache_name.empty() ? "" : show_.cache_name + "-") + "tracked";
         // What is right for the show as it is, is right for most lights wherever the objects are.
         namespace fs = std::filesystem;
         const fs::path from = scene::distance_folder(show_, maps_.size);
-        const fs::path to = scene::distance_folder(tracked_show_, maps_.size);
+        const fs::path to = scene::distance_folder(changed_show_, maps_.size);
         std::error_code code;
         fs::create_directories(to, code);
         fs::copy(from, to, fs::copy_options::overwrite_existing, code);
     }
-    std::size_t shown = 0; // of tracked_stage_, which is without the hidden ones
-    for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
-        if (!stage_.instances[i].shown) continue;
-        if (const auto moved = moved_m_.find(i); moved != moved_m_.end())
-            tracked_stage_->instances[shown].world =
-                glm::translate(glm::mat4(1.0f), moved->second) * stage_.instances[i].world;
-        ++shown;
+    if (!changed_stage_ || shown_by_hand_ != mapped_shown_) {
+        changed_stage_ = solid_now();
+    } else {
+        std::size_t shown = 0; // of changed_stage_, which is without the hidden ones
+        for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
+            const auto by_hand = shown_by_hand_.find(i);
+            if (!(by_hand == shown_by_hand_.end() ? stage_.instances[i].shown : by_hand->second)) continue;
+            if (const auto moved = moved_m_.find(i); moved != moved_m_.end())
+                changed_stage_->instances[shown].world =
+                    glm::translate(glm::mat4(1.0f), moved->second) * stage_.instances[i].world;
+            ++shown;
+        }
     }
     mapped_m_ = moved_m_;
+    mapped_shown_ = shown_by_hand_;
     std::set<std::size_t> known;
     for (std::size_t k = 0; k < maps_.maps.size(); ++k) known.insert(k);
-    maker_ = std::make_unique<MapMaker>(tracked_show_, *tracked_stage_, maps_.size, std::move(known));
+    maker_ = std::make_unique<MapMaker>(changed_show_, *changed_stage_, maps_.size, std::move(known));
 }
 
 } // namespace ghost::app

@@ -144,7 +144,7 @@ void LiveView::begin_maps(scene::Report& report) {
 }
 
 bool LiveView::take_maps(scene::Report& report) {
-    if (!maker_) begin_tracked_maps();
+    if (!maker_) begin_changed_maps();
     if (!maker_) return false;
     bool replaced = false;
     const std::size_t missing_before = missing_maps_;

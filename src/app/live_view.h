@@ -42,8 +42,8 @@ public:
     const scene::Camera& camera() const { return camera_; }
     // Times the show's density, from the next look_from on.
     void set_haze(float density) { haze_density_ = density; }
-    // For the next look_from. Distance maps stay as they were made: no object takes its shadow along.
-    void show(std::size_t instance, bool shown) { model_.show(instance, shown); }
+    // For the next look_from. The distance maps of the lights that see it are made again in the background.
+    void show(std::size_t instance, bool shown);
     void set_material(std::size_t material, const scene::Material& values) {
         model_.set_material(material, values);
     }
@@ -69,12 +69,16 @@ public:
     const scene::Stage& stage() const { return stage_; }
     // What light meets: without the objects that were hidden from the beginning.
     const scene::Stage& solid() const { return solid_ ? *solid_ : stage_; }
+    // The same as hands and trackers have it now; a copy.
+    scene::Stage solid_now() const;
+    // Grows whenever that is another one because something was hidden or shown.
+    std::uint64_t shown_changes() const { return shown_changes_; }
 
 private:
     LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
              const scene::Camera& camera, scene::Report& report);
     void begin_maps(scene::Report& report);
-    void begin_tracked_maps();
+    void begin_changed_maps();
     std::vector<std::size_t> objects_named(const std::vector<std::string>& patterns) const;
 
     const gpu::Device& device_;
@@ -89,11 +93,13 @@ private:
     scene::DistanceMaps maps_;
     std::size_t missing_maps_ = 0;
     std::unique_ptr<render::DistanceImages> distances_;
-    // Tracked objects: what the maker makes their maps of. The maps go to a folder of their own, so that
-    // those of the show as it is stay.
+    // Tracked objects and those that hands hid or showed: what the maker makes the maps of. These go to a
+    // folder of their own, so that those of the show as it is stay.
     std::map<std::size_t, glm::vec3> moved_m_, mapped_m_; // instance: how far; with which maps were begun
-    scene::Show tracked_show_;
-    std::optional<scene::Stage> tracked_stage_;
+    std::map<std::size_t, bool> shown_by_hand_, mapped_shown_; // instance; likewise
+    std::uint64_t shown_changes_ = 0;
+    scene::Show changed_show_;
+    std::optional<scene::Stage> changed_stage_;
     std::unique_ptr<MapMaker> maker_; // reads show and stage: goes first
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.h"
+#include "app/number_option.h"
 #include "base/log.h"
+#include "base/progress.h"
 
 #include <exception>
 #include <iostream>
@@ -12,6 +14,12 @@ int main(int argc, char** argv) {
         "ghostlight"};
     app.require_subcommand(1);
     app.footer("Example: ghostlight render assets/demo -o demo.png --at 20");
+    double progress_every_s = 5;
+    app.add_option("--progress-every", progress_every_s,
+                   "seconds between lines of progress where standard error is no terminal")
+        ->check(ghost::app::number_in(0.05, 3600.0))
+        ->capture_default_str()
+        ->each([](const std::string& seconds) { ghost::Progress::set_lines_every(std::stod(seconds)); });
     app.set_version_flag("--version", "ghostlight 0.1.0");
     int exit_code = 0;
     ghost::app::add_bake(app, exit_code);
@@ -26,6 +34,7 @@ int main(int argc, char** argv) {
     ghost::app::add_play(app, exit_code);
     ghost::app::add_record(app, exit_code);
     ghost::app::add_render(app, exit_code);
+    ghost::app::add_sheet(app, exit_code);
     ghost::app::add_xchange(app, exit_code);
     try {
         app.parse(argc, argv);

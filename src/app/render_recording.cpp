@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 namespace ghost::app {
 
@@ -30,21 +31,24 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
                               Tally& tally) {
     const std::filesystem::path file =
         arguments.replay.empty() ? session.show->recording : std::filesystem::path(arguments.replay);
-    TRY(dmx::Recording recording,
-        open_recording(file, capture_options(arguments.input), arguments.session.quiet));
-    const dmx::Player player(std::move(recording));
+    std::optional<dmx::Player> player;
+    // A look needs no desk.
+    if (!file.empty() || session.manual.empty()) {
+        TRY(dmx::Recording recording,
+            open_recording(file, capture_options(arguments.input), arguments.session.quiet));
+        player.emplace(std::move(recording));
+    }
+    const double end_s = player ? player->duration_s() : 0;
 
     const double fps = arguments.fps;
     const bool still = arguments.from_s < 0 && arguments.to_s < 0;
     const double at_s = arguments.at_s >= 0 ? arguments.at_s : 0.0;
     const auto first = static_cast<long>(std::lround((still ? at_s : std::max(arguments.from_s, 0.0)) * fps));
-    const long last =
-        still ? first : std::lround((arguments.to_s >= 0 ? arguments.to_s : player.duration_s()) * fps) - 1;
+    const long last = still ? first : std::lround((arguments.to_s >= 0 ? arguments.to_s : end_s) * fps) - 1;
     if (last < first) return Error{"the range is empty: --to must be later than --from", "--from/--to"};
 
-    if (static_cast<double>(first) / fps > player.duration_s())
-        log_warning("the recording ends at " + std::to_string(player.duration_s()) +
-                    " s; what is drawn is its last look");
+    if (player && static_cast<double>(first) / fps > end_s)
+        log_warning("the recording ends at " + std::to_string(end_s) + " s; what is drawn is its last look");
     const scene::Camera start = session.show->cameras[session.camera];
     catch_interrupts();
     const auto now_s = [] {
@@ -55,7 +59,8 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
         arguments.session.quiet || still ? Progress::Style::silent : Progress::style_for_stderr(), now_s());
     for (long frame = begin_at(first, fps); frame <= last; ++frame) {
         if (interrupted()) break;
-        session.rig->step(player.at(static_cast<double>(frame) / fps), 1.0 / fps);
+        session.rig->step(player ? player->at(static_cast<double>(frame) / fps) : dmx::Universes{}, 1.0 / fps,
+                          session.manual);
         if (frame < first) continue;
         if (session.travel_to)
             session.look_from(camera_between(start, *session.travel_to,
@@ -67,7 +72,7 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
                         now_s(), arguments.out);
     }
     progress.finish();
-    log_damage(player);
+    if (player) log_damage(*player);
     return {};
 }
 

@@ -2,80 +2,31 @@
 #include "app/session.h"
 
 #include "app/interrupt.h"
+#include "app/passes_sources.h"
 #include "bake/bake_show.h"
-#include "bake/keys.h"
 #include "scene/passes_file.h"
 #include "scene/prism.h"
 #include "scene/show_edit.h"
 #include "scene/stage_checks.h"
 
 #include "base/check.h"
-#include "base/files.h"
 #include "base/log.h"
 #include "base/progress.h"
 
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 #include <cstdio>
-#include <set>
 
 namespace ghost::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMaxSourceBytes = 1u << 30;
 constexpr float kSamePlace_m = 0.05f;
 constexpr int kMostPixelsAcross = 16384; // what every device of today takes
 
 double steady_now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-// Files beside the stage that it may refer to: textures, materials, buffers. Their sizes and times.
-void add_companions(const fs::path& stage, const fs::path& cache, bake::Hasher& hasher) {
-    constexpr int kMostFiles = 10000;
-    static const std::set<std::string> kEndings{".png",  ".jpg",  ".jpeg", ".tga", ".bmp",
-                                                ".tif",  ".tiff", ".gif",  ".psd", ".hdr",
-                                                ".webp", ".ktx2", ".dds",  ".mtl", ".bin"};
-    std::set<std::string> found; // in an order of its own
-    std::error_code code;
-    int seen = 0;
-    for (fs::recursive_directory_iterator
-             entry(stage.parent_path(), fs::directory_options::skip_permission_denied, code),
-         end;
-         !code && entry != end && ++seen <= kMostFiles; entry.increment(code)) {
-        if (entry->path().filename() == cache.filename()) {
-            entry.disable_recursion_pending();
-            continue;
-        }
-        std::error_code unknown;
-        std::string ending = entry->path().extension().string();
-        std::transform(ending.begin(), ending.end(), ending.begin(),
-                       [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-        if (!kEndings.contains(ending)) continue;
-        found.insert(entry->path().lexically_relative(stage.parent_path()).string() + " " +
-                     std::to_string(entry->file_size(unknown)) + " " +
-                     std::to_string(entry->last_write_time(unknown).time_since_epoch().count()));
-    }
-    for (const std::string& file : found) hasher.text(file);
-}
-
-// Hash of all that passes are made from: the show file, the stage with what lies beside it, the fixture files
-// and the baker. The bake itself compares in detail; this only says whether it has to be asked.
-std::string fingerprint(const scene::Show& show) {
-    std::set<fs::path> sources{show.file, show.stage_file, show.plot_file};
-    for (const scene::PatchedFixture& fixture : show.fixtures) sources.insert(show.folder / fixture.gdtf);
-    bake::Hasher hasher;
-    hasher.value(bake::kBakerVersion);
-    for (const fs::path& source : sources) {
-        hasher.text(source.filename().string());
-        const auto bytes = read_file(source, kMaxSourceBytes);
-        if (bytes.ok()) hasher.list(*bytes);
-    }
-    if (!show.stage_file.empty()) add_companions(show.stage_file, show.cache_folder(), hasher);
-    return hasher.hex();
 }
 
 Result<void> bake_view(const scene::Show& show, const std::string& view, const fs::path& folder, bool quiet,
@@ -125,6 +76,17 @@ void compare_positions(const scene::Show& show, const scene::Passes& passes, con
     }
 }
 
+Result<void> take_look(const SessionOptions& options, scene::Show& show, Session& session,
+                       scene::Report& report) {
+    const fs::path file = options.looks_file.empty() ? scene::looks_file(show) : fs::path(options.looks_file);
+    TRY(const std::vector<scene::StoredLook> looks, scene::load_looks(file, report));
+    const Result<std::size_t> index = scene::find_look(looks, options.look);
+    if (!index.ok()) return Error{index.error().what, file.string()};
+    session.manual = scene::manual_of(looks[*index], show);
+    apply(looks[*index].scene, show, session.shadows);
+    return {};
+}
+
 Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
                                  const SessionOptions& options, scene::Report& report) {
     if (!camera.foreign_passes.empty()) {
@@ -137,14 +99,12 @@ Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
         return passes;
     }
     const fs::path folder = scene::passes_folder(show, camera.name);
-    const fs::path sources = folder / "sources.txt";
-    const std::string wanted = fingerprint(show);
-    const auto remember_sources = [&] {
-        if (const Result<void> written = write_file_atomic(sources, wanted); !written.ok())
+    const std::string wanted = passes_fingerprint(show);
+    const auto remember = [&] {
+        if (const Result<void> written = remember_sources(show, camera.name, wanted); !written.ok())
             report.add(scene::Severity::warning, written.error().where, written.error().what);
     };
-    const auto had = read_text_file(sources, 1024);
-    if (options.bake && !(had.ok() && *had == wanted)) {
+    if (options.bake && !passes_are_of(show, camera.name, wanted)) {
         std::error_code code;
         const bool baked_before = fs::exists(folder / "manifest.json", code);
         scene::Report of_stage;
@@ -153,7 +113,7 @@ Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
         if (has_stage || !baked_before) TRY_VOID(bake_view(show, camera.name, folder, options.quiet, report));
         // What is lost is said again at every render, until it is there.
         if (has_stage && !of_stage.lost_anything())
-            remember_sources();
+            remember();
         else if (!has_stage && baked_before)
             report.add(scene::Severity::warning, folder.string(),
                        "the stage cannot be read: these older passes are shown");
@@ -167,7 +127,7 @@ Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
             report.add(scene::Severity::warning, passes.error().where,
                        passes.error().what + "; it is baked again");
         TRY_VOID(bake_view(show, camera.name, folder, options.quiet, report));
-        remember_sources();
+        remember();
         found = {};
         passes = scene::load_passes(folder, true, found);
     }
@@ -315,6 +275,15 @@ render::FrameStatistics Session::draw(double time_s) {
     return statistics;
 }
 
+void apply(const scene::SceneLook& look, scene::Show& show, bool& shadows) {
+    constexpr float kMostSmoke = 20, kMostLux = 100000;
+    show.haze.extinction_per_m *= std::clamp(look.smoke.value_or(1.0f), 0.0f, kMostSmoke);
+    show.ambient_lux = std::clamp(look.ambient_lux.value_or(show.ambient_lux), 0.0f, kMostLux);
+    show.ambient_colour = look.ambient_colour.value_or(show.ambient_colour);
+    if (look.attenuation) show.attenuation = {look.attenuation->x, look.attenuation->y, look.attenuation->z};
+    shadows = look.shadows.value_or(shadows);
+}
+
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     auto session = std::make_unique<Session>();
     session->options = options;
@@ -322,6 +291,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     TRY(scene::Show show, open_show(options.show, false, options.quiet, report, options.text));
     session->of_show_file = report.messages.size();
     show.motion = options.motion.value_or(show.motion);
+    if (!options.look.empty()) TRY_VOID(take_look(options, show, *session, report));
     session->show = std::make_unique<scene::Show>(std::move(show));
     print_report(report);
     std::size_t printed = report.messages.size();

@@ -7,10 +7,12 @@
 #include "gpu/device.h"
 #include "render/relighter.h"
 #include "scene/gobos.h"
+#include "scene/looks.h"
 #include "scene/passes.h"
 #include "scene/rig.h"
 #include "scene/show.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,6 +38,8 @@ struct SessionOptions {
     bool live = false;                     // a free camera: no passes
     std::optional<scene::Camera> eye;      // instead of a camera of the show; live only
     std::string travel;                    // a camera to fly to; live only
+    std::string look;                      // one of looks.toml, on top of what DMX asks for
+    std::string looks_file;                // instead of the show's own
     bool shadows = true;                   // live only
     bool maps_in_background = false;       // live only: LiveOptions
     bool keep_hidden = false;              // live only: LiveOptions
@@ -59,9 +63,10 @@ struct Session {
     std::unique_ptr<gpu::Device> device;
     std::unique_ptr<LiveView> live; // or null: passes
     std::unique_ptr<render::Relighter> relighter;
-    float master = 1;       // share of all light
-    bool shadows = true;    // live only
-    SessionOptions options; // as it was opened
+    std::map<std::size_t, fixture::Manual> manual; // of options.look, for Rig::step
+    float master = 1;                              // share of all light
+    bool shadows = true;                           // live only
+    SessionOptions options;                        // as it was opened
 
     // With the master, and without shadows where those are off.
     scene::Lit lit() const;
@@ -74,6 +79,9 @@ struct Session {
 };
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);
+
+// Instead of what the show says of air and even light.
+void apply(const scene::SceneLook& look, scene::Show& show, bool& shadows);
 
 // scene::load_show with a bar, and Ctrl-C ends it. text: instead of what show.toml says.
 Result<scene::Show> open_show(const std::string& path, bool load_stage, bool quiet, scene::Report& report,

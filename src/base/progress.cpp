@@ -11,7 +11,7 @@ namespace ghost {
 namespace {
 
 constexpr double kBarEvery_s = 0.1;
-constexpr double kLineEvery_s = 5.0;
+double line_every_s = 5.0;
 constexpr int kBarWidth = 24;
 
 } // namespace
@@ -43,12 +43,16 @@ Progress::Style Progress::style_for_stderr() {
     return ::isatty(STDERR_FILENO) != 0 ? Style::bar : Style::lines;
 }
 
+void Progress::set_lines_every(double seconds) {
+    line_every_s = seconds;
+}
+
 Progress::Progress(std::string label, Style style, double now_s)
     : label_(std::move(label)), style_(style), start_s_(now_s), shown_s_(now_s) {}
 
 void Progress::update(double share, double now_s, const std::string& note) {
     if (style_ == Style::silent) return;
-    if (now_s - shown_s_ < (style_ == Style::bar ? kBarEvery_s : kLineEvery_s)) return;
+    if (now_s - shown_s_ < (style_ == Style::bar ? kBarEvery_s : line_every_s)) return;
     shown_s_ = now_s;
     std::string line = progress_line(label_, share, now_s - start_s_, note);
     if (style_ == Style::lines) {

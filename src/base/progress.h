@@ -18,6 +18,8 @@ public:
     enum class Style { bar, lines, silent };
     // bar where standard error is a terminal, else lines.
     static Style style_for_stderr();
+    // Of all of them, from now on; 5 s unless said. Before the first one is made.
+    static void set_lines_every(double seconds);
 
     Progress(std::string label, Style style, double now_s);
     void update(double share, double now_s, const std::string& note);

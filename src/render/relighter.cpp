@@ -111,10 +111,11 @@ void Relighter::make_surface_programs() {
     else
         bindings.push_back(kUniform);
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
-        surface_[kind] = g_buffer_
-                             ? gpu::LateProgram(device_, shaders::kShader_surface_live, bindings,
-                                                {kind, single, distances_ ? 1u : 0u})
-                             : gpu::LateProgram(device_, shaders::kShader_surface, bindings, {kind, single});
+        surface_[kind] =
+            g_buffer_
+                ? gpu::LateProgram(device_, shaders::kShader_surface_live, bindings,
+                                   {kind, single, distances_ ? 1u : 0u, settings_.illuminance ? 1u : 0u})
+                : gpu::LateProgram(device_, shaders::kShader_surface, bindings, {kind, single});
         if (kind < shared::kPlanesClass) (void)surface_[kind].get();
     }
 }

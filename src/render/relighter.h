@@ -47,6 +47,8 @@ struct Settings {
     bool auto_exposure = false;
     bool surfaces = true; // both on but for measurements
     bool air = true;
+    bool illuminance =
+        false; // of a G-buffer: lux on its surfaces instead of cd/m^2, and nothing without lights
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30; // for kept images of the light tree
     std::uint32_t lights_per_dispatch = 0; // 0: what suits the device; 1 or kLightsPerChunk (shared/push.h)
     bool reuse = true;                     // false: every light is drawn in every frame

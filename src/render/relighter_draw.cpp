@@ -66,7 +66,7 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         shared::SumPush push{};
         push.target = static_cast<std::uint32_t>(sum.target + 1);
         push.accumulate = first ? 0u : 1u;
-        push.add_base = first && sum.base ? 1u : 0u;
+        push.add_base = first && sum.base && !settings_.illuminance ? 1u : 0u;
         push.add_drawn = first && !sum.lights.empty() ? 1u : 0u;
         for (; added < sum.addends.size() && push.addend_count < shared::kMaxAddends; ++added)
             push.addend[push.addend_count++] = static_cast<std::uint32_t>(sum.addends[added] + 1);

@@ -2,6 +2,7 @@
 #include "scene/rig.h"
 
 #include "base/check.h"
+#include "image/colour.h"
 #include "scene/aim.h"
 #include "scene/prism.h"
 
@@ -13,6 +14,8 @@
 namespace ghost::scene {
 namespace {
 
+constexpr float kLeastWhite = 1e-4f; // of a component that is divided by
+
 // Every beam that shines, on its own.
 Emitters apart(const Emitters& emitters) {
     Emitters result = emitters;
@@ -21,6 +24,16 @@ Emitters apart(const Emitters& emitters) {
         for (const int beam : emitter.beams)
             result.lights.push_back({{beam}, {1.0f}, emitter.place, emitter.copies});
     return result;
+}
+
+// What another lamp and a gel make of the light of a beam.
+glm::vec3 swap_factor(const fixture::Manual& manual, const fixture::Beam& beam) {
+    glm::vec3 factor = glm::max(manual.gel.value_or(glm::vec3(1.0f)), glm::vec3(0.0f));
+    factor *= std::max(manual.lamp.value_or(1.0f), 0.0f);
+    if (manual.lamp_k)
+        factor *= image::cct_to_rec2020(*manual.lamp_k) /
+                  glm::max(image::cct_to_rec2020(beam.color_temperature_k), glm::vec3(kLeastWhite));
+    return factor;
 }
 
 // The lights of an emitter: as many as its prisms may ever need, dark ones among them. What the camera sees
@@ -127,12 +140,16 @@ void Rig::step(const dmx::Universes& universes, double dt_s,
                const std::map<std::size_t, fixture::Manual>& manual) {
     fixture::Levels levels;
     for (const dmx::Universe& universe : universes.list) levels.set(universe.number, *universe.levels);
+    manual_ = manual;
+    asked_.clear();
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         if (!patches_[i].type) continue;
         fixture::Targets targets = fixture::decode(patches_[i], levels);
         if (aims_[i]) follow(i, targets);
-        if (const auto found = manual.find(i); found != manual.end())
+        if (const auto found = manual.find(i); found != manual.end()) {
+            asked_[i] = fixture::asked_for(targets, patches_[i]);
             fixture::apply(found->second, patches_[i], targets);
+        }
         fixture::step(states_[i], patches_[i], targets, dt_s, show_.motion);
         const auto& track = show_.fixtures[i].track;
         if (!track) continue;
@@ -157,6 +174,21 @@ Rig::Between Rig::between(std::size_t index) const {
     return result;
 }
 
+std::vector<Face> Rig::faces(std::size_t index, const Emitters& emitters, const Hung& hung,
+                             const GoboStack& gobos, ProfileTable& profiles) const {
+    const fixture::Type& type = *show_.fixtures[index].type;
+    std::vector<Face> faces = faces_of(type, states_[index].beams, emitters, hung, gobos, profiles);
+    const auto manual = manual_.find(index);
+    if (manual == manual_.end()) return faces;
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        const auto geometry = static_cast<std::size_t>(states_[index].beams[k].geometry);
+        const glm::vec3 factor = swap_factor(manual->second, *type.geometries[geometry].beam);
+        faces[k].light.intensity_cd *= factor;
+        faces[k].light.bounce_cd *= factor;
+    }
+    return faces;
+}
+
 Lit Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) const {
     Lit lit;
     std::vector<Face> facets;
@@ -167,7 +199,7 @@ Lit Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) cons
         const Between track = between(i);
         const Hung hung = track.hung(track.stop_m, track.next_m);
         const Emitters emitters = cells == Cells::apart ? apart(*emitters_[i]) : *emitters_[i];
-        std::vector<Face> faces = faces_of(*fixture.type, states_[i].beams, emitters, hung, gobos, profiles);
+        std::vector<Face> faces = this->faces(i, emitters, hung, gobos, profiles);
         const auto stop = static_cast<int>(track.share < 0.5f ? track.stop : track.next);
         std::vector<int> map_of;
         for (int place = 0; place < static_cast<int>(emitters.places_m.size()); ++place)
@@ -205,7 +237,7 @@ Lit Rig::lit(const GoboStack& gobos, const Passes& passes) const {
         const Between track = between(i);
         const Hung hung = track.hung(place_of(track.stop, track.stop_m), place_of(track.next, track.next_m));
         const Emitters& emitters = *emitters_[i];
-        std::vector<Face> faces = faces_of(*fixture.type, states_[i].beams, emitters, hung, gobos, profiles);
+        std::vector<Face> faces = this->faces(i, emitters, hung, gobos, profiles);
         for (const Emitter& emitter : emitters.lights) {
             shared::Light whole = light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung));
             whole.pass = pass_of(track.stop);

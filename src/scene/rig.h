@@ -27,7 +27,7 @@ public:
     explicit Rig(const Show& show);
 
     // Decodes the levels and moves every fixture on by dt_s, as Show::motion says. manual: by index of the
-    // fixture, what a person wants instead.
+    // fixture, what a person wants instead; its gels and lamps are in the light, not in the state.
     void step(const dmx::Universes& universes, double dt_s,
               const std::map<std::size_t, fixture::Manual>& manual = {});
 
@@ -53,6 +53,11 @@ public:
     std::vector<shared::Light> lights(const GoboStack& gobos, const DistanceMaps& maps) const;
 
     const std::vector<fixture::State>& states() const { return states_; }
+    // What the last step's levels asked of a fixture that had values by hand; null where it had none.
+    const fixture::Manual* asked(std::size_t fixture) const {
+        const auto found = asked_.find(fixture);
+        return found == asked_.end() ? nullptr : &found->second;
+    }
     // How the beams of a fixture are grouped; nothing where it has no type.
     const Emitters& emitters(std::size_t fixture) const { return *emitters_[fixture]; }
     // Place along the track in stops, 0 where there is none.
@@ -63,6 +68,8 @@ private:
     Between between(std::size_t fixture) const;
 
     void follow(std::size_t fixture, fixture::Targets& targets) const;
+    std::vector<Face> faces(std::size_t fixture, const Emitters& emitters, const Hung& hung,
+                            const GoboStack& gobos, ProfileTable& profiles) const;
 
     const Show& show_;
     std::vector<fixture::Patch> patches_;
@@ -70,6 +77,7 @@ private:
     std::vector<float> track_;
     std::vector<std::shared_ptr<const Emitters>> emitters_; // one for all fixtures of a type and mode
     std::vector<std::optional<glm::vec3>> aims_;
+    std::map<std::size_t, fixture::Manual> manual_, asked_; // of the last step
 };
 
 } // namespace ghost::scene

@@ -63,10 +63,7 @@ Result<void> focus(Studio& studio, bool all) {
 }
 
 Result<void> expose(Studio& studio, double ev100, bool automatic) {
-    scene::Camera camera = studio.camera();
-    camera.ev100 = static_cast<float>(std::clamp(ev100, kLeastEv, kMostEv));
-    camera.auto_exposure = automatic;
-    studio.wish([&](Wishes& wishes) { wishes.camera = camera; });
+    studio.set_exposure(static_cast<float>(std::clamp(ev100, kLeastEv, kMostEv)), automatic);
     return {};
 }
 
@@ -200,6 +197,15 @@ void add_camera_actions(Actions& actions, Studio& studio) {
                          !automatic);
                  },
                  [&studio] { return studio.camera().auto_exposure; }});
+    actions.add({"baked", "Camera", "Baked pictures where they are fresh", "", "[on|off]",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     const QString word = words.value(0, studio.wishes().takes_baked ? "off" : "on");
+                     if (word != "on" && word != "off")
+                         return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
+                     studio.wish([&](Wishes& wishes) { wishes.takes_baked = word == "on"; });
+                     return {};
+                 },
+                 [&studio] { return studio.wishes().takes_baked; }});
     actions.add({"select",
                  "",
                  "select",

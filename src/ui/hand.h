@@ -11,7 +11,7 @@
 namespace ghost::ui {
 
 // Kinds of change, see Studio::set_look.
-enum class Hand : int { step = 0, intensity, colour, zoom, pan, tilt, gobo, scene, surface };
+enum class Hand : int { step = 0, intensity, colour, zoom, pan, tilt, gobo, gel, lamp, scene, surface };
 
 // Changes the manual values of all selected fixtures; f gets each fixture's.
 template <class F>

@@ -5,6 +5,7 @@
 
 #include "base/mailbox.h"
 #include "dmx/receiver.h"
+#include "image/false_colour.h"
 #include "image/image.h"
 #include "scene/explain.h"
 #include "scene/show.h"
@@ -32,6 +33,8 @@ struct Transport {
     bool playing = true;
     std::uint64_t seeks = 0; // grows with each jump to at_s
     double at_s = 0;
+    double loop_from_s = 0; // played again and again; to at or below from: the whole
+    double loop_to_s = 0;
 
     bool operator==(const Transport&) const = default;
 };
@@ -41,6 +44,24 @@ struct Quality {
     int percent = 0;        // of the window's pixels; 0: as many as fps allows
     int most_segments = 24; // samples of haze along a ray through one beam
     bool operator==(const Quality&) const = default;
+};
+
+// What the picture shows: what the camera sees, or a quantity as false colours.
+enum class Measure {
+    none,
+    lux,       // on the surfaces, whatever they are made of
+    luminance, // cd/m^2, with haze and glare
+};
+struct FalseColour {
+    Measure measure = Measure::none;
+    image::Scale scale;
+    bool operator==(const FalseColour&) const = default;
+};
+
+// The picture as it is, in linear values, into an .exr, or developed into a .png.
+struct SaveFrame {
+    std::uint64_t number = 0; // grows with every request
+    std::string file;
 };
 
 // What the window wants to see, whole.
@@ -57,7 +78,11 @@ struct Wishes {
     Transport transport;
     Quality quality;
     std::optional<std::size_t> explained; // fixture
-    std::uint64_t take_plot = 0;          // number of the received plot to be merged into the show; 0: none
+    FalseColour false_colour;
+    std::optional<glm::vec2> probe; // what is measured there; (0, 0) is the top left corner of the picture
+    bool takes_baked = true;        // where the camera stands as one whose passes are fresh
+    SaveFrame save_frame;
+    std::uint64_t take_plot = 0; // number of the received plot to be merged into the show; 0: none
 };
 
 // An instance of the stage that can be hidden.
@@ -105,6 +130,9 @@ struct Picture {
     int lights_drawn = 0;
     bool is_coarse = false;       // drawn with fewer pixels than asked for, because it moves
     std::size_t missing_maps = 0; // lights that throw no shadows yet
+    FalseColour false_colour;     // what the image shows
+    bool is_baked = false;        // from passes; its size is theirs
+    std::string supply;           // in words: which passes, or why it is drawn live
     std::chrono::nanoseconds arrival{
         0}; // steady: of the newest packet that it shows for the first time; 0: none
 };
@@ -119,6 +147,8 @@ struct FixtureNow {
     float tilt_deg = 0;
     float dimmer = 0; // of the brightest beam, shutter included
     float zoom_deg = 0;
+    std::optional<int> gobo; // slot of the first wheel; nothing: it has none, or it turns
+    fixture::Manual asked;   // what desk or recording ask for, as values that a hand could set
 };
 
 struct RigNow {
@@ -132,6 +162,22 @@ struct Explained {
     std::size_t fixture = 0;
     scene::Explanation explanation;
     std::string words;
+};
+
+// What the probe meets.
+struct Probed {
+    glm::vec2 place{0}; // as in the wishes
+    float cd_m2 = 0;    // that the camera sees there
+    bool hit = false;   // a surface; what follows is of it
+    float lux = 0;
+    glm::vec3 at_m{0};
+    float distance_m = 0; // from the camera
+    std::string object;
+};
+
+struct Saved {
+    std::uint64_t number = 0; // of the request
+    std::optional<Error> error;
 };
 
 struct Link {
@@ -148,6 +194,10 @@ struct Link {
     Mailbox<std::uint64_t> settled;
     Mailbox<std::string> activity; // what takes long now; empty: nothing
     Mailbox<ReceivedPlot> plot;
+    // How much changes in equal parts of the recording: 0 nothing .. 1 most. Comes some time after the show.
+    Mailbox<std::vector<float>> activity_of_recording;
+    Mailbox<Probed> probed;
+    Mailbox<Saved> saved;
     Mailbox<CameraCall> camera_call;
 
     // The engine calls it after it put something, on its own thread. Set before the engine starts.

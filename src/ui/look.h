@@ -5,25 +5,17 @@
 // compared, so one undo step is the look before. Units as in the show; colours linear Rec.2020.
 
 #include "fixture/manual.h"
-#include "scene/show.h"
+#include "scene/looks.h"
 
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace ghost::ui {
 
-// Instead of the show's [haze], [ambient], [attenuation] and [shadows].
-struct SceneLook {
-    std::optional<float> smoke; // times the show's extinction
-    std::optional<float> ambient_lux;
-    std::optional<glm::vec3> ambient_colour;
-    std::optional<glm::vec3> attenuation; // constant, linear, quadratic
-    std::optional<bool> shadows;
-
-    bool operator==(const SceneLook&) const = default;
-};
+using scene::SceneLook;
 
 // Instead of what the model says of a material.
 struct SurfaceLook {
@@ -40,6 +32,7 @@ struct Look {
     SceneLook scene;
     std::map<std::size_t, bool> shown;           // by index of the object
     std::map<std::size_t, SurfaceLook> surfaces; // by index of the material; no empty ones
+    std::set<std::size_t> solo;                  // these fixtures alone shine; empty: all do
 
     bool is_empty() const { return *this == Look{}; }
     bool operator==(const Look&) const = default;

@@ -32,16 +32,6 @@ void take_message(QtMsgType type, const QMessageLogContext&, const QString& text
         log_debug(text.toStdString());
 }
 
-bool has_display() {
-#if defined(__linux__)
-    for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
-        if (const char* value = std::getenv(name); value && *value) return true;
-    return false;
-#else
-    return true;
-#endif
-}
-
 // A script's lines in their order; the first that fails ends it, and the window.
 Result<void> run_script(const std::string& file, Window& window, Result<void>& outcome) {
     TRY(const std::string text, read_text_file(file, kMostScriptBytes));
@@ -59,15 +49,26 @@ Result<void> run_script(const std::string& file, Window& window, Result<void>& o
 
 } // namespace
 
+bool has_display() {
+#if defined(__linux__)
+    for (const char* const name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        if (const char* value = std::getenv(name); value && *value) return true;
+    return false;
+#else
+    return true;
+#endif
+}
+
 Result<void> open_window(Link& link, const WindowOptions& options) {
-    if (!has_display())
+    if (!options.draws_into_memory && !has_display())
         return Error{"there is no display (DISPLAY and WAYLAND_DISPLAY are empty): the window needs one; "
                      "'ghostlight render' writes pictures and films without",
                      ""};
     qInstallMessageHandler(take_message);
-    int argc = 1;
-    char name[] = "ghostlight";
-    char* argv[] = {name, nullptr};
+    char name[] = "ghostlight", platform[] = "-platform", memory[] = "offscreen";
+    char* argv[] = {name, platform, memory, nullptr};
+    int argc = options.draws_into_memory ? 3 : 1;
+    if (argc == 1) argv[1] = nullptr;
     QApplication application(argc, argv);
     QApplication::setApplicationName("ghostlight");
     QApplication::setOrganizationName("ghostlight");

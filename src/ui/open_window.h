@@ -19,11 +19,14 @@ struct WindowOptions {
     int width = 0;         // of the window; 0: as it was, or what fits the screen
     int height = 0;
     bool full_screen = false;
-    bool takes_desk = true; // false: nothing listens to a desk, and the window does not promise it
+    bool draws_into_memory = false; // nobody sees it; for measurements without a display
+    bool takes_desk = true;         // false: nothing listens to a desk, and the window does not promise it
     // Starts what fills the link; what it returns is destroyed before the window is.
     std::function<std::shared_ptr<void>()> begin;
     std::function<bool()> should_close; // asked a few times a second
 };
+
+bool has_display();
 
 // Returns when the window was closed. Error: there is no display, or the script failed.
 Result<void> open_window(Link& link, const WindowOptions& options);

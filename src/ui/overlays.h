@@ -18,8 +18,9 @@ struct OverlayChoice {
     bool figures = true; // frame time, latency, what is shown
     bool names = false;
     bool addresses = false;
-    bool aims = false; // a line from each lamp along its beam
-    bool marks = true; // of what is selected
+    bool aims = false;  // a line from each lamp along its beam
+    bool marks = true;  // of what is selected
+    bool probe = false; // cd/m^2 and lux of what is under the mouse
     bool operator==(const OverlayChoice&) const = default;
 };
 
@@ -38,6 +39,12 @@ void paint_fixtures(QPainter& painter, const QRectF& picture, const scene::Camer
                     const OverlayChoice& choice);
 // Lines of text on a dark ground, in the lower left corner.
 void paint_figures(QPainter& painter, const QSizeF& widget, const QStringList& lines);
+// What the colours of the picture mean, in the lower right corner.
+void paint_legend(QPainter& painter, const QSizeF& widget, const FalseColour& colours);
+// A cross where it was measured, its figures beside it.
+void paint_probe(QPainter& painter, const QRectF& picture, const QSizeF& widget, const Probed& probed);
+// "0.35", "12.4", "1230": as many digits as a meter has.
+QString meter_text(float value);
 // One sentence in the middle, for a picture that is not there.
 void paint_notice(QPainter& painter, const QSizeF& widget, const QString& title, const QString& text);
 

@@ -41,6 +41,9 @@ Look counted_anew(const Look& look, F&& f) {
     anew.fixtures.clear();
     for (const auto& [index, manual] : look.fixtures)
         if (const std::optional<std::size_t> now = f(index)) anew.fixtures[*now] = manual;
+    anew.solo.clear();
+    for (const std::size_t index : look.solo)
+        if (const std::optional<std::size_t> now = f(index)) anew.solo.insert(*now);
     return anew;
 }
 

@@ -41,6 +41,25 @@ void add_play_actions(Actions& actions, Studio& studio) {
                      return {};
                  },
                  {}});
+    actions.add({"loop",
+                 "",
+                 "loop",
+                 "",
+                 "FROM TO|off",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     double from_s = 0, to_s = 0;
+                     if (words.value(0) != "off") {
+                         TRY(from_s, number_of(words, 0, "first second", 0, 1e7));
+                         TRY(to_s, number_of(words, 1, "last second", 0, 1e7));
+                         if (to_s <= from_s) return Error{"it must end after it begins", ""};
+                     }
+                     studio.wish([&](Wishes& wishes) {
+                         wishes.transport.loop_from_s = from_s;
+                         wishes.transport.loop_to_s = to_s;
+                     });
+                     return {};
+                 },
+                 {}});
     actions.add({"to-start",
                  "Play",
                  "Back to the start",

@@ -60,7 +60,14 @@ Result<bool> Script::is_over(const QStringList& words) {
         if (waited_s < kLongestWait_s) return false;
         return Error{"a quarter of an hour went by without it", "wait " + what.toStdString()};
     }
-    TRY(const double wanted_s, number_of(words, 1, "number of seconds, 'opened' or 'settled'", 0, 3600));
+    if (what == "jobs") return !studio_.jobs().is_busy();
+    if (what == "saved") {
+        if (studio_.saved() == studio_.wishes().save_frame.number) return true;
+        if (waited_s < kLongestWait_s) return false;
+        return Error{"a quarter of an hour went by without it", "wait saved"};
+    }
+    TRY(const double wanted_s,
+        number_of(words, 1, "number of seconds, 'opened', 'settled', 'saved' or 'jobs'", 0, 3600));
     return waited_s >= wanted_s;
 }
 

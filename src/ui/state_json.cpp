@@ -45,6 +45,9 @@ QJsonObject look_json(const Look& look, const scene::Show& show) {
         put(one, "pan_deg", manual.pan_deg);
         put(one, "tilt_deg", manual.tilt_deg);
         put(one, "gobo", manual.gobo);
+        put(one, "gel", manual.gel);
+        put(one, "lamp", manual.lamp);
+        put(one, "lamp_k", manual.lamp_k);
         fixtures[QString::fromStdString(show.fixtures[index].name)] = one;
     }
     QJsonObject scene;
@@ -53,8 +56,12 @@ QJsonObject look_json(const Look& look, const scene::Show& show) {
     put(scene, "ambient_colour", look.scene.ambient_colour);
     put(scene, "attenuation", look.scene.attenuation);
     put(scene, "shadows", look.scene.shadows);
+    QJsonArray solo;
+    for (const std::size_t index : look.solo)
+        if (index < show.fixtures.size()) solo.append(QString::fromStdString(show.fixtures[index].name));
     return {{"fixtures", fixtures},
             {"scene", scene},
+            {"solo", solo},
             {"objects", static_cast<int>(look.shown.size())},
             {"surfaces", static_cast<int>(look.surfaces.size())}};
 }
@@ -89,12 +96,27 @@ QJsonObject state_json(const Studio& studio, const View& view) {
                                  {"missing_maps", static_cast<int>(picture.missing_maps)},
                                  {"paint_ms", view.paint_ms()},
                                  {"pictures_per_s", view.pictures_per_s()},
+                                 {"baked", picture.is_baked},
+                                 {"supply", QString::fromStdString(picture.supply)},
+                                 {"false_colour", static_cast<int>(picture.false_colour.measure)},
                                  {"latency_ms", view.latency_ms()}};
     const dmx::Latency& latency = studio.latency();
     const QJsonObject packet_to_window{{"count", static_cast<qint64>(latency.count())},
                                        {"p50", latency.percentile_ms(0.5)},
                                        {"p99", latency.percentile_ms(0.99)},
                                        {"max", latency.max_ms()}};
+    const dmx::Latency& cost = studio.window_cost();
+    const QJsonObject window_cost{{"count", static_cast<qint64>(cost.count())},
+                                  {"p50", cost.percentile_ms(0.5)},
+                                  {"p99", cost.percentile_ms(0.99)},
+                                  {"max", cost.max_ms()}};
+    QJsonObject probe;
+    if (const std::optional<Probed>& probed = studio.probed();
+        probed && studio.wishes().probe == probed->place)
+        probe = {{"cd_m2", static_cast<double>(probed->cd_m2)},
+                 {"lux", probed->hit ? QJsonValue(static_cast<double>(probed->lux)) : QJsonValue()},
+                 {"at_m", array_of(probed->at_m)},
+                 {"object", QString::fromStdString(probed->object)}};
     QJsonArray diagnosis;
     for (const scene::Sentence& sentence : studio.diagnosis())
         diagnosis.append(QJsonObject{{"trouble", scene::trouble_name(sentence.trouble)},
@@ -107,6 +129,7 @@ QJsonObject state_json(const Studio& studio, const View& view) {
             {"received_plot", QString::fromStdString(studio.plot().file)},
             {"selection", selection},
             {"by_hand", look_json(studio.look(), show)},
+            {"fades", studio.fades()},
             {"black_out", studio.wishes().black_out},
             {"master", static_cast<double>(studio.wishes().master)},
             {"playing", studio.wishes().transport.playing},
@@ -118,7 +141,10 @@ QJsonObject state_json(const Studio& studio, const View& view) {
             {"patch", patch},
             {"messages", static_cast<int>(studio.messages().size())},
             {"picture", of_picture},
+            {"probe", probe},
+            {"saved", static_cast<qint64>(studio.saved())},
             {"packet_to_window_ms", packet_to_window},
+            {"window_ms", window_cost},
             {"network", diagnosis}};
 }
 

@@ -2,14 +2,19 @@
 #include "ui/studio.h"
 
 #include "scene/camera_moves.h"
+#include "ui/look_fade.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
 
 constexpr int kTravelStep_ms = 16;
 constexpr int kMergeWithin_ms = 1500; // changes of a slider
+constexpr int kFadeStep_ms = 33;
 
 } // namespace
 
@@ -39,7 +44,7 @@ private:
     QElapsedTimer age_;
 };
 
-Studio::Studio(Link& link) : link_(link) {
+Studio::Studio(Link& link) : link_(link), jobs_(QCoreApplication::applicationFilePath()) {
     link_.on_news = [this] {
         // One call waits at a time, however fast the engine is.
         if (!news_posted_.exchange(true))
@@ -50,10 +55,13 @@ Studio::Studio(Link& link) : link_(link) {
     undo_.setUndoLimit(500);
     travel_timer_.setInterval(kTravelStep_ms);
     connect(&travel_timer_, &QTimer::timeout, this, &Studio::step_travel);
+    fade_timer_.setInterval(kFadeStep_ms);
+    connect(&fade_timer_, &QTimer::timeout, this, &Studio::show_look);
 }
 
 void Studio::read_news() {
     news_posted_ = false;
+    const auto begin = std::chrono::steady_clock::now();
     // Before the picture: one that was put first has come when this has.
     if (auto news = link_.settled.take()) settled_ = *news;
     if (auto news = link_.activity.take()) {
@@ -69,6 +77,18 @@ void Studio::read_news() {
     if (auto news = link_.plot.take()) {
         plot_ = std::move(*news);
         Q_EMIT plot_came();
+    }
+    if (auto news = link_.activity_of_recording.take()) {
+        waveform_ = std::move(*news);
+        Q_EMIT waveform_came();
+    }
+    if (auto news = link_.probed.take(); news && wishes_.probe) {
+        probed_ = std::move(*news);
+        Q_EMIT probe_came();
+    }
+    if (auto news = link_.saved.take()) {
+        saved_ = news->number;
+        Q_EMIT picture_saved(news->error ? QString::fromStdString(news->error->text()) : QString());
     }
     if (auto news = link_.camera_call.take()) {
         if (news->flight_s > 0) {
@@ -95,6 +115,7 @@ void Studio::read_news() {
         explained_ = std::move(*news);
         Q_EMIT explanation_came();
     }
+    news_cost_ += std::chrono::steady_clock::now() - begin;
 }
 
 void Studio::take_opened(Opened opened) {
@@ -106,13 +127,15 @@ void Studio::take_opened(Opened opened) {
         return;
     }
     patch_ = opened_.show ? scene::PatchMap(*opened_.show) : scene::PatchMap();
-    latency_ = {};
+    latency_ = window_cost_ = {};
+    waveform_.clear();
     travel_timer_.stop();
     undo_.clear();
     selection_.clear();
     rig_ = {};
     explained_ = {};
-    wishes_.look = {};
+    fade_timer_.stop();
+    look_ = on_the_way_ = wishes_.look = {};
     wishes_.explained.reset();
     if (!opened_.again) {
         wishes_.transport = {};
@@ -136,12 +159,34 @@ void Studio::set_camera(const scene::Camera& camera) {
 }
 
 void Studio::set_size(int width, int height) {
-    travel_to_.width = width;
-    travel_to_.height = height;
+    view_size_ = {width, height};
+    send_size();
+}
+
+void Studio::set_second_size(const QSize& size) {
+    second_size_ = size;
+    if (!view_size_.isEmpty()) send_size();
+}
+
+void Studio::send_size() {
+    const auto pixels = [](const QSize& size) { return qint64{size.width()} * size.height(); };
+    const QSize size =
+        !second_size_.isEmpty() && pixels(second_size_) > pixels(view_size_) ? second_size_ : view_size_;
+    travel_to_.width = size.width();
+    travel_to_.height = size.height();
     wish([&](Wishes& wishes) {
-        wishes.camera.width = width;
-        wishes.camera.height = height;
+        wishes.camera.width = size.width();
+        wishes.camera.height = size.height();
     });
+}
+
+void Studio::count_window(std::chrono::nanoseconds cost) {
+    window_cost_.add(cost + std::exchange(news_cost_, std::chrono::nanoseconds{0}));
+}
+
+void Studio::reset_figures() {
+    latency_ = {};
+    window_cost_ = {};
 }
 
 void Studio::travel_to(const scene::Camera& camera, int travel_ms) {
@@ -164,16 +209,54 @@ void Studio::step_travel() {
     wish([&](Wishes& wishes) { wishes.camera = camera; });
 }
 
+void Studio::set_exposure(float ev100, bool automatic) {
+    for (scene::Camera* end : {&travel_from_, &travel_to_}) {
+        end->ev100 = ev100;
+        end->auto_exposure = automatic;
+    }
+    wish([&](Wishes& wishes) {
+        wishes.camera.ev100 = ev100;
+        wishes.camera.auto_exposure = automatic;
+    });
+}
+
 void Studio::set_look(Look look, const QString& text, int kind) {
     std::erase_if(look.fixtures, [](const auto& entry) { return entry.second.is_empty(); });
     std::erase_if(look.surfaces, [](const auto& entry) { return entry.second.is_empty(); });
-    if (look == wishes_.look) return;
-    undo_.push(new LookStep(*this, wishes_.look, std::move(look), text, kind));
+    if (look == look_) return;
+    undo_.push(new LookStep(*this, look_, std::move(look), text, kind));
+}
+
+void Studio::fade_to(Look look, const QString& text, double seconds) {
+    next_fade_s_ = std::max(seconds, 0.0);
+    set_look(std::move(look), text);
+    next_fade_s_ = 0;
 }
 
 void Studio::put_look(const Look& look) {
-    wish([&](Wishes& wishes) { wishes.look = look; });
+    const double fade_s = std::exchange(next_fade_s_, 0.0);
+    if (fade_s > 0) {
+        fade_from_ = on_the_way_; // an earlier fade may not be over
+        fade_s_ = fade_s;
+        fade_clock_.start();
+        fade_timer_.start();
+    } else if (fades()) {
+        keep_changes(fade_from_, look_, look);
+    }
+    look_ = look;
+    show_look();
     Q_EMIT look_changed();
+}
+
+// The look as it is meant, or on its way there, with what solo leaves.
+void Studio::show_look() {
+    const double share = fades() ? static_cast<double>(fade_clock_.elapsed()) * 1e-3 / fade_s_ : 1.0;
+    if (share >= 1) fade_timer_.stop();
+    Look shown =
+        share < 1 ? faded(fade_from_, look_, *show(), rig_.fixtures, static_cast<float>(share)) : look_;
+    on_the_way_ = shown;
+    if (show()) leave_solo(shown, show()->fixtures.size());
+    wish([&](Wishes& wishes) { wishes.look = std::move(shown); });
 }
 
 void Studio::put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
@@ -185,6 +268,9 @@ void Studio::put_edit(std::shared_ptr<const std::string> text, scene::Show previ
         wishes.text = std::move(text);
         wishes.look = look;
     });
+    fade_timer_.stop(); // it counts fixtures as they were
+    look_ = look;
+    show_look();
     show_edit();
 }
 

@@ -5,10 +5,12 @@
 // they do not know each other. Every change of the look can be undone. Window thread.
 
 #include "scene/diagnosis.h"
+#include "ui/jobs.h"
 #include "ui/link.h"
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QSize>
 #include <QTimer>
 #include <QUndoStack>
 
@@ -35,21 +37,34 @@ public:
     const Explained& explained() const { return explained_; }
     const std::vector<scene::Message>& messages() const { return messages_; }
     const std::string& activity() const { return activity_; }
+    const std::vector<float>& waveform() const { return waveform_; } // of the recording; empty: not known
+    const std::optional<Probed>& probed() const { return probed_; }  // of the place that is wished for
+    std::uint64_t saved() const { return saved_; } // number of the picture that was saved last
     // Came from the network and may be taken; number 0: none yet.
     const ReceivedPlot& plot() const { return plot_; }
 
     // What is wished for.
     const Wishes& wishes() const { return wishes_; }
-    const Look& look() const { return wishes_.look; }
+    // As it is meant; while it fades, the wishes have one on the way there.
+    const Look& look() const { return look_; }
     const scene::Camera& camera() const { return wishes_.camera; }
     void open(const std::string& show);
     // Ends a travel.
     void set_camera(const scene::Camera& camera);
     // Pixels of the picture.
     void set_size(int width, int height);
+    // Of a second window, empty: there is none. The picture is drawn for the larger of the two.
+    void set_second_size(const QSize& size);
+    // What the window spends on a picture: its news, and painting it.
+    const dmx::Latency& window_cost() const { return window_cost_; }
+    void count_window(std::chrono::nanoseconds cost);
+    // Both counts begin anew.
+    void reset_figures();
     // Smoothly, in about a second if nothing else is said.
     void travel_to(const scene::Camera& camera, int travel_ms = 900);
     bool travels() const { return travel_timer_.isActive(); }
+    // Of the camera as it is and, while it travels, of both ends.
+    void set_exposure(float ev100, bool automatic);
     // Changes nobody undoes: anything but the look.
     template <class F>
     void wish(F&& f) {
@@ -59,11 +74,18 @@ public:
     // text: what was done, for the undo list. Changes of one kind that follow each other closely, as those of
     // a slider, are one step; kind 0: always a step of its own.
     void set_look(Look look, const QString& text, int kind = 0);
+    // The same as one step, in so many seconds; what hands change meanwhile is there at once.
+    void fade_to(Look look, const QString& text, double seconds);
+    bool fades() const { return fade_timer_.isActive(); }
     QUndoStack& undo_stack() { return undo_; }
     // The show is another text now, with what goes by index of the fixture as that text counts. It is shown
     // at once as `preview`, until the engine has opened it.
     void put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
                   std::set<std::size_t> selection);
+
+    // Long work in the background.
+    Jobs& jobs() { return jobs_; }
+    const Jobs& jobs() const { return jobs_; }
 
     // From the receipt of packets to the painting of the picture that shows them first.
     const dmx::Latency& latency() const { return latency_; }
@@ -76,7 +98,7 @@ public:
     std::optional<std::size_t> current() const;
 
     // Whether the picture shows all that is wished for, at rest.
-    bool is_settled() const { return show() && !travels() && settled_ == wishes_.number; }
+    bool is_settled() const { return show() && !travels() && !fades() && settled_ == wishes_.number; }
 
 Q_SIGNALS:
     void opened_show();
@@ -87,6 +109,9 @@ Q_SIGNALS:
     void explanation_came();
     void messages_came();
     void activity_came();
+    void probe_came();
+    void waveform_came();
+    void picture_saved(const QString& error); // empty: it is there
     void plot_came();
     void wishes_changed();
     void look_changed();
@@ -99,6 +124,8 @@ private:
     void take_opened(Opened opened);
     void show_edit();
     void put_look(const Look& look);
+    void show_look();
+    void send_size();
     void step_travel();
     void send();
 
@@ -110,20 +137,35 @@ private:
     dmx::Statistics network_;
     scene::PatchMap patch_; // of the show
     dmx::Latency latency_;
+    dmx::Latency window_cost_;
+    std::chrono::nanoseconds news_cost_{0}; // since the last picture was painted
+    QSize view_size_, second_size_;
     Explained explained_;
     std::vector<scene::Message> messages_;
     std::string activity_;
     ReceivedPlot plot_;
+    std::optional<Probed> probed_;
+    std::vector<float> waveform_;
+    std::uint64_t saved_ = 0;
 
     Wishes wishes_;
     std::uint64_t settled_ = 0;
     std::set<std::size_t> selection_;
     QUndoStack undo_;
+    Jobs jobs_;
 
     QTimer travel_timer_;
     QElapsedTimer travel_clock_;
     int travel_ms_ = 900;
     scene::Camera travel_from_, travel_to_;
+
+    Look look_;
+    Look on_the_way_; // without what solo does
+    Look fade_from_;
+    double next_fade_s_ = 0; // of the step that is being pushed
+    double fade_s_ = 0;
+    QTimer fade_timer_;
+    QElapsedTimer fade_clock_;
 };
 
 } // namespace ghost::ui

@@ -9,8 +9,6 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kPerSecond = 10; // steps of the slider
-
 QString clock_of(double seconds) {
     const int tenths = static_cast<int>(std::floor(seconds * 10));
     return QString("%1:%2.%3").arg(tenths / 600).arg(tenths / 10 % 60, 2, 10, QChar('0')).arg(tenths % 10);
@@ -29,9 +27,7 @@ QToolButton* button_of(QAction* action, const QString& text, QWidget* parent) {
 
 TransportPanel::TransportPanel(Studio& studio, const Actions& actions, QWidget* parent)
     : QWidget(parent), studio_(studio) {
-    place_ = new QSlider(Qt::Horizontal, this);
-    place_->setAccessibleName("Place in the recording");
-    place_->setFocusPolicy(Qt::NoFocus);
+    place_ = new Waveform(studio_, this);
     time_ = new QLabel(this);
     time_->setMinimumWidth(fontMetrics().averageCharWidth() * 17);
     input_ = new QComboBox(this);
@@ -54,12 +50,6 @@ TransportPanel::TransportPanel(Studio& studio, const Actions& actions, QWidget* 
     layout->addWidget(new QLabel("Master", this));
     layout->addWidget(master_);
     layout->addWidget(button_of(actions.item("black-out"), "Black-out", this));
-    connect(place_, &QSlider::sliderMoved, this, [this](int at) {
-        studio_.wish([&](Wishes& wishes) {
-            ++wishes.transport.seeks;
-            wishes.transport.at_s = static_cast<double>(at) / kPerSecond;
-        });
-    });
     connect(input_, &QComboBox::activated, this, [this](int index) {
         studio_.wish([&](Wishes& wishes) { wishes.input = static_cast<Input>(index); });
     });
@@ -76,8 +66,6 @@ TransportPanel::TransportPanel(Studio& studio, const Actions& actions, QWidget* 
 void TransportPanel::refresh() {
     const double length_s = studio_.opened().recording_s;
     place_->setEnabled(length_s > 0 && !studio_.rig().from_desk);
-    place_->setMaximum(static_cast<int>(length_s * kPerSecond));
-    if (!place_->isSliderDown()) place_->setValue(static_cast<int>(studio_.rig().at_s * kPerSecond));
     time_->setText(studio_.rig().from_desk ? QString("desk")
                    : length_s > 0          ? clock_of(studio_.rig().at_s) + " / " + clock_of(length_s)
                                            : QString("no recording"));

@@ -1,10 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// TransportPanel: the show's recording: play, pause, jump, and which input is shown; black-out and master.
-// Window thread.
+// TransportPanel: the show's recording: play, pause, jump, loop, and which input is shown; black-out and
+// master. Window thread.
 
 #include "ui/actions.h"
 #include "ui/studio.h"
+#include "ui/waveform.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -23,7 +24,7 @@ private:
     void refresh();
 
     Studio& studio_;
-    QSlider* place_;
+    Waveform* place_;
     QLabel* time_;
     QComboBox* input_;
     QSlider* master_;

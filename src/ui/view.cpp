@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -54,6 +55,7 @@ View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 90);
+    setMouseTracking(true); // for the probe
     setAccessibleName("Picture of the stage");
     resize_timer_.setSingleShot(true);
     resize_timer_.setInterval(kRest_ms);
@@ -73,7 +75,8 @@ View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     connect(&studio_, &Studio::rig_came, this, [this] {
         if (overlays.aims || overlays.names || overlays.addresses || !studio_.selection().empty()) update();
     });
-    for (const auto signal : {&Studio::selection_changed, &Studio::activity_came, &Studio::opened_show})
+    for (const auto signal :
+         {&Studio::selection_changed, &Studio::activity_came, &Studio::opened_show, &Studio::probe_came})
         connect(&studio_, signal, this, qOverload<>(&QWidget::update));
 }
 
@@ -86,6 +89,7 @@ void View::ask_for_size() {
 
 void View::take_picture() {
     arrival_waits_ = arrival_waits_ || studio_.picture().arrival.count() > 0;
+    picture_waits_ = true;
     ++rate_count_;
     if (!rate_clock_.isValid()) rate_clock_.start();
     if (rate_clock_.elapsed() >= 1000) {
@@ -124,7 +128,9 @@ void View::paintEvent(QPaintEvent*) {
     painter.drawImage(fits ? QRectF(rect()) : place, image);
     paint_fixtures(painter, place, picture.camera, *studio_.show(), studio_.rig(), studio_.selection(),
                    overlays);
+    if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
     if (overlays.figures) paint_figures(painter, size(), figures());
+    if (overlays.probe && studio_.probed()) paint_probe(painter, place, size(), *studio_.probed());
     if (drag_ == Drag::box) {
         painter.setPen(QPen(accent(), 1));
         painter.setBrush(QColor(255, 179, 71, 40));
@@ -132,6 +138,8 @@ void View::paintEvent(QPaintEvent*) {
     }
     painter.end();
     paint_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+    if (std::exchange(picture_waits_, false))
+        studio_.count_window(std::chrono::nanoseconds(clock.nsecsElapsed()));
     if (arrival_waits_ && picture.arrival.count() > 0) {
         const auto latency = std::chrono::steady_clock::now().time_since_epoch() - picture.arrival;
         latency_ms_ = std::chrono::duration<double, std::milli>(latency).count();
@@ -151,8 +159,18 @@ QStringList View::figures() const {
     if (picture.is_coarse) frame += " while it moves";
     lines << frame;
     QString second = QString("EV %1").arg(static_cast<double>(picture.ev100), 0, 'f', 1);
-    if (latency_ms_ >= 0) second += QString(", packet to window %1 ms").arg(latency_ms_, 0, 'f', 0);
     lines << second;
+    const dmx::Latency &latency = studio_.latency(), &cost = studio_.window_cost();
+    if (latency_ms_ >= 0)
+        lines << QString("packet to window %1 ms (half within %2, 99 % within %3)")
+                     .arg(latency_ms_, 0, 'f', 0)
+                     .arg(latency.percentile_ms(0.5), 0, 'f', 0)
+                     .arg(latency.percentile_ms(0.99), 0, 'f', 0);
+    if (cost.count() > 0)
+        lines << QString("the window itself %1 ms a picture (99 % within %2)")
+                     .arg(cost.percentile_ms(0.5), 0, 'f', 1)
+                     .arg(cost.percentile_ms(0.99), 0, 'f', 1);
+    if (!picture.supply.empty()) lines << QString::fromStdString(picture.supply);
     if (picture.missing_maps > 0)
         lines << QString("%1 lights throw no shadows yet").arg(picture.missing_maps);
     if (studio_.wishes().black_out) lines << "BLACK-OUT";
@@ -177,6 +195,7 @@ void View::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = event->position() - drag_at_;
     if (drag_ == Drag::undecided && QLineF(drag_from_, event->position()).length() > kClick_px)
         drag_ = event->modifiers() & Qt::ControlModifier ? Drag::box : Drag::orbit;
+    if (drag_ == Drag::none && overlays.probe) probe_at(event->position());
     if (drag_ == Drag::none || drag_ == Drag::undecided) return;
     drag_at_ = event->position();
     const auto x = static_cast<float>(moved.x()), y = static_cast<float>(moved.y());
@@ -190,6 +209,23 @@ void View::mouseMoveEvent(QMouseEvent* event) {
         studio_.set_camera(scene::panned(camera, -x / height, y / height));
     else
         update();
+}
+
+void View::probe_at(const QPointF& place) {
+    const QRectF picture = rect_of_picture();
+    if (!studio_.show() || picture.isEmpty()) return;
+    overlays.probe = true;
+    studio_.wish([&](Wishes& wishes) {
+        wishes.probe = glm::clamp(glm::vec2((place.x() - picture.left()) / picture.width(),
+                                            (place.y() - picture.top()) / picture.height()),
+                                  0.0f, 1.0f);
+    });
+}
+
+void View::end_probe() {
+    overlays.probe = false;
+    studio_.wish([](Wishes& wishes) { wishes.probe.reset(); });
+    update();
 }
 
 void View::mouseReleaseEvent(QMouseEvent* event) {

@@ -24,6 +24,9 @@ public:
     double latency_ms() const { return latency_ms_; }
     double paint_ms() const { return paint_ms_; }
     double pictures_per_s() const { return rate_hz_; }
+    // Measures there from now on, until the mouse moves.
+    void probe_at(const QPointF& place);
+    void end_probe();
 
 protected:
     void paintEvent(QPaintEvent*) override;
@@ -54,6 +57,7 @@ private:
     QTimer fly_timer_;
     QElapsedTimer fly_clock_;
 
+    bool picture_waits_ = false; // a new one, to be painted
     bool arrival_waits_ = false; // the picture that is painted next has new packets in it
     double latency_ms_ = -1;
     double paint_ms_ = 0;

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window.h"
 
+#include "ui/export_actions.h"
+#include "ui/export_panel.h"
 #include "ui/fixture_panel.h"
 #include "ui/hand.h"
 #include "ui/hand_panel.h"
+#include "ui/look_actions.h"
+#include "ui/look_panel.h"
 #include "ui/message_panel.h"
+#include "ui/meter_actions.h"
 #include "ui/network_panel.h"
 #include "ui/notice_bar.h"
 #include "ui/patch_actions.h"
@@ -22,7 +27,7 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kLayoutVersion = 1; // another number: a layout of an older program is not taken
+constexpr int kLayoutVersion = 2; // another number: a layout of an older program is not taken
 
 const char* const kHint = "Drop a show folder, a show.toml or an .mvr here, or press Ctrl+O.\n"
                           "The demo is assets/demo. Press ? for all keys.";
@@ -30,14 +35,17 @@ const char* const kHint = "Drop a show folder, a show.toml or an .mvr here, or p
 } // namespace
 
 Window::Window(Link& link, const WindowOptions& options)
-    : options_(options), studio_(link), document_(studio_), actions_(*this), view_(new View(studio_, this)),
-      status_input_(new QLabel(this)), status_device_(new QLabel(this)) {
+    : options_(options), studio_(link), document_(studio_), looks_(studio_), exporter_(studio_, document_),
+      second_(studio_), actions_(*this), view_(new View(studio_, this)), status_input_(new QLabel(this)),
+      status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)), status_device_(new QLabel(this)) {
     setWindowTitle("Ghostlight");
     setAcceptDrops(true);
     setDockNestingEnabled(true);
     setCentralWidget(view_);
     view_->hint = kHint;
     statusBar()->addWidget(status_input_, 1);
+    statusBar()->addPermanentWidget(status_jobs_);
+    statusBar()->addPermanentWidget(status_supply_);
     statusBar()->addPermanentWidget(status_device_);
     actions_.complain = [this](const Error& error) {
         statusBar()->showMessage(QString::fromStdString(error.text()), 8000);
@@ -45,9 +53,12 @@ Window::Window(Link& link, const WindowOptions& options)
     add_panels();
     add_window_actions();
     add_view_switches();
+    add_meter_actions(actions_, studio_, *view_);
     add_hand_actions(actions_, studio_);
     add_camera_actions(actions_, studio_);
     add_play_actions(actions_, studio_);
+    add_look_actions(actions_, studio_, looks_);
+    add_export_actions(actions_, studio_, exporter_);
     add_patch_actions(actions_, studio_, document_);
     add_document_actions(actions_, document_);
     make_menus();
@@ -85,6 +96,23 @@ Window::Window(Link& link, const WindowOptions& options)
     });
     connect(&studio_, &Studio::wishes_changed, this, [this] { actions_.refresh(); });
     connect(&studio_, &Studio::rig_came, this, &Window::show_status);
+    connect(&studio_, &Studio::picture_came, this, [this] {
+        const QString supply = QString::fromStdString(studio_.picture().supply);
+        if (supply != status_supply_->text()) status_supply_->setText(supply);
+    });
+    connect(&studio_, &Studio::picture_saved, this, [this](const QString& error) {
+        statusBar()->showMessage(error.isEmpty() ? QString("The picture is saved") : error, 8000);
+    });
+    connect(&second_, &SecondDisplay::changed, this, [this](const QString& what) {
+        if (!what.isEmpty()) statusBar()->showMessage(what, 15000);
+        actions_.refresh();
+    });
+    connect(&studio_.jobs(), &Jobs::changed, this, &Window::show_jobs);
+    connect(&studio_.jobs(), &Jobs::ended, this, [this](const Job& job) {
+        QString words = job.title + ": " + state_name(job.state);
+        if (job.state == Job::State::failed) words += ". " + job.last_said;
+        statusBar()->showMessage(words, 15000);
+    });
     resize(1280, 760);
     QSettings settings;
     if (options_.remembers && settings.value("layout version").toInt() == kLayoutVersion) {
@@ -140,6 +168,15 @@ void Window::add_panels() {
     QDockWidget* messages =
         add_panel("messages", "Messages", new MessagePanel(studio_, this), Qt::BottomDockWidgetArea);
     tabifyDockWidget(network, messages);
+    // Behind the others, whose keys people know.
+    QDockWidget* looks =
+        add_panel("looks", "Looks", new LookPanel(studio_, looks_, actions_, this), Qt::RightDockWidgetArea);
+    tabifyDockWidget(scene, looks);
+    QDockWidget* exports =
+        add_panel("export", "Export", new ExportPanel(studio_, actions_, this), Qt::RightDockWidgetArea);
+    tabifyDockWidget(looks, exports);
+    exports->hide();
+    hand->raise();
     network->hide();
     messages->hide();
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
@@ -180,6 +217,15 @@ void Window::show_status() {
     status_input_->setText(text);
 }
 
+void Window::show_jobs() {
+    QString words;
+    for (const Job& job : studio_.jobs().all())
+        if (job.state == Job::State::runs)
+            words = QString("%1: %2 %").arg(job.title).arg(static_cast<int>(100 * job.share)) +
+                    (job.left.isEmpty() ? QString() : ", " + job.left + " left");
+    status_jobs_->setText(words);
+}
+
 void Window::closeEvent(QCloseEvent* event) {
     if (options_.remembers && !isFullScreen()) {
         QSettings settings;
@@ -187,6 +233,7 @@ void Window::closeEvent(QCloseEvent* event) {
         settings.setValue("geometry", saveGeometry());
         settings.setValue("docks", saveState(kLayoutVersion));
     }
+    second_.close(); // the last window that closes ends the program
     event->accept();
 }
 

@@ -4,7 +4,10 @@
 // layout. Window thread.
 
 #include "ui/actions.h"
+#include "ui/exporter.h"
+#include "ui/looks.h"
 #include "ui/open_window.h"
+#include "ui/second_display.h"
 #include "ui/show_document.h"
 #include "ui/studio.h"
 #include "ui/view.h"
@@ -40,6 +43,7 @@ private:
     void make_menus();
     void name_cameras();
     void show_status();
+    void show_jobs();
     void set_full_screen(bool full);
     void show_shortcuts();
     Result<void> choose_show(const QStringList& arguments);
@@ -50,12 +54,17 @@ private:
     WindowOptions options_;
     Studio studio_;
     ShowDocument document_;
+    Looks looks_;
+    Exporter exporter_;
+    SecondDisplay second_;
     Actions actions_;
     View* view_;
     FixturePanel* fixtures_ = nullptr;
     std::vector<QDockWidget*> docks_;
     std::vector<bool> docks_shown_; // before full screen
     QLabel* status_input_;
+    QLabel* status_supply_;
+    QLabel* status_jobs_;
     QLabel* status_device_;
 };
 

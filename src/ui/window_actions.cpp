@@ -10,6 +10,7 @@
 
 #include <QDir>
 #include <QFileDialog>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QMenuBar>
 #include <QStatusBar>
@@ -120,6 +121,25 @@ void Window::add_view_switches() {
                       return {};
                   },
                   [this] { return isFullScreen(); }});
+    actions_.add(
+        {"second-display", "View", "The picture on a second display", "Shift+F11", "[off|window|NUMBER|NAME]",
+         [this](const QStringList& words) -> Result<void> {
+             const bool closes = words.isEmpty() ? second_.is_open() || second_.waits() : words[0] == "off";
+             if (!closes) return second_.open(words.value(0), screen());
+             second_.close();
+             return {};
+         },
+         [this] { return second_.is_open(); }});
+    actions_.add({"reset-figures",
+                  "",
+                  "reset-figures",
+                  "",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      studio_.reset_figures();
+                      return {};
+                  },
+                  {}});
     actions_.add({"black-out", "View", "Black-out", "B", "",
                   [this](const QStringList&) -> Result<void> {
                       studio_.wish([](Wishes& wishes) { wishes.black_out = !wishes.black_out; });
@@ -195,15 +215,37 @@ Result<void> Window::save_screenshot(const QStringList& arguments) {
 
 Result<void> Window::save_picture(const QStringList& arguments) {
     if (!studio_.picture().image) return Error{"there is no picture yet", ""};
-    const QString file = arguments.isEmpty() ? QFileDialog::getSaveFileName(this, "Save the picture",
-                                                                            "picture.png", "Pictures (*.png)")
-                                             : arguments[0];
+    const QString file =
+        arguments.isEmpty()
+            ? QFileDialog::getSaveFileName(this, "Save the picture", "picture.png", "Pictures (*.png *.exr)")
+            : arguments[0];
     if (file.isEmpty()) return {};
+    if (file.endsWith(".exr", Qt::CaseInsensitive)) {
+        // The engine has the linear values; it says when they are there.
+        studio_.wish([&](Wishes& wishes) {
+            ++wishes.save_frame.number;
+            wishes.save_frame.file = file.toStdString();
+        });
+        return {};
+    }
     return image::write_png(file.toStdString(), *studio_.picture().image);
 }
 
 Result<void> Window::save_state(const QStringList& arguments) {
     QJsonObject state = state_json(studio_, *view_);
+    QJsonArray looks;
+    for (const scene::StoredLook& look : looks_.all()) looks.append(QString::fromStdString(look.name));
+    state["looks"] = looks;
+    state["look"] = QString::fromStdString(looks_.current());
+    QJsonArray jobs;
+    for (const Job& job : studio_.jobs().all())
+        jobs.append(QJsonObject{{"title", job.title},
+                                {"state", state_name(job.state)},
+                                {"share", job.share},
+                                {"left", job.left},
+                                {"said", job.last_said}});
+    state["jobs"] = jobs;
+    state["second_display"] = second_.words();
     state["unsaved"] = document_.is_changed();
     state["changes_wait"] = document_.has_draft();
     const QByteArray text = QJsonDocument(state).toJson();

@@ -3,118 +3,27 @@
 """The window on a screen of its own (Xvfb), with a real mouse and keyboard (xdotool): keys, clicks and drags do what they say, each
 of the thesis's controls changes the picture as it should, a desk's packets arrive, and bad input ends in a sentence. Usage:
 window_test.py SOURCE_FOLDER BUILD_FOLDER [FOLDER_FOR_PICTURES]."""
-import json
 import os
 import pathlib
 import shutil
-import socket
 import subprocess
 import sys
-import tempfile
-import time
 import unittest
 
-SOURCE = pathlib.Path(sys.argv[1]).resolve()
-PROGRAM = pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
-PICTURES = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
-for tool in ("Xvfb", "xdotool"):
-    if not shutil.which(tool):
-        print(f"skipped: {tool} is not installed (packages xvfb, xdotool)")
-        sys.exit(77)
-try:
-    import numpy
-    from PIL import Image
-except ImportError:
-    print("skipped: python3-numpy or python3-pil is not installed")
-    sys.exit(77)
+sys.path.insert(0, str(pathlib.Path(__file__).parent / "lib"))
+import window as window_driver  # noqa: E402
+from window import LONG_S, PROGRAM, SOURCE, Window, changed  # noqa: E402
+
+import numpy  # noqa: E402
 
 WORK = None
-DISPLAY = None
-LONG_S = 600  # for what a busy machine may take
-
-
-class Window:
-    """A window of its own process, with the demo, driven over its socket."""
-
-    def __init__(self, *arguments, show=None):
-        self.socket_path = str(WORK / f"socket-{os.getpid()}-{time.monotonic_ns()}")
-        environment = dict(os.environ, DISPLAY=DISPLAY, XDG_CONFIG_HOME=str(WORK / "config"))
-        environment.pop("WAYLAND_DISPLAY", None)
-        environment.pop("QT_QPA_PLATFORM", None)
-        self.log = open(WORK / "window.log", "w+")
-        self.process = subprocess.Popen([str(PROGRAM), "open", str(show or WORK / "demo"), "--forget", "--socket", self.socket_path,
-                                         *arguments], env=environment, stderr=self.log, stdout=self.log)
-        self.socket = socket.socket(socket.AF_UNIX)
-        self.socket.settimeout(LONG_S)
-        for _ in range(LONG_S * 10):
-            try:
-                self.socket.connect(self.socket_path)
-                break
-            except OSError:
-                assert self.process.poll() is None, self.text()
-                time.sleep(0.1)
-        self.answers = self.socket.makefile()
-
-    def text(self):
-        self.log.flush()
-        return pathlib.Path(self.log.name).read_text()
-
-    def ask(self, line):
-        self.socket.sendall((line + "\n").encode())
-        return self.answers.readline().strip()
-
-    def do(self, *lines):
-        for line in lines:
-            answer = self.ask(line)
-            assert answer == "ok", f"{line}: {answer}\n{self.text()}"
-
-    def state(self):
-        self.do(f'state "{WORK / "state.json"}"')
-        return json.loads((WORK / "state.json").read_text())
-
-    def until(self, holds):
-        """Waits for a state that holds: keys and clicks take their way through the screen."""
-        for _ in range(LONG_S * 5):
-            state = self.state()
-            if holds(state):
-                return state
-            time.sleep(0.2)
-        raise AssertionError(json.dumps(state, indent=1))
-
-    def picture(self, name):
-        """The picture of the stage, at rest; values 0..255 as floats."""
-        file = WORK / f"{name}.png"
-        self.do("wait settled", f'save-picture "{file}"')
-        return numpy.asarray(Image.open(file).convert("RGB")).astype(float)
-
-    def shoot(self, name):
-        if PICTURES:
-            self.do("wait settled", f'screenshot "{PICTURES / name}"')
-
-    def xdo(self, *arguments):
-        subprocess.run(["xdotool", *map(str, arguments)], env=dict(os.environ, DISPLAY=DISPLAY), check=True, timeout=60)
-
-    def place(self):
-        """Of the picture on the screen: x, y, width, height."""
-        return self.state()["view"]
-
-    def close(self):
-        if self.process.poll() is None:
-            self.do("quit")
-        code = self.process.wait(timeout=LONG_S)
-        self.socket.close()
-        return code
-
-
-def changed(a, b):
-    return float(numpy.abs(a - b).mean())
 
 
 class MouseAndKeys(unittest.TestCase):
     def test_real_mouse_and_keys(self):
         window = Window("--size", "900x600", "--no-desk", "--quiet")
         try:
-            window.do("wait opened", "panel-values off", "panel-hand off", "panel-scene off", "resolution 10", "jump 36", "wait 0.2", "freeze on",
+            window.do("wait opened", "panel-values off", "panel-hand off", "panel-scene off", "panel-looks off", "resolution 10", "jump 36", "wait 0.2", "freeze on",
                       "wait settled")
             start = window.state()
             self.assertEqual(start["selection"], [])
@@ -164,7 +73,7 @@ class Controls(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.window = Window("--size", "720x480", "--no-desk", "--quiet")
-        cls.window.do("wait opened", *[f"panel-{one} off" for one in ("fixtures", "values", "hand", "scene")], "resolution 12",
+        cls.window.do("wait opened", *[f"panel-{one} off" for one in ("fixtures", "values", "hand", "scene", "looks")], "resolution 12",
                       "freeze on", "jump 36", "camera close", "wait settled", "exposure 6.5", "wait settled")
         cls.show = cls.window.picture("show")
 
@@ -267,7 +176,7 @@ class Desk(unittest.TestCase):
         window = Window("--size", "640x400", "--quiet", "--protocols", "artnet", "--artnet-offset", offset, "--no-poll-reply")
         play = None
         try:
-            window.do("wait opened", "resolution 10", "panel-values off", "panel-hand off", "panel-scene off", "panel-fixtures off",
+            window.do("wait opened", "resolution 10", "panel-values off", "panel-hand off", "panel-scene off", "panel-looks off", "panel-fixtures off",
                       "panel-network on")
             self.assertFalse(window.state()["from_desk"])
             play = subprocess.Popen([str(PROGRAM), "play", str(SOURCE / "assets/demo/demo.show"), "--protocol", "artnet", "--to",
@@ -304,14 +213,14 @@ class BadInput(unittest.TestCase):
         self.assertIn("the window needs a display", done.stderr)
 
     def test_no_such_show(self):
-        done = self.run_open(WORK / "nothing", DISPLAY=DISPLAY)
+        done = self.run_open(WORK / "nothing", DISPLAY=window_driver.DISPLAY)
         self.assertEqual(done.returncode, 1)
         self.assertIn("no such file or folder", done.stderr)
 
     def test_a_script_that_fails_says_where(self):
         script = WORK / "bad.txt"
         script.write_text("# nothing wrong yet\nwait opened\ncamera nowhere\nquit\n")
-        done = self.run_open(WORK / "demo", "--forget", "--no-desk", "--script", script, "--size", "400x300", DISPLAY=DISPLAY)
+        done = self.run_open(WORK / "demo", "--forget", "--no-desk", "--script", script, "--size", "400x300", DISPLAY=window_driver.DISPLAY)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("bad.txt:3: camera: ", done.stderr)
 
@@ -400,21 +309,9 @@ class Editing(unittest.TestCase):
 
 
 def main():
-    global WORK, DISPLAY
-    with tempfile.TemporaryDirectory() as folder:
-        WORK = pathlib.Path(folder)
-        shutil.copytree(SOURCE / "assets/demo", WORK / "demo", ignore=shutil.ignore_patterns(".ghost"))
-        (WORK / "fixtures").symlink_to(SOURCE / "assets/fixtures")
-        reader, writer = os.pipe()
-        screen = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "1600x1000x24", "-nolisten", "tcp"],
-                                  pass_fds=[writer], stderr=subprocess.DEVNULL)
-        os.close(writer)
-        try:
-            DISPLAY = ":" + os.fdopen(reader).readline().strip()
-            program = unittest.main(argv=[sys.argv[0], *sys.argv[4:]], exit=False, verbosity=2)
-        finally:
-            screen.terminate()
-            screen.wait()
+    global WORK
+    with window_driver.begin() as WORK:
+        program = unittest.main(argv=[sys.argv[0], *sys.argv[4:]], exit=False, verbosity=2)
     return 0 if program.result.wasSuccessful() else 1
 
 

@@ -76,6 +76,7 @@ inline RigNow four_lit() {
         now.candela = 1000;
         now.colour = {1, 1, 1};
         now.dimmer = 1;
+        now.asked.intensity = 0.0f; // hands light them
         rig.fixtures.push_back(now);
     }
     return rig;

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// One frame of the engine: from wishes and levels to the picture that is published.
+#include "app/engine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace ghost::app {
+namespace {
+
+constexpr int kLeastPixels = 16; // across
+constexpr int kMostPixels = 8192;
+constexpr double kLongestStep_s = 0.5; // a slow frame must not make the recording jump
+
+bool same_view(const scene::Camera& a, const scene::Camera& b) {
+    return a.position_m == b.position_m && a.target_m == b.target_m && a.fov_y_deg == b.fov_y_deg &&
+           a.width == b.width && a.height == b.height;
+}
+
+bool same_lit(const scene::Lit& a, const scene::Lit& b) {
+    const auto same = [](const shared::Light& x, const shared::Light& y) {
+        return std::memcmp(&x, &y, sizeof x) == 0;
+    };
+    return std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(), same) &&
+           std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(),
+                      [&](const scene::Face& x, const scene::Face& y) { return same(x.light, y.light); });
+}
+
+} // namespace
+
+bool Engine::apply_controls(double now_s) {
+    wanted_camera_ = wishes_.camera;
+    bool sees_else = false;
+    if (remote_) {
+        const RemoteWishes& wishes = remote_->poll(now_s);
+        if (wishes.calls != remote_wishes_.calls) {
+            link_.camera_call.put({session_->show->cameras[wishes.camera->index], wishes.camera->flight_s});
+            link_.on_news();
+        }
+        if (wishes.jumps != remote_wishes_.jumps) input_->jump(wishes.at_s);
+        sees_else = wishes.haze != remote_wishes_.haze;
+        if (sees_else) session_->live->set_haze(wishes.haze);
+        remote_wishes_ = wishes;
+    }
+    if (remote_wishes_.ev100) {
+        wanted_camera_.ev100 = *remote_wishes_.ev100;
+        wanted_camera_.auto_exposure = false;
+    }
+    if (!trackers_) return sees_else;
+    const dmx::Trackers& trackers = trackers_->poll();
+    followers_.apply(*session_, trackers);
+    wanted_camera_ = follow(wanted_camera_, *session_->show, trackers);
+    return sees_else;
+}
+
+scene::Camera Engine::camera_for(double now_s) const {
+    scene::Camera camera = wanted_camera_;
+    const bool moves = now_s - last_change_s_ < kRest_s || (is_uneven(*session_->show) && !wishes_.frozen);
+    const double share = wishes_.quality.percent > 0 ? std::sqrt(wishes_.quality.percent / 100.0)
+                         : moves                     ? pace_.share()
+                                                     : 1.0;
+    const auto pixels = [&](int wanted) {
+        return std::clamp(static_cast<int>(std::lround(wanted * share)), kLeastPixels, kMostPixels);
+    };
+    camera.width = pixels(camera.width);
+    camera.height = pixels(camera.height);
+    return camera;
+}
+
+render::FrameStatistics Engine::draw_live(double begin_s, double air_s) {
+    scene::Camera unsized = wanted_camera_;
+    unsized.width = drawn_from_.width;
+    unsized.height = drawn_from_.height;
+    if (!same_view(unsized, drawn_from_)) last_change_s_ = begin_s;
+    const scene::Camera camera = camera_for(begin_s);
+    was_resized_ =
+        camera.width != session_->relighter->width() || camera.height != session_->relighter->height();
+    if (std::exchange(sees_else_, false) || !same_view(camera, live_from_)) {
+        if (was_resized_) meter_.reset();
+        session_->look_from(camera);
+        session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
+        live_from_ = camera;
+    }
+    drawn_from_ = camera;
+    if (was_resized_) session_->relighter->set_quality(haze_);
+    return session_->draw(air_s);
+}
+
+void Engine::frame() {
+    const double begin_s = now_s();
+    const double dt_s = wishes_.frozen ? 0.0 : std::clamp(begin_s - last_step_s_, 0.0, kLongestStep_s);
+    last_step_s_ = begin_s;
+    const bool thicker = apply_controls(begin_s);
+    input_->step(wishes_.input, wishes_.transport, dt_s);
+    // Motors, too, would wait for ever where time stands still.
+    session_->show->motion = wishes_.frozen ? fixture::Motion::as_commanded : motion_;
+    session_->rig->step(input_->universes(), dt_s, wishes_.look.fixtures);
+    if (arrival_.count() == 0) arrival_ = input_->arrival();
+    session_->master =
+        wishes_.black_out ? 0.0f : std::clamp(wishes_.master, 0.0f, 1.0f) * remote_wishes_.light();
+    const bool sees_else = look_->apply(wishes_.look, *session_) || thicker;
+    sees_else_ = sees_else_ || sees_else;
+    session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
+    if (const int segments = std::clamp(wishes_.quality.most_segments, 1, 256);
+        segments != std::exchange(haze_.most_segments, segments)) {
+        session_->relighter->set_quality(haze_);
+        session_->relighter->forget(); // what rests was drawn with others
+        last_change_s_ = begin_s;
+    }
+
+    const bool baked = choose_baked(begin_s);
+    const bool switched = baked != std::exchange(shows_baked_, baked);
+    if (switched) frame_ = {};
+    scene::Lit lit = session_->lit();
+    if (switched || sees_else || !same_lit(lit, drawn_)) last_change_s_ = begin_s;
+    drawn_ = std::move(lit);
+    air_s_ += dt_s;
+    was_resized_ = false;
+    if (switched && baked) baked_->relighter().forget(); // it may rest
+    const render::FrameStatistics statistics =
+        baked ? baked_->draw(wanted_camera_, air_s_) : draw_live(begin_s, air_s_);
+    if (baked) drawn_from_ = baked_->camera();
+    const double draw_ms = 1e3 * (now_s() - begin_s);
+    // Spans: of what the device did; a picture that is the same does nothing.
+    const bool drew = !statistics.spans.empty();
+    if (drew || wishes_.false_colour != false_colour_ || supply_ != supply_sent_)
+        publish_picture(statistics, draw_ms);
+    if (drew) {
+        // A new size costs what no other frame does.
+        if (last_change_s_ == begin_s && !was_resized_ && !baked) pace_.add(draw_ms, wishes_.quality.fps);
+    } else {
+        arrival_ = std::chrono::nanoseconds{0}; // they changed nothing that is seen
+    }
+    publish_rig(begin_s);
+    publish_explanation(begin_s);
+    publish_probe(begin_s, drew);
+    save_frame();
+    if (session_->report.messages.size() != messages_sent_) publish_messages();
+    if (std::optional<dmx::Statistics> network = input_->take_statistics()) {
+        link_.network.put(std::move(*network));
+        link_.on_news();
+    }
+    if (std::optional<std::vector<float>> activity = input_->take_activity()) {
+        link_.activity_of_recording.put(std::move(*activity));
+        link_.on_news();
+    }
+    publish_rest(begin_s, drew);
+}
+
+} // namespace ghost::app

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/look_fade.h"
+
+namespace ghost::ui {
+namespace {
+
+using fixture::Manual;
+
+// fallback: what is there where neither hand sets it.
+template <class T>
+std::optional<T> between(const std::optional<T>& from, const std::optional<T>& to,
+                         const std::optional<T>& fallback, float share) {
+    if (!from && !to) return std::nullopt;
+    const std::optional<T> a = from ? from : fallback, b = to ? to : fallback;
+    if (!a || !b) return share < 0.5f ? from : to;
+    return *a + (*b - *a) * share;
+}
+
+template <class T>
+std::optional<T> either(const std::optional<T>& from, const std::optional<T>& to, float share) {
+    return share < 0.5f ? from : to;
+}
+
+Manual mixed(const Manual& from, const Manual& to, const FixtureNow& now, float share) {
+    const std::optional<glm::vec3> colour =
+        now.colour == glm::vec3(0) ? std::nullopt : std::optional(now.colour);
+    Manual result;
+    result.intensity = between(from.intensity, to.intensity, now.asked.intensity, share);
+    result.colour = between(from.colour, to.colour, colour, share);
+    result.zoom_deg = between(from.zoom_deg, to.zoom_deg, now.asked.zoom_deg, share);
+    result.pan_deg = between(from.pan_deg, to.pan_deg, now.asked.pan_deg, share);
+    result.tilt_deg = between(from.tilt_deg, to.tilt_deg, now.asked.tilt_deg, share);
+    result.gobo = either(from.gobo, to.gobo, share);
+    result.gel = between(from.gel, to.gel, std::optional(glm::vec3(1)), share);
+    result.lamp = between(from.lamp, to.lamp, std::optional(1.0f), share);
+    result.lamp_k = between(from.lamp_k, to.lamp_k, {}, share);
+    return result;
+}
+
+template <class T>
+void keep(std::optional<T>& from, const std::optional<T>& before, const std::optional<T>& after) {
+    if (before != after) from = after;
+}
+
+} // namespace
+
+Look faded(const Look& from, const Look& to, const scene::Show& show, const std::vector<FixtureNow>& now,
+           float share) {
+    if (share >= 1) return to;
+    Look look = to;
+    std::set<std::size_t> fixtures;
+    for (const auto& [index, manual] : from.fixtures) fixtures.insert(index);
+    for (const auto& [index, manual] : to.fixtures) fixtures.insert(index);
+    const auto of = [](const Look& one, std::size_t index) {
+        const auto found = one.fixtures.find(index);
+        return found == one.fixtures.end() ? Manual{} : found->second;
+    };
+    for (const std::size_t index : fixtures)
+        look.fixtures[index] =
+            mixed(of(from, index), of(to, index), index < now.size() ? now[index] : FixtureNow{}, share);
+    const SceneLook &a = from.scene, &b = to.scene;
+    look.scene.smoke = between(a.smoke, b.smoke, std::optional(1.0f), share);
+    look.scene.ambient_lux = between(a.ambient_lux, b.ambient_lux, std::optional(show.ambient_lux), share);
+    look.scene.ambient_colour =
+        between(a.ambient_colour, b.ambient_colour, std::optional(show.ambient_colour), share);
+    look.scene.attenuation = either(a.attenuation, b.attenuation, share);
+    look.scene.shadows = either(a.shadows, b.shadows, share);
+    return look;
+}
+
+void keep_changes(Look& from, const Look& before, const Look& after) {
+    const auto of = [](const Look& look, std::size_t index) {
+        const auto found = look.fixtures.find(index);
+        return found == look.fixtures.end() ? Manual{} : found->second;
+    };
+    std::set<std::size_t> fixtures;
+    for (const auto& [index, manual] : before.fixtures) fixtures.insert(index);
+    for (const auto& [index, manual] : after.fixtures) fixtures.insert(index);
+    for (const std::size_t index : fixtures) {
+        const Manual was = of(before, index), is = of(after, index);
+        if (was == is) continue;
+        Manual& manual = from.fixtures[index];
+        keep(manual.intensity, was.intensity, is.intensity);
+        keep(manual.colour, was.colour, is.colour);
+        keep(manual.zoom_deg, was.zoom_deg, is.zoom_deg);
+        keep(manual.pan_deg, was.pan_deg, is.pan_deg);
+        keep(manual.tilt_deg, was.tilt_deg, is.tilt_deg);
+        keep(manual.gobo, was.gobo, is.gobo);
+        keep(manual.gel, was.gel, is.gel);
+        keep(manual.lamp, was.lamp, is.lamp);
+        keep(manual.lamp_k, was.lamp_k, is.lamp_k);
+    }
+    const SceneLook &was = before.scene, &is = after.scene;
+    keep(from.scene.smoke, was.smoke, is.smoke);
+    keep(from.scene.ambient_lux, was.ambient_lux, is.ambient_lux);
+    keep(from.scene.ambient_colour, was.ambient_colour, is.ambient_colour);
+    keep(from.scene.attenuation, was.attenuation, is.attenuation);
+    keep(from.scene.shadows, was.shadows, is.shadows);
+}
+
+void leave_solo(Look& look, std::size_t fixture_count) {
+    if (look.solo.empty()) return;
+    for (std::size_t i = 0; i < fixture_count; ++i)
+        if (!look.solo.contains(i)) look.fixtures[i].intensity = 0.0f;
+}
+
+} // namespace ghost::ui

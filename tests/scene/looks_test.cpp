@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// Looks in a file: what is written comes back, whatever is wrong is said with its line, the rest stays.
+#include "scene/looks.h"
+
+#include "scene/rig.h"
+
+#include "fixture/gdtf.h"
+
+#include <gtest/gtest.h>
+
+namespace ghost::scene {
+namespace {
+
+StoredLook verse() {
+    StoredLook look;
+    look.name = "Verse \"one\"";
+    look.fade_s = 2.5f;
+    look.scene.smoke = 1.5f;
+    look.scene.ambient_lux = 3;
+    look.scene.ambient_colour = glm::vec3(1, 0.25f, 0.1f);
+    look.scene.attenuation = glm::vec3(0, 0, 1);
+    look.scene.shadows = false;
+    look.fixtures["Spot 1"] = {.intensity = 0.3f,
+                               .colour = glm::vec3(1, 0.1f, 0.05f),
+                               .zoom_deg = 12.5f,
+                               .pan_deg = -170,
+                               .tilt_deg = 33.25f,
+                               .gobo = 4,
+                               .gel = glm::vec3(0.2f, 0.4f, 0.9f),
+                               .lamp = 1.75f,
+                               .lamp_k = 3200.0f};
+    look.fixtures["Wash 2"] = {.intensity = 0.0f};
+    return look;
+}
+
+TEST(Looks, what_is_written_comes_back) {
+    const std::vector<StoredLook> looks{verse(), {.name = "Empty"}};
+    Report report;
+    const auto read = parse_looks(text_of(looks), "looks.toml", report);
+    ASSERT_TRUE(read.ok()) << read.error().text();
+    EXPECT_EQ(*read, looks);
+    EXPECT_TRUE(report.messages.empty()) << report.messages.front().what;
+    EXPECT_EQ(text_of(*read), text_of(looks));
+}
+
+TEST(Looks, every_beginning_of_a_file_is_read_or_refused_with_its_line) {
+    const std::string whole = text_of({verse()});
+    for (std::size_t size = 0; size < whole.size(); ++size) {
+        Report report;
+        const auto read = parse_looks(whole.substr(0, size), "looks.toml", report);
+        EXPECT_TRUE(read.ok() || read.error().where.starts_with("looks.toml:")) << size;
+    }
+}
+
+TEST(Looks, bad_values_are_said_and_the_rest_stays) {
+    Report report;
+    const auto read =
+        parse_looks("[[look]]\nname = \"A\"\nsmoke = -1\nattenuation = [0, 0, 0]\n"
+                    "[[look.fixture]]\nname = \"Spot 1\"\nintensity = 0.5\ngobo = 999\nzooom_deg = 3\n"
+                    "[[look.fixture]]\nname = \"Spot 1\"\nintensity = 0.7\n"
+                    "[[look]]\nfade_s = 2\n"
+                    "[[look]]\nname = \"A\"\n",
+                    "looks.toml", report);
+    ASSERT_TRUE(read.ok());
+    ASSERT_EQ(read->size(), 1u);
+    EXPECT_EQ(read->front().fixtures.at("Spot 1").intensity, 0.5f);
+    EXPECT_FALSE(read->front().scene.smoke);
+    EXPECT_TRUE(report.lost_anything());
+    const auto said = [&](const std::string& where, const std::string& what) {
+        for (const Message& message : report.messages)
+            if (message.where == where && message.what.find(what) != std::string::npos) return true;
+        return false;
+    };
+    EXPECT_TRUE(said("looks.toml:3", "smoke"));
+    EXPECT_TRUE(said("looks.toml:4", "0, 0, 0"));
+    EXPECT_TRUE(said("looks.toml:8", "gobo"));
+    EXPECT_TRUE(said("looks.toml:9", "zooom_deg"));
+    EXPECT_TRUE(said("looks.toml:10", "twice"));
+    EXPECT_TRUE(said("looks.toml:15", "twice"));
+}
+
+TEST(Looks, fixtures_go_by_name) {
+    Show show;
+    for (const char* const name : {"Wash 2", "Other", "Spot 1"}) show.fixtures.emplace_back().name = name;
+    const auto manual = manual_of(verse(), show);
+    ASSERT_EQ(manual.size(), 2u);
+    EXPECT_EQ(manual.at(2).gobo, 4);
+    EXPECT_EQ(manual.at(0).intensity, 0.0f);
+}
+
+// A gel takes its share of the light, a lamp multiplies it, and both are in the light alone.
+TEST(Looks, another_lamp_and_a_gel_change_the_light_by_their_factors) {
+    const auto loaded =
+        fixture::load_gdtf(std::filesystem::path("assets/fixtures/Vari-Lite@VL2500_Spot.gdtf"));
+    ASSERT_TRUE(loaded.ok());
+    Show show;
+    PatchedFixture& spot = show.fixtures.emplace_back();
+    spot.name = "Spot";
+    spot.type = std::make_shared<fixture::Type>(loaded->type);
+    show.motion = fixture::Motion::as_commanded;
+    Rig rig(show);
+    const auto light_of = [&](const fixture::Manual& manual) {
+        rig.step({}, 0, {{0, manual}});
+        return rig.lights({}, DistanceMaps{}).front().intensity_cd;
+    };
+    const glm::vec3 own = light_of({.intensity = 1.0f});
+    ASSERT_GT(own.y, 0);
+    const glm::vec3 doubled = light_of({.intensity = 1.0f, .lamp = 2.0f});
+    const glm::vec3 gelled = light_of({.intensity = 1.0f, .gel = glm::vec3(0.5f, 0.25f, 0)});
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_FLOAT_EQ(doubled[c], 2 * own[c]);
+        EXPECT_FLOAT_EQ(gelled[c], own[c] * glm::vec3(0.5f, 0.25f, 0)[c]);
+    }
+    const glm::vec3 warm = light_of({.intensity = 1.0f, .lamp_k = 2800.0f});
+    EXPECT_GT(warm.x / warm.z, 2 * own.x / own.z);
+    ASSERT_TRUE(rig.asked(0));
+    EXPECT_EQ(rig.asked(0)->intensity, 0.0f) << "no desk asks for light";
+}
+
+} // namespace
+} // namespace ghost::scene

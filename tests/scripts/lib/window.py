@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""For tests of the window: a screen of its own (Xvfb), a copy of the demo, and the window as a process that is driven over its socket,
+with a real mouse and keyboard (xdotool). Used by window_test.py and window_work_test.py: begin() once, then Window()."""
+import contextlib
+import json
+import os
+import pathlib
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+
+SOURCE = pathlib.Path(sys.argv[1]).resolve()
+PROGRAM = pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
+PICTURES = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
+for tool in ("Xvfb", "xdotool"):
+    if not shutil.which(tool):
+        print(f"skipped: {tool} is not installed (packages xvfb, xdotool)")
+        sys.exit(77)
+try:
+    import numpy
+    from PIL import Image
+except ImportError:
+    print("skipped: python3-numpy or python3-pil is not installed")
+    sys.exit(77)
+
+WORK = None
+DISPLAY = None
+LONG_S = 600  # for what a busy machine may take
+
+
+class Window:
+    """A window of its own process, with the demo, driven over its socket."""
+
+    def __init__(self, *arguments, show=None):
+        self.socket_path = str(WORK / f"socket-{os.getpid()}-{time.monotonic_ns()}")
+        environment = dict(os.environ, DISPLAY=DISPLAY, XDG_CONFIG_HOME=str(WORK / "config"))
+        environment.pop("WAYLAND_DISPLAY", None)
+        environment.pop("QT_QPA_PLATFORM", None)
+        self.log = open(WORK / "window.log", "w+")
+        self.process = subprocess.Popen([str(PROGRAM), "open", str(show or WORK / "demo"), "--forget", "--socket", self.socket_path,
+                                         *arguments], env=environment, stderr=self.log, stdout=self.log)
+        self.socket = socket.socket(socket.AF_UNIX)
+        self.socket.settimeout(LONG_S)
+        for _ in range(LONG_S * 10):
+            try:
+                self.socket.connect(self.socket_path)
+                break
+            except OSError:
+                assert self.process.poll() is None, self.text()
+                time.sleep(0.1)
+        self.answers = self.socket.makefile()
+
+    def text(self):
+        self.log.flush()
+        return pathlib.Path(self.log.name).read_text()
+
+    def ask(self, line):
+        self.socket.sendall((line + "\n").encode())
+        return self.answers.readline().strip()
+
+    def do(self, *lines):
+        for line in lines:
+            answer = self.ask(line)
+            assert answer == "ok", f"{line}: {answer}\n{self.text()}"
+
+    def state(self):
+        self.do(f'state "{WORK / "state.json"}"')
+        return json.loads((WORK / "state.json").read_text())
+
+    def until(self, holds):
+        """Waits for a state that holds: keys and clicks take their way through the screen."""
+        for _ in range(LONG_S * 5):
+            state = self.state()
+            if holds(state):
+                return state
+            time.sleep(0.2)
+        raise AssertionError(json.dumps(state, indent=1))
+
+    def picture(self, name):
+        """The picture of the stage, at rest; values 0..255 as floats."""
+        file = WORK / f"{name}.png"
+        self.do("wait settled", f'save-picture "{file}"')
+        return numpy.asarray(Image.open(file).convert("RGB")).astype(float)
+
+    def shoot(self, name):
+        if PICTURES:
+            self.do("wait settled", f'screenshot "{PICTURES / name}"')
+
+    def xdo(self, *arguments):
+        subprocess.run(["xdotool", *map(str, arguments)], env=dict(os.environ, DISPLAY=DISPLAY), check=True, timeout=60)
+
+    def place(self):
+        """Of the picture on the screen: x, y, width, height."""
+        return self.state()["view"]
+
+    def close(self):
+        if self.process.poll() is None:
+            self.do("quit")
+        code = self.process.wait(timeout=LONG_S)
+        self.socket.close()
+        return code
+
+
+def changed(a, b):
+    return float(numpy.abs(a - b).mean())
+
+
+@contextlib.contextmanager
+def begin(*screen_arguments):
+    """Sets WORK, a folder that goes away, with a copy of the demo in it, and DISPLAY."""
+    global WORK, DISPLAY
+    with tempfile.TemporaryDirectory() as folder:
+        WORK = pathlib.Path(folder)
+        shutil.copytree(SOURCE / "assets/demo", WORK / "demo", ignore=shutil.ignore_patterns(".ghost"))
+        (WORK / "fixtures").symlink_to(SOURCE / "assets/fixtures")
+        reader, writer = os.pipe()
+        screen = subprocess.Popen(["Xvfb", "-displayfd", str(writer), *(screen_arguments or ("-screen", "0", "1600x1000x24")), "-nolisten", "tcp"],
+                                  pass_fds=[writer], stderr=subprocess.DEVNULL)
+        os.close(writer)
+        try:
+            DISPLAY = ":" + os.fdopen(reader).readline().strip()
+            yield WORK
+        finally:
+            screen.terminate()
+            screen.wait()
