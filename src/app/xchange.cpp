@@ -74,7 +74,7 @@ Result<std::unique_ptr<Xchange::Loop>> Xchange::Loop::open(const XchangeOptions&
     for (const std::filesystem::path& file : own.share) {
         TRY(const auto bytes, read_file(file, scene::kMaxXchangeFileBytes));
         if (const auto plot = scene::load_mvr(file); !plot.ok())
-            return Error{"cannot be shared: " + plot.error().text() + "; expected an .mvr", "--share"};
+            return Error{"cannot be shared, it is no .mvr: " + plot.error().what, file.string()};
         const std::string_view content(reinterpret_cast<const char*>(bytes.data()), bytes.size());
         const std::string_view parts[] = {loop->uuid_, content};
         Commit commit;

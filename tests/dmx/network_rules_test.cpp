@@ -360,7 +360,7 @@ TEST(Forged, a_full_universe_has_a_place_where_one_is_silent) {
         merge.feed(forged.packet({id}), 0s);
         merge.feed(forged.packet({id}), 1ms); // heard twice: no place to take
     }
-    merge.feed(steady.packet({99}), 2400ms);
+    for (const auto t : {2300ms, 2400ms}) merge.feed(steady.packet({99}), t);
     Desk late{200};
     merge.feed(late.packet({200}), 2450ms);
     EXPECT_EQ(levels(merge, 1), Ints{99});

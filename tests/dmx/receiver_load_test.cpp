@@ -33,10 +33,10 @@ constexpr std::uint16_t kUniverses = 512;
 constexpr int kRefreshes = 88;
 constexpr auto kPeriod = 22727us;
 constexpr double kSeconds = 2.0;
-// A socket's buffer of 4 MiB holds 290 ms of one desk. So without a fault of ours a drop takes a time in
+// A socket's buffer of 16 MiB holds 580 ms of two desks. So without a fault of ours a drop takes a time in
 // which the receiver was ready to run and had no processor for most of that.
-constexpr auto kStarving = 400ms;
-constexpr double kStarved_ms = 250;
+constexpr auto kStarving = 800ms;
+constexpr double kStarved_ms = 500;
 
 std::set<int> threads() {
     std::set<int> result;
