@@ -23,10 +23,10 @@ void fill(Light light, Fan fan) {
     uint level = 0u;
     uint row = gl_GlobalInvocationID.x;
     if (IS_SHAPED(light)) {
-        uint small_rows = fan.halvings * kLeastFan;
+        uint small_rows = fan.halvings * kLeastSharp;
         bool small = row < small_rows;
-        level = small ? row / kLeastFan : fan.halvings + (row - small_rows) / fan.size;
-        row = small ? row % kLeastFan : (row - small_rows) % fan.size;
+        level = small ? row / kLeastSharp : fan.halvings + (row - small_rows) / fan.size;
+        row = small ? row % kLeastSharp : (row - small_rows) % fan.size;
     } else {
         for (uint before = 0u; before < kFanLevels; ++before) {
             uint rows = fan_side(fan, before);

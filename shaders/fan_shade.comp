@@ -18,15 +18,19 @@ layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
 const int kSteps = 2; // towards the surface of a ray from beside the map
 
+float map_at(uint map, vec3 direction, int size) {
+    ivec2 at = min(ivec2(octahedral_from(direction) * float(size)), size - 1);
+    return texelFetch(distance_maps, ivec3(at, int(max(map, 1u)) - 1), 0).x;
+}
+
 // How far the light gets in a direction (unit). Where it stands beside its map: along the ray to where the map, seen from its own
 // place, has its surface; once more, as a plane needs it.
 float reach_of(uint map, vec3 off_map_m, vec3 direction, int size) {
-    float reach_m = map_texel(map, ivec2(octahedral_from(direction) * float(size)), size);
+    float reach_m = map_at(map, direction, size);
     int steps = dot(off_map_m, off_map_m) > 0.0 ? kSteps : 0;
     for (int k = 0; k < steps; ++k) {
         vec3 from_map = direction * reach_m + off_map_m;
-        float there_m = map_texel(map, ivec2(octahedral_from(from_map) * float(size)), size);
-        reach_m *= there_m / max(length(from_map), 1e-3);
+        reach_m *= map_at(map, from_map, size) / max(length(from_map), 1e-3);
     }
     return map == 0u ? kNothing_m : min(reach_m, kNothing_m);
 }
@@ -43,20 +47,24 @@ void fill(uint map, vec3 off_map_m, Fan fan) {
     float step_u = 2.0 * chord.w / float(side);
     float u = 0.5 * step_u - chord.w;
     uint columns = row < side ? side : 0u;
-    for (uint column = 0u; column < columns; column += 2u) {
-        float least = 1.0, most = -1.0;
-        for (uint k = 0u; k < 2u; ++k) {
-            float reach_m = reach_of(map, off_map_m, (centre + turn * u) * inversesqrt(1.0 + u * u), size);
-            float edge = fan_shade(fan, (chord.xy + u * vec2(-chord.y, chord.x)) * inversesqrt(1.0 + u * u), reach_m);
-            imageStore(shade, ivec3(row, column + k, fan.layer), vec4(edge, edge, 0.0, 0.0));
-            least = min(least, edge);
-            most = max(most, edge);
+    // Levels of 1, 2 and 4 columns.
+    for (uint column = 0u; column < columns; column += 4u) {
+        vec4 edge;
+        for (uint k = 0u; k < 4u; ++k) {
+            float unit = inversesqrt(1.0 + u * u);
+            float reach_m = reach_of(map, off_map_m, (centre + turn * u) * unit, size);
+            edge[k] = fan_shade(fan, (chord.xy + u * vec2(-chord.y, chord.x)) * unit, reach_m);
+            imageStore(shade, ivec3(row, column + k, fan.layer), edge[k].xxxx);
             u += step_u;
         }
-        imageStore(shade, ivec3(row, side + column / 2u, fan.layer), vec4(least, most, 0.0, 0.0));
+        vec2 least = min(edge.xz, edge.yw), most = max(edge.xz, edge.yw);
+        imageStore(shade, ivec3(row, side + column / 2u, fan.layer), vec4(least.x, most.x, 0.0, 0.0));
+        imageStore(shade, ivec3(row, side + column / 2u + 1u, fan.layer), vec4(least.y, most.y, 0.0, 0.0));
+        imageStore(shade, ivec3(row, side + side / 2u + column / 4u, fan.layer),
+                   vec4(min(least.x, least.y), max(most.x, most.y), 0.0, 0.0));
     }
-    uint left = side;
-    for (uint half_columns = columns / 4u; half_columns > 0u; half_columns /= 2u) {
+    uint left = side + side / 2u;
+    for (uint half_columns = columns / 8u; half_columns > 0u; half_columns /= 2u) {
         uint next = left + 2u * half_columns;
         for (uint column = 0u; column < half_columns; ++column) {
             vec2 a = imageLoad(shade, ivec3(row, left + 2u * column, fan.layer)).xy;

@@ -18,6 +18,7 @@ struct Runs {
     uint count;
 };
 const uint kMostTurns = 16u;
+const int kFirstLevel = 3; // of the groups of columns looked at
 
 void add_turn(inout Runs runs, int column) {
     uint bits = uint(column) << (8u * (runs.count & 3u));
@@ -35,7 +36,7 @@ int turn_at(Runs runs, uint index) {
 // Finds the turns from `at` on, whole groups of columns at a time. Returns where it stopped: at `end`, or in the dark because there
 // is no room for more.
 int find_runs(int row, int layer, int side, float ray, int at, int end, inout Runs runs) {
-    int level = 0;
+    int level = kFirstLevel;
     bool lit = false;
     while (at < end && runs.count < kMostTurns) {
         vec2 edge = texelFetch(shade, ivec3(row, 2 * (side - (side >> level)) + (at >> level), layer), 0).xy;
@@ -45,7 +46,7 @@ int find_runs(int row, int layer, int side, float ray, int at, int end, inout Ru
             add_turn(runs, at);
             lit = all_lit;
         }
-        at += whole ? 1 << level : 0;
+        at = whole ? ((at >> level) + 1) << level : at;
         level += whole ? 1 - ((at >> level) & 1) : -1;
     }
     return at;

@@ -41,9 +41,13 @@ SHARED_CONST uint kFanLevels = 8u;
 SHARED_CONST uint kFanNodes = 14u;    // levels of a shaped beam
 SHARED_CONST uint kLargeNodes = 7u;   // that are not small: as many as stand in a line
 SHARED_CONST uint kFinestNode = 128u; // rows and columns of these
-SHARED_CONST uint kLeastFan = 64u;  // rows and columns of any level
+SHARED_CONST uint kLeastFan = 32u;    // rows and columns of any level
+SHARED_CONST uint kLeastSharp = 64u;  // and of the sharpest one, and of all of a shaped beam
+SHARED_CONST uint kEvenLevels = 2u;   // that are as large as the smallest sharp one
+SHARED_CONST uint kMiddleFan = 160u;  // its texels are as wide as the blur of a gobo's second level
 SHARED_CONST uint kFinestFan = 256u;
-SHARED_CONST uint kFanWidth = 2u * kFinestFan + 6u * kLeastFan; // of a layer: all levels
+SHARED_CONST uint kFinestShade = 256u;
+SHARED_CONST uint kFanWidth = kLargeNodes * kFinestNode; // of a layer: all levels
 
 // An angle -1..1 for the half turns from -pi to pi, evenly along a square instead of a circle, which needs no arc tangent.
 SHARED_FN float fan_turn(float cosine, float sine) {
@@ -102,27 +106,29 @@ SHARED_FN float fan_most(vec3 colour_b) {
     return max(max(max(colour_b.x, colour_b.y), colour_b.z), 1.0f);
 }
 
-// Rows and columns of a level: half of the level before, but never fewer than kLeastFan.
+// Rows and columns of a level: half of the level before, kLeastSharp until its blur is four times as wide as these, then kLeastFan.
 SHARED_FN uint fan_side(Fan fan, uint level) {
-    return level <= fan.halvings ? fan.size >> level : kLeastFan;
+    return level <= fan.halvings ? fan.size >> level : (level <= fan.halvings + kEvenLevels ? kLeastSharp : kLeastFan);
 }
 
 // The levels stand side by side in their layer: columns (and rows) of all levels before this one.
 SHARED_FN uint fan_left(Fan fan, uint level) {
     uint halved = 2u * fan.size - 2u * (fan.size >> level);
-    uint even = 2u * fan.size - (fan.size >> fan.halvings) + kLeastFan * (level - fan.halvings - 1u);
-    return level <= fan.halvings ? halved : even;
+    uint even = 2u * fan.size - (fan.size >> fan.halvings);
+    uint beyond = level <= fan.halvings ? 0u : level - fan.halvings - 1u;
+    uint sharp = beyond < kEvenLevels ? beyond : kEvenLevels;
+    return level <= fan.halvings ? halved : even + sharp * kLeastSharp + (beyond - sharp) * kLeastFan;
 }
 
 // Rows of a level of a shaped beam: its first ones, near the lens, are blurred and small.
-SHARED_FN uint fan_node_side(Fan fan, uint level) { return level < fan.halvings ? kLeastFan : fan.size; }
+SHARED_FN uint fan_node_side(Fan fan, uint level) { return level < fan.halvings ? kLeastSharp : fan.size; }
 
 // The small ones stand in the first line of the layer, the others below.
 SHARED_FN uvec2 fan_node_corner(Fan fan, uint level) {
     uint in_line = kFanWidth / fan.size;
     uint large = level - fan.halvings;
-    return level < fan.halvings ? uvec2(level * kLeastFan, 0u)
-                                : uvec2(large % in_line * fan.size, kLeastFan + large / in_line * fan.size);
+    return level < fan.halvings ? uvec2(level * kLeastSharp, 0u)
+                                : uvec2(large % in_line * fan.size, kLeastSharp + large / in_line * fan.size);
 }
 
 // Level of a shaped beam at a place t of its way, between two nodes in proportion.
@@ -143,7 +149,7 @@ SHARED_FN uint fan_shade_side(Fan fan) {
     using namespace glm;
 #endif
     float width = 2.0f * sqrt(max(1.0f - fan.cos_cone * fan.cos_cone, 0.0f)) / max(fan.cos_cone, 1e-3f);
-    uint texels = uint(clamp(width / 0.0035f, float(kLeastFan / 2u), float(kFinestFan / 2u)));
+    uint texels = uint(clamp(width / 0.0035f, float(kLeastSharp / 2u), float(kFinestShade / 2u)));
     return 2u << uint(findMSB(texels));
 }
 
@@ -154,7 +160,7 @@ SHARED_FN float fan_shade(Fan fan, vec2 direction, float distance_m) {
     using namespace glm;
 #endif
     vec2 from_eye = vec2(direction.x * distance_m - fan.eye_m, direction.y * distance_m);
-    return from_eye.x / max(length(from_eye), 1e-9f);
+    return from_eye.x / sqrt(max(dot(from_eye, from_eye), 1e-18f));
 }
 
 SHARED_END

@@ -11,9 +11,9 @@
 namespace ghost::render {
 namespace {
 
-constexpr double kNearest_m = 1e-3;    // an eye in the lamp itself
-constexpr std::uint32_t kFanStep = 32; // sizes can be halved twice
-constexpr double kParallel = 1e-6;     // sine below which pole and axis are one line
+constexpr double kNearest_m = 1e-3; // an eye in the lamp itself
+constexpr float kFanStep = 32;      // sizes can be halved
+constexpr double kParallel = 1e-6;  // sine below which pole and axis are one line
 // Nearer to the rim rows that are even in the sine lie thin at their ends: the two ways are alike here.
 constexpr double kNearRim = 1.05;
 constexpr float kBladeIsOut = 4.0f; // gate radii
@@ -22,15 +22,20 @@ constexpr float kNodeRatio = 2.0f;
 constexpr float kCoarser = 1.2f;
 constexpr double kDeepInside = 0.7; // from here to the rim more and more rows lie where the beam is
 
-// With a gobo twice as many rows as the beam is pixels wide where it is as far from the lamp as from the eye
-// (with one a pixel a gobo loses 8 dB, an open beam less than one).
+// Rows for a pixel of the beam's width where it is as far from the lamp as from the eye. An open beam has
+// no detail but its rim.
+constexpr float kOpenRows = 0.5f, kGoboRows = 2.0f;
+
 std::uint32_t size_of(const shared::Light& light, bool surrounds, float pixels_per_rad) {
     const bool open = light.wheel_count == 0 && light.shaped == 0;
-    const std::uint32_t finest = open || light.shaped != 0 ? shared::kFinestFan / 2 : shared::kFinestFan;
-    if (surrounds) return finest;
     const float pixels = 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
-    const float steps = std::ceil((open ? 1.0f : 2.0f) * pixels / static_cast<float>(kFanStep));
-    return std::clamp(static_cast<std::uint32_t>(steps * static_cast<float>(kFanStep)), kCoarsestFan, finest);
+    const float rows = std::ceil((open ? kOpenRows : kGoboRows) * pixels / kFanStep) * kFanStep;
+    const bool large = surrounds || rows > 2.0f * shared::kFinestFan;
+    const std::uint32_t finest = open || light.shaped != 0 ? shared::kFinestNode
+                                 : large                   ? shared::kFinestFan
+                                                           : shared::kMiddleFan;
+    if (surrounds) return finest;
+    return std::clamp(static_cast<std::uint32_t>(rows), shared::kLeastSharp, finest);
 }
 
 // Depths of the planes that a shaped beam goes through.
@@ -84,7 +89,7 @@ void set_nodes(shared::Fan& fan, const shared::Light& light) {
     if (!(light.lens_radius_m > 0)) return;
     const std::vector<float> depths = depths_of(light);
     // What a level of the least size shows.
-    const float coarse = 2.0f * light.cut_radius / static_cast<float>(shared::kLeastFan);
+    const float coarse = 2.0f * light.cut_radius / static_cast<float>(shared::kLeastSharp);
     for (float finest = fan.sharpest, ratio = kNodeRatio;; finest *= kCoarser, ratio *= kCoarser) {
         const std::vector<float> nodes = nodes_of(light, depths, finest, ratio);
         if (nodes.size() > shared::kFanNodes) continue;
@@ -158,7 +163,7 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
     while (light.lens_radius_m > 0 && fan.levels < shared::kFanLevels &&
            std::ldexp(fan.sharpest, static_cast<int>(fan.levels) - 1) < 1.0f)
         ++fan.levels;
-    while (fan.size >> (fan.halvings + 1) >= shared::kLeastFan) ++fan.halvings;
+    while (fan.size >> (fan.halvings + 1) >= shared::kLeastSharp) ++fan.halvings;
     return fan;
 }
 

@@ -7,8 +7,6 @@
 
 namespace ghost::render {
 
-inline constexpr std::uint32_t kCoarsestFan = 64; // rows and columns
-
 // pixels_per_rad: of the picture, in its middle. A beam that is small in the picture needs less.
 shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad,
                      std::uint32_t layer);
