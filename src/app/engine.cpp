@@ -27,6 +27,7 @@ Engine::~Engine() {
     thread_.join();
     if (reopening_.valid()) reopening_.wait();
     forget_baked();
+    end_recording();
 }
 
 void Engine::run() {
@@ -40,6 +41,8 @@ void Engine::run() {
             }
             if (session_ && wishes_.text && wishes_.text != text_) take_edit();
             look_for_plots();
+            if (session_) choose_recording();
+            record();
             const double begin_s = now_s();
             if (session_ && wishes_.camera.width > 0) frame();
             const double wait_s = 1.0 / std::clamp(wishes_.quality.fps, 5, 240) - (now_s() - begin_s);
@@ -76,6 +79,9 @@ void Engine::begin_inputs() {
 void Engine::listen() {
     if (!options_.listens || receiver_ || now_s() < listens_again_s_) return;
     listens_again_s_ = now_s() + kListenAgain_s;
+    options_.receiver.on_levels = [this](const dmx::Universes& universes, std::chrono::nanoseconds now) {
+        hear(universes, now);
+    };
     std::vector<scene::Message> said;
     auto receiver = dmx::Receiver::start(options_.receiver);
     if (receiver.ok()) {
@@ -151,7 +157,13 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
     motion_ = session_->show->motion;
     input_ = std::make_unique<LiveInput>(receiver_.get(), timecode_.get());
     listen_to_patch();
-    if (auto loaded = input_->load_recording(session_->show->recording, session_->report); !loaded.ok())
+    if (opening == Opening::another) {
+        wishes_.recording.clear();
+        played_.clear();
+    }
+    const std::filesystem::path played =
+        played_.empty() ? session_->show->recording : std::filesystem::path(played_);
+    if (auto loaded = input_->load_recording(played, session_->report); !loaded.ok())
         session_->report.add(scene::Severity::warning, loaded.error().where, loaded.error().what);
     if (opening != Opening::another && before) input_->go_on_from(*before);
     drawn_from_ = live_from_ = {};

@@ -12,6 +12,7 @@
 #include "app/live_controls.h"
 #include "app/live_input.h"
 #include "app/pace.h"
+#include "app/running_recording.h"
 #include "app/session.h"
 #include "app/xchange.h"
 #include "bake/tracer.h"
@@ -21,6 +22,7 @@
 #include <chrono>
 #include <future>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -67,6 +69,12 @@ private:
     // The show that is open has another text; engine_edits.cpp.
     void take_edit();
 
+    // engine_recording.cpp
+    void hear(const dmx::Universes& universes, std::chrono::nanoseconds now);
+    void record();
+    void end_recording();
+    void choose_recording();
+
     // engine_plots.cpp
     void look_for_plots();
     void take_plot();
@@ -105,7 +113,12 @@ private:
     ui::Wishes wishes_;
     std::string tried_;                       // the show that was asked for last, open or not
     std::shared_ptr<const std::string> text_; // of it, likewise
-    std::unique_ptr<TimeCodeInput> timecode_; // the receiver feeds it, and goes first
+    // What the desk sends is recorded; the receiver's thread brings it.
+    std::mutex recording_mutex_;
+    std::unique_ptr<RunningRecording> recording_; // with recording_mutex_
+    std::string recording_to_;                    // as the wishes had it
+    std::string played_;                          // of the wishes: what is played instead of the show's own
+    std::unique_ptr<TimeCodeInput> timecode_;     // the receiver feeds it, and goes first
     std::unique_ptr<dmx::Receiver> receiver_;
     std::vector<scene::Message> of_receiver_;
     std::vector<scene::Message> news_; // of what else belongs to no show

@@ -64,6 +64,8 @@ void Engine::publish_rig(double now_s) {
     rig.universes = input_->universes();
     rig.from_desk = input_->shows_desk();
     rig.at_s = input_->at_s();
+    rig.recording_s = input_->recording_s();
+    if (recording_) rig.recorded_s = recording_->seconds(std::chrono::steady_clock::now().time_since_epoch());
     const std::vector<fixture::State>& states = session_->rig->states();
     std::size_t face = 0; // one for each beam of a fixture with a type
     for (std::size_t i = 0; i < states.size(); ++i) {

@@ -27,6 +27,9 @@ std::vector<float> measure_activity(const std::filesystem::path& file, const std
 } // namespace
 
 Result<void> LiveInput::load_recording(const std::filesystem::path& file, scene::Report& report) {
+    stop_measuring_ = true;
+    measuring_ = {}; // waits for the one before
+    stop_measuring_ = false;
     player_.reset();
     played_ = {};
     at_s_ = 0;

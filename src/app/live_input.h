@@ -42,6 +42,7 @@ public:
     // What is there now, dt_s after the call before.
     void step(ui::Input wanted, const ui::Transport& transport, double dt_s);
     const dmx::Universes& universes() const { return shows_desk_ ? desk_ : played_; }
+    const dmx::Universes& desk() const { return desk_; } // heard, shown or not
     bool shows_desk() const { return shows_desk_; }
     double at_s() const { return at_s_; }
     // A remote control jumps; the transport goes on from there.

@@ -76,6 +76,8 @@ struct Wishes {
     float master = 1;
     Input input = Input::automatic;
     Transport transport;
+    std::string recording; // that is played; empty: the show's own
+    std::string record_to; // what the desk sends is recorded there; empty: it is not
     Quality quality;
     std::optional<std::size_t> explained; // fixture
     FalseColour false_colour;
@@ -155,7 +157,9 @@ struct RigNow {
     std::vector<FixtureNow> fixtures;
     dmx::Universes universes;
     bool from_desk = false;
-    double at_s = 0; // of the recording
+    double at_s = 0;        // of the recording
+    double recording_s = 0; // its length; 0: there is none
+    double recorded_s = -1; // of the recording that is made; below 0: none is
 };
 
 struct Explained {
@@ -173,6 +177,13 @@ struct Probed {
     glm::vec3 at_m{0};
     float distance_m = 0; // from the camera
     std::string object;
+};
+
+// A recording that was made, or could not be.
+struct Recorded {
+    std::string file;
+    double seconds = 0;
+    std::optional<Error> error;
 };
 
 struct Saved {
@@ -198,6 +209,7 @@ struct Link {
     Mailbox<std::vector<float>> activity_of_recording;
     Mailbox<Probed> probed;
     Mailbox<Saved> saved;
+    Mailbox<Recorded> recorded;
     Mailbox<CameraCall> camera_call;
 
     // The engine calls it after it put something, on its own thread. Set before the engine starts.

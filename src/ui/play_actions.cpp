@@ -2,7 +2,71 @@
 // The actions that are about the recording, the input, and how finely the picture is drawn.
 #include "ui/hand.h"
 
+#include <QDateTime>
+
 namespace ghost::ui {
+
+namespace {
+
+// Beside the show, and never over another one.
+std::string new_recording(const Studio& studio) {
+    const QString name =
+        "recording-" + QDateTime::currentDateTime().toString("yyyyMMdd-hhmmss") + ".ghostdmx";
+    return (studio.show()->folder / name.toStdString()).string();
+}
+
+Result<void> record(Studio& studio, const QStringList& words) {
+    if (!studio.show()) return Error{"no show is open", ""};
+    const bool runs = !studio.wishes().record_to.empty();
+    const bool ends = words.isEmpty() ? runs : words[0] == "off";
+    if (!ends && runs) return Error{"a recording runs; 'record off' ends it", studio.wishes().record_to};
+    const std::string file = ends ? "" : words.isEmpty() ? new_recording(studio) : words[0].toStdString();
+    studio.wish([&](Wishes& wishes) { wishes.record_to = file; });
+    return {};
+}
+
+Result<void> play_file(Studio& studio, const std::string& file) {
+    studio.wish([&](Wishes& wishes) {
+        wishes.recording = file;
+        wishes.input = Input::recording;
+        wishes.transport.playing = true;
+        wishes.transport.loop_from_s = wishes.transport.loop_to_s = 0;
+        ++wishes.transport.seeks;
+        wishes.transport.at_s = 0;
+    });
+    return {};
+}
+
+void add_recorder(Actions& actions, Studio& studio) {
+    actions.add({"record", "Play", "Record what the desk sends", "Ctrl+R", "[FILE|off]",
+                 [&studio](const QStringList& words) { return record(studio, words); },
+                 [&studio] { return !studio.wishes().record_to.empty(); }});
+    actions.add({"play-recorded",
+                 "Play",
+                 "Play what was recorded last",
+                 "",
+                 "",
+                 [&studio](const QStringList&) -> Result<void> {
+                     const Recorded& recorded = studio.recorded();
+                     if (recorded.file.empty() || recorded.error)
+                         return Error{"nothing was recorded in this window", ""};
+                     return play_file(studio, recorded.file);
+                 },
+                 {}});
+    actions.add({"play-file",
+                 "",
+                 "play-file",
+                 "",
+                 "FILE|own",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     if (words.value(0).isEmpty())
+                         return Error{"it needs the name of a recording, or own", ""};
+                     return play_file(studio, words[0] == "own" ? "" : words[0].toStdString());
+                 },
+                 {}});
+}
+
+} // namespace
 
 void add_play_actions(Actions& actions, Studio& studio) {
     actions.add({"play", "Play", "Play or pause the recording", "Space", "[on|off]",
@@ -41,6 +105,7 @@ void add_play_actions(Actions& actions, Studio& studio) {
                      return {};
                  },
                  {}});
+    add_recorder(actions, studio);
     actions.add({"loop",
                  "",
                  "loop",

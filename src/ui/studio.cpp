@@ -86,6 +86,11 @@ void Studio::read_news() {
         probed_ = std::move(*news);
         Q_EMIT probe_came();
     }
+    if (auto news = link_.recorded.take()) {
+        recorded_ = std::move(*news);
+        if (wishes_.record_to == recorded_.file) wish([](Wishes& wishes) { wishes.record_to.clear(); });
+        Q_EMIT recording_ended();
+    }
     if (auto news = link_.saved.take()) {
         saved_ = news->number;
         Q_EMIT picture_saved(news->error ? QString::fromStdString(news->error->text()) : QString());
@@ -139,6 +144,7 @@ void Studio::take_opened(Opened opened) {
     wishes_.explained.reset();
     if (!opened_.again) {
         wishes_.transport = {};
+        wishes_.recording.clear();
         wishes_.black_out = wishes_.frozen = false;
     }
     Q_EMIT opened_show(); // the view says how large it is, and from where it looks

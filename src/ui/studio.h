@@ -39,6 +39,7 @@ public:
     const std::string& activity() const { return activity_; }
     const std::vector<float>& waveform() const { return waveform_; } // of the recording; empty: not known
     const std::optional<Probed>& probed() const { return probed_; }  // of the place that is wished for
+    const Recorded& recorded() const { return recorded_; }           // the last one
     std::uint64_t saved() const { return saved_; } // number of the picture that was saved last
     // Came from the network and may be taken; number 0: none yet.
     const ReceivedPlot& plot() const { return plot_; }
@@ -111,6 +112,7 @@ Q_SIGNALS:
     void activity_came();
     void probe_came();
     void waveform_came();
+    void recording_ended();
     void picture_saved(const QString& error); // empty: it is there
     void plot_came();
     void wishes_changed();
@@ -147,6 +149,7 @@ private:
     std::optional<Probed> probed_;
     std::vector<float> waveform_;
     std::uint64_t saved_ = 0;
+    Recorded recorded_;
 
     Wishes wishes_;
     std::uint64_t settled_ = 0;

@@ -64,7 +64,7 @@ TransportPanel::TransportPanel(Studio& studio, const Actions& actions, QWidget* 
 }
 
 void TransportPanel::refresh() {
-    const double length_s = studio_.opened().recording_s;
+    const double length_s = studio_.rig().recording_s;
     place_->setEnabled(length_s > 0 && !studio_.rig().from_desk);
     time_->setText(studio_.rig().from_desk ? QString("desk")
                    : length_s > 0          ? clock_of(studio_.rig().at_s) + " / " + clock_of(length_s)

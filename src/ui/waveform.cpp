@@ -31,17 +31,17 @@ QSize Waveform::sizeHint() const {
 }
 
 double Waveform::second_at(double x) const {
-    return std::clamp(x / std::max(width(), 1), 0.0, 1.0) * studio_.opened().recording_s;
+    return std::clamp(x / std::max(width(), 1), 0.0, 1.0) * studio_.rig().recording_s;
 }
 
 double Waveform::x_of(double second) const {
-    return second / std::max(studio_.opened().recording_s, 1e-3) * width();
+    return second / std::max(studio_.rig().recording_s, 1e-3) * width();
 }
 
 void Waveform::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), QColor(18, 18, 20));
-    if (studio_.opened().recording_s <= 0) return;
+    if (studio_.rig().recording_s <= 0) return;
     const Transport& transport = studio_.wishes().transport;
     const bool loops = transport.loop_to_s > transport.loop_from_s;
     const double from = loops ? x_of(transport.loop_from_s) : 0,

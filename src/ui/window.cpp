@@ -103,6 +103,16 @@ Window::Window(Link& link, const WindowOptions& options)
     connect(&studio_, &Studio::picture_saved, this, [this](const QString& error) {
         statusBar()->showMessage(error.isEmpty() ? QString("The picture is saved") : error, 8000);
     });
+    connect(&studio_, &Studio::recording_ended, this, [this] {
+        const Recorded& recorded = studio_.recorded();
+        statusBar()->showMessage(recorded.error
+                                     ? QString::fromStdString(recorded.error->text())
+                                     : QString("Recorded %1 s to %2: Play, Play what was recorded last")
+                                           .arg(recorded.seconds, 0, 'f', 1)
+                                           .arg(QString::fromStdString(recorded.file)),
+                                 20000);
+        actions_.refresh();
+    });
     connect(&second_, &SecondDisplay::changed, this, [this](const QString& what) {
         if (!what.isEmpty()) statusBar()->showMessage(what, 15000);
         actions_.refresh();
@@ -211,9 +221,8 @@ void Window::show_status() {
                                                             : "No input: started with --no-desk")
                                           : QString("A desk: %1 universes").arg(rig.universes.list.size());
     else
-        text = QString("Recording, %1 of %2 s")
-                   .arg(rig.at_s, 0, 'f', 1)
-                   .arg(studio_.opened().recording_s, 0, 'f', 1);
+        text = QString("Recording, %1 of %2 s").arg(rig.at_s, 0, 'f', 1).arg(rig.recording_s, 0, 'f', 1);
+    if (rig.recorded_s >= 0) text += QString("; RECORDING, %1 s").arg(rig.recorded_s, 0, 'f', 1);
     status_input_->setText(text);
 }
 

@@ -3,6 +3,7 @@
 """The window at work, on a screen of its own: looks that are stored, faded and undone, false colours and the probe, bakes and pictures in
 the background while the view goes on, baked cameras, the picture on a second display. Usage: window_work_test.py SOURCE_FOLDER
 BUILD_FOLDER [FOLDER_FOR_PICTURES]."""
+import os
 import pathlib
 import shutil
 import subprocess
@@ -70,7 +71,7 @@ class AtWork(unittest.TestCase):
             self.assertEqual(window.state()["looks"], ["Red"])
             window.do("undo")
             self.assertEqual(window.state()["looks"], ["Red", "Blue haze"])
-            self.assertIn("did you mean 'Red'", window.ask("look-recall Rde"))
+            self.assertIn("did you mean 'Red'", window.ask("look-recall Redd"))
             window.do("panel-looks on")
             window.shoot("looks.png")
         finally:
@@ -227,6 +228,41 @@ class AtWork(unittest.TestCase):
             window.until(lambda state: state["second_display"] == "" and state["camera"]["width"] < 960)
         finally:
             self.assertEqual(window.close(), 0)
+
+    def test_a_desk_is_recorded_and_played(self):
+        offset = str(-1700 - os.getpid() % 500)  # universes of nobody else
+        window = Window("--size", "640x400", "--quiet", "--protocols", "artnet", "--artnet-offset", offset, "--no-poll-reply", show=self.show)
+        play = None
+        try:
+            window.do("wait opened", "resolution 5", *[f"panel-{one} off" for one in PANELS])
+            play = subprocess.Popen([str(PROGRAM), "play", str(SOURCE / "assets/demo/demo.show"), "--protocol", "artnet", "--to", "127.0.0.1",
+                                     "--artnet-offset", offset, "--loop", "--quiet", "--from", "20"])
+            window.until(lambda state: state["from_desk"])
+            window.do("record")
+            window.until(lambda state: state["recorded_s"] > 1.5)
+            self.assertIn("a recording runs", window.ask(f'record "{WORK / "x.show"}"'))
+            window.do("record off")
+            file = pathlib.Path(window.until(lambda state: state["recorded"])["recorded"])
+            self.assertEqual(file.parent.resolve(), self.show.resolve())
+            self.assertGreater(file.stat().st_size, 100)
+            window.do("play-recorded")
+            state = window.until(lambda state: not state["from_desk"] and state["recording_s"] < 30)
+            self.assertGreater(state["recording_s"], 1.4)
+            window.do("loop 0.2 0.6", "jump 0.2", "wait 0.3")
+            places = set()
+            for _ in range(20):
+                places.add(round(window.state()["at_s"], 2))
+                time.sleep(0.1)
+            self.assertGreater(len(places), 3)
+            self.assertLessEqual(max(places), 0.7)
+            window.do("loop off", "play-file own", "wait 0.3")
+            self.assertGreater(window.until(lambda state: state["recording_s"] > 30)["recording_s"], 90)
+            self.assertIn("it needs the name", window.ask("play-file"))
+        finally:
+            if play:
+                play.terminate()
+                play.wait()
+            self.assertEqual(window.close(), 0, window.text())
 
     def test_exposure_set_while_the_camera_flies_stays(self):
         window = self.open()
