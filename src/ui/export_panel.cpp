@@ -14,7 +14,7 @@
 namespace ghost::ui {
 namespace {
 
-constexpr double kLongest_s = 1e6;
+constexpr double kLongest_s = 99999; // of a film; scripts take more
 
 QString words_of(const Job& job) {
     QString words = "<b>" + job.title.toHtmlEscaped() + "</b>: ";
@@ -52,6 +52,7 @@ ExportPanel::ExportPanel(Studio& studio, Actions& actions, QWidget* parent)
     scroll->setWidget(inside);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(scroll);
@@ -91,6 +92,10 @@ QWidget* ExportPanel::make_pictures() {
     size_->setEditable(true);
     size_->addItems({"1920x1080", "1280x720", "3840x2160", "7680x4320"});
     size_->setAccessibleName("Size of pictures");
+    for (QComboBox* one : {bake_camera_, camera_, size_}) {
+        one->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        one->setMinimumContentsLength(8);
+    }
     from_ = new QDoubleSpinBox(box);
     to_ = new QDoubleSpinBox(box);
     for (QDoubleSpinBox* seconds : {from_, to_}) {
@@ -124,14 +129,15 @@ QWidget* ExportPanel::make_pictures() {
     range->addWidget(from_);
     range->addWidget(new QLabel("to", box));
     range->addWidget(to_);
-    range->addWidget(fps_);
-    range->addWidget(new QLabel("fps", box));
     form->addRow("Camera", camera_);
     form->addRow("Size", size_);
     form->addRow("Film", range);
+    form->addRow("Its rate", fps_);
+    fps_->setSuffix(" a second");
     auto* buttons = new QHBoxLayout;
-    for (QPushButton* button : {still, film, sheet}) buttons->addWidget(button);
+    for (QPushButton* button : {still, film}) buttons->addWidget(button);
     form->addRow(buttons);
+    form->addRow(sheet);
     return box;
 }
 

@@ -106,7 +106,9 @@ Result<int> Exporter::render(const PictureWish& wish) {
         TRY_VOID(studio_.show()->find_camera(wish.camera.toStdString()));
         words << "--view" << wish.camera;
     }
-    const bool plays = !studio_.show()->recording.empty();
+    const std::string& played = studio_.wishes().recording;
+    const bool plays = !studio_.show()->recording.empty() || !played.empty();
+    if (!played.empty()) words << "--replay" << QString::fromStdString(played);
     if (is_film) {
         if (!plays) return Error{"a film shows the recording of the show, and it has none", ""};
         if (wish.to_s <= wish.from_s) return Error{"the film must end after it begins", ""};
@@ -127,9 +129,13 @@ Result<int> Exporter::render(const PictureWish& wish) {
 Result<int> Exporter::sheet(const QString& file, int width, int height) {
     TRY_VOID(check_file(file, {"png"}));
     TRY(const QString show, show_file());
-    return studio_.jobs().start("Contact sheet " + QFileInfo(file).fileName(),
-                                {"sheet", show, "-o", QFileInfo(file).absoluteFilePath(), "--size",
-                                 QString("%1x%2").arg(width).arg(height)});
+    QStringList words{"sheet",  show,
+                      "-o",     QFileInfo(file).absoluteFilePath(),
+                      "--size", QString("%1x%2").arg(width).arg(height)};
+    // What looks leave alone does what the window's recording does now.
+    const bool plays = !studio_.show()->recording.empty() && !studio_.rig().from_desk;
+    if (plays && studio_.wishes().recording.empty()) words << "--at" << QString::number(studio_.rig().at_s);
+    return studio_.jobs().start("Contact sheet " + QFileInfo(file).fileName(), words);
 }
 
 } // namespace ghost::ui

@@ -84,7 +84,7 @@ class AtWork(unittest.TestCase):
             self.assertEqual(int(picture.mean(axis=(0, 1)).argmax()), wanted, name)
         subprocess.run([PROGRAM, "sheet", self.show, "-o", WORK / "sheet.png", "--size", "96x54", "--view", "close", "--view", "house",
                         "--quiet"], check=True, timeout=window_driver.LONG_S)
-        self.assertEqual(Image.open(WORK / "sheet.png").size, (2 * 100 + 4, 2 * 58 + 4))
+        self.assertEqual(read(WORK / "sheet.png").shape[:2], (2 * 58 + 4, 2 * 100 + 4))
 
     def test_solo_gel_and_lamp(self):
         window = self.open()
@@ -198,7 +198,7 @@ class AtWork(unittest.TestCase):
             self.assertEqual(still.shape, (90, 160, 3))
             self.assertGreater(still[..., 1].mean(), 1.3 * still[..., 0].mean(), "lit as hands have it")
             self.assertGreater((WORK / "clip.mp4").stat().st_size, 1000)
-            self.assertEqual(Image.open(WORK / "all.png").size, (3 * 68 + 4, 1 * 40 + 4))
+            self.assertEqual(read(WORK / "all.png").shape[:2], (1 * 40 + 4, 3 * 68 + 4))
             self.assertEqual(list((self.show / ".ghost").glob("window-look*")), [])
             # Cancelled: nothing is written.
             window.do(f'export-film "{WORK / "never.mp4"}" 0 50 30 640x360', "wait 1", "cancel-jobs", "wait jobs")
