@@ -6,6 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
 #define GOBO_LEVEL
+#define SLIDES 4
 #include "gobo_texture.glsl"
 #include "shared/beam.h"
 #include "shared/develop.h"
@@ -62,6 +63,10 @@ void fill(Light light, Fan fan) {
     float whole = gobo_level_of(blur);
     gobo_level = fan.levels > 1u ? floor(whole + 0.5) : whole;
     if (IS_SHAPED(light)) gobo_level = kLevelOfBlur;
+    if (HAS_SLIDE(light) && !IS_SHAPED(light)) {
+        whole = slide_level_of(blur / light.slide.texel);
+        slide_level = fan.levels > 1u ? floor(whole + 0.5) : whole;
+    }
     uint columns = wanted ? side : 0u;
     for (uint column = 0u; column < columns; ++column) {
         imageStore(table, at, sum);

@@ -6,6 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
 #include "shared/air.h"
+#define SLIDES 8
 #include "gobo_texture.glsl"
 #include "shared/beam.h"
 #include "shared/haze.h"

@@ -7,6 +7,7 @@
 #include "shared/push.h"
 #include "shared/air.h"
 #define DISTANCE_MAPS 8
+#define SLIDES 13
 #include "gobo_texture.glsl"
 #include "octahedral_map.glsl"
 #include "shared/beam.h"

@@ -42,6 +42,7 @@ PLATFORM_FILES = {
     "src/dmx/socket_linux.cpp": "sockets",
     "src/dmx/tcp_linux.cpp": "TCP",
     "src/dmx/serial_linux.cpp": "serial ports, MIDI ports",
+    "src/video/camera_linux.cpp": "video devices",
     "src/bake/tracer.cpp": "SSE mode of Embree",
     "src/app/bench_offline.cpp": "memory and start of another process",
 }

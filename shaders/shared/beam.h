@@ -4,7 +4,7 @@
 // photometric profile of IES/CIE: beam angle at 50 %, field angle at 10 % of the peak.
 //
 // Both sides supply gobo_sample: transmission of a gobo layer at gate coordinates (-1..1), blurred over a disc of the
-// given radius. In C++ it needs the images, so there the functions take them as a last argument.
+// given radius; and slide_sample: colour (linear Rec.2020) of a layer of the moving pictures. In C++ it needs the images, so there the functions take them as a last argument.
 #ifndef GHOST_SHARED_BEAM_H
 #define GHOST_SHARED_BEAM_H
 #include "shared/optics.h"
@@ -17,16 +17,19 @@
 #define WHEEL_COUNT(light) (light).wheel_count
 #define IS_SHAPED(light) ((light).shaped != 0u)
 #define IS_CUT(light) ((light).shaped > 1u)
+#define HAS_SLIDE(light) ((light).slide.layer != 0u)
 #else
 #define WITH_GOBOS
 #define PASS_GOBOS
 // A shader is compiled once per class of beams (shared/optics.h). What is not in use costs nothing: lavapipe runs a loop body at
 // least once, masked.
 layout(constant_id = 0) const uint kClass = 0u;
-#define WHEEL_COUNT(light) (kClass >= kPlanesClass ? (light).wheel_count : kClass)
-#define IS_SHAPED(light) (kClass >= kPlanesClass)
-#define IS_CUT(light) (kClass == kCutClass)
+#define WHEEL_COUNT(light) (is_shaped(kClass) ? (light).wheel_count : (kClass == kSlideClass ? 0u : kClass))
+#define IS_SHAPED(light) (is_shaped(kClass))
+#define IS_CUT(light) (kClass == kCutClass || kClass == kCutSlideClass)
+#define HAS_SLIDE(light) (kClass >= kSlideClass)
 vec3 gobo_sample(uint layer, vec2 gate, float blur);
+vec3 slide_sample(uint layer, vec2 place, float radius_texels);
 #endif
 
 SHARED_BEGIN
@@ -96,6 +99,45 @@ SHARED_FN float blades_share(Light light, vec2 gate, Focus focus) {
     return max(first - 1.0f, 0.0f) * max(second - 1.0f, 0.0f);
 }
 
+SHARED_FN vec3 slide_map(vec3 row_x, vec3 row_y, vec3 row_z, vec2 gate) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    vec3 way = vec3(gate, 1.0f);
+    vec3 at = vec3(dot(row_x, way), dot(row_y, way), max(dot(row_z, way), 1e-3f));
+    return vec3(at.x / at.z, at.y / at.z, at.z);
+}
+
+// Share of a rectangle of -1..1, blurred. scale: of the rectangle's units to the gate's, from the middle rows of its map.
+SHARED_FN float slide_frame(vec3 row_x, vec3 row_y, vec3 row_z, vec3 at, float blur) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float blur_z = blur / max(row_z.z, 1e-3f);
+    return beam_aperture(abs(at.x), 1.0f, blur_z * length(vec2(row_x.x, row_x.y))) *
+           beam_aperture(abs(at.y), 1.0f, blur_z * length(vec2(row_y.x, row_y.y)));
+}
+
+// What the panel of a video projector sends, as a share of its brightest corner's white.
+SHARED_FN vec3 slide_share(Light light, vec2 gate, float blur WITH_GOBOS) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    Slide slide = light.slide;
+    vec3 panel = slide_map(slide.panel[0], slide.panel[1], slide.panel[2], gate);
+    vec3 at = slide_map(slide.picture[0], slide.picture[1], slide.picture[2], gate);
+    // The panel lights a wall across its optical axis evenly.
+    float slant = sqrt(1.0f + light.tan_field * light.tan_field * dot(gate, gate)) / panel.z;
+    float black = slide.black * slide_frame(slide.panel[0], slide.panel[1], slide.panel[2], panel, blur);
+    // Two fades over each other add up to 1. Where none is wanted it is 1, also in the blur beyond the edge.
+    vec4 none = vec4(1.0f) - min(slide.blend, vec4(0.5f)) * 2.0f;
+    vec4 fade = clamp((vec4(at.x, -at.x, at.y, -at.y) + vec4(1.0f)) * slide.blend + none, vec4(0.0f), vec4(1.0f));
+    fade = fade * fade * (vec4(3.0f) - 2.0f * fade);
+    float share = slide_frame(slide.picture[0], slide.picture[1], slide.picture[2], at, blur) * fade.x * fade.y * fade.z * fade.w;
+    vec3 picture = slide_sample(slide.layer, vec2(at.x, at.y) * slide.extent, blur / slide.texel PASS_GOBOS);
+    return (vec3(black) + picture * (share * (1.0f - slide.black))) * (slant * slant * slant);
+}
+
 // What the gate lets through, relative to the open gate on the axis: profile, aperture, split colour, gobos, animation wheel and
 // blades at a gate position, each as blurred as its plane is.
 SHARED_FN vec3 beam_gate(Light light, vec2 gate, Focus focus WITH_GOBOS) {
@@ -113,6 +155,7 @@ SHARED_FN vec3 beam_gate(Light light, vec2 gate, Focus focus WITH_GOBOS) {
     for (uint k = 0u; k < WHEEL_COUNT(light); ++k)
         colour *= wheel_sample(light.wheel[k], gate,
                                blur_of(light, focus, IS_SHAPED(light) ? light.wheel[k].depth : 0.0f) PASS_GOBOS);
+    if (HAS_SLIDE(light)) colour *= slide_share(light, gate, blur_of(light, focus, 0.0f) PASS_GOBOS);
     if (IS_CUT(light) && light.disc.layer != 0u) colour *= disc_sample(light, gate, focus PASS_GOBOS);
     return colour;
 }

@@ -7,6 +7,9 @@
 #include "shared/types.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace ghost::shared {
@@ -15,7 +18,14 @@ inline constexpr int kGoboSize = 256;
 inline constexpr int kGoboLevels = 7; // 256 .. 4
 inline constexpr float kGoboBlurUnit = 2.0f / kGoboSize;
 
+// A moving picture as it is now: square, RGBA8 in sRGB with the primaries of Rec.709, level n averaged over 2^n texels. Empty: black.
+struct SlidePicture {
+    int side = 0;
+    std::shared_ptr<const std::vector<std::vector<std::uint8_t>>> levels;
+};
+
 struct Gobos {
+    std::vector<SlidePicture> slides; // C++ only: shaders have a texture of their own
     int layers = 0;
     // texels[level]: layers x side x side x RGBA, side = kGoboSize >> level.
     std::vector<std::uint8_t> texels[kGoboLevels];
@@ -57,6 +67,41 @@ inline vec3 gobo_sample(uint layer, vec2 gate, float blur, const Gobos& gobos) {
     const int high = std::min(low + 1, kGoboLevels - 1);
     const float f = level - static_cast<float>(low);
     return gobo_bilinear(gobos, low, layer, uv) * (1 - f) + gobo_bilinear(gobos, high, layer, uv) * f;
+}
+
+inline float slide_linear(std::uint8_t encoded) {
+    const float value = static_cast<float>(encoded) * (1.0f / 255.0f);
+    return value <= 0.04045f ? value * (1.0f / 12.92f) : std::pow((value + 0.055f) * (1.0f / 1.055f), 2.4f);
+}
+
+inline vec3 slide_bilinear(const SlidePicture& picture, std::size_t level, vec2 uv) {
+    const int side = std::max(picture.side >> level, 1);
+    const vec2 place = uv * static_cast<float>(side) - vec2(0.5f);
+    const vec2 corner = glm::floor(place);
+    const vec2 part = place - corner;
+    vec3 sum(0.0f);
+    for (int k = 0; k < 4; ++k) {
+        const int x = std::clamp(static_cast<int>(corner.x) + k % 2, 0, side - 1);
+        const int y = std::clamp(static_cast<int>(corner.y) + k / 2, 0, side - 1);
+        const std::uint8_t* t = &(*picture.levels)[level][4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(side) +
+                                                            static_cast<std::size_t>(x))];
+        sum += vec3(slide_linear(t[0]), slide_linear(t[1]), slide_linear(t[2])) *
+               ((k % 2 == 1 ? part.x : 1.0f - part.x) * (k / 2 == 1 ? part.y : 1.0f - part.y));
+    }
+    return sum;
+}
+
+// As slide_sample in shaders/gobo_texture.glsl.
+inline vec3 slide_sample(uint layer, vec2 place, float radius_texels, const Gobos& gobos) {
+    if (layer > gobos.slides.size() || !gobos.slides[layer - 1].levels) return vec3(0.0f);
+    const SlidePicture& picture = gobos.slides[layer - 1];
+    const vec2 uv = place * vec2(0.5f, -0.5f) + vec2(0.5f);
+    const float top = static_cast<float>(picture.levels->size() - 1);
+    const float level = std::clamp(std::log2(std::max(radius_texels, 1.0f)), 0.0f, top);
+    const auto low = static_cast<std::size_t>(level);
+    const std::size_t high = std::min(low + 1, picture.levels->size() - 1);
+    const vec3 rgb = glm::mix(slide_bilinear(picture, low, uv), slide_bilinear(picture, high, uv), level - static_cast<float>(low));
+    return glm::mat3(0.627404f, 0.069097f, 0.016391f, 0.329283f, 0.919540f, 0.088013f, 0.043313f, 0.011362f, 0.895595f) * rgb;
 }
 
 } // namespace ghost::shared

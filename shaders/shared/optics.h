@@ -9,13 +9,22 @@
 
 SHARED_BEGIN
 
-// Classes of beams: 0, 1 or 2 wheels and nothing else in the gate; planes at several depths; those and blades or a disc.
+// Classes of beams: 0, 1 or 2 wheels and nothing else in the gate; planes at several depths; those and blades or a disc; a moving
+// picture alone, and one among anything.
 SHARED_CONST uint kPlanesClass = 3u;
 SHARED_CONST uint kCutClass = 4u;
-SHARED_CONST uint kBeamClasses = 5u;
+SHARED_CONST uint kSlideClass = 5u;
+SHARED_CONST uint kCutSlideClass = 6u;
+SHARED_CONST uint kBeamClasses = 7u;
 
 SHARED_FN uint beam_class(Light light) {
-    return light.shaped == 0u ? light.wheel_count : (light.shaped == 1u ? kPlanesClass : kCutClass);
+    uint without = light.shaped == 0u ? light.wheel_count : (light.shaped == 1u ? kPlanesClass : kCutClass);
+    return light.slide.layer == 0u ? without : (without == 0u ? kSlideClass : kCutSlideClass);
+}
+
+// Its planes are not blurred alike.
+SHARED_FN bool is_shaped(uint kind) {
+    return kind == kPlanesClass || kind == kCutClass || kind == kCutSlideClass;
 }
 
 struct Focus {

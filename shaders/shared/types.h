@@ -63,6 +63,21 @@ struct Blade {
 };
 SHARED_SIZE(Blade, 16);
 
+// A picture in the gate of a video projector. Rows of two maps from the gate (x, y, 1): to its panel, which is all lit a little, and to the
+// picture on it; both are -1..1 across. The panel's are scaled by the cube root of what its brightest corner gets beyond the
+// axis, so that no share is above 1.
+struct Slide {
+    uint layer;       // of the pictures, + 1; 0: there is no slide
+    uint moment;      // number of the picture: another one makes another light
+    vec3 panel[3];
+    vec3 picture[3];
+    vec4 blend;       // 1 / (2 widths) of the fades at its left, right, bottom and top; 0: none
+    vec2 extent;      // of the picture in its square layer, shares of the layer
+    float black;      // share of full white that passes where the picture is black
+    float texel;      // of the layer, in gate units
+};
+SHARED_SIZE(Slide, 112);
+
 // What one fixture emits now. Gate coordinates: q = (along axis_u, along axis_v, along axis_w) from the apex;
 // (q.x, q.y) / (q.z tan_field) is 1 at the field angle.
 struct Light {
@@ -96,8 +111,9 @@ struct Light {
     uint map;              // its distance map: layer + 1; 0: nothing is in the way
     vec3 off_map_m;        // from where that map was made to position_m
     float disc_radius_m;   // of the luminous disc at the lens: how soft shadows are, how large the lens looks
+    Slide slide;           // in the plane of depth 0
 };
-SHARED_SIZE(Light, 328);
+SHARED_SIZE(Light, 440);
 
 // Homogeneous haze: extinction, scattering and the two-term Henyey-Greenstein phase function.
 struct Haze {

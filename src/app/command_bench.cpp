@@ -25,6 +25,7 @@ constexpr Table kTables[] = {
     {"samples", "Cost of a sample (Screen Space Re-Rendering, table 1)", bench_samples},
     {"optics", "Each optic of a profile, ten moving beams", bench_optics},
     {"paper", "The paper's scene: five spots with two gobos, five washes", bench_paper},
+    {"projectors", "The paper's figure 8: ten video projectors, two movies and a camera", bench_projectors},
     {"thesis", "The thesis's picture: 256x256, one spot", bench_thesis},
     {"integrators", "gate, cone and march in twelve views", bench_integrators},
     {"scale", "1 to 1000 moving lights, four picture sizes", bench_scale},

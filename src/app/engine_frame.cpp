@@ -110,6 +110,10 @@ void Engine::frame() {
         last_change_s_ = begin_s;
     }
 
+    // Films run with the recording, where it is shown.
+    const bool of_recording = input_->recording_s() > 0 && !input_->shows_desk();
+    session_->media_s = of_recording ? std::optional(input_->at_s()) : std::nullopt;
+    session_->show_media(air_s_ + dt_s);
     const bool baked = choose_baked(begin_s);
     const bool switched = baked != std::exchange(shows_baked_, baked);
     if (switched) frame_ = {};

@@ -34,6 +34,7 @@ LightMeter::LightMeter(const Session& session) : session_(session) {
 
 image::ImageF LightMeter::lux_picture(const scene::Lit& lit) {
     relighter_->set_air(air_of(*session_.show, 0));
+    relighter_->set_slides(session_.gobos.images.slides);
     relighter_->draw(lit);
     image::ImageF lux = luminance_of(relighter_->frame());
     const float even = even_lux(*session_.show);

@@ -2,6 +2,7 @@
 #include "app/reference_render.h"
 
 #include "app/interrupt.h"
+#include "app/media_player.h"
 #include "app/picture_writer.h"
 #include "app/recordings.h"
 #include "bake/reference.h"
@@ -61,8 +62,9 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
             scene::Severity::warning, show.file.string(),
             "camera '" + camera.name +
                 "' measures its exposure; the reference is developed at its ev100, or name one with --ev");
-    const scene::GoboStack gobos = scene::build_gobos(show, report);
+    scene::GoboStack gobos = scene::build_gobos(show, report);
     scene::check_prisms(show, report);
+    if (!show.media.empty()) MediaPlayer(show, gobos).show(std::max(at_s, 0.0), true, gobos, report);
     scene::Stage stage = scene::stage_with_bodies(show, report);
     print_report(report);
     scene::Rig rig(show);

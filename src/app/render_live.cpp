@@ -114,6 +114,7 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
         if (player) {
             const auto at_s = timecode->at_s(player->duration_s());
             if (at_s) universes = player->at(*at_s);
+            if (at_s) session.media_s = at_s;
             fresh = false; // of a recording nothing arrives
         }
         const Clock::time_point now = Clock::now();

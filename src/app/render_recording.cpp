@@ -49,6 +49,7 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
 
     if (player && static_cast<double>(first) / fps > end_s)
         log_warning("the recording ends at " + std::to_string(end_s) + " s; what is drawn is its last look");
+    session.media_waits = true;
     const scene::Camera start = session.show->cameras[session.camera];
     catch_interrupts();
     const auto now_s = [] {

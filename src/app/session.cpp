@@ -255,8 +255,17 @@ void Session::look_from(const scene::Camera& from) {
     relighter->set_exposure(options.ev100.value_or(from.ev100), from.auto_exposure && !options.ev100);
 }
 
+void Session::show_media(double time_s) {
+    if (!media) return;
+    const std::size_t before = report.messages.size();
+    media->show(media_s.value_or(time_s), media_waits, gobos, report);
+    print_report(report, before);
+    relighter->set_slides(gobos.images.slides);
+}
+
 render::FrameStatistics Session::draw(double time_s) {
     relighter->set_air(air_of(*show, is_uneven(*show) ? time_s : 0.0));
+    show_media(time_s);
     const double start_s = steady_now_s();
     std::vector<gpu::Span> spans;
     if (live) {
@@ -332,6 +341,8 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     }
     session->gobos = scene::build_gobos(*session->show, report);
     scene::check_prisms(*session->show, report);
+    if (!session->show->media.empty())
+        session->media = std::make_unique<MediaPlayer>(*session->show, session->gobos);
     print_report(report, printed);
     printed = report.messages.size();
 

@@ -4,6 +4,7 @@
 // than what they show), device and relighter. What render, bench and the window share. Main thread.
 
 #include "app/live_view.h"
+#include "app/media_player.h"
 #include "gpu/device.h"
 #include "render/relighter.h"
 #include "scene/gobos.h"
@@ -60,6 +61,11 @@ struct Session {
     scene::Passes passes; // without the light pictures, which are on the device
     scene::GoboStack gobos;
     std::unique_ptr<scene::Rig> rig;
+    std::unique_ptr<MediaPlayer> media; // null: the show has none
+    // Moment that moving pictures show, and whether a picture waits until they are at it (films that are not
+    // made live); nothing: draw's time.
+    std::optional<double> media_s;
+    bool media_waits = false;
     std::unique_ptr<gpu::Device> device;
     std::unique_ptr<LiveView> live; // or null: passes
     std::unique_ptr<render::Relighter> relighter;
@@ -68,6 +74,8 @@ struct Session {
     bool shadows = true;                           // live only
     SessionOptions options;                        // as it was opened
 
+    // Moves the moving pictures on to this time, or to media_s; draw does so, too.
+    void show_media(double time_s);
     // With the master, and without shadows where those are off.
     scene::Lit lit() const;
     // One frame of what the rig does now; time_s moves the haze. Live: heads turn, maps that were made

@@ -45,6 +45,47 @@ dvec3 bilinear(const shared::Gobos& gobos, std::size_t level, std::uint32_t laye
     return sum;
 }
 
+double decoded(std::uint8_t code) {
+    const double v = code / 255.0;
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+dvec3 slide_texel(const shared::SlidePicture& picture, std::size_t level, long x, long y) {
+    const long side = picture.side >> level;
+    const auto at =
+        static_cast<std::size_t>(std::clamp(y, 0L, side - 1) * side + std::clamp(x, 0L, side - 1)) * 4;
+    const std::uint8_t* rgba = &(*picture.levels)[level][at];
+    return {decoded(rgba[0]), decoded(rgba[1]), decoded(rgba[2])};
+}
+
+dvec3 slide_bilinear(const shared::SlidePicture& picture, std::size_t level, const dvec2& uv) {
+    const dvec2 place = uv * static_cast<double>(picture.side >> level) - 0.5;
+    const dvec2 corner = glm::floor(place), part = place - corner;
+    const long x = std::lround(corner.x), y = std::lround(corner.y);
+    return glm::mix(
+        glm::mix(slide_texel(picture, level, x, y), slide_texel(picture, level, x + 1, y), part.x),
+        glm::mix(slide_texel(picture, level, x, y + 1), slide_texel(picture, level, x + 1, y + 1), part.x),
+        part.y);
+}
+
+// A map of the gate: place, and the third coordinate it was divided by.
+dvec3 mapped(const glm::vec3 (&rows)[3], const dvec2& gate) {
+    const dvec3 way(gate, 1.0);
+    const double z = std::max(glm::dot(dvec3(rows[2]), way), 1e-3);
+    return {glm::dot(dvec3(rows[0]), way) / z, glm::dot(dvec3(rows[1]), way) / z, z};
+}
+
+// Share of the frame -1..1 of such a map that lets light pass, blurred.
+double framed(const glm::vec3 (&rows)[3], const dvec3& at, double blur) {
+    double share = 1.0;
+    for (int k = 0; k < 2; ++k) {
+        const double scale = std::hypot(static_cast<double>(rows[k].x), static_cast<double>(rows[k].y)) /
+                             std::max(static_cast<double>(rows[2].z), 1e-3);
+        share *= share_inside(std::abs(at[k]), 1.0, blur * scale);
+    }
+    return share;
+}
+
 double henyey_greenstein(double g, double cosine) {
     // The model's lobe is no sharper than this at its tip.
     const double base = std::max(1.0 + g * g - 2.0 * g * cosine, 1e-4);
@@ -106,6 +147,42 @@ dvec3 ReferenceBeam::gobo_colour(std::uint32_t layer, const dvec2& gate, double 
     return glm::mix(bilinear(gobos_, sharp, layer, uv), bilinear(gobos_, soft, layer, uv), level - below);
 }
 
+dvec3 ReferenceBeam::slide_colour(const dvec2& gate, double blur) const {
+    const shared::Slide& slide = light_.slide;
+    const dvec3 panel = mapped(slide.panel, gate), at = mapped(slide.picture, gate);
+    const double slope = static_cast<double>(light_.tan_field) * glm::length(gate);
+    // Rows of the panel are scaled by the cube root of its brightest corner: 1 / cosine from the optical
+    // axis, cubed.
+    const double even = std::pow(std::sqrt(1.0 + slope * slope) / panel.z, 3.0);
+    double share = framed(slide.picture, at, blur);
+    for (int k = 0; k < 4; ++k) {
+        if (slide.blend[k] == 0.0f) continue;
+        const double from_edge = (k % 2 == 0 ? at[k / 2] : -at[k / 2]) + 1.0;
+        const double t = std::clamp(from_edge * static_cast<double>(slide.blend[k]), 0.0, 1.0);
+        share *= (3.0 - 2.0 * t) * t * t;
+    }
+    dvec3 colour(0.0);
+    if (slide.layer <= gobos_.slides.size() && gobos_.slides[slide.layer - 1].levels) {
+        const shared::SlidePicture& picture = gobos_.slides[slide.layer - 1];
+        const dvec2 place = dvec2(at) * dvec2(slide.extent);
+        const dvec2 uv(0.5 + 0.5 * place.x, 0.5 - 0.5 * place.y);
+        const double top = static_cast<double>(picture.levels->size() - 1);
+        const double level =
+            std::clamp(std::log2(std::max(blur / static_cast<double>(slide.texel), 1.0)), 0.0, top);
+        const double below = std::floor(level);
+        const auto sharp = static_cast<std::size_t>(below);
+        const dvec3 rgb = glm::mix(
+            slide_bilinear(picture, sharp, uv),
+            slide_bilinear(picture, std::min(sharp + 1, picture.levels->size() - 1), uv), level - below);
+        // Rec.709 to Rec.2020 (ITU-R BT.2087).
+        colour = {0.6274 * rgb.r + 0.3293 * rgb.g + 0.0433 * rgb.b,
+                  0.0691 * rgb.r + 0.9195 * rgb.g + 0.0114 * rgb.b,
+                  0.0164 * rgb.r + 0.0880 * rgb.g + 0.8956 * rgb.b};
+    }
+    const double black = slide.black;
+    return even * (black * framed(slide.panel, panel, blur) + (1.0 - black) * share * colour);
+}
+
 dvec3 ReferenceBeam::wheel_colour(const shared::Wheel& wheel, const dvec2& gate, double blur) const {
     const double first_x = -static_cast<double>(wheel.shift) * kSlotPitch;
     const bool in_next = gate.x - first_x > 0.5 * kSlotPitch;
@@ -140,6 +217,7 @@ dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
         dvec3(light_.intensity_cd) * (shape * open) * glm::mix(dvec3(1.0), dvec3(light_.colour_b), side);
     for (std::uint32_t k = 0; k < std::min(light_.wheel_count, 3u); ++k)
         colour *= wheel_colour(light_.wheel[k], gate, blur_of(light_.wheel[k].depth));
+    if (light_.slide.layer != 0) colour *= slide_colour(gate, blur_of(0.0f));
     if (cut) colour *= disc_colour(gate, blur_of(light_.disc.depth));
     return colour;
 }

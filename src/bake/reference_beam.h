@@ -35,6 +35,7 @@ private:
     double slit(int first, const glm::dvec2& gate, double z_m) const;
     glm::dvec3 disc_colour(const glm::dvec2& gate, double blur) const;
     glm::dvec3 wheel_colour(const shared::Wheel& wheel, const glm::dvec2& gate, double blur) const;
+    glm::dvec3 slide_colour(const glm::dvec2& gate, double blur) const;
     glm::dvec3 gobo_colour(std::uint32_t layer, const glm::dvec2& gate, double blur) const;
 
     const shared::Light& light_;

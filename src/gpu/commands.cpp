@@ -176,6 +176,26 @@ void Commands::copy(const Texture& from, const Buffer& to) {
     barrier();
 }
 
+void Commands::copy(const Buffer& from, std::uint64_t offset, const Texture& to, std::uint32_t layer) {
+    constexpr std::uint64_t kTexelBytes = 4;
+    CHECK(to.shape().format == VK_FORMAT_R8G8B8A8_SRGB || to.shape().format == VK_FORMAT_R8G8B8A8_UNORM);
+    CHECK(layer < to.shape().layers);
+    std::vector<VkBufferImageCopy> regions;
+    for (std::uint32_t level = 0; level < to.shape().levels; ++level) {
+        VkBufferImageCopy region{};
+        region.bufferOffset = offset;
+        region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, layer, 1};
+        region.imageExtent = {std::max(to.shape().width >> level, 1u),
+                              std::max(to.shape().height >> level, 1u), 1};
+        offset += kTexelBytes * region.imageExtent.width * region.imageExtent.height;
+        regions.push_back(region);
+    }
+    CHECK(offset <= from.bytes());
+    vkCmdCopyBufferToImage(commands_, from.handle(), to.image(), VK_IMAGE_LAYOUT_GENERAL,
+                           static_cast<std::uint32_t>(regions.size()), regions.data());
+    barrier();
+}
+
 void Commands::copy(const Texture& from, const Texture& to, const std::vector<VkRect2D>& parts,
                     std::uint32_t from_layer, std::uint32_t to_layer) {
     CHECK(from.shape().format == to.shape().format && from.shape().samples == to.shape().samples);

@@ -118,6 +118,8 @@ public:
     void barrier();
     void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);
     void copy(const Texture& from, const Buffer& to); // level 0, layer 0, tightly packed
+    // Fills all levels of a layer, which stand one after the other, tightly packed, from the offset on.
+    void copy(const Buffer& from, std::uint64_t offset, const Texture& to, std::uint32_t layer);
     // Parts of an image of the same shape, every sample of a pixel; from a layer to a layer.
     void copy(const Texture& from, const Texture& to, const std::vector<VkRect2D>& parts,
               std::uint32_t from_layer = 0, std::uint32_t to_layer = 0);

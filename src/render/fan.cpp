@@ -23,11 +23,11 @@ constexpr float kCoarser = 1.2f;
 constexpr double kDeepInside = 0.7; // from here to the rim more and more rows lie where the beam is
 
 // Rows for a pixel of the beam's width where it is as far from the lamp as from the eye. An open beam has
-// no detail but its rim.
+// no detail but its rim; a moving picture counts as a gobo.
 constexpr float kOpenRows = 0.5f, kGoboRows = 2.0f;
 
 std::uint32_t size_of(const shared::Light& light, bool surrounds, float pixels_per_rad) {
-    const bool open = light.wheel_count == 0 && light.shaped == 0;
+    const bool open = light.wheel_count == 0 && light.shaped == 0 && light.slide.layer == 0;
     const float pixels = 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
     const float rows = std::ceil((open ? kOpenRows : kGoboRows) * pixels / kFanStep) * kFanStep;
     const bool large = surrounds || rows > 2.0f * shared::kFinestFan;
@@ -41,6 +41,7 @@ std::uint32_t size_of(const shared::Light& light, bool surrounds, float pixels_p
 // Depths of the planes that a shaped beam goes through.
 std::vector<float> depths_of(const shared::Light& light) {
     std::vector<float> depths{light.iris_depth};
+    if (light.slide.layer != 0) depths.push_back(0.0f);
     for (std::uint32_t k = 0; k < light.wheel_count; ++k) depths.push_back(light.wheel[k].depth);
     if (light.disc.layer != 0) depths.push_back(light.disc.depth);
     for (const shared::Blade& blade : light.blade)
@@ -156,8 +157,9 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
         set_nodes(fan, light);
         return fan;
     }
-    const float octaves = std::max(std::floor(std::log2(finest / shared::kGoboBlurUnit)), 0.0f);
-    fan.sharpest = light.wheel_count > 0 ? shared::kGoboBlurUnit * std::exp2(octaves) : finest;
+    const float texel = light.slide.layer != 0 ? light.slide.texel : shared::kGoboBlurUnit;
+    const float octaves = std::max(std::floor(std::log2(finest / texel)), 0.0f);
+    fan.sharpest = light.wheel_count > 0 || light.slide.layer != 0 ? texel * std::exp2(octaves) : finest;
     fan.levels = 1;
     // At its lens a beam is blurred over the whole gate.
     while (light.lens_radius_m > 0 && fan.levels < shared::kFanLevels &&

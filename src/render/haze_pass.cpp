@@ -45,18 +45,18 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
     const std::uint32_t single = batch_size == 1 ? 1 : 0;
     if (settings.beams != Beams::gate) {
         for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
-            samples_[kind] = gpu::LateProgram(
-                device, shaders::kShader_haze,
-                std::vector{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kUniform},
-                std::vector{kind, single, settings.uneven ? 1u : 0u});
+            samples_[kind] = gpu::LateProgram(device, shaders::kShader_haze,
+                                              std::vector{kSampled, kUniform, kUniform, kStorage, kStorage,
+                                                          kStored, kStored, kUniform, kSampled},
+                                              std::vector{kind, single, settings.uneven ? 1u : 0u});
             if (kind < shared::kPlanesClass) (void)samples_[kind].get();
         }
         return;
     }
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
-        fill_[kind] =
-            gpu::LateProgram(device, shaders::kShader_fan, std::vector{kSampled, kUniform, kUniform, kStored},
-                             std::vector{kind, single});
+        fill_[kind] = gpu::LateProgram(device, shaders::kShader_fan,
+                                       std::vector{kSampled, kUniform, kUniform, kStored, kSampled},
+                                       std::vector{kind, single});
         if (kind < shared::kPlanesClass) (void)fill_[kind].get();
     }
     for (std::uint32_t focus = 0; focus < gate_.size(); ++focus)
@@ -119,7 +119,7 @@ void HazePass::record_samples(gpu::Commands& commands, const LightChunk& chunk) 
                                     gpu::uniform(chunk.light_buffer, chunk.light_offset),
                                     gpu::storage(chunk.masks), gpu::storage(chunk.lists),
                                     gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn),
-                                    gpu::uniform(chunk.air)},
+                                    gpu::uniform(chunk.air), gpu::sampled(chunk.slides)},
                                    chunk.groups, chunk.haze_groups(push.batch));
         commands.barrier();
     }
@@ -129,7 +129,7 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     CHECK(fans_used_ + kChunkBytes <= fans_.bytes());
     const std::uint64_t offset = fans_used_;
     auto* fans = reinterpret_cast<shared::Fan*>(static_cast<std::uint8_t*>(fans_.mapped()) + offset);
-    const bool shaped = chunk.beam_class >= shared::kPlanesClass;
+    const bool shaped = shared::is_shaped(chunk.beam_class);
     bool focus = false;
     for (std::uint32_t k = 0; k < chunk.count(); ++k) {
         const shared::Fan fan =
@@ -159,7 +159,7 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
         commands.begin_span("fan");
         commands.dispatch(fill_[chunk.beam_class].get(), shared::FanPush{first},
                           {gpu::sampled(chunk.gobos), gpu::uniform(chunk.light_buffer, chunk.light_offset),
-                           gpu::uniform(fans_, offset), gpu::stored(table_)},
+                           gpu::uniform(fans_, offset), gpu::stored(table_), gpu::sampled(chunk.slides)},
                           (rows + kRowsPerGroup - 1) / kRowsPerGroup, lights);
         if (distance_maps_)
             commands.dispatch(*shade_fill_, shared::FanPush{first},

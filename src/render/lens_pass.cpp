@@ -132,9 +132,9 @@ LensPass::LensPass(const gpu::Device& device, const LensSettings& settings)
     : device_(device), settings_(settings) {
     if (!settings.on) return;
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
-        program_[kind] =
-            gpu::LateProgram(device, shaders::kShader_lens,
-                             std::vector{kSampled, kUniform, kStorage, kStored, kStored}, std::vector{kind});
+        program_[kind] = gpu::LateProgram(
+            device, shaders::kShader_lens,
+            std::vector{kSampled, kUniform, kStorage, kStored, kStored, kSampled}, std::vector{kind});
         if (kind < shared::kPlanesClass) (void)program_[kind].get();
     }
 }
@@ -181,7 +181,7 @@ void LensPass::upload() {
 
 void LensPass::record(gpu::Commands& commands, const Fragments& fragments, const shared::View& view,
                       const std::vector<scene::Face>& faces, const gpu::Texture& gobos,
-                      const gpu::Texture& frame) {
+                      const gpu::Texture& slides, const gpu::Texture& frame) {
     lens_values_.clear();
     list_values_.clear();
     chunks_.clear();
@@ -207,11 +207,11 @@ void LensPass::record(gpu::Commands& commands, const Fragments& fragments, const
     commands.begin_span("lenses");
     for (const Chunk& chunk : chunks_) {
         const shared::LensPush push{view.eye_m, blocks_x, view.width, view.height, chunk.first_block};
-        commands.dispatch(program_[chunk.beam_class].get(), push,
-                          {gpu::sampled(gobos),
-                           gpu::uniform(lenses_, chunk.first_lens * sizeof(shared::Lens)),
-                           gpu::storage(list_), gpu::stored(fragments.places), gpu::stored(frame)},
-                          chunk.blocks);
+        commands.dispatch(
+            program_[chunk.beam_class].get(), push,
+            {gpu::sampled(gobos), gpu::uniform(lenses_, chunk.first_lens * sizeof(shared::Lens)),
+             gpu::storage(list_), gpu::stored(fragments.places), gpu::stored(frame), gpu::sampled(slides)},
+            chunk.blocks);
         commands.barrier();
     }
 }

@@ -47,7 +47,8 @@ public:
 
     // Adds to layer 0 of frame, once a frame, after all lights are summed. faces: all of the show.
     void record(gpu::Commands& commands, const Fragments& fragments, const shared::View& view,
-                const std::vector<scene::Face>& faces, const gpu::Texture& gobos, const gpu::Texture& frame);
+                const std::vector<scene::Face>& faces, const gpu::Texture& gobos, const gpu::Texture& slides,
+                const gpu::Texture& frame);
 
     // Of the last record: cd/m^2 that the lenses of a pixel reach at most, together; lenses drawn.
     float brightest() const { return brightest_; }

@@ -21,6 +21,7 @@ struct LightChunk {
     std::uint32_t beam_class;                 // shared::beam_class
     const Fragments& fragments;
     const gpu::Texture& gobos;
+    const gpu::Texture& slides; // moving pictures
     const gpu::Texture& drawn;
     const gpu::Buffer& air; // shared::Air
     const gpu::Buffer& light_buffer;

@@ -107,9 +107,9 @@ void Relighter::make_surface_programs() {
     const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
     std::vector bindings{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kStored};
     if (g_buffer_)
-        bindings.insert(bindings.end(), {kSampled, kStored, kStored, kUniform, kSampled});
+        bindings.insert(bindings.end(), {kSampled, kStored, kStored, kUniform, kSampled, kSampled});
     else
-        bindings.push_back(kUniform);
+        bindings.insert(bindings.end(), {kUniform, kSampled});
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
         surface_[kind] =
             g_buffer_
@@ -199,6 +199,39 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
                                shared::kGoboLevels, VK_FORMAT_R8G8B8A8_UNORM, false, true});
     for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
         gobos_.write(level, gobos.texels[level].data(), gobos.texels[level].size());
+    make_slides(gobos.slides);
+}
+
+// A layer for each moving picture; where there is none, one that nothing reads.
+void Relighter::make_slides(const std::vector<shared::SlidePicture>& slides) {
+    gpu::TextureShape shape{1, 1, 1, 1, VK_FORMAT_R8G8B8A8_SRGB, false, true};
+    if (!slides.empty()) {
+        shape.width = shape.height = static_cast<std::uint32_t>(slides.front().side);
+        shape.layers = static_cast<std::uint32_t>(slides.size());
+        shape.levels = static_cast<std::uint32_t>(slides.front().levels->size());
+    }
+    slides_ = gpu::Texture(device_, shape);
+    shown_.assign(slides.size(), {});
+    slide_bytes_ = 0;
+    if (slides.empty()) return;
+    for (const std::vector<std::uint8_t>& level : *slides.front().levels) slide_bytes_ += level.size();
+    slides_upload_ = gpu::Buffer(device_, slide_bytes_ * slides.size(), gpu::Access::upload);
+    set_slides(slides);
+}
+
+void Relighter::set_slides(const std::vector<shared::SlidePicture>& slides) {
+    CHECK_EQ(slides.size(), shown_.size());
+    for (std::size_t k = 0; k < slides.size(); ++k) {
+        if (shown_[k].levels == slides[k].levels) continue;
+        CHECK_EQ(static_cast<std::uint32_t>(slides[k].side), slides_.shape().width);
+        CHECK_EQ(slides[k].levels->size(), slides_.shape().levels);
+        auto* to = static_cast<std::uint8_t*>(slides_upload_.mapped()) + k * slide_bytes_;
+        for (const std::vector<std::uint8_t>& level : *slides[k].levels)
+            to = std::copy(level.begin(), level.end(), to);
+        shown_[k] = slides[k];
+        if (std::find(new_slides_.begin(), new_slides_.end(), k) == new_slides_.end())
+            new_slides_.push_back(k);
+    }
 }
 
 // Last of all, in what memory is left.
@@ -259,6 +292,10 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
         haze_.begin_frame();
         commands_.begin();
         commands_.write(work_, std::vector<shared::FrameWork>(1));
+        if (!new_slides_.empty()) commands_.begin_span("slides");
+        for (const std::size_t k : new_slides_)
+            commands_.copy(slides_upload_, k * slide_bytes_, slides_, static_cast<std::uint32_t>(k));
+        new_slides_.clear();
         for (const ImageSum& sum : plan.sums) {
             for (const int slot : sum.addends) statistics.mended += mend(slot, lights);
             draw_sum(sum, lights);
@@ -292,7 +329,7 @@ void Relighter::develop(const std::vector<scene::Face>& faces) {
     const Fragments& f = fragments();
     if (settings_.lens.on) {
         commands_.begin_span("lenses");
-        lens_.record(commands_, f, f.camera, faces, gobos_, images_);
+        lens_.record(commands_, f, f.camera, faces, gobos_, slides_, images_);
     }
     if (glare_.on()) {
         commands_.begin_span("glare");

@@ -93,6 +93,9 @@ public:
     void set_quality(const HazeQuality& quality);
     // From the next frame on; automatic: measured, and ev100 is not used.
     void set_exposure(float ev100, bool automatic);
+    // The moving pictures now, as many and as large as those of the gobos that this was made with. Lights
+    // that show another one have another Slide::moment.
+    void set_slides(const std::vector<shared::SlidePicture>& slides);
     // The haze moved. Cheap where it is even.
     void set_air(const shared::Air& air);
 
@@ -109,6 +112,7 @@ private:
               const Settings& settings);
     void make_surface_programs();
     void upload(const shared::Gobos& gobos, std::uint64_t batches);
+    void make_slides(const std::vector<shared::SlidePicture>& slides);
     void make_images();
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
     int mend(int slot, const std::vector<shared::Light>& lights);
@@ -147,7 +151,11 @@ private:
     GlarePass glare_;
     mutable gpu::Commands commands_;
     gpu::Buffer air_, lights_, masks_, lists_, groups_, work_, work_read_, exposure_, pixels_;
-    gpu::Texture gobos_, images_, drawn_, picture_;
+    gpu::Texture gobos_, slides_, images_, drawn_, picture_;
+    gpu::Buffer slides_upload_;
+    std::vector<shared::SlidePicture> shown_; // what is in slides_, or on its way there
+    std::vector<std::size_t> new_slides_;     // those on their way
+    std::uint64_t slide_bytes_ = 0;           // of one, all levels
 };
 
 // Images that fit into a memory budget, at most what a full tree needs.

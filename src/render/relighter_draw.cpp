@@ -88,19 +88,9 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
     std::memcpy(static_cast<std::uint8_t*>(lights_.mapped()) + offset, lights.data(), bytes);
     lights_used_ += (bytes + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
 
-    const LightChunk chunk{lights,
-                           beam_class,
-                           fragments(),
-                           gobos_,
-                           drawn_,
-                           air_,
-                           lights_,
-                           offset,
-                           masks_,
-                           lists_,
-                           groups_,
-                           batch_size_,
-                           wide ? wide_.get() : nullptr};
+    const LightChunk chunk{
+        lights,  beam_class, fragments(), gobos_, slides_, drawn_,      air_,
+        lights_, offset,     masks_,      lists_, groups_, batch_size_, wide ? wide_.get() : nullptr};
     const Fragments& f = fragments();
     const shared::CullPush cull{chunk.count(),
                                 batch_size_,
@@ -145,9 +135,10 @@ void Relighter::record_surfaces(const LightChunk& chunk) {
         bindings.insert(bindings.end(),
                         {gpu::sampled(distances_ ? distances_->texture() : gobos_),
                          gpu::stored(g_buffer_->specular()), gpu::stored(g_buffer_->normals()),
-                         gpu::uniform(air_), gpu::sampled(distances_ ? distances_->nearest() : gobos_)});
+                         gpu::uniform(air_), gpu::sampled(distances_ ? distances_->nearest() : gobos_),
+                         gpu::sampled(slides_)});
     else
-        bindings.push_back(gpu::uniform(air_));
+        bindings.insert(bindings.end(), {gpu::uniform(air_), gpu::sampled(slides_)});
     commands_.begin_span("surfaces");
     shared::RelightPush push{chunk.count(), 0, f.tiles_x, chunk.tiles(), f.blocks, 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {

@@ -171,7 +171,8 @@ void set_gate(const fixture::Type& type, const fixture::Optics& optics, const Go
     light.iris_depth = optics.iris < kOpenIris ? kIrisDepth
                        : light.wheel_count > 0 ? light.wheel[0].depth
                                                : kGoboDepth[0];
-    bool one_plane = !has_disc && !has_blades;
+    const bool has_slide = light.slide.layer != 0; // in the plane of depth 0
+    bool one_plane = !has_disc && !has_blades && !(has_slide && light.iris_depth != 0.0f);
     for (std::uint32_t k = 0; k < light.wheel_count; ++k)
         one_plane = one_plane && light.wheel[k].depth == light.iris_depth;
     const bool no_lens = !(light.lens_radius_m > 0.0f);
@@ -189,7 +190,10 @@ void set_gate(const fixture::Type& type, const fixture::Optics& optics, const Go
     for (shared::Blade& blade : light.blade)
         if (blade.offset < kNoBlade) blade.offset /= pull;
     if (light.split < shared::kNoSplit) light.split /= pull;
-    light.shaped = has_disc || has_blades ? 2 : light.wheel_count > 2 || !(one_plane || no_lens) ? 1 : 0;
+    const bool slide_among = has_slide && (light.wheel_count > 0 || !(one_plane || no_lens));
+    light.shaped = has_disc || has_blades || slide_among              ? 2
+                   : light.wheel_count > 2 || !(one_plane || no_lens) ? 1
+                                                                      : 0;
     if (light.shaped != 0) return;
     light.disc = {};
     for (shared::Blade& blade : light.blade) blade = {};

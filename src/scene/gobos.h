@@ -3,6 +3,7 @@
 // The gobo stack of a show: every picture on the wheels of its fixtures, blurred as shaders/shared/gobos.h
 // says. Built once when a show is opened; values.
 
+#include "scene/media.h"
 #include "scene/show.h"
 #include "shared/gobos.h"
 
@@ -13,6 +14,7 @@ namespace ghost::scene {
 
 struct GoboStack {
     shared::Gobos images;
+    std::vector<MediaNow> showing; // what each of Show::media shows; its texels are images.slides
     // (type, index into Type::media) -> layer; what is not in here is open (layer 0).
     std::map<std::pair<const fixture::Type*, int>, std::uint32_t> layers;
 

@@ -32,11 +32,12 @@ vec3 apex_of(const fixture::BeamState& beam, const glm::mat4& to_world, const ve
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
                          const vec3& position_m, const GoboStack& gobos) {
     ProfileTable profiles;
-    return light_from(type, beam, to_world, position_m, gobos, profiles);
+    return light_from(type, beam, to_world, position_m, gobos, profiles, nullptr);
 }
 
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
-                         const vec3& position_m, const GoboStack& gobos, ProfileTable& profiles) {
+                         const vec3& position_m, const GoboStack& gobos, ProfileTable& profiles,
+                         const Projector* projector) {
     const fixture::Optics& optics = beam.optics;
     const fixture::Beam& source = *type.geometries[static_cast<std::size_t>(beam.geometry)].beam;
     const bool hard_edge =
@@ -80,19 +81,31 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         light.colour_b = slot_colour(type, source, *pair.b) / a;
         light.split = shared::kSlotSpacing * (0.5f - pair.shift);
     }
-    const float peak_cd = measured.open_sr > 0 ? source.luminous_flux_lm / measured.open_sr : 0.0f;
+    float open_sr = measured.open_sr, lumens = source.luminous_flux_lm;
+    const bool projects = projector && projector->media >= 0 &&
+                          static_cast<std::size_t>(projector->media) < gobos.showing.size();
+    if (projects) {
+        light.lens_radius_m = source.beam_radius_m;
+        open_sr = project(*projector, optics, gobos.showing[static_cast<std::size_t>(projector->media)],
+                          static_cast<std::uint32_t>(projector->media), light);
+        if (projector->lumens > 0) lumens = projector->lumens;
+    }
+    const float peak_cd = open_sr > 0 ? lumens / open_sr : 0.0f;
     light.intensity_cd = colour * (peak_cd * optics.lamp * optics.dimmer * optics.shutter);
 
     const float sigma = std::tan(glm::radians(optics.frost * optics.frost_full_deg)) / profile.tan_field;
     // Standard deviation of a disc, or of a Gaussian that is half at the beam angle.
     const float width =
         hard_edge ? 0.5f * iris : std::tan(0.5f * glm::radians(beam_deg)) / profile.tan_field / 1.17741f;
-    set_gate(type, optics, gobos, frost_pull(sigma, width), light);
-    light.bounce_cd =
-        light.intensity_cd * (measured.iris_sr / (4.0f * shared::kPi)) * gate_share(light, gobos.images);
+    set_gate(type, optics, gobos, projects ? 1.0f : frost_pull(sigma, width), light);
+    light.bounce_cd = light.intensity_cd * ((projects ? open_sr : measured.iris_sr) / (4.0f * shared::kPi)) *
+                      gate_share(light, gobos.images);
+    if (projects)
+        light.bounce_cd *=
+            picture_share(*projector, gobos.showing[static_cast<std::size_t>(projector->media)]);
     // Frost spreads what the gate lets through.
-    if (measured.sent_sr > 0) light.intensity_cd *= measured.iris_sr / measured.sent_sr;
-    light.haze_samples = light.wheel_count > 0 || light.shaped != 0 ? kGoboSamples : kOpenSamples;
+    if (!projects && measured.sent_sr > 0) light.intensity_cd *= measured.iris_sr / measured.sent_sr;
+    light.haze_samples = light.wheel_count > 0 || light.shaped != 0 || projects ? kGoboSamples : kOpenSamples;
     return light;
 }
 

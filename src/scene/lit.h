@@ -9,6 +9,7 @@
 #include "scene/emitters.h"
 #include "scene/gobos.h"
 #include "scene/photometry.h"
+#include "scene/projector.h"
 #include "shared/types.h"
 
 #include <vector>
@@ -42,11 +43,12 @@ struct Hung {
 };
 
 // What one beam of a fixture emits. to_world: of the fixture; position_m: the apex, see apex_of. profiles:
-// of beams before.
+// of beams before. projector: what it projects instead of a round field, null: nothing.
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
                          const glm::vec3& position_m, const GoboStack& gobos);
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
-                         const glm::vec3& position_m, const GoboStack& gobos, ProfileTable& profiles);
+                         const glm::vec3& position_m, const GoboStack& gobos, ProfileTable& profiles,
+                         const Projector* projector = nullptr);
 
 // The apex of a beam that turns about a place: on its axis, beside the place as far as its lens is.
 glm::vec3 apex_of(const fixture::BeamState& beam, const glm::mat4& to_world, const glm::vec3& place_m);
@@ -57,7 +59,7 @@ glm::vec3 hung_place_m(const Emitters& emitters, int place, const Hung& hung);
 // The face of every beam of a fixture.
 std::vector<Face> faces_of(const fixture::Type& type, const std::vector<fixture::BeamState>& beams,
                            const Emitters& emitters, const Hung& hung, const GoboStack& gobos,
-                           ProfileTable& profiles);
+                           ProfileTable& profiles, const Projector* projector = nullptr);
 
 // One light of its cells: candela and bounced light added, in the middle of them by their lumens at full,
 // as large as they are together. place_m: of its distance map.

@@ -3,6 +3,7 @@
 
 #include "fixture/patch.h"
 #include "scene/model_file.h"
+#include "scene/plot_media.h"
 #include "scene/plot_types.h"
 
 #include <algorithm>
@@ -72,7 +73,7 @@ class FixtureMaker {
 public:
     FixtureMaker(Show& show, const std::vector<SubstituteEntry>& substitutes, Report& report)
         : show_(show), loaded_(*show.plot), types_(*show.plot, show.folder, substitutes, report),
-          names_(show.fixtures) {}
+          report_(report), names_(show.fixtures) {}
 
     // index: of the object; called for every object in order, parents first.
     void visit(int index, bool adds) {
@@ -119,6 +120,9 @@ private:
         fixture.invert_tilt = device.invert_tilt;
         set_addresses(patch_addresses(loaded_.plot, object), fixture);
         place(object, fixture);
+        if (object.kind == ObjectKind::projector && fixture.type)
+            fixture.projector =
+                plot_projector(show_, object, *fixture.type, place_of(loaded_, object), report_);
         fixture_of_.back() = static_cast<int>(show_.fixtures.size());
         show_.fixtures.push_back(std::move(fixture));
     }
@@ -193,6 +197,7 @@ private:
     Show& show_;
     LoadedPlot& loaded_;
     PlotTypes types_;
+    Report& report_;
     Names names_;
     std::vector<glm::dmat4> worlds_; // per object, with child positions
     std::vector<int> fixture_of_;    // per object: Show::fixtures, or -1

@@ -90,6 +90,7 @@ Rig::Rig(const Show& show) : show_(show), track_(show.fixtures.size(), 0.0f), ai
     std::map<std::pair<const fixture::Type*, int>, std::shared_ptr<const Emitters>> known;
     for (const PatchedFixture& fixture : show.fixtures) {
         patches_.push_back(fixture.patch());
+        projectors_.push_back(fixture.projector);
         states_.push_back(fixture.type ? fixture::make_state(patches_.back()) : fixture::State{});
         auto& emitters = known[{fixture.type.get(), fixture.type ? fixture.mode : 0}];
         if (!emitters)
@@ -151,6 +152,7 @@ void Rig::step(const dmx::Universes& universes, double dt_s,
             fixture::apply(found->second, patches_[i], targets);
         }
         fixture::step(states_[i], patches_[i], targets, dt_s, show_.motion);
+        choose_medium(i, universes);
         const auto& track = show_.fixtures[i].track;
         if (!track) continue;
         const auto universe = static_cast<std::uint16_t>(track->universe);
@@ -158,6 +160,14 @@ void Rig::step(const dmx::Universes& universes, double dt_s,
             universes.level(universe, track->address) * 256 + universes.level(universe, track->address + 1);
         track_[i] = static_cast<float>(value) / 65535.0f * static_cast<float>(track->stops_m.size() - 1);
     }
+}
+
+void Rig::choose_medium(std::size_t fixture, const dmx::Universes& universes) {
+    const std::optional<Projector>& settings = show_.fixtures[fixture].projector;
+    if (!settings || settings->address == 0) return;
+    const int chosen = universes.level(static_cast<std::uint16_t>(settings->universe), settings->address);
+    const auto last = static_cast<int>(show_.media.size());
+    projectors_[fixture]->media = chosen == 0 ? settings->media : std::min(chosen, last) - 1;
 }
 
 Rig::Between Rig::between(std::size_t index) const {
@@ -177,7 +187,8 @@ Rig::Between Rig::between(std::size_t index) const {
 std::vector<Face> Rig::faces(std::size_t index, const Emitters& emitters, const Hung& hung,
                              const GoboStack& gobos, ProfileTable& profiles) const {
     const fixture::Type& type = *show_.fixtures[index].type;
-    std::vector<Face> faces = faces_of(type, states_[index].beams, emitters, hung, gobos, profiles);
+    std::vector<Face> faces =
+        faces_of(type, states_[index].beams, emitters, hung, gobos, profiles, projector_of(index));
     const auto manual = manual_.find(index);
     if (manual == manual_.end()) return faces;
     for (std::size_t k = 0; k < faces.size(); ++k) {

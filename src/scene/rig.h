@@ -70,11 +70,16 @@ private:
     void follow(std::size_t fixture, fixture::Targets& targets) const;
     std::vector<Face> faces(std::size_t fixture, const Emitters& emitters, const Hung& hung,
                             const GoboStack& gobos, ProfileTable& profiles) const;
+    void choose_medium(std::size_t fixture, const dmx::Universes& universes);
+    const Projector* projector_of(std::size_t fixture) const {
+        return projectors_[fixture] ? &*projectors_[fixture] : nullptr;
+    }
 
     const Show& show_;
     std::vector<fixture::Patch> patches_;
     std::vector<fixture::State> states_;
     std::vector<float> track_;
+    std::vector<std::optional<Projector>> projectors_;      // with the medium that the desk has chosen
     std::vector<std::shared_ptr<const Emitters>> emitters_; // one for all fixtures of a type and mode
     std::vector<std::optional<glm::vec3>> aims_;
     std::map<std::size_t, fixture::Manual> manual_, asked_; // of the last step

@@ -5,6 +5,7 @@
 #include "base/suggest.h"
 #include "fixture/load_type.h"
 #include "fixture/patch.h"
+#include "fixture/projector_type.h"
 #include "fixture/values.h"
 #include "scene/default_cameras.h"
 #include "scene/plot_show.h"
@@ -83,7 +84,10 @@ void load_types(ParsedShow& parsed, const std::string& file, Report& report) {
     for (std::size_t k = 0; k < parsed.show.fixtures.size(); ++k) {
         PatchedFixture& fixture = parsed.show.fixtures[k];
         const FixtureSource& source = parsed.sources[k];
-        if (fixture.gdtf.empty()) continue;
+        if (fixture.gdtf.empty()) {
+            if (fixture.projector) fixture.type = fixture::video_projector_type();
+            continue;
+        }
         fixture.type =
             library.find(parsed.show.folder / fixture.gdtf, file_line(file, source.gdtf_line), report);
         if (!fixture.type) continue;
@@ -183,6 +187,11 @@ void check_files(const ParsedShow& parsed, const std::string& file, Report& repo
     if (!show.recording.empty() && !is_file(show.recording))
         report.add(Severity::error, file_line(file, parsed.recording_line),
                    "[show] recording: " + missing_file(show.recording));
+    for (const Media& media : show.media)
+        if (media.kind == MediaKind::file && !is_file(media.file))
+            report.add(Severity::error, media.where,
+                       "[[media]] '" + media.name + "' file: " + missing_file(media.file) +
+                           " A test card is shown.");
     if (!show.plot_file.empty() && !is_file(show.plot_file))
         report.add(Severity::error, file_line(file, parsed.plot_line),
                    "[show] plot: " + missing_file(show.plot_file) + " Its fixtures and stage are missing.");

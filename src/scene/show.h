@@ -10,6 +10,7 @@
 #include "fixture/type.h"
 #include "scene/cues.h"
 #include "scene/overrides.h"
+#include "scene/projector.h"
 #include "scene/report.h"
 #include "scene/stage.h"
 #include "scene/tracking.h"
@@ -91,6 +92,7 @@ struct PatchedFixture {
     float home_pan_deg = 0;    // pose of the body in baked passes
     float home_tilt_deg = 0;
     std::optional<Track> track;
+    std::optional<Projector> projector; // a moving picture in its gate
     std::string fixture_id; // of the plot, as the desk calls it; "" where the show file has the fixture
     std::string uuid;       // of the plot's object, or ""
 
@@ -127,6 +129,8 @@ struct Show {
     std::vector<Camera> cameras;
     std::vector<PatchedFixture> fixtures;
     std::vector<Cue> cues;
+    std::vector<Media> media;
+    int media_side = kMediaSide;
     Tracking tracking;
     Stage stage; // the model as its file has it and all that the plot draws, without fixture bodies
 

@@ -2,10 +2,12 @@
 #include "scene/show_toml.h"
 
 #include "dmx/universes.h"
+#include "scene/media_toml.h"
 #include "scene/scene_toml.h"
 #include "scene/toml_reader.h"
 
 #include <algorithm>
+#include <bit>
 #include <map>
 #include <utility>
 
@@ -107,13 +109,14 @@ std::optional<Track> read_track(const toml::table& table, const std::string& sec
 }
 
 PatchedFixture read_fixture(TableReader& reader, const std::string& name, const std::string& file,
-                            FixtureSource& source, Report& report) {
+                            FixtureSource& source, Show& show, Report& report) {
     const std::string section = "[[fixture]] '" + name + "'";
     PatchedFixture fixture;
     fixture.name = name;
     source.line = reader.line();
     if (const auto gdtf = reader.text("gdtf")) fixture.gdtf = *gdtf;
-    if (!reader.has("gdtf")) reader.missing("gdtf", "the name of a .gdtf file; the fixture stays dark");
+    if (!reader.has("gdtf") && !reader.has("projector"))
+        reader.missing("gdtf", "the name of a .gdtf file; the fixture stays dark");
     source.gdtf_line = reader.line_of("gdtf");
     source.mode = reader.text("mode").value_or("");
     source.mode_line = reader.line_of("mode");
@@ -122,7 +125,7 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
     const auto address = reader.integer("address", 1, 512);
     fixture.address = address.value_or(0);
     source.address_line = reader.line_of("address");
-    if (!reader.has("address"))
+    if (!reader.has("address") && !reader.has("projector"))
         reader.problem(Severity::warning, "address",
                        "is missing: the fixture is not patched and keeps its defaults");
 
@@ -144,7 +147,16 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
     } else if (!reader.has("position_m")) {
         reader.missing("position_m", "where it hangs, [x, y, z]; it is at the origin");
     }
-    put(fixture.rotation_deg, reader.vec3("rotation_deg", 360));
+    const auto rotation = reader.vec3("rotation_deg", 360);
+    put(fixture.rotation_deg, rotation);
+    if (const toml::table* table = reader.table("projector")) {
+        std::optional<glm::vec3> target_m;
+        fixture.projector = read_projector(*table, section, file, show, target_m, report);
+        if (target_m) fixture.rotation_deg = rotation_towards(fixture.position_m, *target_m);
+        if (target_m && rotation)
+            reader.problem(Severity::warning, "rotation_deg",
+                           "is not used: target_m of the projector says it");
+    }
     if (const auto home = reader.numbers("home_deg", 2, -720, 720)) {
         fixture.home_pan_deg = static_cast<float>((*home)[0]);
         fixture.home_tilt_deg = static_cast<float>((*home)[1]);
@@ -180,6 +192,15 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
                                    "', expected \"machine\" (speed and inertia of the fixtures) or "
                                    "\"commanded\" (at once); it is \"machine\"");
         }
+        if (const auto side = reader.integer("media_px", 128, 2048)) {
+            if (std::has_single_bit(static_cast<unsigned>(*side)))
+                show.media_side = *side;
+            else
+                reader.problem(Severity::error, "media_px",
+                               "is " + std::to_string(*side) +
+                                   ", expected 128, 256, 512, 1024 or 2048; it is " +
+                                   std::to_string(show.media_side));
+        }
         const auto ambient = reader.number("ambient_lux", 0, kMaxAmbient_lux);
         put(show.ambient_lux, ambient);
         if (ambient) ambient_where = reader.where("ambient_lux");
@@ -191,6 +212,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
 
     show.tracking = read_tracking(top, file, report);
     show.cues = read_cues(top, file, report);
+    read_media(top, file, show, report);
     std::map<std::string, int> cameras;
     for (const toml::table* table : top.tables("camera", kMaxCameras)) {
         TableReader reader(*table, "[[camera]]", file, report);
@@ -205,7 +227,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
         TableReader reader(*table, "[[fixture]]", file, report);
         const std::string name = name_of(reader, "Fixture", show.fixtures.size() + 1, fixtures);
         parsed.sources.emplace_back();
-        show.fixtures.push_back(read_fixture(reader, name, file, parsed.sources.back(), report));
+        show.fixtures.push_back(read_fixture(reader, name, file, parsed.sources.back(), show, report));
         reader.finish();
     }
     for (const toml::table* table : top.tables("change", kMaxChanges)) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The two definitions of the light model, double (reference_beam.h) and float (shaders/shared), agree.
 #include "bake/reference_beam.h"
+#include "image/pyramid.h"
 #include "scene/gobos.h"
+#include "scene/projector.h"
 #include "test_stage.h"
 
 #include "shared/beam.h"
@@ -80,14 +82,33 @@ shared::Gobos two_gobos() {
     return gobos;
 }
 
+// A projector among other things in the gate.
+void put_slide(shared::Light& light, const image::Pyramid& picture, std::mt19937& random) {
+    std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
+    scene::Projector projector;
+    projector.throw_ratio = 0.8f + std::abs(unit(random));
+    projector.lens_shift = {0.5f * unit(random), 0.5f * unit(random)};
+    projector.keystone_deg = {20.0f * unit(random), 20.0f * unit(random)};
+    projector.contrast = 20;
+    for (int k = 0; k < 4; ++k) projector.blend[k] = std::max(0.3f * unit(random), 0.0f);
+    scene::project(projector, {}, {1, picture.extent, picture.mean, picture.side}, 0, light);
+    light.iris_radius = 0.5f + std::abs(unit(random));
+}
+
 TEST(ReferenceBeam, AgreesWithTheSharedOne) {
-    const shared::Gobos gobos = two_gobos();
+    shared::Gobos gobos = two_gobos();
+    image::Image8 film(64, 36, 4);
+    for (std::size_t k = 0; k < film.samples.size(); ++k)
+        film.samples[k] = k % 4 == 3 ? 255 : static_cast<std::uint8_t>((k / 32 * 7919) % 256);
+    const image::Pyramid picture = image::make_pyramid(film, 64);
+    gobos.slides.push_back({picture.side, picture.levels});
     std::mt19937 random(11);
     std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
     double worst = 0;
     int lit = 0;
     for (int k = 0; k < 2000; ++k) {
-        const shared::Light light = random_light(random, gobos.layers);
+        shared::Light light = random_light(random, gobos.layers);
+        if (k % 4 == 0) put_slide(light, picture, random);
         const ReferenceBeam beam(light, gobos);
         for (int n = 0; n < 50; ++n) {
             const float z = 0.05f + 10.0f * std::abs(unit(random));

@@ -33,7 +33,7 @@ TEST_F(Surfaces, BeamOnTheGpuIsTheBeamInCpp) {
     scene::Passes passes = white_wall(160, 90);
     const vec3 at(-1, -3, 6);
     add_pass(passes, at, [](const vec3&) { return vec3(1.0f); });
-    std::vector<shared::Light> kinds(7, aimed_light(at, {0.2f, 4, 2.6f}, 24, 5000));
+    std::vector<shared::Light> kinds(10, aimed_light(at, {0.2f, 4, 2.6f}, 24, 5000));
     kinds[1] = aimed_light(at, {0.2f, 4, 2.6f}, 30, 5000, false);
     put_gobo(kinds[2], 1, 30);
     put_gobo(kinds[3], 2, 0);
@@ -44,6 +44,21 @@ TEST_F(Surfaces, BeamOnTheGpuIsTheBeamInCpp) {
     kinds[5].colour_b = {0.2f, 1.5f, 0.1f};
     kinds[6].iris_radius = 0.35f;
     put_gobo(kinds[6], 3, 200);
+    scene::Projector
+        projector; // 7: sharp, 8: far out of focus, 9: all that a projector has, and an iris and a gobo
+    put_slide(kinds[7], projector);
+    put_slide(kinds[8], projector);
+    kinds[8].focus_per_m = 0.5f;
+    projector.lens_shift = {0.1f, -0.2f};
+    projector.keystone_deg = {10, -15};
+    projector.contrast = 50;
+    projector.blend = {0.1f, 0, 0.2f, 0.3f};
+    put_slide(kinds[9], projector);
+    put_gobo(kinds[9], 1, 30);
+    kinds[9].iris_radius = 0.6f;
+    kinds[9].iris_depth = 0.05f;
+    kinds[9].shaped = 2;
+    for (shared::Blade& blade : kinds[9].blade) blade.offset = 8;
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
         SCOPED_TRACE("kind " + std::to_string(kind));
         const image::ImageF picture = drawn(passes, {kinds[kind]}, clear_air());
@@ -57,8 +72,10 @@ TEST_F(Surfaces, BeamOnTheGpuIsTheBeamInCpp) {
         std::printf("beam kind %zu: bias %.4f %%, worst %.3f %% of the peak\n", kind,
                     100 * difference.mean_bias, 100 * difference.worst);
         // Texture units have 8 bits for the place between two texels.
-        EXPECT_LT(difference.worst, kinds[kind].wheel_count > 0 ? 0.015 : 0.002);
-        EXPECT_LT(std::abs(difference.mean_bias), 0.001);
+        EXPECT_LT(difference.worst,
+                  kinds[kind].wheel_count > 0 || kinds[kind].slide.layer > 0 ? 0.015 : 0.002);
+        // The device decodes sRGB a bit darker than the formula.
+        EXPECT_LT(std::abs(difference.mean_bias), kinds[kind].slide.layer > 0 ? 0.002 : 0.001);
     }
 }
 

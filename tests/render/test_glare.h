@@ -76,7 +76,7 @@ public:
         gpu::Commands commands(device());
         commands.begin();
         commands.clear(frame_);
-        lenses_.record(commands, images_.fragments, view_, faces, gobo_texture(), frame_);
+        lenses_.record(commands, images_.fragments, view_, faces, gobo_texture(), gobo_texture(), frame_);
         glare_.record(commands, frame_, lenses_.brightest(), pixels_per_rad(view_));
         commands.submit_and_wait();
     }

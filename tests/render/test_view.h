@@ -3,9 +3,11 @@
 // Hand-made passes, gobos and lights for the tests of the relighter; one device, with validation, for all of
 // them.
 
+#include "image/pyramid.h"
 #include "render/relighter.h"
 #include "scene/gobos.h"
 #include "scene/photometry.h"
+#include "scene/projector.h"
 #include "scene/show.h"
 
 #include <algorithm>
@@ -128,7 +130,35 @@ inline void put_gobo(shared::Light& light, std::uint32_t layer, float turn_deg =
     light.haze_samples = 10;
 }
 
-// Layer 1: a chequered picture, layer 2: dots, layer 3: bars in colours.
+// A moving picture as it stands now: squares in colours, round ones among them.
+inline const image::Pyramid& test_slide() {
+    static const image::Pyramid made = [] {
+        image::Image8 picture(256, 144, 4);
+        for (int y = 0; y < 144; ++y)
+            for (int x = 0; x < 256; ++x) {
+                const bool round = std::hypot(x % 48 - 24, y % 48 - 24) < 17;
+                const int square = x / 32 + 3 * (y / 36);
+                std::uint8_t* t = picture.at(x, y);
+                t[0] = round ? 255 : square % 3 == 0 ? 220 : 10;
+                t[1] = round ? 230 : square % 3 == 1 ? 200 : 40;
+                t[2] = square % 3 == 2 ? 240 : 30;
+                t[3] = 255;
+            }
+        return image::make_pyramid(picture, 256);
+    }();
+    return made;
+}
+
+// What a video projector with that picture makes of a light.
+inline void put_slide(shared::Light& light, const scene::Projector& settings = {}) {
+    fixture::Optics optics;
+    optics.zoom_deg = 2.0f * glm::degrees(std::atan(light.tan_field));
+    const scene::MediaNow now{1, test_slide().extent, test_slide().mean, test_slide().side};
+    scene::project(settings, optics, now, 0, light);
+    light.haze_samples = 10;
+}
+
+// Layer 1: a chequered picture, layer 2: dots, layer 3: bars in colours; and the moving picture.
 inline const shared::Gobos& test_gobos() {
     static const shared::Gobos gobos = [] {
         shared::Gobos made;
@@ -149,6 +179,7 @@ inline const shared::Gobos& test_gobos() {
                 }
             scene::append_gobo(made, rgba.data(), 256, 256);
         }
+        made.slides.push_back({test_slide().side, test_slide().levels});
         return made;
     }();
     return gobos;

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "video/movie.h"
+
+#include "base/files.h"
+#include "test_films.h"
+#include "video/camera.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+}
+
+namespace ghost::video {
+namespace {
+
+using MovieTest = WithFilms;
+
+// A film of the pictures 0, 1, .. at these moments (milliseconds), by FFmpeg itself.
+void make_uneven(const std::filesystem::path& path, const std::vector<int>& at_ms, int last_ms) {
+    AVFormatContext* file = nullptr;
+    ASSERT_GE(avformat_alloc_output_context2(&file, nullptr, "matroska", path.c_str()), 0);
+    AVStream* stream = avformat_new_stream(file, nullptr);
+    AVCodecContext* codec = avcodec_alloc_context3(avcodec_find_encoder(AV_CODEC_ID_MPEG4));
+    codec->width = kBits * kBarWidth;
+    codec->height = kTestHeight;
+    codec->time_base = {1, 1000};
+    codec->pix_fmt = AV_PIX_FMT_YUV420P;
+    codec->bit_rate = 4'000'000;
+    codec->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+    ASSERT_GE(avcodec_open2(codec, nullptr, nullptr), 0);
+    avcodec_parameters_from_context(stream->codecpar, codec);
+    stream->time_base = codec->time_base;
+    ASSERT_GE(avio_open(&file->pb, path.c_str(), AVIO_FLAG_WRITE), 0);
+    ASSERT_GE(avformat_write_header(file, nullptr), 0);
+    AVPacket* packet = av_packet_alloc();
+    AVFrame* frame = av_frame_alloc();
+    frame->format = codec->pix_fmt;
+    frame->width = codec->width;
+    frame->height = codec->height;
+    av_frame_get_buffer(frame, 0);
+    const auto drain = [&] {
+        while (avcodec_receive_packet(codec, packet) == 0) {
+            const auto at = std::find(at_ms.begin(), at_ms.end(), static_cast<int>(packet->pts));
+            packet->duration = (at + 1 < at_ms.end() ? *(at + 1) : last_ms) - *at;
+            av_packet_rescale_ts(packet, codec->time_base, stream->time_base);
+            av_interleaved_write_frame(file, packet);
+        }
+    };
+    for (std::size_t k = 0; k < at_ms.size(); ++k) {
+        av_frame_make_writable(frame);
+        for (int y = 0; y < codec->height; ++y)
+            for (int x = 0; x < codec->width; ++x)
+                frame->data[0][y * frame->linesize[0] + x] = (k >> (x / kBarWidth)) % 2 ? 235 : 16;
+        for (int plane : {1, 2})
+            for (int y = 0; y < codec->height / 2; ++y)
+                std::fill_n(frame->data[plane] + y * frame->linesize[plane], codec->width / 2,
+                            std::uint8_t{128});
+        frame->pts = at_ms[k];
+        avcodec_send_frame(codec, frame);
+        drain();
+    }
+    avcodec_send_frame(codec, nullptr);
+    drain();
+    av_write_trailer(file);
+    avio_closep(&file->pb);
+    av_frame_free(&frame);
+    av_packet_free(&packet);
+    avcodec_free_context(&codec);
+    avformat_free_context(file);
+}
+
+int newest_number(const Movie& movie, Movie::Which which = Movie::Which::newest) {
+    const glm::ivec2 size = image::fitted(movie.width(), movie.height(), 128);
+    const auto picture = movie.picture(which, size.x, size.y);
+    EXPECT_TRUE(picture.ok());
+    return picture.ok() ? number_of(image::make_pyramid(*picture, 128)) : -2;
+}
+
+TEST_F(MovieTest, EveryPictureAtItsTime) {
+    const auto movie = Movie::open(film("film.mp4", 60));
+    ASSERT_TRUE(movie.ok()) << movie.error().text();
+    EXPECT_NEAR((*movie)->duration_s(), 60.0 / 25, 1e-6);
+    EXPECT_EQ((*movie)->width(), 160);
+    for (int k = 0; k < 60; ++k) {
+        const auto at_s = (*movie)->next();
+        ASSERT_TRUE(at_s.ok() && at_s->has_value()) << k;
+        EXPECT_NEAR(**at_s, k / 25.0, 1e-6);
+        EXPECT_EQ(newest_number(**movie), k);
+        if (k > 0) {
+            EXPECT_EQ(newest_number(**movie, Movie::Which::before), k - 1);
+        }
+    }
+    EXPECT_FALSE((*movie)->next()->has_value());
+    EXPECT_EQ((*movie)->damaged(), 0);
+}
+
+TEST_F(MovieTest, SearchesBackAndForth) {
+    const auto movie = Movie::open(film("film.mp4", 250));
+    ASSERT_TRUE(movie.ok());
+    for (const double at_s : {9.5, 0.0, 3.3, 3.2, 9.9, 1.0}) {
+        ASSERT_TRUE((*movie)->seek(at_s).ok());
+        std::optional<double> last;
+        for (;;) {
+            const auto next = (*movie)->next();
+            ASSERT_TRUE(next.ok() && next->has_value());
+            if (!last) {
+                EXPECT_LE(**next, at_s + 1e-6); // one at this moment or before
+            }
+            last = **next;
+            if (*last + 1 / 25.0 > at_s + 1e-6) break;
+        }
+        EXPECT_EQ(newest_number(**movie), static_cast<int>(at_s * 25 + 1e-3)) << at_s;
+    }
+}
+
+TEST_F(MovieTest, UnevenTimesAreTheFiles) {
+    const std::vector<int> at_ms{0, 100, 150, 1000, 1020, 2500};
+    make_uneven(folder / "uneven.mkv", at_ms, 3000);
+    const auto movie = Movie::open(folder / "uneven.mkv");
+    ASSERT_TRUE(movie.ok()) << movie.error().text();
+    EXPECT_NEAR((*movie)->duration_s(), 3.0, 0.02);
+    for (std::size_t k = 0; k < at_ms.size(); ++k) {
+        const auto at_s = (*movie)->next();
+        ASSERT_TRUE(at_s.ok() && at_s->has_value());
+        EXPECT_NEAR(**at_s, at_ms[k] / 1000.0, 1e-6);
+        EXPECT_EQ(newest_number(**movie), static_cast<int>(k));
+    }
+}
+
+// Each is an error that names the file; none of them hangs or crashes.
+TEST_F(MovieTest, WhatIsNoFilmIsSaid) {
+    const auto expect_error = [&](const std::string& name, std::string_view part) {
+        const auto movie = Movie::open(folder / name);
+        ASSERT_FALSE(movie.ok()) << name;
+        EXPECT_NE(movie.error().text().find(name), std::string::npos) << movie.error().text();
+        EXPECT_NE(movie.error().text().find(part), std::string::npos) << movie.error().text();
+    };
+    expect_error("missing.mp4", "No such file");
+    ASSERT_TRUE(write_file_atomic(folder / "empty.mp4", std::string()).ok());
+    expect_error("empty.mp4", "cannot be opened");
+    ASSERT_TRUE(write_file_atomic(folder / "text.mp4", std::string(5000, 'x')).ok());
+    expect_error("text.mp4", "cannot be opened");
+    // A list of addresses: not followed.
+    ASSERT_TRUE(
+        write_file_atomic(folder / "list.m3u8", std::string("#EXTM3U\n#EXT-X-TARGETDURATION:5\n#EXTINF:5,\n"
+                                                            "http://127.0.0.1:9/a.ts\n#EXT-X-ENDLIST\n"))
+            .ok());
+    EXPECT_FALSE(Movie::open(folder / "list.m3u8").ok());
+    // A codec that nobody has.
+    const auto bytes = read_file(film("good.mp4", 10), 1 << 24);
+    ASSERT_TRUE(bytes.ok());
+    std::string odd(bytes->begin(), bytes->end());
+    for (const std::string_view code : {"avc1", "mp4v"})
+        for (std::size_t at = odd.find(code, 64); at != std::string::npos; at = odd.find(code, at + 1))
+            odd.replace(at, 4, "qqqq");
+    ASSERT_TRUE(write_file_atomic(folder / "odd.mp4", odd).ok());
+    expect_error("odd.mp4", "cannot");
+    // No picture at all.
+    auto none = FilmWriter::create(folder / "none.mp4", 64, 64, 25);
+    ASSERT_TRUE(none.ok());
+    if ((*none)->finish().ok()) expect_error("none.mp4", "none.mp4");
+}
+
+// Cut anywhere, or with garbage in its middle: an error, or the pictures that are left.
+TEST_F(MovieTest, DamagedFilmsEnd) {
+    const auto bytes = read_file(film("good.mp4", 50), 1 << 24);
+    ASSERT_TRUE(bytes.ok());
+    const std::string whole(bytes->begin(), bytes->end());
+    int opened = 0, shown = 0;
+    for (int part = 1; part < 40; ++part) {
+        std::string bad = whole;
+        const std::size_t at = whole.size() * static_cast<std::size_t>(part) / 40;
+        if (part % 2)
+            bad.resize(at);
+        else
+            for (std::size_t k = at; k < std::min(at + 300, bad.size()); ++k)
+                bad[k] = static_cast<char>(k * 37);
+        ASSERT_TRUE(write_file_atomic(folder / "bad.mp4", bad).ok());
+        const auto movie = Movie::open(folder / "bad.mp4");
+        if (!movie.ok()) continue;
+        ++opened;
+        for (int k = 0; k < 200; ++k) {
+            const auto next = (*movie)->next();
+            if (!next.ok() || !next->has_value()) break;
+            EXPECT_LT(k, 199);
+            shown += (*movie)->picture(Movie::Which::newest, 64, 32).ok() ? 1 : 0;
+        }
+    }
+    EXPECT_GT(opened, 5);
+    EXPECT_GT(shown, 100);
+}
+
+TEST_F(MovieTest, CameraPictures) {
+    // Two pixels: white and black, then red (ITU-R BT.601, 8 bit).
+    const std::array<std::uint8_t, 8> bytes{235, 128, 16, 128, 81, 90, 81, 240};
+    const auto picture = picture_from_yuyv(bytes.data(), bytes.size(), 4, 1, 8);
+    ASSERT_TRUE(picture.ok());
+    EXPECT_EQ(picture->at(0, 0)[1], 255);
+    EXPECT_EQ(picture->at(1, 0)[1], 0);
+    EXPECT_NEAR(picture->at(2, 0)[0], 254, 2);
+    EXPECT_NEAR(picture->at(2, 0)[1], 0, 2);
+    EXPECT_FALSE(picture_from_yuyv(bytes.data(), 7, 4, 1, 8).ok());
+    EXPECT_FALSE(picture_from_yuyv(bytes.data(), 8, 3, 1, 8).ok());
+    for (const char* device : {"/dev/null", "/dev/no_such_camera"}) {
+        const auto camera = Camera::open(device);
+        ASSERT_FALSE(camera.ok());
+        EXPECT_NE(camera.error().text().find(device), std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace ghost::video

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "video/source.h"
+
+#include "image/ldr.h"
+#include "test_films.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <random>
+#include <thread>
+
+namespace ghost::video {
+namespace {
+
+using SourceTest = WithFilms;
+constexpr double kPatience_s = 60; // never used up but by a fault
+
+double now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+SourceSettings of(const std::filesystem::path& path, SourceKind kind = SourceKind::file) {
+    SourceSettings settings;
+    settings.name = "test";
+    settings.kind = kind;
+    settings.path = path;
+    settings.side = 128;
+    return settings;
+}
+
+int number_at(Source& source, double show_s) {
+    const auto picture = source.wait_for(show_s, kPatience_s);
+    return picture ? number_of(picture->pyramid) : -2;
+}
+
+// A clock of its own: at every moment exactly the picture whose time has come, 60 rounds of a film of ten
+// seconds long.
+TEST_F(SourceTest, TenMinutesWithoutDrift) {
+    Source source(of(film("film.mp4", 250)));
+    int wrong = 0, looked = 0;
+    for (int k = 0; k < 600 * 25; k += 7, ++looked) {
+        const double at_s =
+            (k + (looked % 2 ? 0.001 : 0.999)) / 25.0; // just after it is due, just before the next one
+        if (number_at(source, at_s) != k % 250) ++wrong;
+    }
+    EXPECT_EQ(wrong, 0) << "of " << looked;
+    EXPECT_TRUE(source.take_messages().empty());
+}
+
+TEST_F(SourceTest, JumpsAnywhere) {
+    Source source(of(film("film.mp4", 250)));
+    std::mt19937 random(4);
+    for (int n = 0; n < 60; ++n) {
+        const int k = static_cast<int>(random() % 2000);
+        EXPECT_EQ(number_at(source, (k + 0.5) / 25), k % 250) << n;
+    }
+}
+
+TEST_F(SourceTest, BeginsWhenItShallAndEndsAtItsLastPicture) {
+    SourceSettings settings = of(film("film.mp4", 50));
+    settings.loop = false;
+    settings.start_s = 100;
+    Source source(settings);
+    EXPECT_EQ(number_at(source, 0), 0);
+    EXPECT_EQ(number_at(source, 99.9), 0);
+    EXPECT_EQ(number_at(source, 101.02), 25);
+    EXPECT_EQ(number_at(source, 500), 49);
+    EXPECT_EQ(number_at(source, 100.5), 12);
+    EXPECT_EQ(number_at(source, 103), 49);
+}
+
+// Live: asking takes no time, whatever the worker does, and never shows a picture from the future for long.
+TEST_F(SourceTest, AskingNeverWaits) {
+    Source source(of(film("film.mp4", 250)));
+    ASSERT_TRUE(source.wait_for(0, kPatience_s));
+    double longest_s = 0;
+    int shown = 0;
+    for (int n = 0; n < 300; ++n) {
+        const double begin_s = now_s();
+        shown += source.at(n * 3.7) ? 1 : 0; // each a jump
+        longest_s = std::max(longest_s, now_s() - begin_s);
+    }
+    EXPECT_EQ(shown, 300);
+    EXPECT_LT(longest_s,
+              0.25); // a search takes longer than a lock; a busy machine may take the processor away
+}
+
+// In real time the picture is the newest one, or at most one before.
+TEST_F(SourceTest, InRealTimeItIsAtMostAPictureLate) {
+    Source source(of(film("film.mp4", 250)));
+    ASSERT_TRUE(source.wait_for(0, kPatience_s));
+    const double begin_s = now_s();
+    int late = 0, looked = 0;
+    for (double at_s = 0; at_s < 4; at_s = now_s() - begin_s, ++looked) {
+        const auto picture = source.at(at_s);
+        const double due = std::floor(at_s * 25) / 25;
+        if (picture->from_s < due - 1.5 / 25) ++late;
+        std::this_thread::sleep_for(std::chrono::milliseconds(15));
+    }
+    EXPECT_LE(late, looked / 20) << "of " << looked;
+}
+
+TEST_F(SourceTest, WhatCannotBeShownIsSaidAndSeen) {
+    Source source(of(folder / "missing.mp4"));
+    const auto picture = source.wait_for(3, kPatience_s);
+    ASSERT_TRUE(picture);
+    EXPECT_TRUE(picture->stand_in);
+    const std::vector<std::string> messages = source.take_messages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages[0].find("'test'"), std::string::npos);
+    EXPECT_NE(messages[0].find("missing.mp4"), std::string::npos);
+    film("missing.mp4", 50); // now it is there
+    const double until_s = now_s() + 30;
+    while (source.at(0.5)->stand_in && now_s() < until_s)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(number_at(source, 0.5), 12);
+}
+
+// A file in the place of a camera: it runs as fast as its time stamps say, ends as if it were pulled out, and
+// comes back.
+TEST_F(SourceTest, ACameraGoesAndComes) {
+    Source source(of(folder / "camera.mp4", SourceKind::camera));
+    const auto wait_until = [&](bool stand_in) {
+        const double until_s = now_s() + 30;
+        for (;;) {
+            const auto picture = source.at(0);
+            if (picture && picture->stand_in == stand_in) return true;
+            if (now_s() > until_s) return false;
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        }
+    };
+    EXPECT_TRUE(wait_until(true)); // there is none yet
+    film("camera.mp4", 25);
+    EXPECT_TRUE(wait_until(false)); // plugged in
+    const double begin_s = now_s();
+    EXPECT_GE(number_of(source.at(0)->pyramid), 0);
+    EXPECT_TRUE(wait_until(true));     // pulled out
+    EXPECT_GT(now_s() - begin_s, 0.7); // a second of pictures takes a second
+    EXPECT_TRUE(wait_until(false));    // and in again
+    EXPECT_GE(source.take_messages().size(), 3u);
+}
+
+TEST_F(SourceTest, StillsAndCards) {
+    image::Image8 red(32, 18, 4);
+    for (std::size_t k = 0; k < red.samples.size(); ++k) red.samples[k] = k % 4 == 0 || k % 4 == 3 ? 255 : 0;
+    ASSERT_TRUE(image::write_png(folder / "red.png", red).ok());
+    Source still(of(folder / "red.png"));
+    const auto picture = still.wait_for(5, kPatience_s);
+    ASSERT_TRUE(picture);
+    EXPECT_FALSE(picture->stand_in);
+    EXPECT_EQ(picture->pyramid.mean, glm::vec3(1, 0, 0));
+    EXPECT_EQ(still.wait_for(99, kPatience_s)->number, picture->number);
+    SourceSettings card = of({}, SourceKind::card);
+    card.card = "white";
+    Source white(card);
+    EXPECT_EQ(white.wait_for(0, kPatience_s)->pyramid.mean, glm::vec3(1.0f));
+}
+
+// Sources that come and go leave no thread behind that hangs.
+TEST_F(SourceTest, EndsAtOnce) {
+    const std::filesystem::path path = film("film.mp4", 100);
+    for (int n = 0; n < 20; ++n) {
+        Source source(of(path));
+        (void)source.at(n * 0.4);
+    }
+    SUCCEED();
+}
+
+} // namespace
+} // namespace ghost::video
