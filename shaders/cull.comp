@@ -22,6 +22,21 @@ vec3 gobo_sample(uint layer, vec2 gate, float blur) { return vec3(1.0); }
 
 const uint kStretches = 3u; // of a bundle of rays, each four times as far as the one before
 
+// The panel of a projector fills half of its cone: is all of a line of the gate, and what lies within room_m of it, beside it?
+bool beside_panel(Light light, vec3 a, vec3 b, float room_m) {
+    float z = max(a.z, b.z);
+    // What is out of focus spreads as wide as the lens, at its own distance from the focus.
+    room_m += light.lens_radius_m * (1.0 + max(z, 0.0) * light.focus_per_m) + 2.0 * light.edge * light.tan_field * max(z, 0.0);
+    vec3 per = vec3(vec2(1.0 / light.tan_field), 1.0);
+    bool beside = false;
+    for (uint k = 0u; k < 4u; ++k) {
+        vec3 side = (k < 2u ? light.slide.panel[0] : light.slide.panel[1]) * ((k & 1u) == 0u ? 1.0 : -1.0);
+        vec3 outwards = (side - light.slide.panel[2]) * per;
+        beside = beside || min(dot(outwards, a), dot(outwards, b)) > room_m * length(outwards);
+    }
+    return light.slide.layer != 0u && beside;
+}
+
 void main() {
     uint tile = gl_GlobalInvocationID.x;
     if (tile >= p.tiles + p.blocks) return;
@@ -56,8 +71,9 @@ void main() {
             bool lit = max(light.intensity_cd.x, max(light.intensity_cd.y, light.intensity_cd.z)) > 0.0;
 
             vec3 q = to_gate(light, sphere.xyz - light.position_m);
+            bool beside = beside_panel(light, q, q, sphere.w);
             q.z += sphere.w * back_per_m;
-            surface_mask |= lit && sphere.w >= 0.0 && q.z > 0.0 && dot(q.xy, q.xy) < k * k * q.z * q.z ? bit : 0u;
+            surface_mask |= lit && !beside && sphere.w >= 0.0 && q.z > 0.0 && dot(q.xy, q.xy) < k * k * q.z * q.z ? bit : 0u;
 
             // The bundle is narrow near the eye: each stretch of it is as wide as at its own far end.
             vec3 eye = to_gate(light, view.eye_m - light.position_m);
@@ -68,7 +84,8 @@ void main() {
                 float from = stretch == 0u ? 0.0 : 0.25 * to;
                 float radius = to * spread * 1.05 + 1e-3;
                 vec2 part = clip_to_cone(eye + vec3(0.0, 0.0, radius * back_per_m), along, k, to + radius);
-                meets = meets || part.y > max(part.x, from - radius);
+                meets = meets || (part.y > max(part.x, from - radius) &&
+                                  !beside_panel(light, eye + part.x * along, eye + part.y * along, radius));
             }
             haze_mask |= lit && light.haze_samples > 0u && tile < p.tiles && meets ? bit : 0u;
         }

@@ -109,6 +109,13 @@ const Reason* first_blocking(const std::vector<Reason>& findings) {
 }
 
 // Where no part alone is to blame.
+// The medium that a projector shows: the light knows it where it was drawn with pictures.
+std::string shown_by(const Show& show, const shared::Light& light, const Projector& projector) {
+    const int media = light.slide.layer > 0 ? static_cast<int>(light.slide.layer) - 1 : projector.media;
+    const bool known = media >= 0 && static_cast<std::size_t>(media) < show.media.size();
+    return known ? show.media[static_cast<std::size_t>(media)].name : "nothing";
+}
+
 Reason several(const BeamFacts& beam) {
     std::vector<std::string> parts;
     const auto add = [&](const char* name, float share) {
@@ -223,6 +230,9 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
         BeamFacts facts = measure(patch, b, state.beams[b], light, result.channels, input_.gobos);
         facts.findings = causes_in_beam(patch, b, state.beams[b], facts, result.channels);
         facts.glows = face.glows;
+        if (fixture.projector)
+            facts.optics.insert(facts.optics.begin(), "projects '" + shown_by(input_.show, light, *fixture.projector) +
+                                                          "': what its picture takes of the light is not in these shares");
         const Emitters& emitters = input_.rig.emitters(index);
         if (const int light_index = emitter_of(emitters, static_cast<int>(b)); light_index >= 0)
             facts.grouped =

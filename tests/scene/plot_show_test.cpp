@@ -59,6 +59,36 @@ TEST(PlotShow, EveryBreakIsReadFromItsOwnAddress) {
     EXPECT_FLOAT_EQ(rig.states()[0].beams[0].optics.dimmer, 1.0f);
 }
 
+// A projector of the plot shows what its source names: a file beside the plot; a stream is a test card.
+TEST(PlotShow, ProjectorsProject) {
+    const auto projector = [](int number, const std::string& source) {
+        return "<Projector uuid=\"" + uuid(number) + "\" name=\"Beamer\">" + matrix(kIdentity + "{0,0,5000}") +
+               "<GDTFSpec>Beamer.gdtf</GDTFSpec><GDTFMode>Standard</GDTFMode><Projections><Projection>" + source +
+               "<ScaleHandling>ScaleIgnoreRatio</ScaleHandling></Projection></Projections></Projector>\n";
+    };
+    fixture::Description description;
+    description.geometries = R"(<Geometry Name="Base"><Beam Name="Lamp" BeamType="Rectangle" ThrowRatio="1.8"
+        RectangleRatio="1.6" LuminousFlux="15000"/></Geometry>)";
+    const std::string gdtf = text_of(fixture::make_zip({{"description.xml", description.xml()}}));
+    const fs::path folder = scratch("projectors");
+    std::ofstream(folder / "sea.mp4") << "not looked into here";
+    write_mvr(folder / "Show.mvr",
+              small_xml(projector(30, R"(<Source linkedGeometry="Lamp" type="File">C:\films\sea.mp4</Source>)") +
+                        projector(31, R"(<Source linkedGeometry="Lamp" type="NDI">STUDIO (cam 1)</Source>)")),
+              {{"Beamer.gdtf", gdtf}});
+    Report report;
+    const Show show = opened(folder / "Show.mvr", report);
+    ASSERT_EQ(show.fixtures.size(), 2u) << messages_of(report);
+    ASSERT_TRUE(show.fixtures[0].projector && show.fixtures[1].projector) << messages_of(report);
+    EXPECT_FLOAT_EQ(show.fixtures[0].projector->throw_ratio, 1.8f);
+    EXPECT_FLOAT_EQ(show.fixtures[0].projector->aspect, 1.6f);
+    EXPECT_EQ(show.fixtures[0].projector->fit, Fit::stretch);
+    ASSERT_EQ(show.media.size(), 2u);
+    EXPECT_EQ(show.media[0].file, folder / "sea.mp4");
+    EXPECT_EQ(show.media[1].kind, MediaKind::card);
+    EXPECT_NE(messages_of(report).find("STUDIO (cam 1)"), std::string::npos) << messages_of(report);
+}
+
 TEST(PlotShow, PanAndTiltAreInvertedBeforeTheyMove) {
     const std::string address = "<Addresses><Address>1</Address></Addresses>";
     Report report;
