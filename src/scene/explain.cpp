@@ -231,8 +231,9 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
         facts.findings = causes_in_beam(patch, b, state.beams[b], facts, result.channels);
         facts.glows = face.glows;
         if (fixture.projector)
-            facts.optics.insert(facts.optics.begin(), "projects '" + shown_by(input_.show, light, *fixture.projector) +
-                                                          "': what its picture takes of the light is not in these shares");
+            facts.optics.insert(facts.optics.begin(),
+                                "projects '" + shown_by(input_.show, light, *fixture.projector) +
+                                    "': what its picture takes of the light is not in these shares");
         const Emitters& emitters = input_.rig.emitters(index);
         if (const int light_index = emitter_of(emitters, static_cast<int>(b)); light_index >= 0)
             facts.grouped =

@@ -62,9 +62,11 @@ TEST(PlotShow, EveryBreakIsReadFromItsOwnAddress) {
 // A projector of the plot shows what its source names: a file beside the plot; a stream is a test card.
 TEST(PlotShow, ProjectorsProject) {
     const auto projector = [](int number, const std::string& source) {
-        return "<Projector uuid=\"" + uuid(number) + "\" name=\"Beamer\">" + matrix(kIdentity + "{0,0,5000}") +
-               "<GDTFSpec>Beamer.gdtf</GDTFSpec><GDTFMode>Standard</GDTFMode><Projections><Projection>" + source +
-               "<ScaleHandling>ScaleIgnoreRatio</ScaleHandling></Projection></Projections></Projector>\n";
+        return "<Projector uuid=\"" + uuid(number) + "\" name=\"Beamer\">" +
+               matrix(kIdentity + "{0,0,5000}") +
+               "<GDTFSpec>Beamer.gdtf</GDTFSpec><GDTFMode>Standard</GDTFMode><Projections><Projection>" +
+               source +
+               "<ScaleHandeling>ScaleIgnoreRatio</ScaleHandeling></Projection></Projections></Projector>\n";
     };
     fixture::Description description;
     description.geometries = R"(<Geometry Name="Base"><Beam Name="Lamp" BeamType="Rectangle" ThrowRatio="1.8"
@@ -72,10 +74,11 @@ TEST(PlotShow, ProjectorsProject) {
     const std::string gdtf = text_of(fixture::make_zip({{"description.xml", description.xml()}}));
     const fs::path folder = scratch("projectors");
     std::ofstream(folder / "sea.mp4") << "not looked into here";
-    write_mvr(folder / "Show.mvr",
-              small_xml(projector(30, R"(<Source linkedGeometry="Lamp" type="File">C:\films\sea.mp4</Source>)") +
-                        projector(31, R"(<Source linkedGeometry="Lamp" type="NDI">STUDIO (cam 1)</Source>)")),
-              {{"Beamer.gdtf", gdtf}});
+    write_mvr(
+        folder / "Show.mvr",
+        small_xml(projector(30, R"(<Source linkedGeometry="Lamp" type="File">C:\films\sea.mp4</Source>)") +
+                  projector(31, R"(<Source linkedGeometry="Lamp" type="NDI">STUDIO (cam 1)</Source>)")),
+        {{"Beamer.gdtf", gdtf}});
     Report report;
     const Show show = opened(folder / "Show.mvr", report);
     ASSERT_EQ(show.fixtures.size(), 2u) << messages_of(report);
