@@ -10,8 +10,11 @@
 namespace ghost::scene {
 namespace {
 
+// Beyond this, in whatever unit, it is damage, and its square no float.
+constexpr float kFarthest = 1e15f;
+
 bool finite(const aiVector3D& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+    return std::abs(v.x) <= kFarthest && std::abs(v.y) <= kFarthest && std::abs(v.z) <= kFarthest;
 }
 
 glm::vec3 vec3_from(const aiVector3D& v) {
@@ -78,7 +81,8 @@ void repair_meshes(aiScene& scene, const GltfExtras& extras, const std::string& 
         if (const std::size_t removed = remove_broken_faces(mesh) + dropped; removed > 0)
             report.add(Severity::error, name,
                        "object '" + mesh_name + "': " + std::to_string(removed) +
-                           " faces have vertices that do not exist or are not numbers; they are left out");
+                           " faces have vertices that do not exist, are not numbers or are farther than "
+                           "1e15; they are left out");
         for (unsigned v = 0; v < mesh.mNumVertices;
              ++v) // no face uses them any more, but smoothing sorts them
             if (!finite(mesh.mVertices[v])) mesh.mVertices[v] = aiVector3D();
