@@ -84,7 +84,7 @@ int record(const RecordOptions& options) {
     if (options.quiet) set_log_level(LogLevel::error);
     const auto input = receiver_options(options.input);
     if (!input.ok()) return failed(input.error(), 2);
-    auto recording = RunningRecording::create(options.output, dmx::announced_universes(input->universes));
+    auto recording = RunningRecording::create(options.output, dmx::asked_universes(*input));
     if (!recording.ok()) return failed(recording.error(), 1);
     const dmx::Recorder& recorder = (*recording)->recorder();
     log_kept(recorder);

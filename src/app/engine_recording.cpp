@@ -26,8 +26,7 @@ void Engine::record() {
         recording_to_ = wishes_.record_to;
         if (recording_to_.empty()) return;
         auto begun = receiver_
-                         ? RunningRecording::create(recording_to_,
-                                                    dmx::announced_universes(options_.receiver.universes))
+                         ? RunningRecording::create(recording_to_, dmx::asked_universes(options_.receiver))
                          : Error{"there is no desk to record: nothing listens to the network", recording_to_};
         if (!begun.ok()) {
             link_.recorded.put({recording_to_, 0, begun.error()});

@@ -27,9 +27,9 @@ Result<std::unique_ptr<RunningRecording>> RunningRecording::create(const std::fi
 
 RunningRecording::RunningRecording(dmx::Recorder recorder, std::filesystem::path path,
                                    std::vector<std::uint16_t> asked)
-    : recorder_(std::move(recorder)), path_(std::move(path)), asked_(std::move(asked)),
-      free_(dmx::kMaxRecordedUniverses - std::min(asked_.size(), dmx::kMaxRecordedUniverses)) {
-    std::sort(asked_.begin(), asked_.end());
+    : recorder_(std::move(recorder)), path_(std::move(path)), asked_(std::move(asked)) {
+    asked_.resize(std::min(asked_.size(), dmx::kMaxRecordedUniverses));
+    free_ = dmx::kMaxRecordedUniverses - asked_.size();
 }
 
 void RunningRecording::put(const dmx::Universes& universes, nanoseconds now) {

@@ -21,7 +21,7 @@ namespace ghost::app {
 
 class RunningRecording {
 public:
-    // asked: universes that always have their place among the dmx::kMaxRecordedUniverses.
+    // asked: universes that always have their place among the dmx::kMaxRecordedUniverses; sorted.
     static Result<std::unique_ptr<RunningRecording>> create(const std::filesystem::path& path,
                                                             std::vector<std::uint16_t> asked);
 
@@ -45,7 +45,7 @@ private:
     dmx::Recorder recorder_;
     std::filesystem::path path_;
     std::vector<std::uint16_t> asked_; // sorted
-    std::size_t free_;
+    std::size_t free_ = 0;
     std::set<std::uint16_t> others_, left_out_;
     std::optional<std::chrono::microseconds> first_; // steady
     std::chrono::microseconds last_{0}, flushed_{0}; // since first

@@ -34,6 +34,12 @@ nanoseconds steady_now() {
     return std::chrono::steady_clock::now().time_since_epoch();
 }
 
+std::vector<std::uint16_t> announced_universes(const std::vector<std::uint16_t>& universes) {
+    std::vector<std::uint16_t> result = universes;
+    for (std::uint16_t i = 1; universes.empty() && i <= kDefaultUniverses; ++i) result.push_back(i);
+    return result;
+}
+
 std::vector<std::uint16_t> port_addresses(const std::vector<std::uint16_t>& universes, int artnet_offset) {
     std::vector<std::uint16_t> result;
     for (const std::uint16_t universe : announced_universes(universes)) {
@@ -41,18 +47,6 @@ std::vector<std::uint16_t> port_addresses(const std::vector<std::uint16_t>& univ
         if (port_address >= 0 && port_address <= kMaxPortAddress)
             result.push_back(static_cast<std::uint16_t>(port_address));
     }
-    return result;
-}
-
-// Those that find a place in the merge whatever else arrives: of an automatic widget as many as it may take.
-std::vector<std::uint16_t> asked_universes(const ReceiverOptions& options) {
-    std::vector<std::uint16_t> result = announced_universes(options.universes);
-    for (const UsbPortOptions& port : options.usb) {
-        const std::size_t count = port.path == "auto" ? kMostUsbPorts : 1;
-        for (std::size_t i = 0; i < count && port.universe + i <= kMaxUniverse; ++i)
-            result.push_back(static_cast<std::uint16_t>(port.universe + i));
-    }
-    std::sort(result.begin(), result.end());
     return result;
 }
 
@@ -82,9 +76,15 @@ IntakeOptions intake_options(const ReceiverOptions& options) {
 
 } // namespace
 
-std::vector<std::uint16_t> announced_universes(const std::vector<std::uint16_t>& universes) {
-    std::vector<std::uint16_t> result = universes;
-    for (std::uint16_t i = 1; universes.empty() && i <= kDefaultUniverses; ++i) result.push_back(i);
+std::vector<std::uint16_t> asked_universes(const ReceiverOptions& options) {
+    std::vector<std::uint16_t> result = announced_universes(options.universes);
+    for (const UsbPortOptions& port : options.usb) {
+        const std::size_t count = port.path == "auto" ? kMostUsbPorts : 1;
+        for (std::size_t i = 0; i < count && port.universe + i <= kMaxUniverse; ++i)
+            result.push_back(static_cast<std::uint16_t>(port.universe + i));
+    }
+    std::sort(result.begin(), result.end());
+    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }
 

@@ -47,7 +47,8 @@ struct ReceiverOptions {
     std::function<void(const TimeCode&, std::chrono::nanoseconds arrival)> on_timecode;
 };
 
-// What is joined and announced for these ReceiverOptions::universes.
-std::vector<std::uint16_t> announced_universes(const std::vector<std::uint16_t>& universes);
+// The universes that find a place whatever else arrives: those that are joined, and of the USB ports; of an
+// automatic one as many as it may take. Sorted, each once.
+std::vector<std::uint16_t> asked_universes(const ReceiverOptions& options);
 
 } // namespace ghost::dmx
