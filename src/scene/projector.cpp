@@ -29,7 +29,6 @@ mat3 picture_plane(const Projector& projector, const vec2& half, const vec3& mid
     vec2 size = half;
     const float ratio = picture_aspect / panel_aspect;
     if (projector.fit == Fit::contain) size *= ratio > 1.0f ? vec2(1.0f, 1.0f / ratio) : vec2(ratio, 1.0f);
-    if (projector.fit == Fit::cover) size *= ratio > 1.0f ? vec2(ratio, 1.0f) : vec2(1.0f, 1.0f / ratio);
     if (projector.keystone_deg == vec2(0.0f)) return {size.x * vec3(1, 0, 0), size.y * vec3(0, 1, 0), middle};
     // As large as its corners stay on the panel.
     float low = 0.0f, high = 2.0f;
@@ -39,9 +38,8 @@ mat3 picture_plane(const Projector& projector, const vec2& half, const vec3& mid
         for (int corner = 0; corner < 4; ++corner) {
             const vec3 at = middle + scale * ((corner % 2 ? 1.0f : -1.0f) * size.x * right +
                                               (corner / 2 ? 1.0f : -1.0f) * size.y * up);
-            const vec2 limit = glm::max(size, half);
-            inside = inside && at.z > 0.05f && std::abs(at.x / at.z - middle.x) <= limit.x &&
-                     std::abs(at.y / at.z - middle.y) <= limit.y;
+            inside = inside && at.z > 0.05f && std::abs(at.x / at.z - middle.x) <= half.x &&
+                     std::abs(at.y / at.z - middle.y) <= half.y;
         }
         (inside ? low : high) = scale;
     }
@@ -93,9 +91,13 @@ Throw throw_of(const Projector& projector, float throw_ratio, const MediaNow& no
     for (int k = 0; k < 4; ++k)
         slide.blend[k] = projector.blend[k] > kLeastBlend ? 0.5f / projector.blend[k] : 0.0f;
     slide.extent = now.extent;
+    // The panel shows as much of the picture as it has the shape for.
+    const float ratio = picture_aspect / projector.aspect;
+    if (projector.fit == Fit::cover)
+        slide.extent *= ratio > 1.0f ? vec2(1.0f / ratio, 1.0f) : vec2(1.0f, ratio);
     slide.black = 1.0f / std::max(projector.contrast, 1.0f);
     const float per_gate = glm::length(vec2(slide.picture[0])) / std::max(slide.picture[2].z, 1e-3f);
-    slide.texel = 2.0f / (static_cast<float>(now.side) * std::max(per_gate * now.extent.x, 1e-6f));
+    slide.texel = 2.0f / (static_cast<float>(now.side) * std::max(per_gate * slide.extent.x, 1e-6f));
     return result;
 }
 

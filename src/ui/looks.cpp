@@ -78,12 +78,12 @@ Result<void> Looks::write(const List& looks) {
 
 Result<void> Looks::edit(const QString& what, List after) {
     if (!studio_.show()) return Error{"no show is open", ""};
+    const bool changed_outside = text_in(file_) != known_;
+    if (changed_outside) read();
     if (!damage_.empty())
         return Error{"looks cannot be stored before this is mended, for that would lose it: " + damage_, ""};
-    if (text_in(file_) != known_) {
-        read();
+    if (changed_outside)
         return Error{"was changed by another program and is read again; once more, please", file_.string()};
-    }
     if (after == looks_) return {};
     if (after.size() > scene::kMostLooks)
         return Error{"there are " + std::to_string(scene::kMostLooks) + " looks; remove one first", ""};

@@ -86,6 +86,9 @@ struct Movie::Decoder {
 };
 
 Result<void> Movie::Decoder::open() {
+    std::error_code unreadable; // then FFmpeg says why
+    if (std::filesystem::exists(path, unreadable) && !std::filesystem::is_regular_file(path, unreadable))
+        return Error{"not a plain file", path.string()}; // a pipe would be waited for without an end
     av_log_set_level(AV_LOG_FATAL); // what it says names no file; we say it
     AVDictionary* options = nullptr;
     av_dict_set(&options, "protocol_whitelist", "file", 0);

@@ -114,6 +114,21 @@ TEST(Projector, BlackIsNotDark) {
     EXPECT_NEAR(lux_at(light_of(grey, black), black, {0, 9, 0}) / white, 1e-3f, 1e-5f);
 }
 
+// The ends of a picture that covers the panel are cut off where the panel ends.
+TEST(Projector, CoverFillsThePanelAndNoMore) {
+    Projector covering = projector();
+    covering.fit = Fit::cover;
+    const float expected = kLumens / (6.0f * 3.375f);
+    for (const auto& [width, height] : {std::pair{36, 36}, {64, 16}}) {
+        const GoboStack stack = showing(255, width, height);
+        const shared::Light light = light_of(covering, stack);
+        for (const vec2& at : {vec2(0, 0), vec2(2.9f, 1.6f), vec2(-2.9f, -1.6f)})
+            EXPECT_NEAR(lux_at(light, stack, {at.x, 9, at.y}) / expected, 1.0f, 2e-3f) << at.x << " " << at.y;
+        for (const vec2& at : {vec2(3.1f, 0), vec2(0, 1.8f), vec2(-3.1f, -1.8f)})
+            EXPECT_LT(lux_at(light, stack, {at.x, 9, at.y}), 1e-3f * expected) << at.x << " " << at.y;
+    }
+}
+
 // On a wall turned about the vertical the picture is a rectangle of the right shape.
 TEST(Projector, KeystoneIsRightOnATurnedWall) {
     const GoboStack stack = showing(255);

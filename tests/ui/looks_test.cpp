@@ -105,6 +105,12 @@ TEST(UiLooks, a_file_with_mistakes_is_not_written_over) {
     ASSERT_FALSE(stored.ok());
     EXPECT_NE(stored.error().text().find("looks.toml:3"), std::string::npos);
     EXPECT_EQ(bench.text(), damaged);
+
+    ASSERT_TRUE(write_file_atomic(bench.file(), std::string("[[look]]\nname = \"A\"\n")).ok());
+    ASSERT_FALSE(bench.looks.store("B").ok()) << "is read again first";
+    EXPECT_EQ(bench.looks.all().size(), 1u);
+    EXPECT_TRUE(bench.looks.store("B").ok());
+    EXPECT_EQ(bench.looks.all().size(), 2u);
 }
 
 TEST(UiLooks, what_another_program_wrote_is_not_written_over) {

@@ -140,6 +140,8 @@ TEST_F(MovieTest, WhatIsNoFilmIsSaid) {
         EXPECT_NE(movie.error().text().find(part), std::string::npos) << movie.error().text();
     };
     expect_error("missing.mp4", "No such file");
+    ASSERT_TRUE(std::filesystem::create_directory(folder / "folder.mp4"));
+    expect_error("folder.mp4", "not a plain file");
     ASSERT_TRUE(write_file_atomic(folder / "empty.mp4", std::string()).ok());
     expect_error("empty.mp4", "cannot be opened");
     ASSERT_TRUE(write_file_atomic(folder / "text.mp4", std::string(5000, 'x')).ok());
