@@ -210,6 +210,9 @@ void add_render(CLI::App& app, int& exit_code) {
     CLI::Option* look =
         command->add_option("--look", a->session.look, "a look stored in the window, on top of the recording")
             ->type_name("NAME")
+            ->check([](const std::string& name) {
+                return name.empty() ? std::string("expected the name of a look") : std::string();
+            })
             ->excludes("--live-input");
     command->add_option("--looks", a->session.looks_file, "the file that it is in (default: the show's)")
         ->type_name("FILE")

@@ -62,9 +62,11 @@ Result<void> check_usage(SheetArguments& arguments) {
 Result<std::vector<Row>> rows_of(const Session& session, const SheetArguments& arguments,
                                  scene::Report& report) {
     const scene::Show& show = *session.show;
-    TRY(const std::vector<scene::StoredLook> looks, scene::load_looks(scene::looks_file(show), report));
+    const std::filesystem::path file = scene::looks_file(show);
+    TRY(const std::vector<scene::StoredLook> looks, scene::load_looks(file, report));
     std::vector<Row> rows;
     for (const scene::StoredLook& look : looks) {
+        scene::check_look(look, show, file.string(), report);
         Row& row = rows.emplace_back();
         row.name = look.name;
         row.look.fixtures = scene::manual_of(look, show);

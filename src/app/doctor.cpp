@@ -7,6 +7,7 @@
 #include "fixture/values.h"
 #include "scene/bodies.h"
 #include "scene/doctor_show.h"
+#include "scene/looks.h"
 #include "scene/passes.h"
 #include "scene/plot_types.h"
 #include "scene/show.h"
@@ -101,6 +102,12 @@ void check_show(const fs::path& path, const scene::FixtureOffers& offers, const 
     }
     const scene::Stage with_bodies = scene::stage_with_bodies(*show, report);
     scene::check_places(*show, with_bodies, show->cameras, report);
+    const std::filesystem::path looks_file = scene::looks_file(*show);
+    if (const auto looks = scene::load_looks(looks_file, report); !looks.ok())
+        report.add(Severity::error, looks.error().where, looks.error().what);
+    else
+        for (const scene::StoredLook& look : *looks)
+            scene::check_look(look, *show, looks_file.string(), report);
     if (std::error_code code; fs::is_regular_file(show->recording, code)) {
         auto recording = dmx::read_recording(show->recording);
         if (!recording.ok()) report.add(Severity::error, recording.error().where, recording.error().what);

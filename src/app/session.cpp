@@ -79,9 +79,13 @@ void compare_positions(const scene::Show& show, const scene::Passes& passes, con
 Result<void> take_look(const SessionOptions& options, scene::Show& show, Session& session,
                        scene::Report& report) {
     const fs::path file = options.looks_file.empty() ? scene::looks_file(show) : fs::path(options.looks_file);
+    std::error_code unreadable; // then reading it says why
+    if (!options.looks_file.empty() && !fs::exists(file, unreadable))
+        return Error{"no such file", file.string()};
     TRY(const std::vector<scene::StoredLook> looks, scene::load_looks(file, report));
     const Result<std::size_t> index = scene::find_look(looks, options.look);
     if (!index.ok()) return Error{index.error().what, file.string()};
+    scene::check_look(looks[*index], show, file.string(), report);
     session.manual = scene::manual_of(looks[*index], show);
     apply(looks[*index].scene, show, session.shadows);
     return {};

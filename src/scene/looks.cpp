@@ -3,6 +3,7 @@
 
 #include "base/files.h"
 #include "base/suggest.h"
+#include "scene/model_file.h"
 #include "scene/toml_reader.h"
 #include "scene/toml_text.h"
 
@@ -194,6 +195,18 @@ std::map<std::size_t, fixture::Manual> manual_of(const StoredLook& look, const S
         if (const auto found = look.fixtures.find(show.fixtures[i].name); found != look.fixtures.end())
             manual[i] = found->second;
     return manual;
+}
+
+void check_look(const StoredLook& look, const Show& show, const std::string& file, Report& report) {
+    std::vector<std::string> missing;
+    for (const auto& [name, manual] : look.fixtures)
+        if (std::none_of(show.fixtures.begin(), show.fixtures.end(),
+                         [&](const PatchedFixture& fixture) { return fixture.name == name; }))
+            missing.push_back(name);
+    if (!missing.empty())
+        report.add(Severity::warning, file,
+                   "look '" + look.name +
+                       "' has values for fixtures that the show does not have: " + name_list(missing));
 }
 
 } // namespace ghost::scene

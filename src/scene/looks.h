@@ -57,5 +57,7 @@ Result<void> check_look_name(const std::string& name);
 Result<std::size_t> find_look(const std::vector<StoredLook>& looks, const std::string& name);
 // Of the fixtures that the show has, by index.
 std::map<std::size_t, fixture::Manual> manual_of(const StoredLook& look, const Show& show);
+// A warning where the look has values for fixtures that the show has not. file: that the look is from.
+void check_look(const StoredLook& look, const Show& show, const std::string& file, Report& report);
 
 } // namespace ghost::scene

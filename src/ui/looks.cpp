@@ -63,7 +63,14 @@ void Looks::read() {
         for (const scene::Message& message : report.messages)
             if (message.severity == scene::Severity::error && damage_.empty())
                 damage_ = message.where + ": " + message.what;
-    if (!damage_.empty()) Q_EMIT studio_.failed(QString::fromStdString(damage_));
+    scene::Report strangers;
+    for (const scene::StoredLook& look : looks_)
+        scene::check_look(look, *studio_.show(), file_.string(), strangers);
+    if (!damage_.empty())
+        Q_EMIT studio_.failed(QString::fromStdString(damage_));
+    else if (!strangers.messages.empty())
+        Q_EMIT studio_.failed(
+            QString::fromStdString(strangers.messages[0].where + ": " + strangers.messages[0].what));
     Q_EMIT changed();
 }
 

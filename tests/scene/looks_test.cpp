@@ -52,6 +52,19 @@ TEST(Looks, every_beginning_of_a_file_is_read_or_refused_with_its_line) {
     }
 }
 
+TEST(Looks, fixtures_that_the_show_does_not_have_are_named) {
+    Show show;
+    show.fixtures.emplace_back().name = "Spot 1";
+    Report report;
+    check_look(verse(), show, "looks.toml", report);
+    ASSERT_EQ(report.messages.size(), 1u);
+    EXPECT_EQ(report.messages[0].what,
+              "look 'Verse \"one\"' has values for fixtures that the show does not have: 'Wash 2'");
+    show.fixtures.emplace_back().name = "Wash 2";
+    check_look(verse(), show, "looks.toml", report);
+    EXPECT_EQ(report.messages.size(), 1u);
+}
+
 TEST(Looks, bad_values_are_said_and_the_rest_stays) {
     Report report;
     const auto read =
