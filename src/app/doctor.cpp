@@ -125,8 +125,10 @@ void check_show(const fs::path& path, const scene::FixtureOffers& offers, const 
         if (!passes.ok()) report.add(Severity::error, passes.error().where, passes.error().what);
     }
     result.findings = scene::findings_of(*show, report, offers);
-    const auto dark = std::count_if(show->fixtures.begin(), show->fixtures.end(),
-                                    [](const scene::PatchedFixture& fixture) { return !fixture.type; });
+    const auto dark =
+        std::count_if(show->fixtures.begin(), show->fixtures.end(), [](const scene::PatchedFixture& one) {
+            return !one.type || one.type->modes[static_cast<std::size_t>(one.mode)].beams.empty();
+        });
     const scene::Stage& stage = show->stage;
     result.summary =
         "show '" + show->name + "': " + counted(show->fixtures.size(), "fixture") +
