@@ -195,6 +195,32 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
            (haze.scattering_per_m * 2.0 * chord.w / distance_m * fan_most(light.colour_b));
 }
 
+// A ray through the middle of a pixel may miss a beam that is thinner than the pixel, and the next one hit it: a thin beam shows the
+// mean of its rows that the pixel covers, times the share of the pixel that it covers.
+const uint kThinRows = 8u;
+
+vec3 seen_by_pixel(Light light, Fan fan, vec3 dir, float far) {
+    bool thin = fan.thin != 0u;
+    vec2 aside = vec2(dot(dir, fan.along), dot(dir, fan.across));
+    float cos_end = dot(dir, fan.pole);
+    float sin_end = max(length(aside), 1e-4);
+    float row = fan_row(fan, aside.x / sin_end, aside.y / sin_end);
+    // So much of the pixel, across the beam, that a line of any slope is equally bright in every row or column of pixels.
+    vec3 normal = cross(fan.pole, dir);
+    vec2 pixel = abs(vec2(dot(normal, view.right) / float(view.width), dot(normal, view.up) / float(view.height)));
+    float half_rad = max(pixel.x, pixel.y) * dot(dir, view.forward) / (dot(view.forward, view.forward) * sin_end);
+    float reach = max(half_rad * fan.row_scale / sin_end, 1e-6);
+    float low = max(row - reach, -1.0), high = aside.x > 0.0 ? min(row + reach, 1.0) : low;
+    uint count = thin ? kThinRows : 1u;
+    vec3 sum = vec3(0.0);
+    for (uint k = 0u; k < count; ++k) {
+        vec2 meridian = fan_meridian(fan, mix(low, high, (float(k) + 0.5) / float(kThinRows)));
+        vec3 through = fan.pole * cos_end + (fan.along * meridian.x + fan.across * meridian.y) * sin_end;
+        sum += scattered(light, fan, thin ? through : dir, far);
+    }
+    return thin ? sum * (max(high - low, 0.0) / (2.0 * reach * float(kThinRows))) : sum;
+}
+
 #include "gate_place.glsl"
 
 void main() {
@@ -231,7 +257,7 @@ void main() {
 
         vec3 sum = vec3(0.0);
         if (kSingle) {
-            sum = scattered(lights[p.batch], fans[p.batch], dir, far);
+            sum = seen_by_pixel(lights[p.batch], fans[p.batch], dir, far);
             if (kWide) sum *= abs((place.tip ? 0.0 : 1.0) - tip_share(lights[p.batch], vec2(at)));
         } else {
             uint words = (p.light_count + 31u) / 32u;
@@ -241,7 +267,7 @@ void main() {
                     uint index = word * 32u + uint(findLSB(mask));
                     mask &= mask - 1u;
                     float share = kWide ? abs((place.tip ? 0.0 : 1.0) - tip_share(lights[index], vec2(at))) : 1.0;
-                    sum += share * scattered(lights[index], fans[index], dir, far);
+                    sum += share * seen_by_pixel(lights[index], fans[index], dir, far);
                 }
             }
         }

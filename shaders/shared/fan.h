@@ -34,8 +34,9 @@ struct Fan {
     uint levels;     // of blur: 1 where nothing gets out of focus
     uint halvings;   // levels that are half of the one before; of a shaped beam: small levels
     float node[14];  // of a shaped beam, whose planes are not blurred alike: falling t (shared/optics.h) of each level
+    uint thin;       // 1: may be thinner than a pixel, and rows are even in the sine
 };
-SHARED_SIZE(Fan, 132);
+SHARED_SIZE(Fan, 136);
 
 SHARED_CONST uint kFanLevels = 8u;
 SHARED_CONST uint kFanNodes = 14u;    // levels of a shaped beam

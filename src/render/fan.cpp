@@ -20,6 +20,7 @@ constexpr float kBladeIsOut = 4.0f; // gate radii
 constexpr float kLastNode = 1e-3f;  // of the way, see nodes_of
 constexpr float kNodeRatio = 2.0f;
 constexpr float kCoarser = 1.2f;
+constexpr float kThin_pixels = 6.0f;
 constexpr double kDeepInside = 0.7; // from here to the rim more and more rows lie where the beam is
 
 // Rows for a pixel of the beam's width where it is as far from the lamp as from the eye. An open beam has
@@ -148,6 +149,8 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
                                                  static_cast<float>(share));
     else
         fan.row_scale = -static_cast<float>(1 + 0.9 * glm::smoothstep(kDeepInside, 1.0, sine / sin_cone));
+    const float width_pixels = 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
+    fan.thin = !surrounds && width_pixels < kThin_pixels ? 1 : 0;
     fan.layer = layer;
     fan.size = size_of(light, surrounds, pixels_per_rad);
     // Detail finer than a column would be cut into steps. The gobos' own levels of blur are used as they are.

@@ -232,6 +232,36 @@ TEST_F(Haze, ExtinctionAloneScattersNothing) {
     for (const float value : relighter.frame().samples) ASSERT_EQ(value, 0.0f);
 }
 
+// A beam that is thinner than a pixel is a line, not dots: every column has the light that it has in a
+// picture 16 times as fine.
+TEST_F(Haze, AThinBeamIsALine) {
+    constexpr int kFiner = 16, kWidth = 48, kHeight = 27, kFirst = 12,
+                  kLast = 44; // after the lamp, before the floor
+    for (const float field_deg : {0.05f, 0.3f}) {
+        std::vector<shared::Light> light{aimed_light({-4, 2, 6}, {4, 2, 0.5f}, field_deg, 8000)};
+        light[0].lens_radius_m = 0;
+        const auto columns = [&](int finer) {
+            const scene::Passes passes =
+                wall_passes(camera_at({0, -12, 3}, {0, 4, 3}, 26, kWidth * finer, kHeight * finer), 6.0f);
+            const image::ImageF picture = drawn(passes, light, Beams::gate, 0);
+            std::vector<double> sums(kWidth);
+            for (int y = 0; y < picture.height; ++y)
+                for (int x = 0; x < picture.width; ++x)
+                    sums[static_cast<std::size_t>(x / finer)] +=
+                        static_cast<double>(picture.at(x, y)[1]) / (finer * finer);
+            return sums;
+        };
+        const std::vector<double> coarse = columns(1), fine = columns(kFiner);
+        double worst = 0;
+        for (std::size_t x = kFirst; x <= kLast; ++x)
+            worst = std::max(worst, std::abs(coarse[x] / std::max(fine[x], 1e-9) - 1));
+        std::printf("%.2f degrees: columns differ by up to %.1f %%\n", static_cast<double>(field_deg),
+                    100 * worst);
+        EXPECT_GT(fine[kWidth / 2], 0.0);
+        EXPECT_LT(worst, 0.08); // 0.04 measured
+    }
+}
+
 // Rays right before a wall that stands across the beam: what the air shows there, row by row, is the beam
 // that the wall shows.
 TEST_F(Haze, AirAndSurfaceAgreeAtTheWall) {
