@@ -33,6 +33,7 @@ layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 layout(constant_id = 2) const bool kShadows = false;
 layout(constant_id = 3) const bool kUneven = false; // haze is not the same everywhere
 layout(constant_id = 4) const bool kWide = false;   // every few rays only, and lonely pixels (shared/wide.h)
+layout(constant_id = 5) const bool kThin = false;   // some beam may be thinner than a pixel
 
 #include "shade_runs.glsl"
 
@@ -200,6 +201,7 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
 const uint kThinRows = 8u;
 
 vec3 seen_by_pixel(Light light, Fan fan, vec3 dir, float far) {
+    if (!kThin) return scattered(light, fan, dir, far);
     bool thin = fan.thin != 0u;
     vec2 aside = vec2(dot(dir, fan.along), dot(dir, fan.across));
     float cos_end = dot(dir, fan.pole);

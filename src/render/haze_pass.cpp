@@ -59,17 +59,22 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
                                        std::vector{kind, single});
         if (kind < shared::kPlanesClass) (void)fill_[kind].get();
     }
-    for (std::uint32_t focus = 0; focus < gate_.size(); ++focus)
-        for (const std::uint32_t wide : {0u, 1u}) {
-            if (wide == 1 && settings.most_wide_step == 1) continue;
-            gpu::LateProgram& gate = (wide == 1 ? wide_gate_ : gate_)[focus];
-            gate = gpu::LateProgram(
-                device, shaders::kShader_gate,
-                std::vector{kUniform, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kSampled,
-                            kSampled, kUniform, kStorage, kStored, kStored},
-                std::vector{focus, single, distance_maps ? 1u : 0u, settings.uneven ? 1u : 0u, wide});
-            if (focus != kOfPlaces) (void)gate.get();
-        }
+    for (std::uint32_t focus = 0; focus < gate_.size(); ++focus) {
+        const auto gate = [&](bool wide, bool thin) {
+            return gpu::LateProgram(device, shaders::kShader_gate,
+                                    std::vector{kUniform, kUniform, kUniform, kStorage, kStorage, kStored,
+                                                kStored, kSampled, kSampled, kUniform, kStorage, kStored,
+                                                kStored},
+                                    std::vector{focus, single, distance_maps ? 1u : 0u,
+                                                settings.uneven ? 1u : 0u, wide ? 1u : 0u, thin ? 1u : 0u});
+        };
+        gate_[focus] = gate(false, false);
+        thin_gate_[focus] = gate(false, true);
+        if (settings.most_wide_step > 1) wide_gate_[focus] = gate(true, false);
+        if (focus == kOfPlaces) continue;
+        (void)gate_[focus].get();
+        if (settings.most_wide_step > 1) (void)wide_gate_[focus].get();
+    }
     no_rays_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     no_lonely_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UINT, true, false});
     if (distance_maps)
@@ -131,10 +136,12 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     auto* fans = reinterpret_cast<shared::Fan*>(static_cast<std::uint8_t*>(fans_.mapped()) + offset);
     const bool shaped = shared::is_shaped(chunk.beam_class);
     bool focus = false;
+    bool thin = false;
     for (std::uint32_t k = 0; k < chunk.count(); ++k) {
         const shared::Fan fan =
             make_fan(chunk.lights[k], chunk.fragments.eye_m, chunk.fragments.pixels_per_rad, k % batch_size_);
         focus = focus || fan.levels > 1;
+        thin = thin || fan.thin != 0;
         std::memcpy(fans + k, &fan, sizeof fan);
     }
     fans_used_ += (chunk.count() * sizeof(shared::Fan) + kAlign - 1) / kAlign * kAlign;
@@ -170,7 +177,9 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
         commands.barrier();
         commands.begin_span("gate");
         commands.dispatch_indirect(
-            (chunk.wide ? wide_gate_ : gate_)[shaped ? kOfPlaces : (focus ? 1u : 0u)].get(), push,
+            (chunk.wide ? wide_gate_ : (thin ? thin_gate_ : gate_))[shaped ? kOfPlaces : (focus ? 1u : 0u)]
+                .get(),
+            push,
             {gpu::uniform(chunk.fragments.view), gpu::uniform(chunk.light_buffer, chunk.light_offset),
              gpu::uniform(fans_, offset), gpu::storage(chunk.masks), gpu::storage(chunk.lists),
              gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn), gpu::sampled(table_),

@@ -51,7 +51,7 @@ private:
     HazeSettings settings_;
     std::uint32_t batch_size_;
     std::array<gpu::LateProgram, shared::kBeamClasses> samples_, fill_;
-    std::array<gpu::LateProgram, 3> gate_, wide_gate_; // by kFocus of gate.comp
+    std::array<gpu::LateProgram, 3> gate_, wide_gate_, thin_gate_; // by kFocus of gate.comp
     std::unique_ptr<gpu::Program> shade_fill_;
     const gpu::Texture* distance_maps_;
     gpu::Buffer fans_;
