@@ -20,7 +20,7 @@ constexpr float kBladeIsOut = 4.0f; // gate radii
 constexpr float kLastNode = 1e-3f;  // of the way, see nodes_of
 constexpr float kNodeRatio = 2.0f;
 constexpr float kCoarser = 1.2f;
-constexpr float kThin_pixels = 6.0f;
+constexpr float kThin_pixels = 2.0f;
 constexpr double kDeepInside = 0.7; // from here to the rim more and more rows lie where the beam is
 
 // Rows for a pixel of the beam's width where it is as far from the lamp as from the eye. An open beam has
