@@ -184,12 +184,18 @@ void check_optics(const Show& show, Report& report) {
 } // namespace
 
 void check_geometry(const Stage& stage, const std::string& file, Report& report) {
+    // A mesh goes by the first object that shows it.
+    std::vector<std::string> objects(stage.meshes.size());
+    for (std::size_t k = stage.instances.size(); k-- > 0;)
+        objects[static_cast<std::size_t>(stage.instances[k].mesh)] = name_of(stage, static_cast<int>(k));
     std::vector<std::string> flat, crowded, mirrored, large;
-    for (const Mesh& mesh : stage.meshes) {
-        if (without_area(mesh) > 0) flat.push_back(mesh.name);
+    for (std::size_t m = 0; m < stage.meshes.size(); ++m) {
+        const Mesh& mesh = stage.meshes[m];
+        const std::string& object = objects[m].empty() ? mesh.name : objects[m];
+        if (without_area(mesh) > 0) flat.push_back(object);
         const std::size_t triangles = mesh.indices.size() / 3;
-        if (triangles > kManyTriangles) large.push_back(mesh.name);
-        if (triangles <= kEdgesOfTriangles && crowded_edges(mesh) > 0) crowded.push_back(mesh.name);
+        if (triangles > kManyTriangles) large.push_back(object);
+        if (triangles <= kEdgesOfTriangles && crowded_edges(mesh) > 0) crowded.push_back(object);
     }
     for (const Instance& instance : stage.instances)
         if (glm::determinant(glm::mat3(instance.world)) < 0.0f) mirrored.push_back(instance.name);

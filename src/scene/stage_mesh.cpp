@@ -48,6 +48,23 @@ bool has_usable_normals(const aiMesh& mesh) {
     return true;
 }
 
+// Of each mesh the first object that shows it, by which the model's maker knows it; else the mesh's own.
+std::vector<std::string> object_names(const aiScene& scene) {
+    std::vector<std::string> names(scene.mNumMeshes);
+    std::vector<const aiNode*> open{scene.mRootNode};
+    while (!open.empty()) {
+        const aiNode& node = *open.back();
+        open.pop_back();
+        for (unsigned k = node.mNumChildren; k > 0; --k) open.push_back(node.mChildren[k - 1]);
+        for (unsigned k = 0; k < node.mNumMeshes; ++k)
+            if (const unsigned m = node.mMeshes[k]; m < names.size() && names[m].empty())
+                names[m] = node.mName.C_Str();
+    }
+    for (unsigned m = 0; m < scene.mNumMeshes; ++m)
+        if (names[m].empty()) names[m] = scene.mMeshes[m]->mName.C_Str();
+    return names;
+}
+
 template <class T>
 void drop(T*& array) {
     delete[] array;
@@ -68,19 +85,20 @@ std::string name_list(const std::vector<std::string>& names) {
 }
 
 void repair_meshes(aiScene& scene, const GltfExtras& extras, const std::string& name, Report& report) {
+    const std::vector<std::string> objects = object_names(scene);
     std::vector<std::string> without_normals;
     std::vector<std::string> broken_uvs;
     std::vector<std::string> with_lines;
     for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
         aiMesh& mesh = *scene.mMeshes[m];
-        const std::string mesh_name = mesh.mName.C_Str();
-        const auto declared = extras.triangles.find(mesh_name);
+        const std::string& object = objects[m];
+        const auto declared = extras.triangles.find(mesh.mName.C_Str());
         const std::size_t dropped = declared != extras.triangles.end() && declared->second > mesh.mNumFaces
                                         ? declared->second - mesh.mNumFaces
                                         : 0;
         if (const std::size_t removed = remove_broken_faces(mesh) + dropped; removed > 0)
             report.add(Severity::error, name,
-                       "object '" + mesh_name + "': " + std::to_string(removed) +
+                       "object '" + object + "': " + std::to_string(removed) +
                            " faces have vertices that do not exist, are not numbers or are farther than "
                            "1e15; they are left out");
         for (unsigned v = 0; v < mesh.mNumVertices;
@@ -90,7 +108,7 @@ void repair_meshes(aiScene& scene, const GltfExtras& extras, const std::string& 
             drop(mesh.mNormals);
             drop(mesh.mTangents);
             drop(mesh.mBitangents);
-            if (mesh.mNumFaces > 0 && (mesh.mPrimitiveTypes & ~3u)) without_normals.push_back(mesh_name);
+            if (mesh.mNumFaces > 0 && (mesh.mPrimitiveTypes & ~3u)) without_normals.push_back(object);
         }
         bool broken = false;
         for (unsigned v = 0; mesh.mTextureCoords[0] && v < mesh.mNumVertices; ++v) {
@@ -98,9 +116,9 @@ void repair_meshes(aiScene& scene, const GltfExtras& extras, const std::string& 
             mesh.mTextureCoords[0][v] = aiVector3D();
             broken = true;
         }
-        if (broken) broken_uvs.push_back(mesh_name);
+        if (broken) broken_uvs.push_back(object);
         if (mesh.mPrimitiveTypes & (aiPrimitiveType_POINT | aiPrimitiveType_LINE))
-            with_lines.push_back(mesh_name);
+            with_lines.push_back(object);
     }
     if (!without_normals.empty())
         report.add(Severity::note, name,
