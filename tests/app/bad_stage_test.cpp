@@ -289,8 +289,8 @@ TEST(bad_stage, EdgesOfManyTrianglesAndTrianglesWithoutArea) {
     put_nodes(glb, {R"({"name":"crate","mesh":0,"translation":[2,0.5,0]})"});
     folder.put("stage.glb", glb.bytes());
     const Drawn drawn = draw(folder);
-    EXPECT_TRUE(drawn.says({"stage.glb", "more than two triangles", "'crate'"})) << drawn.all_messages();
-    EXPECT_TRUE(drawn.says({"stage.glb", "no area", "'crate'"})) << drawn.all_messages();
+    EXPECT_TRUE(drawn.says({"stage.glb", "more than two triangles", "'floor'"})) << drawn.all_messages();
+    EXPECT_TRUE(drawn.says({"stage.glb", "no area", "'floor'"})) << drawn.all_messages();
     EXPECT_GT(drawn.brightest(), 1.0f);
 }
 
