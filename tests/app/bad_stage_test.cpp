@@ -164,7 +164,7 @@ TEST(bad_stage, CameraInsideAWall) {
     folder.camera = "position_m = [0, 6.1, 2]\ntarget_m = [0, 0, 2]\n";
     const Drawn drawn = draw(folder);
     EXPECT_TRUE(drawn.says({"camera 'eye'", "inside 'back wall'"})) << drawn.all_messages();
-    EXPECT_FALSE(drawn.says({"'floor'"})) << drawn.all_messages();
+    EXPECT_FALSE(drawn.says({"inside 'floor'"})) << drawn.all_messages();
 }
 
 TEST(bad_stage, LightInsideAMesh) {
