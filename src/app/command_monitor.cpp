@@ -125,6 +125,8 @@ Result<void> monitor(const MonitorOptions& options, dmx::ReceiverOptions input) 
                 if (options.learn) learning.look(report, options.json);
             }
         }
+        report.unix_s =
+            std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
         if (auto newest = receiver->take()) report.universes = std::move(*newest);
         log_events(report.statistics, triggers, links);
         if (options.json && !options.learn)

@@ -136,6 +136,7 @@ std::string monitor_json(const MonitorReport& from, bool levels) {
     const dmx::Universes& universes = from.universes;
     const dmx::Statistics& statistics = from.statistics;
     Json report;
+    report["time"] = from.unix_s;
     report["universes"] = Json::array();
     for (const dmx::Universe& universe : universes.list) {
         Json entry{{"universe", universe.number},

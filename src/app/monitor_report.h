@@ -11,6 +11,7 @@
 namespace ghost::app {
 
 struct MonitorReport {
+    double unix_s = 0.0; // when these were the newest levels
     dmx::Universes universes;
     dmx::Statistics statistics;
     bool has_patch = false; // of a show

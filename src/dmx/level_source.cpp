@@ -160,11 +160,9 @@ void LevelSource::measure_rate(std::chrono::nanoseconds now) {
     window_start_ = now;
 }
 
-void LevelSource::resume(std::chrono::nanoseconds pause) {
-    last_levels_ += pause;
-    last_priorities_ += pause;
-    last_way_ += pause;
-    first_heard_ += pause;
+void LevelSource::resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now) {
+    for (std::chrono::nanoseconds* time : {&last_levels_, &last_priorities_, &last_way_, &first_heard_})
+        *time = std::max(*time, std::min(*time + pause, now)); // what came in the middle of the pause
     sequence_.forget();
 }
 

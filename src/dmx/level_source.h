@@ -51,7 +51,7 @@ public:
     // Back to the packet's priority where priorities per address stopped. True: they did.
     bool drop_old_priorities(std::chrono::nanoseconds now);
     void measure_rate(std::chrono::nanoseconds now);
-    void resume(std::chrono::nanoseconds pause);
+    void resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now);
 
     // Priority + 1 in a slot (0-based), 0 where it does not hold it.
     std::uint8_t rank(std::size_t slot) const;

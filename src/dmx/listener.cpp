@@ -12,8 +12,8 @@ namespace {
 constexpr int kReceiveBufferBytes = 4 << 20; // a burst of 512 universes from two desks with room to spare
 // By unicast all universes come to one socket: 1.1 s of 512 at 44 Hz, while others have the processor.
 constexpr int kUnicastBufferBytes = 16 << 20;
-constexpr std::size_t kManyUniverses = 128;  // from here on a small buffer is too small
-constexpr int kMaxBatchesPerTurn = 64;       // so that a flood cannot keep one socket's turn for ever
+constexpr std::size_t kManyUniverses = 128; // from here on a small buffer is too small
+constexpr int kMaxBatchesPerTurn = 64;      // so that a flood cannot keep one socket's turn for ever
 
 const NetInterface* find_index(const std::vector<NetInterface>& list, unsigned index) {
     const auto found =
@@ -55,7 +55,7 @@ Result<void> Listener::open_chosen() {
     return {};
 }
 
-void Listener::close(const UdpSocket* socket) {
+void Listener::close(UdpSocket* socket) {
     for (std::size_t i = 0; i < sockets_.size(); ++i) {
         if (sockets_[i].get() != socket) continue;
         closed_overflow_ += socket->overflow();
@@ -210,14 +210,19 @@ bool Listener::drain(const Take& take) {
     return empty;
 }
 
+std::uint64_t Listener::overflow() const {
+    std::uint64_t sum = closed_overflow_;
+    for (const auto& socket : sockets_) sum += socket->overflow();
+    return sum;
+}
+
 void Listener::report(Statistics& statistics) const {
-    statistics.overflow = closed_overflow_;
+    statistics.overflow = overflow();
     statistics.sockets.clear();
     for (std::size_t i = 0; i < sockets_.size(); ++i) {
-        const UdpSocket& socket = *sockets_[i];
+        UdpSocket& socket = *sockets_[i];
         const bool ipv6 = socket.version() == IpVersion::v6;
         const auto& groups = ipv6 ? groups6_ : groups4_;
-        statistics.overflow += socket.overflow();
         const Protocol protocol = roles_[i].protocol;
         const std::uint16_t port = protocol == Protocol::sacn ? options_.sacn_port : options_.artnet_port;
         statistics.sockets.push_back({roles_[i].name, protocol, port, ipv6,

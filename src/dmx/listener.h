@@ -40,6 +40,8 @@ public:
     bool is_own(const IpAddress& address) const;
     bool is_local_network(std::uint32_t ipv4) const;
     const std::vector<std::string>& warnings() const { return warnings_; }
+    // Packets that the kernel dropped because a socket was full, up to now.
+    std::uint64_t overflow() const;
     void report(Statistics& statistics) const;
 
 private:
@@ -53,7 +55,7 @@ private:
     Result<void> open_all(const std::vector<std::uint16_t>& announced);
     Result<UdpSocket*> add(Protocol protocol, std::uint32_t address, bool groups, bool ipv6);
     Result<void> open_chosen();
-    void close(const UdpSocket* socket);
+    void close(UdpSocket* socket);
     void look_at_interfaces();
     void note(const std::string& text, std::chrono::nanoseconds now);
     std::string failed_joins() const;

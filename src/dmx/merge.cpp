@@ -279,10 +279,10 @@ void Merge::tick(std::chrono::nanoseconds now) {
     forget_silent();
 }
 
-void Merge::resume(std::chrono::nanoseconds pause) {
-    sync_.resume(pause);
+void Merge::resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now) {
+    sync_.resume(pause, now);
     for (auto& [number, input] : inputs_)
-        for (LevelSource& source : input.sources) source.resume(pause);
+        for (LevelSource& source : input.sources) source.resume(pause, now);
 }
 
 void Merge::apply_loss_policy(std::uint16_t number, Input& input, std::chrono::nanoseconds now) {
@@ -322,6 +322,13 @@ void Merge::rebuild(std::uint16_t number, Input& input) {
 bool Merge::pending(std::uint16_t universe) const {
     const auto found = inputs_.find(universe);
     return !sampling_until_ && found != inputs_.end() && found->second.dirty;
+}
+
+bool Merge::all_heard_since(std::uint16_t universe, std::chrono::nanoseconds since) const {
+    const auto found = inputs_.find(universe);
+    return found == inputs_.end() ||
+           std::all_of(found->second.sources.begin(), found->second.sources.end(),
+                       [&](const LevelSource& source) { return source.last_levels() > since; });
 }
 
 const Universes& Merge::universes() {

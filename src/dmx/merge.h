@@ -83,9 +83,9 @@ public:
     void feed(const SyncPacket& packet, std::chrono::nanoseconds now);
     // Lets silent sources go and newcomers in. Call a few times a second.
     void tick(std::chrono::nanoseconds now);
-    // We did not listen for this long (the program was stopped): that was no silence of the sources, and the
-    // next number of each counts whatever it is.
-    void resume(std::chrono::nanoseconds pause);
+    // We did not listen for this long up to now (the program was stopped): that was no silence of the
+    // sources, and the next number of each counts whatever it is.
+    void resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now);
 
     // Nothing is known of other universes any more. Sorted.
     void keep_only(const std::vector<std::uint16_t>& universes);
@@ -99,6 +99,9 @@ public:
     const Universes& universes();
     // What universes() returned last.
     const Universes& current() const { return universes_; }
+
+    // Whether all sources that a universe has were heard after this.
+    bool all_heard_since(std::uint16_t universe, std::chrono::nanoseconds since) const;
 
     bool sampling() const { return sampling_until_.has_value(); }
     std::vector<SourceStatus> sources(std::chrono::nanoseconds now) const;

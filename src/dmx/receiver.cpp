@@ -2,6 +2,7 @@
 #include "dmx/receiver.h"
 
 #include "dmx/build.h"
+#include "dmx/catch_up.h"
 #include "dmx/intake.h"
 #include "dmx/listener.h"
 #include "dmx/poll_answers.h"
@@ -25,10 +26,9 @@ constexpr nanoseconds kTickEvery = 100ms;
 constexpr nanoseconds kStatisticsEvery = 250ms;
 constexpr nanoseconds kLossWindow = 10s;
 constexpr nanoseconds kInterfacesEvery = 1s;
-// A turn that took longer than this is a pause: what waits in the sockets is old, and what is newest was
-// dropped.
+// A turn that took longer than this is a pause: what waits in the sockets is old, and of what is newest some
+// may have found no room there.
 constexpr nanoseconds kPause = 300ms;
-constexpr nanoseconds kCatchUp = 50ms; // until the next packet of every source that sends at 25 Hz or more
 
 nanoseconds steady_now() {
     return std::chrono::steady_clock::now().time_since_epoch();
@@ -104,11 +104,10 @@ struct Receiver::Loop {
         return result;
     }
     void run();
-    // A recording gets what the next packet would replace.
-    void keep(std::uint16_t universe, nanoseconds now) {
-        if (options.on_levels && intake.merge().pending(universe)) publish(now);
-    }
+    void keep(std::uint16_t universe, nanoseconds now);
     bool take_all();
+    void begin_catch_up();
+    bool was_paused();
     std::vector<int> handles() const;
     void take_usb(nanoseconds now);
     void take_midi(nanoseconds now);
@@ -134,7 +133,10 @@ struct Receiver::Loop {
     nanoseconds next_window{0};
     std::vector<nanoseconds> unpublished; // arrivals of level packets
     nanoseconds published{0};
-    nanoseconds quiet_until{0}; // after a pause nothing is published until then
+    bool kept = false;  // for a recording, and not published
+    nanoseconds ran{0}; // the last time that we know we did not stand still
+    CatchUp catch_up;
+    std::uint64_t calm_overflow = 0; // packets that had found no room when no pause was in sight
     std::atomic<bool> stop{false};
     std::thread thread;
 };
@@ -188,6 +190,30 @@ void Receiver::Loop::take(const Datagram& datagram, Protocol protocol) {
     if (intake.merge().pending() && unpublished.size() < 8192) unpublished.push_back(datagram.time);
 }
 
+// A recording gets what the next packet would replace, also of the past that waited through a pause.
+void Receiver::Loop::keep(std::uint16_t universe, nanoseconds now) {
+    if (!options.on_levels || !intake.merge().pending(universe)) return;
+    if (now - ran > kPause) begin_catch_up();
+    options.on_levels(intake.merge().universes(), now);
+    kept = true;
+}
+
+void Receiver::Loop::begin_catch_up() {
+    catch_up.begin(intake.merge().current(), ran);
+}
+
+// Whether we stood still since the last call. Then what waits in the sockets is looked at anew.
+bool Receiver::Loop::was_paused() {
+    const nanoseconds turn = steady_now() - ran;
+    ran += turn;
+    if (turn <= kPause) return false;
+    ++statistics.pauses;
+    intake.merge().resume(turn, ran);
+    begin_catch_up();
+    listener->wait(handles(), 0s);
+    return true;
+}
+
 bool Receiver::Loop::take_all() {
     return listener->drain([this](const Datagram& datagram, Protocol protocol) { take(datagram, protocol); });
 }
@@ -225,16 +251,19 @@ void Receiver::Loop::listen_to(const std::vector<std::uint16_t>& universes, nano
 
 nanoseconds Receiver::Loop::time_to_wait(nanoseconds now) const {
     nanoseconds wait = kTickEvery / 2;
-    if (intake.merge().pending())
-        wait = std::min(wait, std::max(published + kPublishEvery, quiet_until) - now);
+    if (intake.merge().pending() || kept) wait = std::min(wait, published + kPublishEvery - now);
     if (const auto reply = answers.wait(now)) wait = std::min(wait, *reply);
     return std::max(wait, nanoseconds(0));
 }
 
 void Receiver::Loop::publish(nanoseconds now) {
-    owner.levels_.put(intake.merge().universes());
-    if (options.on_levels) options.on_levels(intake.merge().current(), now);
+    const Universes& newest = intake.merge().universes();
+    owner.levels_.put(catch_up.view(newest, [this](std::uint16_t universe) {
+        return intake.merge().all_heard_since(universe, catch_up.since());
+    }));
+    if (options.on_levels) options.on_levels(newest, now);
     published = now;
+    kept = false;
     const nanoseconds done = steady_now();
     for (const nanoseconds arrival : unpublished) statistics.latency.add(done - arrival);
     unpublished.clear();
@@ -259,21 +288,25 @@ void Receiver::Loop::publish_statistics(nanoseconds now) {
 
 void Receiver::Loop::run() {
     const nanoseconds start = steady_now();
-    nanoseconds next_tick{0}, next_statistics{0}, next_interfaces = start + kInterfacesEvery, woke = start;
+    nanoseconds next_tick{0}, next_statistics{0}, next_interfaces = start + kInterfacesEvery;
+    ran = start;
     intake.merge().listen(start);
     announce(start);
     while (!stop.load(std::memory_order_relaxed)) {
         listener->wait(handles(), time_to_wait(steady_now()));
-        const nanoseconds turn = steady_now() - woke;
-        woke += turn;
-        if (turn > kPause) {
-            ++statistics.pauses;
-            intake.merge().resume(turn);
-            quiet_until = woke + kCatchUp;
+        const bool paused = was_paused();
+        bool drained = take_all();
+        if (was_paused())
+            drained = take_all();
+        else if (!paused && !catch_up.active())
+            calm_overflow = statistics.overflow;
+        const nanoseconds now = ran;
+        if (catch_up.reading() && drained) {
+            intake.merge().resume(0s, now); // what was lost is no reason to take the next number for late
+            catch_up.read_all(listener->overflow() > calm_overflow);
+            kept = true;
         }
-        const bool drained = take_all();
-        if (turn > kPause) intake.merge().resume(nanoseconds(0));
-        const nanoseconds now = steady_now();
+        kept |= catch_up.expire(now);
         take_usb(now);
         take_midi(now);
         if (const auto universes = owner.wanted_.take()) listen_to(*universes, now);
@@ -282,8 +315,8 @@ void Receiver::Loop::run() {
             owner.sampling_.store(intake.merge().sampling(), std::memory_order_relaxed);
             next_tick = now + kTickEvery;
         }
-        const bool due = now >= published + (drained ? kPublishEvery : kPublishAtLast) && now >= quiet_until;
-        if (intake.merge().pending() && due) publish(now);
+        const bool due = now >= published + (drained ? kPublishEvery : kPublishAtLast) && !catch_up.reading();
+        if ((intake.merge().pending() || kept) && due) publish(now);
         if (now >= next_statistics) {
             publish_statistics(now);
             next_statistics = now + kStatisticsEvery;

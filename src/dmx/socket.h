@@ -70,8 +70,8 @@ public:
     Result<void> send(Bytes bytes, const IpAddress& to, std::uint16_t port);
     // What is waiting, at most 64; empty when nothing is.
     std::span<const Datagram> receive();
-    std::uint64_t packets() const { return packets_; }   // received since open
-    std::uint64_t overflow() const { return overflow_; } // dropped by the kernel since open
+    std::uint64_t packets() const { return packets_; } // received since open
+    std::uint64_t overflow();                          // dropped by the kernel since open, up to now
     IpVersion version() const { return version_; }
     int receive_buffer() const;
 
@@ -82,6 +82,8 @@ private:
                                                          std::uint16_t port, int receive_buffer_bytes);
     friend std::vector<bool> wait_for_packets(std::span<const std::unique_ptr<UdpSocket>> sockets,
                                               std::span<const int> handles, std::chrono::nanoseconds timeout);
+
+    void count_overflow(std::uint32_t dropped);
 
     int handle_;
     IpVersion version_;

@@ -15,6 +15,7 @@
 
 #include <arpa/inet.h>
 #include <ifaddrs.h>
+#include <linux/sock_diag.h>
 #include <net/if.h>
 #include <netinet/in.h>
 #include <poll.h>
@@ -334,11 +335,26 @@ std::span<const Datagram> UdpSocket::receive() {
             } else if (part->cmsg_level == SOL_SOCKET && part->cmsg_type == SO_RXQ_OVFL) {
                 std::uint32_t dropped = 0;
                 std::memcpy(&dropped, CMSG_DATA(part), sizeof dropped);
-                overflow_ += static_cast<std::uint32_t>(dropped - static_cast<std::uint32_t>(overflow_));
+                count_overflow(dropped);
             }
         }
     }
     return {batch.datagrams.data(), static_cast<std::size_t>(count)};
+}
+
+// Of the two sources of the kernel's count, which wraps, that of a packet is as old as the packet.
+void UdpSocket::count_overflow(std::uint32_t dropped) {
+    const auto more = static_cast<std::int32_t>(dropped - static_cast<std::uint32_t>(overflow_));
+    if (more > 0) overflow_ += static_cast<std::uint64_t>(more);
+}
+
+std::uint64_t UdpSocket::overflow() {
+    std::array<std::uint32_t, SK_MEMINFO_VARS> memory{};
+    socklen_t size = sizeof memory;
+    if (getsockopt(handle_, SOL_SOCKET, SO_MEMINFO, memory.data(), &size) == 0 &&
+        size > SK_MEMINFO_DROPS * sizeof(std::uint32_t))
+        count_overflow(memory[SK_MEMINFO_DROPS]);
+    return overflow_;
 }
 
 int UdpSocket::receive_buffer() const {

@@ -61,9 +61,9 @@ void SyncStreams::tick(std::chrono::nanoseconds now) {
     std::erase_if(streams_, [&](const Stream& stream) { return now - stream.last > kSyncForgotten; });
 }
 
-void SyncStreams::resume(std::chrono::nanoseconds pause) {
+void SyncStreams::resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now) {
     for (Stream& stream : streams_) {
-        stream.last += pause;
+        stream.last = std::max(stream.last, std::min(stream.last + pause, now));
         stream.sequence.forget();
     }
 }

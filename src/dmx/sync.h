@@ -49,7 +49,7 @@ public:
     // Lets streams go that were silent for kSyncForgotten.
     void tick(std::chrono::nanoseconds now);
     // We did not listen for this long: that was no silence, and the next number counts whatever it is.
-    void resume(std::chrono::nanoseconds pause);
+    void resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now);
 
     std::vector<SyncStatus> list(std::chrono::nanoseconds now) const;
     std::uint64_t too_many() const { return too_many_; }

@@ -60,7 +60,7 @@ public:
     // The program was stopped: what waits is read after it went on.
     void stop(nanoseconds time) {
         now_ += time;
-        intake_.merge().resume(time);
+        intake_.merge().resume(time, now_);
         next_ = now_;
     }
     void shift(nanoseconds time) { now_ += time; }

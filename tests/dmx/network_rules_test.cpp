@@ -240,7 +240,7 @@ TEST(Pause, time_in_which_we_did_not_listen_is_no_loss) {
     Merge merge(options);
     Desk a;
     merge.feed(a.packet({20}), 1s);
-    merge.resume(30s); // stopped from 1 s to 31 s
+    merge.resume(30s, 31s); // stopped from 1 s to 31 s
     merge.tick(31s);
     EXPECT_FALSE(merge.universes().find(1)->lost);
     EXPECT_EQ(levels(merge, 1), Ints{20});
@@ -249,6 +249,31 @@ TEST(Pause, time_in_which_we_did_not_listen_is_no_loss) {
     EXPECT_EQ(levels(merge, 1), Ints{21});
     merge.tick(33600ms);
     EXPECT_TRUE(merge.universes().find(1)->lost);
+}
+
+TEST(Pause, what_was_read_in_the_middle_of_it_is_not_of_the_future) {
+    Merge merge;
+    Desk a;
+    merge.feed(a.packet({20}), 1s);
+    merge.feed(a.packet({21}), 29s); // waited in the socket
+    merge.resume(30s, 31s);
+    merge.tick(33400ms);
+    EXPECT_FALSE(merge.universes().find(1)->lost);
+    merge.tick(33600ms);
+    EXPECT_TRUE(merge.universes().find(1)->lost);
+}
+
+TEST(Pause, all_sources_of_a_universe_were_heard_since) {
+    Merge merge;
+    Desk a{1}, b{2};
+    merge.feed(a.packet({20}), 1s);
+    merge.feed(b.packet({30}), 1s);
+    merge.resume(30s, 31s);
+    EXPECT_FALSE(merge.all_heard_since(1, 31s));
+    merge.feed(a.packet({21}), 31010ms);
+    EXPECT_FALSE(merge.all_heard_since(1, 31s));
+    merge.feed(b.packet({31}), 31020ms);
+    EXPECT_TRUE(merge.all_heard_since(1, 31s));
 }
 
 TEST(Preview, replaces_the_live_look_and_never_merges_with_it) {

@@ -183,7 +183,7 @@ bool judge_load() {
     for (std::thread& one : work) one.join();
     const double took_s = std::chrono::duration<double>(Clock::now() - start).count();
 
-    // Both the kernel's count of drops and gaps in the sequence show with the next packet only.
+    // Gaps in the sequence show with the next packet only.
     (void)statistics_when_quiet(receiver);
     for (std::size_t i = 0; i < 2; ++i)
         for (const Universe& universe : all_universes().list) {
