@@ -55,7 +55,9 @@ private:
     Result<void> tick_until(nanoseconds now) {
         if (!first_) return {};
         for (; next_tick_ <= now; next_tick_ += kTickEvery) {
-            if (next_tick_ - now_ > kAllSourcesGone)
+            // A capture may stand still for years: where nobody is left who could leave nothing changes.
+            if (now - next_tick_ > kTickEvery &&
+                (next_tick_ - now_ > kAllSourcesGone || merge_.sources(next_tick_).empty()))
                 next_tick_ += (now - next_tick_) / kTickEvery * kTickEvery;
             merge_.tick(next_tick_);
             if (!merge_.pending()) continue;

@@ -83,16 +83,19 @@ void CaptureFile::stop(const std::string& what) {
 }
 
 Bytes CaptureFile::take(std::size_t count) {
-    if (buffer_.size() - used_ < count) {
+    while (buffer_.size() - used_ < count) {
         buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(used_));
         used_ = 0;
+        // Never more than there is: files declare sizes that they do not have.
+        const std::uint64_t left =
+            source_.is_gzip() ? kReadBytes : source_.size() - std::min(offset_, source_.size());
         const std::size_t held = buffer_.size();
-        buffer_.resize(std::max(count, kReadBytes));
+        buffer_.resize(held + static_cast<std::size_t>(std::min<std::uint64_t>(left, kReadBytes)));
         const std::size_t got = source_.read(offset_, std::span(buffer_).subspan(held));
         offset_ += got;
         buffer_.resize(held + got);
+        if (got == 0) return {};
     }
-    if (buffer_.size() - used_ < count) return {};
     used_ += count;
     return Bytes(buffer_).subspan(used_ - count, count);
 }

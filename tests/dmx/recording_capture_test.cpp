@@ -214,6 +214,25 @@ TEST_F(CaptureFiles, a_silent_source_is_lost_at_the_captures_own_time) {
     EXPECT_EQ(back.end.duration, 30h);
 }
 
+TEST_F(CaptureFiles, that_stands_still_for_a_day_after_each_packet) {
+    constexpr std::size_t kDays = 300;
+    std::vector<TestPacket> packets;
+    for (std::size_t i = 0; i < kDays; ++i)
+        packets.push_back({kStart + i * 24h,
+                           ethernet_of(ipv4_of(udp_of(sacn(1, static_cast<std::uint8_t>(i),
+                                                           {static_cast<std::uint8_t>(i % 250 + 1)}, 100, 1),
+                                                      5568)))});
+    const ReadBack back = read(pcap_of(packets));
+    ASSERT_TRUE(back.ok) << back.error;
+    ASSERT_EQ(back.frames.size(), 2 * kDays - 1); // each look, and that it was lost
+    for (std::size_t i = 0; i < back.frames.size(); ++i) {
+        const auto since = back.frames[i].time - (i / 2) * 24h;
+        EXPECT_EQ(back.frames[i].lost, i % 2 == 1) << i;
+        EXPECT_TRUE(i % 2 == 0 ? since == 0s : since > 2500ms && since <= 2600ms)
+            << i << ": " << since.count();
+    }
+}
+
 TEST_F(CaptureFiles, every_truncation_plays_up_to_there_and_says_so) {
     std::vector<ByteList> frames;
     for (const ByteList& payload : counting(4)) frames.push_back(ethernet_of(ipv4_of(udp_of(payload, 5568))));
@@ -238,6 +257,8 @@ TEST_F(CaptureFiles, hostile_lengths_end_the_reading) {
     ByteList pcap = pcap_of({{kStart, ByteList(60, 0)}});
     for (std::size_t i = 0; i < 4; ++i) pcap[24 + 8 + i] = 0xFF;
     EXPECT_NE(read(pcap).error.find("4294967295 bytes"), std::string::npos) << read(pcap).error;
+    for (std::size_t i = 0; i < 4; ++i) pcap[24 + 8 + i] = i == 2 ? 0xFF : 0; // 16 MiB at most
+    EXPECT_NE(read(pcap).error.find("ends inside of a packet"), std::string::npos) << read(pcap).error;
     ByteList next = pcapng_of({{kStart, ByteList(60, 0)}});
     for (std::size_t i = 0; i < 4; ++i) next[4 + i] = 0xFC;
     EXPECT_FALSE(read(next).ok);
