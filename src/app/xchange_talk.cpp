@@ -173,7 +173,7 @@ void Xchange::Loop::fetch_wanted() {
         if (connection) {
             Message request;
             request.type = "MVR_REQUEST";
-            request.file_uuid = wanted.commit.file_uuid;
+            request.file_uuid = wanted.commit.asked_as;
             request.station_uuid = known_.at(wanted.key).station.uuid;
             connection->peer->say(request);
             connection->fetch.emplace();

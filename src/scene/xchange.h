@@ -61,6 +61,7 @@ private:
 // A version of a plot that a station has.
 struct XchangeCommit {
     std::string file_uuid;
+    std::string asked_as; // file_uuid as its station writes it: some compare letters
     std::string station_uuid;
     std::string file_name;
     std::string comment;

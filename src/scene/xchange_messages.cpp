@@ -75,7 +75,8 @@ std::uint64_t size_of(const Json* value) {
 
 XchangeCommit commit_from(const Json& object) {
     XchangeCommit commit;
-    commit.file_uuid = uuid_from(text_of(find(object, {"FileUUID"})));
+    commit.asked_as = text_of(find(object, {"FileUUID"}));
+    commit.file_uuid = uuid_from(commit.asked_as);
     commit.station_uuid = uuid_from(text_of(find(object, {"StationUUID"})));
     commit.file_name = text_of(find(object, {"FileName"}));
     commit.comment = text_of(find(object, {"Comment"}));

@@ -37,9 +37,21 @@ std::string printable(std::string text) {
     return text;
 }
 
-// "key=value", whatever capitals the key has.
-std::string value_of(const DnsRecord& record, std::string_view key) {
+// Texts of a record, each "key=value"; older stations write "StationName=..;StationUUID=.." in one.
+std::vector<std::string> texts_of(const DnsRecord& record) {
+    static constexpr std::string_view kSecond = ";StationUUID=";
+    std::vector<std::string> texts;
     for (const std::string& text : record.texts) {
+        const std::size_t second = text.rfind(kSecond);
+        texts.push_back(text.substr(0, second));
+        if (second != std::string::npos) texts.push_back(text.substr(second + 1));
+    }
+    return texts;
+}
+
+// Whatever capitals the key has.
+std::string value_of(const DnsRecord& record, std::string_view key) {
+    for (const std::string& text : texts_of(record)) {
         const std::size_t equals = text.find('=');
         if (equals == std::string::npos || equals != key.size()) continue;
         const bool same = std::equal(key.begin(), key.end(), text.begin(),

@@ -143,6 +143,65 @@ TEST(Xchange, a_join_as_the_standard_prints_it) {
     EXPECT_EQ(message->commits[1].for_stations, std::vector<std::string>{"x"});
 }
 
+TEST(Xchange, messages_as_the_standard_prints_them) {
+    const auto joined = parse_xchange_message(R"({"Type": "MVR_JOIN_RET", "OK": "true", "Message": "",
+        "verMajor":"1", "verMinor":"6", "StationUUID":"a7669ff9-bd61-4486-aea6-c190f8ba6b8c",
+        "StationName":"MVR Application from user A at location B", "Files": []})");
+    ASSERT_TRUE(joined.ok());
+    EXPECT_TRUE(joined->ok && joined->is_answer() && joined->provider.empty());
+    EXPECT_EQ(joined->station_uuid, "a7669ff9-bd61-4486-aea6-c190f8ba6b8c");
+    const auto left = parse_xchange_message(R"({"Type": "MVR_LEAVE", "StationUUID":""})");
+    ASSERT_TRUE(left.ok());
+    EXPECT_EQ(left->station_uuid, "");
+    const auto commit = parse_xchange_message(R"({"Type": "MVR_COMMIT", "verMajor":1, "verMinor":6,
+        "FileUUID":"", "ForStationsUUID":[], "FileSize":256,
+        "Comment":"My complete description of what I have changed"})");
+    ASSERT_TRUE(commit.ok());
+    ASSERT_EQ(commit->commits.size(), 1u);
+    EXPECT_EQ(commit->commits[0].file_size, 256u);
+    EXPECT_TRUE(commit->commits[0].file_uuid.empty() && commit->commits[0].for_stations.empty());
+    const auto request =
+        parse_xchange_message(R"({"Type": "MVR_REQUEST", "FromStationUUID":"", "FileUUID":""})");
+    ASSERT_TRUE(request.ok());
+    EXPECT_EQ(request->file_uuid, "");
+    EXPECT_FALSE(parse_xchange_message(R"({"Type":"MVR_REQUEST_RET","OK":"false","Message":"no"})")->ok);
+}
+
+TEST(Xchange, a_commit_with_capitals_and_without_a_name_and_how_its_file_is_asked_for) {
+    const auto message = parse_xchange_message(
+        R"({"Comment":"new truss","FileSize":4711,"FileUUID":"AAB19E5D-66F0-4B1B-98E8-A8C6AC1F2E1F",
+            "ForStationsUUID":["4AA291A1-1A62-45FE-AABC-E90E5E2399A8"],
+            "StationUUID":"A7669FF9-BD61-4486-AEA6-C190F8BA6B8C","Type":"MVR_COMMIT","verMajor":1,"verMinor":6})");
+    ASSERT_TRUE(message.ok());
+    ASSERT_EQ(message->commits.size(), 1u);
+    const XchangeCommit& commit = message->commits[0];
+    EXPECT_EQ(commit.file_uuid, "aab19e5d-66f0-4b1b-98e8-a8c6ac1f2e1f");
+    EXPECT_EQ(commit.asked_as, "AAB19E5D-66F0-4B1B-98E8-A8C6AC1F2E1F") << "stations may compare letters";
+    EXPECT_EQ(commit.for_stations, std::vector<std::string>{"4aa291a1-1a62-45fe-aabc-e90e5e2399a8"});
+    EXPECT_EQ(commit.file_name, "");
+}
+
+// A strict reader throws where one of these is missing or of another kind.
+TEST(Xchange, our_messages_have_every_attribute_that_is_not_optional) {
+    XchangeMessage message;
+    message.station_uuid = "a7669ff9-bd61-4486-aea6-c190f8ba6b8c";
+    message.commits.push_back(
+        {"aab19e5d-66f0-4b1b-98e8-a8c6ac1f2e1f", "", message.station_uuid, "n.mvr", "", 7, {}});
+    const auto has = [&](const char* type, std::initializer_list<const char*> parts) {
+        message.type = type;
+        const std::string text = xchange_message_text(message);
+        for (const char* const part : parts) EXPECT_NE(text.find(part), std::string::npos) << type << part;
+    };
+    for (const char* const type : {"MVR_JOIN", "MVR_JOIN_RET"})
+        has(type, {"\"Provider\":\"", "\"StationName\":\"", "\"StationUUID\":\"a7669ff9-", "\"verMajor\":1",
+                   "\"verMinor\":6", "\"Commits\":[{", "\"FileSize\":7", "\"ForStationsUUID\":[]",
+                   "\"Comment\":\"\""});
+    for (const char* const type : {"MVR_JOIN_RET", "MVR_COMMIT_RET", "MVR_LEAVE_RET", "MVR_REQUEST_RET"})
+        has(type, {"\"OK\":true", "\"Message\":\"\""});
+    has("MVR_LEAVE", {"\"FromStationUUID\":\"a7669ff9-"});
+    has("MVR_REQUEST", {"\"FromStationUUID\":[\"a7669ff9-", "\"FileUUID\":\""});
+}
+
 TEST(Xchange, truth_is_a_word_a_text_or_a_number) {
     const auto ok = [](const char* value) {
         return parse_xchange_message("{\"Type\":\"MVR_JOIN_RET\",\"OK\":" + std::string(value) + "}")->ok;
@@ -177,7 +236,7 @@ TEST(Xchange, what_is_written_is_read_again) {
     join.provider = "Ghostlight";
     join.station_name = "FOH";
     join.station_uuid = "ab";
-    join.commits.push_back({"f", "ab", "n.mvr", "c", 77, {}});
+    join.commits.push_back({"f", "", "ab", "n.mvr", "c", 77, {}});
     const auto read = parse_xchange_message(xchange_message_text(join));
     ASSERT_TRUE(read.ok());
     EXPECT_FALSE(read->ok);
@@ -231,6 +290,14 @@ TEST(Xchange, stations_find_each_other_by_every_name_that_is_in_use) {
         EXPECT_EQ(station(instance).address, dmx::IpAddress(kThem)); // of two the one that it speaks from
     }
     EXPECT_EQ(station({"Desk@Tour", "_mvrxchange", "_tcp", "local"}).name, "Desk");
+    // Both attributes in one text.
+    dmx::DnsPacket packet{true, {}, {}};
+    const dmx::DnsName instance{"Tour", "_mvrxchange", "_tcp", "local"};
+    packet.records.push_back({instance, dmx::DnsType::srv, 120, {"h", "local"}, 9000, {}, {}});
+    packet.records.push_back(
+        {instance, dmx::DnsType::txt, 120, {}, 0, {}, {"StationName=A;B;StationUUID=AB-CD"}});
+    EXPECT_EQ(xchange_stations(packet, dmx::IpAddress(kThem)).at(0).name, "A;B");
+    EXPECT_EQ(xchange_stations(packet, dmx::IpAddress(kThem)).at(0).uuid, "ab-cd");
 }
 
 TEST(Xchange, a_goodbye_and_a_thousand_stations_in_a_packet) {

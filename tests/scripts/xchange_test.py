@@ -150,7 +150,7 @@ while True:
             if kind == "MVR_JOIN":
                 send(one, {"Type": "MVR_JOIN_RET", "OK": "true", "Message": "", "Provider": "standard", "verMajor": "1", "verMinor": "6",
                            "StationUUID": uuid, "StationName": "Desk", "Files": []})
-            elif kind == "MVR_REQUEST" and message["FileUUID"].upper() == FILE:
+            elif kind == "MVR_REQUEST" and message["FileUUID"] == FILE:
                 half = len(content) // 2  # in two packages
                 one.sendall(struct.pack(">IIIIIQ", 778682, 1, 0, 2, 1, half) + content[:half])
                 one.sendall(struct.pack(">IIIIIQ", 778682, 1, 1, 2, 1, len(content) - half) + content[half:])
