@@ -24,6 +24,8 @@ import zipfile
 from pathlib import Path
 
 UNIVERSE = 512
+# As speaks_of_light of src/fixture/gdtf_modes.cpp: a file without a Beam shines where it has one of these.
+LIGHT = re.compile(r"(Dimmer|Dim|Shutter\d+\w*|ColorAdd_\w+|ColorSub_C|Color\d+|ColorRGB_\w+|HSB_Hue|CIE_X|CTO|CTC|CTB|CCT|Gobo\d+|Zoom|Iris)$", re.I)
 COLOURS = [(1.0, 0.55, 0.15), (0.15, 0.35, 1.0), (1.0, 0.1, 0.5), (0.1, 0.9, 0.8), (0.6, 0.2, 1.0), (1.0, 1.0, 1.0)]
 
 
@@ -117,6 +119,10 @@ class Channel:
         return self.default
 
 
+    def speaks_of_light(self):
+        return any(LIGHT.match(function.get("Attribute") or "") for _, function in self.functions)
+
+
 def modes_of(data):
     with zipfile.ZipFile(io.BytesIO(data)) as archive:
         root = ET.fromstring(archive.read("description.xml"))
@@ -124,6 +130,20 @@ def modes_of(data):
     for mode in root.iter("DMXMode"):
         modes[mode.get("Name") or ""] = [Channel(channel) for channel in mode.iter("DMXChannel")]
     return modes
+
+
+def why_dark(channels, addresses):
+    """What keeps a fixture dark whatever is sent; "" where it shines."""
+    if not channels:
+        return "no GDTF file, or none with channels"
+    if not addresses:
+        return "no address"
+    light = [channel for channel in channels if channel.offsets and channel.speaks_of_light()]
+    if not light:
+        return "no channel of light"
+    if not any(addresses.get(channel.dmx_break) for channel in light):
+        return "no address for the break of its light"
+    return ""
 
 
 def find_member(names, spec):
@@ -177,7 +197,7 @@ class Show:
 
 
 def light(show, colours, tilt, changes, without=()):
-    universes, lit, unlit = {}, 0, 0
+    universes, lit, dark = {}, 0, {}
     with zipfile.ZipFile(show.plot) as archive:
         names = archive.namelist()
         description = next(name for name in names if name.lower() == "generalscenedescription.xml")
@@ -212,10 +232,11 @@ def light(show, colours, tilt, changes, without=()):
                         f"universe = {(free - 1) // UNIVERSE + 1}\naddress = {(free - 1) % UNIVERSE + 1}\n"
                     )
                     free += needed
-            if not channels or not addresses:
-                unlit += 1
-                continue
             if any(fnmatch.fnmatchcase(spec.lower(), pattern.lower()) for pattern in without):
+                dark["left out by --without"] = dark.get("left out by --without", 0) + 1
+                continue
+            if reason := why_dark(channels, addresses):
+                dark[reason] = dark.get(reason, 0) + 1
                 continue
             lit += 1
             kind = kinds.setdefault(spec, len(kinds))
@@ -230,7 +251,7 @@ def light(show, colours, tilt, changes, without=()):
                     at = base - 1 + offset
                     levels = universes.setdefault(at // UNIVERSE + 1, bytearray(UNIVERSE))
                     levels[at % UNIVERSE] = value >> (8 * (channel.size - 1 - place)) & 255
-    return universes, lit, unlit
+    return universes, lit, dark
 
 
 def main():
@@ -243,7 +264,7 @@ def main():
     parser.add_argument("--changes", type=Path, help="write addresses for fixtures that have none, as [[change]] entries")
     arguments = parser.parse_args()
     changes = [] if arguments.changes else None
-    universes, lit, unlit = light(Show(arguments.show), arguments.colours, arguments.tilt, changes, arguments.without)
+    universes, lit, dark = light(Show(arguments.show), arguments.colours, arguments.tilt, changes, arguments.without)
     if arguments.changes:
         arguments.changes.write_text("\n".join(changes), encoding="utf-8", newline="\n")
     lines = ["OLA Show"]
@@ -252,7 +273,8 @@ def main():
             lines.append(f"{number} {','.join(str(value) for value in universes[number])}")
             lines.append("0" if number != max(universes) else "2000")
     arguments.out.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
-    print(f"{arguments.out}: {lit} fixtures lit, {unlit} cannot be (no GDTF or no address), {len(universes)} universes")
+    reasons = "".join(f", {count} dark ({reason})" for reason, count in sorted(dark.items()))
+    print(f"{arguments.out}: {lit} fixtures lit{reasons}, {len(universes)} universes")
     return 0 if lit else 1
 
 

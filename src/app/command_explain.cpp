@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/input_options.h"
 #include "app/interrupt.h"
+#include "app/media_player.h"
 #include "app/number_option.h"
 #include "app/recordings.h"
 #include "app/session.h"
@@ -186,6 +187,12 @@ Result<Moment> run_input(const Options& options, const scene::Show& show, scene:
     return moment;
 }
 
+// Of the show's films.
+double show_time_s(const Moment& moment) {
+    return moment.reception.kind == Reception::Kind::desk ? moment.reception.listened_s
+                                                          : moment.reception.at_s;
+}
+
 Result<void> run(const Options& options) {
     catch_interrupts();
     scene::Report report;
@@ -199,7 +206,9 @@ Result<void> run(const Options& options) {
     }
     scene::Rig rig(show);
     TRY(const Moment moment, run_input(options, show, rig));
-    const scene::GoboStack gobos = scene::build_gobos(show, report);
+    scene::GoboStack gobos = scene::build_gobos(show, report);
+    MediaPlayer player(show, gobos);
+    player.show(show_time_s(moment), true, gobos, report);
     const bool has_stage = load_stage(show, report) && !show.stage.instances.empty();
     const scene::Stage stage = has_stage ? scene::stage_with_bodies(show, report) : scene::Stage{};
     print_report(report);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// export SHOW.mvr -o OUT.mvr: a plot as other programs read it, with all that was in it.
+// export SHOW -o OUT.mvr: a plot as other programs read it, with all that was in it and what the show
+// changes.
 #include "app/commands.h"
 
 #include "base/log.h"
 #include "base/progress.h"
-#include "scene/mvr_write.h"
+#include "scene/export_plot.h"
 
 #include <chrono>
 #include <filesystem>
@@ -14,8 +15,6 @@
 
 namespace ghost::app {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct Options {
     std::string file;
@@ -42,21 +41,16 @@ int run(const Options& options) {
     loading.progress = [&](double share, std::string_view what) {
         progress.update(share, now_s(), std::string(what));
     };
-    auto loaded = scene::load_mvr(fs::path(options.file), loading);
+    scene::Report report;
+    const auto exported = scene::export_plot(options.file, options.output, loading, report);
     progress.finish();
-    if (!loaded.ok()) {
-        log_error(loaded.error().text());
+    print(report);
+    if (!exported.ok()) {
+        log_error(exported.error().text());
         return 1;
     }
-    print(loaded->report);
-    scene::Report written;
-    if (const auto result = scene::write_mvr(*loaded, {}, options.output, written); !result.ok()) {
-        log_error(result.error().text());
-        return 1;
-    }
-    print(written);
-    std::cout << options.output << ": " << loaded->plot.objects.size() << " objects, "
-              << loaded->archive.names().size() << " files\n";
+    std::cout << options.output << ": " << exported->objects << " objects, " << exported->files << " files, "
+              << exported->changes << " changes of the show\n";
     return 0;
 }
 
@@ -66,10 +60,14 @@ void add_export(CLI::App& app, int& exit_code) {
     auto options = std::make_shared<Options>();
     CLI::App* command =
         app.add_subcommand("export", "Write a plot (MVR) again, with everything that was in it");
-    command->add_option("SHOW", options->file, "an .mvr file")->required();
+    command
+        ->add_option("SHOW", options->file,
+                     "an .mvr file, or a show with a plot: with its [[change]] entries")
+        ->required();
     command->add_option("-o,--output", options->output, "the .mvr file to write")->required();
     command->footer(
-        "Example: ghostlight export festival.mvr -o festival_2.mvr\nThe same plot gives the same bytes. "
+        "Example: ghostlight export festival.mvr -o festival_2.mvr\n         ghostlight export festival -o "
+        "for_the_designer.mvr\nThe same plot gives the same bytes. "
         "Exit: 0 written, 1 not.");
     command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -32,6 +32,7 @@ nlohmann::json json_of(const std::vector<scene::MergeEntry>& entries) {
         list.push_back({{"uuid", entry.uuid},
                         {"kind", scene::name_of(entry.kind)},
                         {"name", entry.name},
+                        {"fixture_id", entry.fixture_id},
                         {"what", entry.what}});
     return list;
 }
@@ -57,6 +58,7 @@ nlohmann::json json_of(const scene::MergeReport& merge) {
     for (const scene::KeptChange& change : merge.kept)
         kept.push_back({{"uuid", change.change.uuid},
                         {"name", change.name},
+                        {"fixture_id", change.fixture_id},
                         {"change", name_of(change.change.what)},
                         {"both", change.both},
                         {"plot_says", change.plot_says}});

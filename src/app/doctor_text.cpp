@@ -31,6 +31,10 @@ std::string state_of(const Checked& checked) {
     return counts.lost > 0 ? "lost" : counts.repaired > 0 ? "repaired" : "ok";
 }
 
+bool is_unreadable(const Checked& checked) {
+    return checked.is_done && checked.summary.empty() && checked.count(Severity::error) > 0;
+}
+
 std::size_t letters(const std::string& text) {
     return static_cast<std::size_t>(std::count_if(
         text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
@@ -100,13 +104,15 @@ std::vector<Fault> most_frequent(std::span<const Checked> all) {
 }
 
 std::string totals_line(std::span<const Checked> all) {
-    std::size_t ok = 0, repaired = 0, lost = 0, left = 0;
+    std::size_t ok = 0, repaired = 0, lost = 0, left = 0, unreadable = 0;
     for (const Checked& checked : all) {
         const std::string state = state_of(checked);
+        unreadable += is_unreadable(checked);
         ++(state == "ok" ? ok : state == "repaired" ? repaired : state == "lost" ? lost : left);
     }
     return std::to_string(all.size()) + " files: " + std::to_string(ok) + " ok, " + std::to_string(repaired) +
            " repaired, " + std::to_string(lost) + " with losses" +
+           (unreadable ? " (" + std::to_string(unreadable) + " cannot be read at all)" : "") +
            (left ? ", " + std::to_string(left) + " not checked (interrupted)" : "");
 }
 
@@ -142,8 +148,10 @@ std::string summary_of(std::span<const Checked> all, bool is_long) {
     if (all.empty()) return "nothing to check\n";
     std::vector<const Checked*> order;
     for (const Checked& checked : all) order.push_back(&checked);
+    // What cannot be read at all has one message, and has lost everything.
     std::stable_sort(order.begin(), order.end(), [](const Checked* a, const Checked* b) {
         const Counts x = counts_of(*a), y = counts_of(*b);
+        if (is_unreadable(*a) != is_unreadable(*b)) return is_unreadable(*a);
         return x.lost != y.lost ? x.lost > y.lost : x.repaired > y.repaired;
     });
     const std::string folder = common_folder(all);
@@ -161,6 +169,8 @@ std::string summary_of(std::span<const Checked> all, bool is_long) {
                                  "  ";
         if (!checked.is_done)
             text += name + " not checked\n";
+        else if (is_unreadable(checked))
+            text += name + "  cannot be read at all\n";
         else if (counts.lost + counts.repaired == 0)
             text += name + right(0, kNumber) + std::string(kNumber - 2, ' ') + "ok" +
                     right(counts.notes, kNumber) + "\n";
@@ -199,6 +209,7 @@ nlohmann::json json_of(const Checked& checked) {
     return {{"file", checked.file},
             {"state", state_of(checked)},
             {"lost", counts.lost > 0},
+            {"readable", !is_unreadable(checked)},
             {"counts", {{"error", counts.lost}, {"warning", counts.repaired}, {"note", counts.notes}}},
             {"facts", checked.facts},
             {"messages", messages}};

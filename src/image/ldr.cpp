@@ -30,6 +30,8 @@ namespace {
 
 constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{512} << 20;
 
+constexpr std::size_t kMaxPixels = std::size_t{1} << 27; // 512 MiB as RGBA
+
 // stb shows what it has of a JPEG that ends early; the end marker tells.
 bool jpeg_cut_short(Bytes bytes) {
     constexpr std::array<std::uint8_t, 2> kStart{0xff, 0xd8};
@@ -54,6 +56,12 @@ Result<Image8> decode_ldr(Bytes bytes, const std::string& name) {
     int width = 0;
     int height = 0;
     int channels = 0;
+    // The header is read before anything is made room for.
+    if (stbi_info_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height, &channels) &&
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(height) > kMaxPixels)
+        return Error{"the picture has " + std::to_string(width) + " x " + std::to_string(height) +
+                         " pixels, at most " + std::to_string(kMaxPixels) + " are allowed",
+                     name};
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
         stbi_load_from_memory(bytes.data(), static_cast<int>(bytes.size()), &width, &height, &channels, 4),
         stbi_image_free);

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// 8-bit images: PNG and JPEG in (at most 16384 pixels a side), PNG out (atomic). Any thread.
+// 8-bit images: PNG and JPEG in (at most 16384 pixels a side and 2^27 in all), PNG out (atomic). Any thread.
 
 #include "base/byte_reader.h"
 #include "base/result.h"

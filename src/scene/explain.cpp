@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace ghost::scene {
@@ -60,8 +61,8 @@ std::string lit_text(const Explanation& explanation) {
                 " beams, the brightest '" + beam.name + "': ";
     }
     return text + number(static_cast<double>(beam.output_lm)) + " of " +
-           number(static_cast<double>(beam.full_lm)) + " lm, beam " +
-           number(static_cast<double>(beam.beam_deg), 1) + " deg, " + hit_text(explanation, beam);
+           number(static_cast<double>(beam.full_lm)) + " lm, " + width_text(beam) + ", " +
+           hit_text(explanation, beam);
 }
 
 bool covers(const fixture::Overlap& overlap, const fixture::Address& place) {
@@ -102,13 +103,22 @@ Reason overlap_finding(const fixture::Overlap& overlap, const fixture::Patch& ow
     return finding;
 }
 
+// What blocks before what is worth knowing; before what leaves a little light what leaves none; then in the
+// order in which one would look.
+void sort_findings(std::vector<Reason>& findings) {
+    const auto place = [](const Reason& finding) {
+        return std::tuple(!finding.blocks, finding.share >= kDark, finding.cause);
+    };
+    std::stable_sort(findings.begin(), findings.end(),
+                     [&](const Reason& a, const Reason& b) { return place(a) < place(b); });
+}
+
 const Reason* first_blocking(const std::vector<Reason>& findings) {
     for (const Reason& finding : findings)
         if (finding.blocks) return &finding;
     return nullptr;
 }
 
-// Where no part alone is to blame.
 // The medium that a projector shows: the light knows it where it was drawn with pictures.
 std::string shown_by(const Show& show, const shared::Light& light, const Projector& projector) {
     const int media = light.slide.layer > 0 ? static_cast<int>(light.slide.layer) - 1 : projector.media;
@@ -116,27 +126,32 @@ std::string shown_by(const Show& show, const shared::Light& light, const Project
     return known ? show.media[static_cast<std::size_t>(media)].name : "nothing";
 }
 
+// Where no part alone is to blame: all that take much, the one that takes most first.
 Reason several(const BeamFacts& beam) {
-    std::vector<std::string> parts;
+    std::vector<std::pair<float, const char*>> parts;
     const auto add = [&](const char* name, float share) {
-        if (share < 0.9f) parts.push_back(std::string(name) + " " + percent(share));
+        if (share < 0.9f) parts.emplace_back(share, name);
     };
     add("lamp", beam.lamp);
     add("dimmer", beam.dimmer);
     add("master", beam.master);
     add("shutter", beam.shutter);
     add("strobe", beam.strobe);
-    add("iris", beam.iris);
-    add("colour", beam.colour);
-    add("colour correction", beam.correction);
     add("mixed colour", beam.mix);
     add("emitters", beam.emitters);
-    add("gobo", beam.gobo);
+    add("colour correction", beam.correction);
+    add("colour", beam.colour);
+    add("picture", beam.picture);
     add("animation wheel", beam.animation);
+    add("gobo", beam.gobo);
+    add("iris", beam.iris);
     add("blades", beam.blades);
     add("other optics", beam.rest);
-    std::string product = parts.empty() ? "what it gives" : parts[0];
-    for (std::size_t i = 1; i < parts.size(); ++i) product += " x " + parts[i];
+    std::stable_sort(parts.begin(), parts.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::string product = parts.empty() ? "what it gives" : "";
+    for (const auto& [share, name] : parts)
+        product += (product.empty() ? "" : " x ") + std::string(name) + " " + percent(share);
     return {Cause::several,
             true,
             product + " leaves " + number(static_cast<double>(beam.output_lm), 1) + " of " +
@@ -149,10 +164,10 @@ Reason several(const BeamFacts& beam) {
 
 const char* cause_name(Cause cause) {
     static constexpr const char* kNames[] = {
-        "none",   "no_type",    "no_mode",      "not_patched", "no_input", "never_received",
-        "lost",   "overridden", "same_address", "overlap",     "dimmer",   "shutter",
-        "strobe", "iris",       "colour",       "gobo",        "zoom",     "emitters",
-        "lamp",   "no_beam",    "several",      "hidden",      "away",     "faint"};
+        "none",       "no_type",      "no_mode", "not_patched", "no_input", "never_received", "lost",
+        "overridden", "same_address", "overlap", "dimmer",      "shutter",  "strobe",         "iris",
+        "blades",     "colour",       "gobo",    "animation",   "picture",  "zoom",           "emitters",
+        "lamp",       "no_beam",      "several", "hidden",      "away",     "faint"};
     static_assert(std::size(kNames) == static_cast<std::size_t>(Cause::faint) + 1);
     return kNames[static_cast<std::size_t>(cause)];
 }
@@ -198,10 +213,7 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
     result.file = fixture.gdtf.string();
     result.addresses = patch.addresses;
     const auto conclude = [&](Visibility visibility, const std::string& words) {
-        std::stable_sort(result.findings.begin(), result.findings.end(),
-                         [](const Reason& a, const Reason& b) {
-                             return std::pair(!a.blocks, a.cause) < std::pair(!b.blocks, b.cause);
-                         });
+        sort_findings(result.findings);
         const Reason* first = first_blocking(result.findings);
         result.visibility = visibility;
         result.cause = first ? first->cause : Cause::none;
@@ -227,13 +239,18 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
         const shared::Light& light = face.light;
         quick_sum_lm += quick_lm(light);
         most_cd = std::max(most_cd, glm::dot(light.intensity_cd, kLuminance));
-        BeamFacts facts = measure(patch, b, state.beams[b], light, result.channels, input_.gobos);
+        std::optional<Projector> projector = fixture.projector;
+        // A desk may have chosen another medium than the show.
+        if (projector && light.slide.layer > 0) projector->media = static_cast<int>(light.slide.layer) - 1;
+        BeamFacts facts = measure(patch, b, state.beams[b], light, result.channels, input_.gobos,
+                                  projector ? &*projector : nullptr);
         facts.findings = causes_in_beam(patch, b, state.beams[b], facts, result.channels);
+        sort_findings(facts.findings);
         facts.glows = face.glows;
-        if (fixture.projector)
-            facts.optics.insert(facts.optics.begin(),
-                                "projects '" + shown_by(input_.show, light, *fixture.projector) +
-                                    "': what its picture takes of the light is not in these shares");
+        if (fixture.projector) {
+            facts.medium = shown_by(input_.show, light, *fixture.projector);
+            facts.optics.insert(facts.optics.begin(), "projects '" + facts.medium + "'");
+        }
         const Emitters& emitters = input_.rig.emitters(index);
         if (const int light_index = emitter_of(emitters, static_cast<int>(b)); light_index >= 0)
             facts.grouped =

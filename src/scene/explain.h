@@ -32,16 +32,19 @@ enum class Cause {
     shutter,
     strobe,
     iris,
-    colour,   // flags or colour wheels
-    gobo,     // gobo wheels
-    zoom,     // no angle that a beam has
-    emitters, // colours of an LED
-    lamp,     // off, or a lamp of 0 lumens
-    no_beam,  // no geometry that shines
-    several,  // no part alone
-    hidden,   // inside of an object, or right behind one
-    away,     // hits nothing
-    faint,    // next to the brightest fixture
+    blades,    // framing shutters
+    colour,    // flags or colour wheels
+    gobo,      // gobo wheels
+    animation, // the animation wheel
+    picture,   // what a projector shows
+    zoom,      // no angle that a beam has
+    emitters,  // colours of an LED
+    lamp,      // off, or a lamp of 0 lumens
+    no_beam,   // no geometry that shines
+    several,   // no part alone
+    hidden,    // inside of an object, or right behind one
+    away,      // hits nothing
+    faint,     // next to the brightest fixture
 };
 const char* cause_name(Cause cause); // "same_address"
 
@@ -54,6 +57,7 @@ struct Reason {
     std::string text;          // "the shutter function 'Closed' (DMX 3-5) is active on channel 11 (1.55)"
     std::string group;         // the same for all fixtures with that trouble: "the shutter is closed"
     std::vector<int> channels; // ChannelFacts that are to blame
+    float share = 0;           // of the light that passes all the same, where it is a part of the beam
 };
 
 // How levels came here.
@@ -122,8 +126,9 @@ struct HitFacts {
     bool lens_inside = false; // of that object
 };
 
-// One beam; the parts are shares of light. lamp * dimmer * master * shutter * strobe * colour * emitters *
-// iris * gobo * rest = output_lm / full_lm.
+// One beam; the parts are shares of light, each of what the parts before it leave (of an open beam, where
+// those leave nothing): lamp * dimmer * master * shutter * strobe * mix * emitters * correction * colour *
+// picture * animation * gobo * iris * blades * rest = output_lm / full_lm.
 struct BeamFacts {
     std::string name;
     bool glows = false; // lights nothing, is only seen (BeamType None, Glow)
@@ -136,22 +141,27 @@ struct BeamFacts {
     float shutter = 1;
     float strobe = 1; // at this moment
     float strobe_hz = 0;
-    float colour = 1;     // flags and wheels
-    float correction = 1; // CTO, CTC, CTB, tint
     float mix = 1;        // HSB, CIE, RGB, colour macro
     float emitters = 1;
-    float iris = 1;
+    float correction = 1; // CTO, CTC, CTB, tint
+    float colour = 1;     // flags and wheels
+    float picture = 1;    // what a projector shows, of a white panel
+    float animation = 1;  // the animation wheel
     float gobo = 1;
-    float animation = 1; // the animation wheel
+    float iris = 1;
     float blades = 1;
     float rest = 1;                  // what else there is
     std::vector<std::string> optics; // what else is in the light: prisms, frost, blades ..., in words
-    float axis_cd = 0;
-    float beam_deg = 0, field_deg = 0; // full angles, 50 % and 10 %
+    bool projects = false;
+    std::string medium;                // what it projects
+    float axis_cd = 0;                 // in the middle of what is lit
+    float beam_deg = 0, field_deg = 0; // full angles, 50 % and 10 %, iris and frost included
+    glm::vec2 lit_deg{0};              // across and up: of the field, what blades leave of it, the picture
+    bool is_cut = false;               // by blades
     std::vector<WheelFacts> wheels;
     glm::vec3 lens_m{0};
     glm::vec3 direction{0, 0, -1};
-    std::optional<HitFacts> hit; // along the middle
+    std::optional<HitFacts> hit; // along the middle of what is lit
     std::string edge_object;     // what the rest of the beam meets where the middle meets nothing
     std::vector<Reason> findings;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One beam measured: how much light leaves, and how much of it each part lets through. Every share is that of
-// an otherwise open beam, drawn by light_from, so that it holds whatever the optics do.
+// One beam measured: how much light leaves, and how much of it each part lets through, drawn by light_from,
+// so that it holds whatever the optics do.
 #include "scene/explain_parts.h"
 
 #include "scene/photometry.h"
@@ -19,9 +19,8 @@ using fixture::BeamState;
 using fixture::Optics;
 using fixture::WheelState;
 
-constexpr int kRings = 48; // of the gate, closer in the middle, where a closed iris leaves light
-constexpr int kSpokes = 64;
 constexpr float kBetween = 0.004f; // of a slot: light_from takes less as centred
+constexpr float kNothing = 1e-6f;
 
 template <class T>
 const T& item(const std::vector<T>& list, int index) {
@@ -40,29 +39,55 @@ BeamState open_beam(const BeamState& state) {
     return open;
 }
 
-float lumens(const fixture::Type& type, const BeamState& state, const GoboStack& gobos) {
-    return output_lm(light_from(type, state, glm::mat4(1.0f), glm::vec3(0.0f), gobos), gobos);
-}
-
+// What the parts of a beam let through, one behind the other.
 class Shares {
 public:
-    Shares(const fixture::Type& type, const BeamState& state, const GoboStack& gobos)
-        : type_(type), gobos_(gobos), open_(open_beam(state)), full_lm_(lumens(type, open_, gobos)) {}
+    Shares(const fixture::Type& type, const BeamState& state, const GoboStack& gobos,
+           const Projector* projector)
+        : type_(type), gobos_(gobos), projector_(projector), open_(open_beam(state)), chain_(open_),
+          full_lm_(lumens(open_, false)), passed_lm_(full_lm_) {}
 
     float full_lm() const { return full_lm_; }
     // Of an open beam, once change has set one part of its optics.
     template <class Change>
-    float with(Change change) const {
+    float alone(Change change) const {
         BeamState one = open_;
         change(one.optics);
-        return full_lm_ > 0.0f ? lumens(type_, one, gobos_) / full_lm_ : 1.0f;
+        return full_lm_ > 0.0f ? lumens(one, false) / full_lm_ : 1.0f;
+    }
+    // Of what the parts before it leave; where that is nothing, of an open beam.
+    template <class Change>
+    float next(bool is_in, Change change) {
+        change(chain_.optics);
+        return is_in ? behind([&] { return alone(change); }) : 1.0f;
+    }
+    // What is projected, of a white panel.
+    float picture() {
+        has_picture_ = true;
+        return behind([&] { return full_lm_ > 0.0f ? lumens(open_, true) / full_lm_ : 1.0f; });
     }
 
 private:
+    template <class Alone>
+    float behind(Alone alone) {
+        const float reached_lm = passed_lm_;
+        passed_lm_ = lumens(chain_, has_picture_);
+        return reached_lm > kNothing * full_lm_ ? passed_lm_ / reached_lm : alone();
+    }
+    float lumens(const BeamState& state, bool with_picture) const {
+        ProfileTable profiles;
+        shared::Light light =
+            light_from(type_, state, glm::mat4(1.0f), glm::vec3(0.0f), gobos_, profiles, projector_);
+        if (!with_picture) show_white(light);
+        return output_lm(light, gobos_);
+    }
+
     const fixture::Type& type_;
     const GoboStack& gobos_;
-    BeamState open_;
-    float full_lm_;
+    const Projector* projector_;
+    BeamState open_, chain_;
+    bool has_picture_ = false;
+    float full_lm_, passed_lm_;
 };
 
 WheelFacts wheel_facts(const fixture::Type& type, const WheelState& state, bool colour) {
@@ -156,70 +181,28 @@ void split_dimmers(const fixture::Mode& mode, std::size_t beam, const std::vecto
     facts.dimmer = facts.master > 0.0f ? all / facts.master : std::clamp(own, 0.0f, 1.0f);
 }
 
-// Lumens by rings and spokes of the gate: coarse at its rim, so for what wheels take away only.
-double sum_of_gate(const shared::Light& light, const GoboStack& gobos) {
-    const double tan_field = static_cast<double>(light.tan_field);
-    const float z = 1.0f / std::max(light.focus_per_m, 1e-4f);
-    double sum = 0.0;
-    double inner = 0.0;
-    for (int ring = 0; ring < kRings; ++ring) {
-        const auto edge = [&](double at) {
-            return static_cast<double>(light.cut_radius) * (at / kRings) * (at / kRings);
-        };
-        const double outer = edge(ring + 1.0);
-        const double tan = edge(ring + 0.5) * tan_field;
-        const double area = (outer * outer - inner * inner) * static_cast<double>(shared::kPi) / kSpokes;
-        const double solid = area * tan_field * tan_field / std::pow(1.0 + tan * tan, 1.5);
-        glm::vec3 candela(0.0f);
-        for (int spoke = 0; spoke < kSpokes; ++spoke) {
-            const float angle = 2.0f * shared::kPi * (static_cast<float>(spoke) + 0.5f) / kSpokes;
-            const auto r = static_cast<float>(tan) * z;
-            candela +=
-                shared::beam_candela(light, {r * std::cos(angle), r * std::sin(angle), z}, gobos.images);
-        }
-        sum += static_cast<double>(glm::dot(candela, kLuminance)) * solid;
-        inner = outer;
-    }
-    return sum;
-}
-
 } // namespace
 
-float output_lm(const shared::Light& light, const GoboStack& gobos) {
-    const Profile profile{.tan_field = light.tan_field,
-                          .power = light.profile_power,
-                          .scale = light.profile_scale,
-                          .edge = light.edge,
-                          .cut_radius = light.cut_radius};
-    double lumens = static_cast<double>(glm::dot(light.intensity_cd, kLuminance) *
-                                        beam_solid_angle(profile, light.iris_radius));
-    if (light.wheel_count > 0 || light.shaped != 0 || light.split < shared::kNoSplit) {
-        shared::Light plain = light;
-        plain.wheel_count = plain.shaped = 0;
-        plain.split = shared::kNoSplit;
-        plain.colour_b = glm::vec3(1.0f);
-        const double all = sum_of_gate(plain, gobos);
-        lumens *= all > 0.0 ? sum_of_gate(light, gobos) / all : 0.0;
-    }
-    return std::isfinite(lumens) ? static_cast<float>(std::max(lumens, 0.0)) : 0.0f;
-}
-
 float share_of(const fixture::Type& type, const BeamState& state, const GoboStack& gobos) {
-    const float full_lm = lumens(type, open_beam(state), gobos);
-    return full_lm > 0.0f ? lumens(type, state, gobos) / full_lm : 0.0f;
+    const auto lumens = [&](const BeamState& beam) {
+        return output_lm(light_from(type, beam, glm::mat4(1.0f), glm::vec3(0.0f), gobos), gobos);
+    };
+    const float full_lm = lumens(open_beam(state));
+    return full_lm > 0.0f ? lumens(state) / full_lm : 0.0f;
 }
 
 BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState& state,
                   const shared::Light& light, const std::vector<ChannelFacts>& channels,
-                  const GoboStack& gobos) {
+                  const GoboStack& gobos, const Projector* projector) {
     const fixture::Type& type = *patch.type;
     const fixture::Mode& mode = patch.mode_of();
     const Optics& now = state.optics;
-    const Shares shares(type, state, gobos);
+    Shares shares(type, state, gobos, projector);
     BeamFacts facts;
     facts.name = item(mode.nodes, state.node).name;
     facts.full_lm = shares.full_lm();
     facts.output_lm = output_lm(light, gobos);
+    facts.projects = light.slide.layer != 0;
     facts.lamp = now.lamp;
     split_dimmers(mode, beam, channels, now.dimmer, facts);
     facts.shutter = now.shutter_position;
@@ -227,7 +210,20 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
                        ? 1.0f
                        : now.shutter / now.shutter_position;
     facts.strobe_hz = now.strobe == fixture::Strobe::none ? 0.0f : now.strobe_hz;
-    facts.colour = shares.with([&](Optics& optics) {
+    facts.mix = shares.next(now.has_mix || now.brightness != 1.0f, [&](Optics& optics) {
+        optics.has_mix = now.has_mix;
+        optics.mix = now.mix;
+        optics.brightness = now.brightness;
+    });
+    // A mixed colour takes the place of the emitters.
+    facts.emitters = shares.next(!now.emitters.empty() && !now.has_mix,
+                                 [&](Optics& optics) { optics.emitters = now.emitters; });
+    facts.correction = shares.next(now.cct_k > 0.0f || now.tint != 0.0f, [&](Optics& optics) {
+        optics.cct_k = now.cct_k;
+        optics.cct_is_filter = now.cct_is_filter;
+        optics.tint = now.tint;
+    });
+    facts.colour = shares.next(true, [&](Optics& optics) {
         optics.cyan = now.cyan;
         optics.magenta = now.magenta;
         optics.yellow = now.yellow;
@@ -235,47 +231,39 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
         optics.color_flags = now.color_flags;
         optics.flag_filters = now.flag_filters;
     });
-    facts.correction = shares.with([&](Optics& optics) {
-        optics.cct_k = now.cct_k;
-        optics.cct_is_filter = now.cct_is_filter;
-        optics.tint = now.tint;
-    });
-    facts.mix = shares.with([&](Optics& optics) {
-        optics.has_mix = now.has_mix;
-        optics.mix = now.mix;
-        optics.brightness = now.brightness;
-    });
-    // A mixed colour takes the place of the emitters.
-    if (!now.emitters.empty() && !now.has_mix)
-        facts.emitters = shares.with([&](Optics& optics) { optics.emitters = now.emitters; });
-    facts.iris = shares.with([&](Optics& optics) { optics.iris = now.iris; });
-    facts.gobo = shares.with([&](Optics& optics) { optics.gobo_wheels = now.gobo_wheels; });
-    facts.animation = shares.with([&](Optics& optics) { optics.animations = now.animations; });
-    facts.blades = shares.with([&](Optics& optics) {
+    if (facts.projects) facts.picture = shares.picture();
+    facts.animation =
+        shares.next(!now.animations.empty(), [&](Optics& optics) { optics.animations = now.animations; });
+    facts.gobo =
+        shares.next(!now.gobo_wheels.empty(), [&](Optics& optics) { optics.gobo_wheels = now.gobo_wheels; });
+    facts.iris = shares.next(now.iris < 1.0f, [&](Optics& optics) { optics.iris = now.iris; });
+    facts.blades = shares.next(!now.blades.empty(), [&](Optics& optics) {
         optics.blades = now.blades;
         optics.shaper_deg = now.shaper_deg;
     });
     facts.optics = optics_text(type, now);
     for (const WheelState& wheel : now.color_wheels) {
         facts.wheels.push_back(wheel_facts(type, wheel, true));
-        facts.wheels.back().share = shares.with([&](Optics& optics) { optics.color_wheels = {wheel}; });
+        facts.wheels.back().share = shares.alone([&](Optics& optics) { optics.color_wheels = {wheel}; });
     }
     for (const WheelState& wheel : now.gobo_wheels) {
         facts.wheels.push_back(wheel_facts(type, wheel, false));
-        facts.wheels.back().share = shares.with([&](Optics& optics) { optics.gobo_wheels = {wheel}; });
+        facts.wheels.back().share = shares.alone([&](Optics& optics) { optics.gobo_wheels = {wheel}; });
     }
-    const float known = now.lamp * now.dimmer * facts.shutter * facts.strobe * facts.colour *
-                        facts.correction * facts.mix * facts.emitters * facts.iris * facts.gobo *
-                        facts.animation * facts.blades * facts.full_lm;
+    const float known = now.lamp * now.dimmer * facts.shutter * facts.strobe * facts.mix * facts.emitters *
+                        facts.correction * facts.colour * facts.picture * facts.animation * facts.gobo *
+                        facts.iris * facts.blades * facts.full_lm;
     facts.rest = known > 1e-4f * facts.full_lm ? facts.output_lm / known : 1.0f;
 
-    const fixture::Beam& source = *item(type.geometries, state.geometry).beam;
-    facts.field_deg = now.zoom_deg;
-    facts.beam_deg = now.zoom_deg * source.beam_angle_deg / std::max(source.field_angle_deg, 0.01f);
-    shared::Light plain = light;
-    plain.wheel_count = plain.shaped = 0;
+    const LitGate lit = lit_gate(light, gobos);
+    facts.field_deg = lit.field_deg;
+    facts.beam_deg = lit.beam_deg;
+    facts.lit_deg = lit.lit_deg;
+    facts.is_cut = lit.is_cut;
     const float z = 1.0f / std::max(light.focus_per_m, 1e-4f);
-    facts.axis_cd = facts.gobo * glm::dot(shared::beam_candela(plain, {0, 0, z}, gobos.images), kLuminance);
+    const glm::vec3 middle(lit.middle * light.tan_field * z, z);
+    const glm::vec3 middle_cd = shared::beam_candela(outline_of(light), middle, gobos.images);
+    facts.axis_cd = facts.picture * facts.gobo * facts.animation * glm::dot(middle_cd, kLuminance);
     facts.direction = light.axis_w;
     facts.lens_m = light.position_m + light.axis_w * light.lens_m;
     return facts;

@@ -6,6 +6,7 @@
 #include "fixture/values.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 namespace ghost::scene::explained {
@@ -14,6 +15,7 @@ namespace {
 using fixture::Role;
 
 constexpr float kThinnest_deg = 0.5f; // a beam of less is a laser's
+constexpr float kOut = 1e-3f;         // of a blade
 
 struct Beam {
     const fixture::Mode& mode;
@@ -63,8 +65,8 @@ bool selects_gobo(Role role) {
            role == Role::gobo_select_spin || role == Role::gobo_select_shake;
 }
 
-Reason blocking(Cause cause, std::string text, std::string group, std::vector<int> channels) {
-    return {cause, true, std::move(text), std::move(group), std::move(channels)};
+Reason blocking(Cause cause, std::string text, std::string group, std::vector<int> channels, float share) {
+    return {cause, true, std::move(text), std::move(group), std::move(channels), share};
 }
 
 Reason dimmer_finding(const Beam& beam, const fixture::Optics& optics) {
@@ -82,7 +84,7 @@ Reason dimmer_finding(const Beam& beam, const fixture::Optics& optics) {
         if (low.size() > 1)
             text += "; so " + std::string(low.size() > 2 ? "are " : "is ") +
                     places_text(beam, {low.begin() + 1, low.end()});
-        return blocking(Cause::dimmer, text, group, low);
+        return blocking(Cause::dimmer, text, group, low, optics.dimmer);
     }
     float asked = 1.0f;
     const std::vector<int> dimmers = beam.find(
@@ -93,9 +95,9 @@ Reason dimmer_finding(const Beam& beam, const fixture::Optics& optics) {
         return blocking(Cause::dimmer,
                         "the dimmer (" + places + ") is still on its way: it gives " +
                             percent(optics.dimmer) + ", asked is " + percent(asked),
-                        "their dimmer is still on its way", dimmers);
+                        "their dimmer is still on its way", dimmers, optics.dimmer);
     return blocking(Cause::dimmer, "all dimmers together (" + places + ") give " + percent(optics.dimmer),
-                    group, dimmers);
+                    group, dimmers, optics.dimmer);
 }
 
 // A dimmer without an address: the desk multiplies it into other channels.
@@ -115,17 +117,17 @@ void add_virtual_dimmer(const Beam& beam, std::vector<Reason>& findings) {
                         "their dimmer is virtual", virtuals});
 }
 
-Reason shutter_finding(const Beam& beam) {
+Reason shutter_finding(const Beam& beam, const BeamFacts& facts) {
     const std::vector<int> closed = beam.find([](const ChannelFacts& channel) {
         return channel.role == Role::shutter && channel.reading.physical < kBlocks;
     });
     const std::string group = "their shutter is closed";
-    if (closed.empty()) return blocking(Cause::shutter, "the shutter is closed", group, {});
+    if (closed.empty()) return blocking(Cause::shutter, "the shutter is closed", group, {}, facts.shutter);
     const ChannelFacts& first = beam.at(closed.front());
     return blocking(Cause::shutter,
                     "the shutter function " + function_text(first) + " is active on " + place_text(first) +
                         (first.reading.received ? ", value " : ", default ") + first.value,
-                    group, closed);
+                    group, closed, facts.shutter);
 }
 
 Reason strobe_finding(const Beam& beam, const BeamFacts& facts) {
@@ -139,7 +141,7 @@ Reason strobe_finding(const Beam& beam, const BeamFacts& facts) {
         text += ": function " + function_text(first) + " on " + place_text(first) + ", value " + first.value +
                 ", flashes " + number(static_cast<double>(facts.strobe_hz), 1) + " times a second";
     }
-    return blocking(Cause::strobe, text, "their strobe is between two flashes", active);
+    return blocking(Cause::strobe, text, "their strobe is between two flashes", active, facts.strobe);
 }
 
 // Flags in words: "cyan 100 % on channel 6 (1.6)".
@@ -176,7 +178,45 @@ void add_colour_findings(const Beam& beam, const fixture::Optics& optics, const 
     findings.push_back(
         blocking(Cause::colour,
                  joined(parts) + (parts.size() > 1 ? " let " : " lets ") + "only " + passes + " through",
-                 "their colours let next to nothing through", channels));
+                 "their colours let next to nothing through", channels, facts.colour));
+}
+
+// "the framing blades (top 60 % on channel 20 (1.20), bottom 45 % on channel 24 (1.24)) let only 0.1 % ...".
+void add_blade_finding(const Beam& beam, const fixture::Optics& optics, const BeamFacts& facts,
+                       std::vector<Reason>& findings) {
+    if (facts.blades >= kBlocks) return;
+    constexpr std::array kSides{"top", "right", "bottom", "left"};
+    std::vector<std::string> parts;
+    std::vector<int> channels;
+    for (std::size_t k = 0; k < std::min(optics.blades.size(), kSides.size()); ++k) {
+        const fixture::Blade& blade = optics.blades[k];
+        const float in = std::max(blade.a, blade.b);
+        if (in <= kOut) continue;
+        const std::vector<int> found = beam.find([&](const ChannelFacts& channel) {
+            return (channel.role == Role::blade_a || channel.role == Role::blade_b) &&
+                   fixture::attribute_from(channel.attribute).number == static_cast<int>(k) + 1;
+        });
+        parts.push_back(std::string(kSides[k]) + " " + percent(in) +
+                        (found.empty() ? "" : " in on " + places_text(beam, found)));
+        channels.insert(channels.end(), found.begin(), found.end());
+    }
+    const std::vector<int> turns = beam.find([](const ChannelFacts& channel) {
+        return channel.role == Role::blade_rotate || channel.role == Role::shaper_rotate;
+    });
+    channels.insert(channels.end(), turns.begin(), turns.end());
+    const std::string reaches = facts.iris < 0.9f ? " of what the iris leaves" : " of the light";
+    findings.push_back(blocking(Cause::blades,
+                                "the framing blades (" + joined(parts, ", ") + ") let only " +
+                                    percent(facts.blades) + reaches + " through",
+                                "their framing blades let next to nothing through", channels, facts.blades));
+}
+
+Reason animation_finding(const Beam& beam, const BeamFacts& facts) {
+    const std::vector<int> wheels = beam.of_role(Role::animation_wheel);
+    return blocking(Cause::animation,
+                    "the animation wheel lets only " + percent(facts.animation) + " of the light through" +
+                        (wheels.empty() ? "" : " (" + places_text(beam, wheels) + ")"),
+                    "their animation wheel lets next to nothing through", wheels, facts.animation);
 }
 
 void add_gobo_findings(const Beam& beam, const BeamFacts& facts, std::vector<Reason>& findings) {
@@ -196,15 +236,16 @@ void add_gobo_findings(const Beam& beam, const BeamFacts& facts, std::vector<Rea
                                         (found.empty() ? ""
                                                        : " (" + place_text(beam.at(found.front())) +
                                                              ", value " + beam.at(found.front()).value + ")"),
-                                    "their gobo lets next to nothing through", found));
+                                    "their gobo lets next to nothing through", found, facts.gobo));
     }
 }
 
 void add_zoom_findings(const Beam& beam, const fixture::Type& type, const fixture::BeamState& state,
-                       const BeamFacts& facts, std::vector<Reason>& findings) {
+                       std::vector<Reason>& findings) {
     const fixture::Geometry& geometry = type.geometries[static_cast<std::size_t>(state.geometry)];
     const std::vector<int> zooms = beam.of_role(Role::zoom);
-    const bool thin = facts.field_deg < kThinnest_deg && geometry.kind != fixture::GeometryKind::laser;
+    const float zoom_deg = state.optics.zoom_deg;
+    const bool thin = zoom_deg < kThinnest_deg && geometry.kind != fixture::GeometryKind::laser;
     std::string text;
     bool odd = thin;
     for (const int zoom : zooms) {
@@ -222,15 +263,15 @@ void add_zoom_findings(const Beam& beam, const fixture::Type& type, const fixtur
     if (!odd) return;
     findings.push_back({Cause::zoom, thin,
                         text + ": no angle of a lamp; drawn is a field of " +
-                            number(static_cast<double>(facts.field_deg), 2) + " deg",
-                        "their zoom gives no beam", zooms});
+                            number(static_cast<double>(zoom_deg), 2) + " deg",
+                        "their zoom gives no beam", zooms, 1.0f});
 }
 
 // A lamp that does not burn, and a channel that says so.
 void add_lamp_findings(const Beam& beam, const BeamFacts& facts, std::vector<Reason>& findings) {
     if (!(facts.full_lm > 0.0f))
         findings.push_back(
-            blocking(Cause::lamp, "its file gives the lamp 0 lumens", "their lamp has 0 lumens", {}));
+            blocking(Cause::lamp, "its file gives the lamp 0 lumens", "their lamp has 0 lumens", {}, 0.0f));
     const bool out = facts.lamp < kBlocks;
     bool said_off = false;
     for (std::size_t i = 0; i < beam.channels.size(); ++i) {
@@ -245,13 +286,14 @@ void add_lamp_findings(const Beam& beam, const BeamFacts& facts, std::vector<Rea
                                 place_text(channel) + ", value " + channel.value +
                                 (out ? "" : " (in the picture it burns)"),
                             "their lamp is off",
-                            {static_cast<int>(i)}});
+                            {static_cast<int>(i)},
+                            facts.lamp});
     }
     if (out && !said_off)
         findings.push_back(blocking(Cause::lamp,
                                     "its lamp gives " + percent(facts.lamp) +
                                         ": it is off, or was struck less than a minute ago",
-                                    "their lamp is off", {}));
+                                    "their lamp is off", {}, facts.lamp));
 }
 
 } // namespace
@@ -264,29 +306,34 @@ std::vector<Reason> causes_in_beam(const fixture::Patch& patch, std::size_t beam
     std::vector<Reason> findings;
     if (optics.dimmer < kBlocks) findings.push_back(dimmer_finding(beam, optics));
     add_virtual_dimmer(beam, findings);
-    if (facts.shutter < kBlocks) findings.push_back(shutter_finding(beam));
+    if (facts.shutter < kBlocks) findings.push_back(shutter_finding(beam, facts));
     if (facts.strobe < kBlocks) findings.push_back(strobe_finding(beam, facts));
     if (facts.iris < kBlocks) {
         const std::vector<int> irises = beam.of_role(Role::iris);
         std::string text = "the iris is closed to " + percent(optics.iris) + " of the beam's width";
         if (!irises.empty())
             text += ": " + place_text(beam.at(irises.front())) + " " + value_text(beam.at(irises.front()));
-        findings.push_back(blocking(Cause::iris, text, "their iris is closed", irises));
+        findings.push_back(blocking(Cause::iris, text, "their iris is closed", irises, facts.iris));
     }
+    add_blade_finding(beam, optics, facts, findings);
     add_colour_findings(beam, optics, facts, findings);
     add_gobo_findings(beam, facts, findings);
-    add_zoom_findings(beam, *patch.type, state, facts, findings);
+    if (facts.animation < kBlocks) findings.push_back(animation_finding(beam, facts));
+    if (facts.picture < kBlocks)
+        findings.push_back(blocking(Cause::picture,
+                                    "the picture that it projects is black at this moment: of white it has " +
+                                        percent(facts.picture),
+                                    "their picture is black", {}, facts.picture));
+    add_zoom_findings(beam, *patch.type, state, findings);
     if (facts.emitters < kBlocks && !optics.emitters.empty()) {
         const std::vector<int> colours = beam.of_role(Role::color_add);
         findings.push_back(blocking(
             Cause::emitters,
             std::string(colours.size() > 1 ? "all its colours are" : "its colour is") +
                 " at 0: an LED needs colour as well as its dimmer (" + places_text(beam, colours) + ")",
-            "their colours are all at 0", colours));
+            "their colours are all at 0", colours, facts.emitters));
     }
     add_lamp_findings(beam, facts, findings);
-    std::stable_sort(findings.begin(), findings.end(),
-                     [](const Reason& a, const Reason& b) { return a.cause < b.cause; });
     return findings;
 }
 

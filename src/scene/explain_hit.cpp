@@ -12,7 +12,7 @@ namespace ghost::scene::explained {
 namespace {
 
 constexpr float kBehind_m = 0.1f; // an object nearer to the lens than this stops the beam at the fixture
-constexpr float kEdge = 0.7f;     // where else the beam is looked along, in gate radii
+constexpr float kEdge = 0.7f;     // where else the beam is looked along, of its half extent
 constexpr int kEdgeRays = 8;
 
 // What a beam that leaves the stage does, in words.
@@ -45,29 +45,35 @@ bool is_inside(const Stage& stage, int instance, const glm::vec3& point_m) {
 } // namespace
 
 void look(const ExplainInput& input, const shared::Light& light, BeamFacts& facts) {
-    const auto seen = input.first_hit(light.position_m, light.axis_w);
+    const LitGate lit = lit_gate(light, input.gobos);
+    const shared::Light outline = outline_of(light);
+    const auto way_through = [&](const glm::vec2& gate) {
+        const glm::vec2 aside = light.tan_field * gate;
+        return glm::normalize(light.axis_w + aside.x * light.axis_u + aside.y * light.axis_v);
+    };
+    const glm::vec3 way = way_through(lit.middle);
+    const auto seen = input.first_hit(light.position_m, way);
     if (seen.instance >= 0) {
         HitFacts hit;
         hit.object = object_name(*input.stage, seen.instance);
-        hit.distance_m = seen.distance_m - light.lens_m;
-        hit.position_m = light.position_m + light.axis_w * seen.distance_m;
-        shared::Light plain = light;
-        plain.wheel_count = plain.shaped = 0;
-        const float axis_cd =
-            facts.gobo *
-            glm::dot(shared::beam_candela(plain, {0, 0, seen.distance_m}, input.gobos.images), kLuminance);
-        hit.facing_lx = axis_cd / std::max(seen.distance_m * seen.distance_m, 1e-6f);
-        hit.illuminance_lx = hit.facing_lx * std::abs(glm::dot(seen.normal, light.axis_w));
+        hit.distance_m = seen.distance_m - light.lens_m / glm::dot(way, light.axis_w);
+        hit.position_m = light.position_m + way * seen.distance_m;
+        // What is a picture counts as the mean that it lets through.
+        const glm::vec3 candela =
+            shared::beam_candela(outline, shared::to_gate(light, way * seen.distance_m), input.gobos.images);
+        const float towards_cd = facts.picture * facts.gobo * facts.animation * glm::dot(candela, kLuminance);
+        hit.facing_lx = towards_cd / std::max(seen.distance_m * seen.distance_m, 1e-6f);
+        hit.illuminance_lx = hit.facing_lx * std::abs(glm::dot(seen.normal, way));
         hit.lens_inside = is_inside(*input.stage, seen.instance, facts.lens_m);
         facts.hit = hit;
         return;
     }
     for (int k = 0; k < kEdgeRays && facts.edge_object.empty(); ++k) {
         const float angle = 2.0f * shared::kPi * static_cast<float>(k) / kEdgeRays;
-        const glm::vec3 way =
-            light.axis_w +
-            kEdge * light.tan_field * (std::cos(angle) * light.axis_u + std::sin(angle) * light.axis_v);
-        const auto beside = input.first_hit(light.position_m, glm::normalize(way));
+        const glm::vec2 gate = lit.middle + kEdge * lit.half * glm::vec2(std::cos(angle), std::sin(angle));
+        const glm::vec3 at = glm::vec3(gate * light.tan_field, 1.0f) / std::max(light.focus_per_m, 1e-4f);
+        if (shared::beam_candela(outline, at, input.gobos.images) == glm::vec3(0.0f)) continue;
+        const auto beside = input.first_hit(light.position_m, way_through(gate));
         if (beside.instance >= 0) facts.edge_object = object_name(*input.stage, beside.instance);
     }
 }
@@ -100,6 +106,14 @@ void add_unseen(const ExplainInput& input, BeamFacts& facts) {
              (haze ? "only its beam in the haze is seen" : "there is no haze to show its beam"),
          "they point away from everything",
          {}});
+}
+
+std::string width_text(const BeamFacts& facts) {
+    const std::string extent = number(static_cast<double>(facts.lit_deg.x), 1) + " x " +
+                               number(static_cast<double>(facts.lit_deg.y), 1) + " deg";
+    if (facts.projects) return "picture " + extent;
+    return "beam " + number(static_cast<double>(facts.beam_deg), 1) + " deg" +
+           (facts.is_cut ? ", cut to " + extent : "");
 }
 
 std::string hit_text(const Explanation& explanation, const BeamFacts& facts) {

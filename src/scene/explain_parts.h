@@ -34,10 +34,26 @@ std::vector<ChannelFacts> channel_facts(const fixture::Patch& patch, const fixtu
 
 // Light that leaves, in lumens: beam_candela over all directions.
 float output_lm(const shared::Light& light, const GoboStack& gobos);
-// One beam, without hit and findings. light: what is drawn of it.
+// A projector's panel all white, without its picture.
+void show_white(shared::Light& light);
+// The beam without what is a picture: gobos, animation wheel, film, two colours. Iris and blades stay.
+shared::Light outline_of(const shared::Light& light);
+
+// The part of its gate by which a beam leaves.
+struct LitGate {
+    glm::vec2 middle{0}; // gate units: 0 where the middle of the beam is lit
+    glm::vec2 half{1};   // of its extent
+    float beam_deg = 0;  // full angles of the round field, iris and frost included; of a picture its width
+    float field_deg = 0;
+    glm::vec2 lit_deg{0}; // across and up
+    bool is_cut = false;  // by blades
+};
+LitGate lit_gate(const shared::Light& light, const GoboStack& gobos);
+
+// One beam, without hit and findings. light: what is drawn of it; projector: what it projects, null: nothing.
 BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const fixture::BeamState& state,
                   const shared::Light& light, const std::vector<ChannelFacts>& channels,
-                  const GoboStack& gobos);
+                  const GoboStack& gobos, const Projector* projector);
 // Share of the light of an open beam that these optics let out, wherever the head points.
 float share_of(const fixture::Type& type, const fixture::BeamState& state, const GoboStack& gobos);
 
@@ -46,10 +62,12 @@ std::vector<Reason> causes_in_beam(const fixture::Patch& patch, std::size_t beam
                                    const fixture::BeamState& state, const BeamFacts& facts,
                                    const std::vector<ChannelFacts>& channels);
 
-// The ray along the beam's middle, and where that meets nothing some beside it. Needs a stage.
+// The ray along the middle of what is lit, and where that meets nothing some beside it. Needs a stage.
 void look(const ExplainInput& input, const shared::Light& light, BeamFacts& facts);
 // Light leaves, but it is not seen: findings for a beam that was looked along.
 void add_unseen(const ExplainInput& input, BeamFacts& facts);
+// "beam 20 deg", "beam 20 deg, cut to 18 x 7 deg", "picture 37 x 21 deg".
+std::string width_text(const BeamFacts& facts);
 // "hits 'floor' at 6 m with 850 lx".
 std::string hit_text(const Explanation& explanation, const BeamFacts& facts);
 

@@ -142,13 +142,14 @@ std::string light_text(const BeamFacts& beam) {
             text += std::string(" x ") + name + " " + percent(share);
     };
     add("strobe", beam.strobe, beam.strobe_hz > 0.0f);
-    add("colour", beam.colour, true);
-    add("colour correction", beam.correction, false);
     add("mixed colour", beam.mix, false);
     add("emitters", beam.emitters, false);
-    add("iris", beam.iris, false);
-    add("gobo", beam.gobo, false);
+    add("colour correction", beam.correction, false);
+    add("colour", beam.colour, true);
+    add("picture", beam.picture, beam.projects);
     add("animation wheel", beam.animation, false);
+    add("gobo", beam.gobo, false);
+    add("iris", beam.iris, false);
     add("blades", beam.blades, false);
     add("other optics", beam.rest, false);
     return text + " = " + number(static_cast<double>(beam.output_lm), beam.output_lm < 10.0f ? 2 : 0) +
@@ -194,6 +195,16 @@ std::string hits_text(const Explanation& explanation, const BeamFacts& beam) {
                                     : "nothing with its middle; its edge meets '" + beam.edge_object + "'";
 }
 
+std::string beam_text(const BeamFacts& beam) {
+    if (beam.projects) return width_text(beam);
+    std::string text = number(static_cast<double>(beam.beam_deg), 1) + " deg at half, field " +
+                       number(static_cast<double>(beam.field_deg), 1) + " deg";
+    if (beam.is_cut)
+        text += ", cut by blades to " + number(static_cast<double>(beam.lit_deg.x), 1) + " x " +
+                number(static_cast<double>(beam.lit_deg.y), 1) + " deg";
+    return text;
+}
+
 std::string beam_lines(const Explanation& explanation) {
     if (explanation.beams.empty()) return "";
     const BeamFacts& beam = explanation.beams[static_cast<std::size_t>(explanation.main_beam)];
@@ -201,9 +212,8 @@ std::string beam_lines(const Explanation& explanation) {
     for (std::size_t i = 0; i < beam.wheels.size(); ++i)
         text += row(i == 0 ? "wheels" : "", wheel_text(beam.wheels[i]));
     for (std::size_t i = 0; i < beam.optics.size(); ++i) text += row(i == 0 ? "optics" : "", beam.optics[i]);
-    text += row("beam", number(static_cast<double>(beam.beam_deg), 1) + " deg at half, field " +
-                            number(static_cast<double>(beam.field_deg), 1) + " deg, " +
-                            number(static_cast<double>(beam.axis_cd)) + " cd in the middle");
+    text += row("beam", beam_text(beam) + ", " + number(static_cast<double>(beam.axis_cd)) +
+                            " cd in the middle" + (beam.is_cut ? " of that" : ""));
     text += row("points", "from x " + metres(beam.lens_m.x) + ", y " + metres(beam.lens_m.y) + ", z " +
                               metres(beam.lens_m.z) + " m, " + direction_text(beam.direction));
     text += row("hits", hits_text(explanation, beam));

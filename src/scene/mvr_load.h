@@ -34,7 +34,6 @@ inline constexpr std::size_t kMaxMvrObjects = 100'000;
 inline constexpr std::size_t kMaxMvrSymbols = 50'000;
 inline constexpr std::size_t kMaxMvrParts = 1'000'000; // geometries, addresses, commands .. of the whole plot
 inline constexpr std::size_t kMaxMeshInstances = 1'000'000; // with all symbols taken apart
-inline constexpr std::size_t kMaxMvrMessages = 500;
 inline constexpr std::size_t kMaxMvrText = 4096; // bytes of one text that the Plot keeps; the export has all
 
 struct MvrLoading {
@@ -45,7 +44,7 @@ struct MvrLoading {
 
 struct LoadedPlot {
     Plot plot;
-    Report report;            // at most kMaxMvrMessages and one that says how many more there were
+    Report report; // at most 1001 (fixture/message_cap.h), then one that says how many more there were
     fixture::Archive archive; // stays open: read(PlotMesh::member), read(PlotGdtf::member) ..
     std::string description;  // name of the description in the archive
     std::string name;         // of the file, for messages

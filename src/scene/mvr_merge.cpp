@@ -124,7 +124,7 @@ private:
     }
 
     static MergeEntry entry(const PlotObject& object, std::string what) {
-        return {object.uuid, object.kind, object.name, std::move(what)};
+        return {object.uuid, object.kind, object.name, object.device.fixture_id, std::move(what)};
     }
 
     std::string changed_text(const PlotObject& before, const PlotObject& after) const {
@@ -221,7 +221,7 @@ private:
             }
             PlotObject& object = merged.plot.objects[static_cast<std::size_t>(found->second)];
             const PlotObject& after = new_.objects[static_cast<std::size_t>(found->second)];
-            KeptChange kept{*change, after.name, false, ""};
+            KeptChange kept{*change, after.name, after.device.fixture_id, false, ""};
             const auto before = old_index_.find(key);
             if (before != old_index_.end() && plot_changed_it(old_.objects[before->second], after, *change)) {
                 kept.both = true;
@@ -258,10 +258,16 @@ const char* name_of(PlotChange::What what) {
     return "";
 }
 
+// " (101, 4A1C-..)": names come again and again, numbers and UUIDs do not.
+std::string identity(const std::string& fixture_id, const std::string& uuid) {
+    const std::string both = fixture_id + (fixture_id.empty() || uuid.empty() ? "" : ", ") + uuid;
+    return both.empty() ? "" : " (" + both + ")";
+}
+
 void list(std::string& text, const char* title, const std::vector<MergeEntry>& entries) {
     for (std::size_t i = 0; i < entries.size() && i < kListed; ++i) {
-        text +=
-            std::string("  ") + title + ": " + scene::name_of(entries[i].kind) + " '" + entries[i].name + "'";
+        text += std::string("  ") + title + ": " + scene::name_of(entries[i].kind) + " '" + entries[i].name +
+                "'" + identity(entries[i].fixture_id, entries[i].uuid);
         text += entries[i].what.empty() ? "\n" : ": " + entries[i].what + "\n";
     }
     if (entries.size() > kListed)
@@ -290,8 +296,9 @@ std::string text_of(const MergeReport& report) {
     list(text, "changed", report.changed);
     for (const KeptChange& kept : report.kept)
         if (kept.both)
-            text += std::string("  your ") + name_of(kept.change.what) + " of '" + kept.name +
-                    "' is kept; the new plot says " + kept.plot_says + "\n";
+            text += std::string("  your ") + name_of(kept.change.what) + " of '" + kept.name + "'" +
+                    identity(kept.fixture_id, kept.change.uuid) + " is kept; the new plot says " +
+                    kept.plot_says + "\n";
     for (const PlotChange& change : report.gone)
         text += std::string("  your ") + name_of(change.what) + " of " + change.uuid +
                 " is dropped: there is no such object any more\n";

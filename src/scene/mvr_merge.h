@@ -16,12 +16,14 @@ struct MergeEntry {
     std::string uuid;
     ObjectKind kind = ObjectKind::scene_object;
     std::string name;
-    std::string what; // "moved 1.20 m", "address 1.1 is now 2.17", ...
+    std::string fixture_id; // the fixture's number; "" where it has none
+    std::string what;       // "moved 1.20 m", "address 1.1 is now 2.17", ...
 };
 
 struct KeptChange {
     PlotChange change;
     std::string name;      // of the object
+    std::string fixture_id;
     bool both = false;     // the new plot changed the same thing, too: the user's change won
     std::string plot_says; // both: what the new plot says
 };

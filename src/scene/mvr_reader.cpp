@@ -63,22 +63,20 @@ void MvrReader::say(Severity severity, pugi::xml_node node, const std::string& w
         ++said_[known->second].times;
         return;
     }
-    if (said_.size() >= kMaxMvrMessages) {
-        ++dropped_;
-        return;
-    }
+    if (!cap_.takes(static_cast<int>(severity), what, said_.size())) return;
     said_index_.emplace(what, said_.size());
     said_.push_back({severity, where(node), what});
 }
 
 void MvrReader::finish_messages() {
-    for (Said& said : said_) {
+    for (std::size_t i = 0; i < said_.size(); ++i) {
+        Said& said = said_[i];
         if (said.times > 1) said.what += " (" + std::to_string(said.times) + " times, first here)";
+        if (const std::size_t more = cap_.more_like(i); more > 0)
+            said.what += " (and " + std::to_string(more) + " more of this kind)";
         loaded_.report.add(said.severity, std::move(said.where), std::move(said.what));
     }
-    if (dropped_ > 0)
-        loaded_.report.add(Severity::error, loaded_.name,
-                           std::to_string(dropped_) + " more faults like these");
+    if (cap_.is_over()) loaded_.report.add(static_cast<Severity>(cap_.worst()), loaded_.name, cap_.text());
     said_.clear();
     said_index_.clear();
 }

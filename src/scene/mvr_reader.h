@@ -3,6 +3,7 @@
 // MvrReader: one reading of an MVR description into a Plot; private to the mvr_*.cpp files that fill it.
 // Sentences that come up again and again are counted and said once, with the first place.
 
+#include "fixture/message_cap.h"
 #include "scene/mvr_load.h"
 
 #include <glm/mat4x4.hpp>
@@ -98,7 +99,7 @@ private:
     std::size_t xml_bytes_ = 0;
     std::map<std::string, std::size_t> said_index_;
     std::vector<Said> said_;
-    std::size_t dropped_ = 0;
+    fixture::MessageCap cap_;
     std::size_t parts_ = 0;
     std::size_t ticks_ = 0;
     std::unordered_map<std::string, int> mesh_index_;

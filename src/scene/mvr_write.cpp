@@ -85,12 +85,14 @@ public:
         return {};
     }
 
-    Result<void> copy(zip_t* from, zip_uint64_t entry) {
+    // is_damaged: its bytes as they are, without being checked.
+    Result<void> copy(zip_t* from, zip_uint64_t entry, bool is_damaged = false) {
         zip_stat_t stat;
         const char* name = zip_get_name(from, entry, ZIP_FL_ENC_RAW);
         if (!name || zip_stat_index(from, entry, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_COMP_METHOD))
             return Error{"an entry of the original cannot be read", path_.string()};
-        return add(name, zip_source_zip(handle_, from, entry, 0, 0, -1), stat.comp_method);
+        return add(name, zip_source_zip(handle_, from, entry, is_damaged ? ZIP_FL_COMPRESSED : 0, 0, -1),
+                   stat.comp_method);
     }
 
     Result<void> add_text(const char* name, const std::string& text) {
@@ -109,6 +111,26 @@ private:
     std::filesystem::path path_;
     zip_t* handle_ = nullptr;
 };
+
+// "" or what is wrong with a member: it is unpacked to its end, in pieces. What is packed by a method that we
+// do not know is not looked at.
+std::string damage_of(zip_t* from, zip_uint64_t entry) {
+    zip_stat_t stat;
+    if (zip_stat_index(from, entry, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_SIZE) ||
+        !(stat.valid & ZIP_STAT_COMP_METHOD))
+        return "the zip does not say what it is";
+    if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE) return "";
+    if (stat.size > kMaxMvrMemberBytes) return "it unpacks to more than is allowed, and was not looked at";
+    zip_file_t* file = zip_fopen_index(from, entry, 0);
+    if (!file) return zip_strerror(from);
+    std::vector<char> piece(1 << 16);
+    zip_uint64_t done = 0;
+    zip_int64_t got = 0;
+    while (done <= stat.size && (got = zip_fread(file, piece.data(), piece.size())) > 0)
+        done += static_cast<zip_uint64_t>(got);
+    zip_fclose(file);
+    return got == 0 && done == stat.size ? "" : "its bytes do not fit its checksum or its length";
+}
 
 Result<void> write_members(LoadedPlot& loaded, const std::string* description, ZipWriter& out,
                            Report& report) {
@@ -134,7 +156,11 @@ Result<void> write_members(LoadedPlot& loaded, const std::string* description, Z
         } else if (!written.insert(name).second) {
             report.add(Severity::warning, loaded.name, "a second '" + name + "' is not written");
         } else if (!name.ends_with('/')) {
-            TRY_VOID(out.copy(from, i));
+            const std::string damage = damage_of(from, i);
+            if (!damage.empty())
+                report.add(Severity::error, loaded.name + ": " + name,
+                           "is damaged (" + damage + "); it is written as it is");
+            TRY_VOID(out.copy(from, i, !damage.empty()));
         }
     }
     return {};

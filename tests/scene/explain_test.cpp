@@ -4,6 +4,7 @@
 #include "explain_trial.h"
 
 #include "fixture/ofl.h"
+#include "scene/explain_parts.h"
 #include "scene/explain_print.h"
 
 #include <map>
@@ -153,6 +154,73 @@ TEST(explain, IrisClosed) {
                 1e-3f);
 }
 
+const string kBlades =
+    simple("3", "Blade1A") + simple("4", "Blade1B") + simple("5", "Blade3A") + simple("6", "Blade3B");
+
+TEST(explain, BladesThatCoverAllComeBeforeWhatOnlyDims) {
+    Trial trial(type_of(kDimmer + simple("2", "Iris") + kBlades + simple("7", "ColorSub_C") +
+                        simple("8", "ColorSub_M") + simple("9", "ColorSub_Y")));
+    trial.set(1, 255).set(2, 255);
+    for (const int blade : {3, 4, 5, 6}) trial.set(blade, 255);
+    expect(trial.explain(), Visibility::dark, Cause::blades,
+           {"the framing blades (top 100 % in on channel 3 (1.3) and channel 4 (1.4), bottom 100 %",
+            "let only 0 %"});
+    // Full flags leave 1.9 %, an iris at 0.1 leaves 1 %: the blades leave nothing.
+    for (const int flag : {7, 8, 9}) trial.set(flag, 255);
+    const Explanation all = trial.set(2, 26).explain();
+    expect(all, Visibility::dark, Cause::blades, {"of what the iris leaves"});
+    EXPECT_TRUE(find(all, Cause::colour)->blocks);
+    EXPECT_TRUE(find(all, Cause::iris)->blocks);
+    // Beside a dimmer at 0 they are the second thing to look at.
+    expect(trial.set(1, 0).explain(), Visibility::dark, Cause::dimmer, {});
+}
+
+// Neither alone keeps the light away: an iris that leaves the middle, a blade that covers just that.
+TEST(explain, BladesBehindAnIris) {
+    Trial trial(type_of(kDimmer + simple("2", "Iris") + kBlades));
+    trial.set(1, 255).set(2, 77);
+    for (const int blade : {3, 4}) trial.set(blade, 191); // 75 % of the way: below the iris of 0.3
+    const Explanation dark = trial.explain();
+    expect(dark, Visibility::dark, Cause::blades, {"of what the iris leaves"});
+    EXPECT_GT(dark.beams[0].iris, 0.05f);
+}
+
+TEST(explain, WidthHitAndLuxAreThoseOfWhatIsLit) {
+    Trial trial(type_of(kDimmer + simple("2", "Iris") + kBlades));
+    const Explanation open = trial.set(1, 255).set(2, 255).explain();
+    EXPECT_NEAR(open.beams[0].beam_deg, 20.0f, 0.01f);
+    EXPECT_NEAR(open.beams[0].field_deg, 25.0f, 0.01f);
+    const Explanation half = trial.set(2, 128).explain();
+    // Half of the tangent of half the field.
+    const float half_deg = glm::degrees(2.0f * std::atan(128.0f / 255.0f * std::tan(glm::radians(12.5f))));
+    EXPECT_NEAR(half.beams[0].field_deg, half_deg, 0.05f);
+    EXPECT_NEAR(half.beams[0].beam_deg, half_deg, 0.05f) << "an iris ends it before it is half as bright";
+    EXPECT_NE(half.verdict.find("beam " + explained::number(static_cast<double>(half_deg), 1) + " deg"),
+              string::npos)
+        << half.verdict;
+    // The top blade covers three quarters: what is left is a slice away from the middle.
+    trial.set(2, 255).set(3, 191).set(4, 191);
+    const Explanation cut = trial.explain();
+    expect(cut, Visibility::lit, Cause::none, {"beam 20 deg, cut to "});
+    const BeamFacts& beam = cut.beams[0];
+    EXPECT_TRUE(beam.is_cut);
+    EXPECT_LT(beam.lit_deg.y, 0.4f * beam.field_deg);
+    ASSERT_TRUE(beam.hit.has_value());
+    EXPECT_GT(std::abs(beam.hit->position_m.y), 0.6f) << "the lit slice of a field of 1.33 m radius";
+    EXPECT_LT(std::abs(beam.hit->position_m.x), 0.1f);
+    EXPECT_GT(beam.hit->illuminance_lx, 0.2f * open.beams[0].hit->illuminance_lx);
+    EXPECT_LT(beam.hit->illuminance_lx, 0.9f * open.beams[0].hit->illuminance_lx);
+}
+
+TEST(explain, ProductNamesWhatTakesMostFirst) {
+    Trial trial(type_of(kDimmer + simple("2", "Iris") + kBlades));
+    const Explanation dim = trial.set(1, 128).set(2, 64).set(3, 130).set(4, 130).explain();
+    ASSERT_EQ(dim.cause, Cause::several) << dim.verdict;
+    EXPECT_LT(dim.verdict.find("iris"), dim.verdict.find("dimmer")) << dim.verdict;
+    const BeamFacts& beam = dim.beams[0];
+    EXPECT_NEAR(beam.rest, 1.0f, 0.02f) << "the shares are what they leave together";
+}
+
 TEST(explain, ColourFlagsAllFull) {
     Trial trial(
         type_of(kDimmer + simple("2", "ColorSub_C") + simple("3", "ColorSub_M") + simple("4", "ColorSub_Y")));
@@ -288,7 +356,7 @@ TEST(explain, NoBeamGeometry) {
 TEST(explain, SeveralThingsTogether) {
     Trial trial(type_of(kDimmer + simple("2", "Iris")));
     expect(trial.set(1, 26).set(2, 70).explain(), Visibility::nearly_dark, Cause::several,
-           {"dimmer 10 % x iris", "of 10000 lm"});
+           {"dimmer 10 %", " x ", "iris", "of 10000 lm"});
 }
 
 TEST(explain, InsideAnObjectAndRightBehindOne) {

@@ -2,6 +2,8 @@
 // What bad MVR files get: a message that says where, bounded memory, and the rest is kept.
 #include "mvr_files.h"
 
+#include "fixture/message_cap.h"
+
 #include <zip.h>
 
 #include <chrono>
@@ -39,7 +41,8 @@ std::vector<std::uint8_t> packed(const std::string& name, const std::string& tex
 
 TEST(mvr_hostile, no_zip_no_description_no_xml) {
     EXPECT_SAYS(error_of(load_mvr(std::vector<std::uint8_t>(), "a.mvr")), "a.mvr: expected ");
-    EXPECT_SAYS(error_of(load_mvr({'P', 'K', 3, 4, 0}, "a.mvr")), "a.mvr: expected a zip archive");
+    EXPECT_SAYS(error_of(load_mvr({'P', 'K', 3, 4, 0}, "a.mvr")), "a.mvr: the archive is cut short");
+    EXPECT_SAYS(error_of(load_mvr({'G', 'I', 'F', 4, 0}, "a.mvr")), "a.mvr: expected a zip archive");
     EXPECT_SAYS(error_of(load_mvr(fixture::make_zip({{"x.xml", "<a/>"}}), "a.mvr")),
                 "expected GeneralSceneDescription.xml");
     EXPECT_SAYS(error_of(load_description("<GeneralSceneDescription>\n<Scene>\n</Scen>")),
@@ -232,8 +235,15 @@ TEST(mvr_hostile, depth_counts_and_messages_have_limits) {
                  "</GDTFSpec></Fixture>";
     const auto faults = load_description(small_xml(wrong));
     ASSERT_TRUE(faults.ok());
-    EXPECT_EQ(faults->report.messages.size(), kMaxMvrMessages + 1);
-    EXPECT_TRUE(says(faults->report, {"1500 more faults"}));
+    EXPECT_EQ(faults->report.messages.size(), fixture::kMaxMessages + 1);
+    EXPECT_TRUE(says(faults->report, {"1500 more messages are not listed", "1500 losses"}));
+    // A limit that is met after them is said all the same.
+    std::string both = wrong;
+    for (std::size_t i = 0; i < kMaxMvrObjects; ++i)
+        both += "<SceneObject uuid='s" + std::to_string(i) + "'/>";
+    const auto late = load_description(small_xml(both));
+    ASSERT_TRUE(late.ok());
+    EXPECT_TRUE(says(late->report, {"more than 100000 objects", "2000 times"})) << messages_of(late->report);
 }
 
 TEST(mvr_hostile, uuids_links_and_texts) {

@@ -64,6 +64,7 @@ TEST(mvr_merge, what_the_designer_changed) {
               std::string::npos)
         << text;
     EXPECT_NE(text.find("added: fixture 'four'"), std::string::npos) << text;
+    EXPECT_NE(text.find("E)\n"), std::string::npos) << "its UUID, for names come again: " << text;
 }
 
 TEST(mvr_merge, the_users_changes_outlive_the_new_plot) {
@@ -106,7 +107,8 @@ TEST(mvr_merge, the_users_changes_outlive_the_new_plot) {
     EXPECT_EQ(merged.report.kept[0].plot_says, "1.7");
     for (std::size_t i = 1; i < merged.report.kept.size(); ++i) EXPECT_FALSE(merged.report.kept[i].both) << i;
     const std::string text = text_of(merged.report);
-    EXPECT_NE(text.find("your address of 'one' is kept; the new plot says 1.7"), std::string::npos) << text;
+    EXPECT_NE(text.find("your address of 'one' (A) is kept; the new plot says 1.7"), std::string::npos)
+        << text;
     EXPECT_NE(text.find("your name of B is dropped"), std::string::npos) << text;
     // The plots that went in are as they were.
     EXPECT_EQ(after.objects[static_cast<std::size_t>(find_object(after, "C"))].name, "three");

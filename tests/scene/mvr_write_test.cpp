@@ -5,6 +5,7 @@
 
 #include <pugixml.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -218,6 +219,28 @@ TEST(mvr_write, members_that_lead_out_or_come_twice_are_left_out) {
     ASSERT_TRUE(again.ok());
     EXPECT_EQ(again->archive.names(),
               (std::vector<std::string>{"GeneralSceneDescription.xml", "a.3ds", "sub/b.3ds"}));
+}
+
+TEST(mvr_write, a_damaged_member_is_said_and_written) {
+    auto bytes = mvr_bytes(small_xml(""), {{"a.3ds", std::string(5000, 'm')}, {"b.3ds", "fine"}});
+    const std::string wanted = "fine"; // stored or packed, its bytes stand in the file once
+    const auto found = std::search(bytes.begin(), bytes.end(), wanted.begin(), wanted.end());
+    ASSERT_NE(found, bytes.end());
+    *found = 'F';
+    auto loaded = load_mvr(std::move(bytes), "hurt.mvr");
+    ASSERT_TRUE(loaded.ok());
+    Report report;
+    const auto written = write_mvr(*loaded, {}, temporary("mvr_write_hurt.mvr"), report);
+    ASSERT_TRUE(written.ok()) << written.error().text();
+    ASSERT_EQ(report.messages.size(), 1u) << messages_of(report);
+    EXPECT_EQ(report.messages[0].severity, Severity::error);
+    EXPECT_TRUE(says(report, {"hurt.mvr: b.3ds", "is damaged", "written as it is"})) << messages_of(report);
+    auto again = load_mvr(temporary("mvr_write_hurt.mvr"));
+    ASSERT_TRUE(again.ok());
+    EXPECT_EQ(again->archive.names().size(), 3u);
+    const auto whole = again->archive.read("a.3ds");
+    ASSERT_TRUE(whole.ok());
+    EXPECT_EQ(whole->size(), 5000u);
 }
 
 TEST(mvr_write, real_files) {

@@ -4,6 +4,7 @@
 #include "plot_files.h"
 
 #include "scene/default_cameras.h"
+#include "scene/export_plot.h"
 #include "scene/import_plot.h"
 
 namespace ghost::scene {
@@ -270,6 +271,53 @@ TEST(ImportPlot, MakesAShowAndKeepsWhatTheUserChanged) {
     for (const auto& entry : fs::directory_iterator(out))
         EXPECT_TRUE(entry.path().filename() == "show.toml" || entry.path().filename() == "tour.mvr")
             << entry.path();
+}
+
+TEST(ExportPlot, WritesWhatTheShowChangesAndNothingElse) {
+    const fs::path folder = scratch("export");
+    const std::string address = "<Addresses><Address break=\"0\">1</Address></Addresses><Note>kept</Note>";
+    write_mvr(folder / "tour.mvr", small_xml(fixture_xml(20, "Spot", kIdentity + "{0,0,5000}", address) +
+                                             fixture_xml(21, "Wash", kIdentity + "{1000,0,5000}", address)));
+    Report report;
+    ASSERT_TRUE(import_plot(folder / "tour.mvr", folder / "show", report).ok());
+    const auto plain = export_plot(folder / "show", folder / "same.mvr", {}, report);
+    ASSERT_TRUE(plain.ok()) << plain.error().text();
+    EXPECT_EQ(plain->changes, 0u);
+    std::ofstream(folder / "show" / "show.toml", std::ios::app)
+        << "[[change]]\nuuid = \"" << uuid(20) << "\"\nuniverse = 3\naddress = 99\nmode = \"Wide\"\n"
+        << "position_m = [2, 3, 4]\n[[change]]\nuuid = \"" << uuid(21)
+        << "\"\nhidden = true\n[[change]]\nuuid = \"" << uuid(77)
+        << "\"\naddress = 5\n[[fixture]]\nname = \"Own\"\n";
+    Report said;
+    const auto exported = export_plot(folder / "show" / "show.toml", folder / "out.mvr", {}, said);
+    ASSERT_TRUE(exported.ok()) << exported.error().text();
+    EXPECT_EQ(exported->changes, 3u);
+    EXPECT_TRUE(says(said, {"no object " + uuid(77)})) << messages_of(said);
+    EXPECT_TRUE(says(said, {"'Wash' is hidden"})) << messages_of(said);
+    EXPECT_TRUE(says(said, {"1 [[fixture]]", "not written"})) << messages_of(said);
+    auto again = load_mvr(folder / "out.mvr");
+    ASSERT_TRUE(again.ok());
+    const int spot = find_object(again->plot, uuid(20)), wash = find_object(again->plot, uuid(21));
+    ASSERT_TRUE(spot >= 0 && wash >= 0);
+    const PlotObject& changed = again->plot.objects[static_cast<std::size_t>(spot)];
+    ASSERT_EQ(changed.device.addresses.size(), 1u);
+    EXPECT_EQ(changed.device.addresses[0].address.universe, 3);
+    EXPECT_EQ(changed.device.addresses[0].address.channel, 99);
+    EXPECT_EQ(changed.device.gdtf_mode, "Wide");
+    expect_near(glm::vec3(changed.world[3]), {2, 3, 4});
+    EXPECT_EQ(again->plot.objects[static_cast<std::size_t>(wash)].device.addresses[0].address.channel, 1);
+    const auto text = again->archive.read(again->description);
+    ASSERT_TRUE(text.ok());
+    EXPECT_NE(std::string(text->begin(), text->end()).find("<Note>kept</Note>"), std::string::npos);
+    // Without changes it is the plot's own description, to the letter.
+    auto same = load_mvr(folder / "same.mvr"), first = load_mvr(folder / "tour.mvr");
+    ASSERT_TRUE(same.ok() && first.ok());
+    EXPECT_EQ(*same->archive.read(same->description), *first->archive.read(first->description));
+    std::ofstream(folder / "none.toml")
+        << "[show]\nname = \"none\"\n[[camera]]\nposition_m = [0, -9, 2]\ntarget_m = [0, 0, 2]\n";
+    const auto none = export_plot(folder / "none.toml", folder / "x.mvr", {}, said);
+    ASSERT_FALSE(none.ok());
+    EXPECT_NE(none.error().text().find("a show without a plot"), std::string::npos) << none.error().text();
 }
 
 TEST(ImportPlot, RefusesWhatItWouldDestroy) {

@@ -4,6 +4,7 @@
 
 #include "fixture/projector_type.h"
 #include "image/pyramid.h"
+#include "scene/explain.h"
 #include "scene/gobos.h"
 #include "scene/lit.h"
 #include "scene/rig.h"
@@ -99,6 +100,46 @@ TEST(Projector, LensShiftMovesThePicture) {
             << at.x << " " << at.y;
     for (const vec2& at : {vec2(3.1f, 0), vec2(-3.1f, 0), vec2(0, 1.8f), vec2(0, -1.8f)})
         EXPECT_LT(lux_at(light, stack, {middle.x + at.x, 9, middle.y + at.y}), 1e-2f * expected);
+}
+
+// explain's lumens, share of the picture and angles: those of the panel, not of a round field.
+TEST(Projector, ExplainMeasuresThePicture) {
+    Show show;
+    show.media.push_back({.name = "film"});
+    PatchedFixture fixture;
+    fixture.name = "Beamer";
+    fixture.type = fixture::video_projector_type();
+    fixture.projector = projector();
+    fixture.address = 1;
+    show.fixtures.push_back(fixture);
+    Report report;
+    Rig rig(show);
+    dmx::Universes universes;
+    dmx::Levels levels{};
+    levels.fill(255);
+    universes.at(1).levels = std::make_shared<const dmx::Levels>(levels);
+    Reception reception;
+    reception.kind = Reception::Kind::recording;
+    rig.step(universes, 0.03);
+    const auto explained = [&](std::uint8_t grey, int width, int height) {
+        const GoboStack stack = showing(grey, width, height);
+        ExplainInput input{show, report, rig, stack, universes, reception};
+        return Explainer(input).explain(0);
+    };
+    const Explanation white = explained(255, 64, 36);
+    ASSERT_EQ(white.visibility, Visibility::lit) << white.verdict;
+    const BeamFacts& beam = white.beams.at(0);
+    EXPECT_NEAR(beam.full_lm, kLumens, 0.02f * kLumens);
+    EXPECT_NEAR(beam.output_lm, kLumens, 0.02f * kLumens);
+    EXPECT_NEAR(beam.picture, 1.0f, 0.01f);
+    EXPECT_NEAR(beam.lit_deg.x, glm::degrees(2.0f * std::atan(0.5f / 1.5f)), 1.0f);
+    EXPECT_NEAR(beam.lit_deg.y, glm::degrees(2.0f * std::atan(0.28125f / 1.5f)), 1.0f);
+    EXPECT_NE(white.verdict.find("picture 3"), std::string::npos) << white.verdict;
+    EXPECT_NEAR(explained(255, 36, 36).beams.at(0).output_lm, 0.5625f * kLumens, 0.02f * kLumens)
+        << "a square picture on a panel of 16:9";
+    const Explanation black = explained(0, 64, 36);
+    EXPECT_EQ(black.cause, Cause::picture) << black.verdict;
+    EXPECT_NEAR(black.beams.at(0).full_lm, kLumens, 0.02f * kLumens);
 }
 
 // What is beside the picture on the panel is lit as much as its black.

@@ -126,7 +126,7 @@ class Check(unittest.TestCase):
                          ["broken.gdtf", "pictures.gdtf", "guessed.gdtf", "plot.mvr", "sound.gdtf"])
         self.assertEqual([entry["state"] for entry in files], ["lost", "lost", "repaired", "lost", "ok"])
         for entry in files:
-            self.assertEqual(set(entry), {"file", "state", "lost", "counts", "facts", "messages"})
+            self.assertEqual(set(entry), {"file", "state", "lost", "readable", "counts", "facts", "messages"})
             self.assertEqual(set(entry["counts"]), SEVERITIES)
             for message in entry["messages"]:
                 self.assertEqual(set(message), KEYS)
@@ -163,6 +163,34 @@ class Check(unittest.TestCase):
         self.fits(done.stdout)
         self.assertIn("... and 28 more (--all)", done.stdout)
         self.assertNotIn("more (--all)", run(many, "--summary", "--all").stdout)
+
+    def test_what_cannot_be_read_comes_first(self):
+        """One message of a file that is cut short weighs more than five of one that opens."""
+        folder = WORK / "unreadable"
+        folder.mkdir()
+        gdtf(folder / "a_lossy.gdtf", models="".join(f'<Model Name="M{k}" File="gone{k}"/>' for k in range(5)))
+        (folder / "z_cut.gdtf").write_bytes((folder / "a_lossy.gdtf").read_bytes()[:200])
+        done = run(folder, "--summary")
+        lines = [line for line in done.stdout.splitlines() if ".gdtf" in line]
+        self.assertRegex(lines[0], r"^z_cut.gdtf +cannot be read at all$")
+        self.assertIn("(1 cannot be read at all)", done.stdout)
+        entries = {pathlib.Path(e["file"]).name: e for e in json.loads(run(folder, "--json").stdout)}
+        self.assertEqual([entries[name]["readable"] for name in ("a_lossy.gdtf", "z_cut.gdtf")], [True, False])
+        self.assertIn("cut short", entries["z_cut.gdtf"]["messages"][0]["what"])
+
+    def test_optics_that_cannot_be(self):
+        """Values that are numbers, but of no lens and no lamp."""
+        file = WORK / "odd_optics.gdtf"
+        gdtf(file, beam='<Beam Name="Beam" BeamAngle="nan" FieldAngle="200" BeamRadius="0" LuminousFlux="0"/>')
+        with zipfile.ZipFile(file) as archive:
+            xml = archive.read("description.xml").decode()
+        zoom = ('<DMXChannel Offset="2" Geometry="Beam"><LogicalChannel Attribute="Zoom"><ChannelFunction Name="Z" Attribute="Zoom" '
+                'PhysicalFrom="0" PhysicalTo="180"/></LogicalChannel></DMXChannel></DMXChannels>')
+        with zipfile.ZipFile(file, "w") as archive:
+            archive.writestr("description.xml", xml.replace("</DMXChannels>", zoom))
+        text = run(file).stdout
+        for words in ("BeamAngle is 'nan'", "BeamRadius is 0", "LuminousFlux is 0", "drawn with so many", "Zoom goes from 0 to 180 degrees"):
+            self.assertIn(words, text)
 
     def fits(self, text):
         lines = text.splitlines()

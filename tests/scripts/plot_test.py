@@ -97,6 +97,28 @@ class Plot(unittest.TestCase):
         self.assertGreater(picture.stat().st_size, 2000)
         self.assertTrue((self.folder / ".ghost" / "tour.mvr" / "distances").is_dir())
 
+    def test_light_all_counts_what_stays_dark(self):
+        """A fixture without an address, and one whose file has no channel of light, are not called lit."""
+        plot = self.folder / "unpatched.mvr"
+        write_mvr(plot, fixture(1, 0, 1), fixture(2, 1500, 0))
+        lit = run(plot, "-o", self.folder / "some.show", program=SOURCE / "tools/light_all.py")
+        self.assertIn("1 fixtures lit, 1 dark (no address)", lit.stdout)
+        left = run(self.plot, "-o", self.folder / "none.show", "--without", "*", program=SOURCE / "tools/light_all.py")
+        self.assertEqual(left.returncode, 1, left.text)
+        self.assertIn("0 fixtures lit, 2 dark (left out by --without)", left.stdout)
+
+    def test_export_writes_the_changes_of_a_show(self):
+        show = self.folder / "exported"
+        self.assertEqual(run("import", self.plot, "-o", show).returncode, 0)
+        with open(show / "show.toml", "a") as file:
+            file.write('[[change]]\nuuid = "%s"\nuniverse = 7\naddress = 77\n' % UUID.format(1))
+        out = self.folder / "for_the_designer.mvr"
+        done = run("export", show, "-o", out)
+        self.assertEqual(done.returncode, 0, done.text)
+        self.assertIn("1 changes of the show", done.stdout)
+        with zipfile.ZipFile(out) as archive:
+            self.assertRegex(archive.read("GeneralSceneDescription.xml").decode(), r">(7\.77|3149)</Address>")
+
     def test_no_plot(self):
         (self.folder / "broken.mvr").write_bytes(b"PK\x03\x04 and nothing more")
         for name in ("broken.mvr", "absent.mvr"):
@@ -105,6 +127,8 @@ class Plot(unittest.TestCase):
                 self.assertEqual(done.returncode, 1, done.text)
                 self.assertIn(name, done.text)
                 self.assertNotEqual(-done.returncode, signal.SIGSEGV)
+                if name == "broken.mvr":
+                    self.assertIn("cut short", done.text)
         self.assertFalse((self.folder / "x" / "show.toml").exists())
 
 
