@@ -7,6 +7,8 @@
 
 #include <zip.h>
 
+#include <algorithm>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
@@ -85,14 +87,36 @@ public:
         return {};
     }
 
-    // is_damaged: its bytes as they are, without being checked.
-    Result<void> copy(zip_t* from, zip_uint64_t entry, bool is_damaged = false) {
+    Result<void> copy(zip_t* from, zip_uint64_t entry) {
         zip_stat_t stat;
         const char* name = zip_get_name(from, entry, ZIP_FL_ENC_RAW);
         if (!name || zip_stat_index(from, entry, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_COMP_METHOD))
             return Error{"an entry of the original cannot be read", path_.string()};
-        return add(name, zip_source_zip(handle_, from, entry, is_damaged ? ZIP_FL_COMPRESSED : 0, 0, -1),
-                   stat.comp_method);
+        return add(name, zip_source_zip(handle_, from, entry, 0, 0, -1), stat.comp_method);
+    }
+
+    // One whose checksum does not fit: packed ones are copied unread; of stored ones libzip would check it,
+    // so their bytes are taken up to their length. False: they are not all there.
+    Result<bool> copy_damaged(zip_t* from, zip_uint64_t entry) {
+        zip_stat_t stat;
+        const char* name = zip_get_name(from, entry, ZIP_FL_ENC_RAW);
+        if (!name || zip_stat_index(from, entry, 0, &stat) != 0 || stat.size > kMaxMvrMemberBytes)
+            return false;
+        if (stat.comp_method != ZIP_CM_STORE) {
+            TRY_VOID(copy(from, entry));
+            return true;
+        }
+        zip_file_t* file = zip_fopen_index(from, entry, 0);
+        if (!file) return false;
+        std::string& bytes = damaged_.emplace_back(static_cast<std::size_t>(stat.size), '\0');
+        std::size_t done = 0;
+        for (zip_int64_t got = 1; done < bytes.size() && got > 0;
+             done += static_cast<std::size_t>(std::max<zip_int64_t>(got, 0)))
+            got = zip_fread(file, bytes.data() + done, bytes.size() - done);
+        zip_fclose(file);
+        if (done < bytes.size()) return false;
+        TRY_VOID(add(name, zip_source_buffer(handle_, bytes.data(), bytes.size(), 0), ZIP_CM_STORE));
+        return true;
     }
 
     Result<void> add_text(const char* name, const std::string& text) {
@@ -110,6 +134,7 @@ private:
 
     std::filesystem::path path_;
     zip_t* handle_ = nullptr;
+    std::deque<std::string> damaged_; // what is written when it closes
 };
 
 // "" or what is wrong with a member: it is unpacked to its end, in pieces. What is packed by a method that we
@@ -157,10 +182,13 @@ Result<void> write_members(LoadedPlot& loaded, const std::string* description, Z
             report.add(Severity::warning, loaded.name, "a second '" + name + "' is not written");
         } else if (!name.ends_with('/')) {
             const std::string damage = damage_of(from, i);
-            if (!damage.empty())
-                report.add(Severity::error, loaded.name + ": " + name,
-                           "is damaged (" + damage + "); it is written as it is");
-            TRY_VOID(out.copy(from, i, !damage.empty()));
+            if (damage.empty()) {
+                TRY_VOID(out.copy(from, i));
+                continue;
+            }
+            TRY(const bool is_whole, out.copy_damaged(from, i));
+            report.add(Severity::error, loaded.name + ": " + name,
+                       "is damaged (" + damage + "); it is " + (is_whole ? "written as it is" : "left out"));
         }
     }
     return {};
