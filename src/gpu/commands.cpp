@@ -59,13 +59,12 @@ void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBin
                               writes.data());
 }
 
-Program::Program(const Device& device, std::span<const std::uint32_t> spirv,
-                 std::vector<VkDescriptorType> bindings, std::vector<std::uint32_t> constants)
-    : device_(device), bindings_(std::move(bindings)) {
-    const PushLayout layouts = make_push_layout(device, bindings_, VK_SHADER_STAGE_COMPUTE_BIT);
-    set_layout_ = layouts.set;
-    layout_ = layouts.pipeline;
+namespace {
 
+Pipeline make_pipeline(const Device& device, std::span<const std::uint32_t> spirv,
+                       const std::vector<VkDescriptorType>& bindings,
+                       const std::vector<std::uint32_t>& constants) {
+    Pipeline pipeline{make_push_layout(device, bindings, VK_SHADER_STAGE_COMPUTE_BIT), VK_NULL_HANDLE};
     VkShaderModuleCreateInfo module_info{};
     module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     module_info.codeSize = spirv.size_bytes();
@@ -83,15 +82,24 @@ Program::Program(const Device& device, std::span<const std::uint32_t> spirv,
     const VkSpecializationInfo specialisation{static_cast<std::uint32_t>(entries.size()), entries.data(),
                                               constants.size() * 4, constants.data()};
     info.stage.pSpecializationInfo = &specialisation;
-    info.layout = layout_;
-    VK_CALL(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_));
+    info.layout = pipeline.layout.pipeline;
+    VK_CALL(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline.handle));
     vkDestroyShaderModule(device.handle(), module, nullptr);
+    return pipeline;
 }
 
-Program::~Program() {
-    vkDestroyPipeline(device_.handle(), pipeline_, nullptr);
-    vkDestroyPipelineLayout(device_.handle(), layout_, nullptr);
-    vkDestroyDescriptorSetLayout(device_.handle(), set_layout_, nullptr);
+} // namespace
+
+Program::Program(const Device& device, std::span<const std::uint32_t> spirv,
+                 std::vector<VkDescriptorType> bindings, std::vector<std::uint32_t> constants)
+    : bindings_(std::move(bindings)) {
+    PipelineKey key;
+    key.add(spirv);
+    key.add(bindings_.size());
+    for (const VkDescriptorType type : bindings_) key.add(static_cast<std::uint64_t>(type));
+    for (const std::uint32_t constant : constants) key.add(constant);
+    pipeline_ =
+        device.pipelines().get(key, [&] { return make_pipeline(device, spirv, bindings_, constants); });
 }
 
 Commands::Commands(const Device& device) : device_(device) {

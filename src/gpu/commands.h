@@ -1,9 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Program: a compute shader. Commands: records dispatches, runs them and waits; measures named spans of GPU
-// time. One Commands per thread.
+// Program: a compute shader; its pipeline stays with the device (gpu/pipelines.h). Commands: records
+// dispatches, runs them and waits; measures named spans of GPU time. One Commands per thread.
 
 #include "gpu/device.h"
+#include "gpu/pipelines.h"
 
 #include <memory>
 #include <span>
@@ -39,19 +40,15 @@ class Program {
 public:
     Program(const Device& device, std::span<const std::uint32_t> spirv,
             std::vector<VkDescriptorType> bindings, std::vector<std::uint32_t> constants = {});
-    ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
-    VkPipeline handle() const { return pipeline_; }
-    VkPipelineLayout layout() const { return layout_; }
+    VkPipeline handle() const { return pipeline_.handle; }
+    VkPipelineLayout layout() const { return pipeline_.layout.pipeline; }
     const std::vector<VkDescriptorType>& bindings() const { return bindings_; }
 
 private:
-    const Device& device_;
     std::vector<VkDescriptorType> bindings_;
-    VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
-    VkPipelineLayout layout_ = VK_NULL_HANDLE;
-    VkPipeline pipeline_ = VK_NULL_HANDLE;
+    Pipeline pipeline_;
 };
 
 // A program that is made when it is first asked for. The device and the words must outlive it.

@@ -2,6 +2,8 @@
 #include "gpu/device.h"
 
 #include "base/log.h"
+#include "gpu/device_lost.h"
+#include "gpu/pipelines.h"
 
 #include <algorithm>
 #include <cctype>
@@ -70,6 +72,8 @@ int rank(VkPhysicalDeviceType type) {
 } // namespace
 
 void vulkan_failed(const char* call, const char* file, int line, VkResult result) {
+    if (result == VK_ERROR_DEVICE_LOST)
+        throw DeviceLost("the graphics device was lost (reset, driver or cable); what was drawn is gone");
     if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY)
         log_error(
             "out of memory for drawing: a smaller picture (--size), fewer lights or smaller shadow maps "
@@ -227,14 +231,18 @@ void Device::make_device() {
     info.ppEnabledExtensionNames = &extension;
     VK_CALL(vkCreateDevice(physical_, &info, nullptr, &device_));
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
+    pipelines_ = std::make_unique<Pipelines>(device_);
     push_descriptors_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
         vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
     has_budget_ = has_extension(physical_, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
 }
 
+Device::Device() = default;
+
 Device::~Device() {
     if (device_ != VK_NULL_HANDLE) {
         vkDeviceWaitIdle(device_);
+        pipelines_.reset();
         vkDestroyDevice(device_, nullptr);
     }
     if (messenger_ != VK_NULL_HANDLE) {

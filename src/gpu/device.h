@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Device: one Vulkan 1.3 device with one queue. Whoever creates it keeps it alive until all that was made
-// from it is gone. A failing Vulkan call prints the call, file and line and ends the program (VK_CALL):
-// memory and driver faults leave nothing to go on with. Main thread.
+// from it is gone. A failing Vulkan call (VK_CALL) prints the call, file and line and ends the program, for
+// memory and driver faults leave nothing to go on with; a lost device throws DeviceLost. Main thread.
 
 #include "base/result.h"
 
@@ -13,6 +13,8 @@
 #include <vulkan/vulkan.h>
 
 namespace ghost::gpu {
+
+class Pipelines;
 
 struct DeviceOptions {
     std::string
@@ -34,6 +36,8 @@ public:
     VkQueue queue() const { return queue_; }
     std::uint32_t queue_family() const { return queue_family_; }
     PFN_vkCmdPushDescriptorSetKHR push_descriptors() const { return push_descriptors_; }
+
+    Pipelines& pipelines() const { return *pipelines_; }
 
     const std::string& name() const { return name_; } // "llvmpipe (LLVM 15.0.6, 256 bits)"
     bool is_cpu() const { return is_cpu_; }           // lavapipe and its like
@@ -58,7 +62,7 @@ public:
     std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const;
 
 private:
-    Device() = default;
+    Device();
     static VKAPI_ATTR VkBool32 VKAPI_CALL on_validation(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                                         VkDebugUtilsMessageTypeFlagsEXT,
                                                         const VkDebugUtilsMessengerCallbackDataEXT*, void*);
@@ -73,6 +77,7 @@ private:
     VkDevice device_ = VK_NULL_HANDLE;
     VkQueue queue_ = VK_NULL_HANDLE;
     PFN_vkCmdPushDescriptorSetKHR push_descriptors_ = nullptr;
+    std::unique_ptr<Pipelines> pipelines_;
     VkPhysicalDeviceMemoryProperties memory_{};
     std::uint32_t queue_family_ = 0;
     std::string name_;

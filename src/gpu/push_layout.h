@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // What every pipeline of ours binds: one set of push descriptors, bindings 0, 1, .. of the given types, and
-// push constants. Shared by Program and Raster; the caller destroys both handles.
+// push constants. Shared by Program and Raster; the caller owns both handles.
 
 #include "gpu/device.h"
 

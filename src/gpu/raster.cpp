@@ -33,15 +33,9 @@ VkRenderingAttachmentInfo attachment(const Texture& texture, Before before) {
     return info;
 }
 
-} // namespace
-
-Raster::Raster(const Device& device, std::span<const std::uint32_t> vertex_spirv,
-               std::span<const std::uint32_t> fragment_spirv, const RasterShape& shape)
-    : device_(device), bindings_(shape.bindings) {
-    const PushLayout layouts = make_push_layout(device, bindings_, kStages);
-    set_layout_ = layouts.set;
-    layout_ = layouts.pipeline;
-
+Pipeline make_pipeline(const Device& device, std::span<const std::uint32_t> vertex_spirv,
+                       std::span<const std::uint32_t> fragment_spirv, const RasterShape& shape) {
+    Pipeline pipeline{make_push_layout(device, shape.bindings, kStages), VK_NULL_HANDLE};
     std::vector<VkSpecializationMapEntry> entries;
     for (std::uint32_t i = 0; i < shape.constants.size(); ++i) entries.push_back({i, i * 4, 4});
     const VkSpecializationInfo specialisation{static_cast<std::uint32_t>(entries.size()), entries.data(),
@@ -120,17 +114,42 @@ Raster::Raster(const Device& device, std::span<const std::uint32_t> vertex_spirv
     info.pDepthStencilState = &depth;
     info.pColorBlendState = &blend;
     info.pDynamicState = &dynamic;
-    info.layout = layout_;
-    VK_CALL(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline_));
+    info.layout = pipeline.layout.pipeline;
+    VK_CALL(vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline.handle));
     for (const VkPipelineShaderStageCreateInfo& stage : stages)
         vkDestroyShaderModule(device.handle(), stage.module, nullptr);
+    return pipeline;
 }
 
-Raster::~Raster() {
-    vkDestroyPipeline(device_.handle(), pipeline_, nullptr);
-    vkDestroyPipelineLayout(device_.handle(), layout_, nullptr);
-    vkDestroyDescriptorSetLayout(device_.handle(), set_layout_, nullptr);
+PipelineKey key_of(std::span<const std::uint32_t> vertex_spirv, std::span<const std::uint32_t> fragment_spirv,
+                   const RasterShape& shape) {
+    PipelineKey key;
+    key.add(vertex_spirv);
+    key.add(fragment_spirv);
+    key.add(shape.inputs.size());
+    for (const VertexInput& input : shape.inputs) {
+        key.add(static_cast<std::uint64_t>(input.format));
+        key.add(input.offset);
+    }
+    key.add(shape.vertex_stride);
+    key.add(shape.bindings.size());
+    for (const VkDescriptorType type : shape.bindings) key.add(static_cast<std::uint64_t>(type));
+    key.add(shape.constants.size());
+    for (const std::uint32_t constant : shape.constants) key.add(constant);
+    for (const VkFormat format : shape.colours) key.add(static_cast<std::uint64_t>(format));
+    key.add(static_cast<std::uint64_t>(shape.depth));
+    key.add(shape.samples);
+    return key;
 }
+
+} // namespace
+
+Raster::Raster(const Device& device, std::span<const std::uint32_t> vertex_spirv,
+               std::span<const std::uint32_t> fragment_spirv, const RasterShape& shape)
+    : bindings_(shape.bindings),
+      pipeline_(device.pipelines().get(key_of(vertex_spirv, fragment_spirv, shape), [&] {
+          return make_pipeline(device, vertex_spirv, fragment_spirv, shape);
+      })) {}
 
 void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth,
                    Before before) {

@@ -34,19 +34,15 @@ class Raster {
 public:
     Raster(const Device& device, std::span<const std::uint32_t> vertex_spirv,
            std::span<const std::uint32_t> fragment_spirv, const RasterShape& shape);
-    ~Raster();
     Raster(const Raster&) = delete;
     Raster& operator=(const Raster&) = delete;
-    VkPipeline handle() const { return pipeline_; }
-    VkPipelineLayout layout() const { return layout_; }
+    VkPipeline handle() const { return pipeline_.handle; }
+    VkPipelineLayout layout() const { return pipeline_.layout.pipeline; }
     const std::vector<VkDescriptorType>& bindings() const { return bindings_; }
 
 private:
-    const Device& device_;
     std::vector<VkDescriptorType> bindings_;
-    VkDescriptorSetLayout set_layout_ = VK_NULL_HANDLE;
-    VkPipelineLayout layout_ = VK_NULL_HANDLE;
-    VkPipeline pipeline_ = VK_NULL_HANDLE;
+    Pipeline pipeline_;
 };
 
 enum class Before { cleared, kept };
