@@ -27,7 +27,8 @@ struct BenchOptions {
     int frames = 40;         // measured, after a few that are not
     double row_seconds = 20; // of the table scale: rows that would take longer are skipped, by name
     std::string program;     // our own file, for the start-up table
-    double soak_seconds = 0; // of the table network: an even load for so long, instead of the ladder
+    double soak_seconds =
+        0; // of the tables network and window: an even load for so long, instead of the table
 };
 
 using BenchSink = std::function<void(const BenchRow&)>;
@@ -62,6 +63,9 @@ Result<void> network_soak(double seconds, std::uint16_t port, const BenchSink& s
 Result<void> bench_recording(const BenchOptions& options, const BenchSink& sink);
 // The window with a desk at 44 Hz: packet to window, and what the window itself costs.
 Result<void> bench_window(const BenchOptions& options, const BenchSink& sink);
+// The window open for so long instead, with a person at work, one row a minute. Error: memory grew, or no
+// packet was seen.
+Result<void> window_soak(const BenchOptions& options, const BenchSink& sink);
 // From nothing to the first picture, and the memory it takes.
 Result<void> bench_start(const BenchOptions& options, const BenchSink& sink);
 

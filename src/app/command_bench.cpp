@@ -98,19 +98,19 @@ void add_bench(CLI::App& app, int& exit_code) {
         ->capture_default_str();
     command
         ->add_option("--soak", a->options.soak_seconds,
-                     "with network: an even load for so many seconds, one row a minute, instead of the "
-                     "ladder; an error "
-                     "unless every packet came and memory stayed flat")
+                     "with network or window: an even load for so many seconds, one row a minute, instead of "
+                     "the table; an error unless memory stayed flat and, with network, every packet came")
         ->check(number_in(1.0, 86400.0 * 7));
     command->add_option("--device", a->options.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
     command->add_flag("--json", a->json, "one line of JSON per row");
     command->footer("Example: ghostlight bench paper --json\n"
-                    "         ghostlight bench network --soak 3600");
+                    "         ghostlight bench window --soak 3600");
     command->callback([a, &exit_code] {
         std::error_code code;
-        if (a->options.soak_seconds > 0 && a->table != "network") {
-            log_error("--soak: belongs to the table network: ghostlight bench network --soak 3600");
+        if (a->options.soak_seconds > 0 && a->table != "network" && a->table != "window") {
+            log_error(
+                "--soak: belongs to the tables network and window: ghostlight bench network --soak 3600");
             exit_code = 2;
             return;
         }

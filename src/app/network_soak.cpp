@@ -7,6 +7,7 @@
 #include "app/bench.h"
 #include "app/interrupt.h"
 
+#include "base/memory.h"
 #include "base/progress.h"
 #include "dmx/receiver.h"
 #include "dmx/sender.h"
@@ -15,7 +16,6 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <thread>
 
 namespace ghost::app {
@@ -37,10 +37,7 @@ struct Load {
 };
 
 double resident_mb() {
-    std::ifstream status("/proc/self/statm");
-    long total = 0, resident = 0;
-    status >> total >> resident;
-    return static_cast<double>(resident) * 4096e-6;
+    return static_cast<double>(used_memory_bytes()) * 1e-6;
 }
 
 double seconds_since(Clock::time_point start) {

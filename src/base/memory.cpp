@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <string>
 
 namespace ghost {
@@ -19,14 +20,14 @@ std::optional<std::uint64_t> number_in(const fs::path& path) {
     return std::nullopt;
 }
 
-// Of a file with a name and a number in each line.
+// Of a file with a name and a number in a line of its own, among others.
 std::optional<std::uint64_t> value_of(const fs::path& path, const std::string& wanted) {
     std::ifstream file(path);
-    std::string name, unit;
-    std::uint64_t value = 0;
-    while (file >> name >> value) {
-        if (name == wanted) return value;
-        std::getline(file, unit);
+    for (std::string line; std::getline(file, line);) {
+        std::istringstream words(line);
+        std::string name;
+        std::uint64_t value = 0;
+        if (words >> name >> value && name == wanted) return value;
     }
     return std::nullopt;
 }
@@ -67,6 +68,10 @@ std::uint64_t free_memory_bytes(const fs::path& root) {
     const auto group = free_of_group(root);
     if (!machine) return group.value_or(0);
     return group ? std::min(*machine, *group) : *machine;
+}
+
+std::uint64_t used_memory_bytes(const fs::path& root) {
+    return 1024 * value_of(root / "proc/self/status", "VmRSS:").value_or(0);
 }
 
 } // namespace ghost

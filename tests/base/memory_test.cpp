@@ -46,7 +46,15 @@ TEST_F(MemoryTest, a_container_may_have_less) {
     EXPECT_EQ(free_memory_bytes(root_), 0u);
 }
 
+TEST_F(MemoryTest, what_this_program_has_is_its_resident_memory) {
+    EXPECT_EQ(used_memory_bytes(root_), 0u);
+    write("proc/self/status",
+          "Name:\tghostlight 7\nUmask:\t0022\nVmHWM:\t  900 kB\nVmRSS:\t  700 kB\nThreads:\t3\n");
+    EXPECT_EQ(used_memory_bytes(root_), 700u * 1024);
+}
+
 TEST_F(MemoryTest, this_machine_says_something) {
+    EXPECT_GT(used_memory_bytes(), 1u << 20);
     EXPECT_GT(free_memory_bytes(), 1u << 20);
 }
 
