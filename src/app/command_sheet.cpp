@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 namespace ghost::app {
 namespace {
@@ -84,10 +85,14 @@ Result<std::vector<scene::Camera>> cameras_of(const Session& session, const Shee
     std::vector<scene::Camera> cameras = session.show->cameras;
     if (cameras.size() > 1) cameras.pop_back(); // that of the size of the sheet, see open_session
     if (!arguments.views.empty()) {
+        scene::Show named; // without the one that was added
+        named.file = session.show->file;
+        named.cameras = cameras;
         std::vector<scene::Camera> chosen;
+        std::set<std::size_t> taken; // who says a camera twice sees it once
         for (const std::string& view : arguments.views) {
-            TRY(const std::size_t index, session.show->find_camera(view));
-            chosen.push_back(session.show->cameras[index]);
+            TRY(const std::size_t index, named.find_camera(view));
+            if (taken.insert(index).second) chosen.push_back(cameras[index]);
         }
         cameras = std::move(chosen);
     }

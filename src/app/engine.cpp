@@ -4,11 +4,14 @@
 #include "app/input_options.h"
 #include "app/interrupt.h"
 #include "app/take_patch.h"
+#include "gpu/device_lost.h"
 
+#include "base/leftovers.h"
 #include "base/log.h"
 
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
 
 namespace ghost::app {
 namespace {
@@ -16,6 +19,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kListenAgain_s = 3;
+constexpr int kMostLosses = 20; // of a device, in one window: a driver that breaks each time must end
 
 } // namespace
 
@@ -34,17 +38,12 @@ void Engine::run() {
     try {
         begin_inputs();
         while (!stop_ && !interrupted()) {
-            listen();
-            if (std::optional<ui::Wishes> newest = link_.wishes.take()) {
-                wishes_ = std::move(*newest);
-                if (wishes_.show != tried_) open(wishes_.show);
-            }
-            if (session_ && wishes_.text && wishes_.text != text_) take_edit();
-            look_for_plots();
-            if (session_) choose_recording();
-            record();
             const double begin_s = now_s();
-            if (session_ && wishes_.camera.width > 0) frame();
+            try {
+                step();
+            } catch (const gpu::DeviceLost& lost) {
+                replace_device(lost.what());
+            }
             const double wait_s = 1.0 / std::clamp(wishes_.quality.fps, 5, 240) - (now_s() - begin_s);
             std::this_thread::sleep_for(std::chrono::duration<double>(std::clamp(wait_s, 0.0005, 0.04)));
         }
@@ -52,6 +51,32 @@ void Engine::run() {
         link_.failed.put({std::string("the picture stopped: ") + problem.what(), wishes_.show});
         link_.on_news();
     }
+}
+
+void Engine::step() {
+    listen();
+    if (std::optional<ui::Wishes> newest = link_.wishes.take()) {
+        wishes_ = std::move(*newest);
+        if (wishes_.show != tried_ || wishes_.opens != opens_) open(wishes_.show);
+    }
+    if (session_ && wishes_.text && wishes_.text != text_) take_edit();
+    look_for_plots();
+    if (session_) choose_recording();
+    record();
+    if (session_ && wishes_.camera.width > 0) frame();
+}
+
+// The show is opened again on whatever device there is now; nothing that the window knows changes.
+void Engine::replace_device(const std::string& why) {
+    log_warning(why);
+    if (!session_ || ++losses_ > kMostLosses) throw std::runtime_error(why);
+    add_news(scene::Severity::warning, session_->device->name(), why + "; it is drawn anew");
+    link_.activity.put("the graphics device was lost: drawing anew");
+    link_.on_news();
+    auto opened = open_session(session_options(session_->options.show));
+    link_.activity.put("");
+    if (!opened.ok()) throw std::runtime_error(why + ", and " + opened.error().text());
+    adopt(std::move(*opened), Opening::edit);
 }
 
 void Engine::begin_inputs() {
@@ -114,13 +139,14 @@ void Engine::listen_to_patch() {
 
 void Engine::open(const std::string& path) {
     tried_ = path;
+    opens_ = wishes_.opens;
     text_ = wishes_.text;
     link_.activity.put("opening " + path);
     link_.on_news();
     auto opened = open_session(session_options(path));
     link_.activity.put("");
     if (!opened.ok()) {
-        link_.failed.put(opened.error());
+        link_.not_opened.put(opened.error());
         link_.on_news();
         return;
     }
@@ -176,8 +202,21 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
         wishes_.look = {};
         wishes_.explained.reset();
     }
-    if (opening == Opening::another) wishes_.camera.width = 0;
+    if (opening == Opening::another) {
+        wishes_.camera.width = 0;
+        clean();
+    }
     publish_opened(opening);
+}
+
+// What programs left that were killed while they wrote.
+void Engine::clean() {
+    const scene::Show& show = *session_->show;
+    const std::size_t count = remove_leftovers(show.folder, Below::left_alone) +
+                              remove_leftovers(show.cache_folder(), Below::included);
+    if (count > 0)
+        log_info("removed " + std::to_string(count) + " unfinished files of programs that were killed in " +
+                 show.folder.string());
 }
 
 void Engine::begin_controls() {

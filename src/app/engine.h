@@ -54,6 +54,8 @@ private:
     static constexpr double kRest_s = 0.4;
 
     void run();
+    void step();
+    void replace_device(const std::string& why);
     void begin_inputs();
     void listen();
     void listen_to_patch();
@@ -61,6 +63,7 @@ private:
     void open(const std::string& path);
     enum class Opening { another, newer_plot, edit }; // the latter two: of the show that is open
     void adopt(std::unique_ptr<Session> session, Opening opening);
+    void clean();
     void begin_controls();
     void frame();
     // A remote control and trackers, before the rig's step. True: the camera sees something else now.
@@ -112,6 +115,7 @@ private:
     const Clock::time_point start_ = Clock::now();
     ui::Wishes wishes_;
     std::string tried_;                       // the show that was asked for last, open or not
+    std::uint64_t opens_ = 0;                 // of the wishes then
     std::shared_ptr<const std::string> text_; // of it, likewise
     // What the desk sends is recorded; the receiver's thread brings it.
     std::mutex recording_mutex_;
@@ -123,6 +127,7 @@ private:
     std::vector<scene::Message> of_receiver_;
     std::vector<scene::Message> news_; // of what else belongs to no show
     double listens_again_s_ = 0;       // where a port was taken
+    int losses_ = 0;                   // of the device
     std::unique_ptr<TrackerInput> trackers_;
     std::unique_ptr<Xchange> xchange_;
     ui::ReceivedPlot plot_;        // the newest

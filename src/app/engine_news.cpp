@@ -19,6 +19,7 @@ constexpr double kExplainEvery_s = 0.25;
 void Engine::publish_opened(Opening opening) {
     ui::Opened news = opened_from(*session_);
     news.recording_s = input_->recording_s();
+    news.opens = opens_;
     news.again = opening == Opening::newer_plot;
     news.is_edit = opening == Opening::edit;
     news.text = text_;

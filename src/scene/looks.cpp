@@ -22,6 +22,7 @@ constexpr double kMostSmoke = 20;
 constexpr double kMostLamp = 1000;
 constexpr double kLeastLamp_k = 1000, kMostLamp_k = 25000;
 constexpr std::size_t kLongestName = 100;
+constexpr std::size_t kMostLevels = 65536;
 
 void put(std::optional<float>& target, const std::optional<double>& value) {
     if (value) target = static_cast<float>(*value);
@@ -50,6 +51,7 @@ std::optional<std::pair<std::string, fixture::Manual>> read_fixture(const toml::
     manual.gel = light_colour(reader, "gel_rec2020");
     put(manual.lamp, reader.number("lamp", 0, kMostLamp));
     put(manual.lamp_k, reader.number("lamp_k", kLeastLamp_k, kMostLamp_k));
+    manual.levels = reader.bytes("levels", kMostLevels).value_or(std::vector<std::uint8_t>{});
     reader.finish();
     if (!name || manual.is_empty()) return std::nullopt;
     return std::pair{*name, manual};
@@ -100,8 +102,20 @@ public:
         else
             text += std::string(key) + " = " + toml_text(*value) + "\n";
     }
+    void add(const char* key, const std::vector<std::uint8_t>& bytes) {
+        if (bytes.empty()) return;
+        text += std::string(key) + " = [";
+        for (std::size_t k = 0; k < bytes.size(); ++k) text += (k > 0 ? ", " : "") + std::to_string(bytes[k]);
+        text += "]\n";
+    }
     std::string text;
 };
+
+// Levels are of one mode; those of another one would mean something else.
+bool fits(const fixture::Manual& manual, const PatchedFixture& fixture) {
+    return manual.levels.empty() ||
+           (fixture.type && manual.levels.size() == fixture::level_count(fixture.patch().mode_of()));
+}
 
 } // namespace
 
@@ -175,6 +189,7 @@ std::string text_of(const std::vector<StoredLook>& looks) {
             lines.add("gel_rec2020", manual.gel);
             lines.add("lamp", manual.lamp);
             lines.add("lamp_k", manual.lamp_k);
+            lines.add("levels", manual.levels);
         }
     }
     return lines.text;
@@ -192,8 +207,11 @@ Result<std::size_t> find_look(const std::vector<StoredLook>& looks, const std::s
 std::map<std::size_t, fixture::Manual> manual_of(const StoredLook& look, const Show& show) {
     std::map<std::size_t, fixture::Manual> manual;
     for (std::size_t i = 0; i < show.fixtures.size(); ++i)
-        if (const auto found = look.fixtures.find(show.fixtures[i].name); found != look.fixtures.end())
-            manual[i] = found->second;
+        if (const auto found = look.fixtures.find(show.fixtures[i].name); found != look.fixtures.end()) {
+            fixture::Manual one = found->second;
+            if (!fits(one, show.fixtures[i])) one.levels.clear();
+            if (!one.is_empty()) manual[i] = std::move(one);
+        }
     return manual;
 }
 
@@ -207,6 +225,16 @@ void check_look(const StoredLook& look, const Show& show, const std::string& fil
         report.add(Severity::warning, file,
                    "look '" + look.name +
                        "' has values for fixtures that the show does not have: " + name_list(missing));
+    std::vector<std::string> others;
+    for (const PatchedFixture& fixture : show.fixtures)
+        if (const auto found = look.fixtures.find(fixture.name);
+            found != look.fixtures.end() && fixture.type && !fits(found->second, fixture))
+            others.push_back(fixture.name);
+    if (!others.empty())
+        report.add(Severity::warning, file,
+                   "look '" + look.name +
+                       "' has levels of another mode, which are left out (store it again) for: " +
+                       name_list(others));
 }
 
 } // namespace ghost::scene

@@ -55,9 +55,11 @@ std::string text_of(const std::vector<StoredLook>& looks);
 Result<void> check_look_name(const std::string& name);
 // Index of that look; the error lists a near name.
 Result<std::size_t> find_look(const std::vector<StoredLook>& looks, const std::string& name);
-// Of the fixtures that the show has, by index.
+// Of the fixtures that the show has, by index; levels whose number is not that of the fixture's mode are left
+// out.
 std::map<std::size_t, fixture::Manual> manual_of(const StoredLook& look, const Show& show);
-// A warning where the look has values for fixtures that the show has not. file: that the look is from.
+// A warning where the look has values for fixtures that the show has not, or levels of another mode. file:
+// that the look is from.
 void check_look(const StoredLook& look, const Show& show, const std::string& file, Report& report);
 
 } // namespace ghost::scene

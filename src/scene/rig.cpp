@@ -149,6 +149,7 @@ void Rig::step(const dmx::Universes& universes, double dt_s,
         if (aims_[i]) follow(i, targets);
         if (const auto found = manual.find(i); found != manual.end()) {
             asked_[i] = fixture::asked_for(targets, patches_[i]);
+            if (!found->second.levels.empty()) targets = fixture::decode_levels(patches_[i], found->second.levels);
             fixture::apply(found->second, patches_[i], targets);
         }
         fixture::step(states_[i], patches_[i], targets, dt_s, show_.motion);

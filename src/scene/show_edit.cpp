@@ -190,6 +190,40 @@ Result<std::string> remove_fixtures(const std::string& text, const std::vector<s
     return checked(document, expected);
 }
 
+Result<std::string> add_camera(const std::string& text, const Camera& camera) {
+    TRY(TomlText document, TomlText::parse(text));
+    Keys keys{{"name", scene::toml_text(camera.name)},
+              {"position_m", toml_text(camera.position_m)},
+              {"target_m", toml_text(camera.target_m)},
+              {"fov_y_deg", scene::toml_text(camera.fov_y_deg)}};
+    if (camera.auto_exposure)
+        keys.emplace_back("exposure", scene::toml_text(std::string("auto")));
+    else
+        keys.emplace_back("ev100", scene::toml_text(camera.ev100));
+    document.append(block_of("[[camera]]", keys, document.line_end()));
+    toml::table expected = document.root();
+    toml::table made;
+    write(made, keys);
+    array_of(expected, "camera").push_back(std::move(made));
+    return checked(document, expected);
+}
+
+Result<std::string> set_of_show(const std::string& text, const std::string& key, const std::string& value) {
+    TRY(TomlText document, TomlText::parse(text));
+    const Keys keys{{key, scene::toml_text(value)}};
+    toml::table expected = document.root();
+    if (const toml::table* table = document.root()["show"].as_table()) {
+        TRY_VOID(write(document, *table, keys));
+        write(*expected["show"].as_table(), keys);
+    } else {
+        document.append(block_of("[show]", keys, document.line_end()));
+        toml::table made;
+        write(made, keys);
+        expected.insert_or_assign("show", std::move(made));
+    }
+    return checked(document, expected);
+}
+
 Result<Show> preview_edit(const Show& before, const std::string& text) {
     Report unsaid; // whoever opens the text says it
     TRY(ParsedShow parsed, parse_show(text, before.file, unsaid));

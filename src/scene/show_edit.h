@@ -19,6 +19,7 @@
 
 namespace ghost::scene {
 
+struct Camera;
 struct PatchedFixture;
 struct Show;
 struct ShowLoading;
@@ -55,6 +56,12 @@ Result<std::string> copy_fixture(const std::string& text, std::size_t number, co
 // Behind the last [[fixture]].
 Result<std::string> add_fixture(const std::string& text, const NewFixture& fixture);
 Result<std::string> remove_fixtures(const std::string& text, const std::vector<std::size_t>& numbers);
+
+// At the end: a [[camera]] with its name, place, field of view and exposure; the size of its picture is the
+// default.
+Result<std::string> add_camera(const std::string& text, const Camera& camera);
+// A text of [show]: its stage, its plot.
+Result<std::string> set_of_show(const std::string& text, const std::string& key, const std::string& value);
 
 // Whether two show files say the same but for [[fixture]] and [[change]]. False where one is no TOML.
 bool differ_in_fixtures_only(const std::string& a, const std::string& b);

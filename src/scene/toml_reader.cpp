@@ -201,6 +201,22 @@ std::optional<std::vector<int>> TableReader::integers(const std::string& key, st
     return std::nullopt;
 }
 
+std::optional<std::vector<std::uint8_t>> TableReader::bytes(const std::string& key, std::size_t at_most) {
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    std::vector<std::uint8_t> values;
+    const toml::array* array = node->as_array();
+    bool good = array && array->size() <= at_most;
+    for (std::size_t k = 0; good && k < array->size(); ++k) {
+        const auto value = array->get(k)->is_integer() ? array->get(k)->value<std::int64_t>() : std::nullopt;
+        good = value && *value >= 0 && *value <= 255;
+        if (good) values.push_back(static_cast<std::uint8_t>(*value));
+    }
+    if (good) return values;
+    wrong(key, "a list of at most " + std::to_string(at_most) + " whole numbers, each from 0 to 255");
+    return std::nullopt;
+}
+
 std::optional<std::vector<glm::vec3>> TableReader::vec3_list(const std::string& key, std::size_t at_least,
                                                              std::size_t at_most, double limit) {
     const toml::node* node = find(key);

@@ -37,6 +37,8 @@ public:
     std::optional<std::vector<double>> numbers(const std::string& key, std::size_t count, double low,
                                                double high);
     std::optional<std::vector<int>> integers(const std::string& key, std::size_t count, int low, int high);
+    // A list of whole numbers from 0 to 255.
+    std::optional<std::vector<std::uint8_t>> bytes(const std::string& key, std::size_t at_most);
     std::optional<std::vector<glm::vec3>> vec3_list(const std::string& key, std::size_t at_least,
                                                     std::size_t at_most, double limit);
     std::optional<std::vector<std::string>> texts(const std::string& key, std::size_t at_most);

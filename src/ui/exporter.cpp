@@ -15,7 +15,7 @@ namespace ghost::ui {
 namespace {
 
 const char* const kLookName = "window";
-const QString kLookFile = "window-look-";
+const char* const kLookFile = "window-look.toml";
 
 // Without an exponent, which a command line takes for an option.
 QString metres(float value) {
@@ -37,8 +37,7 @@ Exporter::Exporter(Studio& studio, ShowDocument& document) : studio_(studio), do
     // Looks that were written for a job go with it.
     connect(&studio_.jobs(), &Jobs::ended, this, [](const Job& job) {
         const auto at = job.arguments.indexOf("--looks");
-        if (at >= 0 && at + 1 < job.arguments.size() && job.arguments[at + 1].contains(kLookFile))
-            QFile::remove(job.arguments[at + 1]);
+        if (at >= 0 && at + 1 < job.arguments.size()) QFile::remove(job.arguments[at + 1]);
     });
 }
 
@@ -74,8 +73,7 @@ Result<QStringList> Exporter::look_arguments() {
     const std::filesystem::path folder = studio_.show()->cache_folder();
     std::error_code code;
     std::filesystem::create_directories(folder, code);
-    const std::filesystem::path file =
-        folder / (kLookFile + QString::number(++looks_written_) + ".toml").toStdString();
+    const std::filesystem::path file = temporary_beside(folder / kLookFile); // one for each job
     TRY_VOID(write_file_atomic(file, scene::text_of({stored})));
     return QStringList{"--looks", QString::fromStdString(std::filesystem::absolute(file).string()), "--look",
                        kLookName};

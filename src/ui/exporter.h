@@ -45,7 +45,6 @@ private:
 
     Studio& studio_;
     ShowDocument& document_;
-    int looks_written_ = 0;
 };
 
 } // namespace ghost::ui

@@ -68,6 +68,7 @@ struct SaveFrame {
 struct Wishes {
     std::uint64_t number = 0;                // grows with every change
     std::string show;                        // path; another one is opened
+    std::uint64_t opens = 0;                 // grows when it is to be opened, perhaps once more
     std::shared_ptr<const std::string> text; // of show.toml as it is edited; null: as the file has it
     scene::Camera camera;                    // size: pixels of the window; exposure, too
     Look look;
@@ -104,8 +105,9 @@ struct Opened {
     glm::vec3 centre_m{0}; // of all
     float radius_m = 10;
     std::string device;
-    double recording_s = 0; // 0: the show has none
-    bool is_edit = false;   // the show that was open, edited: camera, look and undo list stay
+    double recording_s = 0;  // 0: the show has none
+    std::uint64_t opens = 0; // of the wishes that asked for it
+    bool is_edit = false;    // the show that was open, edited: camera, look and undo list stay
     std::shared_ptr<const std::string> text; // of show.toml, where the wishes had one
     bool again = false;                      // a newer version of the show that was open: the camera stays
 };
@@ -195,7 +197,8 @@ struct Link {
     Mailbox<Wishes> wishes;
 
     Mailbox<Opened> opened;
-    Mailbox<Error> failed; // the show could not be opened; what was open stays
+    Mailbox<Error> not_opened; // the show of the wishes could not be; what was open stays
+    Mailbox<Error> failed;     // something else that the window asked for
     Mailbox<Picture> picture;
     Mailbox<RigNow> rig;
     Mailbox<dmx::Statistics> network;

@@ -6,14 +6,21 @@ namespace {
 
 using fixture::Manual;
 
-// fallback: what is there where neither hand sets it.
+// otherwise: what is there where the one or the other side does not set it.
 template <class T>
 std::optional<T> between(const std::optional<T>& from, const std::optional<T>& to,
-                         const std::optional<T>& fallback, float share) {
+                         const std::optional<T>& otherwise_from, const std::optional<T>& otherwise_to,
+                         float share) {
     if (!from && !to) return std::nullopt;
-    const std::optional<T> a = from ? from : fallback, b = to ? to : fallback;
+    const std::optional<T> a = from ? from : otherwise_from, b = to ? to : otherwise_to;
     if (!a || !b) return share < 0.5f ? from : to;
     return *a + (*b - *a) * share;
+}
+
+template <class T>
+std::optional<T> between(const std::optional<T>& from, const std::optional<T>& to,
+                         const std::optional<T>& otherwise, float share) {
+    return between(from, to, otherwise, otherwise, share);
 }
 
 template <class T>
@@ -21,19 +28,49 @@ std::optional<T> either(const std::optional<T>& from, const std::optional<T>& to
     return share < 0.5f ? from : to;
 }
 
-Manual mixed(const Manual& from, const Manual& to, const FixtureNow& now, float share) {
-    const std::optional<glm::vec3> colour =
-        now.colour == glm::vec3(0) ? std::nullopt : std::optional(now.colour);
+// A fixture that a look is about, and what the desk does with it.
+struct Faded {
+    const scene::PatchedFixture* fixture = nullptr; // null: the show does not have it
+    const fixture::Levels& desk;
+    const FixtureNow& now;
+};
+
+// What a side asks for where its hands do not: what its levels say, else the desk.
+Manual asked_by(const Manual& side, const Faded& faded) {
+    if (side.levels.empty() || !faded.fixture || !faded.fixture->type) return faded.now.asked;
+    const fixture::Patch patch = faded.fixture->patch();
+    return fixture::asked_for(fixture::decode_levels(patch, side.levels), patch);
+}
+
+std::vector<std::uint8_t> mixed_levels(const Manual& from, const Manual& to, const Faded& faded,
+                                       float share) {
+    if ((from.levels.empty() && to.levels.empty()) || !faded.fixture || !faded.fixture->type) return {};
+    const fixture::Patch patch = faded.fixture->patch();
+    const auto levels = [&](const Manual& side) {
+        return side.levels.size() == fixture::level_count(patch.mode_of())
+                   ? side.levels
+                   : fixture::levels_of(patch, faded.desk);
+    };
+    return fixture::mixed_levels(patch, levels(from), levels(to), share);
+}
+
+Manual mixed(const Manual& from, const Manual& to, const Faded& faded, float share) {
+    const auto colour = [&](const Manual& side) -> std::optional<glm::vec3> {
+        if (!side.levels.empty() || faded.now.colour == glm::vec3(0)) return std::nullopt;
+        return faded.now.colour;
+    };
+    const Manual a = asked_by(from, faded), b = asked_by(to, faded);
     Manual result;
-    result.intensity = between(from.intensity, to.intensity, now.asked.intensity, share);
-    result.colour = between(from.colour, to.colour, colour, share);
-    result.zoom_deg = between(from.zoom_deg, to.zoom_deg, now.asked.zoom_deg, share);
-    result.pan_deg = between(from.pan_deg, to.pan_deg, now.asked.pan_deg, share);
-    result.tilt_deg = between(from.tilt_deg, to.tilt_deg, now.asked.tilt_deg, share);
+    result.intensity = between(from.intensity, to.intensity, a.intensity, b.intensity, share);
+    result.colour = between(from.colour, to.colour, colour(from), colour(to), share);
+    result.zoom_deg = between(from.zoom_deg, to.zoom_deg, a.zoom_deg, b.zoom_deg, share);
+    result.pan_deg = between(from.pan_deg, to.pan_deg, a.pan_deg, b.pan_deg, share);
+    result.tilt_deg = between(from.tilt_deg, to.tilt_deg, a.tilt_deg, b.tilt_deg, share);
     result.gobo = either(from.gobo, to.gobo, share);
     result.gel = between(from.gel, to.gel, std::optional(glm::vec3(1)), share);
     result.lamp = between(from.lamp, to.lamp, std::optional(1.0f), share);
     result.lamp_k = between(from.lamp_k, to.lamp_k, {}, share);
+    result.levels = mixed_levels(from, to, faded, share);
     return result;
 }
 
@@ -44,8 +81,7 @@ void keep(std::optional<T>& from, const std::optional<T>& before, const std::opt
 
 } // namespace
 
-Look faded(const Look& from, const Look& to, const scene::Show& show, const std::vector<FixtureNow>& now,
-           float share) {
+Look faded(const Look& from, const Look& to, const scene::Show& show, const RigNow& now, float share) {
     if (share >= 1) return to;
     Look look = to;
     std::set<std::size_t> fixtures;
@@ -55,9 +91,14 @@ Look faded(const Look& from, const Look& to, const scene::Show& show, const std:
         const auto found = one.fixtures.find(index);
         return found == one.fixtures.end() ? Manual{} : found->second;
     };
-    for (const std::size_t index : fixtures)
-        look.fixtures[index] =
-            mixed(of(from, index), of(to, index), index < now.size() ? now[index] : FixtureNow{}, share);
+    fixture::Levels desk;
+    for (const dmx::Universe& universe : now.universes.list) desk.set(universe.number, *universe.levels);
+    const FixtureNow unknown;
+    for (const std::size_t index : fixtures) {
+        const Faded faded{index < show.fixtures.size() ? &show.fixtures[index] : nullptr, desk,
+                          index < now.fixtures.size() ? now.fixtures[index] : unknown};
+        look.fixtures[index] = mixed(of(from, index), of(to, index), faded, share);
+    }
     const SceneLook &a = from.scene, &b = to.scene;
     look.scene.smoke = between(a.smoke, b.smoke, std::optional(1.0f), share);
     look.scene.ambient_lux = between(a.ambient_lux, b.ambient_lux, std::optional(show.ambient_lux), share);
@@ -89,6 +130,7 @@ void keep_changes(Look& from, const Look& before, const Look& after) {
         keep(manual.gel, was.gel, is.gel);
         keep(manual.lamp, was.lamp, is.lamp);
         keep(manual.lamp_k, was.lamp_k, is.lamp_k);
+        if (was.levels != is.levels) manual.levels = is.levels;
     }
     const SceneLook &was = before.scene, &is = after.scene;
     keep(from.scene.smoke, was.smoke, is.smoke);

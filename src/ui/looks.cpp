@@ -3,6 +3,8 @@
 
 #include "base/files.h"
 
+#include <QFile>
+
 #include <algorithm>
 
 namespace ghost::ui {
@@ -32,6 +34,11 @@ public:
 
 private:
     void put(const Looks::List& list) {
+        if (text_in(looks_.file_) != looks_.known_) {
+            Q_EMIT looks_.studio_.failed("Looks were changed by another program, which is not undone: " +
+                                         QString::fromStdString(looks_.file_.string()));
+            return;
+        }
         if (const Result<void> done = looks_.write(list); !done.ok())
             Q_EMIT looks_.studio_.failed(QString::fromStdString(done.error().text()));
     }
@@ -45,12 +52,34 @@ Looks::Looks(Studio& studio) : studio_(studio) {
     connect(&studio_, &Studio::opened_show, this, [this] {
         if (!studio_.opened().is_edit) read();
     });
+    // The folder, for the file may not be there yet, and programs put another one in its place.
+    for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
+        connect(&watcher_, signal, this, &Looks::take_changes);
 }
 
 void Looks::read() {
     file_ = scene::looks_file(*studio_.show());
     last_.clear();
+    const QStringList watched = watcher_.files() + watcher_.directories();
+    if (!watched.isEmpty()) watcher_.removePaths(watched);
+    if (const auto folder = file_.parent_path(); !folder.empty())
+        watcher_.addPath(QString::fromStdString(folder.string()));
+    load();
+}
+
+bool Looks::take_changes() {
+    if (!studio_.show() || text_in(file_) == known_) return false;
+    List before = looks_;
+    load();
+    if (damage_.empty() && before != looks_)
+        studio_.undo_stack().push(new LooksStep(*this, std::move(before), looks_, "looks from the file"));
+    return true;
+}
+
+void Looks::load() {
     looks_.clear();
+    if (const QString file = QString::fromStdString(file_.string()); QFile::exists(file))
+        watcher_.addPath(file); // again, for it may be another one now
     damage_.clear();
     known_ = text_in(file_);
     scene::Report report;
@@ -85,8 +114,7 @@ Result<void> Looks::write(const List& looks) {
 
 Result<void> Looks::edit(const QString& what, List after) {
     if (!studio_.show()) return Error{"no show is open", ""};
-    const bool changed_outside = text_in(file_) != known_;
-    if (changed_outside) read();
+    const bool changed_outside = take_changes();
     if (!damage_.empty())
         return Error{"looks cannot be stored before this is mended, for that would lose it: " + damage_, ""};
     if (changed_outside)
@@ -136,22 +164,18 @@ Result<void> Looks::store_as_it_shines(const std::string& name) {
     scene::StoredLook look;
     look.name = name;
     look.scene = studio_.look().scene;
-    const std::vector<FixtureNow>& now = studio_.rig().fixtures;
+    fixture::Levels levels;
+    const dmx::Universes& universes = studio_.rig().universes;
+    for (const dmx::Universe& universe : universes.list) levels.set(universe.number, *universe.levels);
     const std::set<std::size_t>& chosen = studio_.selection();
-    for (std::size_t i = 0; i < std::min(now.size(), studio_.show()->fixtures.size()); ++i) {
-        if (!studio_.show()->fixtures[i].type || (!chosen.empty() && !chosen.contains(i))) continue;
+    for (std::size_t i = 0; i < studio_.show()->fixtures.size(); ++i) {
+        const scene::PatchedFixture& fixture = studio_.show()->fixtures[i];
+        if (!fixture.type || (!chosen.empty() && !chosen.contains(i))) continue;
         const auto by_hand = studio_.look().fixtures.find(i);
         fixture::Manual manual =
             by_hand == studio_.look().fixtures.end() ? fixture::Manual{} : by_hand->second;
-        manual.intensity = std::clamp(now[i].dimmer, 0.0f, 1.0f);
-        manual.pan_deg = now[i].pan_deg;
-        manual.tilt_deg = now[i].tilt_deg;
-        if (now[i].zoom_deg > 0) manual.zoom_deg = now[i].zoom_deg;
-        // A gel stays a gel: it is in the colour that is seen.
-        if (now[i].colour != glm::vec3(0) && !manual.colour && !manual.gel && !manual.lamp_k)
-            manual.colour = now[i].colour;
-        if (now[i].gobo) manual.gobo = now[i].gobo;
-        look.fixtures[studio_.show()->fixtures[i].name] = manual;
+        if (manual.levels.empty()) manual.levels = fixture::levels_of(fixture.patch(), levels);
+        look.fixtures[fixture.name] = std::move(manual);
     }
     return put_in(std::move(look));
 }

@@ -1,12 +1,14 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Looks: the looks of the show that is open (scene/looks.h), as the window edits them. Every change is a step
-// of the undo list and is in the file at once. A file with mistakes is shown as far as it can be read, but
+// of the undo list and is in the file at once; what another program writes there is taken as a step, too. A
+// file with mistakes is shown as far as it can be read, but
 // not written, for that would lose them. Errors go to who asked. Window thread.
 
 #include "scene/looks.h"
 #include "ui/studio.h"
 
+#include <QFileSystemWatcher>
 #include <QObject>
 
 #include <filesystem>
@@ -26,7 +28,7 @@ public:
 
     // All that is set by hand; under a name that is there it replaces that one, and keeps its seconds.
     Result<void> store(const std::string& name);
-    // The same of what the fixtures do now, whoever asked for it: all of them, or the selected ones.
+    // All that the fixtures are asked for now, whoever asks for it: all of them, or the selected ones.
     Result<void> store_as_it_shines(const std::string& name);
     // Stays what it is with objects, surfaces and solo. seconds: below 0, those of the look.
     Result<void> recall(const std::string& name, double seconds = -1);
@@ -44,6 +46,9 @@ private:
     using List = std::vector<scene::StoredLook>;
 
     void read();
+    void load();
+    // Whether the file says something else than it did here; it is read then, as a step.
+    bool take_changes();
     Result<void> put_in(scene::StoredLook look);
     Result<void> edit(const QString& what, List after);
     Result<void> write(const List& looks);
@@ -54,6 +59,7 @@ private:
     std::string known_;  // text of the file as it was read or written here
     std::string damage_; // why it is not written; empty: it can be
     std::string last_;   // name
+    QFileSystemWatcher watcher_;
 };
 
 } // namespace ghost::ui

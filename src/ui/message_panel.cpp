@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/message_panel.h"
 
+#include "scene/camera_moves.h"
 #include "scene/doctor.h"
 #include "ui/theme.h"
 
+#include <QDesktopServices>
+#include <QFileInfo>
 #include <QHeaderView>
+#include <QRegularExpression>
+#include <QUrl>
 #include <QVBoxLayout>
 
+#include <set>
+#include <string>
+
 namespace ghost::ui {
+namespace {
+
+constexpr float kAround_m = 2; // of a fixture that is looked at
+
+} // namespace
 
 MessagePanel::MessagePanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     list_ = new QTreeWidget(this);
@@ -22,6 +35,30 @@ MessagePanel::MessagePanel(Studio& studio, QWidget* parent) : QWidget(parent), s
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(list_);
     connect(&studio_, &Studio::messages_came, this, &MessagePanel::refresh);
+    connect(list_, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) { go_to(*item); });
+    list_->setToolTip("Double click or Enter: the fixtures that it is about, else the file.");
+}
+
+// What it names in quotes is selected and looked at; where that is no fixture, the file is opened.
+void MessagePanel::go_to(const QTreeWidgetItem& item) {
+    if (!studio_.show()) return;
+    static const QRegularExpression kQuoted("'([^']+)'");
+    std::set<std::string> names;
+    for (auto found = kQuoted.globalMatch(item.text(1) + " " + item.text(2)); found.hasNext();)
+        names.insert(found.next().captured(1).toStdString());
+    std::set<std::size_t> fixtures;
+    for (std::size_t i = 0; i < studio_.show()->fixtures.size(); ++i)
+        if (names.contains(studio_.show()->fixtures[i].name)) fixtures.insert(i);
+    if (!fixtures.empty()) {
+        studio_.select(fixtures);
+        if (const std::size_t first = *fixtures.begin(); first < studio_.rig().fixtures.size())
+            studio_.travel_to(
+                scene::focused(studio_.camera(), studio_.rig().fixtures[first].light_m, kAround_m));
+        return;
+    }
+    static const QRegularExpression kLine(":\\d+$"); // "show.toml:12"
+    const QFileInfo file(item.text(2).remove(kLine));
+    if (file.exists()) QDesktopServices::openUrl(QUrl::fromLocalFile(file.absoluteFilePath()));
 }
 
 void MessagePanel::refresh() {

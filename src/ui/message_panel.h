@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // MessagePanel: what the import doctor says of the show that is open, errors first, equal ones in one line,
-// each with what to do about it. Window thread.
+// each with what to do about it; a double click goes to what it is about. Window thread.
 
 #include "ui/studio.h"
 
@@ -17,6 +17,7 @@ public:
 
 private:
     void refresh();
+    void go_to(const QTreeWidgetItem& item);
 
     Studio& studio_;
     QTreeWidget* list_;

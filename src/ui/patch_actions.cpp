@@ -77,6 +77,9 @@ void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document)
         if (words.value(0).size() != 1 || axis < 0) return Error{"align: expected x, y or z", ""};
         return edit.align(axis);
     });
+    for (const int axis : {0, 1, 2})
+        add(QString("align-") + "xyz"[axis], QString("Align %1 with the first").arg("XYZ"[axis]), "", "",
+            [axis](PatchEdit& edit, const QStringList&) { return edit.align(axis); });
     add("distribute", "Spread evenly", "", "",
         [](PatchEdit& edit, const QStringList&) { return edit.distribute(); });
     add("duplicate", "Duplicate", "Ctrl+D", "[X Y Z]",
@@ -100,6 +103,27 @@ void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document)
             place_m.z = std::max(place_m.z, 3.0f);
             return edit.add(file.toStdString(), place_m);
         });
+    actions.add({"keep-camera",
+                 "Camera",
+                 "Keep this camera",
+                 "Ctrl+K",
+                 "[NAME]",
+                 [&studio, &document](const QStringList& words) {
+                     return PatchEdit(studio, document).keep_camera(words.value(0));
+                 },
+                 {}});
+    add("set-stage", "Choose the stage...", "", "[MODEL]",
+        [](PatchEdit& edit, const QStringList& words) -> Result<void> {
+            QString file = words.value(0);
+            if (file.isEmpty())
+                file = QFileDialog::getOpenFileName(nullptr, "A model becomes the stage of the show", {},
+                                                    "Models (*.glb *.gltf *.obj *.fbx *.dae);;All files (*)");
+            if (file.isEmpty()) return {};
+            return edit.set_stage(file.toStdString());
+        });
+    add("set-plot", "", "", "FILE.mvr", [](PatchEdit& edit, const QStringList& words) {
+        return edit.set_plot(words.value(0).toStdString());
+    });
 }
 
 void add_document_actions(Actions& actions, ShowDocument& document) {

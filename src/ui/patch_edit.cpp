@@ -17,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostFixtureBytes = std::uintmax_t{256} << 20;
+constexpr std::uintmax_t kMostModelBytes = std::uintmax_t{1} << 30;
 
 int footprint(const scene::PatchedFixture& fixture) {
     return fixture.type ? fixture::footprint_of(*fixture.type, fixture.mode) : 1;
@@ -246,25 +247,66 @@ Result<void> PatchEdit::remove() {
     return document_.edit("Remove", {std::move(text), counted_anew(studio_.look(), place), {}});
 }
 
+Result<std::string> PatchEdit::beside_show(const fs::path& file, std::uintmax_t most_bytes) const {
+    const fs::path& folder = studio_.show()->folder;
+    std::error_code code;
+    fs::path inside = fs::relative(file, folder, code);
+    if (!code && !inside.empty() && *inside.begin() != "..") return inside.generic_string();
+    inside = file.filename();
+    TRY(const std::vector<std::uint8_t> bytes, read_file(file, most_bytes));
+    const auto there = read_file(folder / inside, most_bytes);
+    if (there.ok() && *there != bytes)
+        return Error{"another file of this name lies beside the show already", (folder / inside).string()};
+    if (!there.ok()) TRY_VOID(write_file_atomic(folder / inside, bytes));
+    return inside.generic_string();
+}
+
+Result<void> PatchEdit::set_file(const QString& what, const std::string& key, const fs::path& file) {
+    TRY_VOID(document_.check_editable());
+    TRY(const std::string inside, beside_show(file, kMostModelBytes));
+    TRY(std::string text, scene::set_of_show(document_.text(), key, inside));
+    Look look = studio_.look(); // objects and materials are others now
+    look.shown.clear();
+    look.surfaces.clear();
+    return document_.edit(what, {std::move(text), std::move(look), studio_.selection()});
+}
+
+Result<void> PatchEdit::keep_camera(const QString& name) {
+    TRY_VOID(document_.check_editable());
+    const std::vector<scene::Camera>& cameras = studio_.show()->cameras;
+    std::set<std::string> taken;
+    for (const scene::Camera& camera : cameras) taken.insert(camera.name);
+    scene::Camera camera = studio_.camera();
+    camera.name =
+        name.isEmpty() ? next_name("Camera " + std::to_string(cameras.size()), taken) : name.toStdString();
+    if (camera.name.find_first_of("/\\:*?\"<>|") != std::string::npos || camera.name.front() == '.')
+        return Error{"'" + camera.name + "' is no name of a camera: it names a folder", ""};
+    if (!name.isEmpty() && taken.contains(camera.name))
+        return Error{"another camera is called '" + camera.name + "'", ""};
+    TRY(std::string text, scene::add_camera(document_.text(), camera));
+    return document_.edit("Keep camera", {std::move(text), studio_.look(), studio_.selection()});
+}
+
+Result<void> PatchEdit::set_stage(const fs::path& file) {
+    return set_file("Stage", "stage", file);
+}
+
+Result<void> PatchEdit::set_plot(const fs::path& file) {
+    TRY_VOID(document_.check_editable());
+    if (!studio_.show()->plot_file.empty())
+        return Error{"the show has a plot; 'ghostlight import' into its folder merges a newer one",
+                     file.string()};
+    return set_file("Plot", "plot", file);
+}
+
 Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
     TRY_VOID(document_.check_editable());
     TRY(const fixture::LoadedType loaded, fixture::load_type(file));
     if (loaded.type.modes.empty()) return Error{"has no DMX mode", file.string()};
-    const fs::path& folder = studio_.show()->folder;
-    std::error_code code;
-    fs::path inside = fs::relative(file, folder, code);
-    if (code || inside.empty() || *inside.begin() == "..") {
-        inside = file.filename();
-        TRY(const std::vector<std::uint8_t> bytes, read_file(file, kMostFixtureBytes));
-        const auto there = read_file(folder / inside, kMostFixtureBytes);
-        if (there.ok() && *there != bytes)
-            return Error{"another file of this name lies beside the show already",
-                         (folder / inside).string()};
-        if (!there.ok()) TRY_VOID(write_file_atomic(folder / inside, bytes));
-    }
+    TRY(const std::string inside, beside_show(file, kMostFixtureBytes));
     std::set<std::string> taken;
     for (const scene::PatchedFixture& fixture : fixtures()) taken.insert(fixture.name);
-    scene::NewFixture made{inside.generic_string(), {}};
+    scene::NewFixture made{inside, {}};
     std::string name = loaded.type.name;
     std::erase_if(name,
                   [](char letter) { return std::string("/\\:*?\"<>|").find(letter) != std::string::npos; });

@@ -34,6 +34,11 @@ public:
     Result<void> remove();
     // A fixture file; one from elsewhere is copied beside the show first.
     Result<void> add(const std::filesystem::path& file, const glm::vec3& position_m);
+    // The picture as it is seen now becomes a camera of the show; name empty: "Camera 3" and so on.
+    Result<void> keep_camera(const QString& name);
+    // A model becomes the stage of the show, a plot (.mvr) its plot, where it has none; copied likewise.
+    Result<void> set_stage(const std::filesystem::path& file);
+    Result<void> set_plot(const std::filesystem::path& file);
 
 private:
     using Fixtures = std::vector<scene::PatchedFixture>;
@@ -42,6 +47,9 @@ private:
     template <class F>
     Result<void> edit_each(const QString& what, F&& f);
     std::vector<fixture::Patch> patches() const;
+    // The path as the show writes it; a file from elsewhere is copied beside the show.
+    Result<std::string> beside_show(const std::filesystem::path& file, std::uintmax_t most_bytes) const;
+    Result<void> set_file(const QString& what, const std::string& key, const std::filesystem::path& file);
 
     Studio& studio_;
     ShowDocument& document_;

@@ -55,8 +55,11 @@ Result<bool> Script::is_over(const QStringList& words) {
     const QString what = words.size() == 2 ? words[1] : QString();
     const double waited_s = static_cast<double>(waited_.elapsed()) * 1e-3;
     if (what == "settled" && waited_s < kPatience_s) return false;
+    if (what == "opened" && studio_.open_error())
+        return Error{"the show is not open: " + studio_.open_error()->text(), "wait opened"};
     if (what == "opened" || what == "settled") {
-        if (what == "opened" ? studio_.show() != nullptr : studio_.is_settled()) return true;
+        const bool is_open = studio_.show() && !studio_.is_opening();
+        if (what == "opened" ? is_open : studio_.is_settled()) return true;
         if (waited_s < kLongestWait_s) return false;
         return Error{"a quarter of an hour went by without it", "wait " + what.toStdString()};
     }

@@ -48,6 +48,7 @@ QJsonObject look_json(const Look& look, const scene::Show& show) {
         put(one, "gel", manual.gel);
         put(one, "lamp", manual.lamp);
         put(one, "lamp_k", manual.lamp_k);
+        if (!manual.levels.empty()) one["levels"] = static_cast<int>(manual.levels.size());
         fixtures[QString::fromStdString(show.fixtures[index].name)] = one;
     }
     QJsonObject scene;

@@ -68,6 +68,11 @@ void Studio::read_news() {
         activity_ = std::move(*news);
         Q_EMIT activity_came();
     }
+    if (auto news = link_.not_opened.take()) {
+        answered_opens_ = wishes_.opens;
+        open_error_ = *news;
+        Q_EMIT failed(QString::fromStdString(news->text()));
+    }
     if (auto news = link_.failed.take()) Q_EMIT failed(QString::fromStdString(news->text()));
     if (auto news = link_.opened.take()) take_opened(std::move(*news));
     if (auto news = link_.messages.take()) {
@@ -131,6 +136,7 @@ void Studio::take_opened(Opened opened) {
         show_edit();
         return;
     }
+    answered_opens_ = std::max(answered_opens_, opened_.opens);
     patch_ = opened_.show ? scene::PatchMap(*opened_.show) : scene::PatchMap();
     latency_ = window_cost_ = {};
     waveform_.clear();
@@ -153,9 +159,12 @@ void Studio::take_opened(Opened opened) {
 }
 
 void Studio::open(const std::string& show) {
+    if (show == wishes_.show && !open_error_) return;
+    open_error_.reset();
     wish([&](Wishes& wishes) {
-        if (wishes.show != show) wishes.text.reset();
+        wishes.text.reset();
         wishes.show = show;
+        ++wishes.opens;
     });
 }
 
@@ -258,8 +267,7 @@ void Studio::put_look(const Look& look) {
 void Studio::show_look() {
     const double share = fades() ? static_cast<double>(fade_clock_.elapsed()) * 1e-3 / fade_s_ : 1.0;
     if (share >= 1) fade_timer_.stop();
-    Look shown =
-        share < 1 ? faded(fade_from_, look_, *show(), rig_.fixtures, static_cast<float>(share)) : look_;
+    Look shown = share < 1 ? faded(fade_from_, look_, *show(), rig_, static_cast<float>(share)) : look_;
     on_the_way_ = shown;
     if (show()) leave_solo(shown, show()->fixtures.size());
     wish([&](Wishes& wishes) { wishes.look = std::move(shown); });

@@ -49,7 +49,11 @@ public:
     // As it is meant; while it fades, the wishes have one on the way there.
     const Look& look() const { return look_; }
     const scene::Camera& camera() const { return wishes_.camera; }
+    // Nothing happens where it is open or being opened; one that could not be is tried again.
     void open(const std::string& show);
+    bool is_opening() const { return answered_opens_ < wishes_.opens; }
+    // Why the one that was asked for last is not open; the one before may still be.
+    const std::optional<Error>& open_error() const { return open_error_; }
     // Ends a travel.
     void set_camera(const scene::Camera& camera);
     // Pixels of the picture.
@@ -99,7 +103,9 @@ public:
     std::optional<std::size_t> current() const;
 
     // Whether the picture shows all that is wished for, at rest.
-    bool is_settled() const { return show() && !travels() && !fades() && settled_ == wishes_.number; }
+    bool is_settled() const {
+        return show() && !is_opening() && !travels() && !fades() && settled_ == wishes_.number;
+    }
 
 Q_SIGNALS:
     void opened_show();
@@ -152,6 +158,8 @@ private:
     Recorded recorded_;
 
     Wishes wishes_;
+    std::uint64_t answered_opens_ = 0; // the newest that is open, or cannot be
+    std::optional<Error> open_error_;
     std::uint64_t settled_ = 0;
     std::set<std::size_t> selection_;
     QUndoStack undo_;

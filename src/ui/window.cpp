@@ -18,6 +18,7 @@
 #include "ui/value_panel.h"
 
 #include <QCloseEvent>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
@@ -30,7 +31,8 @@ namespace {
 constexpr int kLayoutVersion = 2; // another number: a layout of an older program is not taken
 
 const char* const kHint = "Drop a show folder, a show.toml or an .mvr here, or press Ctrl+O.\n"
-                          "The demo is assets/demo. Press ? for all keys.";
+                          "The demo is assets/demo. A desk is heard as soon as it sends sACN or Art-Net;\n"
+                          "Network (Ctrl+5) says what arrives. Press ? for all keys.";
 
 } // namespace
 
@@ -217,9 +219,12 @@ void Window::show_status() {
     const bool listens = options_.takes_desk;
     QString text;
     if (rig.from_desk)
-        text = rig.universes.list.empty() ? QString(listens ? "Listening for a desk: nothing has come yet"
-                                                            : "No input: started with --no-desk")
-                                          : QString("A desk: %1 universes").arg(rig.universes.list.size());
+        text = rig.universes.list.empty()
+                   ? QString(listens ? "Listening for a desk: nothing has come yet"
+                                     : "No input: started with --no-desk")
+                   : QString("A desk: %1 %2")
+                         .arg(rig.universes.list.size())
+                         .arg(rig.universes.list.size() == 1 ? "universe" : "universes");
     else
         text = QString("Recording, %1 of %2 s").arg(rig.at_s, 0, 'f', 1).arg(rig.recording_s, 0, 'f', 1);
     if (rig.recorded_s >= 0) text += QString("; RECORDING, %1 s").arg(rig.recorded_s, 0, 'f', 1);
@@ -254,13 +259,23 @@ void Window::dragEnterEvent(QDragEnterEvent* event) {
 void Window::dropEvent(QDropEvent* event) {
     const QString file = event->mimeData()->urls().value(0).toLocalFile();
     event->acceptProposedAction();
-    const bool is_fixture =
-        file.endsWith(".gdtf", Qt::CaseInsensitive) || file.endsWith(".qxf", Qt::CaseInsensitive);
-    if (!is_fixture || !studio_.show()) {
+    take_file(file);
+}
+
+// Of an open show a fixture, a stage or a plot becomes a part; all else is opened.
+void Window::take_file(const QString& file) {
+    const QString ending = QFileInfo(file).suffix().toLower();
+    const bool is_fixture = ending == "gdtf" || ending == "qxf";
+    const bool is_model =
+        QStringList{"glb", "gltf", "obj", "fbx", "dae", "3ds", "stl", "ply"}.contains(ending);
+    const bool is_plot =
+        ending == "mvr" && document_.check_editable().ok() && studio_.show()->plot_file.empty();
+    const QString action = is_fixture ? "add-fixture" : is_model ? "set-stage" : "set-plot";
+    if (!is_fixture && !is_model && !is_plot) {
         studio_.open(file.toStdString());
         return;
     }
-    if (const Result<void> done = actions_.run("add-fixture \"" + file + "\""); !done.ok())
+    if (const Result<void> done = actions_.run(action + " \"" + file + "\""); !done.ok())
         actions_.complain(done.error());
 }
 

@@ -35,6 +35,7 @@ protected:
     void dropEvent(QDropEvent*) override;
 
 private:
+    void take_file(const QString& file);
     QDockWidget* add_panel(const QString& name, const QString& title, QWidget* panel,
                            Qt::DockWidgetArea area);
     void add_panels();

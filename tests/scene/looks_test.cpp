@@ -6,7 +6,9 @@
 
 #include "fixture/gdtf.h"
 
+#include <cstring>
 #include <gtest/gtest.h>
+#include <random>
 
 namespace ghost::scene {
 namespace {
@@ -28,7 +30,8 @@ StoredLook verse() {
                                .gobo = 4,
                                .gel = glm::vec3(0.2f, 0.4f, 0.9f),
                                .lamp = 1.75f,
-                               .lamp_k = 3200.0f};
+                               .lamp_k = 3200.0f,
+                               .levels = {0, 255, 17}};
     look.fixtures["Wash 2"] = {.intensity = 0.0f};
     return look;
 }
@@ -71,6 +74,7 @@ TEST(Looks, bad_values_are_said_and_the_rest_stays) {
         parse_looks("[[look]]\nname = \"A\"\nsmoke = -1\nattenuation = [0, 0, 0]\n"
                     "[[look.fixture]]\nname = \"Spot 1\"\nintensity = 0.5\ngobo = 999\nzooom_deg = 3\n"
                     "[[look.fixture]]\nname = \"Spot 1\"\nintensity = 0.7\n"
+                    "[[look.fixture]]\nname = \"Spot 2\"\nlevels = [1, 256]\n"
                     "[[look]]\nfade_s = 2\n"
                     "[[look]]\nname = \"A\"\n",
                     "looks.toml", report);
@@ -89,7 +93,8 @@ TEST(Looks, bad_values_are_said_and_the_rest_stays) {
     EXPECT_TRUE(said("looks.toml:8", "gobo"));
     EXPECT_TRUE(said("looks.toml:9", "zooom_deg"));
     EXPECT_TRUE(said("looks.toml:10", "twice"));
-    EXPECT_TRUE(said("looks.toml:15", "twice"));
+    EXPECT_TRUE(said("looks.toml:15", "each from 0 to 255"));
+    EXPECT_TRUE(said("looks.toml:18", "twice"));
 }
 
 TEST(Looks, fixtures_go_by_name) {
@@ -99,6 +104,77 @@ TEST(Looks, fixtures_go_by_name) {
     ASSERT_EQ(manual.size(), 2u);
     EXPECT_EQ(manual.at(2).gobo, 4);
     EXPECT_EQ(manual.at(0).intensity, 0.0f);
+}
+
+// Wheels, prisms, blades, frost, iris, strobes, turning gobos: a look that was stored has the light that a
+// desk made, whatever it sent.
+TEST(Looks, levels_bring_every_attribute_back) {
+    for (const char* const file : {"Ghostlight@Optics_Profile.gdtf", "Vari-Lite@VL2500_Spot.gdtf"}) {
+        const auto loaded = fixture::load_gdtf(std::filesystem::path("assets/fixtures") / file);
+        ASSERT_TRUE(loaded.ok());
+        Show show;
+        PatchedFixture& profile = show.fixtures.emplace_back();
+        profile.name = "Profile";
+        profile.type = std::make_shared<fixture::Type>(loaded->type);
+        profile.universe = 3;
+        profile.address = 490; // goes on in the next universe
+        show.motion = fixture::Motion::as_commanded;
+        Report of_gobos;
+        const GoboStack gobos = build_gobos(show, of_gobos);
+        const auto lights = [&](Rig& rig) { return rig.lights(gobos, DistanceMaps{}); };
+        std::mt19937 random(5);
+        int lit = 0;
+        for (int round = 0; round < 100; ++round) {
+            dmx::Universes desk;
+            fixture::Levels levels;
+            for (const std::uint16_t number : {std::uint16_t{3}, std::uint16_t{4}}) {
+                auto values = std::make_shared<dmx::Levels>();
+                for (std::uint8_t& value : *values) value = static_cast<std::uint8_t>(random() % 256);
+                desk.at(number).levels = values;
+                levels.set(number, *values);
+            }
+            StoredLook look{.name = "Seen"};
+            look.fixtures["Profile"].levels = fixture::levels_of(profile.patch(), levels);
+            Report report;
+            const auto read = parse_looks(text_of({look}), "looks.toml", report);
+            ASSERT_TRUE(read.ok());
+            Rig by_desk(show), by_look(show);
+            // 10 ms: what turns and strobes is somewhere on its way.
+            for (int step = 0; step < 3; ++step) {
+                by_desk.step(desk, 0.01);
+                by_look.step({}, 0.01, manual_of(read->front(), show));
+                const auto wanted = lights(by_desk), found = lights(by_look);
+                ASSERT_EQ(wanted.size(), found.size());
+                for (std::size_t i = 0; i < wanted.size(); ++i) {
+                    EXPECT_EQ(std::memcmp(&wanted[i], &found[i], sizeof wanted[i]), 0)
+                        << file << ", round " << round << ", light " << i;
+                    lit += wanted[i].intensity_cd.y > 0 ? 1 : 0;
+                }
+            }
+        }
+        EXPECT_GT(lit, 20) << "else the rounds say nothing";
+    }
+}
+
+TEST(Looks, levels_of_another_mode_are_said_and_left_out) {
+    const auto loaded =
+        fixture::load_gdtf(std::filesystem::path("assets/fixtures/Vari-Lite@VL2500_Spot.gdtf"));
+    ASSERT_TRUE(loaded.ok());
+    Show show;
+    PatchedFixture& spot = show.fixtures.emplace_back();
+    spot.name = "Spot 1";
+    spot.type = std::make_shared<fixture::Type>(loaded->type);
+    StoredLook look{.name = "A"};
+    look.fixtures["Spot 1"] = {.intensity = 0.5f, .levels = {1, 2, 3}};
+    EXPECT_EQ(manual_of(look, show).at(0), fixture::Manual{.intensity = 0.5f});
+    Report report;
+    check_look(look, show, "looks.toml", report);
+    ASSERT_EQ(report.messages.size(), 1u);
+    EXPECT_NE(report.messages[0].what.find("levels of another mode"), std::string::npos);
+    look.fixtures["Spot 1"].levels.resize(fixture::level_count(spot.patch().mode_of()));
+    check_look(look, show, "looks.toml", report);
+    EXPECT_EQ(report.messages.size(), 1u);
+    EXPECT_EQ(manual_of(look, show).at(0), look.fixtures["Spot 1"]);
 }
 
 // A gel takes its share of the light, a lamp multiplies it, and both are in the light alone.

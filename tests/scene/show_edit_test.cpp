@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edits of show.toml as text: what was asked for is there, everything else is the same byte for byte, and
 // what cannot be edited is refused with the text as it was.
+#include "scene/show.h"
 #include "scene/show_edit.h"
 #include "scene/show_toml.h"
 
@@ -204,6 +205,49 @@ TEST(ShowEdit, any_sequence_says_what_was_asked_for) {
     }
     EXPECT_TRUE(text.starts_with("# Café Écran, spring\n[show]\nname = \"Café\" # the owner's spelling\n"));
     EXPECT_TRUE(text.ends_with("# the end\n[haze]\npreset = \"haze\"\n"));
+}
+
+TEST(ShowEdit, another_stage_is_one_value_and_a_plot_one_line) {
+    const auto stage = set_of_show(kShow, "stage", "other \"one\".glb");
+    ASSERT_TRUE(stage.ok()) << stage.error().text();
+    expect_only(kShow, *stage, "stage = \"club.glb\"", "stage = \"other \\\"one\\\".glb\"");
+    const auto plot = set_of_show(kShow, "plot", "tour.mvr");
+    ASSERT_TRUE(plot.ok()) << plot.error().text();
+    Report report;
+    const auto parsed = parse_show(*plot, "show.toml", report);
+    ASSERT_TRUE(parsed.ok());
+    EXPECT_EQ(parsed->show.plot_file.filename(), "tour.mvr");
+    EXPECT_EQ(parsed->show.stage_file.filename(), "club.glb");
+    const auto anew = set_of_show("# nothing yet\n", "stage", "a.glb");
+    ASSERT_TRUE(anew.ok()) << anew.error().text();
+    EXPECT_TRUE(anew->starts_with("# nothing yet\n")) << *anew;
+    EXPECT_NE(anew->find("[show]\nstage = \"a.glb\""), std::string::npos) << *anew;
+    EXPECT_FALSE(set_of_show("[show\n", "stage", "a.glb").ok());
+}
+
+TEST(ShowEdit, a_camera_is_added_at_the_end) {
+    Camera camera;
+    camera.name = "from the bar";
+    camera.position_m = {1.5f, -4, 1.625f};
+    camera.target_m = {0, 3, 2};
+    camera.fov_y_deg = 55;
+    camera.ev100 = 5.5f;
+    const auto added = add_camera(kShow, camera);
+    ASSERT_TRUE(added.ok()) << added.error().text();
+    EXPECT_TRUE(added->starts_with(kShow)) << *added;
+    const ParsedShow parsed = read(*added);
+    ASSERT_EQ(parsed.show.cameras.size(), 2u);
+    const Camera& made = parsed.show.cameras[1];
+    EXPECT_EQ(made.name, camera.name);
+    EXPECT_EQ(made.position_m, camera.position_m);
+    EXPECT_EQ(made.target_m, camera.target_m);
+    EXPECT_EQ(made.fov_y_deg, camera.fov_y_deg);
+    EXPECT_EQ(made.ev100, camera.ev100);
+    camera.name = "automatic";
+    camera.auto_exposure = true;
+    const auto both = add_camera(*added, camera);
+    ASSERT_TRUE(both.ok());
+    EXPECT_TRUE(read(*both).show.cameras[2].auto_exposure);
 }
 
 } // namespace

@@ -308,12 +308,5 @@ class Editing(unittest.TestCase):
             self.assertEqual(window.close(), 0)
 
 
-def main():
-    global WORK
-    with window_driver.begin() as WORK:
-        program = unittest.main(argv=[sys.argv[0], *sys.argv[4:]], exit=False, verbosity=2)
-    return 0 if program.result.wasSuccessful() else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(window_driver.main(sys.modules[__name__]))

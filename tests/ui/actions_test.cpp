@@ -2,11 +2,16 @@
 // The table of actions, through the window that fills it: lines of scripts do what they say, and every fault
 // is a sentence.
 #include "test_window.h"
+#include "ui/message_panel.h"
 #include "ui/script.h"
 #include "ui/window.h"
 
+#include <QDropEvent>
 #include <QLocalSocket>
+#include <QMimeData>
 #include <QTemporaryDir>
+#include <QTreeWidget>
+#include <QUrl>
 
 #include <set>
 
@@ -130,6 +135,74 @@ TEST(Actions, a_script_waits_and_goes_on) {
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(answers[i], "ok") << i;
     EXPECT_NE(answers[6].find("'forever' is no number of seconds"), std::string::npos) << answers[6];
     EXPECT_EQ(opened.wishes().look.fixtures.size(), 4u);
+}
+
+// The message that names two lamps is double clicked.
+TEST(Actions, a_message_leads_to_what_it_is_about) {
+    Opened4 opened;
+    opened.link.messages.put(
+        {{scene::Severity::warning, "show.toml:12", "'Lamp 2' and 'Lamp 4' read channel 1.17"}});
+    opened.link.on_news();
+    settle();
+    auto* list = opened.window->findChild<MessagePanel*>()->findChild<QTreeWidget*>();
+    ASSERT_EQ(list->topLevelItemCount(), 1);
+    Q_EMIT list->itemActivated(list->topLevelItem(0), 0);
+    EXPECT_EQ(opened.window->studio().selection(), (std::set<std::size_t>{1, 3}));
+    EXPECT_TRUE(opened.window->studio().travels());
+}
+
+TEST(Actions, what_is_dropped_becomes_a_part_of_the_show_or_is_opened) {
+    Opened4 opened;
+    const auto drop = [&](const QString& file) {
+        QMimeData data;
+        data.setUrls({QUrl::fromLocalFile(file)});
+        QDragEnterEvent enters(QPoint(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(opened.window.get(), &enters);
+        QDropEvent event(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(opened.window.get(), &event);
+    };
+    const std::string before = opened.wishes().show;
+    // Neither can be read; neither is taken for a show.
+    drop("/no/such/lamp.gdtf");
+    drop("/no/such/club.glb");
+    EXPECT_EQ(opened.wishes().show, before);
+    drop("/no/such/tour/show.toml");
+    EXPECT_EQ(opened.wishes().show, "/no/such/tour/show.toml");
+}
+
+// The show that is open is not the one that was asked for.
+TEST(Actions, wait_opened_waits_for_the_show_that_was_asked_for) {
+    Opened4 opened;
+    Script script(opened.window->actions(), opened.window->studio(), nullptr);
+    std::vector<std::string> answers;
+    script.on_line = [&](const Result<void>& done) {
+        answers.push_back(done.ok() ? "ok" : done.error().text());
+    };
+    for (const char* const line : {"open other/show.toml", "wait opened"}) script.add(line);
+    wait_ms(200);
+    ASSERT_EQ(answers.size(), 1u);
+    EXPECT_FALSE(opened.window->studio().is_settled());
+    Opened news = four_lamps();
+    news.opens = opened.wishes().opens;
+    opened.link.opened.put(std::move(news));
+    opened.link.on_news();
+    wait_ms(100);
+    ASSERT_EQ(answers.size(), 2u);
+    EXPECT_EQ(answers[1], "ok");
+
+    for (const char* const line : {"open broken", "wait opened"}) script.add(line);
+    wait_ms(100);
+    opened.link.not_opened.put(Error{"is not TOML", "broken/show.toml:3"});
+    opened.link.on_news();
+    wait_ms(100);
+    ASSERT_EQ(answers.size(), 4u);
+    EXPECT_NE(answers[3].find("broken/show.toml:3"), std::string::npos) << answers[3];
+    // It was mended meanwhile: once more.
+    const std::uint64_t opens = opened.wishes().opens;
+    script.add("open broken");
+    wait_ms(100);
+    EXPECT_EQ(opened.wishes().opens, opens + 1);
+    EXPECT_TRUE(opened.window->studio().is_opening());
 }
 
 TEST(Actions, a_local_socket_takes_the_same_lines) {

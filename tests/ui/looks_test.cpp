@@ -6,8 +6,11 @@
 #include "ui/window.h"
 
 #include "base/files.h"
+#include "fixture/gdtf.h"
 
 #include <QTemporaryDir>
+
+#include <fstream>
 
 namespace ghost::ui {
 namespace {
@@ -125,6 +128,63 @@ TEST(UiLooks, what_another_program_wrote_is_not_written_over) {
     EXPECT_EQ(bench.looks.all()[0].name, "Theirs");
 }
 
+TEST(UiLooks, a_look_from_outside_is_seen_by_itself_and_is_a_step) {
+    LookBench bench;
+    bench.read();
+    ASSERT_TRUE(write_file_atomic(bench.file(), std::string("[[look]]\nname = \"Theirs\"\n")).ok());
+    for (int i = 0; i < 200 && bench.looks.all().empty(); ++i) wait_ms(25);
+    ASSERT_EQ(bench.looks.all().size(), 1u);
+    EXPECT_EQ(bench.looks.all()[0].name, "Theirs");
+    // Another file in its place, and one that was written as it stands.
+    ASSERT_TRUE(write_file_atomic(bench.file(), std::string("[[look]]\nname = \"Second\"\n")).ok());
+    for (int i = 0; i < 200 && bench.looks.all()[0].name != "Second"; ++i) wait_ms(25);
+    EXPECT_EQ(bench.looks.all()[0].name, "Second");
+    EXPECT_EQ(bench.studio.undo_stack().count(), 2);
+    bench.studio.undo_stack().undo();
+    EXPECT_NE(bench.text().find("Theirs"), std::string::npos);
+    // What is in the file and not here is not undone away.
+    {
+        std::ofstream file(bench.file());
+        file << "[[look]]\nname = \"Third\"\n";
+    }
+    bench.studio.undo_stack().undo();
+    EXPECT_NE(bench.text().find("Third"), std::string::npos);
+}
+
+TEST(UiLooks, what_is_seen_is_stored_whole_and_hands_win) {
+    LookBench bench;
+    auto show = std::make_shared<scene::Show>(*bench.studio.show());
+    const auto spot = fixture::load_gdtf(std::filesystem::path("assets/fixtures/Vari-Lite@VL2500_Spot.gdtf"));
+    ASSERT_TRUE(spot.ok());
+    for (std::size_t i = 0; i < show->fixtures.size(); ++i) {
+        show->fixtures[i].type = std::make_shared<fixture::Type>(spot->type);
+        show->fixtures[i].universe = 1;
+        show->fixtures[i].address = static_cast<int>(1 + 50 * i);
+    }
+    Opened opened = bench.studio.opened();
+    opened.show = show;
+    bench.link.opened.put(std::move(opened));
+    RigNow rig = four_lit();
+    auto levels = std::make_shared<dmx::Levels>();
+    for (std::size_t i = 0; i < levels->size(); ++i) (*levels)[i] = static_cast<std::uint8_t>(i % 251);
+    rig.universes.at(1).levels = levels;
+    bench.link.rig.put(rig);
+    bench.link.on_news();
+    settle();
+    bench.studio.select({1, 2});
+    bench.set(2, 0.25f);
+    ASSERT_TRUE(bench.looks.store_as_it_shines("Seen").ok());
+    const auto& fixtures = bench.looks.all()[0].fixtures;
+    ASSERT_EQ(fixtures.size(), 2u);
+    const fixture::Manual& second = fixtures.at(show->fixtures[1].name);
+    ASSERT_EQ(second.levels.size(), fixture::level_count(show->fixtures[1].patch().mode_of()));
+    for (std::size_t k = 0; k < second.levels.size(); ++k) EXPECT_EQ(second.levels[k], (50 + k) % 251);
+    EXPECT_FALSE(second.intensity);
+    EXPECT_EQ(fixtures.at(show->fixtures[2].name).intensity, 0.25f);
+    ASSERT_TRUE(bench.looks.recall("Seen", 0).ok());
+    EXPECT_EQ(bench.studio.wishes().look.fixtures.at(1), second);
+}
+
 TEST(UiLooks, a_fade_goes_from_what_is_there_to_the_look_and_is_one_step) {
     LookBench bench;
     bench.read();
@@ -156,12 +216,12 @@ TEST(UiLooks, what_is_let_go_fades_to_what_the_desk_asks_for) {
     FixtureNow now;
     now.asked = {.intensity = 0.2f, .pan_deg = 10.0f};
     const scene::Show show;
-    const Look half = faded(from, to, show, {now}, 0.5f);
+    const Look half = faded(from, to, show, {.fixtures = {now}}, 0.5f);
     EXPECT_FLOAT_EQ(*half.fixtures.at(0).intensity, 0.6f);
     EXPECT_FLOAT_EQ(*half.fixtures.at(0).pan_deg, 50.0f);
     EXPECT_FALSE(half.fixtures.at(0).gobo);
     EXPECT_FLOAT_EQ(*half.scene.smoke, 2.0f);
-    EXPECT_EQ(faded(from, to, show, {now}, 1), to);
+    EXPECT_EQ(faded(from, to, show, {.fixtures = {now}}, 1), to);
 }
 
 TEST(UiLooks, what_a_hand_does_during_a_fade_is_there_at_once) {

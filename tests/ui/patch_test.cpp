@@ -84,6 +84,47 @@ TEST(Patch, what_cannot_be_done_is_said_and_not_done) {
     EXPECT_FALSE(desk.studio.undo_stack().canUndo());
 }
 
+TEST(Patch, a_model_becomes_the_stage_and_a_plot_the_plot) {
+    Desk desk;
+    QTemporaryDir elsewhere;
+    const fs::path model = fs::path(elsewhere.path().toStdString()) / "club.glb",
+                   plot = fs::path(elsewhere.path().toStdString()) / "tour.mvr";
+    ASSERT_TRUE(write_file_atomic(model, std::string("a model")).ok());
+    ASSERT_TRUE(write_file_atomic(plot, std::string("a plot")).ok());
+    EXPECT_FALSE(desk.edit.set_stage(model).ok()) << "no show";
+    desk.open();
+    EXPECT_FALSE(desk.edit.set_stage(model.string() + "x").ok());
+    ASSERT_TRUE(desk.edit.set_stage(model).ok());
+    EXPECT_NE(desk.document.text().find("stage = \"club.glb\" # not opened here"), std::string::npos);
+    EXPECT_EQ(*read_text_file(fs::path(desk.folder) / "club.glb", 100), "a model");
+    ASSERT_TRUE(desk.edit.set_plot(plot).ok());
+    EXPECT_NE(desk.document.text().find("plot = \"tour.mvr\""), std::string::npos);
+    desk.studio.undo_stack().undo();
+    desk.studio.undo_stack().undo();
+    EXPECT_EQ(desk.document.text(), kShow);
+    // What lies there is not written over.
+    ASSERT_TRUE(write_file_atomic(model, std::string("another model")).ok());
+    EXPECT_FALSE(desk.edit.set_stage(model).ok());
+    EXPECT_EQ(*read_text_file(fs::path(desk.folder) / "club.glb", 100), "a model");
+}
+
+TEST(Patch, the_picture_as_it_is_seen_becomes_a_camera) {
+    Desk desk;
+    desk.open();
+    scene::Camera camera = desk.studio.camera();
+    camera.position_m = {1, -7, 3};
+    desk.studio.set_camera(camera);
+    ASSERT_TRUE(desk.edit.keep_camera("").ok());
+    EXPECT_NE(desk.document.text().find("name = \"Camera 2\"\nposition_m = [1, -7, 3]"), std::string::npos)
+        << desk.document.text();
+    desk.follow();
+    EXPECT_EQ(desk.studio.show()->cameras.size(), 2u);
+    EXPECT_FALSE(desk.edit.keep_camera("front").ok());
+    EXPECT_FALSE(desk.edit.keep_camera("a/b").ok());
+    desk.studio.undo_stack().undo();
+    EXPECT_EQ(desk.document.text(), kShow);
+}
+
 TEST(Patch, any_sequence_comes_back_to_the_same_bytes) {
     std::mt19937 random(3);
     for (int round = 0; round < 20; ++round) {

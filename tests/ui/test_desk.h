@@ -101,10 +101,4 @@ struct Desk {
     QString draft;
 };
 
-inline void wait_ms(int time) {
-    QEventLoop loop;
-    QTimer::singleShot(time, &loop, &QEventLoop::quit);
-    loop.exec();
-}
-
 } // namespace ghost::ui

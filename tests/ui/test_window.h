@@ -7,6 +7,8 @@
 
 #include <QApplication>
 #include <QCoreApplication>
+#include <QEventLoop>
+#include <QTimer>
 
 #include <gtest/gtest.h>
 
@@ -35,6 +37,12 @@ inline testing::Environment* const kApplication = testing::AddGlobalTestEnvironm
 // What is posted is done, until nothing is.
 inline void settle() {
     for (int i = 0; i < 5; ++i) QCoreApplication::processEvents();
+}
+
+inline void wait_ms(int time) {
+    QEventLoop loop;
+    QTimer::singleShot(time, &loop, &QEventLoop::quit);
+    loop.exec();
 }
 
 inline Opened four_lamps() {

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """For tests of the window: a screen of its own (Xvfb), a copy of the demo, and the window as a process that is driven over its socket,
-with a real mouse and keyboard (xdotool). Used by window_test.py and window_work_test.py: begin() once, then Window()."""
+with a real mouse and keyboard (xdotool). Used by window_test.py and window_work_test.py: main() sets their WORK, the folder of
+begin(), and runs their tests, which open Window()s."""
 import contextlib
 import json
 import os
@@ -11,6 +12,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import unittest
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
@@ -126,3 +128,10 @@ def begin(*screen_arguments):
         finally:
             screen.terminate()
             screen.wait()
+
+
+def main(tests):
+    """Runs the tests of a module; words behind the three folders choose among them. Returns the exit code."""
+    with begin() as tests.WORK:
+        program = unittest.main(module=tests, argv=[sys.argv[0], *sys.argv[4:]], exit=False, verbosity=2)
+    return 0 if program.result.wasSuccessful() else 1

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+// A device that is lost while the window draws: said, and the picture comes back with all that hands did. The
+// loss is made here, by a vkQueueSubmit2 that stands before Vulkan's own.
+#include "app/engine.h"
+#include "demo_copy.h"
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+#include <vulkan/vulkan.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace {
+std::atomic<int> losses{0}; // that are still to come
+}
+
+extern "C" VKAPI_ATTR VkResult VKAPI_CALL vkQueueSubmit2(VkQueue queue, std::uint32_t count,
+                                                         const VkSubmitInfo2* submits, VkFence fence) {
+    if (losses.load() > 0) {
+        --losses;
+        return VK_ERROR_DEVICE_LOST;
+    }
+    static const auto real = reinterpret_cast<PFN_vkQueueSubmit2>(dlsym(RTLD_NEXT, "vkQueueSubmit2"));
+    return real(queue, count, submits, fence);
+}
+
+namespace ghost::app {
+namespace {
+
+template <class F>
+bool within_a_minute(F&& holds) {
+    for (int i = 0; i < 3000; ++i) {
+        if (holds()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
+}
+
+TEST(LostDevice, the_picture_comes_back_with_what_hands_did) {
+    ui::Link link;
+    link.on_news = [] {};
+    EngineOptions options;
+    options.listens = false;
+    options.session.quiet = true;
+    Engine engine(link, options);
+    ui::Wishes wishes;
+    wishes.show = DemoCopy::show().string();
+    wishes.number = 1;
+    wishes.camera.width = 0;
+    link.wishes.put(wishes);
+    std::optional<ui::Opened> opened;
+    ASSERT_TRUE(within_a_minute([&] { return (opened = link.opened.take()).has_value(); }));
+    wishes.camera = opened->show->cameras.front();
+    wishes.camera.width = 64;
+    wishes.camera.height = 36;
+    wishes.frozen = true;
+    wishes.look.fixtures[0] = {.intensity = 1.0f, .tilt_deg = 30.0f};
+    wishes.number = 2;
+    link.wishes.put(wishes);
+    std::optional<ui::Picture> before, after;
+    ASSERT_TRUE(within_a_minute([&] {
+        if (auto picture = link.picture.take()) before = std::move(picture);
+        return link.settled.take().has_value();
+    }));
+    ASSERT_TRUE(before && before->image);
+    (void)link.messages.take();
+
+    losses = 1;
+    wishes.black_out = true; // something is to be drawn
+    wishes.number = 3;
+    link.wishes.put(wishes);
+    ASSERT_TRUE(within_a_minute([&] { return (opened = link.opened.take()).has_value(); }));
+    EXPECT_TRUE(opened->is_edit) << "camera, look and undo list stay";
+    EXPECT_EQ(losses.load(), 0);
+    wishes.black_out = false;
+    wishes.number = 4;
+    link.wishes.put(wishes);
+    ASSERT_TRUE(within_a_minute([&] {
+        if (auto picture = link.picture.take()) after = std::move(picture);
+        const auto settled = link.settled.take();
+        return settled && *settled == 4;
+    }));
+    ASSERT_TRUE(after && after->image);
+    EXPECT_EQ(after->image->samples, before->image->samples);
+    const auto messages = link.messages.take();
+    ASSERT_TRUE(messages);
+    EXPECT_TRUE(std::any_of(messages->begin(), messages->end(), [](const scene::Message& message) {
+        return message.what.find("device was lost") != std::string::npos;
+    }));
+    EXPECT_FALSE(link.failed.take());
+}
+
+} // namespace
+} // namespace ghost::app
