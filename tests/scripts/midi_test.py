@@ -87,6 +87,19 @@ def start(*arguments):
     return subprocess.Popen([str(PROGRAM), *map(str, arguments)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
 
 
+def wait_for(player, text, limit_s=30):
+    """What the player says until this is in it."""
+    killer = threading.Timer(limit_s, player.kill)
+    killer.start()
+    said = ""
+    for line in player.stderr:
+        said += line
+        if text in line:
+            break
+    killer.cancel()
+    assert text in said, said
+
+
 def play(work):
     lines = ["OLA Show"] + [line for level in range(200) for line in (f"1 {level},7", "100")]
     (work / "count.show").write_text("\n".join(lines) + "\n")
@@ -95,7 +108,7 @@ def play(work):
     player = start("play", work / "count.show", "--timecode", "10:00:00:00", "--midi", device, "--to", "127.0.0.1",
                    "--sacn-port", levels.socket.getsockname()[1])
     try:
-        time.sleep(1.0)
+        wait_for(player, f"{device}: is not plugged in; it is looked for once a second")
         port = Port(device)  # plugged in later
         time.sleep(1.5)
         assert player.poll() is None and not levels.list, "nothing is sent before the first time code"
@@ -124,8 +137,7 @@ def play(work):
         levels.soon(30)
     finally:
         player.kill()
-        said = player.communicate()[1]
-    assert f"{device}: is not plugged in; it is looked for once a second" in said, said
+        player.communicate()
     port.pull_out()
     print("ok: what is played follows quarter frames, full frames and a port that comes, goes and comes")
 
@@ -134,11 +146,11 @@ def monitor(work):
     device = work / "midi2"
     port = Port(device)
     watcher = start("monitor", "--protocols", "none", "--midi", device, "--json", "--every", "0.2", "--seconds", "3")
-    time.sleep(1.0)
+    first = watcher.stdout.readline()  # it watches
     port.run(1.0, 10)
     port.send(0xF0, 0x7F, 0x7F, 1, 1, EBU << 5 | 1, 61, 0, 0, 0xF7)
     out, said = watcher.communicate(timeout=30)
-    reports = [json.loads(line)["midi"] for line in out.splitlines()]
+    reports = [json.loads(line)["midi"] for line in (first + out).splitlines()]
     assert watcher.returncode == 0 and reports[0]["state"] == "no time code", (said, reports[:1])
     last = reports[-1]
     assert last["state"] == "ok" and last["time"] == "10:00:01:09 EBU 25" and last["quarter_frames"] == 40, last
