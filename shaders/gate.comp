@@ -66,6 +66,14 @@ struct Ray {
     vec2 up;          // and across the pole
 };
 
+const float kGauss = 0.57735; // between the two points of Gauss, in segments
+const float kHalfOfGauss = 0.5 / kGauss;
+
+// From the eye to where the ray meets direction u.
+float ray_way_m(Ray ray, float u) {
+    return ray.eye_m * (ray.up.x + u * ray.up.y) / max(ray.across.x + u * ray.across.y, 1e-6);
+}
+
 // Phase and transmittance of light that leaves the lamp in direction u.
 float ray_weight(Haze haze, Ray ray, float u) {
     float unit = inversesqrt(1.0 + u * u);
@@ -183,10 +191,17 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
             float brightness = luminance_of(light_here.rgb);
             float centre = brightness > 1e-7 ? (light_here.a / brightness - 0.5) / scale : middle;
             // Two points, as Gauss has them for even light: exact for weights up to the third power of u.
-            float u = clamp(centre - 0.288675 * step_u, from, from + step_u);
-            float v = clamp(centre + 0.288675 * step_u, from, from + step_u);
-            float seen = 0.5 * (ray_weight(haze, ray, u) + ray_weight(haze, ray, v));
-            if (kUneven) seen *= air_density(air, view.eye_m + dir * (ray.eye_m * (chord.y + centre * chord.x) / max(across + centre * across_u, 1e-6)));
+            float u = clamp(centre - 0.5 * kGauss * step_u, from, from + step_u);
+            float v = clamp(centre + 0.5 * kGauss * step_u, from, from + step_u);
+            float weight_u = ray_weight(haze, ray, u), weight_v = ray_weight(haze, ray, v);
+            if (kUneven) {
+                // Each stands for half of the segment's way, over which the haze is averaged.
+                float way_u = ray_way_m(ray, u), way_v = ray_way_m(ray, v);
+                float span_m = kHalfOfGauss * abs(way_v - way_u);
+                weight_u *= air_density_along(air, view.eye_m + dir * way_u, dir, span_m);
+                weight_v *= air_density_along(air, view.eye_m + dir * way_v, dir, span_m);
+            }
+            float seen = 0.5 * (weight_u + weight_v);
             sum += light_here.rgb * seen;
             from += step_u;
             --segments;

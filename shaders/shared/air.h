@@ -46,23 +46,38 @@ SHARED_FN float air_swirl(Air air, vec3 position_m) {
     return clamp((large + 0.7f * fine) * 0.45f, -1.0f, 1.0f);
 }
 
-SHARED_FN float air_density(Air air, vec3 position_m) {
+// Mean over a piece of a ray: span_m long, round a place. dir: unit, of the ray. Waves fade as they do for a normal distribution
+// as wide as the piece (1.4: they run aslant of the axes); a plume gets wider along the ray.
+SHARED_FN float air_density_along(Air air, vec3 position_m, vec3 dir, float span_m) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float density = 1.0f + air.unevenness * air_swirl(air, position_m);
+    float waves = 1.4f * span_m * air.per_m;
+    float density = 1.0f + air.unevenness * air_swirl(air, position_m) * exp(-waves * waves / 24.0f);
     for (uint k = 0u; k < air.hazers; ++k) {
         Plume plume = air.plume[k];
         vec3 way = position_m - plume.position_m;
         float ahead = dot(way, plume.direction);
         float width = max(ahead, 0.0f) * plume.spread + 0.05f;
-        float aside2 = max(dot(way, way) - ahead * ahead, 0.0f);
+        vec3 aside = way - ahead * plume.direction;
+        vec3 across = dir - dot(dir, plume.direction) * plume.direction;
+        float crossing = dot(across, across); // squared sine of the two ways
+        float along2 = dot(aside, across) * dot(aside, across) / max(crossing, 1e-6f);
+        float widened = width * width + crossing * span_m * span_m / 3.0f;
+        float aside2 = max(dot(aside, aside) - along2, 0.0f) / (width * width) + along2 / widened;
         float width1 = plume.spread + 0.05f;
         float fade = clamp(1.0f - ahead / plume.reach_m, 0.0f, 1.0f);
-        float extra = max(plume.rate - 1.0f, 0.0f) * (width1 * width1) / (width * width) * exp(-2.0f * aside2 / (width * width)) * fade;
+        float extra = max(plume.rate - 1.0f, 0.0f) * (width1 * width1) / (width * sqrt(widened)) * exp(-2.0f * aside2) * fade;
         density += ahead > 0.0f ? min(extra, 4.0f * plume.rate) : 0.0f;
     }
     return density;
+}
+
+SHARED_FN float air_density(Air air, vec3 position_m) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return air_density_along(air, position_m, vec3(1.0f, 0.0f, 0.0f), 0.0f);
 }
 
 SHARED_END

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <set>
+#include <string_view>
 
 namespace ghost::scene {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 constexpr std::uint32_t kMagic = 0x46546c67;     // "glTF"
 constexpr std::size_t kTriangles = 4;            // primitive mode
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a; // "JSON"
+constexpr std::string_view kBeyondFloat = "1e39";
 
 float number_at(const nlohmann::json& json, const char* place, float fallback, float high) {
     const nlohmann::json::json_pointer pointer(place);
@@ -29,6 +31,13 @@ nlohmann::json list_at(const nlohmann::json& json, const char* key) {
 std::optional<std::size_t> index_at(const nlohmann::json& json, const char* key) {
     if (!json.is_object() || !json.contains(key) || !json[key].is_number_unsigned()) return std::nullopt;
     return json[key].get<std::size_t>();
+}
+
+// Length of the word for no number that stands here, or 0.
+std::size_t non_number_at(std::string_view text) {
+    for (const std::string_view word : {"NaN", "Infinity"})
+        if (text.starts_with(word)) return word.size();
+    return 0;
 }
 
 } // namespace
@@ -57,6 +66,45 @@ Result<void> check_glb(Bytes bytes, const std::string& name) {
     }
     if (!has_json) return Error{"has no JSON chunk", name};
     return {};
+}
+
+std::size_t replace_non_numbers(Bytes glb, std::vector<std::uint8_t>& repaired) {
+    constexpr std::size_t kBeforeText = 20; // header of the file, header of its first chunk
+    ByteReader reader(glb);
+    reader.skip(kBeforeText - 8);
+    const std::uint32_t chunk_length = reader.u32_le();
+    if (reader.u32_le() != kJsonChunk) return 0;
+    const Bytes chunk = reader.take(chunk_length);
+    const std::string_view from(reinterpret_cast<const char*>(chunk.data()), chunk.size());
+    std::string text;
+    std::size_t count = 0;
+    bool in_string = false;
+    for (std::size_t k = 0; k < from.size(); ++k) {
+        const std::size_t length = in_string ? 0 : non_number_at(from.substr(k, 8));
+        if (length > 0) {
+            text += kBeyondFloat;
+            k += length - 1;
+            ++count;
+            continue;
+        }
+        if (in_string && from[k] == '\\' && k + 1 < from.size())
+            text += from[k++];
+        else if (from[k] == '"')
+            in_string = !in_string;
+        text += from[k];
+    }
+    if (count == 0) return 0;
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::size_t end = kBeforeText + chunk_length;
+    repaired.assign(glb.begin(), glb.begin() + kBeforeText);
+    const auto put_u32 = [&](std::size_t at, std::size_t value) {
+        for (std::size_t k = 0; k < 4; ++k) repaired[at + k] = static_cast<std::uint8_t>(value >> (8 * k));
+    };
+    put_u32(8, glb.size() - chunk_length + text.size());
+    put_u32(12, text.size());
+    repaired.insert(repaired.end(), text.begin(), text.end());
+    repaired.insert(repaired.end(), glb.begin() + static_cast<std::ptrdiff_t>(end), glb.end());
+    return count;
 }
 
 GltfExtras gltf_extras(Bytes glb) {

@@ -38,6 +38,11 @@ std::vector<Instance> absorb(Stage model, const glm::mat4& place, Stage& stage);
 // binary.
 Result<void> check_glb(Bytes bytes, const std::string& name);
 
+// Exporters write NaN and Infinity, which JSON does not have, and for which a parser gives up the whole file.
+// Returns how many there are; where there are any, `repaired` is the file with numbers beyond every float in
+// their place, which are found again where they are used. glb: as check_glb() lets it through.
+std::size_t replace_non_numbers(Bytes glb, std::vector<std::uint8_t>& repaired);
+
 // Triangles of one mesh; no indices where nothing is left of it.
 Mesh mesh_from(const aiMesh& source);
 

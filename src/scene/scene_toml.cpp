@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -15,6 +16,7 @@ namespace ghost::scene {
 namespace {
 
 constexpr double kMaxExtinction_per_m = 10;
+constexpr float kOpaque_per_m = 1; // nothing is seen through this on a stage
 constexpr double kMaxMilligrams_per_m3 = 1000;
 constexpr std::size_t kMaxHazers = shared::kMostHazers;
 constexpr std::size_t kMaxObjects = 1000;
@@ -84,6 +86,11 @@ void read_density(TableReader& reader, HazeSettings& haze) {
     if (const auto intensity = reader.number("intensity", 0, 10))
         haze.extinction_per_m = static_cast<float>(
             std::min(static_cast<double>(haze.extinction_per_m) * *intensity, kMaxExtinction_per_m));
+    if (haze.extinction_per_m > kOpaque_per_m)
+        reader.problem(Severity::warning, used.empty() ? "intensity" : used,
+                       "is denser than any fog: half of all light is gone after " +
+                           std::to_string(std::lround(69.3 / static_cast<double>(haze.extinction_per_m))) +
+                           " cm");
 }
 
 void read_haze(const toml::table& table, const std::string& file, HazeSettings& haze, Report& report) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <numeric>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -24,6 +25,7 @@ constexpr double kPi = 3.14159265358979;
 constexpr std::size_t kManyTriangles = 1'000'000;  // of one mesh
 constexpr std::size_t kEdgesOfTriangles = 200'000; // of one mesh: larger ones are not looked at edge by edge
 constexpr std::size_t kWindingTriangles = 20'000'000; // of all lights together
+constexpr double kClosed = 0.98;                      // winding number
 
 bool has_area(const vec3& a, const vec3& b, const vec3& c) {
     const dvec3 cross = glm::cross(dvec3(b) - dvec3(a), dvec3(c) - dvec3(a));
@@ -92,6 +94,11 @@ struct Box {
     }
 };
 
+std::string name_of(const Stage& stage, int instance) {
+    const Instance& found = stage.instances[static_cast<std::size_t>(instance)];
+    return found.name.empty() ? stage.meshes[static_cast<std::size_t>(found.mesh)].name : found.name;
+}
+
 // Where each instance is, so that few have to be looked at triangle by triangle.
 class Around {
 public:
@@ -108,15 +115,24 @@ public:
                                                         (k & 4) ? mesh.high_m.z : mesh.low_m.z, 1.0f)));
             boxes_.push_back(box);
         }
+        // Small ones first: a hall of millions of triangles must not hide the crate in it.
+        order_.resize(boxes_.size());
+        std::iota(order_.begin(), order_.end(), std::size_t{0});
+        std::stable_sort(order_.begin(), order_.end(),
+                         [this](std::size_t a, std::size_t b) { return triangles(a) < triangles(b); });
     }
     int find(const vec3& point_m) {
-        for (std::size_t k = 0; k < boxes_.size(); ++k) {
+        for (const std::size_t k : order_) {
             const Instance& instance = stage_.instances[k];
             if (!instance.shown || instance.fixture != kNone || !boxes_[k].holds(point_m)) continue;
-            const Mesh& mesh = stage_.meshes[static_cast<std::size_t>(instance.mesh)];
-            if (mesh.indices.size() / 3 > triangles_left_) continue;
-            triangles_left_ -= mesh.indices.size() / 3;
-            if (winding_number(mesh, instance.world, point_m) > 0.5) return static_cast<int>(k);
+            if (triangles(k) > triangles_left_) {
+                skipped_.insert(name_of(stage_, static_cast<int>(k)));
+                continue;
+            }
+            triangles_left_ -= triangles(k);
+            winding_ = winding_number(stage_.meshes[static_cast<std::size_t>(instance.mesh)], instance.world,
+                                      point_m);
+            if (winding_ > 0.5) return static_cast<int>(k);
         }
         return kNone;
     }
@@ -126,17 +142,23 @@ public:
             if (const int object = find(point_m); object != kNone) return object;
         return kNone;
     }
+    // What find() found has no opening through which light gets out.
+    bool is_closed() const { return winding_ > kClosed; }
+    // Objects of too many triangles for all that was asked.
+    const std::set<std::string>& skipped() const { return skipped_; }
 
 private:
+    std::size_t triangles(std::size_t k) const {
+        return stage_.meshes[static_cast<std::size_t>(stage_.instances[k].mesh)].indices.size() / 3;
+    }
+
     const Stage& stage_;
     std::vector<Box> boxes_;
+    std::vector<std::size_t> order_;
+    std::set<std::string> skipped_;
+    double winding_ = 0;
     std::size_t triangles_left_ = kWindingTriangles;
 };
-
-std::string name_of(const Stage& stage, int instance) {
-    const Instance& found = stage.instances[static_cast<std::size_t>(instance)];
-    return found.name.empty() ? stage.meshes[static_cast<std::size_t>(found.mesh)].name : found.name;
-}
 
 std::string degrees(float value) {
     char text[32];
@@ -258,12 +280,19 @@ void check_places(const Show& show, const Stage& stage, std::span<const Camera> 
         if (!fixture.type) continue;
         for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop)
             if (const int object = around.find_any(light_places_m(fixture, stop)); object != kNone) {
-                report.add(Severity::warning, show.file.string(),
-                           "the light of fixture '" + fixture.name + "' is inside '" +
-                               name_of(stage, object) + "' and lights only that, from within");
+                report.add(
+                    Severity::warning, show.file.string(),
+                    "the light of fixture '" + fixture.name + "' is inside '" + name_of(stage, object) +
+                        (around.is_closed() ? "' and lights only that, from within"
+                                            : "', which is open: only what leaves it is seen outside"));
                 break;
             }
     }
+    if (!around.skipped().empty())
+        report.add(Severity::note, show.file.string(),
+                   "whether all cameras and lights are outside of these objects was not looked at, they have "
+                   "too many triangles: " +
+                       name_list({around.skipped().begin(), around.skipped().end()}));
 }
 
 } // namespace ghost::scene

@@ -124,7 +124,7 @@ private:
 std::string plain_words(std::string words) {
     const std::string own = "$$$___magic___$$$";
     if (const std::size_t at = words.find(own); at != std::string::npos)
-        words.replace(at, words.find_first_of(" \t\n", at + own.size()) - at, "the file");
+        words.replace(at, words.find_first_of(" \t\n\"", at + own.size()) - at, "the file");
     return words;
 }
 
@@ -135,7 +135,16 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
                          const ReadPicture& read_picture) {
     const std::string format = lower(extension);
     const bool is_gltf = format == "glb" || format == "gltf";
-    if (format == "glb") TRY_VOID(check_glb(bytes, name));
+    std::vector<std::uint8_t> repaired;
+    if (format == "glb") {
+        TRY_VOID(check_glb(bytes, name));
+        if (const std::size_t count = replace_non_numbers(bytes, repaired)) {
+            bytes = repaired;
+            report.add(Severity::error, name,
+                       std::to_string(count) +
+                           " numbers in it are NaN or Infinity; what needs them is left out");
+        }
+    }
     if (format == "3ds") {
         if (std::string fault = fixture::fault_of_mesh(bytes, format); !fault.empty())
             return Error{std::move(fault), name};

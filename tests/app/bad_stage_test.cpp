@@ -178,6 +178,26 @@ TEST(bad_stage, LightInsideAMesh) {
     EXPECT_GT(drawn.brightest(), 0.0f);
 }
 
+// Open below, as a lampshade is.
+TEST(bad_stage, LightInsideAnOpenShade) {
+    ShowFolder folder("shade");
+    scene::TinyGlb glb = box();
+    put_nodes(glb, {R"({"name":"crate","mesh":0,"translation":[0,5,-1],"scale":[1.5,2,1.5]})"});
+    // Without the face that looks down: y in the file is up.
+    for (std::size_t k = 0; k + 2 < glb.indices.size();) {
+        const auto y = [&](std::size_t at) { return glb.positions[std::size_t{3} * glb.indices[at] + 1]; };
+        const bool below = y(k) < 0 && y(k + 1) < 0 && y(k + 2) < 0;
+        if (below)
+            glb.indices.erase(glb.indices.begin() + static_cast<std::ptrdiff_t>(k),
+                              glb.indices.begin() + static_cast<std::ptrdiff_t>(k) + 3);
+        else
+            k += 3;
+    }
+    folder.put("stage.glb", glb.bytes());
+    const Drawn open = draw(folder);
+    EXPECT_TRUE(open.says({"fixture 'lamp'", "inside 'crate'", "which is open"})) << open.all_messages();
+}
+
 std::vector<std::uint8_t> gdtf_with(const std::string& beam, const std::string& zoom) {
     fixture::Description description;
     description.geometries = R"(<Geometry Name="Base"><Beam Name="Bulb" )" + beam + "/></Geometry>";
@@ -237,14 +257,14 @@ TEST(bad_stage, DensityOfNothingAndAbsurd) {
     };
     const Case cases[] = {
         {"[haze]\nextinction_per_m = 0\n", {}, true},
-        {"[haze]\nextinction_per_m = 10\n", {}, false}, // 10 per m: no light comes from 8 m
+        {"[haze]\nextinction_per_m = 10\n", {"show.toml:6", "denser than any fog", "after 7 cm"}, false},
         {"[haze]\nextinction_per_m = 1e12\n", {"show.toml:6", "extinction_per_m"}, true},
         {"[haze]\nextinction_per_m = nan\n", {"show.toml:6", "extinction_per_m"}, true},
         {"[haze]\nintensity = 10\nextinction_per_m = 9\nforward_g = 0.99\nback_g = -0.99\nunevenness = "
          "1\n[[hazer]]\nposition_m = [0, 0, "
          "0]\nrate = "
          "1000\nspread_deg = 180\n",
-         {},
+         {"denser than any fog"},
          false},
     };
     for (const Case& one : cases) {
@@ -261,12 +281,15 @@ TEST(bad_stage, DensityOfNothingAndAbsurd) {
 TEST(bad_stage, MatrixThatIsNoNumber) {
     ShowFolder folder("matrix");
     scene::TinyGlb glb = box();
-    put_nodes(glb, {R"({"name":"endless crate","mesh":0,"scale":[1e39,1,1]})",
+    put_nodes(glb, {R"({"name":"no crate","mesh":0,"translation":[NaN,0,-Infinity]})",
+                    R"({"name":"endless crate","mesh":0,"scale":[1e39,1,1]})",
                     R"({"name":"huge crate","mesh":0,"matrix":[1e38,0,0,0,0,1e38,0,0,0,0,1e38,0,0,0,0,1]})",
                     R"({"name":"flat crate","mesh":0,"scale":[1,0,1]})"});
     folder.put("stage.glb", glb.bytes());
     const Drawn drawn = draw(folder);
-    EXPECT_TRUE(drawn.says({"'endless crate'", "'huge crate'", "'flat crate'"})) << drawn.all_messages();
+    EXPECT_TRUE(drawn.says({"'no crate'", "'endless crate'", "'huge crate'", "'flat crate'"}))
+        << drawn.all_messages();
+    EXPECT_TRUE(drawn.says({"2 numbers in it are NaN or Infinity"})) << drawn.all_messages();
     EXPECT_GT(drawn.brightest(), 1.0f);
 
     ShowFolder turned("turned");

@@ -11,6 +11,7 @@
 
 #include <cstdio>
 #include <gtest/gtest.h>
+#include <string_view>
 
 namespace ghost::app {
 namespace {
@@ -185,12 +186,18 @@ TEST(live_views, HazeAmongThingsAgreesWithTheReference) {
             100.0 * static_cast<double>(std::count(counts.begin(), counts.end(), 1)) /
                 static_cast<double>(counts.size()),
             away.psnr_db, 100 * away.bias, sharp.psnr_db, 100 * sharp.bias, whole.psnr_db, 100 * whole.bias);
+        // Twice what was measured for most; three views have more, see docs/live-accuracy.md.
+        const std::string_view name = view.name;
+        const bool two_gobos = name == "two gobos";
         EXPECT_GE(away.psnr_db, 44.5);
-        EXPECT_LT(std::abs(away.bias), 0.006);
+        EXPECT_LT(std::abs(away.bias), two_gobos || name == "through a truss" ? 0.006 : 0.004);
         EXPECT_GE(sharp.psnr_db, 47.0);
-        EXPECT_LT(std::abs(sharp.bias), 0.009); // two gobos; the others keep 0.003
+        EXPECT_LT(std::abs(sharp.bias), two_gobos ? 0.009 : 0.003);
         EXPECT_GE(whole.psnr_db, 50.0);
-        EXPECT_LT(std::abs(whole.bias), 0.012); // two gobos; the others keep 0.009
+        EXPECT_LT(std::abs(whole.bias), two_gobos                    ? 0.012
+                                        : name.starts_with("narrow") ? 0.009
+                                        : name == "through a truss"  ? 0.006
+                                                                     : 0.004);
     }
 }
 

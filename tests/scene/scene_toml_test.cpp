@@ -105,7 +105,14 @@ TEST(SceneToml, HazeIntensityScalesAll) {
     EXPECT_FLOAT_EQ(good(kHead + "[haze]\npreset = \"haze\"\nintensity = 2\n").haze.extinction_per_m, 0.045f);
     EXPECT_FLOAT_EQ(good(kHead + "[haze]\nintensity = 0.5\n").haze.extinction_per_m, 0.0075f);
     EXPECT_EQ(good(kHead + "[haze]\npreset = \"fog\"\nintensity = 0\n").haze.extinction_per_m, 0.0f);
-    EXPECT_EQ(good(kHead + "[haze]\nextinction_per_m = 9\nintensity = 10\n").haze.extinction_per_m, 10.0f);
+}
+
+TEST(SceneToml, HazeThatNothingIsSeenThroughIsDrawnAndSaid) {
+    Report report;
+    const Show show = parse(kHead + "[haze]\nextinction_per_m = 9\nintensity = 10\n", report);
+    EXPECT_EQ(show.haze.extinction_per_m, 10.0f);
+    ASSERT_EQ(report.messages.size(), 1u) << all_text(report);
+    EXPECT_NE(report.messages[0].what.find("half of all light is gone after 7 cm"), std::string::npos);
 }
 
 TEST(SceneToml, TheMostExactDensityWins) {

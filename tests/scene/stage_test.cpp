@@ -3,6 +3,7 @@
 #include "image/ldr.h"
 #include "scene/model_file.h"
 #include "scene/show.h"
+#include "scene/stage_checks.h"
 #include "tiny_glb.h"
 
 #include <cmath>
@@ -242,6 +243,38 @@ TEST(StageFile, DemoStageIsWhatTheIssueAsksFor) {
     EXPECT_GE(stage->drawn_triangles(), 150'000u);
     EXPECT_LT(stage->stored_triangles(), stage->drawn_triangles());
     EXPECT_GE(stage->materials.size(), 24u);
+}
+
+// An octahedron of many triangles has its bounding box's corner outside: for so many cameras there it is not
+// asked again and again, which is said.
+TEST(StageChecks, WhatIsNotLookedAtIsSaid) {
+    constexpr std::size_t kTimes = 25'000;
+    Stage stage;
+    stage.materials.emplace_back();
+    Mesh mesh;
+    mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    mesh.normals = mesh.positions;
+    for (std::size_t k = 0; k < kTimes; ++k)
+        for (const std::uint32_t x : {0u, 1u})
+            for (const std::uint32_t y : {2u, 3u})
+                for (const std::uint32_t z : {4u, 5u}) mesh.indices.insert(mesh.indices.end(), {x, y, z});
+    stage.meshes.push_back(mesh);
+    mesh.indices.resize(24);
+    stage.meshes.push_back(mesh);
+    stage.instances = {{"dome", 0, glm::mat4(1.0f), kNone}, {"crate", 1, glm::mat4(1.0f), kNone}};
+    const auto warnings = [&](std::size_t cameras, const glm::vec3& place_m) {
+        std::vector<Camera> eyes(cameras);
+        for (Camera& eye : eyes) eye.position_m = place_m;
+        Report report;
+        check_places(Show{}, stage, eyes, report);
+        return all_text(report);
+    };
+    EXPECT_EQ(warnings(90, glm::vec3(0.9f)), "");
+    EXPECT_NE(warnings(110, glm::vec3(0.9f)).find("was not looked at, they have too many triangles: 'dome'"),
+              std::string::npos);
+    // The small one is looked at first.
+    const std::string inside = warnings(1, glm::vec3(0.1f));
+    EXPECT_NE(inside.find("stands inside 'crate'"), std::string::npos) << inside;
 }
 
 } // namespace

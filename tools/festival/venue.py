@@ -184,7 +184,7 @@ def ladder(scene, segment, name, x, y, side):
     arms = Shape()
     for k in range(8):
         z = 3.4 + 6.0 * k / 7
-        arms.rod(BLACK, (x + side * 0.4, y, z + 0.04), (x - side * 0.15, y, z + 0.04), 0.024)
+        arms.rod(BLACK, (x + side * 0.4, y, z + 0.04), (x + side * 0.12, y, z + 0.04), 0.024)
     scene.add(name + "_arms", arms)
 
 
