@@ -76,6 +76,7 @@ scene::Lit BakedView::lit() const {
     };
     for (shared::Light& light : lit.lights) dim(light);
     for (scene::Face& face : lit.faces) dim(face.light);
+    for (shared::LedWall& wall : lit.walls) wall.radiance *= session_.master;
     return lit;
 }
 

@@ -25,7 +25,11 @@ bool same_lit(const scene::Lit& a, const scene::Lit& b) {
     };
     return std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(), same) &&
            std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(),
-                      [&](const scene::Face& x, const scene::Face& y) { return same(x.light, y.light); });
+                      [&](const scene::Face& x, const scene::Face& y) { return same(x.light, y.light); }) &&
+           std::equal(a.walls.begin(), a.walls.end(), b.walls.begin(), b.walls.end(),
+                      [](const shared::LedWall& x, const shared::LedWall& y) {
+                          return std::memcmp(&x, &y, sizeof x) == 0;
+                      });
 }
 
 } // namespace

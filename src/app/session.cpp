@@ -242,6 +242,7 @@ scene::Lit Session::lit() const {
         face.light.intensity_cd *= master;
         face.light.bounce_cd *= master;
     }
+    for (shared::LedWall& wall : lit.walls) wall.radiance *= master;
     return lit;
 }
 

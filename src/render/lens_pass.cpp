@@ -52,7 +52,7 @@ bool lens_in_view(const scene::Face& face, const shared::View& view, const LensS
     const shared::Light& light = face.light;
     // On the axis of Lambert's law, per cd of bounce_cd: a few lumens of a lamp, all of what glows.
     const float stray_cd = 4.0f * (face.glows ? 1.0f : settings.stray);
-    if (largest(light.intensity_cd) <= 0) return false;
+    if (face.of_wall || largest(light.intensity_cd) <= 0) return false;
     const float radius_m = light.disc_radius_m > 0   ? light.disc_radius_m
                            : light.lens_radius_m > 0 ? light.lens_radius_m
                                                      : settings.radius_m;

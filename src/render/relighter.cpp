@@ -45,6 +45,13 @@ bool same_faces(const std::vector<scene::Face>& a, const std::vector<scene::Face
                       });
 }
 
+bool same_walls(const std::vector<shared::LedWall>& a, const std::vector<shared::LedWall>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const shared::LedWall& one, const shared::LedWall& other) {
+                          return std::memcmp(&one, &other, sizeof one) == 0;
+                      });
+}
+
 } // namespace
 
 double FrameStatistics::haze_ms() const {
@@ -89,8 +96,8 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
       haze_(device, settings.beams, batch_size_, static_cast<std::uint32_t>(light_count),
             distances ? &distances->texture() : nullptr),
-      lens_(device, settings.lens), glare_(device, fragments().width, fragments().height, settings.glare),
-      commands_(device) {
+      led_walls_(device), lens_(device, settings.lens),
+      glare_(device, fragments().width, fragments().height, settings.glare), commands_(device) {
     make_surface_programs();
     if (g_buffer) mender_ = std::make_unique<Mender>(device, *g_buffer);
     if (settings.beams.beams == Beams::gate && settings.beams.most_wide_step > 1)
@@ -262,7 +269,7 @@ void Relighter::make_images() {
 }
 
 FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
-    scene::Lit lit{lights, {}};
+    scene::Lit lit{lights, {}, {}};
     for (const shared::Light& light : lights) lit.faces.push_back({light});
     return draw(lit);
 }
@@ -280,6 +287,10 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
     if (settings_.lens.on && !same_faces(lit.faces, last_faces_)) {
         tree_.invalidate_frame();
         last_faces_ = lit.faces;
+    }
+    if (!same_walls(lit.walls, last_walls_)) {
+        tree_.invalidate_frame();
+        last_walls_ = lit.walls;
     }
 
     const Plan plan = tree_.plan(changed);
@@ -301,7 +312,7 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
             draw_sum(sum, lights);
             if (mender_) mender_->made(sum);
         }
-        develop(lit.faces);
+        develop(lit);
         commands_.copy(work_, work_read_, sizeof(shared::FrameWork));
         commands_.submit_and_wait();
         statistics.spans = commands_.spans();
@@ -325,15 +336,20 @@ int Relighter::mend(int slot, const std::vector<shared::Light>& lights) {
     return static_cast<int>(sum.lights.size());
 }
 
-void Relighter::develop(const std::vector<scene::Face>& faces) {
+void Relighter::develop(const scene::Lit& lit) {
     const Fragments& f = fragments();
+    // Illuminance is what falls on a surface.
+    if (!lit.walls.empty() && !settings_.illuminance) {
+        commands_.begin_span("walls");
+        led_walls_.record(commands_, f, lit.walls, gobos_, slides_, images_);
+    }
     if (settings_.lens.on) {
         commands_.begin_span("lenses");
-        lens_.record(commands_, f, f.camera, faces, gobos_, slides_, images_);
+        lens_.record(commands_, f, f.camera, lit.faces, gobos_, slides_, images_);
     }
     if (glare_.on()) {
         commands_.begin_span("glare");
-        glare_.record(commands_, images_, lens_.brightest(), f.pixels_per_rad);
+        glare_.record(commands_, images_, lens_.brightest() + led_walls_.brightest(), f.pixels_per_rad);
     }
     const gpu::Texture& seen = glare_.seen(images_);
     const shared::MeterPush meter{f.width, f.height, settings_.ev100, settings_.auto_exposure ? 1u : 0u};

@@ -14,6 +14,7 @@
 #include "render/g_buffer.h"
 #include "render/glare_pass.h"
 #include "render/haze_pass.h"
+#include "render/led_wall_pass.h"
 #include "render/lens_pass.h"
 #include "render/light_tree.h"
 #include "render/mender.h"
@@ -118,7 +119,7 @@ private:
     int mend(int slot, const std::vector<shared::Light>& lights);
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
     void record_surfaces(const LightChunk& chunk);
-    void develop(const std::vector<scene::Face>& faces);
+    void develop(const scene::Lit& lit);
     const Fragments& fragments() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
 
     const gpu::Device& device_;
@@ -134,6 +135,7 @@ private:
     std::uint32_t mended_tiles_ = 0; // above 0: only these tiles, of mender_, are drawn now
     std::vector<shared::Light> last_lights_;
     std::vector<scene::Face> last_faces_;
+    std::vector<shared::LedWall> last_walls_;
     std::uint64_t lights_used_ = 0; // bytes of lights_, in this frame
 
     static constexpr std::uint64_t kChunkAlign = 256; // offset of a uniform buffer, at most, on every device
@@ -147,6 +149,7 @@ private:
     std::unique_ptr<WideBeams> wide_; // null: HazeSettings::most_wide_step is 1
     std::uint32_t wide_step_ = 1;
     bool wide_prepared_ = false;
+    LedWallPass led_walls_;
     LensPass lens_;
     GlarePass glare_;
     mutable gpu::Commands commands_;

@@ -116,6 +116,22 @@ bool turns(const fixture::Mode& mode, int node) {
     return false;
 }
 
+// The panel of a LED wall, behind its front. Part of the stage: it stops light.
+void add_wall(const PatchedFixture& fixture, Stage& stage) {
+    const LedWall& wall = *fixture.wall;
+    const glm::vec3 size_m(wall.size_m.x, kWallDepth_m, wall.size_m.y);
+    fixture::Model box;
+    box.name = fixture.name;
+    box.primitive = "Cube";
+    Stage panel = primitive(box);
+    const glm::mat4 place =
+        glm::translate(fixture_to_world(fixture, 0), glm::vec3(0, 0.5f * kWallDepth_m, 0));
+    for (Instance& piece : absorb(std::move(panel), glm::scale(place, size_m), stage)) {
+        piece.name = fixture.name;
+        stage.instances.push_back(std::move(piece));
+    }
+}
+
 } // namespace
 
 void check_models(const fixture::Type& type, const std::string& file, Report& report) {
@@ -138,6 +154,7 @@ Stage stage_with_bodies(const Show& show, Report& report, HiddenObjects hidden) 
     for (std::size_t k = 0; k < show.fixtures.size(); ++k) {
         const PatchedFixture& fixture = show.fixtures[k];
         if (!fixture.type) continue;
+        if (fixture.wall && fixture.wall->has_body) add_wall(fixture, stage);
         const glm::mat4 to_world = fixture_to_world(fixture, 0);
         const std::vector<fixture::PartState> parts = home_state(fixture).parts;
         for (std::size_t p = 0; p < parts.size(); ++p) {

@@ -78,6 +78,7 @@ public:
         cell.lens_m = vec3(matrices_[node][3]);
         cell.axis = -glm::normalize(vec3(matrices_[node][2]));
         cell.lumens = light.luminous_flux_lm;
+        cell.has_picture = cell.has_picture || light.beam_type == fixture::BeamType::area;
         // So far the field at the narrowest zoom, in degrees.
         const float field_deg = cell.narrowest > 0.0f ? cell.narrowest : light.field_angle_deg;
         cell.narrowest =

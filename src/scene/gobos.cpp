@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "image/colour.h"
+#include "scene/beam_shape.h"
 
 #include <algorithm>
 #include <array>
@@ -140,13 +141,7 @@ void append_open_layer(shared::Gobos& gobos) {
     gobos.layers = 1;
 }
 
-} // namespace
-
-void append_gobo(shared::Gobos& gobos, const std::uint8_t* rgba, int width, int height) {
-    CHECK(width > 0 && height > 0);
-    if (gobos.layers == 0) append_open_layer(gobos);
-    Plane source = resample(rgba, width, height);
-    extend_rim(source);
+void append_plane(shared::Gobos& gobos, const Plane& source) {
     append_level(gobos.texels[0], source);
     for (int level = 1; level < shared::kGoboLevels; ++level) {
         // Level k is blurred over 2^k pixels of the full picture, drawn where that is kDiscPixels at most.
@@ -163,6 +158,25 @@ void append_gobo(shared::Gobos& gobos, const std::uint8_t* rgba, int width, int 
     ++gobos.layers;
 }
 
+} // namespace
+
+void append_gobo(shared::Gobos& gobos, const std::uint8_t* rgba, int width, int height) {
+    CHECK(width > 0 && height > 0);
+    if (gobos.layers == 0) append_open_layer(gobos);
+    Plane source = resample(rgba, width, height);
+    extend_rim(source);
+    append_plane(gobos, source);
+}
+
+void append_shape(shared::Gobos& gobos, const BeamShape& shape) {
+    if (gobos.layers == 0) append_open_layer(gobos);
+    Plane source(shared::kGoboSize);
+    CHECK_EQ(shape.texels.size(), source.pixels.size());
+    for (std::size_t k = 0; k < source.pixels.size(); ++k)
+        source.pixels[k] = vec3(static_cast<float>(shape.texels[k]) / 255.0f);
+    append_plane(gobos, source);
+}
+
 std::uint32_t GoboStack::layer(const fixture::Type* type, int media) const {
     const auto found = layers.find({type, media});
     return found == layers.end() ? 0u : found->second;
@@ -173,6 +187,16 @@ GoboStack build_gobos(const Show& show, Report& report) {
     append_open_layer(stack.images);
     for (const PatchedFixture& fixture : show.fixtures) {
         if (!fixture.type) continue;
+        if (fixture.shape && !stack.shapes.contains(fixture.shape.get())) {
+            if (stack.images.layers >= kMaxLayers) {
+                report.add(Severity::error, fixture.shape->file,
+                           "more than " + std::to_string(kMaxLayers) +
+                               " gobos and photometric files in one show; not used");
+            } else {
+                stack.shapes[fixture.shape.get()] = static_cast<std::uint32_t>(stack.images.layers);
+                append_shape(stack.images, *fixture.shape);
+            }
+        }
         for (const fixture::Wheel& wheel : fixture.type->wheels)
             for (const fixture::Slot& slot : wheel.slots) {
                 if (slot.media < 0) continue;

@@ -18,6 +18,8 @@ struct GoboStack {
     // (type, index into Type::media) -> layer; what is not in here is open (layer 0).
     std::map<std::pair<const fixture::Type*, int>, std::uint32_t> layers;
 
+    std::map<const BeamShape*, std::uint32_t> shapes; // layer of each
+
     std::uint32_t layer(const fixture::Type* type, int media) const;
 };
 
@@ -26,5 +28,7 @@ GoboStack build_gobos(const Show& show, Report& report);
 
 // One picture (RGBA8, sRGB, any size) appended as a new layer. Exposed for tests and measurements.
 void append_gobo(shared::Gobos& gobos, const std::uint8_t* rgba, int width, int height);
+// The picture of a photometric file as one.
+void append_shape(shared::Gobos& gobos, const BeamShape& shape);
 
 } // namespace ghost::scene

@@ -2,6 +2,7 @@
 // Physical values of a fixture -> shared::Light. Order of the optics: source and its correction
 // (beam_colour.h), dimmer and shutter, flags, colour wheels, gate (gate.h), zoom, focus, frost.
 #include "scene/beam_colour.h"
+#include "scene/beam_shape.h"
 #include "scene/gate.h"
 #include "scene/lit.h"
 #include "scene/photometry.h"
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 
 namespace ghost::scene {
 namespace {
@@ -18,6 +21,35 @@ using glm::vec3;
 constexpr std::uint32_t kOpenSamples = 4; // Screen Space Re-Rendering, section 2.2
 constexpr std::uint32_t kGoboSamples = 10;
 constexpr float kMinLens_m = 0.01f;
+
+// The picture of a photometric file in place of the profile, wider or narrower as the zoom is. Lumens per
+// candela.
+float put_shape(const BeamShape& shape, const fixture::Beam& source, const fixture::Optics& optics,
+                shared::Light& light) {
+    constexpr float kLeastIris = 0.02f, kOpenIris = 0.995f;
+    const auto tan_half = [](float deg) {
+        return std::tan(0.5f * glm::radians(std::clamp(deg, 0.1f, kWidestShape_deg)));
+    };
+    const float zoom = tan_half(optics.zoom_deg) / tan_half(source.field_angle_deg);
+    light.tan_field = std::min(shape.tan_field * zoom, tan_half(kWidestShape_deg));
+    light.profile_power = 1.0f;
+    light.profile_scale = 0.0f;
+    light.cut_radius = 1.0f;
+    light.iris_radius = optics.iris < kOpenIris ? std::max(optics.iris, kLeastIris) : 2.0f;
+    light.lens_radius_m = 0.0f;
+    light.edge = shared::kGoboBlurUnit +
+                 2.0f * std::tan(glm::radians(optics.frost * optics.frost_full_deg)) / light.tan_field;
+    return shape.solid_angle(light.tan_field);
+}
+
+void add_shape(std::uint32_t layer, shared::Light& light) {
+    if (light.wheel_count >= std::size(light.wheel)) return; // three gobos of the fixture's own are in
+    shared::Wheel wheel{};
+    wheel.layer_a = wheel.layer_b = layer;
+    wheel.cosine = 1.0f;
+    light.wheel[light.wheel_count++] = wheel;
+    if (light.wheel_count > 2 && light.shaped == 0) light.shaped = 1;
+}
 
 } // namespace
 
@@ -37,7 +69,7 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
 
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
                          const vec3& position_m, const GoboStack& gobos, ProfileTable& profiles,
-                         const Projector* projector) {
+                         const Projector* projector, const BeamShape* shape) {
     const fixture::Optics& optics = beam.optics;
     const fixture::Beam& source = *type.geometries[static_cast<std::size_t>(beam.geometry)].beam;
     const bool hard_edge =
@@ -47,7 +79,9 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     const float beam_deg = field_deg * source.beam_angle_deg / std::max(source.field_angle_deg, 0.01f);
     const float iris = hard_edge ? std::clamp(optics.iris, 0.02f, 1.0f) : 1.0f;
     const MeasuredProfile& measured =
-        profiles.find(beam_deg, field_deg, hard_edge, iris, optics.frost * optics.frost_full_deg);
+        source.beam_type == fixture::BeamType::area
+            ? area_profile()
+            : profiles.find(beam_deg, field_deg, hard_edge, iris, optics.frost * optics.frost_full_deg);
     const Profile& profile = measured.profile;
 
     const glm::mat3 axes(to_world * beam.to_fixture);
@@ -90,6 +124,12 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
                           static_cast<std::uint32_t>(projector->media), light);
         if (projector->lumens > 0) lumens = projector->lumens;
     }
+    const auto measured_light = gobos.shapes.find(projects ? nullptr : shape);
+    const bool is_measured = shape && measured_light != gobos.shapes.end();
+    if (is_measured) {
+        open_sr = put_shape(*shape, source, optics, light);
+        lumens = static_cast<float>(shape->flux_lm);
+    }
     const float peak_cd = open_sr > 0 ? lumens / open_sr : 0.0f;
     light.intensity_cd = colour * (peak_cd * optics.lamp * optics.dimmer * optics.shutter);
 
@@ -97,14 +137,18 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     // Standard deviation of a disc, or of a Gaussian that is half at the beam angle.
     const float width =
         hard_edge ? 0.5f * iris : std::tan(0.5f * glm::radians(beam_deg)) / profile.tan_field / 1.17741f;
-    set_gate(type, optics, gobos, projects ? 1.0f : frost_pull(sigma, width), light);
-    light.bounce_cd = light.intensity_cd * ((projects ? open_sr : measured.iris_sr) / (4.0f * shared::kPi)) *
+    set_gate(type, optics, gobos, projects || is_measured ? 1.0f : frost_pull(sigma, width), light);
+    light.bounce_cd = light.intensity_cd *
+                      ((projects || is_measured ? open_sr : measured.iris_sr) / (4.0f * shared::kPi)) *
                       gate_share(light, gobos.images);
     if (projects)
         light.bounce_cd *=
             picture_share(*projector, gobos.showing[static_cast<std::size_t>(projector->media)]);
     // Frost spreads what the gate lets through.
-    if (!projects && measured.sent_sr > 0) light.intensity_cd *= measured.iris_sr / measured.sent_sr;
+    if (is_measured)
+        add_shape(measured_light->second, light);
+    else if (!projects && measured.sent_sr > 0)
+        light.intensity_cd *= measured.iris_sr / measured.sent_sr;
     light.haze_samples = light.wheel_count > 0 || light.shaped != 0 || projects ? kGoboSamples : kOpenSamples;
     return light;
 }

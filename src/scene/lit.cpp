@@ -36,7 +36,7 @@ vec3 hung_place_m(const Emitters& emitters, int place, const Hung& hung) {
 
 std::vector<Face> faces_of(const fixture::Type& type, const std::vector<fixture::BeamState>& beams,
                            const Emitters& emitters, const Hung& hung, const GoboStack& gobos,
-                           ProfileTable& profiles, const Projector* projector) {
+                           ProfileTable& profiles, const Projector* projector, const BeamShape* shape) {
     std::vector<int> place_of(beams.size(), -1);
     for (const Emitter& emitter : emitters.lights)
         for (const int beam : emitter.beams) place_of[static_cast<std::size_t>(beam)] = emitter.place;
@@ -48,7 +48,7 @@ std::vector<Face> faces_of(const fixture::Type& type, const std::vector<fixture:
         const vec3 place_m = place_of[b] < 0 ? lens_m : hung_place_m(emitters, place_of[b], hung);
         // A fixture of one beam turns it about its pivot, wherever its file has the lens.
         const vec3 apex_m = beams.size() == 1 ? place_m : apex_of(beams[b], hung.to_world, place_m);
-        face.light = light_from(type, beams[b], hung.to_world, apex_m, gobos, profiles, projector);
+        face.light = light_from(type, beams[b], hung.to_world, apex_m, gobos, profiles, projector, shape);
     }
     return faces;
 }

@@ -10,6 +10,7 @@
 #include "scene/gobos.h"
 #include "scene/photometry.h"
 #include "scene/projector.h"
+#include "shared/led_wall.h"
 #include "shared/types.h"
 
 #include <vector>
@@ -21,12 +22,14 @@ namespace ghost::scene {
 struct Face {
     shared::Light light;
     bool glows = false;
-    bool split = false; // by a prism: its beam is seen in the faces of the facets, after those of all beams
+    bool split = false;   // by a prism: its beam is seen in the faces of the facets, after those of all beams
+    bool of_wall = false; // the camera sees the wall's picture instead
 };
 
 struct Lit {
     std::vector<shared::Light> lights;
     std::vector<Face> faces;
+    std::vector<shared::LedWall> walls;
 };
 
 // An apex this near to its place is there: more than a lens is before its apex at least, and than files are
@@ -43,12 +46,13 @@ struct Hung {
 };
 
 // What one beam of a fixture emits. to_world: of the fixture; position_m: the apex, see apex_of. profiles:
-// of beams before. projector: what it projects instead of a round field, null: nothing.
+// of beams before. projector: what it projects instead of a round field, null: nothing; shape: measured light
+// instead of the profile, null: none.
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
                          const glm::vec3& position_m, const GoboStack& gobos);
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
                          const glm::vec3& position_m, const GoboStack& gobos, ProfileTable& profiles,
-                         const Projector* projector = nullptr);
+                         const Projector* projector = nullptr, const BeamShape* shape = nullptr);
 
 // The apex of a beam that turns about a place: on its axis, beside the place as far as its lens is.
 glm::vec3 apex_of(const fixture::BeamState& beam, const glm::mat4& to_world, const glm::vec3& place_m);
@@ -59,7 +63,8 @@ glm::vec3 hung_place_m(const Emitters& emitters, int place, const Hung& hung);
 // The face of every beam of a fixture.
 std::vector<Face> faces_of(const fixture::Type& type, const std::vector<fixture::BeamState>& beams,
                            const Emitters& emitters, const Hung& hung, const GoboStack& gobos,
-                           ProfileTable& profiles, const Projector* projector = nullptr);
+                           ProfileTable& profiles, const Projector* projector = nullptr,
+                           const BeamShape* shape = nullptr);
 
 // One light of its cells: candela and bounced light added, in the middle of them by their lumens at full,
 // as large as they are together. place_m: of its distance map.

@@ -235,6 +235,18 @@ void check_look(const StoredLook& look, const Show& show, const std::string& fil
                    "look '" + look.name +
                        "' has levels of another mode, which are left out (store it again) for: " +
                        name_list(others));
+    for (const auto& [name, manual] : look.fixtures) {
+        const auto fixture = std::find_if(show.fixtures.begin(), show.fixtures.end(),
+                                          [&](const PatchedFixture& one) { return one.name == name; });
+        if (!manual.gobo || fixture == show.fixtures.end() || !fixture->type) continue;
+        const auto slots = static_cast<int>(fixture::gobo_names(fixture->patch()).size());
+        if (*manual.gobo < std::max(slots, 1)) continue;
+        report.add(Severity::warning, file,
+                   "look '" + look.name + "': gobo " + std::to_string(*manual.gobo) + " of '" + name + "', " +
+                       (slots > 0
+                            ? "whose wheel has 0 to " + std::to_string(slots - 1) + "; it shows the last one"
+                            : "which has no gobo wheel"));
+    }
 }
 
 } // namespace ghost::scene

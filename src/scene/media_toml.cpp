@@ -47,6 +47,48 @@ int test_card(Show& show) {
     return static_cast<int>(show.media.size()) - 1;
 }
 
+// The media key of what shows a picture; without one the first medium, or a test card.
+int read_medium(TableReader& reader, Show& show) {
+    int media = show.media.empty() ? -1 : 0;
+    if (const auto name = reader.text("media")) {
+        media = find_media(show.media, *name);
+        if (media < 0)
+            reader.problem(Severity::error, "media",
+                           "names '" + name->substr(0, 40) + "', which no [[media]] has" +
+                               did_you_mean(*name, names_of(show.media)) + "; it shows a test card");
+    }
+    return media < 0 ? test_card(show) : media;
+}
+
+void read_fit(TableReader& reader, Fit& fit) {
+    const auto name = reader.text("fit");
+    if (!name) return;
+    const auto* const found =
+        std::find_if(kFits.begin(), kFits.end(), [&](const auto& one) { return one.first == *name; });
+    if (found != kFits.end())
+        fit = found->second;
+    else
+        reader.problem(Severity::error, "fit",
+                       "is '" + name->substr(0, 40) + "', expected contain, cover or stretch; it is contain");
+}
+
+// The channel that chooses the medium.
+void read_select(TableReader& reader, const std::string& section, const std::string& file, int& universe_of,
+                 int& address_of, Report& report) {
+    const toml::table* select = reader.table("select");
+    if (!select) return;
+    TableReader channel(*select, section + " select", file, report);
+    const auto universe = channel.integer("universe", 1, dmx::kMaxUniverse);
+    const auto address = channel.integer("address", 1, 512);
+    for (const char* key : {"universe", "address"})
+        if (!channel.has(key))
+            channel.missing(key, "universe and address of the channel that chooses the medium");
+    channel.finish();
+    if (!universe || !address) return;
+    universe_of = *universe;
+    address_of = *address;
+}
+
 } // namespace
 
 void read_media(TableReader& top, const std::string& file, Show& show, Report& report) {
@@ -54,7 +96,13 @@ void read_media(TableReader& top, const std::string& file, Show& show, Report& r
         TableReader reader(*table, "[[media]]", file, report);
         Media media;
         media.where = file_line(file, reader.line());
-        media.name = reader.text("name").value_or("Media " + std::to_string(show.media.size() + 1));
+        const std::string stand_in = "Media " + std::to_string(show.media.size() + 1);
+        media.name = reader.text("name").value_or(stand_in);
+        if (media.name.empty()) {
+            reader.problem(Severity::error, "name",
+                           "is empty, expected a name; it is called '" + stand_in + "'");
+            media.name = stand_in;
+        }
         if (find_media(show.media, media.name) >= 0) {
             reader.problem(Severity::error, "name",
                            "'" + media.name + "' is taken, expected a name of its own; this one is not used");
@@ -92,16 +140,7 @@ Projector read_projector(const toml::table& table, const std::string& section, c
                          Show& show, std::optional<glm::vec3>& target_m, Report& report) {
     TableReader reader(table, section + " projector", file, report);
     Projector projector;
-    if (const auto name = reader.text("media")) {
-        projector.media = find_media(show.media, *name);
-        if (projector.media < 0)
-            reader.problem(Severity::error, "media",
-                           "names '" + name->substr(0, 40) + "', which no [[media]] has" +
-                               did_you_mean(*name, names_of(show.media)) + "; it shows a test card");
-    } else if (!show.media.empty()) {
-        projector.media = 0;
-    }
-    if (projector.media < 0) projector.media = test_card(show);
+    projector.media = read_medium(reader, show);
     put(projector.lumens, reader.number("lumens", 1, 1e6));
     put(projector.throw_ratio, reader.number("throw_ratio", 0.1, 100));
     put(projector.aspect, reader.number("aspect", 0.1, 10));
@@ -113,33 +152,51 @@ Projector read_projector(const toml::table& table, const std::string& section, c
     if (const auto blend = reader.numbers("edge_blend", 4, 0, 1))
         for (int k = 0; k < 4; ++k)
             projector.blend[k] = static_cast<float>((*blend)[static_cast<std::size_t>(k)]);
-    if (const auto name = reader.text("fit")) {
-        const auto* const fit =
-            std::find_if(kFits.begin(), kFits.end(), [&](const auto& one) { return one.first == *name; });
-        if (fit != kFits.end())
-            projector.fit = fit->second;
-        else
-            reader.problem(Severity::error, "fit",
-                           "is '" + name->substr(0, 40) +
-                               "', expected contain, cover or stretch; it is contain");
-    }
+    read_fit(reader, projector.fit);
     put(projector.focus_m, reader.number("focus_m", 0.1, 1000));
     target_m = reader.vec3("target_m", kMaxCoordinate_m);
-    if (const toml::table* select = reader.table("select")) {
-        TableReader channel(*select, section + " projector select", file, report);
-        const auto universe = channel.integer("universe", 1, dmx::kMaxUniverse);
-        const auto address = channel.integer("address", 1, 512);
-        for (const char* key : {"universe", "address"})
-            if (!channel.has(key))
-                channel.missing(key, "universe and address of the channel that chooses the medium");
-        channel.finish();
-        if (universe && address) {
-            projector.universe = *universe;
-            projector.address = *address;
-        }
-    }
+    read_select(reader, section + " projector", file, projector.universe, projector.address, report);
     reader.finish();
     return projector;
+}
+
+LedWall read_wall(TableReader& reader, const std::string& section, const std::string& file, bool of_plot,
+                  Show& show, Report& report) {
+    LedWall wall;
+    wall.media = read_medium(reader, show);
+    if (!of_plot) {
+        if (const auto size = reader.numbers("size_m", 2, 0.1, 200))
+            wall.size_m = {static_cast<float>((*size)[0]), static_cast<float>((*size)[1])};
+        else if (!reader.has("size_m"))
+            reader.missing("size_m", "width and height, [4, 2.25]; it is that large");
+    }
+    put(wall.nits, reader.number("nits", 1, 20000));
+    if (const auto pitch_mm = reader.number("pitch_mm", 0.5, 500))
+        wall.pitch_m = static_cast<float>(*pitch_mm * 1e-3);
+    if (const auto cells = reader.integers("cells", 2, 1, kMostWallCells))
+        wall.cells = {(*cells)[0], (*cells)[1]};
+    read_fit(reader, wall.fit);
+    read_select(reader, section, file, wall.universe, wall.address, report);
+    reader.finish();
+    return wall;
+}
+
+std::vector<WallSettings> read_walls(TableReader& top, const std::string& file, Show& show, Report& report) {
+    constexpr std::size_t kMostWalls = 1000;
+    std::vector<WallSettings> walls;
+    for (const toml::table* table : top.tables("wall", kMostWalls)) {
+        TableReader reader(*table, "[[wall]]", file, report);
+        WallSettings settings;
+        settings.where = file_line(file, reader.line());
+        const auto name = reader.text("name");
+        if (!reader.has("name"))
+            reader.missing("name", "that of a screen of the plot, or \"*\" for all of them");
+        settings.wall = read_wall(reader, "[[wall]]", file, true, show, report);
+        if (!name) continue;
+        settings.name = *name;
+        walls.push_back(std::move(settings));
+    }
+    return walls;
 }
 
 } // namespace ghost::scene

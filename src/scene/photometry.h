@@ -46,6 +46,10 @@ struct MeasuredProfile {
     float aperture = 1; // gate radius that is left open
 };
 
+// Of a surface that is equally bright from every side (Lambert): within 7 % of the cosine up to 70 degrees,
+// its light all within 82.
+const MeasuredProfile& area_profile();
+
 class ProfileTable {
 public:
     // iris: share of the open aperture; frost_deg: standard deviation of the angle of its scatter.

@@ -2,6 +2,7 @@
 #include "scene/plot_show.h"
 
 #include "fixture/patch.h"
+#include "fixture/wall_type.h"
 #include "scene/model_file.h"
 #include "scene/plot_media.h"
 #include "scene/plot_types.h"
@@ -22,6 +23,7 @@ constexpr std::size_t kMaxFixtures = 10'000; // as of a show file
 constexpr std::size_t kMaxNameBytes = 90;    // leaves room for a number
 constexpr double kScaled = 0.01;
 constexpr double kAimed_deg = 0.5;
+constexpr float kFlat = 0.2f; // depth of a wall, as a share of its shorter side
 
 glm::mat4 node_to_fixture(const fixture::Mode& mode, int node) {
     glm::mat4 matrix(1.0f);
@@ -69,11 +71,16 @@ bool is_device(const PlotObject& object) {
     return object.kind != ObjectKind::focus_point && object.device.gdtf >= 0 && object.geometries.empty();
 }
 
+bool is_wall(const PlotObject& object) {
+    return object.kind == ObjectKind::video_screen && !object.geometries.empty();
+}
+
 class FixtureMaker {
 public:
-    FixtureMaker(Show& show, const std::vector<SubstituteEntry>& substitutes, Report& report)
+    FixtureMaker(Show& show, const std::vector<SubstituteEntry>& substitutes,
+                 const std::vector<WallSettings>& walls, Report& report)
         : show_(show), loaded_(*show.plot), types_(*show.plot, show.folder, substitutes, report),
-          report_(report), names_(show.fixtures) {}
+          walls_(walls), was_used_(walls.size(), false), report_(report), names_(show.fixtures) {}
 
     // index: of the object; called for every object in order, parents first.
     void visit(int index, bool adds) {
@@ -84,11 +91,20 @@ public:
             const auto parent = static_cast<std::size_t>(object.parent);
             worlds_.back() = worlds_[parent] * child_position(object, fixture_of_[parent]) * object.local;
         }
-        if (adds) add(object);
+        if (adds && is_wall(object))
+            add_wall(index, object);
+        else if (adds)
+            add(object);
     }
 
     void finish(Report& report) {
         types_.finish();
+        for (std::size_t k = 0; k < walls_.size(); ++k)
+            if (!was_used_[k])
+                report.add(Severity::warning, walls_[k].where,
+                           "[[wall]] name: the plot has no screen '" + walls_[k].name.substr(0, 60) + "'");
+        say(report, bent_, Severity::warning,
+            "a LED wall that is not flat: its picture is thrown straight onto it");
         say(report, mirrored_, Severity::warning,
             "mirrored by the plot, which no fixture can be; drawn as made");
         say(report, scaled_, Severity::note, "scaled or skewed by the plot; drawn in the size of their GDTF");
@@ -123,6 +139,49 @@ private:
         if (object.kind == ObjectKind::projector && fixture.type)
             fixture.projector =
                 plot_projector(show_, object, *fixture.type, place_of(loaded_, object), report_);
+        fixture_of_.back() = static_cast<int>(show_.fixtures.size());
+        show_.fixtures.push_back(std::move(fixture));
+    }
+
+    // As large as it is drawn, and there; patched nowhere.
+    void add_wall(int index, const PlotObject& object) {
+        if (show_.fixtures.size() >= kMaxFixtures) {
+            ++left_out_;
+            return;
+        }
+        const auto plane = screen_plane(loaded_, index, show_.plot_origin_m);
+        if (!plane) return;
+        const std::string name = clean(object.name);
+        LedWall wall;
+        bool says_media = false;
+        for (std::size_t k = 0; k < walls_.size(); ++k) {
+            if (!matches(walls_[k].name, name)) continue;
+            wall = walls_[k].wall;
+            was_used_[k] = says_media = true;
+        }
+        PatchedFixture fixture;
+        fixture.name = names_.take(name.empty() ? "LED wall" : name);
+        fixture.fixture_id = object.device.fixture_id;
+        fixture.uuid = object.uuid;
+        fixture.address = 0;
+        if (!says_media)
+            wall.media =
+                media_of_source(show_, object.sources.empty() ? PlotSource{} : object.sources.front(),
+                                fixture.name, place_of(loaded_, object), report_);
+        wall.size_m = plane->size_m;
+        wall.has_body = false;
+        const bool bent = plane->depth_m > kFlat * std::min(wall.size_m.x, wall.size_m.y);
+        if (bent) {
+            wall.reach_m = plane->depth_m + wall.reach_m;
+            bent_.push_back(fixture.name);
+        }
+        // It stands where its object does, so that a hand that moves it moves the object; the panel is beside
+        // that.
+        place(object, fixture);
+        const glm::dmat4 to_world(fixture_to_world(fixture, 0));
+        fixture.type = fixture::led_wall_type(wall.size_m, cells_of(wall),
+                                              glm::mat4(glm::inverse(to_world) * plane->to_world));
+        fixture.wall = wall;
         fixture_of_.back() = static_cast<int>(show_.fixtures.size());
         show_.fixtures.push_back(std::move(fixture));
     }
@@ -197,6 +256,8 @@ private:
     Show& show_;
     LoadedPlot& loaded_;
     PlotTypes types_;
+    const std::vector<WallSettings>& walls_;
+    std::vector<bool> was_used_; // of walls_
     Report& report_;
     Names names_;
     std::vector<glm::dmat4> worlds_; // per object, with child positions
@@ -204,6 +265,7 @@ private:
     std::vector<std::string> mirrored_;
     std::vector<std::string> scaled_;
     std::vector<std::string> aimed_;
+    std::vector<std::string> bent_;
     std::size_t left_out_ = 0;
 };
 
@@ -263,13 +325,14 @@ Result<std::shared_ptr<LoadedPlot>> load_plot(const std::filesystem::path& file,
 }
 
 Result<void> add_plot_fixtures(Show& show, const std::vector<bool>& shown,
-                               const std::vector<SubstituteEntry>& substitutes, Report& report,
+                               const std::vector<SubstituteEntry>& substitutes,
+                               const std::vector<WallSettings>& walls, Report& report,
                                const ShowLoading& loading) {
-    FixtureMaker maker(show, substitutes, report);
+    FixtureMaker maker(show, substitutes, walls, report);
     const std::vector<PlotObject>& objects = show.plot->plot.objects;
     const std::size_t step = std::max<std::size_t>(1, objects.size() / 100);
     for (std::size_t k = 0; k < objects.size(); ++k) {
-        const bool adds = shown[k] && is_device(objects[k]);
+        const bool adds = shown[k] && (is_device(objects[k]) || is_wall(objects[k]));
         if (adds || k % step == 0) {
             if (loading.stop && loading.stop())
                 return Error{"stopped while its fixtures were read", show.plot->name};

@@ -24,10 +24,11 @@ Result<std::shared_ptr<LoadedPlot>> load_plot(const std::filesystem::path& file,
 
 // Adds what shines to show.fixtures: fixtures, and devices of other kinds (screens, projectors, hoists) that
 // have a GDTF file and no geometry of their own. show.plot must be there. Files that the archive lacks are
-// looked for beside the plot. Names are made unique against those that are in show.fixtures already.
-// Error: stopped.
+// looked for beside the plot. Screens with a geometry become LED walls, like the last of walls that names
+// them. Names are made unique against those that are in show.fixtures already. Error: stopped.
 Result<void> add_plot_fixtures(Show& show, const std::vector<bool>& shown,
-                               const std::vector<SubstituteEntry>& substitutes, Report& report,
+                               const std::vector<SubstituteEntry>& substitutes,
+                               const std::vector<WallSettings>& walls, Report& report,
                                const ShowLoading& loading);
 
 // A matrix as a turn, by what rotation_deg of show.toml means.

@@ -273,6 +273,55 @@ glm::dvec3 origin_of(const Plot& plot) {
     return origin_m;
 }
 
+std::optional<ScreenPlane> screen_plane(LoadedPlot& loaded, int object, const glm::dvec3& origin_m) {
+    constexpr double kLeast_m = 0.05;
+    constexpr double kOneSided = 0.1; // share of its faces that must look one way
+    Stage stage;
+    PlotStage reader(loaded, stage);
+    for (const MeshInstance& mesh : mesh_instances(loaded.plot, object)) reader.place(mesh, origin_m);
+    glm::dmat3 axes(loaded.plot.objects[static_cast<std::size_t>(object)].world);
+    for (int k = 0; k < 3; ++k) {
+        if (!(glm::length(axes[k]) > 1e-9)) return std::nullopt;
+        axes[k] = glm::normalize(axes[k]);
+    }
+    const glm::dmat3 to_local = glm::transpose(axes);
+    glm::dvec3 low(1e30), high(-1e30), facing(0.0);
+    double area = 0;
+    for (const Instance& instance : stage.instances) {
+        const Mesh& mesh = stage.meshes[static_cast<std::size_t>(instance.mesh)];
+        std::vector<glm::dvec3> local;
+        for (const glm::vec3& position : mesh.positions) {
+            local.push_back(to_local * glm::dvec3(instance.world * glm::vec4(position, 1.0f)));
+            low = glm::min(low, local.back());
+            high = glm::max(high, local.back());
+        }
+        for (std::size_t k = 0; k + 2 < mesh.indices.size(); k += 3) {
+            const glm::dvec3 a = local[mesh.indices[k]];
+            const glm::dvec3 across =
+                glm::cross(local[mesh.indices[k + 1]] - a, local[mesh.indices[k + 2]] - a);
+            facing += across;
+            area += glm::length(across);
+        }
+    }
+    const glm::dvec3 size = high - low;
+    const int thin = size.y <= size.x && size.y <= size.z ? 1 : (size.z <= size.x ? 2 : 0);
+    const int right = thin == 0 ? 1 : 0, up = thin == 2 ? 1 : 2;
+    if (!(size[right] > kLeast_m && size[up] > kLeast_m) || !std::isfinite(size[thin])) return std::nullopt;
+    const bool positive = facing[thin] > kOneSided * area;
+    glm::dvec3 front = 0.5 * (low + high);
+    front[thin] = positive ? high[thin] : low[thin];
+    ScreenPlane plane;
+    const glm::dvec3 normal = positive ? axes[thin] : -axes[thin];
+    const glm::dvec3 above = axes[up];
+    plane.to_world[0] = glm::dvec4(glm::cross(-normal, above), 0.0);
+    plane.to_world[1] = glm::dvec4(-normal, 0.0);
+    plane.to_world[2] = glm::dvec4(above, 0.0);
+    plane.to_world[3] = glm::dvec4(axes * front, 1.0);
+    plane.size_m = {size[right], size[up]};
+    plane.depth_m = static_cast<float>(size[thin]);
+    return plane;
+}
+
 Result<void> add_plot_stage(LoadedPlot& loaded, const std::vector<bool>& shown, const glm::dvec3& origin_m,
                             Stage& stage, Report& report, const ShowLoading& loading) {
     std::vector<MeshInstance> instances;

@@ -13,6 +13,7 @@
 
 #include <glm/glm.hpp>
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -31,5 +32,18 @@ glm::dvec3 origin_of(const Plot& plot);
 // shown: per object, of shown_objects. Error: stopped by loading.stop.
 Result<void> add_plot_stage(LoadedPlot& loaded, const std::vector<bool>& shown, const glm::dvec3& origin_m,
                             Stage& stage, Report& report, const ShowLoading& loading);
+
+// The rectangle that the mesh of a screen is: its shortest side is taken as its depth, its front looks to
+// where more of its faces look, or, where that is even, down its frame's shortest axis.
+struct ScreenPlane {
+    glm::dmat4 to_world{1.0}; // from a frame whose X and Z are its right and up, and whose -Y is its front;
+                              // middle of the front
+    glm::vec2 size_m{0.0f};
+    float depth_m = 0.0f;
+};
+
+// Of an object with meshes; nothing where they hold no surface. Messages about its files come with
+// add_plot_stage.
+std::optional<ScreenPlane> screen_plane(LoadedPlot& loaded, int object, const glm::dvec3& origin_m);
 
 } // namespace ghost::scene

@@ -91,6 +91,7 @@ Rig::Rig(const Show& show) : show_(show), track_(show.fixtures.size(), 0.0f), ai
     for (const PatchedFixture& fixture : show.fixtures) {
         patches_.push_back(fixture.patch());
         projectors_.push_back(fixture.projector);
+        walls_.push_back(fixture.wall);
         states_.push_back(fixture.type ? fixture::make_state(patches_.back()) : fixture::State{});
         auto& emitters = known[{fixture.type.get(), fixture.type ? fixture.mode : 0}];
         if (!emitters)
@@ -107,6 +108,7 @@ void Rig::go_on_from(const Rig& before, const std::vector<std::optional<std::siz
         const PatchedFixture& now = show_.fixtures[i];
         const PatchedFixture& then = before.show_.fixtures[other];
         if (!now.type || !then.type || now.gdtf != then.gdtf || now.mode != then.mode) continue;
+        if (states_[i].beams.size() != before.states_[other].beams.size()) continue; // walls of other sizes
         states_[i] = before.states_[other];
         track_[i] = before.track_[other];
     }
@@ -152,7 +154,8 @@ void Rig::step(const dmx::Universes& universes, double dt_s,
             if (!found->second.levels.empty()) targets = fixture::decode_levels(patches_[i], found->second.levels);
             fixture::apply(found->second, patches_[i], targets);
         }
-        fixture::step(states_[i], patches_[i], targets, dt_s, show_.motion);
+        fixture::step(states_[i], patches_[i], targets, dt_s, show_.motion,
+                      static_cast<double>(show_.shutter_deg) / 360.0);
         choose_medium(i, universes);
         const auto& track = show_.fixtures[i].track;
         if (!track) continue;
@@ -164,11 +167,45 @@ void Rig::step(const dmx::Universes& universes, double dt_s,
 }
 
 void Rig::choose_medium(std::size_t fixture, const dmx::Universes& universes) {
-    const std::optional<Projector>& settings = show_.fixtures[fixture].projector;
-    if (!settings || settings->address == 0) return;
-    const int chosen = universes.level(static_cast<std::uint16_t>(settings->universe), settings->address);
-    const auto last = static_cast<int>(show_.media.size());
-    projectors_[fixture]->media = chosen == 0 ? settings->media : std::min(chosen, last) - 1;
+    const auto choose = [&](const auto& settings, auto& now) {
+        if (!settings || settings->address == 0) return;
+        const int chosen = universes.level(static_cast<std::uint16_t>(settings->universe), settings->address);
+        const auto last = static_cast<int>(show_.media.size());
+        now->media = chosen == 0 ? settings->media : std::min(chosen, last) - 1;
+    };
+    choose(show_.fixtures[fixture].projector, projectors_[fixture]);
+    choose(show_.fixtures[fixture].wall, walls_[fixture]);
+}
+
+// The cells of a wall, as bright as the picture there.
+void Rig::light_wall(std::size_t index, const GoboStack& gobos, std::vector<Face>& faces) const {
+    const LedWall& wall = *walls_[index];
+    const auto media = static_cast<std::size_t>(wall.media);
+    const bool shows = media < gobos.showing.size() && media < gobos.images.slides.size();
+    for (std::size_t k = 0; k < faces.size(); ++k) {
+        const fixture::Optics& optics = states_[index].beams[k].optics;
+        const glm::vec3 share =
+            shows ? cell_share(wall, static_cast<int>(k), gobos.showing[media], gobos.images.slides[media])
+                  : glm::vec3(0.0f);
+        light_cell(wall, share * (optics.dimmer * optics.shutter), faces[k].light);
+        faces[k].of_wall = true;
+    }
+}
+
+// What the camera sees of it.
+void Rig::add_wall(std::size_t index, const Hung& hung, const GoboStack& gobos, Lit& lit) const {
+    if (!walls_[index] || states_[index].beams.empty()) return;
+    const LedWall& wall = *walls_[index];
+    const auto media = static_cast<std::size_t>(wall.media);
+    if (media >= gobos.showing.size()) return;
+    const fixture::BeamState& beam = states_[index].beams.front();
+    glm::vec3 factor(beam.optics.dimmer * beam.optics.shutter);
+    if (const auto manual = manual_.find(index); manual != manual_.end())
+        factor *= swap_factor(
+            manual->second,
+            *show_.fixtures[index].type->geometries[static_cast<std::size_t>(beam.geometry)].beam);
+    const glm::mat4 place = show_.fixtures[index].type->modes.front().nodes.front().local;
+    lit.walls.push_back(seen_wall(wall, hung.to_world * place, gobos.showing[media], factor));
 }
 
 Rig::Between Rig::between(std::size_t index) const {
@@ -188,8 +225,9 @@ Rig::Between Rig::between(std::size_t index) const {
 std::vector<Face> Rig::faces(std::size_t index, const Emitters& emitters, const Hung& hung,
                              const GoboStack& gobos, ProfileTable& profiles) const {
     const fixture::Type& type = *show_.fixtures[index].type;
-    std::vector<Face> faces =
-        faces_of(type, states_[index].beams, emitters, hung, gobos, profiles, projector_of(index));
+    std::vector<Face> faces = faces_of(type, states_[index].beams, emitters, hung, gobos, profiles,
+                                       projector_of(index), show_.fixtures[index].shape.get());
+    if (walls_[index]) light_wall(index, gobos, faces);
     const auto manual = manual_.find(index);
     if (manual == manual_.end()) return faces;
     for (std::size_t k = 0; k < faces.size(); ++k) {
@@ -224,6 +262,7 @@ Lit Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) cons
             lit.lights.insert(lit.lights.end(), lights.begin(), lights.end());
         }
         lit.faces.insert(lit.faces.end(), faces.begin(), faces.end());
+        add_wall(i, hung, gobos, lit);
     }
     lit.faces.insert(lit.faces.end(), facets.begin(), facets.end());
     return lit;
@@ -275,6 +314,7 @@ Lit Rig::lit(const GoboStack& gobos, const Passes& passes) const {
             }
         }
         lit.faces.insert(lit.faces.end(), faces.begin(), faces.end());
+        add_wall(i, hung, gobos, lit);
     }
     lit.faces.insert(lit.faces.end(), facets.begin(), facets.end());
     return lit;

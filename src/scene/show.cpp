@@ -5,8 +5,11 @@
 #include "base/suggest.h"
 #include "fixture/load_type.h"
 #include "fixture/patch.h"
+#include "fixture/photometric.h"
 #include "fixture/projector_type.h"
 #include "fixture/values.h"
+#include "fixture/wall_type.h"
+#include "scene/beam_shape.h"
 #include "scene/default_cameras.h"
 #include "scene/plot_show.h"
 #include "scene/plot_types.h"
@@ -85,7 +88,10 @@ void load_types(ParsedShow& parsed, const std::string& file, Report& report) {
         PatchedFixture& fixture = parsed.show.fixtures[k];
         const FixtureSource& source = parsed.sources[k];
         if (fixture.gdtf.empty()) {
-            if (fixture.projector) fixture.type = fixture::video_projector_type();
+            if (fixture.wall)
+                fixture.type = fixture::led_wall_type(fixture.wall->size_m, cells_of(*fixture.wall));
+            else if (fixture.projector)
+                fixture.type = fixture::video_projector_type();
             continue;
         }
         fixture.type =
@@ -101,15 +107,100 @@ void load_types(ParsedShow& parsed, const std::string& file, Report& report) {
     }
 }
 
-// The two channels of a track, seen as a fixture.
+// Photometric files that fixtures, or all fixtures of a type, name: each read once.
+class ShapeLibrary {
+public:
+    std::shared_ptr<const BeamShape> find(const fs::path& path, const std::string& where, Report& report) {
+        const auto [entry, is_new] = shapes_.try_emplace(path.lexically_normal());
+        if (!is_new) return entry->second;
+        if (!is_file(path)) {
+            report.add(Severity::error, where,
+                       missing_file(path) + " The light is that of the fixture's own file.");
+            return nullptr;
+        }
+        auto loaded = fixture::load_photometric(path);
+        if (!loaded.ok()) {
+            report.add(Severity::error, where,
+                       loaded.error().text() + "; the light is that of the fixture's own file");
+            return nullptr;
+        }
+        for (const fixture::Message& message : loaded->messages)
+            report.add(severity_of(message.severity), message.where, message.what);
+        entry->second = std::make_shared<const BeamShape>(shape_of(loaded->light, path.filename().string()));
+        say_lost(*entry->second, path.string(), report);
+        return entry->second;
+    }
+
+private:
+    static void say_lost(const BeamShape& shape, const std::string& path, Report& report) {
+        constexpr double kWorthSaying = 0.005;
+        const double all_lm = shape.flux_lm + shape.lost_lm;
+        if (shape.lost_lm > kWorthSaying * all_lm)
+            report.add(Severity::warning, path,
+                       std::to_string(std::lround(100.0 * shape.lost_lm / all_lm)) + " % of its " +
+                           std::to_string(std::lround(all_lm)) +
+                           " lumens leave more than 80 degrees from the axis and are not drawn");
+    }
+
+    std::map<fs::path, std::shared_ptr<const BeamShape>> shapes_;
+};
+
+void load_shapes(ParsedShow& parsed, const std::string& file, Report& report) {
+    ShapeLibrary library;
+    Show& show = parsed.show;
+    std::vector<bool> was_used(parsed.photometry.size(), false);
+    for (std::size_t k = 0; k < show.fixtures.size(); ++k) {
+        PatchedFixture& fixture = show.fixtures[k];
+        fs::path path = k < parsed.sources.size() ? parsed.sources[k].photometry : fs::path{};
+        std::string where = path.empty() ? "" : file_line(file, parsed.sources[k].photometry_line);
+        for (std::size_t e = 0; e < parsed.photometry.size(); ++e) {
+            const PhotometryEntry& entry = parsed.photometry[e];
+            if (!matches(fixture::lower(entry.spec), fixture::lower(fixture.gdtf.filename().string())))
+                continue;
+            was_used[e] = true;
+            if (!path.empty()) continue; // the fixture's own, or the first that fits
+            path = entry.file;
+            where = entry.where;
+        }
+        if (path.empty()) continue;
+        if (fixture.wall || fixture.projector)
+            report.add(Severity::warning, where,
+                       "'" + fixture.name + "' shows a picture: its photometry is not used");
+        else
+            fixture.shape = library.find(show.folder / path, where, report);
+    }
+    for (std::size_t e = 0; e < parsed.photometry.size(); ++e)
+        if (!was_used[e])
+            report.add(Severity::warning, parsed.photometry[e].where,
+                       "[[photometry]] for: no fixture is of a file '" +
+                           parsed.photometry[e].spec.substr(0, 60) + "'");
+}
+
+fixture::Type of_channels(int count) {
+    fixture::Type made;
+    made.modes.emplace_back();
+    made.modes.back().footprint = {count};
+    return made;
+}
+
+// The two channels of a track, seen as a fixture, and the one that chooses a medium.
 const fixture::Type& track_type() {
-    static const fixture::Type type = [] {
-        fixture::Type made;
-        made.modes.emplace_back();
-        made.modes.back().footprint = {2};
-        return made;
-    }();
+    static const fixture::Type type = of_channels(2);
     return type;
+}
+const fixture::Type& select_type() {
+    static const fixture::Type type = of_channels(1);
+    return type;
+}
+
+// A zoom channel that a stated throw ratio makes useless.
+bool has_idle_zoom(const PatchedFixture& fixture) {
+    if (!fixture.projector || !(fixture.projector->throw_ratio > 0) || !fixture.type) return false;
+    for (const fixture::Channel& channel :
+         fixture.type->modes[static_cast<std::size_t>(fixture.mode)].channels)
+        for (const fixture::ChannelFunction& function : channel.functions)
+            if (function.meaning.role == fixture::Role::zoom) return true;
+    return false;
 }
 
 std::string plot_place(const Show& show, const PatchedFixture& fixture) {
@@ -154,6 +245,21 @@ void check_addresses(const ParsedShow& parsed, const std::string& file, Report& 
                 report.add(of_plot ? Severity::note : Severity::warning, where,
                            who + fixture.name + "' " + problem);
             places.push_back({of_plot ? where : "line " + std::to_string(line), std::move(where), of_plot});
+        }
+        if (!of_plot && has_idle_zoom(fixture))
+            report.add(
+                Severity::warning, file_line(file, parsed.sources[k].line),
+                "[[fixture]] '" + fixture.name +
+                    "' projector throw_ratio says how wide the picture is: its zoom channel does nothing");
+        const int select_universe =
+            fixture.projector ? fixture.projector->universe : (fixture.wall ? fixture.wall->universe : 0);
+        const int select_address =
+            fixture.projector ? fixture.projector->address : (fixture.wall ? fixture.wall->address : 0);
+        if (!of_plot && select_address > 0) {
+            patches.push_back(
+                {fixture.name + "' select '", &select_type(), 0, {{select_universe, select_address}}});
+            const int select_line = parsed.sources[k].line;
+            places.push_back({"line " + std::to_string(select_line), file_line(file, select_line)});
         }
         if (fixture.track) {
             patches.push_back({fixture.name + "' track '",
@@ -276,7 +382,7 @@ Result<void> open_plot(ParsedShow& parsed, Report& report, const ShowLoading& lo
     check_hidden(show, show.hidden_layers, true, file_line(file, parsed.hidden_layers_line), report);
     check_hidden(show, show.hidden_classes, false, file_line(file, parsed.hidden_classes_line), report);
     const std::vector<bool> shown = shown_objects(show.plot->plot, show.hidden_layers, show.hidden_classes);
-    return add_plot_fixtures(show, shown, parsed.substitutes, report,
+    return add_plot_fixtures(show, shown, parsed.substitutes, parsed.walls, report,
                              part_of(loading, kPlotShare, kFixturesShare));
 }
 
@@ -332,6 +438,7 @@ Result<Show> load_parsed(ParsedShow parsed, bool load_stage, Report& report, con
             return Error{last.what, last.where};
         }
     }
+    load_shapes(parsed, file, report);
     check_addresses(parsed, file, report);
     check_files(parsed, file, report);
     check_tracking(show, report);

@@ -9,6 +9,7 @@
 #include "fixture/patch.h"
 #include "fixture/type.h"
 #include "scene/cues.h"
+#include "scene/led_wall.h"
 #include "scene/overrides.h"
 #include "scene/projector.h"
 #include "scene/report.h"
@@ -25,6 +26,7 @@
 
 namespace ghost::scene {
 
+struct BeamShape;  // scene/beam_shape.h
 struct LoadedPlot; // scene/mvr_load.h
 
 struct Camera {
@@ -92,7 +94,9 @@ struct PatchedFixture {
     float home_pan_deg = 0;    // pose of the body in baked passes
     float home_tilt_deg = 0;
     std::optional<Track> track;
-    std::optional<Projector> projector; // a moving picture in its gate
+    std::optional<Projector> projector;     // a moving picture in its gate
+    std::optional<LedWall> wall;            // a moving picture on its front
+    std::shared_ptr<const BeamShape> shape; // measured light in place of the profile, or null
     std::string fixture_id; // of the plot, as the desk calls it; "" where the show file has the fixture
     std::string uuid;       // of the plot's object, or ""
 
@@ -124,7 +128,8 @@ struct Show {
     Attenuation attenuation;
     bool shadows = true;
     fixture::Motion motion = fixture::Motion::as_the_machine;
-    int distance_map_size = 0;           // texels a side; 0: by the number of lights
+    float shutter_deg = 360;   // of the camera: share of a frame, in degrees, for which strobes are seen
+    int distance_map_size = 0; // texels a side; 0: by the number of lights
     std::vector<ObjectSettings> objects; // applied by stage_with_bodies
     std::vector<Camera> cameras;
     std::vector<PatchedFixture> fixtures;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/show_edit.h"
 
+#include "fixture/projector_type.h"
+#include "fixture/wall_type.h"
 #include "scene/show.h"
 #include "scene/show_toml.h"
 #include "scene/toml_text.h"
@@ -233,7 +235,17 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
     show.fixtures = std::move(parsed.show.fixtures);
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
         PatchedFixture& fixture = show.fixtures[i];
-        fixture.type = types[fixture.gdtf];
+        const auto same =
+            std::find_if(before.fixtures.begin(), before.fixtures.end(), [&](const PatchedFixture& one) {
+                return one.uuid.empty() && one.name == fixture.name;
+            });
+        if (same != before.fixtures.end()) fixture.shape = same->shape;
+        if (fixture.wall)
+            fixture.type = fixture::led_wall_type(fixture.wall->size_m, cells_of(*fixture.wall));
+        else if (fixture.gdtf.empty())
+            fixture.type = fixture.projector ? fixture::video_projector_type() : nullptr;
+        else
+            fixture.type = types[fixture.gdtf];
         if (!fixture.type) continue;
         if (const auto mode = fixture::find_mode(*fixture.type, parsed.sources[i].mode); mode.ok())
             fixture.mode = *mode;

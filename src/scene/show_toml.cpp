@@ -14,6 +14,7 @@
 namespace ghost::scene {
 namespace {
 
+constexpr float kSamePlace_m = 1e-4f;
 constexpr std::size_t kMaxCameras = 256;
 constexpr std::size_t kMaxFixtures = 10'000;
 constexpr std::size_t kMaxStops = 64;
@@ -115,17 +116,21 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
     fixture.name = name;
     source.line = reader.line();
     if (const auto gdtf = reader.text("gdtf")) fixture.gdtf = *gdtf;
-    if (!reader.has("gdtf") && !reader.has("projector"))
+    if (!reader.has("gdtf") && !reader.has("projector") && !reader.has("wall"))
         reader.missing("gdtf", "the name of a .gdtf file; the fixture stays dark");
     source.gdtf_line = reader.line_of("gdtf");
     source.mode = reader.text("mode").value_or("");
     source.mode_line = reader.line_of("mode");
+    source.photometry = reader.text("photometry").value_or("");
+    source.photometry_line = reader.line_of("photometry");
 
+    if (fixture.gdtf.empty() && reader.has("mode"))
+        reader.problem(Severity::warning, "mode", "is not used: without a gdtf there is one mode only");
     put(fixture.universe, reader.integer("universe", 1, dmx::kMaxUniverse));
     const auto address = reader.integer("address", 1, 512);
     fixture.address = address.value_or(0);
     source.address_line = reader.line_of("address");
-    if (!reader.has("address") && !reader.has("projector"))
+    if (!reader.has("address") && !reader.has("projector") && !reader.has("wall"))
         reader.problem(Severity::warning, "address",
                        "is missing: the fixture is not patched and keeps its defaults");
 
@@ -153,9 +158,28 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
         std::optional<glm::vec3> target_m;
         fixture.projector = read_projector(*table, section, file, show, target_m, report);
         if (target_m) fixture.rotation_deg = rotation_towards(fixture.position_m, *target_m);
+        if (target_m && glm::distance(*target_m, fixture.position_m) < kSamePlace_m)
+            reader.problem(
+                Severity::error, "projector",
+                "target_m is where the projector itself is, expected another point; it shines straight down");
         if (target_m && rotation)
             reader.problem(Severity::warning, "rotation_deg",
                            "is not used: target_m of the projector says it");
+    }
+    if (const toml::table* table = reader.table("wall")) {
+        TableReader wall(*table, section + " wall", file, report);
+        fixture.wall = read_wall(wall, section + " wall", file, false, show, report);
+        const auto leave_out = [&](const char* key, bool is_there) {
+            if (is_there)
+                reader.problem(Severity::warning, key,
+                               "is not used: a wall is of its own type and does not travel");
+        };
+        leave_out("gdtf", reader.has("gdtf"));
+        leave_out("projector", fixture.projector.has_value());
+        leave_out("track", fixture.track.has_value());
+        fixture.gdtf.clear();
+        fixture.projector.reset();
+        fixture.track.reset();
     }
     if (const auto home = reader.numbers("home_deg", 2, -720, 720)) {
         fixture.home_pan_deg = static_cast<float>((*home)[0]);
@@ -192,6 +216,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
                                    "', expected \"machine\" (speed and inertia of the fixtures) or "
                                    "\"commanded\" (at once); it is \"machine\"");
         }
+        put(show.shutter_deg, reader.number("shutter_deg", 1, 360));
         if (const auto side = reader.integer("media_px", 128, 2048)) {
             if (std::has_single_bit(static_cast<unsigned>(*side)))
                 show.media_side = *side;
@@ -213,6 +238,12 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
     show.tracking = read_tracking(top, file, report);
     show.cues = read_cues(top, file, report);
     read_media(top, file, show, report);
+    parsed.walls = read_walls(top, file, show, report);
+    if (!parsed.walls.empty() && show.plot_file.empty())
+        report.add(Severity::error, parsed.walls.front().where,
+                   "[[wall]] is about screens of a plot, and [show] has none (plot = \"name.mvr\"); a wall "
+                   "of its own is a "
+                   "[[fixture]] with wall = { ... }");
     std::map<std::string, int> cameras;
     for (const toml::table* table : top.tables("camera", kMaxCameras)) {
         TableReader reader(*table, "[[camera]]", file, report);
@@ -238,6 +269,11 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
         TableReader reader(*table, "[[substitute]]", file, report);
         SubstituteEntry entry = read_substitute(reader);
         if (!entry.spec.empty() && !entry.gdtf.empty()) parsed.substitutes.push_back(std::move(entry));
+    }
+    for (const toml::table* table : top.tables("photometry", kMaxHidden)) {
+        TableReader reader(*table, "[[photometry]]", file, report);
+        PhotometryEntry entry = read_photometry(reader);
+        if (!entry.spec.empty() && !entry.file.empty()) parsed.photometry.push_back(std::move(entry));
     }
     if (!parsed.changes.empty() && show.plot_file.empty())
         report.add(Severity::error, parsed.changes.front().where,

@@ -3,6 +3,7 @@
 // show.toml -> Show, without opening any other file (docs/show-file.md says what each key means). Pure.
 
 #include "base/result.h"
+#include "scene/beam_shape.h"
 #include "scene/plot_changes.h"
 #include "scene/plot_types.h"
 #include "scene/report.h"
@@ -21,6 +22,8 @@ struct FixtureSource {
     int line = 0;
     int gdtf_line = 0;
     int mode_line = 0;
+    std::filesystem::path photometry; // as written, or empty
+    int photometry_line = 0;
     int address_line = 0;
     int track_line = 0;
 };
@@ -30,6 +33,8 @@ struct ParsedShow {
     std::vector<FixtureSource> sources; // one per fixture
     std::vector<ChangeEntry> changes;   // of the plot
     std::vector<SubstituteEntry> substitutes;
+    std::vector<WallSettings> walls; // of the plot
+    std::vector<PhotometryEntry> photometry;
     int stage_line = 0;
     int plot_line = 0;
     int hidden_layers_line = 0;

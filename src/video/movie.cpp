@@ -89,7 +89,7 @@ Result<void> Movie::Decoder::open() {
     std::error_code unreadable; // then FFmpeg says why
     if (std::filesystem::exists(path, unreadable) && !std::filesystem::is_regular_file(path, unreadable))
         return Error{"not a plain file", path.string()}; // a pipe would be waited for without an end
-    av_log_set_level(AV_LOG_FATAL); // what it says names no file; we say it
+    av_log_set_level(AV_LOG_FATAL);                      // what it says names no file; we say it
     AVDictionary* options = nullptr;
     av_dict_set(&options, "protocol_whitelist", "file", 0);
     int code = avformat_open_input(&file, ("file:" + path.string()).c_str(), nullptr, &options);
@@ -233,6 +233,14 @@ int Movie::height() const {
 }
 int Movie::damaged() const {
     return decoder_->damaged;
+}
+
+bool Movie::is_cut_short() const {
+    const int entries = avformat_index_get_entries_count(decoder_->stream);
+    const std::int64_t bytes = decoder_->file->pb ? avio_size(decoder_->file->pb) : -1;
+    if (entries < 1 || bytes < 0) return false;
+    const AVIndexEntry* last = avformat_index_get_entry(decoder_->stream, entries - 1);
+    return last && last->pos + last->size > bytes;
 }
 
 Result<std::optional<double>> Movie::next() {

@@ -34,7 +34,8 @@ public:
     Result<image::Image8> picture(Which which, int width_px, int height_px) const;
     // The next picture is one at this moment or before.
     Result<void> seek(double at_s);
-    int damaged() const; // packets that could not be decoded
+    int damaged() const;       // packets that could not be decoded
+    bool is_cut_short() const; // its index names pictures beyond the end of the file
 
 private:
     struct Decoder;

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <utility>
 
@@ -19,6 +20,9 @@ namespace {
 constexpr double kAgain_s = 1.0;   // until a source that failed is tried again
 constexpr double kGlimpse_s = 0.1; // a film that is late shows something this often
 constexpr std::size_t kMostMessages = 100;
+// A film whose pictures end so much before its stated length is cut short: sound may be longer than pictures.
+constexpr double kShortBy = 0.1;
+constexpr double kShortBy_s = 0.5;
 
 double now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -29,6 +33,12 @@ bool is_still(const std::filesystem::path& path) {
     for (char& letter : ending)
         if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
     return ending == ".png" || ending == ".jpg" || ending == ".jpeg";
+}
+
+std::string seconds_text(double seconds) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", seconds);
+    return text;
 }
 
 std::shared_ptr<const Picture> made(const image::Image8& rgba, int side, double from_s,
@@ -141,6 +151,12 @@ std::string Source::follow(Movie& movie) {
         converted_s = now_s();
         any = true;
     };
+    const auto say_cut = [&] {
+        say(settings_.path.string() + ": is cut short; of its " + seconds_text(length_s) +
+            " s it shows what is there, then its last picture until it begins again");
+    };
+    if (movie.is_cut_short()) say_cut();
+    double last_s = -kForever;     // time of the last picture, of the film
     queue_.begin_search(kForever); // nothing is here: the first need is a search
     for (bool first = true;;) {
         const PictureQueue::Need need = queue_.wait_for_need();
@@ -160,6 +176,7 @@ std::string Source::follow(Movie& movie) {
         const auto next = movie.next();
         if (!next.ok()) return next.error().text();
         const double at_s = next->value_or(length_s);
+        if (next->has_value()) last_s = at_s;
         if (next->has_value() && settings_.loop && at_s >= length_s)
             continue; // beyond the end that the film states
         const double from_s = base_s + at_s;
@@ -178,8 +195,10 @@ std::string Source::follow(Movie& movie) {
             continue;
         }
         if (!any) return settings_.path.string() + ": no picture in it can be decoded";
-        if (movie.damaged() > 0)
+        if (movie.damaged() > 0 && !movie.is_cut_short())
             say(settings_.path.string() + ": is damaged or cut short; what can be decoded is shown");
+        else if (last_s + std::max(kShortBy * length_s, kShortBy_s) < length_s)
+            say_cut();
         queue_.know_to(settings_.loop ? from_s : kForever);
         if (!settings_.loop) continue;
         base_s += length_s;

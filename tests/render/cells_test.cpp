@@ -111,7 +111,7 @@ TEST_F(CellGlow, NoLightAtAll) {
     settings.lens.on = true;
     Relighter relighter(device(), passes, test_gobos(), 0, settings);
     const FrameStatistics drawn =
-        relighter.draw(scene::Lit{{}, {glowing({0, 5, 0}, {0, -1, 0}, vec3(50), 0.05f)}});
+        relighter.draw(scene::Lit{{}, {glowing({0, 5, 0}, {0, -1, 0}, vec3(50), 0.05f)}, {}});
     EXPECT_EQ(drawn.faces, 1);
     EXPECT_GT(relighter.frame().at(32, 24)[1], 0.0f);
 }

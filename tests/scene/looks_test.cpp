@@ -68,6 +68,28 @@ TEST(Looks, fixtures_that_the_show_does_not_have_are_named) {
     EXPECT_EQ(report.messages.size(), 1u);
 }
 
+// A slot that no wheel has is said, with what there is.
+TEST(Looks, gobos_that_a_wheel_does_not_have_are_said) {
+    auto type = std::make_shared<fixture::Type>();
+    type->geometries.emplace_back().beam = fixture::Beam{};
+    fixture::Mode& mode = type->modes.emplace_back();
+    mode.nodes.emplace_back().geometry = 0;
+    mode.beams = {0};
+    Show show;
+    show.fixtures.emplace_back().name = "Spot 1";
+    show.fixtures[0].type = type;
+    StoredLook look;
+    look.name = "A";
+    look.fixtures["Spot 1"].gobo = 200;
+    Report report;
+    check_look(look, show, "looks.toml", report);
+    ASSERT_EQ(report.messages.size(), 1u);
+    EXPECT_EQ(report.messages[0].what, "look 'A': gobo 200 of 'Spot 1', which has no gobo wheel");
+    look.fixtures["Spot 1"].gobo = 0;
+    check_look(look, show, "looks.toml", report);
+    EXPECT_EQ(report.messages.size(), 1u) << "no gobo is what it shows anyway";
+}
+
 TEST(Looks, bad_values_are_said_and_the_rest_stays) {
     Report report;
     const auto read =

@@ -40,6 +40,23 @@ def png(path):
     return width, height, rows
 
 
+def index_first(film, share):
+    """An MP4 with its index (moov) before its pictures (mdat), of which this share is left: what a broken download is."""
+    atoms, at = {}, 0
+    while at < len(film):
+        size, kind = struct.unpack(">I4s", film[at:at + 8])
+        assert size >= 8, f"atom {kind} of {size} bytes"
+        atoms[kind] = (at, film[at:at + size])
+        at += size
+    moov, moved = bytearray(atoms[b"moov"][1]), len(atoms[b"ftyp"][1]) + len(atoms[b"moov"][1]) - atoms[b"mdat"][0]
+    place = moov.index(b"stco")
+    count = struct.unpack(">I", moov[place + 8:place + 12])[0]
+    for k in range(place + 12, place + 12 + 4 * count, 4):
+        moov[k:k + 4] = struct.pack(">I", struct.unpack(">I", moov[k:k + 4])[0] + moved)
+    pictures = atoms[b"mdat"][1]
+    return atoms[b"ftyp"][1] + bytes(moov) + pictures[:int(share * len(pictures))]
+
+
 def show(folder, media, projector):
     (folder / "dark.show").write_text("OLA Show\n1 0,0,0\n40\n1 0,0,0\n4000\n")
     (folder / "show.toml").write_text(f"""
@@ -106,6 +123,23 @@ with tempfile.TemporaryDirectory() as name:
         assert code == 0, text
         pictures.append((folder / f"again{k}.png").read_bytes())
     assert pictures[0] == pictures[1], "the same command drew two pictures"
+
+    # A film cut in the middle: said with its name, and what is there is shown.
+    (folder / "cut.mp4").write_bytes(index_first((folder / "film.mp4").read_bytes(), 0.6))
+    show(folder, '[[media]]\nname = "half"\nfile = "cut.mp4"\n', 'throw_ratio = 1.6, target_m = [0, 10, 3], lumens = 30000')
+    code, text = run("render", folder, "--live", "--no-shadows", "--at", "0.1", "-o", folder / "cut.png")
+    assert code == 0 and "'half'" in text and "cut short" in text, text
+    assert max(max(pixel) for row in png(folder / "cut.png")[2] for pixel in row) > 100, "nothing of the cut film is shown"
+
+    # What a projector cannot do is said.
+    show(folder, '[[media]]\nname = "card"\ncard = "grid"\n',
+         'throw_ratio = 1.6, target_m = [0, -4, 3], select = { universe = 1, address = 3 }')
+    toml = (folder / "show.toml").read_text()
+    (folder / "show.toml").write_text(toml.replace('name = "Beamer"', 'name = "Beamer"\naddress = 1\nmode = "None"'))
+    code, text = run("check", folder)
+    for part in ("target_m is where the projector itself is", "mode is not used", "' select '"):
+        assert part in text, f"'{part}' is not in\n{text}"
+    show(folder, '[[media]]\nname = "film"\nfile = "film.mp4"\n', 'throw_ratio = 1.6, target_m = [0, 10, 3], lumens = 30000')
 
     code, text = run("explain", folder, "Beamer", "--at", "0", "--json")
     assert code == 0, text
