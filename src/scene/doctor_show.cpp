@@ -65,10 +65,11 @@ std::vector<PatchEntry> entries_of(const Show& show) {
     return entries;
 }
 
-// What check_rig and same_names say better, for many at once. Tracks are the loader's.
+// What check_rig and same_names say better, for many at once. Tracks and channels that choose a medium are
+// the loader's.
 bool is_said_again(const std::string& what) {
     const auto has = [&](const char* words) { return what.find(words) != std::string::npos; };
-    if (has("' track '")) return false;
+    if (has("' track '") || has("' select '")) return false;
     return has("another object has the uuid of this one") || // same_names says which
            (has("' shares universe ") && has(" channels ")) || has("more pairs of fixtures share channels") ||
            (has("' address ") &&

@@ -136,7 +136,7 @@ class AtWork(unittest.TestCase):
             window.do("false-colour lux", "wait settled")
             window.shoot("false_lux.png")
             window.do("false-colour off", "probe off")
-            self.assertEqual(window.state()["picture"]["false_colour"], 0)
+            window.until(lambda state: state["picture"]["false_colour"] == 0)
             self.assertIn("none of lux, luminance and off", window.ask("false-colour watts"))
             # The picture in linear values.
             window.do(f'save-picture "{WORK / "now.exr"}"', "wait saved")
