@@ -61,8 +61,9 @@ TEST(LostDevice, the_picture_comes_back_with_what_hands_did) {
     link.wishes.put(wishes);
     std::optional<ui::Picture> before, after;
     ASSERT_TRUE(within_a_minute([&] {
+        const auto settled = link.settled.take(); // before its picture, which stands there by then
         if (auto picture = link.picture.take()) before = std::move(picture);
-        return link.settled.take().has_value();
+        return settled && *settled == 2;
     }));
     ASSERT_TRUE(before && before->image);
     (void)link.messages.take();
@@ -78,8 +79,8 @@ TEST(LostDevice, the_picture_comes_back_with_what_hands_did) {
     wishes.number = 4;
     link.wishes.put(wishes);
     ASSERT_TRUE(within_a_minute([&] {
-        if (auto picture = link.picture.take()) after = std::move(picture);
         const auto settled = link.settled.take();
+        if (auto picture = link.picture.take()) after = std::move(picture);
         return settled && *settled == 4;
     }));
     ASSERT_TRUE(after && after->image);
