@@ -22,7 +22,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kMinute_s = 60;
 constexpr double kWarm_s = 600; // at most a third of the time: caches, heaps and what is made when first used
-constexpr double kBusy_s = 20;  // of each minute
+constexpr double kBusy_s = 25;  // of each minute
 // The mean of the last rows against that of the first after the warm-up. A picture of this window is 1.6 MB;
 // 200 bytes a picture that stay would be 15 MB in an hour.
 constexpr double kMostGrowth_mb = 10;
@@ -35,16 +35,25 @@ constexpr const char* kWork = "camera 1\nwait 3\norbit 30 -5\nwait 2\nselect *\n
                               "panel-network on\nwait 3\npanel-network off\n"
                               "smoke 2\nwait 2\nundo\ncamera 1\nwait 2\n";
 
+// Memory goes with the picture's size, and that with the load: each row is of the same one.
+constexpr const char* kSameSize = "resolution 25\nwait 4\n";
+
 std::string script_of(double seconds, const std::string& outcome) {
     std::string script = "wait opened\nfigures\n";
     for (double begin_s = 0; begin_s < seconds; begin_s += kMinute_s) {
         const double rest_s = std::min(kMinute_s, seconds - begin_s) - kBusy_s;
         script += "reset-figures\n";
         if (rest_s > 0) script += kWork;
-        script += "wait " + std::to_string(rest_s > 0 ? rest_s : rest_s + kBusy_s) + "\nstate \"" + outcome +
-                  "\"\nwait 1\n";
+        script += "wait " + std::to_string(rest_s > 0 ? rest_s : rest_s + kBusy_s) + "\n" + kSameSize +
+                  "state \"" + outcome + "\"\nwait 1\nresolution 0\n";
     }
     return script + "quit\n";
+}
+
+double pixels(const nlohmann::json& state) {
+    const auto picture = state.value("picture", nlohmann::json::object());
+    const auto camera = picture.value("camera", nlohmann::json::object());
+    return camera.value("width", 0.0) * camera.value("height", 0.0);
 }
 
 double mean(const double* begin, std::size_t count) {
@@ -84,6 +93,7 @@ Result<void> window_soak(const BenchOptions& options, const BenchSink& sink) {
                        {"packet_max_ms", state_number(*state, "packet_to_window_ms", "max")},
                        {"window_p50_ms", state_number(*state, "window_ms", "p50")},
                        {"window_p99_ms", state_number(*state, "window_ms", "p99")},
+                       {"megapixels", pixels(*state) * 1e-6},
                        {"memory_mb", memory_mb.back()}};
         row.note = clock_text(passed_s());
         progress.finish();

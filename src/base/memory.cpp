@@ -6,6 +6,9 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace ghost {
 namespace {
@@ -72,6 +75,12 @@ std::uint64_t free_memory_bytes(const fs::path& root) {
 
 std::uint64_t used_memory_bytes(const fs::path& root) {
     return 1024 * value_of(root / "proc/self/status", "VmRSS:").value_or(0);
+}
+
+void return_large_blocks() {
+#if defined(__GLIBC__)
+    mallopt(M_MMAP_THRESHOLD, kLargeBlock_bytes); // a threshold that is set does not grow by itself
+#endif
 }
 
 } // namespace ghost

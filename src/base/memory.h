@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What this machine's memory still holds, and what this program has of it. Any thread.
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 
@@ -13,5 +14,14 @@ std::uint64_t free_memory_bytes(const std::filesystem::path& root = "/");
 
 // Of this program, in memory now (resident); 0 where the system does not say.
 std::uint64_t used_memory_bytes(const std::filesystem::path& root = "/");
+
+// From now on each block of kLargeBlock_bytes and more is mapped by itself and goes back to the system when
+// it is freed, for as long as the program runs; where the C library does not know how, nothing changes. For
+// programs that stay open: glibc by itself takes what was freed once as the measure of what is kept in its
+// heaps (up to 32 MB), and pictures of many sizes, which a driver that draws on the processor has there,
+// leave them full of holes. Call it before other threads start. A block costs a system call and fresh pages
+// then.
+constexpr std::size_t kLargeBlock_bytes = std::size_t{256} << 10;
+void return_large_blocks();
 
 } // namespace ghost

@@ -3,6 +3,7 @@
 
 #include "base/files.h"
 #include "base/log.h"
+#include "base/memory.h"
 #include "ui/script.h"
 #include "ui/theme.h"
 #include "ui/window.h"
@@ -64,6 +65,7 @@ Result<void> open_window(Link& link, const WindowOptions& options) {
         return Error{"there is no display (DISPLAY and WAYLAND_DISPLAY are empty): the window needs one; "
                      "'ghostlight render' writes pictures and films without",
                      ""};
+    return_large_blocks(); // each size of the picture has memory of its own
     qInstallMessageHandler(take_message);
     char name[] = "ghostlight", platform[] = "-platform", memory[] = "offscreen";
     char* argv[] = {name, platform, memory, nullptr};

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
+#include <vector>
 
 namespace ghost {
 namespace {
@@ -56,6 +57,26 @@ TEST_F(MemoryTest, what_this_program_has_is_its_resident_memory) {
 TEST_F(MemoryTest, this_machine_says_something) {
     EXPECT_GT(used_memory_bytes(), 1u << 20);
     EXPECT_GT(free_memory_bytes(), 1u << 20);
+}
+
+// As a window does that is resized: large blocks come and go, small ones stay between them.
+TEST_F(MemoryTest, large_blocks_go_back_to_the_system) {
+#if !defined(__GLIBC__) || defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "another C library, or a sanitizer's, keeps the blocks";
+#endif
+    return_large_blocks();
+    const auto filled = [](std::size_t bytes) { return std::vector<char>(bytes, 'x'); };
+    (void)filled(std::size_t{16} << 20); // glibc by itself learns to keep what is as large
+    constexpr std::size_t kBlocks = 200, kBlock_bytes = std::size_t{1} << 20;
+    std::vector<std::vector<char>> large, small;
+    const std::uint64_t before = used_memory_bytes();
+    for (std::size_t k = 0; k < kBlocks; ++k) {
+        large.push_back(filled(kBlock_bytes));
+        small.push_back(filled(1000));
+    }
+    EXPECT_GT(used_memory_bytes(), before + kBlocks * kBlock_bytes * 9 / 10);
+    large.clear();
+    EXPECT_LT(used_memory_bytes(), before + kBlocks * kBlock_bytes / 10);
 }
 
 } // namespace
