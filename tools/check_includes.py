@@ -38,6 +38,7 @@ SOCKETS = ("arpa/", "ifaddrs.h", "net/", "netdb.h", "netinet/", "poll.h", "sys/e
 PLATFORM_FILES = {
     "src/base/files.cpp": "fsync",
     "src/base/disk_sync.cpp": "fdatasync, flock",
+    "src/base/memory.cpp": "mallopt",
     "src/base/progress.cpp": "is standard error a terminal",
     "src/dmx/socket_linux.cpp": "sockets",
     "src/dmx/tcp_linux.cpp": "TCP",
