@@ -9,6 +9,7 @@ namespace {
 
 constexpr int kMostCodes = 256;      // T.81 B.2.4.2: one for each value of a byte
 constexpr std::size_t kLengths = 16; // of codes, 1 to 16 bits
+constexpr int kMostScans = 200;      // a progressive picture has 10; each goes over all of it
 
 // Tables of a DHT segment, from behind its length.
 bool tables_fit(Bytes bytes, std::size_t at, std::size_t end) {
@@ -28,6 +29,7 @@ std::string fault_of_jpeg(Bytes bytes) {
     while (at < bytes.size() && bytes[at] == 0xff) ++at;
     if (at == 0 || at >= bytes.size() || bytes[at] != 0xd8) return "";
     ++at;
+    int scans = 0;
     while (at + 1 < bytes.size()) {
         if (bytes[at] != 0xff) {
             ++at;
@@ -39,6 +41,8 @@ std::string fault_of_jpeg(Bytes bytes) {
             continue;
         }
         at += 2;
+        if (marker == 0xda && ++scans > kMostScans)
+            return "more than " + std::to_string(kMostScans) + " scans";
         // Stuffing in coded data, restarts, start and end: nothing follows that has a length.
         if (marker == 0x00 || marker == 0x01 || (marker >= 0xd0 && marker <= 0xd9)) continue;
         if (at + 2 > bytes.size()) break;

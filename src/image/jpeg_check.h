@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Whether the code tables of a JPEG fit where the decoder puts them: stb_image of 2022 (Debian 12) counts
-// their codes without a limit and writes past its table. Nothing is decoded. Pure, any thread.
+// their codes without a limit and writes past its table. And whether it has more scans than any
+// picture needs: a megabyte of them takes hours. Nothing is decoded. Pure, any thread.
 
 #include "base/byte_reader.h"
 

@@ -1,18 +1,28 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// 8-bit images: PNG and JPEG in (at most 16384 pixels a side and 2^27 in all), PNG out (atomic). Any thread.
+// 8-bit images: PNG and JPEG in, PNG out (atomic). The size in the header is held against the limits before
+// anything is made room for, and decoding gets no more memory than a picture of that size needs. Any thread.
 
 #include "base/byte_reader.h"
 #include "base/result.h"
 #include "image/image.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 
 namespace ghost::image {
 
+struct LdrLimits {
+    int side_px = 16384; // at most that
+    std::size_t pixels = std::size_t{1} << 27;
+};
+
 // Always 4 channels (RGBA). name is for the error message.
-Result<Image8> decode_ldr(Bytes bytes, const std::string& name);
+Result<Image8> decode_ldr(Bytes bytes, const std::string& name, const LdrLimits& limits = {});
+// What the decoded picture takes, from its header; 0 where decode_ldr() refuses it by that. Any other fault
+// shows when it is decoded.
+std::size_t decoded_bytes(Bytes bytes, const LdrLimits& limits = {});
 Result<Image8> read_ldr(const std::filesystem::path& path);
 
 // 3 or 4 channels.

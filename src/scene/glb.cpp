@@ -68,14 +68,18 @@ Result<void> check_glb(Bytes bytes, const std::string& name) {
     return {};
 }
 
+std::string_view json_of_glb(Bytes glb) {
+    ByteReader reader(glb);
+    reader.skip(12); // header of the file
+    const std::uint32_t length = reader.u32_le();
+    if (reader.u32_le() != kJsonChunk) return {};
+    const Bytes chunk = reader.take(length);
+    return {reinterpret_cast<const char*>(chunk.data()), chunk.size()};
+}
+
 std::size_t replace_non_numbers(Bytes glb, std::vector<std::uint8_t>& repaired) {
     constexpr std::size_t kBeforeText = 20; // header of the file, header of its first chunk
-    ByteReader reader(glb);
-    reader.skip(kBeforeText - 8);
-    const std::uint32_t chunk_length = reader.u32_le();
-    if (reader.u32_le() != kJsonChunk) return 0;
-    const Bytes chunk = reader.take(chunk_length);
-    const std::string_view from(reinterpret_cast<const char*>(chunk.data()), chunk.size());
+    const std::string_view from = json_of_glb(glb);
     std::string text;
     std::size_t count = 0;
     bool in_string = false;
@@ -95,12 +99,12 @@ std::size_t replace_non_numbers(Bytes glb, std::vector<std::uint8_t>& repaired) 
     }
     if (count == 0) return 0;
     text.resize((text.size() + 3) / 4 * 4, ' ');
-    const std::size_t end = kBeforeText + chunk_length;
+    const std::size_t end = kBeforeText + from.size();
     repaired.assign(glb.begin(), glb.begin() + kBeforeText);
     const auto put_u32 = [&](std::size_t at, std::size_t value) {
         for (std::size_t k = 0; k < 4; ++k) repaired[at + k] = static_cast<std::uint8_t>(value >> (8 * k));
     };
-    put_u32(8, glb.size() - chunk_length + text.size());
+    put_u32(8, glb.size() - from.size() + text.size());
     put_u32(12, text.size());
     repaired.insert(repaired.end(), text.begin(), text.end());
     repaired.insert(repaired.end(), glb.begin() + static_cast<std::ptrdiff_t>(end), glb.end());
@@ -108,11 +112,7 @@ std::size_t replace_non_numbers(Bytes glb, std::vector<std::uint8_t>& repaired) 
 }
 
 GltfExtras gltf_extras(Bytes glb) {
-    ByteReader reader(glb);
-    reader.skip(12);
-    const std::uint32_t chunk_length = reader.u32_le();
-    if (reader.u32_le() != kJsonChunk) return {};
-    const Bytes text = reader.take(chunk_length);
+    const std::string_view text = json_of_glb(glb);
     const auto json = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
     if (!json.is_object()) return {};
     GltfExtras extras;

@@ -2,6 +2,7 @@
 #include "scene/gltf_pack.h"
 
 #include "base/base64.h"
+#include "scene/model_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -54,6 +55,7 @@ std::optional<std::size_t> size_at(const json& object, const char* key) {
 Result<std::vector<std::uint8_t>>
 glb_from_gltf(Bytes gltf, const std::string& name,
               const std::function<Result<std::vector<std::uint8_t>>(const std::string& file)>& read) {
+    TRY_VOID(check_gltf_size({reinterpret_cast<const char*>(gltf.data()), gltf.size()}, name));
     json file = json::parse(gltf.begin(), gltf.end(), nullptr, false);
     if (!file.is_object()) return Error{"is no JSON, which a .gltf should be", name};
     const json buffers =

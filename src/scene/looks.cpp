@@ -218,8 +218,7 @@ std::map<std::size_t, fixture::Manual> manual_of(const StoredLook& look, const S
 void check_look(const StoredLook& look, const Show& show, const std::string& file, Report& report) {
     std::vector<std::string> missing;
     for (const auto& [name, manual] : look.fixtures)
-        if (std::none_of(show.fixtures.begin(), show.fixtures.end(),
-                         [&](const PatchedFixture& fixture) { return fixture.name == name; }))
+        if (std::ranges::find(show.fixtures, name, &PatchedFixture::name) == show.fixtures.end())
             missing.push_back(name);
     if (!missing.empty())
         report.add(Severity::warning, file,
@@ -236,8 +235,7 @@ void check_look(const StoredLook& look, const Show& show, const std::string& fil
                        "' has levels of another mode, which are left out (store it again) for: " +
                        name_list(others));
     for (const auto& [name, manual] : look.fixtures) {
-        const auto fixture = std::find_if(show.fixtures.begin(), show.fixtures.end(),
-                                          [&](const PatchedFixture& one) { return one.name == name; });
+        const auto fixture = std::ranges::find(show.fixtures, name, &PatchedFixture::name);
         if (!manual.gobo || fixture == show.fixtures.end() || !fixture->type) continue;
         const auto slots = static_cast<int>(fixture::gobo_names(fixture->patch()).size());
         if (*manual.gobo < std::max(slots, 1)) continue;

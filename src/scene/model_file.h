@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 struct aiMesh;
@@ -37,6 +38,14 @@ std::vector<Instance> absorb(Stage model, const glm::mat4& place, Stage& stage);
 // glTF binary: header and chunk lengths against the size of the file. Error: cut short, or no glTF 2.0
 // binary.
 Result<void> check_glb(Bytes bytes, const std::string& name);
+
+// Its JSON; empty where the first chunk is none. glb: as check_glb() lets it through.
+std::string_view json_of_glb(Bytes glb);
+
+// What a glTF's JSON asks for, before anything is made of it: 4 Mi things 128 deep, 200,000 nodes of a scene
+// 256 deep, 1 GiB of unpacked vertices and triangles, each as often as it is used. Error: over one of these,
+// or nodes that hold themselves.
+Result<void> check_gltf_size(std::string_view json, const std::string& name);
 
 // Exporters write NaN and Infinity, which JSON does not have, and for which a parser gives up the whole file.
 // Returns how many there are; where there are any, `repaired` is the file with numbers beyond every float in

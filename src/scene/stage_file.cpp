@@ -144,7 +144,10 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
                        std::to_string(count) +
                            " numbers in it are NaN or Infinity; what needs them is left out");
         }
+        TRY_VOID(check_gltf_size(json_of_glb(bytes), name));
     }
+    if (format == "gltf")
+        TRY_VOID(check_gltf_size({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name));
     if (format == "3ds") {
         if (std::string fault = fixture::fault_of_mesh(bytes, format); !fault.empty())
             return Error{std::move(fault), name};

@@ -9,6 +9,7 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <map>
 #include <mutex>
@@ -21,6 +22,7 @@ namespace {
 constexpr std::size_t kMaxTextures = 1024;
 constexpr std::size_t kMaxTextureBytes = std::size_t{2} << 30; // decoded, all together
 constexpr std::uintmax_t kMaxTextureFileBytes = std::uintmax_t{256} << 20;
+constexpr std::size_t kLargeBytes = std::size_t{64} << 20; // larger ones are decoded one after the other
 
 std::string percent_decoded(const std::string& text) {
     const auto digit = [](char c) {
@@ -53,24 +55,18 @@ public:
 
     // Decodes all on a few threads. place[index of add] is the texture of the stage, or kNone.
     std::vector<int> decode(const std::string& name, Stage& stage, Report& report) {
-        std::vector<Result<image::Image8>> pictures(wanted_.size(), Error{"not decoded", ""});
+        std::vector<Result<image::Image8>> pictures(wanted_.size(), Error{"more than 1024 textures", ""});
         const std::size_t count = std::min(wanted_.size(), kMaxTextures);
         const std::size_t workers = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 16);
         {
             std::vector<std::jthread> threads;
             for (std::size_t w = 0; w < workers; ++w)
                 threads.emplace_back([&, w] {
-                    for (std::size_t k = w; k < count; k += workers)
-                        pictures[k] = decode_one(wanted_[k].first);
+                    for (std::size_t k = w; k < count; k += workers) pictures[k] = decode_one(k);
                 });
         }
         std::vector<int> place(wanted_.size(), kNone);
-        std::size_t bytes = 0;
         for (std::size_t k = 0; k < wanted_.size(); ++k) {
-            if (k >= kMaxTextures) pictures[k] = Error{"more than 1024 textures", ""};
-            if (pictures[k].ok()) bytes += pictures[k]->samples.size();
-            if (pictures[k].ok() && bytes > kMaxTextureBytes)
-                pictures[k] = Error{"the textures need more than 2 GiB", ""};
             if (!pictures[k].ok()) {
                 report.add(Severity::error, name,
                            "texture '" + wanted_[k].first + "' is missing: " + pictures[k].error().text());
@@ -83,14 +79,35 @@ public:
     }
 
 private:
-    Result<image::Image8> decode_one(const std::string& path) {
+    Result<image::Image8> decode_one(std::size_t index) {
+        std::vector<std::uint8_t> external;
+        const Result<Bytes> packed = packed_bytes(wanted_[index].first, external);
+        const std::size_t bytes = packed.ok() ? image::decoded_bytes(*packed) : 0;
+        const bool has_room = take_room(index, bytes);
+        TRY(const Bytes found, packed);
+        if (!has_room) return Error{"the textures need more than 2 GiB", ""};
+        std::unique_lock alone(decoding_large_, std::defer_lock);
+        if (bytes > kLargeBytes) alone.lock();
+        return image::decode_ldr(found, "");
+    }
+
+    Result<Bytes> packed_bytes(const std::string& path, std::vector<std::uint8_t>& external) {
         const aiTexture* embedded = scene_.GetEmbeddedTexture(path.c_str());
         if (embedded && embedded->mHeight == 0)
-            return image::decode_ldr(
-                Bytes(reinterpret_cast<const std::uint8_t*>(embedded->pcData), embedded->mWidth), "");
+            return Bytes(reinterpret_cast<const std::uint8_t*>(embedded->pcData), embedded->mWidth);
         if (embedded) return Error{"embedded without compression, expected PNG or JPEG", ""};
-        TRY(const auto bytes, read_external(path));
-        return image::decode_ldr(bytes, "");
+        TRY(external, read_external(path));
+        return Bytes(external);
+    }
+
+    // In the order of the file, so that the same textures have room each time. Waits for those before.
+    bool take_room(std::size_t index, std::size_t bytes) {
+        for (std::size_t now = next_; now != index; now = next_) next_.wait(now);
+        const bool has_room = bytes <= kMaxTextureBytes - taken_bytes_;
+        taken_bytes_ += has_room ? bytes : 0;
+        next_ = index + 1;
+        next_.notify_all();
+        return has_room;
     }
 
     Result<std::vector<std::uint8_t>> read_external(const std::string& path) {
@@ -115,6 +132,9 @@ private:
     std::filesystem::path folder_;
     const ReadPicture& read_picture_;
     std::mutex reading_;
+    std::mutex decoding_large_;
+    std::atomic<std::size_t> next_ = 0; // index of the texture that takes room next
+    std::size_t taken_bytes_ = 0;       // its
     std::map<std::pair<std::string, bool>, int> index_;
     std::vector<std::pair<std::string, bool>> wanted_;
 };

@@ -39,6 +39,15 @@ TEST(JpegCheck, a_table_larger_than_its_place_is_refused_wherever_it_stands) {
     }
 }
 
+TEST(JpegCheck, more_scans_than_any_picture_needs_are_refused) {
+    const Bytes8 scan{0xff, 0xda, 0x00, 0x02};
+    Bytes8 file(std::begin(kRedJpeg), std::end(kRedJpeg)); // has one
+    for (int k = 0; k < 199; ++k) file.insert(file.end() - 2, scan.begin(), scan.end());
+    EXPECT_EQ(fault_of_jpeg(file), "");
+    file.insert(file.end() - 2, scan.begin(), scan.end());
+    EXPECT_EQ(fault_of_jpeg(file), "more than 200 scans");
+}
+
 // Found by fuzzing: fill bytes, then a table that wrote past its place.
 TEST(JpegCheck, fill_bytes_hide_nothing) {
     const Bytes8 found{0xff, 0xff, 0xff, 0xff, 0xd8, 0xff, 0xff, 0xff, 0xff, 0xc4, 0xc4, 0x00, 0x00,

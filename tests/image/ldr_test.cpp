@@ -3,7 +3,9 @@
 
 #include "base/files.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace ghost::image {
 namespace {
@@ -85,6 +87,61 @@ TEST(Ldr, TooLargeASideIsAnError) {
     const std::uint8_t header[] = {0x89, 'P', 'N', 'G', 13, 10, 26, 10, 0, 0, 0, 13, 'I', 'H', 'D', 'R', 0,
                                    0,    64,  1,   0,   0,  0,  1,  8,  6, 0, 0, 0,  0,   0,   0,   0};
     EXPECT_FALSE(decode_ldr(header, "wide.png").ok());
+    EXPECT_EQ(decoded_bytes(header), 0u);
+}
+
+// Bytes of a PNG's header that say its size.
+std::vector<std::uint8_t> with_size(std::vector<std::uint8_t> png, std::uint32_t width,
+                                    std::uint32_t height) {
+    for (std::size_t k = 0; k < 4; ++k) {
+        png[16 + k] = static_cast<std::uint8_t>(width >> (24 - 8 * k));
+        png[20 + k] = static_cast<std::uint8_t>(height >> (24 - 8 * k));
+    }
+    return png;
+}
+
+std::vector<std::uint8_t> png_of(const Image8& image) {
+    EXPECT_TRUE(write_png(scratch("sized.png"), image).ok());
+    return *read_file(scratch("sized.png"), 1u << 24);
+}
+
+TEST(Ldr, TooManyPixelsAreRefusedByTheHeader) {
+    const auto png = png_of(sample_image(4));
+    EXPECT_EQ(decoded_bytes(png), 23u * 11u * 4u);
+    const auto largest = with_size(png, 16384, 8192); // 2^27
+    EXPECT_EQ(decoded_bytes(largest), std::size_t{512} << 20);
+    const auto larger = with_size(png, 16384, 8193);
+    EXPECT_EQ(decoded_bytes(larger), 0u);
+    const auto refused = decode_ldr(larger, "poster.png");
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().text(),
+              "poster.png: the picture has 16384 x 8193 pixels, at most 16384 a side and "
+              "134217728 in all are allowed");
+    std::vector<std::uint8_t> jpeg(std::begin(kRedJpeg), std::end(kRedJpeg));
+    const std::uint8_t frame[] = {0xff, 0xc0};
+    const auto start = std::search(jpeg.begin(), jpeg.end(), std::begin(frame), std::end(frame));
+    ASSERT_NE(start, jpeg.end());
+    for (const int k : {5, 7}) *(start + k) = 0x40; // 16384 x 16384, but for the low bytes
+    EXPECT_FALSE(decode_ldr(jpeg, "poster.jpg").ok());
+    EXPECT_EQ(decoded_bytes(jpeg), 0u);
+}
+
+TEST(Ldr, AUserMayHaveSmallerLimits) {
+    const auto png = png_of(sample_image(4));
+    EXPECT_TRUE(decode_ldr(png, "gobo.png", {23, 23 * 11}).ok());
+    for (const LdrLimits& limits : {LdrLimits{22, 1000}, LdrLimits{23, 23 * 11 - 1}}) {
+        const auto refused = decode_ldr(png, "gobo.png", limits);
+        ASSERT_FALSE(refused.ok());
+        EXPECT_NE(refused.error().what.find("23 x 11 pixels"), std::string::npos) << refused.error().what;
+        EXPECT_EQ(decoded_bytes(png, limits), 0u);
+    }
+}
+
+TEST(Ldr, APictureThatUnpacksToMoreThanItsSizeIsRefused) {
+    const auto bomb = with_size(png_of(Image8(2048, 2048, 4)), 1, 1); // 16 MB
+    const auto refused = decode_ldr(bomb, "bomb.png");
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.error().what.find("unpacks to more than its size says"), std::string::npos);
 }
 
 } // namespace

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// glTF that asks for far more than it holds is refused before anything is made of it.
+#include "scene/model_file.h"
+#include "tiny_glb.h"
+
+namespace ghost::scene {
+namespace {
+
+std::string fault_of(const std::string& json) {
+    const auto checked = check_gltf_size(json, "a.glb");
+    return checked.ok() ? "" : checked.error().text();
+}
+
+bool says(const std::string& fault, const std::string& words) {
+    return fault.find(words) != std::string::npos;
+}
+
+std::string repeated(const std::string& text, std::size_t times) {
+    std::string result;
+    for (std::size_t k = 0; k < times; ++k) result += text;
+    return result;
+}
+
+// Nodes of which each holds the next.
+std::string chain(std::size_t nodes) {
+    std::string json = R"({"scenes":[{"nodes":[0]}],"nodes":[)";
+    for (std::size_t k = 1; k < nodes; ++k) json += R"({"children":[)" + std::to_string(k) + "]},";
+    return json + "{}]}";
+}
+
+TEST(GltfSize, lists_in_each_other) {
+    EXPECT_EQ(fault_of(repeated("[", 128) + repeated("]", 128)), "");
+    EXPECT_TRUE(says(fault_of(repeated("[", 129)), "a.glb: has lists and objects more than 128 deep"));
+    EXPECT_EQ(fault_of("{\"a\":\"" + repeated("[", 1000) + "\\\"{\"}"), "") << "within a string";
+    // As a whole file: Assimp's reader of JSON would leave the stack.
+    Report report;
+    const auto model = load_model(glb_of(repeated("[", 5'000'000), {}), "glb", "deep.glb", {}, report);
+    ASSERT_FALSE(model.ok());
+    EXPECT_TRUE(says(model.error().text(), "deep.glb: has lists"));
+}
+
+TEST(GltfSize, more_things_than_a_model_has) {
+    EXPECT_EQ(fault_of("[0" + repeated(",0", (4u << 20) - 1) + "]"), "");
+    EXPECT_TRUE(says(fault_of("[0" + repeated(",0", 4u << 20) + "]"), "lists more than 4194304 things"));
+}
+
+TEST(GltfSize, nodes_in_each_other_in_circles_and_doubled) {
+    EXPECT_EQ(fault_of(chain(256)), "");
+    EXPECT_TRUE(says(fault_of(chain(257)), "more than 256 in each other"));
+    Report report;
+    EXPECT_FALSE(load_model(glb_of(chain(100'000), {}), "glb", "deep.glb", {}, report).ok());
+    EXPECT_TRUE(says(fault_of(R"({"nodes":[{"children":[1]},{"children":[0]}]})"), "hold themselves"));
+    std::string doubled = R"({"scenes":[{"nodes":[0]}],"nodes":[)";
+    for (int k = 1; k <= 18; ++k)
+        doubled += R"({"children":[)" + std::to_string(k) + "," + std::to_string(k) + "]},";
+    EXPECT_TRUE(says(fault_of(doubled + "{}]}"), "a scene of more than 200000 nodes")) << "2^19 - 1 nodes";
+    EXPECT_EQ(fault_of(R"({"scenes":[{"nodes":[7,-1,"a"]}],"nodes":[{"children":[9]},3]})"), "")
+        << "the reader's business";
+}
+
+TEST(GltfSize, vertices_count_as_often_as_they_are_used) {
+    const auto model = [](const std::string& primitives, std::size_t count) {
+        return R"({"meshes":[{"primitives":[)" + primitives + R"(]}],"accessors":[{"count":)" +
+               std::to_string(count) + R"(,"sparse":{}}]})";
+    };
+    const std::string mesh = R"({"attributes":{"POSITION":0}})"; // 16 bytes a vertex, 16 a corner
+    EXPECT_EQ(fault_of(model(mesh, 1u << 25)), "");
+    EXPECT_TRUE(says(fault_of(model(mesh, (1u << 25) + 32768)), "unpacks to 1025 MiB"));
+    EXPECT_TRUE(says(fault_of(model(mesh + repeated("," + mesh, 9), 1u << 22)), "unpacks to 1280 MiB"));
+    EXPECT_TRUE(says(fault_of(model(mesh, 18446744073709551615u)), "at most 1024 are allowed"));
+    const std::string keys =
+        R"({"animations":[{"samplers":[{"input":0,"output":0}]}],"accessors":[{"count":20000000}]})";
+    EXPECT_TRUE(says(fault_of(keys), "unpacks to 1220 MiB"));
+}
+
+} // namespace
+} // namespace ghost::scene
