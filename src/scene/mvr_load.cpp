@@ -2,6 +2,7 @@
 #include "scene/mvr_load.h"
 
 #include "fixture/values.h"
+#include "fixture/xml_encoding.h"
 #include "fixture/xml_entities.h"
 #include "scene/mvr_reader.h"
 
@@ -61,17 +62,20 @@ Result<void> check_description(Bytes xml, const std::string& where) {
 Result<void> read_description(LoadedPlot& loaded, const MvrMembers& members, const MvrLoading& loading) {
     const std::string where = loaded.name + ": " + loaded.description;
     TRY(std::vector<std::uint8_t> xml, loaded.archive.read(loaded.description, kMaxMvrXmlBytes));
+    const bool repaired = fixture::repair_utf8(xml);
     TRY_VOID(check_description(xml, where));
     if (loading.progress) loading.progress(0.2, "description");
     MvrReader reader(loaded, loading, members, xml);
     pugi::xml_document document;
-    const pugi::xml_parse_result parsed = document.load_buffer_inplace(
-        xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype, pugi::encoding_auto);
+    const pugi::xml_parse_result parsed =
+        document.load_buffer_inplace(xml.data(), xml.size(), pugi::parse_default | pugi::parse_doctype,
+                                     repaired ? pugi::encoding_utf8 : pugi::encoding_auto);
     if (!parsed)
         return Error{std::string("the XML is not well formed: ") + parsed.description(),
                      where + ":" + std::to_string(reader.line_at(parsed.offset))};
     pugi::xml_node root = document.child("GeneralSceneDescription");
     if (!root) return Error{"expected the element GeneralSceneDescription", where};
+    if (repaired) reader.say(Severity::warning, root, fixture::kNotUtf8);
     if (fixture::declares_entities(document)) reader.say(Severity::warning, root, fixture::kEntitiesLeft);
     Plot& plot = loaded.plot;
     const auto version = [&](const char* name) {

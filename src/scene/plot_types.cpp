@@ -11,6 +11,8 @@
 #include "base/suggest.h"
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 namespace ghost::scene {
 namespace fs = std::filesystem;
@@ -27,18 +29,39 @@ Severity severity_of(fixture::Severity severity) {
     return Severity::error;
 }
 
+namespace {
+
+// "mode 2 - 8 bit": 2, 8
+std::set<std::string> numbers_in(const std::string& text) {
+    constexpr const char* kDigits = "0123456789";
+    std::set<std::string> numbers;
+    for (std::size_t at = text.find_first_of(kDigits); at != std::string::npos;) {
+        const std::size_t end = std::min(text.find_first_not_of(kDigits, at), text.size());
+        numbers.insert(text.substr(at, end - at));
+        at = text.find_first_of(kDigits, end);
+    }
+    return numbers;
+}
+
+} // namespace
+
 int nearest_mode(const fixture::Type& type, const std::string& name) {
     constexpr std::size_t kLooked = 200; // letters: names come from outside
     const std::string wanted = fixture::lower(fixture::trimmed(name)).substr(0, kLooked);
+    const std::set<std::string> wanted_numbers = numbers_in(wanted);
     int nearest = -1;
-    std::size_t fewest = 0;
+    std::pair<std::size_t, std::size_t> fewest; // numbers that are not there, letters that differ
     for (std::size_t k = 0; k < type.modes.size(); ++k) {
         if (type.modes[k].name == name) return static_cast<int>(k);
-        const std::size_t distance =
-            edit_distance(wanted, fixture::lower(fixture::trimmed(type.modes[k].name)).substr(0, kLooked));
-        if (nearest < 0 || distance < fewest) {
+        const std::string other = fixture::lower(fixture::trimmed(type.modes[k].name)).substr(0, kLooked);
+        const std::set<std::string> numbers = numbers_in(other);
+        const auto missing = static_cast<std::size_t>(
+            std::count_if(wanted_numbers.begin(), wanted_numbers.end(),
+                          [&](const std::string& number) { return !numbers.contains(number); }));
+        const std::pair differs(missing, edit_distance(wanted, other));
+        if (nearest < 0 || differs < fewest) {
             nearest = static_cast<int>(k);
-            fewest = distance;
+            fewest = differs;
         }
     }
     return nearest;

@@ -31,8 +31,8 @@ struct SubstituteEntry {
 class TableReader;
 SubstituteEntry read_substitute(TableReader& reader);
 
-// The mode of that name; where there is none, the one whose name is nearest (same letters in other case, then
-// fewest edits). -1: the type has no mode.
+// The mode of that name; where there is none, the one that lacks fewest of its numbers, then fewest edits
+// away, whatever the case. -1: the type has no mode.
 int nearest_mode(const fixture::Type& type, const std::string& name);
 
 class PlotTypes {

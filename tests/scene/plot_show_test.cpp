@@ -216,6 +216,13 @@ TEST(PlotShow, NearestMode) {
     EXPECT_EQ(nearest("STANDARD"), 2);
     EXPECT_EQ(nearest("Standard - 16 bit"), 0);
     EXPECT_EQ(nearest_mode(fixture::Type{}, "x"), -1);
+    type.modes[0].name = "Mode 1 - Standard 16 bit";
+    type.modes[1].name = "Mode 2 - Reduced 8 bit"; // fewer letters
+    type.modes[2].name = "Mode 16";
+    EXPECT_EQ(nearest("1"), 0);
+    EXPECT_EQ(nearest("2"), 1);
+    EXPECT_EQ(nearest("Standard, 16 bit"), 0);
+    EXPECT_EQ(nearest("16"), 2);
 }
 
 TEST(PlotShow, FixturesHangOnPartsOfFixtures) {
