@@ -193,6 +193,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
         session_->report.add(scene::Severity::warning, loaded.error().where, loaded.error().what);
     if (opening != Opening::another && before) input_->go_on_from(*before);
     drawn_from_ = live_from_ = {};
+    whole_for_ = {};
     drawn_ = {};
     pace_ = {};
     haze_ = {};

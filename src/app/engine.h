@@ -84,8 +84,10 @@ private:
     void adopt_reopened();
     void add_news(scene::Severity severity, const std::string& where, const std::string& what);
 
-    // The camera for this frame: the wanted one, with fewer pixels while the picture moves.
-    scene::Camera camera_for(double now_s) const;
+    // The camera for this frame: the wanted one, with fewer pixels while the picture moves, and as many as
+    // memory holds at most, which is said.
+    scene::Camera camera_for(double now_s);
+    void fit_into_memory();
     // engine_news.cpp
     void publish_picture(const render::FrameStatistics& statistics, double draw_ms);
     void publish_rig(double now_s);
@@ -151,10 +153,11 @@ private:
     std::uint64_t saved_frame_ = 0; // number
     std::unique_ptr<RemoteInput> remote_;
     Followers followers_;
-    RemoteWishes remote_wishes_;  // those that hold
-    scene::Camera wanted_camera_; // of the wishes, turned to the tracker that it follows
-    scene::Camera drawn_from_;    // the picture that is shown
-    scene::Camera live_from_;     // the live one, which may not be shown
+    RemoteWishes remote_wishes_;         // those that hold
+    scene::Camera wanted_camera_;        // of the wishes, turned to the tracker that it follows
+    scene::Camera drawn_from_;           // the picture that is shown
+    scene::Camera live_from_;            // the live one, which may not be shown
+    glm::ivec2 whole_{0}, whole_for_{0}; // pixels that memory holds of those that are wanted; of which wish
     scene::Lit drawn_;
     Pace pace_;
     render::HazeQuality haze_;                                 // of the relighter

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One frame of the engine: from wishes and levels to the picture that is published.
 #include "app/engine.h"
+#include "app/picture_room.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +60,30 @@ bool Engine::apply_controls(double now_s) {
     return sees_else;
 }
 
-scene::Camera Engine::camera_for(double now_s) const {
+void Engine::fit_into_memory() {
+    const glm::ivec2 wanted(wanted_camera_.width, wanted_camera_.height);
+    if (wanted == whole_for_) return;
+    whole_for_ = wanted;
+    // What there is now goes before the next one is made.
+    const std::uint64_t room = session_->device->memory_left_bytes() + session_->relighter->picture_bytes();
+    scene::Camera most = wanted_camera_;
+    most.width = std::min(most.width, kMostPixels);
+    most.height = std::min(most.height, kMostPixels);
+    const scene::Camera whole = fitted(most, room);
+    whole_ = {whole.width, whole.height};
+    if (whole.width == most.width) return;
+    const auto text = [](const scene::Camera& camera) {
+        return std::to_string(camera.width) + "x" + std::to_string(camera.height);
+    };
+    const std::uint64_t needed = kPictureBytesPerPixel * static_cast<std::uint64_t>(most.width) *
+                                 static_cast<std::uint64_t>(most.height);
+    add_news(scene::Severity::warning, session_->device->name(),
+             "memory is short for a picture of " + text(most) + " (" + std::to_string(needed >> 20) +
+                 " MB, there are " + std::to_string(room >> 20) + "): it is drawn with " + text(whole));
+}
+
+scene::Camera Engine::camera_for(double now_s) {
+    fit_into_memory();
     scene::Camera camera = wanted_camera_;
     const bool moves = now_s - last_change_s_ < kRest_s || (is_uneven(*session_->show) && !wishes_.frozen);
     const double share = wishes_.quality.percent > 0 ? std::sqrt(wishes_.quality.percent / 100.0)
@@ -68,8 +92,8 @@ scene::Camera Engine::camera_for(double now_s) const {
     const auto pixels = [&](int wanted) {
         return std::clamp(static_cast<int>(std::lround(wanted * share)), kLeastPixels, kMostPixels);
     };
-    camera.width = pixels(camera.width);
-    camera.height = pixels(camera.height);
+    camera.width = pixels(whole_.x);
+    camera.height = pixels(whole_.y);
     return camera;
 }
 

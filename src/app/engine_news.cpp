@@ -50,8 +50,7 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
     picture.lights_drawn = statistics.drawn;
     picture.is_baked = shows_baked_;
     picture.supply = supply_sent_ = supply_;
-    picture.is_coarse =
-        !shows_baked_ && wishes_.quality.percent == 0 && drawn_from_.width < wishes_.camera.width;
+    picture.is_coarse = !shows_baked_ && wishes_.quality.percent == 0 && drawn_from_.width < whole_.x;
     picture.missing_maps = session_->live->missing_maps();
     picture.arrival = std::exchange(arrival_, std::chrono::nanoseconds{0});
     link_.picture.put(std::move(picture));

@@ -351,7 +351,8 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     print_report(report, printed);
     printed = report.messages.size();
 
-    TRY(session->device, gpu::Device::create({options.device, options.validation}));
+    TRY(session->device,
+        gpu::Device::create({options.device, options.validation, options.memory_limit_bytes}));
     log_info("drawing on " + session->device->name());
     session->rig = std::make_unique<scene::Rig>(*session->show);
     const render::Settings settings = draw_settings(*session->show, camera, options);

@@ -82,6 +82,9 @@ void Device::release(VkDeviceMemory memory, std::uint64_t bytes) const {
 
 std::uint64_t Device::memory_left_bytes() const {
     std::uint64_t left = limit_bytes_ > used_bytes_ ? limit_bytes_ - used_bytes_ : 0;
+    // Others may have taken some meanwhile.
+    if (const std::uint64_t free_bytes = is_cpu_ && !enforced_ ? free_memory_bytes() : 0; free_bytes > 0)
+        left = std::min(left, static_cast<std::uint64_t>(kOfFreeMemory * static_cast<double>(free_bytes)));
     if (!has_budget_) return left;
     VkPhysicalDeviceMemoryBudgetPropertiesEXT budget{};
     budget.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT;

@@ -393,18 +393,23 @@ float Relighter::ev100_used() const {
 }
 
 std::uint64_t Relighter::memory_bytes() const {
-    const Fragments& f = fragments();
-    std::uint64_t sum = haze_.memory_bytes() + lens_.memory_bytes() + glare_.memory_bytes() +
-                        (g_buffer_ ? g_buffer_->memory_bytes() : 0) + (wide_ ? wide_->memory_bytes() : 0) +
-                        (mender_ ? mender_->memory_bytes() : 0);
+    std::uint64_t sum = picture_bytes() + gobos_.bytes() + slides_.bytes() + slides_upload_.bytes();
     if (distances_) sum += distances_->bytes();
-    for (const gpu::Buffer* buffer : {&f.view, &lights_, &f.tile_bounds, &masks_, &lists_, &groups_, &work_,
-                                      &work_read_, &exposure_, &pixels_})
+    for (const gpu::Buffer* buffer : {&lights_, &groups_, &work_, &work_read_, &exposure_})
         sum += buffer->bytes();
-    for (const gpu::Texture* texture : {&gobos_, &passes_.radiance, &passes_.bounces, &f.places, &f.edges,
-                                        &f.base, &images_, &drawn_, &picture_})
-        sum += texture->bytes();
     return sum;
+}
+
+std::uint64_t Relighter::picture_bytes() const {
+    std::uint64_t sum = haze_.memory_bytes() + lens_.memory_bytes() + glare_.memory_bytes() +
+                        (wide_ ? wide_->memory_bytes() : 0) + (mender_ ? mender_->memory_bytes() : 0);
+    for (const gpu::Buffer* buffer : {&masks_, &lists_, &pixels_}) sum += buffer->bytes();
+    for (const gpu::Texture* texture : {&images_, &drawn_, &picture_}) sum += texture->bytes();
+    if (g_buffer_) return sum + g_buffer_->memory_bytes();
+    const Fragments& f = fragments();
+    for (const gpu::Texture* texture : {&passes_.radiance, &passes_.bounces, &f.places, &f.edges, &f.base})
+        sum += texture->bytes();
+    return sum + f.view.bytes() + f.tile_bounds.bytes();
 }
 
 } // namespace ghost::render

@@ -106,6 +106,8 @@ public:
     image::ImageF frame() const;   // RGB, linear Rec.2020, cd/m^2, glare included
     float ev100_used() const;
     std::uint64_t memory_bytes() const; // on the device
+    // Of that, what goes when the picture gets another size; with the G-buffer.
+    std::uint64_t picture_bytes() const;
 
 private:
     Relighter(const gpu::Device& device, PassImages passes, const GBuffer* g_buffer,
