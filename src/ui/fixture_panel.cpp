@@ -218,7 +218,13 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(search_);
     layout->addWidget(table_);
-    connect(search_, &QLineEdit::textChanged, sorted_, &QSortFilterProxyModel::setFilterFixedString);
+    // What is searched away stays selected, and rows that go say nothing: each would be a selection.
+    connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
+        follows_ = true;
+        sorted_->setFilterFixedString(text);
+        follows_ = false;
+        show_selection();
+    });
     connect(&studio_, &Studio::selection_changed, this, &FixturePanel::show_selection);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &FixturePanel::take_selection);
