@@ -43,8 +43,6 @@ void fill(Light light, Fan fan) {
     float blur = fan.levels > 1u ? fan.sharpest * exp2(float(level)) : max(light.edge, fan.sharpest);
     Focus focus = even_focus(light, blur);
     if (IS_SHAPED(light)) focus = focus_at(light, fan.node[level], fan.sharpest);
-    float most = fan_most(light.colour_b);
-
     vec2 meridian = fan_meridian(fan, 2.0 * float(row) / float(side - 1u) - 1.0);
     vec4 chord = fan_chord(fan, meridian.x);
     vec3 aside = fan.along * meridian.x + fan.across * meridian.y;
@@ -72,7 +70,7 @@ void fill(Light light, Fan fan) {
         imageStore(table, at, sum);
         vec3 direction = centre + turn * u;
         vec2 gate = direction.xy / (max(direction.z, 1e-4) * light.tan_field);
-        vec3 value = beam_gate(light, gate, focus) * (share / (most * (1.0 + u * u)));
+        vec3 value = beam_gate(light, gate, focus) * (share / (fan.most * (1.0 + u * u)));
         sum += vec4(value, luminance_of(value) * place);
         u += step_u;
         place += share;

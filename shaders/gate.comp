@@ -208,7 +208,7 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
         }
     }
     return sum * light.intensity_cd *
-           (haze.scattering_per_m * 2.0 * chord.w / distance_m * fan_most(light.colour_b));
+           (haze.scattering_per_m * 2.0 * chord.w / distance_m * fan.most);
 }
 
 // A ray through the middle of a pixel may miss a beam that is thinner than the pixel, and the next one hit it: a thin beam shows the

@@ -7,6 +7,7 @@
 // given radius; and slide_sample: colour (linear Rec.2020) of a layer of the moving pictures. In C++ it needs the images, so there the functions take them as a last argument.
 #ifndef GHOST_SHARED_BEAM_H
 #define GHOST_SHARED_BEAM_H
+#include "shared/figure.h"
 #include "shared/optics.h"
 #include "shared/types.h"
 
@@ -18,16 +19,18 @@
 #define IS_SHAPED(light) ((light).shaped != 0u)
 #define IS_CUT(light) ((light).shaped > 1u)
 #define HAS_SLIDE(light) ((light).slide.layer != 0u)
+#define HAS_FIGURE(light) ((light).figure.kind != 0u)
 #else
 #define WITH_GOBOS
 #define PASS_GOBOS
 // A shader is compiled once per class of beams (shared/optics.h). What is not in use costs nothing: lavapipe runs a loop body at
 // least once, masked.
 layout(constant_id = 0) const uint kClass = 0u;
-#define WHEEL_COUNT(light) (is_shaped(kClass) ? (light).wheel_count : (kClass == kSlideClass ? 0u : kClass))
+#define WHEEL_COUNT(light) (is_shaped(kClass) ? (light).wheel_count : (kClass >= kSlideClass ? 0u : kClass))
 #define IS_SHAPED(light) (is_shaped(kClass))
 #define IS_CUT(light) (kClass == kCutClass || kClass == kCutSlideClass)
-#define HAS_SLIDE(light) (kClass >= kSlideClass)
+#define HAS_SLIDE(light) (kClass == kSlideClass || kClass == kCutSlideClass)
+#define HAS_FIGURE(light) (kClass == kFigureClass)
 vec3 gobo_sample(uint layer, vec2 gate, float blur);
 vec3 slide_sample(uint layer, vec2 place, float radius_texels);
 #endif
@@ -155,6 +158,7 @@ SHARED_FN vec3 beam_gate(Light light, vec2 gate, Focus focus WITH_GOBOS) {
     for (uint k = 0u; k < WHEEL_COUNT(light); ++k)
         colour *= wheel_sample(light.wheel[k], gate,
                                blur_of(light, focus, IS_SHAPED(light) ? light.wheel[k].depth : 0.0f) PASS_GOBOS);
+    if (HAS_FIGURE(light)) colour *= figure_share(light, gate, blur_of(light, focus, 0.0f));
     if (HAS_SLIDE(light)) colour *= slide_share(light, gate, blur_of(light, focus, 0.0f) PASS_GOBOS);
     if (IS_CUT(light) && light.disc.layer != 0u) colour *= disc_sample(light, gate, focus PASS_GOBOS);
     return colour;

@@ -34,9 +34,10 @@ struct Fan {
     uint levels;     // of blur: 1 where nothing gets out of focus
     uint halvings;   // levels that are half of the one before; of a shaped beam: small levels
     float node[14];  // of a shaped beam, whose planes are not blurred alike: falling t (shared/optics.h) of each level
+    float most;      // share that the table holds as 1
     uint thin;       // 1: may be thinner than a pixel, and rows are even in the sine
 };
-SHARED_SIZE(Fan, 136);
+SHARED_SIZE(Fan, 140);
 
 SHARED_CONST uint kFanLevels = 8u;
 SHARED_CONST uint kFanNodes = 14u;    // levels of a shaped beam
@@ -97,14 +98,6 @@ SHARED_FN vec4 fan_chord(Fan fan, float meridian_cosine) {
     float reach = max(sqrt(fan.cos_axis * fan.cos_axis + side * side), 1e-6f);
     float ratio = reach / fan.cos_cone;
     return vec4(fan.cos_axis / reach, side / reach, reach, sqrt(max(ratio * ratio - 1.0f, 0.0f)));
-}
-
-// The table holds shares of the brightest colour of a split gate.
-SHARED_FN float fan_most(vec3 colour_b) {
-#ifdef __cplusplus
-    using namespace glm;
-#endif
-    return max(max(max(colour_b.x, colour_b.y), colour_b.z), 1.0f);
 }
 
 // Rows and columns of a level: half of the level before, kLeastSharp until its blur is four times as wide as these, then kLeastFan.

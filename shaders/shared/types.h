@@ -78,6 +78,18 @@ struct Slide {
 };
 SHARED_SIZE(Slide, 112);
 
+// A curve that a laser's scanner sweeps, about the gate's middle (shared/figure.h).
+struct Figure {
+    uint kind;       // 0: the light is no swept laser
+    vec2 half_size;  // gate units; of a wave: half its length, its height
+    float cosine;    // its turn, seen along the beam
+    float sine;
+    float deviation; // standard deviation across the curve, gate units: the laser's own divergence
+    float phase;     // of a wave, radians
+    float waves;     // that it has
+};
+SHARED_SIZE(Figure, 32);
+
 // What one fixture emits now. Gate coordinates: q = (along axis_u, along axis_v, along axis_w) from the apex;
 // (q.x, q.y) / (q.z tan_field) is 1 at the field angle.
 struct Light {
@@ -112,8 +124,9 @@ struct Light {
     vec3 off_map_m;        // from where that map was made to position_m
     float disc_radius_m;   // of the luminous disc at the lens: how soft shadows are, how large the lens looks
     Slide slide;           // in the plane of depth 0
+    Figure figure;         // in place of profile, wheels and slide
 };
-SHARED_SIZE(Light, 440);
+SHARED_SIZE(Light, 472);
 
 // Homogeneous haze: extinction, scattering and the two-term Henyey-Greenstein phase function.
 struct Haze {

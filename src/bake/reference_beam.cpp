@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/reference_beam.h"
 
+#include "shared/figure.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -183,6 +185,35 @@ dvec3 ReferenceBeam::slide_colour(const dvec2& gate, double blur) const {
     return even * (black * framed(slide.panel, panel, blur) + (1.0 - black) * share * colour);
 }
 
+// A normal distribution across the curve that the scanner draws; its unit is a figure of 1/128 gate radius.
+double ReferenceBeam::figure_share(const dvec2& gate, double blur) const {
+    const shared::Figure& figure = light_.figure;
+    const double c = figure.cosine, s = figure.sine, a = figure.half_size.x, b = figure.half_size.y;
+    const double own = figure.deviation, sigma = std::hypot(own, 0.5 * blur);
+    const dvec2 at(c * gate.x + s * gate.y, c * gate.y - s * gate.x);
+    double distance = at.y, spread = sigma, density = 1.0;
+    if (figure.kind == shared::kCircleFigure) {
+        // In the frame where the ellipse is a circle its round is even in the angle.
+        const double angle = std::atan2(at.y / b, at.x / a), radius = std::hypot(at.x / a, at.y / b);
+        distance = radius - 1.0;
+        spread = sigma * std::hypot(std::cos(angle) / a, std::sin(angle) / b);
+        density = std::min(a, b) / (a * b * std::max(radius, 1e-6));
+    } else {
+        density = share_inside(std::abs(at.x), a, 2.0 * sigma);
+        if (figure.kind == shared::kWaveFigure) {
+            const double k = pi * static_cast<double>(figure.waves) / a;
+            const double angle = k * at.x + static_cast<double>(figure.phase);
+            distance = at.y - b * std::sin(angle);
+            spread = sigma * std::hypot(1.0, b * k * std::cos(angle));
+        }
+    }
+    const double normal = std::exp(-0.5 * std::pow(distance / spread, 2.0)) / (spread * std::sqrt(2.0 * pi));
+    const double tan2 = std::pow(static_cast<double>(light_.tan_field), 2.0);
+    const double cut = light_.cut_radius;
+    return normal * density / 128.0 *
+           std::pow((1.0 + tan2 * glm::dot(gate, gate)) / (1.0 + tan2 * cut * cut), 1.5);
+}
+
 dvec3 ReferenceBeam::wheel_colour(const shared::Wheel& wheel, const dvec2& gate, double blur) const {
     const double first_x = -static_cast<double>(wheel.shift) * kSlotPitch;
     const bool in_next = gate.x - first_x > 0.5 * kSlotPitch;
@@ -215,6 +246,7 @@ dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
     const double side = std::clamp(4.0 * (gate.x - static_cast<double>(light_.split)) + 0.5, 0.0, 1.0);
     dvec3 colour =
         dvec3(light_.intensity_cd) * (shape * open) * glm::mix(dvec3(1.0), dvec3(light_.colour_b), side);
+    if (light_.figure.kind != shared::kNoFigure) return colour * figure_share(gate, blur_of(0.0f));
     for (std::uint32_t k = 0; k < std::min(light_.wheel_count, 3u); ++k)
         colour *= wheel_colour(light_.wheel[k], gate, blur_of(light_.wheel[k].depth));
     if (light_.slide.layer != 0) colour *= slide_colour(gate, blur_of(0.0f));

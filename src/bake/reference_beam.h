@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The light model of shaders/shared/{beam,gobos,haze,brdf}.h written a second time, in double precision and
 // from the documented formulas: field profile, aperture and focus blur of each plane, gobo wheels, animation
-// wheel, framing blades, split colour; two-term
+// wheel, framing blades, split colour, figures of lasers; two-term
 // Henyey-Greenstein and transmittance; metallic-roughness reflection (glTF 2.0, appendix B). Only the
 // reference picture and tests call it: two definitions that agree are the proof of both. Metres, candela,
 // 1/m, linear Rec.2020. Const calls from any thread; light and gobos must outlive the beam.
@@ -36,6 +36,7 @@ private:
     glm::dvec3 disc_colour(const glm::dvec2& gate, double blur) const;
     glm::dvec3 wheel_colour(const shared::Wheel& wheel, const glm::dvec2& gate, double blur) const;
     glm::dvec3 slide_colour(const glm::dvec2& gate, double blur) const;
+    double figure_share(const glm::dvec2& gate, double blur) const;
     glm::dvec3 gobo_colour(std::uint32_t layer, const glm::dvec2& gate, double blur) const;
 
     const shared::Light& light_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/fan.h"
 
+#include "shared/figure.h"
 #include "shared/gobos.h"
 #include "shared/optics.h"
 
@@ -23,17 +24,21 @@ constexpr float kCoarser = 1.2f;
 constexpr float kThin_pixels = 2.0f;
 constexpr double kDeepInside = 0.7; // from here to the rim more and more rows lie where the beam is
 
+// A Gaussian is sampled evenly where its standard deviation is three quarters of a column (to 0.01 %).
+constexpr float kFigureBlur = 1.5f;
+
 // Rows for a pixel of the beam's width where it is as far from the lamp as from the eye. An open beam has
 // no detail but its rim; a moving picture counts as a gobo.
 constexpr float kOpenRows = 0.5f, kGoboRows = 2.0f;
 
 std::uint32_t size_of(const shared::Light& light, bool surrounds, float pixels_per_rad) {
-    const bool open = light.wheel_count == 0 && light.shaped == 0 && light.slide.layer == 0;
+    const bool figure = light.figure.kind != shared::kNoFigure;
+    const bool open = light.wheel_count == 0 && light.shaped == 0 && light.slide.layer == 0 && !figure;
     const float pixels = 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
     const float rows = std::ceil((open ? kOpenRows : kGoboRows) * pixels / kFanStep) * kFanStep;
     const bool large = surrounds || rows > 2.0f * shared::kFinestFan;
     const std::uint32_t finest = open || light.shaped != 0 ? shared::kFinestNode
-                                 : large                   ? shared::kFinestFan
+                                 : large || figure         ? shared::kFinestFan
                                                            : shared::kMiddleFan;
     if (surrounds) return finest;
     return std::clamp(static_cast<std::uint32_t>(rows), shared::kLeastSharp, finest);
@@ -151,6 +156,8 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
         fan.row_scale = -static_cast<float>(1 + 0.9 * glm::smoothstep(kDeepInside, 1.0, sine / sin_cone));
     const float width_pixels = 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
     fan.thin = !surrounds && width_pixels < kThin_pixels ? 1 : 0;
+    // The brightest colour of a split gate.
+    fan.most = std::max({light.colour_b.x, light.colour_b.y, light.colour_b.z, 1.0f});
     fan.layer = layer;
     fan.size = size_of(light, surrounds, pixels_per_rad);
     // Detail finer than a column would be cut into steps. The gobos' own levels of blur are used as they are.
@@ -158,6 +165,17 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
     if (light.shaped != 0) {
         fan.sharpest = finest;
         set_nodes(fan, light);
+        return fan;
+    }
+    // A figure is out of focus nowhere: beside its cone, even the first centimetres are thin.
+    if (light.figure.kind != shared::kNoFigure) {
+        fan.sharpest = kFigureBlur * finest;
+        // A row that runs along the curve, at its brightest: no more, so that those across it are as exact as
+        // may be.
+        const float deviation = std::hypot(light.figure.deviation, 0.5f * fan.sharpest);
+        fan.most = std::min(0.4f * shared::kFigureWidth / deviation, 1.0f);
+        fan.levels = 1;
+        while (fan.size >> (fan.halvings + 1) >= shared::kLeastSharp) ++fan.halvings;
         return fan;
     }
     const float texel = light.slide.layer != 0 ? light.slide.texel : shared::kGoboBlurUnit;

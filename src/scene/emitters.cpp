@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/emitters.h"
 
+#include "scene/laser.h"
 #include "scene/prism.h"
 
 #include <algorithm>
@@ -40,7 +41,8 @@ bool shapes_beam(Role role) {
 // Makes a picture of its own: such a beam is a light of its own.
 bool makes_picture(Role role) {
     return (role >= Role::gobo_wheel && role <= Role::gobo_rotate) ||
-           (role >= Role::gobo_wheel_random && role <= Role::shaper_macro);
+           (role >= Role::gobo_wheel_random && role <= Role::shaper_macro) ||
+           (role >= Role::laser_figure && role <= Role::laser_running);
 }
 
 struct Cell {
@@ -225,7 +227,7 @@ bool only_glows(const fixture::Beam& beam) {
     return beam.beam_type == fixture::BeamType::none || beam.beam_type == fixture::BeamType::glow;
 }
 
-Emitters emitters_of(const fixture::Type& type, const fixture::Mode& mode) {
+Emitters emitters_of(const fixture::Type& type, const fixture::Mode& mode, bool is_laser) {
     Emitters result;
     if (mode.beams.empty()) {
         result.places_m.push_back(result.middle_m);
@@ -256,6 +258,7 @@ Emitters emitters_of(const fixture::Type& type, const fixture::Mode& mode) {
         for (std::size_t k = 0; k < part.size(); ++k) {
             light.beams.push_back(cell_of(part[k]).beam);
             light.copies = std::max(light.copies, most_copies(type, mode, cell_of(part[k]).beam));
+            if (is_laser || draws_figures(mode, cell_of(part[k]).beam)) light.copies = fixture::kMostRays;
             anchor_m += light.weights[k] * cell_of(part[k]).anchor_m;
         }
         // Exactly the pivot, where that is what all have.

@@ -25,7 +25,7 @@ struct Emitter {
     std::vector<int> beams;     // Mode::beams: its cells, in their order; never empty
     std::vector<float> weights; // of each cell: share of the lumens of all, which add up to 1
     int place = 0;              // Emitters::places_m
-    int copies = 1;             // lights that its prisms may need (prism.h)
+    int copies = 1;             // lights that its prisms (prism.h) or its scanner (laser.h) may need
 };
 
 struct Emitters {
@@ -37,7 +37,8 @@ struct Emitters {
 // BeamType None and Glow: no beam, the geometry itself is seen to glow.
 bool only_glows(const fixture::Beam& beam);
 
-Emitters emitters_of(const fixture::Type& type, const fixture::Mode& mode);
+// is_laser: a scanner splits each light, whatever the type's channels say.
+Emitters emitters_of(const fixture::Type& type, const fixture::Mode& mode, bool is_laser = false);
 
 // The light that beam (index into Mode::beams) is part of, or -1.
 int emitter_of(const Emitters& emitters, int beam);

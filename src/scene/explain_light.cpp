@@ -83,7 +83,10 @@ float angle_deg(float from, float to, float tan_field) {
 
 float output_lm(const shared::Light& light, const GoboStack& gobos) {
     double lumens = 0.0;
-    if (light.slide.layer != 0) {
+    if (light.figure.kind != shared::kNoFigure) {
+        // A swept curve keeps those of its beam.
+        lumens = 4.0 * static_cast<double>(shared::kPi * glm::dot(light.bounce_cd, kLuminance));
+    } else if (light.slide.layer != 0) {
         lumens = sum_of_squares(light, gobos);
     } else {
         const Profile profile{.tan_field = light.tan_field,
@@ -126,6 +129,12 @@ LitGate lit_gate(const shared::Light& light, const GoboStack& gobos) {
     const shared::Light outline = outline_of(light);
     const auto degrees_across = [&](float radius) { return angle_deg(-radius, radius, outline.tan_field); };
     LitGate lit;
+    if (outline.figure.kind != shared::kNoFigure) {
+        lit.half = vec2(1.0f);
+        lit.beam_deg = lit.field_deg = degrees_across(1.0f);
+        lit.lit_deg = vec2(lit.field_deg);
+        return lit;
+    }
     if (outline.slide.layer == 0) {
         // exp2(-scale r^(2 power)) is 50 % and 10 % there, unless the iris ends it before.
         const float exponent = 0.5f / outline.profile_power;

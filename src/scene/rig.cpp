@@ -2,6 +2,7 @@
 #include "scene/rig.h"
 
 #include "base/check.h"
+#include "fixture/laser_type.h"
 #include "image/colour.h"
 #include "scene/aim.h"
 #include "scene/prism.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace ghost::scene {
@@ -36,15 +38,19 @@ glm::vec3 swap_factor(const fixture::Manual& manual, const fixture::Beam& beam) 
     return factor;
 }
 
-// The lights of an emitter: as many as its prisms may ever need, dark ones among them. What the camera sees
-// in its lens, where a prism splits it, is added to the faces.
+// The lights of an emitter: as many as its prisms or its scanner may ever need, dark ones among them. What
+// the camera sees in its lens, where it is split, is added to the faces.
 std::vector<shared::Light> split_light(const shared::Light& light, const Emitter& emitter,
                                        const fixture::Type& type, const fixture::State& state,
-                                       std::vector<Face>& faces, std::vector<Face>& facets) {
+                                       const std::optional<fixture::Figure>& figure, std::vector<Face>& faces,
+                                       std::vector<Face>& facets) {
     std::vector<shared::Light> lights{light};
     if (emitter.copies == 1) return lights;
     const auto beam = static_cast<std::size_t>(emitter.beams.front());
-    const std::vector<Copy> copies = copies_of(type, state.beams[beam].optics, emitter.copies);
+    const bool sweeps = figure && fixture::is_swept(figure->kind);
+    const std::vector<Copy> copies = sweeps   ? std::vector<Copy>(1)
+                                     : figure ? rays_of(*figure, light.tan_field)
+                                              : copies_of(type, state.beams[beam].optics, emitter.copies);
     shared::Light dark = light;
     dark.intensity_cd = dark.bounce_cd = glm::vec3(0.0f);
     dark.wheel_count = dark.shaped = 0;
@@ -54,7 +60,8 @@ std::vector<shared::Light> split_light(const shared::Light& light, const Emitter
     dark.axis_w = {0, 0, -1};
     lights.assign(static_cast<std::size_t>(emitter.copies), dark);
     if (copies.size() == 1) {
-        lights.front() = light;
+        lights.front() = sweeps ? swept(light, *figure) : figure ? copied(light, copies.front()) : light;
+        if (figure) faces[beam].light = sweeps ? swept(faces[beam].light, *figure) : lights.front();
         return lights;
     }
     for (std::size_t k = 0; k < copies.size(); ++k) lights[k] = copied(light, copies[k]);
@@ -66,6 +73,21 @@ std::vector<shared::Light> split_light(const shared::Light& light, const Emitter
         facet.light.bounce_cd = glm::vec3(0.0f);
     }
     return lights;
+}
+
+// The watts are those of the whole fixture.
+void colour_laser(const Laser& laser, const fixture::Type& type, const fixture::State& state,
+                  std::vector<Face>& faces) {
+    float lumens = 0.0f;
+    for (const fixture::BeamState& beam : state.beams)
+        lumens += type.geometries[static_cast<std::size_t>(beam.geometry)].beam->luminous_flux_lm;
+    const float power =
+        laser.watts > 0.0f && lumens > 0.0f ? laser.watts * fixture::kLaserLumensPerWatt / lumens : 1.0f;
+    const glm::vec3 factor = laser.colour.value_or(glm::vec3(1.0f)) * power;
+    for (Face& face : faces) {
+        face.light.intensity_cd *= factor;
+        face.light.bounce_cd *= factor;
+    }
 }
 
 } // namespace
@@ -87,16 +109,20 @@ struct Rig::Between {
 };
 
 Rig::Rig(const Show& show) : show_(show), track_(show.fixtures.size(), 0.0f), aims_(show.fixtures.size()) {
-    std::map<std::pair<const fixture::Type*, int>, std::shared_ptr<const Emitters>> known;
+    std::map<std::tuple<const fixture::Type*, int, bool>, std::shared_ptr<const Emitters>> known;
     for (const PatchedFixture& fixture : show.fixtures) {
         patches_.push_back(fixture.patch());
         projectors_.push_back(fixture.projector);
+        figures_.push_back(fixture.laser ? fixture.laser->figure : fixture::Figure{});
         walls_.push_back(fixture.wall);
         states_.push_back(fixture.type ? fixture::make_state(patches_.back()) : fixture::State{});
-        auto& emitters = known[{fixture.type.get(), fixture.type ? fixture.mode : 0}];
+        auto& emitters =
+            known[{fixture.type.get(), fixture.type ? fixture.mode : 0, fixture.laser.has_value()}];
         if (!emitters)
             emitters = std::make_shared<const Emitters>(
-                fixture.type ? emitters_of(*fixture.type, patches_.back().mode_of()) : Emitters{});
+                fixture.type
+                    ? emitters_of(*fixture.type, patches_.back().mode_of(), fixture.laser.has_value())
+                    : Emitters{});
         emitters_.push_back(emitters);
     }
 }
@@ -110,6 +136,8 @@ void Rig::go_on_from(const Rig& before, const std::vector<std::optional<std::siz
         if (!now.type || !then.type || now.gdtf != then.gdtf || now.mode != then.mode) continue;
         if (states_[i].beams.size() != before.states_[other].beams.size()) continue; // walls of other sizes
         states_[i] = before.states_[other];
+        if (figures_[i].deg_s != 0.0f) figures_[i].deg = before.figures_[other].deg;
+        figures_[i].phase = before.figures_[other].phase;
         track_[i] = before.track_[other];
     }
 }
@@ -151,12 +179,14 @@ void Rig::step(const dmx::Universes& universes, double dt_s,
         if (aims_[i]) follow(i, targets);
         if (const auto found = manual.find(i); found != manual.end()) {
             asked_[i] = fixture::asked_for(targets, patches_[i]);
-            if (!found->second.levels.empty()) targets = fixture::decode_levels(patches_[i], found->second.levels);
+            if (!found->second.levels.empty())
+                targets = fixture::decode_levels(patches_[i], found->second.levels);
             fixture::apply(found->second, patches_[i], targets);
         }
         fixture::step(states_[i], patches_[i], targets, dt_s, show_.motion,
                       static_cast<double>(show_.shutter_deg) / 360.0);
         choose_medium(i, universes);
+        fixture::step_figure(figures_[i], figures_[i], std::max(dt_s, 0.0));
         const auto& track = show_.fixtures[i].track;
         if (!track) continue;
         const auto universe = static_cast<std::uint16_t>(track->universe);
@@ -175,6 +205,17 @@ void Rig::choose_medium(std::size_t fixture, const dmx::Universes& universes) {
     };
     choose(show_.fixtures[fixture].projector, projectors_[fixture]);
     choose(show_.fixtures[fixture].wall, walls_[fixture]);
+}
+
+// What the scanner of a laser draws: what its channels choose; the show file's where it has none, or they are
+// not patched.
+std::optional<fixture::Figure> Rig::figure_of(std::size_t index, const Emitter& emitter) const {
+    const PatchedFixture& fixture = show_.fixtures[index];
+    const auto beam = static_cast<std::size_t>(emitter.beams.front());
+    const std::optional<fixture::Figure>& chosen = states_[index].beams[beam].optics.figure;
+    if (fixture.laser && fixture.laser->has_figure && (!chosen || fixture.address == 0))
+        return figures_[index];
+    return chosen;
 }
 
 // The cells of a wall, as bright as the picture there.
@@ -228,6 +269,7 @@ std::vector<Face> Rig::faces(std::size_t index, const Emitters& emitters, const 
     std::vector<Face> faces = faces_of(type, states_[index].beams, emitters, hung, gobos, profiles,
                                        projector_of(index), show_.fixtures[index].shape.get());
     if (walls_[index]) light_wall(index, gobos, faces);
+    if (show_.fixtures[index].laser) colour_laser(*show_.fixtures[index].laser, type, states_[index], faces);
     const auto manual = manual_.find(index);
     if (manual == manual_.end()) return faces;
     for (std::size_t k = 0; k < faces.size(); ++k) {
@@ -258,7 +300,7 @@ Lit Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) cons
             shared::Light light = light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung));
             light.map = static_cast<std::uint32_t>(map_of[static_cast<std::size_t>(emitter.place)] + 1);
             const std::vector<shared::Light> lights =
-                split_light(light, emitter, *fixture.type, states_[i], faces, facets);
+                split_light(light, emitter, *fixture.type, states_[i], figure_of(i, emitter), faces, facets);
             lit.lights.insert(lit.lights.end(), lights.begin(), lights.end());
         }
         lit.faces.insert(lit.faces.end(), faces.begin(), faces.end());
@@ -292,8 +334,8 @@ Lit Rig::lit(const GoboStack& gobos, const Passes& passes) const {
         for (const Emitter& emitter : emitters.lights) {
             shared::Light whole = light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung));
             whole.pass = pass_of(track.stop);
-            for (shared::Light& light :
-                 split_light(whole, emitter, *fixture.type, states_[i], faces, facets)) {
+            for (shared::Light& light : split_light(whole, emitter, *fixture.type, states_[i],
+                                                    figure_of(i, emitter), faces, facets)) {
                 if (!fixture.track) {
                     lit.lights.push_back(light);
                     continue;

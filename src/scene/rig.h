@@ -71,6 +71,7 @@ private:
     std::vector<Face> faces(std::size_t fixture, const Emitters& emitters, const Hung& hung,
                             const GoboStack& gobos, ProfileTable& profiles) const;
     void choose_medium(std::size_t fixture, const dmx::Universes& universes);
+    std::optional<fixture::Figure> figure_of(std::size_t fixture, const Emitter& emitter) const;
     void light_wall(std::size_t fixture, const GoboStack& gobos, std::vector<Face>& faces) const;
     void add_wall(std::size_t fixture, const Hung& hung, const GoboStack& gobos, Lit& lit) const;
     const Projector* projector_of(std::size_t fixture) const {
@@ -81,8 +82,9 @@ private:
     std::vector<fixture::Patch> patches_;
     std::vector<fixture::State> states_;
     std::vector<float> track_;
-    std::vector<std::optional<Projector>> projectors_;      // with the medium that the desk has chosen
-    std::vector<std::optional<LedWall>> walls_;             // the same
+    std::vector<std::optional<Projector>> projectors_; // with the medium that the desk has chosen
+    std::vector<fixture::Figure> figures_;      // of lasers whose show file has it, where it has turned to
+    std::vector<std::optional<LedWall>> walls_; // the same
     std::vector<std::shared_ptr<const Emitters>> emitters_; // one for all fixtures of a type and mode
     std::vector<std::optional<glm::vec3>> aims_;
     std::map<std::size_t, fixture::Manual> manual_, asked_; // of the last step

@@ -3,6 +3,7 @@
 
 #include "base/files.h"
 #include "base/suggest.h"
+#include "fixture/laser_type.h"
 #include "fixture/load_type.h"
 #include "fixture/patch.h"
 #include "fixture/photometric.h"
@@ -92,6 +93,8 @@ void load_types(ParsedShow& parsed, const std::string& file, Report& report) {
                 fixture.type = fixture::led_wall_type(fixture.wall->size_m, cells_of(*fixture.wall));
             else if (fixture.projector)
                 fixture.type = fixture::video_projector_type();
+            else if (fixture.laser)
+                fixture.type = fixture::show_laser_type();
             continue;
         }
         fixture.type =

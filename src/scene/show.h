@@ -9,6 +9,7 @@
 #include "fixture/patch.h"
 #include "fixture/type.h"
 #include "scene/cues.h"
+#include "scene/laser.h"
 #include "scene/led_wall.h"
 #include "scene/overrides.h"
 #include "scene/projector.h"
@@ -95,6 +96,7 @@ struct PatchedFixture {
     float home_tilt_deg = 0;
     std::optional<Track> track;
     std::optional<Projector> projector;     // a moving picture in its gate
+    std::optional<Laser> laser;             // a scanner before it
     std::optional<LedWall> wall;            // a moving picture on its front
     std::shared_ptr<const BeamShape> shape; // measured light in place of the profile, or null
     std::string fixture_id; // of the plot, as the desk calls it; "" where the show file has the fixture

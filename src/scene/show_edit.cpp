@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/show_edit.h"
 
+#include "fixture/laser_type.h"
 #include "fixture/projector_type.h"
 #include "fixture/wall_type.h"
 #include "scene/show.h"
@@ -243,7 +244,9 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
         if (fixture.wall)
             fixture.type = fixture::led_wall_type(fixture.wall->size_m, cells_of(*fixture.wall));
         else if (fixture.gdtf.empty())
-            fixture.type = fixture.projector ? fixture::video_projector_type() : nullptr;
+            fixture.type = fixture.projector ? fixture::video_projector_type()
+                           : fixture.laser   ? fixture::show_laser_type()
+                                             : nullptr;
         else
             fixture.type = types[fixture.gdtf];
         if (!fixture.type) continue;

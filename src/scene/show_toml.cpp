@@ -2,6 +2,7 @@
 #include "scene/show_toml.h"
 
 #include "dmx/universes.h"
+#include "scene/laser_toml.h"
 #include "scene/media_toml.h"
 #include "scene/scene_toml.h"
 #include "scene/toml_reader.h"
@@ -116,7 +117,7 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
     fixture.name = name;
     source.line = reader.line();
     if (const auto gdtf = reader.text("gdtf")) fixture.gdtf = *gdtf;
-    if (!reader.has("gdtf") && !reader.has("projector") && !reader.has("wall"))
+    if (!reader.has("gdtf") && !reader.has("projector") && !reader.has("wall") && !reader.has("laser"))
         reader.missing("gdtf", "the name of a .gdtf file; the fixture stays dark");
     source.gdtf_line = reader.line_of("gdtf");
     source.mode = reader.text("mode").value_or("");
@@ -130,7 +131,7 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
     const auto address = reader.integer("address", 1, 512);
     fixture.address = address.value_or(0);
     source.address_line = reader.line_of("address");
-    if (!reader.has("address") && !reader.has("projector") && !reader.has("wall"))
+    if (!reader.has("address") && !reader.has("projector") && !reader.has("wall") && !reader.has("laser"))
         reader.problem(Severity::warning, "address",
                        "is missing: the fixture is not patched and keeps its defaults");
 
@@ -166,6 +167,13 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
             reader.problem(Severity::warning, "rotation_deg",
                            "is not used: target_m of the projector says it");
     }
+    if (const toml::table* table = reader.table("laser")) {
+        fixture.laser = read_laser(*table, section, file, report);
+        if (fixture.projector) {
+            reader.problem(Severity::warning, "laser", "is not used: the fixture is a projector");
+            fixture.laser.reset();
+        }
+    }
     if (const toml::table* table = reader.table("wall")) {
         TableReader wall(*table, section + " wall", file, report);
         fixture.wall = read_wall(wall, section + " wall", file, false, show, report);
@@ -176,9 +184,11 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
         };
         leave_out("gdtf", reader.has("gdtf"));
         leave_out("projector", fixture.projector.has_value());
+        leave_out("laser", fixture.laser.has_value());
         leave_out("track", fixture.track.has_value());
         fixture.gdtf.clear();
         fixture.projector.reset();
+        fixture.laser.reset();
         fixture.track.reset();
     }
     if (const auto home = reader.numbers("home_deg", 2, -720, 720)) {

@@ -82,6 +82,21 @@ shared::Gobos two_gobos() {
     return gobos;
 }
 
+// A curve that a laser sweeps.
+void put_figure(shared::Light& light, std::mt19937& random) {
+    std::uniform_real_distribution<float> unit(0.0f, 1.0f);
+    const float turn = 6.28f * unit(random);
+    light.figure = {static_cast<std::uint32_t>(1 + random() % 3),
+                    {0.4f + 0.6f * unit(random), 0.2f + unit(random)},
+                    std::cos(turn),
+                    std::sin(turn),
+                    0.01f + 0.3f * unit(random),
+                    6.28f * unit(random),
+                    std::ceil(5.0f * unit(random))};
+    light.wheel_count = light.shaped = 0;
+    light.disc = {};
+}
+
 // A projector among other things in the gate.
 void put_slide(shared::Light& light, const image::Pyramid& picture, std::mt19937& random) {
     std::uniform_real_distribution<float> unit(-1.0f, 1.0f);
@@ -109,6 +124,7 @@ TEST(ReferenceBeam, AgreesWithTheSharedOne) {
     for (int k = 0; k < 2000; ++k) {
         shared::Light light = random_light(random, gobos.layers);
         if (k % 4 == 0) put_slide(light, picture, random);
+        if (k % 4 == 1) put_figure(light, random);
         const ReferenceBeam beam(light, gobos);
         for (int n = 0; n < 50; ++n) {
             const float z = 0.05f + 10.0f * std::abs(unit(random));

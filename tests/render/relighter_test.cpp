@@ -33,7 +33,7 @@ TEST_F(Surfaces, BeamOnTheGpuIsTheBeamInCpp) {
     scene::Passes passes = white_wall(160, 90);
     const vec3 at(-1, -3, 6);
     add_pass(passes, at, [](const vec3&) { return vec3(1.0f); });
-    std::vector<shared::Light> kinds(10, aimed_light(at, {0.2f, 4, 2.6f}, 24, 5000));
+    std::vector<shared::Light> kinds(13, aimed_light(at, {0.2f, 4, 2.6f}, 24, 5000));
     kinds[1] = aimed_light(at, {0.2f, 4, 2.6f}, 30, 5000, false);
     put_gobo(kinds[2], 1, 30);
     put_gobo(kinds[3], 2, 0);
@@ -59,6 +59,8 @@ TEST_F(Surfaces, BeamOnTheGpuIsTheBeamInCpp) {
     kinds[9].iris_depth = 0.05f;
     kinds[9].shaped = 2;
     for (shared::Blade& blade : kinds[9].blade) blade.offset = 8;
+    for (std::uint32_t figure = shared::kLineFigure; figure <= shared::kWaveFigure; ++figure)
+        put_figure(kinds[9 + figure], figure, 1.0f);
     for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
         SCOPED_TRACE("kind " + std::to_string(kind));
         const image::ImageF picture = drawn(passes, {kinds[kind]}, clear_air());

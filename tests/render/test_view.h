@@ -150,6 +150,20 @@ inline const image::Pyramid& test_slide() {
 }
 
 // What a video projector with that picture makes of a light.
+// Swept along a curve, 60 degrees and more across: the laser itself is deviation_deg wide.
+inline void put_figure(shared::Light& light, std::uint32_t kind, float deviation_deg) {
+    light.tan_field = 0.7f;
+    light.cut_radius = 1.0f;
+    light.iris_radius = 2.0f;
+    light.profile_scale = 0.0f;
+    light.edge = 1e-4f;
+    light.lens_radius_m = 0.0025f;
+    light.focus_per_m = 0.0f;
+    light.haze_samples = 10;
+    const float deviation = std::tan(glm::radians(deviation_deg)) / light.tan_field;
+    light.figure = {kind, {0.8f, 0.4f}, std::cos(0.4f), std::sin(0.4f), deviation, 0.7f, 2.0f};
+}
+
 inline void put_slide(shared::Light& light, const scene::Projector& settings = {}) {
     fixture::Optics optics;
     optics.zoom_deg = 2.0f * glm::degrees(std::atan(light.tan_field));
