@@ -7,8 +7,9 @@ import struct
 import subprocess
 import sys
 import tempfile
-import zlib
 from pathlib import Path
+
+from lib import pictures
 
 SOURCE, PROGRAM = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve() / "ghostlight"
 
@@ -16,28 +17,6 @@ SOURCE, PROGRAM = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve() / "gh
 def run(*arguments):
     done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=600)
     return done.returncode, done.stdout + done.stderr
-
-
-def png(path):
-    """Width, height and rows of RGB(A)."""
-    data, at, packed = path.read_bytes(), 8, b""
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        if kind == b"IHDR":
-            width, height, _, colour = struct.unpack(">IIBB", data[at + 8:at + 18])
-        packed += data[at + 8:at + 8 + length] if kind == b"IDAT" else b""
-        at += 12 + length
-    step, raw, rows, above = {2: 3, 6: 4}[colour], zlib.decompress(packed), [], None
-    for y in range(height):
-        line = bytearray(raw[y * (width * step + 1) + 1:(y + 1) * (width * step + 1)])
-        above = above or bytearray(len(line))
-        for x, how in ((x, raw[y * (width * step + 1)]) for x in range(len(line))):
-            left, up, corner = (line[x - step] if x >= step else 0), above[x], (above[x - step] if x >= step else 0)
-            near = min((abs(up - corner), 0, left), (abs(left - corner), 1, up), (abs(left + up - 2 * corner), 2, corner))[2]
-            line[x] = (line[x] + (0, left, up, (left + up) // 2, near)[how]) & 255
-        rows.append([tuple(line[x:x + 3]) for x in range(0, len(line), step)])
-        above = line
-    return width, height, rows
 
 
 def index_first(film, share):
@@ -53,8 +32,8 @@ def index_first(film, share):
     count = struct.unpack(">I", moov[place + 8:place + 12])[0]
     for k in range(place + 12, place + 12 + 4 * count, 4):
         moov[k:k + 4] = struct.pack(">I", struct.unpack(">I", moov[k:k + 4])[0] + moved)
-    pictures = atoms[b"mdat"][1]
-    return atoms[b"ftyp"][1] + bytes(moov) + pictures[:int(share * len(pictures))]
+    frames = atoms[b"mdat"][1]
+    return atoms[b"ftyp"][1] + bytes(moov) + frames[:int(share * len(frames))]
 
 
 def show(folder, media, projector):
@@ -88,7 +67,7 @@ with tempfile.TemporaryDirectory() as name:
          'media = "card", throw_ratio = 1.6, target_m = [0, 10, 3], lumens = 30000, focus_m = 14')
     code, text = run("render", folder, "--live", "--no-shadows", "--at", "0", "-o", folder / "grid.png")
     assert code == 0, text
-    width, height, rows = png(folder / "grid.png")
+    width, height, rows = pictures.read(folder / "grid.png")
     lit = [(x, y) for y in range(height) for x in range(width) if max(rows[y][x]) > 24]
     assert len(lit) > width * height / 20, f"only {len(lit)} pixels are lit"
     left, right = min(x for x, _ in lit), max(x for x, _ in lit)
@@ -108,7 +87,7 @@ with tempfile.TemporaryDirectory() as name:
     assert "[[media]] 'sea'" in text and "no such file" in text and "wobble" in text, text
     code, text = run("render", folder, "--live", "--no-shadows", "--at", "0", "-o", folder / "missing.png")
     assert "'sea'" in text and "'void'" in text, text
-    _, _, rows = png(folder / "missing.png")
+    _, _, rows = pictures.read(folder / "missing.png")
     magenta = sum(r > 60 and b > 40 and g < 0.5 * r for row in rows for r, g, b in row)
     assert magenta > 300, f"{magenta} magenta pixels"
 
@@ -117,19 +96,19 @@ with tempfile.TemporaryDirectory() as name:
     code, text = run("render", folder, "--live", "--no-shadows", "--from", "0", "--to", "1", "--fps", "25", "-o", folder / "film.mp4")
     assert code == 0, text
     show(folder, '[[media]]\nname = "film"\nfile = "film.mp4"\n', 'throw_ratio = 1.6, target_m = [0, 10, 3], lumens = 30000')
-    pictures = []
+    drawn = []
     for k in range(2):
         code, text = run("render", folder, "--live", "--no-shadows", "--at", "2.5", "-o", folder / f"again{k}.png")
         assert code == 0, text
-        pictures.append((folder / f"again{k}.png").read_bytes())
-    assert pictures[0] == pictures[1], "the same command drew two pictures"
+        drawn.append((folder / f"again{k}.png").read_bytes())
+    assert drawn[0] == drawn[1], "the same command drew two pictures"
 
     # A film cut in the middle: said with its name, and what is there is shown.
     (folder / "cut.mp4").write_bytes(index_first((folder / "film.mp4").read_bytes(), 0.6))
     show(folder, '[[media]]\nname = "half"\nfile = "cut.mp4"\n', 'throw_ratio = 1.6, target_m = [0, 10, 3], lumens = 30000')
     code, text = run("render", folder, "--live", "--no-shadows", "--at", "0.1", "-o", folder / "cut.png")
     assert code == 0 and "'half'" in text and "cut short" in text, text
-    assert max(max(pixel) for row in png(folder / "cut.png")[2] for pixel in row) > 100, "nothing of the cut film is shown"
+    assert max(max(pixel) for row in pictures.read(folder / "cut.png")[2] for pixel in row) > 100, "nothing of the cut film is shown"
 
     # What a projector cannot do is said.
     show(folder, '[[media]]\nname = "card"\ncard = "grid"\n',

@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """LED walls as a user meets them: the picture where it belongs and not mirrored, hidden by what stands before it, the floor lit in its
 colours, and what a wrong key and a missing film say. Usage: walls_test.py SOURCE_FOLDER BUILD_FOLDER."""
-import struct
 import subprocess
 import sys
 import tempfile
-import zlib
 from pathlib import Path
+
+from lib import pictures
 
 SOURCE, PROGRAM = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve() / "ghostlight"
 
@@ -15,36 +15,6 @@ SOURCE, PROGRAM = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve() / "gh
 def run(*arguments):
     done = subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, timeout=600)
     return done.returncode, done.stdout + done.stderr
-
-
-def write_png(path, width, height, colour):
-    rows = b"".join(b"\0" + b"".join(bytes(colour(x, y)) for x in range(width)) for y in range(height))
-    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)) +
-                     chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
-
-
-def read_png(path):
-    """Rows of RGB."""
-    data, at, packed = path.read_bytes(), 8, b""
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        if kind == b"IHDR":
-            width, height, _, colour = struct.unpack(">IIBB", data[at + 8:at + 18])
-        packed += data[at + 8:at + 8 + length] if kind == b"IDAT" else b""
-        at += 12 + length
-    step, raw, rows, above = {2: 3, 6: 4}[colour], zlib.decompress(packed), [], None
-    for y in range(height):
-        line = bytearray(raw[y * (width * step + 1) + 1:(y + 1) * (width * step + 1)])
-        above = above or bytearray(len(line))
-        how = raw[y * (width * step + 1)]
-        for x in range(len(line)):
-            left, up, corner = (line[x - step] if x >= step else 0), above[x], (above[x - step] if x >= step else 0)
-            near = min((abs(up - corner), 0, left), (abs(left - corner), 1, up), (abs(left + up - 2 * corner), 2, corner))[2]
-            line[x] = (line[x] + (0, left, up, (left + up) // 2, near)[how]) & 255
-        rows.append([tuple(line[x:x + 3]) for x in range(0, len(line), step)])
-        above = line
-    return rows
 
 
 def mean(rows, x0, x1, y0, y1):
@@ -80,12 +50,12 @@ wall = {{ {wall} }}
 with tempfile.TemporaryDirectory() as name:
     folder = Path(name)
     # Red above left, green above right, red below left, blue below right.
-    write_png(folder / "card.png", 160, 90, lambda x, y: (255, 0, 0) if x < 80 else ((0, 255, 0) if y < 45 else (0, 0, 255)))
+    pictures.write(folder / "card.png", 160, 90, lambda x, y: (255, 0, 0) if x < 80 else ((0, 255, 0) if y < 45 else (0, 0, 255)))
     media = '[[media]]\nname = "card"\nfile = "card.png"\n'
     show(folder, media, 'media = "card", size_m = [4, 2.25], nits = 1000, cells = [4, 2]')
     code, text = run("render", folder, "--live", "--map-size", "128", "--at", "0", "-o", folder / "wall.png")
     assert code == 0, text
-    rows = read_png(folder / "wall.png")
+    rows = pictures.read(folder / "wall.png")[2]
     # At 11 m 90 pixels are 8.0 m: the wall is 45 x 25 pixels about (80, 34).
     for (x, y), wanted in {(62, 27): 0, (98, 27): 1, (62, 41): 0, (98, 41): 2}.items():
         colour = rows[y][x]
@@ -102,7 +72,7 @@ with tempfile.TemporaryDirectory() as name:
          '[[fixture]]\nname = "Before"\nposition_m = [-1, 3, 3]\nrotation_deg = [0, 0, 180]\nwall = { media = "card", size_m = [1, 1], nits = 1 }')
     code, text = run("render", folder, "--live", "--map-size", "128", "--at", "0", "-o", folder / "hidden.png")
     assert code == 0, text
-    hidden = read_png(folder / "hidden.png")
+    hidden = pictures.read(folder / "hidden.png")[2]
     assert max(hidden[31][66]) < 0.4 * max(rows[31][66]), f"{hidden[31][66]} where {rows[31][66]} was hidden"
 
     # Baked passes show the same wall.
@@ -111,7 +81,7 @@ with tempfile.TemporaryDirectory() as name:
     assert code == 0, text
     code, text = run("render", folder, "--at", "0", "-o", folder / "baked.png")
     assert code == 0, text
-    baked = read_png(folder / "baked.png")
+    baked = pictures.read(folder / "baked.png")[2]
     for x, y in ((62, 27), (98, 27), (62, 41), (98, 41)):
         assert all(abs(a - b) <= 4 for a, b in zip(baked[y][x], rows[y][x])), f"{(x, y)}: {baked[y][x]} baked, {rows[y][x]} live"
 
@@ -123,6 +93,6 @@ with tempfile.TemporaryDirectory() as name:
         assert part in text, f"'{part}' is not in\n{text}"
     code, text = run("render", folder, "--live", "--no-shadows", "--at", "0", "-o", folder / "missing.png")
     assert "'sea'" in text, text
-    magenta = sum(r > 60 and b > 40 and g < 0.5 * r for row in read_png(folder / "missing.png") for r, g, b in row)
+    magenta = sum(r > 60 and b > 40 and g < 0.5 * r for row in pictures.read(folder / "missing.png")[2] for r, g, b in row)
     assert magenta > 200, f"{magenta} magenta pixels"
 print("the picture upright on the wall, live as baked, hidden by what is before it; the floor in its colours; what is wrong is said")
