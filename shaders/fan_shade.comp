@@ -26,11 +26,14 @@ float map_at(uint map, vec3 direction, int size) {
 // How far the light gets in a direction (unit). Where it stands beside its map: along the ray to where the map, seen from its own
 // place, has its surface; once more, as a plane needs it.
 float reach_of(uint map, vec3 off_map_m, vec3 direction, int size) {
-    float reach_m = map_at(map, direction, size);
+    float along_m = dot(off_map_m, direction);
+    float aside2 = dot(off_map_m, off_map_m) - along_m * along_m;
+    float map_m = map_at(map, direction, size);
+    float reach_m = map_m - along_m;
     int steps = dot(off_map_m, off_map_m) > 0.0 ? kSteps : 0;
     for (int k = 0; k < steps; ++k) {
-        vec3 from_map = direction * reach_m + off_map_m;
-        reach_m *= map_at(map, from_map, size) / max(length(from_map), 1e-3);
+        map_m = map_at(map, direction * reach_m + off_map_m, size);
+        reach_m = sqrt(max(map_m * map_m - aside2, 0.0)) - along_m;
     }
     return map == 0u ? kNothing_m : min(reach_m, kNothing_m);
 }

@@ -64,6 +64,7 @@ struct Ray {
     vec2 across;      // part of the direction of u across the ray: x + u y
     vec2 along;       // and along it
     vec2 up;          // and across the pole
+    float lens_m;     // from lamp to lens, where there is no haze, in directions of u that are not made unit
 };
 
 const float kGauss = 0.57735; // between the two points of Gauss, in segments
@@ -79,8 +80,9 @@ float ray_weight(Haze haze, Ray ray, float u) {
     float unit = inversesqrt(1.0 + u * u);
     float per_across = 1.0 / max(ray.across.x + u * ray.across.y, 1e-6);
     float to_lamp_m = ray.distance_m * per_across / unit;
+    float to_lens_m = max(ray.distance_m * per_across - ray.lens_m, 0.0) / unit;
     float to_eye_m = ray.eye_m * (ray.up.x + u * ray.up.y) * per_across;
-    return haze_transmittance(haze, to_lamp_m + to_eye_m) * haze_phase(haze, -(ray.along.x + u * ray.along.y) * unit) *
+    return haze_transmittance(haze, to_lens_m + to_eye_m) * haze_phase(haze, -(ray.along.x + u * ray.along.y) * unit) *
            attenuation_factor(air.attenuation, to_lamp_m);
 }
 
@@ -120,7 +122,7 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     float along = cos_end * chord.x + sin_end * chord.y;
     float along_u = sin_end * chord.x - cos_end * chord.y;
 
-    Ray ray = Ray(fan.eye_m, distance_m, vec2(across, across_u), vec2(along, along_u), chord.yx);
+    Ray ray = Ray(fan.eye_m, distance_m, vec2(across, across_u), vec2(along, along_u), chord.yx, light.lens_m / max(chord.z, 1e-6));
 
     // As many segments as the curvature of the phase function (sharpest where the light comes at the eye) and the haze on the
     // way ask for.

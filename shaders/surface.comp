@@ -25,11 +25,13 @@ layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
 vec3 shown(Light light, vec3 position_m, ivec2 row, Haze haze) {
-    vec3 q = to_gate(light, position_m - light.position_m);
+    vec3 way_m = position_m - light.position_m;
+    vec3 q = to_gate(light, way_m);
     vec3 radiance = imageLoad(passes, ivec3(row, light.pass)).rgb;
     float distance_m = length(q);
     return beam_candela(light, q) * radiance *
-           (haze_transmittance(haze, distance_m) * attenuation_factor(air.attenuation, distance_m));
+           (pass_share(light, way_m) * haze_transmittance(haze, way_from_lens_m(light, q)) *
+            attenuation_factor(air.attenuation, distance_m));
 }
 
 void main() {

@@ -124,9 +124,9 @@ vec3 shown(Light light, Fragment f, Haze haze) {
     float per_m = 1.0 / (z * light.tan_field);
     Focus focus = beam_focus(light, z);
     focus.least = 0.5 * width_m * per_m;
-    vec3 beam_cd = q.z > 1e-4 ? light.intensity_cd * beam_gate(light, q.xy * per_m, focus) : vec3(0.0);
+    vec3 beam_cd = q.z > max(light.lens_m, 1e-4) ? light.intensity_cd * beam_gate(light, q.xy * per_m, focus) : vec3(0.0);
     vec3 light_cd = beam_cd *
-                    (haze_transmittance(haze, distance_m) * attenuation_factor(air.attenuation, distance_m) / distance2);
+                    (haze_transmittance(haze, way_from_lens_m(light, q)) * attenuation_factor(air.attenuation, distance_m) / distance2);
     // The facet is kept to 2 degrees, the normal exactly.
     vec3 value = light_cd * (kIlluminance ? vec3(max(dot(f.normal, to_light), 0.0)) : brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light));
     value = facing > 0.0 ? value : vec3(0.0);

@@ -171,9 +171,27 @@ SHARED_FN vec3 beam_candela(Light light, vec3 q WITH_GOBOS) {
 #endif
     float z = max(q.z, 1e-4f);
     vec2 gate = vec2(q.x, q.y) / (z * light.tan_field);
-    // Nothing leaves backwards.
-    vec3 intensity = q.z > 1e-4f ? light.intensity_cd : vec3(0.0f);
+    // Nothing leaves backwards, or is lit behind the lens.
+    vec3 intensity = q.z > max(light.lens_m, 1e-4f) ? light.intensity_cd : vec3(0.0f);
     return intensity * beam_gate(light, gate, beam_focus(light, z) PASS_GOBOS);
+}
+
+// Of the way from the apex, what lies before the lens: where there is haze. q: in gate coordinates.
+SHARED_FN float way_from_lens_m(Light light, vec3 q) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return length(q) * max(1.0f - light.lens_m / max(q.z, 1e-4f), 0.0f);
+}
+
+// A pass is the picture of a point source at the place of the light's map; what it has of 1/r^2 becomes that of the apex.
+// way_m: from the apex to the surface.
+SHARED_FN float pass_share(Light light, vec3 way_m) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    vec3 from_map = way_m + light.off_map_m;
+    return dot(from_map, from_map) / max(dot(way_m, way_m), 1e-4f);
 }
 
 // Gate coordinates of a world offset from the apex (or of a direction).

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Focus: how far the planes of the gate are blurred along the beam. Apart from beam.h because haze needs it without the gobos.
 //
-// A thin lens of radius R, with t = R / (R + z tan_field) (1 at the lens, 0 far away), blurs a plane over a disc whose signed
-// radius in gate units is linear in t:  t - (1 - t) (c - depth),  c = R focus_per_m / tan_field.
+// A thin lens of radius R, with t = R / (R + z tan_field) at a distance z before it (1 at the lens, 0 far away), blurs a plane over
+// a disc whose signed radius in gate units is linear in t:  t - (1 - t) (c - depth),  c = R focus_per_m / tan_field.
 #ifndef GHOST_SHARED_OPTICS_H
 #define GHOST_SHARED_OPTICS_H
 #include "shared/types.h"
@@ -35,18 +35,7 @@ struct Focus {
     float least;  // blur in any case, in quadrature: of the picture's pixels
 };
 
-// At distance z along the beam.
-SHARED_FN Focus beam_focus(Light light, float z) {
-    float R = light.lens_radius_m;
-    float spread = z * light.tan_field;
-    Focus focus;
-    focus.plane = R * (1.0f - z * light.focus_per_m) / (R + spread);
-    focus.away = spread / (R + spread);
-    focus.least = 0.0f;
-    return focus;
-}
-
-// The same at a place t of the way, blurred by that much more.
+// At a place t of the way, blurred by `least` in any case.
 SHARED_FN Focus focus_at(Light light, float t, float least) {
 #ifdef __cplusplus
     using namespace glm;
@@ -58,6 +47,14 @@ SHARED_FN Focus focus_at(Light light, float t, float least) {
     focus.away = 1.0f - t;
     focus.least = least;
     return focus;
+}
+
+// At distance z from the apex along the beam, which is z tan_field wide there.
+SHARED_FN Focus beam_focus(Light light, float z) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return focus_at(light, min(light.lens_radius_m / max(z * light.tan_field, 1e-9f), 1.0f), 0.0f);
 }
 
 // The same where all planes are blurred alike, over a disc of this radius.

@@ -93,8 +93,8 @@ SHARED_SIZE(Figure, 32);
 // What one fixture emits now. Gate coordinates: q = (along axis_u, along axis_v, along axis_w) from the apex;
 // (q.x, q.y) / (q.z tan_field) is 1 at the field angle.
 struct Light {
-    vec3 position_m;       // apex of the beam: the pivot of the head
-    float lens_m;          // the beam leaves the lens at this distance from the apex
+    vec3 position_m;       // apex of the beam: so far behind the lens that the beam leaves it as wide as it is
+    float lens_m;          // from the apex to the lens, along the axis: there is no light before it
     vec3 axis_u;           // unit, right in the gate seen along the beam
     float tan_field;       // tangent of half the field angle
     vec3 axis_v;           // unit, up in the gate
@@ -107,7 +107,7 @@ struct Light {
     float split;           // gate coordinate of the split; at or above kNoSplit there is none
     float iris_radius;     // gate radius of the aperture
     float edge;            // half width of the aperture's soft edge where the beam is in focus, gate units
-    // 1 / distance at which the plane of depth 0 is sharp. Depth: radius (gate units) to which another plane is blurred far away
+    // 1 / distance from the lens at which the plane of depth 0 is sharp. Depth: radius (gate units) to which another plane is blurred far away
     // while that one is sharp; above 0 nearer to the lens. See optics.h.
     float focus_per_m;
     float lens_radius_m;   // blur of a point out of focus grows with it

@@ -86,8 +86,7 @@ std::vector<shared::Light> lights_at(const fixture::Type& type, const fixture::B
         const shared::Light place = bench_light(k, 2, seconds);
         const glm::mat4 to_world(glm::vec4(place.axis_u, 0), glm::vec4(place.axis_v, 0),
                                  glm::vec4(-place.axis_w, 0), glm::vec4(place.position_m, 1));
-        shared::Light light =
-            scene::light_from(type, beam, to_world, place.position_m - 0.25f * place.axis_w, gobos, profiles);
+        shared::Light light = scene::light_from(type, beam, to_world, gobos, profiles);
         light.pass = static_cast<std::uint32_t>(k);
         for (const scene::Copy& copy : scene::copies_of(type, beam.optics, scene::kMostCopies))
             lights.push_back(scene::copied(light, copy));

@@ -4,6 +4,7 @@
 #include "app/engine.h"
 
 #include "scene/explain_print.h"
+#include "scene/photometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -80,10 +81,10 @@ void Engine::publish_rig(double now_s) {
             const shared::Light& shines = drawn_.faces[face++].light;
             const glm::vec3& cd = shines.intensity_cd;
             const float most_cd = std::max({cd.x, cd.y, cd.z});
-            now.candela += most_cd;
+            now.candela += most_cd * scene::measured_share(shines);
             if (most_cd <= brightest_cd) continue;
             brightest_cd = most_cd;
-            now.light_m = shines.position_m;
+            now.light_m = shines.position_m + shines.lens_m * shines.axis_w;
             now.direction = shines.axis_w;
             now.colour = most_cd > 0 ? cd / most_cd : glm::vec3(0);
             now.dimmer = beam.optics.dimmer * beam.optics.shutter;

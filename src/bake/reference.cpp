@@ -82,6 +82,12 @@ struct Lamp {
     ReferenceBeam beam;
     dvec3 position_m;
     std::vector<glm::vec3> lens_m; // where shadow rays end
+
+    // On the way from the apex, z_m of it along the axis: from here there is haze.
+    dvec3 leaves_lens(const dvec3& way_m, double z_m) const {
+        const double share = z_m > 0.0 ? static_cast<double>(light.lens_m) / z_m : 0.0;
+        return position_m + way_m * std::clamp(share, 0.0, 1.0);
+    }
 };
 
 class ReferenceJob {
@@ -141,13 +147,14 @@ public:
 
 private:
     static std::vector<glm::vec3> lens_points(const shared::Light& light, int count) {
-        if (count == 1) return {light.position_m};
+        // Where the light hangs, as its maps and passes have it.
+        const glm::vec3 middle_m = light.position_m - light.off_map_m;
+        if (count == 1) return {middle_m};
         std::vector<glm::vec3> points;
         for (int k = 0; k < count; ++k) { // Vogel's spiral: even over the disc
             const double radius_m = static_cast<double>(light.disc_radius_m) * std::sqrt((k + 0.5) / count);
             const double angle = k * pi * (3.0 - std::sqrt(5.0));
-            points.push_back(light.position_m +
-                             light.axis_u * static_cast<float>(radius_m * std::cos(angle)) +
+            points.push_back(middle_m + light.axis_u * static_cast<float>(radius_m * std::cos(angle)) +
                              light.axis_v * static_cast<float>(radius_m * std::sin(angle)));
         }
         return points;
@@ -219,16 +226,20 @@ private:
 
     dvec3 on_surface(const Surface& surface, const Lamp& lamp) const {
         const dvec3 place_m(surface.position);
-        const dvec3 candela = lamp.beam.candela(lamp.beam.to_gate(place_m - lamp.position_m));
+        const dvec3 light_way = place_m - lamp.position_m;
+        const dvec3 gate_m = lamp.beam.to_gate(light_way);
+        const dvec3 candela = lamp.beam.candela(gate_m);
         if (candela == dvec3(0.0)) return candela;
+        const double reaching =
+            std::exp(-medium_.optical_depth(lamp.leaves_lens(light_way, gate_m.z), place_m)) *
+            weakened(std::max(glm::length(light_way), kNearest_m));
         dvec3 sum(0.0);
         for (const glm::vec3& source_m : lamp.lens_m) {
             const dvec3 to_light = dvec3(source_m) - place_m;
-            const double distance2 = std::max(glm::dot(to_light, to_light), kNearest_m * kNearest_m);
             const dvec3 reflected =
                 reference_brdf_times_cosine(surface.brdf, dvec3(surface.normal), dvec3(surface.to_viewer),
-                                            to_light / std::sqrt(distance2)) *
-                (std::exp(-medium_.optical_depth(dvec3(source_m), place_m)) * weakened(std::sqrt(distance2)));
+                                            to_light / std::max(glm::length(to_light), kNearest_m)) *
+                reaching;
             if (reflected == dvec3(0.0)) continue;
             const Surface* from = &surface;
             float share = 1.0f;
@@ -288,10 +299,11 @@ private:
             const dvec3 light_way = place_m - lamp.position_m;
             const double distance_m = std::max(glm::length(light_way), kNearest_m);
             const double dt_m = scale_m * (1.0 + tangent * tangent) * step;
-            const double weight = seen_through(ray, t_m) *
-                                  std::exp(-medium_.optical_depth(lamp.position_m, place_m)) *
-                                  medium_.phase(-glm::dot(light_way, ray.way) / distance_m) *
-                                  medium_.density(place_m) * dt_m * weakened(distance_m);
+            const double weight =
+                seen_through(ray, t_m) *
+                std::exp(-medium_.optical_depth(lamp.leaves_lens(light_way, gate_m.z), place_m)) *
+                medium_.phase(-glm::dot(light_way, ray.way) / distance_m) * medium_.density(place_m) * dt_m *
+                weakened(distance_m);
             sum.add(place_m, lamp.lens_m[static_cast<std::size_t>(k) % lamp.lens_m.size()], candela * weight);
         }
         return sum.total() * medium_.scattering_per_m();

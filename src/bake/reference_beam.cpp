@@ -108,9 +108,11 @@ dvec3 ReferenceBeam::to_gate(const dvec3& offset_m) const {
 // gate units. Another plane is blurred by `depth` far away while that one is sharp.
 double ReferenceBeam::blur_at(double z_m, double depth) const {
     const double lens_m = light_.lens_radius_m;
-    const double wide_m = z_m * static_cast<double>(light_.tan_field);
+    const double tan_field = static_cast<double>(light_.tan_field);
+    const double wide_m = std::max(z_m * tan_field - lens_m, 0.0), before_m = wide_m / tan_field;
+    if (lens_m + wide_m == 0.0) return static_cast<double>(light_.edge);
     const double signed_blur =
-        (lens_m - lens_m * z_m * static_cast<double>(light_.focus_per_m) + depth * wide_m) /
+        (lens_m - lens_m * before_m * static_cast<double>(light_.focus_per_m) + depth * wide_m) /
         (lens_m + wide_m);
     return static_cast<double>(light_.edge) + std::abs(signed_blur);
 }
@@ -229,7 +231,7 @@ dvec3 ReferenceBeam::wheel_colour(const shared::Wheel& wheel, const dvec2& gate,
 
 dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
     if (instead_) return instead_(gate_m);
-    if (!(gate_m.z > kNearest_m)) return dvec3(0.0);
+    if (!(gate_m.z > std::max(static_cast<double>(light_.lens_m), kNearest_m))) return dvec3(0.0);
     const dvec2 gate = dvec2(gate_m) / (gate_m.z * static_cast<double>(light_.tan_field));
     const double radius = glm::length(gate);
     if (!(radius < static_cast<double>(light_.cut_radius))) return dvec3(0.0);

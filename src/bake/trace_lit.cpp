@@ -25,12 +25,15 @@ image::ImageF trace_lit(const scene::Stage& stage, const scene::Camera& camera,
             trace_pixel(tracer, rays_of, x, y, seed, samples, rays);
             glm::vec3 sum(0.0f);
             for (const shared::Light& light : lights) {
-                light_samples(tracer, samples, light.position_m, radiance, rays);
+                light_samples(tracer, samples, light.position_m - light.off_map_m, radiance, rays);
                 for (std::size_t k = 0; k < samples.size(); ++k) {
                     if (radiance[k] == glm::vec3(0.0f)) continue;
                     const glm::vec3 way = samples[k].position - light.position_m;
-                    sum += radiance[k] * shared::beam_candela(light, shared::to_gate(light, way), gobos) *
-                           shared::haze_transmittance(haze, glm::length(way) + samples[k].distance_m);
+                    const glm::vec3 q = shared::to_gate(light, way);
+                    sum += radiance[k] * shared::beam_candela(light, q, gobos) *
+                           (shared::pass_share(light, way) *
+                            shared::haze_transmittance(haze, shared::way_from_lens_m(light, q) +
+                                                                 samples[k].distance_m));
                 }
             }
             for (int c = 0; c < 3; ++c) picture.at(x, y)[c] = sum[c] / static_cast<float>(spp);

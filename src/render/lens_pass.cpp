@@ -68,8 +68,9 @@ bool lens_in_view(const scene::Face& face, const shared::View& view, const LensS
     const float z = glm::dot(apex_m, light.axis_w);
     const vec2 gate =
         vec2(glm::dot(apex_m, light.axis_u), glm::dot(apex_m, light.axis_v)) / (z * light.tan_field);
-    const float lens_blur =
-        light.lens_radius_m * (z * light.focus_per_m - 1.0f) / (light.lens_radius_m + z * light.tan_field);
+    const float before_m = std::max(z - light.lens_radius_m / light.tan_field, 0.0f);
+    const float lens_blur = light.lens_radius_m * (before_m * light.focus_per_m - 1.0f) /
+                            std::max(light.lens_radius_m + before_m * light.tan_field, 1e-6f);
     const bool in_beam =
         !face.glows && !face.split && glm::length(gate) < light.cut_radius + std::abs(lens_blur);
     if (!in_beam && largest(light.bounce_cd) * stray_cd <= 0) return false;

@@ -76,8 +76,7 @@ private:
     }
     float lumens(const BeamState& state, bool with_picture) const {
         ProfileTable profiles;
-        shared::Light light =
-            light_from(type_, state, glm::mat4(1.0f), glm::vec3(0.0f), gobos_, profiles, projector_);
+        shared::Light light = light_from(type_, state, glm::mat4(1.0f), gobos_, profiles, projector_);
         if (!with_picture) show_white(light);
         return output_lm(light, gobos_);
     }
@@ -185,7 +184,7 @@ void split_dimmers(const fixture::Mode& mode, std::size_t beam, const std::vecto
 
 float share_of(const fixture::Type& type, const BeamState& state, const GoboStack& gobos) {
     const auto lumens = [&](const BeamState& beam) {
-        return output_lm(light_from(type, beam, glm::mat4(1.0f), glm::vec3(0.0f), gobos), gobos);
+        return output_lm(light_from(type, beam, glm::mat4(1.0f), gobos), gobos);
     };
     const float full_lm = lumens(open_beam(state));
     return full_lm > 0.0f ? lumens(state) / full_lm : 0.0f;
@@ -260,10 +259,11 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
     facts.beam_deg = lit.beam_deg;
     facts.lit_deg = lit.lit_deg;
     facts.is_cut = lit.is_cut;
-    const float z = 1.0f / std::max(light.focus_per_m, 1e-4f);
+    const float z = light.lens_m + 1.0f / std::max(light.focus_per_m, 1e-4f);
     const glm::vec3 middle(lit.middle * light.tan_field * z, z);
     const glm::vec3 middle_cd = shared::beam_candela(outline_of(light), middle, gobos.images);
-    facts.axis_cd = facts.picture * facts.gobo * facts.animation * glm::dot(middle_cd, kLuminance);
+    facts.axis_cd = facts.picture * facts.gobo * facts.animation * glm::dot(middle_cd, kLuminance) *
+                    measured_share(light);
     facts.direction = light.axis_w;
     facts.lens_m = light.position_m + light.axis_w * light.lens_m;
     return facts;

@@ -51,8 +51,14 @@ void look(const ExplainInput& input, const shared::Light& light, BeamFacts& fact
         const glm::vec2 aside = light.tan_field * gate;
         return glm::normalize(light.axis_w + aside.x * light.axis_u + aside.y * light.axis_v);
     };
+    const auto first_hit = [&](const glm::vec3& way) {
+        const float lens_m = light.lens_m / glm::dot(way, light.axis_w);
+        auto seen = input.first_hit(light.position_m + way * lens_m, way);
+        seen.distance_m += lens_m;
+        return seen;
+    };
     const glm::vec3 way = way_through(lit.middle);
-    const auto seen = input.first_hit(light.position_m, way);
+    const auto seen = first_hit(way);
     if (seen.instance >= 0) {
         HitFacts hit;
         hit.object = object_name(*input.stage, seen.instance);
@@ -71,9 +77,10 @@ void look(const ExplainInput& input, const shared::Light& light, BeamFacts& fact
     for (int k = 0; k < kEdgeRays && facts.edge_object.empty(); ++k) {
         const float angle = 2.0f * shared::kPi * static_cast<float>(k) / kEdgeRays;
         const glm::vec2 gate = lit.middle + kEdge * lit.half * glm::vec2(std::cos(angle), std::sin(angle));
-        const glm::vec3 at = glm::vec3(gate * light.tan_field, 1.0f) / std::max(light.focus_per_m, 1e-4f);
+        const float z = light.lens_m + 1.0f / std::max(light.focus_per_m, 1e-4f);
+        const glm::vec3 at = glm::vec3(gate * light.tan_field, 1.0f) * z;
         if (shared::beam_candela(outline, at, input.gobos.images) == glm::vec3(0.0f)) continue;
-        const auto beside = input.first_hit(light.position_m, way_through(gate));
+        const auto beside = first_hit(way_through(gate));
         if (beside.instance >= 0) facts.edge_object = object_name(*input.stage, beside.instance);
     }
 }

@@ -24,7 +24,7 @@ constexpr float kLit = 0.1f;       // of the brightest place: where a field ends
 constexpr std::uint32_t kNoPicture = ~0u; // a slide without texels
 
 float in_focus_m(const shared::Light& light) {
-    return 1.0f / std::max(light.focus_per_m, 1e-4f);
+    return light.lens_m + 1.0f / std::max(light.focus_per_m, 1e-4f);
 }
 
 // Solid angle of a unit of the gate's area.
@@ -75,7 +75,9 @@ double sum_of_squares(const shared::Light& light, const GoboStack& gobos) {
 }
 
 // Full angle between two places of the gate on one line through `across`.
-float angle_deg(float from, float to, float tan_field) {
+// As a data sheet has it: of the picture on a wall, seen from the lens.
+float angle_deg(float from, float to, const shared::Light& light) {
+    const float tan_field = light.tan_field * (1.0f + light.lens_m / kMeasured_m);
     return glm::degrees(std::atan(to * tan_field) - std::atan(from * tan_field));
 }
 
@@ -127,7 +129,7 @@ shared::Light outline_of(const shared::Light& light) {
 
 LitGate lit_gate(const shared::Light& light, const GoboStack& gobos) {
     const shared::Light outline = outline_of(light);
-    const auto degrees_across = [&](float radius) { return angle_deg(-radius, radius, outline.tan_field); };
+    const auto degrees_across = [&](float radius) { return angle_deg(-radius, radius, outline); };
     LitGate lit;
     if (outline.figure.kind != shared::kNoFigure) {
         lit.half = vec2(1.0f);
@@ -172,8 +174,7 @@ LitGate lit_gate(const shared::Light& light, const GoboStack& gobos) {
         lit.half = lit.lit_deg = vec2(0.0f);
         return lit;
     }
-    const vec2 all_deg(angle_deg(low.x, high.x, outline.tan_field),
-                       angle_deg(low.y, high.y, outline.tan_field));
+    const vec2 all_deg(angle_deg(low.x, high.x, outline), angle_deg(low.y, high.y, outline));
     lit.half = 0.5f * (high - low);
     lit.is_cut = outline.slide.layer == 0 && glm::any(glm::lessThan(all_deg, 0.97f * lit.lit_deg));
     if (outline.slide.layer != 0) lit.beam_deg = lit.field_deg = all_deg.x;

@@ -13,6 +13,7 @@ namespace {
 
 using glm::vec2;
 
+constexpr float kLeastLens_m = 0.01f; // before the apex
 // Of the gate, round a figure: room for its blur, in haze's table too.
 constexpr float kMargin = 0.06f;
 constexpr float kDeviations = 4.0f; // of its cross-section, at least
@@ -98,6 +99,11 @@ shared::Light swept(const shared::Light& beam, const fixture::Figure& figure) {
     // As thick as at its lens wherever it goes, and wider by its divergence.
     light.lens_radius_m = beam.disc_radius_m;
     light.focus_per_m = 0.0f;
+    // Swept from its lens, where the round beam's own apex lies far behind.
+    light.lens_m = std::max(light.lens_radius_m / light.tan_field, kLeastLens_m);
+    const glm::vec3 moved_m = (beam.lens_m - light.lens_m) * light.axis_w;
+    light.position_m += moved_m;
+    light.off_map_m += moved_m;
     shared::Figure& curve = light.figure;
     curve.kind = is_circle                         ? shared::kCircleFigure
                  : figure.kind == FigureKind::wave ? shared::kWaveFigure

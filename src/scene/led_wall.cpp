@@ -92,8 +92,6 @@ void light_cell(const LedWall& wall, const vec3& share, shared::Light& light) {
     const vec3 flux_lm = share * (shared::kPi * wall.nits * area_m2);
     light.intensity_cd = flux_lm / area_profile().open_sr;
     light.bounce_cd = flux_lm / (4.0f * shared::kPi);
-    // Nearer than this a point would be brighter in the air than the surface that it stands for.
-    light.lens_m = std::max(light.lens_m, light.disc_radius_m);
 }
 
 } // namespace ghost::scene

@@ -21,6 +21,19 @@ using glm::vec3;
 constexpr std::uint32_t kOpenSamples = 4; // Screen Space Re-Rendering, section 2.2
 constexpr std::uint32_t kGoboSamples = 10;
 constexpr float kMinLens_m = 0.01f;
+constexpr float kMostLens_m = 100.0f; // a beam that hardly widens
+
+// Gate radius that leaves through the rim of the lens: the field, also where frost made it wider.
+float rim_of(const Profile& profile) {
+    const float field = std::pow(std::log2(10.0f) / profile.scale, 0.5f / profile.power);
+    return std::clamp(field, 1.0f, std::max(profile.cut_radius, 1.0f));
+}
+
+// From the apex to the lens, so that the beam is as wide as its lens there.
+float apex_distance_m(const fixture::Beam& source, const Profile& profile) {
+    if (source.beam_type == fixture::BeamType::area) return source.beam_radius_m;
+    return source.beam_radius_m / (profile.tan_field * rim_of(profile));
+}
 
 // The picture of a photometric file in place of the profile, wider or narrower as the zoom is. Lumens per
 // candela.
@@ -53,45 +66,35 @@ void add_shape(std::uint32_t layer, shared::Light& light) {
 
 } // namespace
 
-vec3 apex_of(const fixture::BeamState& beam, const glm::mat4& to_world, const vec3& place_m) {
-    const glm::mat4 placed = to_world * beam.to_fixture;
-    const vec3 lens_m(placed[3]);
-    const vec3 axis = -glm::normalize(vec3(placed[2]));
-    const vec3 apex_m = lens_m - axis * std::max(glm::dot(lens_m - place_m, axis), kMinLens_m);
-    return glm::distance(apex_m, place_m) < kOnPlace_m ? place_m : apex_m;
-}
-
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
-                         const vec3& position_m, const GoboStack& gobos) {
+                         const GoboStack& gobos) {
     ProfileTable profiles;
-    return light_from(type, beam, to_world, position_m, gobos, profiles, nullptr);
+    return light_from(type, beam, to_world, gobos, profiles, nullptr);
 }
 
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
-                         const vec3& position_m, const GoboStack& gobos, ProfileTable& profiles,
-                         const Projector* projector, const BeamShape* shape) {
+                         const GoboStack& gobos, ProfileTable& profiles, const Projector* projector,
+                         const BeamShape* shape) {
     const fixture::Optics& optics = beam.optics;
     const fixture::Beam& source = *type.geometries[static_cast<std::size_t>(beam.geometry)].beam;
     const bool hard_edge =
         source.beam_type == fixture::BeamType::spot || source.beam_type == fixture::BeamType::rectangle;
 
-    const float field_deg = optics.zoom_deg;
-    const float beam_deg = field_deg * source.beam_angle_deg / std::max(source.field_angle_deg, 0.01f);
+    const Spread spread =
+        spread_of(optics.zoom_deg * source.beam_angle_deg / std::max(source.field_angle_deg, 0.01f),
+                  optics.zoom_deg, source.beam_radius_m);
     const float iris = hard_edge ? std::clamp(optics.iris, 0.02f, 1.0f) : 1.0f;
-    const MeasuredProfile& measured =
-        source.beam_type == fixture::BeamType::area
-            ? area_profile()
-            : profiles.find(beam_deg, field_deg, hard_edge, iris, optics.frost * optics.frost_full_deg);
+    const MeasuredProfile& measured = source.beam_type == fixture::BeamType::area
+                                          ? area_profile()
+                                          : profiles.find(spread.beam_deg, spread.field_deg, hard_edge, iris,
+                                                          optics.frost * optics.frost_full_deg);
     const Profile& profile = measured.profile;
 
     const glm::mat3 axes(to_world * beam.to_fixture);
     shared::Light light{};
-    light.position_m = position_m;
     light.axis_u = glm::normalize(axes[0]);
     light.axis_v = glm::normalize(axes[1]);
     light.axis_w = -glm::normalize(axes[2]);
-    const vec3 lens_m = vec3(to_world * beam.to_fixture * glm::vec4(0, 0, 0, 1));
-    light.lens_m = std::max(glm::dot(lens_m - position_m, light.axis_w), kMinLens_m);
     light.tan_field = profile.tan_field;
     light.cut_radius = profile.cut_radius;
     light.profile_power = profile.power;
@@ -100,7 +103,8 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     light.iris_radius = measured.aperture;
     light.lens_radius_m = hard_edge ? source.beam_radius_m : 0.0f;
     light.disc_radius_m = source.beam_radius_m;
-    light.focus_per_m = 1.0f / std::max(optics.focus_m + light.lens_m, 0.1f);
+    light.focus_per_m = 1.0f / std::max(optics.focus_m, 0.1f);
+    float apex_m = apex_distance_m(source, profile);
 
     vec3 colour = source_colour(type, source, optics) * flags_colour(type, source, optics);
     light.colour_b = vec3(1.0f);
@@ -123,20 +127,27 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         open_sr = project(*projector, optics, gobos.showing[static_cast<std::size_t>(projector->media)],
                           static_cast<std::uint32_t>(projector->media), light);
         if (projector->lumens > 0) lumens = projector->lumens;
+        // The throw is measured from the lens.
+        apex_m = kMinLens_m;
     }
     const auto measured_light = gobos.shapes.find(projects ? nullptr : shape);
     const bool is_measured = shape && measured_light != gobos.shapes.end();
     if (is_measured) {
         open_sr = put_shape(*shape, source, optics, light);
         lumens = static_cast<float>(shape->flux_lm);
+        // As bright on the axis as a lens is that sends its light out evenly.
+        apex_m = source.beam_radius_m * std::sqrt(shared::kPi / std::max(open_sr, 1e-9f));
     }
+    light.lens_m = std::clamp(apex_m, kMinLens_m, kMostLens_m);
+    light.position_m = vec3(to_world * beam.to_fixture[3]) - light.lens_m * light.axis_w;
     const float peak_cd = open_sr > 0 ? lumens / open_sr : 0.0f;
     light.intensity_cd = colour * (peak_cd * optics.lamp * optics.dimmer * optics.shutter);
 
     const float sigma = std::tan(glm::radians(optics.frost * optics.frost_full_deg)) / profile.tan_field;
     // Standard deviation of a disc, or of a Gaussian that is half at the beam angle.
-    const float width =
-        hard_edge ? 0.5f * iris : std::tan(0.5f * glm::radians(beam_deg)) / profile.tan_field / 1.17741f;
+    const float width = hard_edge
+                            ? 0.5f * iris
+                            : std::tan(0.5f * glm::radians(spread.beam_deg)) / profile.tan_field / 1.17741f;
     set_gate(type, optics, gobos, projects || is_measured ? 1.0f : frost_pull(sigma, width), light);
     light.bounce_cd = light.intensity_cd *
                       ((projects || is_measured ? open_sr : measured.iris_sr) / (4.0f * shared::kPi)) *

@@ -35,20 +35,13 @@ vec3 hung_place_m(const Emitters& emitters, int place, const Hung& hung) {
 }
 
 std::vector<Face> faces_of(const fixture::Type& type, const std::vector<fixture::BeamState>& beams,
-                           const Emitters& emitters, const Hung& hung, const GoboStack& gobos,
-                           ProfileTable& profiles, const Projector* projector, const BeamShape* shape) {
-    std::vector<int> place_of(beams.size(), -1);
-    for (const Emitter& emitter : emitters.lights)
-        for (const int beam : emitter.beams) place_of[static_cast<std::size_t>(beam)] = emitter.place;
+                           const glm::mat4& to_world, const GoboStack& gobos, ProfileTable& profiles,
+                           const Projector* projector, const BeamShape* shape) {
     std::vector<Face> faces;
     for (std::size_t b = 0; b < beams.size(); ++b) {
         Face& face = faces.emplace_back();
         face.glows = only_glows(*type.geometries[static_cast<std::size_t>(beams[b].geometry)].beam);
-        const vec3 lens_m(hung.to_world * beams[b].to_fixture[3]);
-        const vec3 place_m = place_of[b] < 0 ? lens_m : hung_place_m(emitters, place_of[b], hung);
-        // A fixture of one beam turns it about its pivot, wherever its file has the lens.
-        const vec3 apex_m = beams.size() == 1 ? place_m : apex_of(beams[b], hung.to_world, place_m);
-        face.light = light_from(type, beams[b], hung.to_world, apex_m, gobos, profiles, projector, shape);
+        face.light = light_from(type, beams[b], to_world, gobos, profiles, projector, shape);
     }
     return faces;
 }
@@ -91,8 +84,9 @@ shared::Light light_of(const Emitter& emitter, const std::vector<Face>& faces, c
         const vec3 across = glm::cross(light.axis_u, light.axis_w);
         light.axis_v = glm::dot(across, light.axis_v) < 0.0f ? -across : across;
         light.lens_m = std::max(glm::dot(lens_m - apex_m, light.axis_w), 0.0f);
-        light.position_m = glm::distance(apex_m, place_m) < kOnPlace_m ? place_m : apex_m;
+        light.position_m = apex_m;
     }
+    if (glm::distance(light.position_m, place_m) < kOnPlace_m) light.position_m = place_m;
     light.off_map_m = light.position_m - place_m;
     return light;
 }

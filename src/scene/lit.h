@@ -32,8 +32,7 @@ struct Lit {
     std::vector<shared::LedWall> walls;
 };
 
-// An apex this near to its place is there: more than a lens is before its apex at least, and than files are
-// careful about an axis.
+// An apex this near to its place is there, where no map has to be seen from beside it.
 inline constexpr float kOnPlace_m = 0.015f;
 
 // apart: every beam is a light of its own, as a reference.
@@ -45,26 +44,21 @@ struct Hung {
     glm::vec3 middle_m{0}; // Emitters::middle_m in the world
 };
 
-// What one beam of a fixture emits. to_world: of the fixture; position_m: the apex, see apex_of. profiles:
-// of beams before. projector: what it projects instead of a round field, null: nothing; shape: measured light
-// instead of the profile, null: none.
+// What one beam of a fixture emits. to_world: of the fixture. profiles: of beams before. projector: what it
+// projects instead of a round field, null: nothing; shape: measured light instead of the profile, null: none.
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
-                         const glm::vec3& position_m, const GoboStack& gobos);
+                         const GoboStack& gobos);
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
-                         const glm::vec3& position_m, const GoboStack& gobos, ProfileTable& profiles,
-                         const Projector* projector = nullptr, const BeamShape* shape = nullptr);
-
-// The apex of a beam that turns about a place: on its axis, beside the place as far as its lens is.
-glm::vec3 apex_of(const fixture::BeamState& beam, const glm::mat4& to_world, const glm::vec3& place_m);
+                         const GoboStack& gobos, ProfileTable& profiles, const Projector* projector = nullptr,
+                         const BeamShape* shape = nullptr);
 
 // Emitters::places_m in the world.
 glm::vec3 hung_place_m(const Emitters& emitters, int place, const Hung& hung);
 
 // The face of every beam of a fixture.
 std::vector<Face> faces_of(const fixture::Type& type, const std::vector<fixture::BeamState>& beams,
-                           const Emitters& emitters, const Hung& hung, const GoboStack& gobos,
-                           ProfileTable& profiles, const Projector* projector = nullptr,
-                           const BeamShape* shape = nullptr);
+                           const glm::mat4& to_world, const GoboStack& gobos, ProfileTable& profiles,
+                           const Projector* projector = nullptr, const BeamShape* shape = nullptr);
 
 // One light of its cells: candela and bounced light added, in the middle of them by their lumens at full,
 // as large as they are together. place_m: of its distance map.

@@ -67,6 +67,21 @@ Profile frosted(const Profile& profile, float aperture, float sigma) {
     return result;
 }
 
+Spread spread_of(float beam_deg, float field_deg, float lens_radius_m) {
+    constexpr float kLeast = 1.0f / 3.0f;
+    const float tan_field = tan_half(std::clamp(field_deg, kMinAngleDeg, kMaxAngleDeg));
+    const float share = std::max(1.0f - std::max(lens_radius_m, 0.0f) / (kMeasured_m * tan_field), kLeast);
+    const auto narrowed = [share](float deg) {
+        return glm::degrees(2.0f * std::atan(share * tan_half(std::clamp(deg, kMinAngleDeg, kMaxAngleDeg))));
+    };
+    return {narrowed(beam_deg), narrowed(field_deg)};
+}
+
+float measured_share(const shared::Light& light) {
+    const float share = kMeasured_m / (kMeasured_m + light.lens_m);
+    return share * share;
+}
+
 float beam_solid_angle(const Profile& profile, float aperture) {
     // In gate radii: dOmega = 2 pi r tan^2 / (1 + r^2 tan^2)^(3/2) dr.
     const double tan2 = static_cast<double>(profile.tan_field) * static_cast<double>(profile.tan_field);

@@ -29,6 +29,22 @@ Profile make_profile(float beam_angle_deg, float field_angle_deg, bool hard_edge
 // for a profile that is a Gaussian; its solid angle says by how much it is dimmer.
 Profile frosted(const Profile& profile, float aperture, float sigma);
 
+// A data sheet's angles are those of a picture on a wall, seen from the lens; the light comes from all over
+// the lens and widens less. That wall is this far away, where nothing else is said.
+inline constexpr float kMeasured_m = 10.0f;
+
+struct Spread {
+    float beam_deg = 0;
+    float field_deg = 0;
+};
+
+// Full angles by which a beam widens that leaves a lens of this radius and has the data sheet's angles
+// kMeasured_m before it; a third of the tangents at least: a lens may be wider than the picture.
+Spread spread_of(float beam_deg, float field_deg, float lens_radius_m);
+
+// What a meter kMeasured_m before the lens has a light's candela for, which are from its apex.
+float measured_share(const shared::Light& light);
+
 // Candela on the axis of an open beam of this profile that carries flux_lm.
 float peak_candela(const Profile& profile, float flux_lm);
 

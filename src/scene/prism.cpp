@@ -229,10 +229,6 @@ shared::Light copied(const shared::Light& light, const Copy& copy) {
     result.axis_u = glm::normalize(light.axis_u - result.axis_w * glm::dot(light.axis_u, result.axis_w));
     const vec3 across = glm::cross(result.axis_u, result.axis_w);
     result.axis_v = glm::dot(across, light.axis_v) < 0.0f ? -across : across;
-    // It turns about the lens, not about the pivot.
-    const vec3 moved_m = light.lens_m * (light.axis_w - result.axis_w);
-    result.position_m += moved_m;
-    result.off_map_m += moved_m;
     vec3 share = copy.share;
     if (copy.scale != 1.0f && copy.scale > 0.0f) {
         const auto solid_angle = [](const shared::Light& of) {
@@ -244,8 +240,13 @@ shared::Light copied(const shared::Light& light, const Copy& copy) {
             return beam_solid_angle(profile, of.iris_radius);
         };
         result.tan_field *= copy.scale;
+        result.lens_m /= copy.scale;
         share *= solid_angle(light) / std::max(solid_angle(result), 1e-9f);
     }
+    // It turns about the lens.
+    const vec3 moved_m = light.lens_m * light.axis_w - result.lens_m * result.axis_w;
+    result.position_m += moved_m;
+    result.off_map_m += moved_m;
     result.intensity_cd = light.intensity_cd * share;
     result.bounce_cd = light.bounce_cd * copy.share;
     return result;

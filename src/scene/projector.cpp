@@ -118,7 +118,7 @@ float project(const Projector& projector, const fixture::Optics& optics, const M
     light.profile_power = 1.0f;
     light.profile_scale = 0.0f;
     light.iris_radius = optics.iris < kOpenIris ? std::max(optics.iris, kLeastIris) : 2.0f * light.cut_radius;
-    if (projector.focus_m > 0) light.focus_per_m = 1.0f / (projector.focus_m + light.lens_m);
+    if (projector.focus_m > 0) light.focus_per_m = 1.0f / projector.focus_m;
     light.slide = made.slide;
     light.slide.layer = layer + 1;
     light.slide.moment = now.moment;

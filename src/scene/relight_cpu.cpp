@@ -31,10 +31,13 @@ image::ImageF relight_cpu(const Passes& passes, std::span<const shared::Light> l
         const float seen = shared::haze_transmittance(haze, glm::length(at - eye));
         for (const shared::Light& light : lights) {
             const glm::vec3 way = at - light.position_m;
-            const glm::vec3 candela = shared::beam_candela(light, shared::to_gate(light, way), gobos);
+            const glm::vec3 q = shared::to_gate(light, way);
+            const glm::vec3 candela = shared::beam_candela(light, q, gobos);
             if (candela == glm::vec3(0.0f)) continue;
             const glm::vec3 radiance = radiance_at(passes, light.pass, fragment);
-            sum += candela * radiance * (seen * shared::haze_transmittance(haze, glm::length(way)));
+            sum += candela * radiance *
+                   (seen * shared::pass_share(light, way) *
+                    shared::haze_transmittance(haze, shared::way_from_lens_m(light, q)));
         }
         return sum;
     };

@@ -68,8 +68,8 @@ private:
     Between between(std::size_t fixture) const;
 
     void follow(std::size_t fixture, fixture::Targets& targets) const;
-    std::vector<Face> faces(std::size_t fixture, const Emitters& emitters, const Hung& hung,
-                            const GoboStack& gobos, ProfileTable& profiles) const;
+    std::vector<Face> faces(std::size_t fixture, const Hung& hung, const GoboStack& gobos,
+                            ProfileTable& profiles) const;
     void choose_medium(std::size_t fixture, const dmx::Universes& universes);
     std::optional<fixture::Figure> figure_of(std::size_t fixture, const Emitter& emitter) const;
     void light_wall(std::size_t fixture, const GoboStack& gobos, std::vector<Face>& faces) const;

@@ -104,7 +104,9 @@ TEST(live_heads, FollowTheDeskAndCostNothingAtRest) {
     render::Relighter relighter(live_device(), whole, nullptr, gobos.images, static_cast<int>(lights.size()),
                                 {});
     relighter.draw(lights);
-    EXPECT_EQ(most_difference(picture_of(**view, rig, gobos), relighter.frame()), 0.0f);
+    // Positions are rounded differently; on a head's own rim, right before its lens, the beam's edge is
+    // steep.
+    EXPECT_LT(most_difference(picture_of(**view, rig, gobos), relighter.frame()), 2e-3f);
     EXPECT_EQ(live_device().validation_errors(), 0u);
 }
 

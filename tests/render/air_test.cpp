@@ -68,8 +68,9 @@ image::ImageF reference_of(const scene::Passes& passes, const shared::Light& lig
                 const double cosine = -glm::dot(way, dir) / distance;
                 sum += dvec3(candela) *
                        (((1 - back) * phase(kHaze.forward_g, cosine) + back * phase(kHaze.back_g, cosine)) *
-                        std::exp(-extinction * (t + distance)) / (distance * distance) *
-                        factor(air.attenuation, distance) *
+                        std::exp(-extinction *
+                                 (t + distance * (1.0 - static_cast<double>(light.lens_m / gate.z)))) /
+                        (distance * distance) * factor(air.attenuation, distance) *
                         static_cast<double>(shared::air_density(air, vec3(place))));
             }
             sum *= static_cast<double>(kHaze.scattering_per_m) * far / kSteps;

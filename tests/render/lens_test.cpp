@@ -149,7 +149,8 @@ TEST_F(Lens, ShowsTheGoboWithTheLightOfTheBeam) {
         // The gate that the eye sees through the lens, sampled sharp.
         const vec3 q = shared::to_gate(light, -light.position_m);
         const glm::vec2 middle = glm::vec2(q) / (q.z * light.tan_field);
-        const float blur = 0.1f * (q.z / focus_m - 1.0f) / (0.1f + q.z * light.tan_field);
+        const float before_m = q.z - 0.1f / light.tan_field;
+        const float blur = 0.1f * (before_m / focus_m - 1.0f) / (0.1f + before_m * light.tan_field);
         const auto gate_at = [&](const glm::vec2& place) {
             return light.intensity_cd.y * shared::beam_gate(light, middle + blur * place,
                                                             shared::even_focus(light, light.edge),

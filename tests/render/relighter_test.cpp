@@ -119,7 +119,8 @@ TEST_F(Surfaces, ExtinctionCountsTheWholeWay) {
     const image::ImageF hazy = drawn(passes, {light}, settings);
     for (std::size_t p = 0; p < passes.pixel_count(); ++p) {
         const vec3 x(passes.fragments[p]);
-        const float way = glm::length(x - at) + glm::length(x - eye_of(passes));
+        const float lens_share = light.lens_m / shared::to_gate(light, x - at).z;
+        const float way = glm::length(x - at) * (1.0f - lens_share) + glm::length(x - eye_of(passes));
         ASSERT_NEAR(hazy.samples[3 * p], clear.samples[3 * p] * std::exp(-0.1f * way),
                     2e-3f * hazy.samples[3 * p] + 1e-4f);
     }

@@ -12,6 +12,7 @@
 namespace ghost::scene {
 namespace {
 
+using glm::vec2;
 using glm::vec3;
 using std::string;
 using trial::channel;
@@ -107,6 +108,10 @@ void expect_near(const vec3& value, const vec3& expected, float tolerance) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c], expected[c], tolerance) << "component " << c;
 }
 
+vec3 lens_of(const shared::Light& light) {
+    return light.position_m + light.lens_m * light.axis_w;
+}
+
 TEST(Emitters, ABarOfWideCellsIsOneLightInItsMiddle) {
     const auto type = cells_type(bar(32, 1.0f));
     const Emitters emitters = emitters_in(type);
@@ -118,8 +123,8 @@ TEST(Emitters, ABarOfWideCellsIsOneLightInItsMiddle) {
     const Lit lit = hall.lit();
     ASSERT_EQ(lit.lights.size(), 1u);
     ASSERT_EQ(lit.faces.size(), 32u);
-    expect_near(lit.lights[0].position_m, {1, 2, 6}, 0.012f);
-    EXPECT_NEAR(glm::length(lit.lights[0].off_map_m), 0.0f, 0.012f);
+    expect_near(lens_of(lit.lights[0]), {1, 2, 6}, 1e-4f);
+    expect_near(lit.lights[0].position_m - lit.lights[0].off_map_m, {1, 2, 6}, 1e-4f);
     // A row of this length has the spread of a disc of 0.2976 m x sqrt 2, and its cells 1 cm more.
     EXPECT_NEAR(lit.lights[0].disc_radius_m, std::sqrt(2.0f) * 0.29783f, 1e-3f);
     EXPECT_EQ(distance_places(hall.show, 64).size(), 1u) << "32 cells, one map";
@@ -215,7 +220,7 @@ TEST(Emitters, AStickOfLasersIsAsManyLightsAndOneMap) {
     // Each begins at its own lens, and knows how far that is from the map.
     const vec3 along(std::cos(glm::radians(30.0f)), std::sin(glm::radians(30.0f)), 0);
     for (std::size_t k = 0; k < 21; ++k) {
-        expect_near(lit.lights[k].position_m, vec3(1, 2, 6) + cells[k].place_m.x * along, 0.02f);
+        expect_near(lens_of(lit.lights[k]), vec3(1, 2, 6) + cells[k].place_m.x * along, 0.02f);
         expect_near(lit.lights[k].position_m - lit.lights[k].off_map_m, {1, 2, 6}, 1e-4f);
     }
 }
@@ -286,8 +291,9 @@ TEST(Emitters, ATurningBarKeepsThePlacesOfItsMaps) {
     Hall hall(type);
     for (const int level : {0, 128, 200})
         for (const shared::Light& light : hall.set(100, level).lit().lights) {
-            EXPECT_LE(glm::length(light.off_map_m), kMapShare_m + 0.01f);
-            EXPECT_NEAR(light.lens_m, 0.1f, 0.011f);
+            const vec3 lens_m = lens_of(light) - (light.position_m - light.off_map_m);
+            EXPECT_LE(glm::length(lens_m), glm::length(vec2(kMapShare_m, 0.1f)) + 0.01f);
+            EXPECT_NEAR(glm::dot(lens_m, light.axis_w), 0.1f, 0.011f);
         }
     // With pan, too, nothing but the pivot stays.
     const string pan = channel("101", "Pan", function("Pan", "Pan", 0, -90, 90), "Base");
@@ -315,8 +321,8 @@ TEST(Emitters, MapsAreFoundByTheirPlaces) {
         const vec3 made_m = maps.maps[light.map - 1].position_m;
         expect_near(light.position_m - light.off_map_m, made_m, 1e-4f);
         for (const DistanceMap& map : maps.maps)
-            EXPECT_LE(glm::distance(light.position_m, made_m),
-                      glm::distance(light.position_m, map.position_m) + 0.02f);
+            EXPECT_LE(glm::distance(lens_of(light), made_m),
+                      glm::distance(lens_of(light), map.position_m) + 0.02f);
     }
     maps.maps.pop_back();
     const std::vector<shared::Light> fewer = hall.lit(Cells::grouped, maps).lights;

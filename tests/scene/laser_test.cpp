@@ -39,7 +39,7 @@ fixture::BeamState laser_state(float field_deg) {
 shared::Light beam_of(float field_deg) {
     const glm::mat4 to_world(glm::vec4(1, 0, 0, 0), glm::vec4(0, 0, 1, 0), glm::vec4(0, -1, 0, 0),
                              glm::vec4(0, 0, 0, 1));
-    return light_from(*fixture::show_laser_type(), laser_state(field_deg), to_world, vec3(0), {});
+    return light_from(*fixture::show_laser_type(), laser_state(field_deg), to_world, {});
 }
 
 vec3 towards(const vec2& deg) {

@@ -63,7 +63,8 @@ double lumens_of(const shared::Light& light, const GoboStack& stack) {
     for (int k = 0; k < kSteps; ++k) { // round about its axis
         const double angle = (k + 0.5) / kSteps * 0.5 * std::numbers::pi;
         const vec3 way(static_cast<float>(std::sin(angle)), 0.0f, static_cast<float>(std::cos(angle)));
-        sum += static_cast<double>(shared::beam_candela(light, way, stack.images).y) * std::sin(angle);
+        sum +=
+            static_cast<double>(shared::beam_candela(light, 100.0f * way, stack.images).y) * std::sin(angle);
     }
     return sum * 2.0 * std::numbers::pi * 0.5 * std::numbers::pi / kSteps;
 }

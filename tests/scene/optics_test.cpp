@@ -76,11 +76,12 @@ fixture::BeamState open_beam() {
 }
 
 shared::Light light_of(const fixture::BeamState& beam) {
-    return light_from(profile_type(), beam, glm::mat4(1.0f), vec3(0, 0, 0.25f), gobos());
+    return light_from(profile_type(), beam, glm::mat4(1.0f), gobos());
 }
 
-// Lumens, by integrating the beam over its gate at the distance where it is focused.
-double flux_lm(const shared::Light& light, double z, int steps = 400) {
+// Lumens, by integrating the beam over its gate at the distance from the lens where it is focused.
+double flux_lm(const shared::Light& light, double from_lens_m, int steps = 400) {
+    const double z = static_cast<double>(light.lens_m) + from_lens_m;
     const double reach = static_cast<double>(light.cut_radius), tan = static_cast<double>(light.tan_field);
     double sum = 0;
     for (int y = 0; y < steps; ++y)
@@ -101,9 +102,40 @@ double flux_lm(const fixture::BeamState& beam) {
     double sum = 0;
     for (const Copy& copy : copies_of(profile_type(), beam.optics, kMostCopies)) {
         const shared::Light one = copied(light, copy);
-        sum += flux_lm(one, 8.25, 200);
+        sum += flux_lm(one, 8.0, 200);
     }
     return sum;
+}
+
+// All its light comes out of the lens, and 10 m before it a meter reads what a data sheet says: lumens over
+// the solid angle of its angles, over 10 m squared.
+TEST(Lens, ABeamLeavesItWholeAndHasItsAngleOnAWall) {
+    for (const float zoom_deg : {1.5f, 4.0f, 8.0f, 20.0f, 40.0f}) {
+        fixture::BeamState beam = open_beam();
+        beam.optics.zoom_deg = zoom_deg;
+        const shared::Light light = light_of(beam);
+        const fixture::Beam& source =
+            *profile_type().geometries[static_cast<std::size_t>(beam.geometry)].beam;
+        EXPECT_NEAR(light.lens_m * light.tan_field, source.beam_radius_m, 1e-5f) << zoom_deg;
+        EXPECT_NEAR(flux_lm(light, 8.0) / static_cast<double>(source.luminous_flux_lm), 1.0, 0.01);
+        const vec3 lens_m = light.position_m + light.lens_m * light.axis_w;
+        EXPECT_LT(glm::length(lens_m - vec3(beam.to_fixture[3])), 1e-4f);
+        const auto lux = [&](float from_lens_m) {
+            const float z = light.lens_m + from_lens_m;
+            return shared::beam_candela(light, {0, 0, z}, gobos().images).y / (z * z);
+        };
+        // Even over the lens as near as this, but for a profile that is brighter in its middle.
+        const double even_lx = static_cast<double>(source.luminous_flux_lm) /
+                               (3.14159265 * std::pow(static_cast<double>(source.beam_radius_m), 2));
+        EXPECT_GT(static_cast<double>(lux(1e-3f)), 0.45 * even_lx) << zoom_deg;
+        EXPECT_LT(static_cast<double>(lux(1e-3f)), 2.5 * even_lx) << zoom_deg;
+        EXPECT_EQ(lux(-1e-3f), 0.0f) << "dark behind the lens";
+        if (source.beam_radius_m > kMeasured_m * std::tan(glm::radians(zoom_deg) / 2) * 0.66f) continue;
+        const float beam_deg = zoom_deg * source.beam_angle_deg / source.field_angle_deg;
+        const float sheet_cd = peak_candela(make_profile(beam_deg, zoom_deg, true), source.luminous_flux_lm);
+        EXPECT_NEAR(lux(kMeasured_m) * 100.0f / sheet_cd, 1.0f, 0.02f) << zoom_deg;
+        EXPECT_NEAR(light.intensity_cd.y * measured_share(light) / sheet_cd, 1.0f, 0.02f) << zoom_deg;
+    }
 }
 
 TEST(Prism, ConservesTheFlux) {
@@ -362,15 +394,15 @@ TEST(Focus, PicksThePlaneThatIsSharp) {
     for (const float depth : {kIrisDepth, kBladeDepth[0]}) {
         const shared::Light light = with_focus(depth);
         EXPECT_EQ(light.shaped, 2u);
-        const shared::Focus focus = shared::beam_focus(light, 8.0f);
+        const shared::Focus focus = shared::beam_focus(light, light.lens_m + 8.0f);
         EXPECT_NEAR(shared::blur_of(light, focus, depth), light.edge, 2e-3f);
         const float other = depth == kIrisDepth ? kBladeDepth[0] : kIrisDepth;
         EXPECT_GT(shared::blur_of(light, focus, other), light.edge + 0.015f);
     }
     const shared::Light light = with_focus(kBladeDepth[0]);
-    const auto blade_at = [&](float z) {
+    const auto blade_at = [&](float from_lens_m) {
         return width_of([&](float y) {
-            return shared::blades_share(light, {0, y}, shared::beam_focus(light, z));
+            return shared::blades_share(light, {0, y}, shared::beam_focus(light, light.lens_m + from_lens_m));
         });
     };
     EXPECT_GT(blade_at(4), 1.5f * blade_at(8)) << "in the air before the wall";
@@ -409,7 +441,8 @@ TEST(Focus, BlursAsALensDoes) {
     const double lens = static_cast<double>(light.lens_m),
                  sharp = 1.0 / static_cast<double>(light.focus_per_m);
     double worst = 0;
-    for (const double z : {5.0, 8.0, 10.25, 16.0, 30.0, 60.0}) {
+    for (const double from_lens : {5.0, 8.0, 10.0, 16.0, 30.0, 60.0}) {
+        const double z = lens + from_lens; // from the apex
         constexpr int kBins = 160;
         std::vector<double> traced(kBins), drawn(kBins);
         double traced_all = 0, drawn_all = 0;
@@ -418,9 +451,9 @@ TEST(Focus, BlursAsALensDoes) {
             const double pr = R * std::sqrt(unit(random)), pa = 6.283185307 * unit(random);
             const double gy = 0.6 * unit(random) - 0.3;
             // The slit's image at the sharp distance; the ray goes on from the lens through it.
-            const double image = gy * sharp * tan;
+            const double image = gy * (lens + sharp) * tan;
             const double lens_y = pr * std::sin(pa);
-            const double y = lens_y + (image - lens_y) * (z - lens) / (sharp - lens);
+            const double y = lens_y + (image - lens_y) * from_lens / sharp;
             const auto at = static_cast<long>((y / half + 1) * 0.5 * kBins);
             if (at >= 0 && at < kBins) traced[static_cast<std::size_t>(at)] += 1;
             traced_all += 1;
@@ -439,7 +472,7 @@ TEST(Focus, BlursAsALensDoes) {
             b += drawn[static_cast<std::size_t>(k)] / drawn_all;
             most = std::max(most, std::abs(a - b));
         }
-        std::printf("slit, sharp at 10 m, seen at %5.2f m: flux distribution off by %.2f %%\n", z,
+        std::printf("slit, sharp at 10 m, seen at %5.2f m: flux distribution off by %.2f %%\n", from_lens,
                     100 * most);
         worst = std::max(worst, most);
     }

@@ -56,7 +56,7 @@ shared::Light light_of(const Projector& projector, const GoboStack& stack,
     const glm::mat4 to_world(glm::vec4(1, 0, 0, 0), glm::vec4(0, 0, 1, 0), glm::vec4(0, -1, 0, 0),
                              glm::vec4(0, 0, 0, 1));
     ProfileTable profiles;
-    return light_from(*type, beam, to_world, vec3(0), stack, profiles, &projector);
+    return light_from(*type, beam, to_world, stack, profiles, &projector);
 }
 
 // Lux on a wall across Y, green for white.

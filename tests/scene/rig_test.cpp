@@ -17,9 +17,11 @@ namespace {
 using glm::vec2;
 using glm::vec3;
 
-// Peak of 10000 lm at 42.5 degrees field, 36.1 beam, and at 15 degrees field with the same ratio.
-constexpr float kWidePeak_cd = 32969.4f;
-constexpr float kNarrowPeak_cd = 262148.3f;
+// From the apex: peak of 10000 lm at 42.5 degrees field, 36.1 beam, and at 15 degrees field with the same
+// ratio, on a wall 10 m before a lens of 7 cm, which takes 0.007 off the tangents.
+constexpr float kWidePeak_cd = 34095.3f;
+constexpr float kNarrowPeak_cd = 292120.3f;
+constexpr float kWideTangent = 0.381879f;
 const vec3 kLamp{1.046784f, 0.994273f, 0.858233f}; // CIE daylight of 5600 K, luminance 1
 
 std::shared_ptr<const fixture::Type> read_type(const std::string& kind) {
@@ -89,7 +91,7 @@ struct Desk {
     // Candela towards a gate position, at the distance of the sharp picture.
     vec3 candela(vec2 gate) const {
         const shared::Light now = light();
-        const float z = 1.0f / now.focus_per_m;
+        const float z = now.lens_m + 1.0f / now.focus_per_m;
         return shared::beam_candela(now, vec3(gate * z * now.tan_field, z), gobos.images);
     }
 };
@@ -150,8 +152,8 @@ TEST(rig, ColourWheelGoesRound) {
 }
 
 TEST(rig, ZoomAndIris) {
-    EXPECT_NEAR(Desk("Spot").light().tan_field, 0.388879f, 1e-5f);            // tan 21.25
-    EXPECT_NEAR(Desk("Spot").set(12, 0).light().tan_field, 0.131652f, 1e-5f); // tan 7.5
+    EXPECT_NEAR(Desk("Spot").light().tan_field, kWideTangent, 1e-5f);         // tan 21.25 - 0.007
+    EXPECT_NEAR(Desk("Spot").set(12, 0).light().tan_field, 0.124652f, 1e-5f); // tan 7.5 - 0.007
     EXPECT_NEAR(Desk("Spot").set(17, 0).light().iris_radius, 0.1f, 1e-6f);
     const vec3 inside = Desk("Spot").candela({0.05f, 0});
     EXPECT_EQ(Desk("Spot").set(17, 0).candela({0.05f, 0}), inside);
@@ -162,7 +164,7 @@ TEST(rig, ZoomAndIris) {
 TEST(rig, WashHalfAtTheBeamAngle) {
     const Desk wash("Wash");
     const vec3 peak = wash.candela({0, 0});
-    EXPECT_NEAR(wash.light().tan_field, 0.526131f, 1e-5f); // tan 27.75
+    EXPECT_NEAR(wash.light().tan_field, 0.516131f, 1e-5f); // tan 27.75 - 0.01
     const float beam_radius = 0.299072f / 0.526131f;       // tan 16.65
     expect_colour(wash.candela({beam_radius, 0}), peak * 0.5f, 0.005f);
     expect_colour(wash.candela({0, -1.0f}), peak * 0.1f, 0.02f);
@@ -233,15 +235,25 @@ TEST(rig, HeadPointsWhereTheDeskSays) {
     desk.set(2, 128).set(3, 0).set(4, 128).set(5, 0); // centred: straight down
     shared::Light light = desk.light();
     EXPECT_NEAR(light.axis_w.z, -1.0f, 1e-4f);
-    EXPECT_NEAR(light.position_m.x, 1.0f, 1e-5f); // the pivot: 0.395 m below the clamp
-    EXPECT_NEAR(light.position_m.y, 2.0f, 1e-5f);
-    EXPECT_NEAR(light.position_m.z, 5.605f, 1e-5f);
-    EXPECT_NEAR(light.lens_m, 0.255f, 1e-5f);
+    // The pivot is 0.395 m below the clamp, the lens 0.255 m before it.
+    const auto expect_lens = [&](const vec3& expected_m) {
+        const vec3 lens_m = light.position_m + light.lens_m * light.axis_w;
+        const vec3 map_m = light.position_m - light.off_map_m;
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_NEAR(lens_m[axis], expected_m[axis], 1e-4f);
+            EXPECT_NEAR(map_m[axis], vec3(1, 2, 5.605f)[axis], 1e-5f)
+                << "a moving light turns, its map stays";
+        }
+    };
+    expect_lens({1, 2, 5.35f});
+    // The beam is as wide as its lens there, and has its angle on a wall 10 m before it.
+    EXPECT_NEAR(light.lens_m * light.tan_field, 0.07f, 1e-4f);
+    EXPECT_NEAR((light.lens_m + 10.0f) * light.tan_field, 10.0f * std::tan(glm::radians(42.5f / 2)), 1e-3f);
     const int tilt = static_cast<int>(std::lround((90.0 + 135.0) / 270.0 * 65535.0));
     desk.set(4, tilt >> 8).set(5, tilt & 255); // upstage
     light = desk.light();
     EXPECT_NEAR(light.axis_w.y, 1.0f, 1e-4f);
-    EXPECT_NEAR(light.position_m.z, 5.605f, 1e-5f) << "a moving light turns, it does not travel";
+    expect_lens({1, 2.255f, 5.605f});
     // A right-handed frame: right x up = back towards the lamp.
     EXPECT_NEAR(glm::dot(glm::cross(light.axis_u, light.axis_v), light.axis_w), -1.0f, 1e-5f);
     desk.show.fixtures[0].rotation_deg = {180, 0, 0}; // stands on the floor: down becomes up
@@ -306,7 +318,8 @@ TEST(rig, LightsFindTheirPasses) {
     mine.position_m = {3, 4, 5};
     desk.passes.lights = {other, mine};
     EXPECT_EQ(desk.light().pass, 1u);
-    EXPECT_EQ(desk.light().position_m, vec3(3, 4, 5)) << "a pass says where its light stood";
+    EXPECT_LT(glm::distance(desk.light().position_m - desk.light().off_map_m, vec3(3, 4, 5)), 1e-5f)
+        << "a pass says where its light stood";
     desk.passes.lights.pop_back();
     EXPECT_EQ(desk.light().pass, 1u) << "the dark one again";
 }
@@ -314,7 +327,7 @@ TEST(rig, LightsFindTheirPasses) {
 TEST(rig, FixturesWithoutATypeHaveNoLight) {
     Desk desk("Spot");
     desk.show.fixtures.insert(desk.show.fixtures.begin(), PatchedFixture{});
-    EXPECT_EQ(desk.light().position_m.x, 1.0f); // still the one light
+    EXPECT_NEAR(desk.light().position_m.x - desk.light().off_map_m.x, 1.0f, 1e-5f); // still the one light
 }
 
 TEST(rig, NoDataIsDarkAndOtherUniversesDoNotMatter) {
@@ -356,8 +369,9 @@ TEST(rig, TrackFadesBetweenTwoPasses) {
         const std::vector<shared::Light> lights = rig.lights(desk.gobos, desk.passes);
         ASSERT_EQ(lights.size(), 3u);
         for (const shared::Light& light : lights) {
-            EXPECT_NEAR(light.position_m.x, row.x_m, 1e-4f);
-            EXPECT_NEAR(light.position_m.z, pivot_z, 1e-5f);
+            const vec3 pivot_m = light.position_m - light.off_map_m;
+            EXPECT_NEAR(pivot_m.x, row.x_m, 1e-4f);
+            EXPECT_NEAR(pivot_m.z, pivot_z, 1e-5f);
         }
         EXPECT_EQ(lights[0].pass, row.passes[0]);
         EXPECT_EQ(lights[1].pass, row.passes[1]);
