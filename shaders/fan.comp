@@ -43,10 +43,10 @@ void fill(Light light, Fan fan) {
     float blur = fan.levels > 1u ? fan.sharpest * exp2(float(level)) : max(light.edge, fan.sharpest);
     Focus focus = even_focus(light, blur);
     if (IS_SHAPED(light)) focus = focus_at(light, fan.node[level], fan.sharpest);
-    vec2 meridian = fan_meridian(fan, 2.0 * float(row) / float(side - 1u) - 1.0);
-    vec4 chord = fan_chord(fan, meridian.x);
-    vec3 aside = fan.along * meridian.x + fan.across * meridian.y;
-    vec3 pole = vec3(dot(fan.pole, light.axis_u), dot(fan.pole, light.axis_v), dot(fan.pole, light.axis_w));
+    vec2 meridian = fan_meridian(fan.beam, 2.0 * float(row) / float(side - 1u) - 1.0);
+    vec4 chord = fan_chord(fan.beam, meridian.x);
+    vec3 aside = fan.beam.along * meridian.x + fan.beam.across * meridian.y;
+    vec3 pole = vec3(dot(fan.beam.pole, light.axis_u), dot(fan.beam.pole, light.axis_v), dot(fan.beam.pole, light.axis_w));
     vec3 side_axis = vec3(dot(aside, light.axis_u), dot(aside, light.axis_v), dot(aside, light.axis_w));
     // The line in the gate, and how far a column goes along it.
     vec3 centre = pole * chord.x + side_axis * chord.y;

@@ -16,37 +16,21 @@ layout(binding = 2, rg32f) uniform image2DArray shade;
 layout(push_constant, scalar) uniform Push { FanPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
-const int kSteps = 2; // towards the surface of a ray from beside the map
-
-float map_at(uint map, vec3 direction, int size) {
+// How far from the map's place the light gets in a direction (unit).
+float reach_of(uint map, vec3 direction, int size) {
     ivec2 at = min(ivec2(octahedral_from(direction) * float(size)), size - 1);
-    return texelFetch(distance_maps, ivec3(at, int(max(map, 1u)) - 1), 0).x;
+    return map == 0u ? kNothing_m : texelFetch(distance_maps, ivec3(at, int(max(map, 1u)) - 1), 0).x;
 }
 
-// How far the light gets in a direction (unit). Where it stands beside its map: along the ray to where the map, seen from its own
-// place, has its surface; once more, as a plane needs it.
-float reach_of(uint map, vec3 off_map_m, vec3 direction, int size) {
-    float along_m = dot(off_map_m, direction);
-    float aside2 = dot(off_map_m, off_map_m) - along_m * along_m;
-    float map_m = map_at(map, direction, size);
-    float reach_m = map_m - along_m;
-    int steps = dot(off_map_m, off_map_m) > 0.0 ? kSteps : 0;
-    for (int k = 0; k < steps; ++k) {
-        map_m = map_at(map, direction * reach_m + off_map_m, size);
-        reach_m = sqrt(max(map_m * map_m - aside2, 0.0)) - along_m;
-    }
-    return map == 0u ? kNothing_m : min(reach_m, kNothing_m);
-}
-
-void fill(uint map, vec3 off_map_m, Fan fan) {
+void fill(uint map, Fan fan) {
     int size = textureSize(distance_maps, 0).x;
     uint side = fan_shade_side(fan);
     uint row = gl_GlobalInvocationID.x;
-    vec2 meridian = fan_meridian(fan, (2.0 * float(row) + 1.0) / float(side) - 1.0);
-    vec4 chord = fan_chord(fan, meridian.x);
-    vec3 aside = fan.along * meridian.x + fan.across * meridian.y;
-    vec3 centre = fan.pole * chord.x + aside * chord.y;
-    vec3 turn = aside * chord.x - fan.pole * chord.y;
+    vec2 meridian = fan_meridian(fan.shade, (2.0 * float(row) + 1.0) / float(side) - 1.0);
+    vec4 chord = fan_chord(fan.shade, meridian.x);
+    vec3 aside = fan.shade.along * meridian.x + fan.shade.across * meridian.y;
+    vec3 centre = fan.shade.pole * chord.x + aside * chord.y;
+    vec3 turn = aside * chord.x - fan.shade.pole * chord.y;
     float step_u = 2.0 * chord.w / float(side);
     float u = 0.5 * step_u - chord.w;
     uint columns = row < side ? side : 0u;
@@ -55,7 +39,7 @@ void fill(uint map, vec3 off_map_m, Fan fan) {
         vec4 edge;
         for (uint k = 0u; k < 4u; ++k) {
             float unit = inversesqrt(1.0 + u * u);
-            float reach_m = reach_of(map, off_map_m, (centre + turn * u) * unit, size);
+            float reach_m = reach_of(map, (centre + turn * u) * unit, size);
             edge[k] = fan_shade(fan, (chord.xy + u * vec2(-chord.y, chord.x)) * unit, reach_m);
             imageStore(shade, ivec3(row, column + k, fan.layer), edge[k].xxxx);
             u += step_u;
@@ -80,7 +64,7 @@ void fill(uint map, vec3 off_map_m, Fan fan) {
 
 void main() {
     if (kSingle)
-        fill(lights[p.first].map, lights[p.first].off_map_m, fans[p.first]);
+        fill(lights[p.first].map, fans[p.first]);
     else
-        fill(lights[p.first + gl_WorkGroupID.y].map, lights[p.first + gl_WorkGroupID.y].off_map_m, fans[p.first + gl_WorkGroupID.y]);
+        fill(lights[p.first + gl_WorkGroupID.y].map, fans[p.first + gl_WorkGroupID.y]);
 }

@@ -16,11 +16,20 @@ layout(binding = 4, scalar) readonly buffer Rooms { TileRoom rooms[]; };
 layout(binding = 5, scalar) readonly buffer TileList { uint tile_list[]; };
 layout(push_constant, scalar) uniform Push { FoldPush p; };
 layout(constant_id = 0) const bool kHaze = true;
+layout(constant_id = 1) const bool kCorners = false; // haze was sampled at the corners of the pixels, see sum.comp
 
 // Surfaces whose distances differ by less, in octaves, have the same haze in front.
 const float kStep = 0.1;
 
 float distance_m(vec4 place) { return place.w < 0.0 ? view.far_m : length(place.xyz - view.eye_m); }
+
+vec4 haze_of(ivec2 at, ivec2 last) {
+    vec4 haze = imageLoad(drawn, ivec3(at, 1));
+    if (!kCorners) return haze;
+    ivec2 next = min(at + 1, last);
+    return 0.25 * (haze + imageLoad(drawn, ivec3(next.x, at.y, 1)) + imageLoad(drawn, ivec3(at.x, next.y, 1)) +
+                   imageLoad(drawn, ivec3(next, 1)));
+}
 
 void fold_edge(uint i) {
     uvec2 edge = texelFetch(edges, ivec3(i % view.width, i / view.width, 0), 0).xy;
@@ -39,17 +48,17 @@ void fold_edge(uint i) {
             wanted[k] = log2(distance_m(place));
             cover[k] = place.w;
         }
-        vec4 here = imageLoad(drawn, ivec3(at.xy, 1));
+        ivec2 last = ivec2(view.width, view.height) - 1;
+        vec4 here = haze_of(at.xy, last);
         vec4 mended[3] = vec4[3](here, here, here);
         // A neighbour is some other ray: only where that error is the smaller one.
         vec3 step = abs(wanted - log2(distance_m(imageLoad(places, at))));
         vec3 worst = mix(vec3(-1.0), 0.3 * step, greaterThan(step, vec3(kStep)));
-        ivec2 last = ivec2(view.width, view.height) - 1;
         for (int n = 0; n < 8; ++n) {
             int cell = n < 4 ? n : n + 1;
             ivec2 to = clamp(at.xy + ivec2(cell % 3 - 1, cell / 3 - 1), ivec2(0), last);
             vec3 apart = abs(wanted - log2(distance_m(imageLoad(places, ivec3(to, 0)))));
-            vec4 there = imageLoad(drawn, ivec3(to, 1));
+            vec4 there = haze_of(to, last);
             mended[0] = apart.x < worst.x ? there : mended[0];
             mended[1] = apart.y < worst.y ? there : mended[1];
             mended[2] = apart.z < worst.z ? there : mended[2];

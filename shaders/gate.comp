@@ -90,45 +90,39 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     Haze haze = view.haze;
     vec2 texel = 1.0 / vec2(textureSize(table, 0).xy);
     // The plane of the ray: the pole is along x, the ray's own direction is (cos_end, sin_end).
-    vec2 aside = vec2(dot(dir, fan.along), dot(dir, fan.across));
-    float cos_end = dot(dir, fan.pole);
+    vec2 aside = vec2(dot(dir, fan.beam.along), dot(dir, fan.beam.across));
+    float cos_end = dot(dir, fan.beam.pole);
     // A ray through the lamp itself has no plane: the nearest one that has.
-    float sin_end = max(length(aside), 1e-4);
+    float sin_end = max(length(aside), kLeastSine);
     vec2 meridian = aside / sin_end;
-    float row = fan_row(fan, meridian.x, meridian.y);
-    vec4 chord = fan_chord(fan, meridian.x);
-    float distance_m = fan.eye_m * sin_end;
+    float row = fan_row(fan.beam, meridian.x, meridian.y);
+    vec4 chord = fan_chord(fan.beam, meridian.x);
+    vec4 tangent = fan_tangent(fan.beam, chord, vec2(cos_end, sin_end));
+    float distance_m = fan.beam.eye_m * sin_end;
 
     // Nothing shines before the lens.
-    float eye_z = fan.eye_m * fan.cos_axis;
+    float eye_z = fan.beam.eye_m * fan.beam.cos_axis;
     float fall = dot(dir, light.axis_w);
     fall = abs(fall) < 1e-6 ? 1e-6 : fall;
     float lens_t = (light.lens_m - eye_z) / fall;
     float t0 = fall > 0.0 ? max(lens_t, 0.0) : 0.0;
     float t1 = fall > 0.0 ? far : min(far, lens_t);
-    vec2 p0 = vec2(fan.eye_m + t0 * cos_end, t0 * sin_end);
-    vec2 p1 = vec2(fan.eye_m + t1 * cos_end, t1 * sin_end);
-    float ahead0 = dot(p0, chord.xy);
-    float u0 = ahead0 > 1e-6 ? (p0.y * chord.x - p0.x * chord.y) / ahead0 : -1e9;
-    float u1 = (p1.y * chord.x - p1.x * chord.y) / max(dot(p1, chord.xy), 1e-6);
-    u0 = max(u0, -chord.w);
-    u1 = min(u1, chord.w);
+    float u0 = max(fan_tangent_at(tangent, t0), -chord.w);
+    float u1 = min((tangent.x + t1 * tangent.y) / max(tangent.z + t1 * tangent.w, 1e-6), chord.w);
     bool hit = u1 > u0 && t1 > t0 && abs(row) <= 1.0;
 
     // Along the row the way to the eye and the distance from the lamp are rational in u. The direction of u is
     // (chord.x - u chord.y, chord.y + u chord.x), sqrt(1 + u^2) long; this is its part across the ray.
-    float across = sin_end * chord.x - cos_end * chord.y;
-    float across_u = -(sin_end * chord.y + cos_end * chord.x);
-    float along = cos_end * chord.x + sin_end * chord.y;
-    float along_u = sin_end * chord.x - cos_end * chord.y;
+    float across = tangent.y, across_u = -tangent.w;
+    float along = tangent.w, along_u = tangent.y;
 
-    Ray ray = Ray(fan.eye_m, distance_m, vec2(across, across_u), vec2(along, along_u), chord.yx, light.lens_m / max(chord.z, 1e-6));
+    Ray ray = Ray(fan.beam.eye_m, distance_m, vec2(across, across_u), vec2(along, along_u), chord.yx, light.lens_m / max(chord.z, 1e-6));
 
     // As many segments as the curvature of the phase function (sharpest where the light comes at the eye) and the haze on the
     // way ask for.
     float length0 = sqrt(1.0 + u0 * u0), length1 = sqrt(1.0 + u1 * u1);
-    float way0 = (distance_m * length0 + fan.eye_m * (chord.y + u0 * chord.x)) / max(across + u0 * across_u, 1e-6);
-    float way1 = (distance_m * length1 + fan.eye_m * (chord.y + u1 * chord.x)) / max(across + u1 * across_u, 1e-6);
+    float way0 = (distance_m * length0 + fan.beam.eye_m * (chord.y + u0 * chord.x)) / max(across + u0 * across_u, 1e-6);
+    float way1 = (distance_m * length1 + fan.beam.eye_m * (chord.y + u1 * chord.x)) / max(across + u1 * across_u, 1e-6);
     float g = haze.forward_g;
     float ahead = (1.0 - g) * (1.0 - g) + 2.0 * g * (1.0 + (along + u0 * along_u) / length0);
     float depth = haze.extinction_per_m * (way1 - way0);
@@ -144,33 +138,34 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     float narrowest = 1.5 / float(fan.size - 1u);
 
     // The ray is cut into runs that are lit, and each run into segments.
-    int side = int(fan_shade_side(fan));
-    int layer = int(fan.layer);
-    int shade_row = clamp(int((0.5 * row + 0.5) * float(side)), 0, side - 1);
-    int column = clamp(int((0.5 + u0 * scale) * float(side)), 0, side - 1);
-    int last = clamp(int((0.5 + u1 * scale) * float(side)), 0, side - 1);
-    float per_column = 2.0 * chord.w / float(side);
+    ShadeRay shaded;
+    int first = 0, last = 0;
     bool open = true;
     if (kShadows) {
+        shaded = shade_ray(fan, dir);
+        first = shade_column(shaded, ray_way_m(ray, u0));
+        last = shade_column(shaded, ray_way_m(ray, u1));
         // At the surface that ends the ray the map is too coarse to tell before from behind.
-        last = max(last - int(ceil(p.shade_rad / per_column)), column);
-        vec2 edge = shade_between(shade_row, layer, side, column, last);
-        open = cos_end < edge.x;
-        last = cos_end >= edge.y ? column - 1 : last;
+        last = max(last - int(ceil(p.shade_rad / shaded.column_u)), first);
+        vec2 edge = shade_between(shaded, first, last);
+        open = shaded.cosine < edge.x;
+        last = shaded.cosine >= edge.y ? first - 1 : last;
     }
-    last = hit ? last + 1 : column;
+    last = hit ? last + 1 : first;
+    int column = first;
     vec3 sum = vec3(0.0);
     while (column < last) {
         Runs runs = Runs(uvec4(0u), 0u);
         if (open) add_turn(runs, column);
-        column = kShadows ? find_runs(shade_row, layer, side, cos_end, open ? last : column, last, runs) : last;
+        column = kShadows ? find_runs(shaded, open ? last : column, last, runs) : last;
         uint turn = 0u, segments = 0u;
         float from = 0.0, step_u = 0.0;
         while (segments > 0u || turn < runs.count) {
             if (segments == 0u) {
                 bool ends = turn + 1u < runs.count;
-                from = max(u0, float(turn_at(runs, turn)) * per_column - chord.w);
-                float to = ends ? float(turn_at(runs, turn + 1u)) * per_column - chord.w : u1;
+                int start = turn_at(runs, turn);
+                from = start > first ? clamp(fan_tangent_of(tangent, shaded.tangent, shade_tangent(shaded, start)), u0, u1) : u0;
+                float to = ends ? clamp(fan_tangent_of(tangent, shaded.tangent, shade_tangent(shaded, turn_at(runs, turn + 1u))), u0, u1) : u1;
                 segments = max(uint(ceil((to - from) * segments_per_u - 1e-3)), 1u);
                 step_u = max(to - from, 0.0) / float(segments);
                 turn += 2u;
@@ -220,21 +215,21 @@ const uint kThinRows = 8u;
 vec3 seen_by_pixel(Light light, Fan fan, vec3 dir, float far) {
     if (!kThin) return scattered(light, fan, dir, far);
     bool thin = fan.thin != 0u;
-    vec2 aside = vec2(dot(dir, fan.along), dot(dir, fan.across));
-    float cos_end = dot(dir, fan.pole);
-    float sin_end = max(length(aside), 1e-4);
-    float row = fan_row(fan, aside.x / sin_end, aside.y / sin_end);
+    vec2 aside = vec2(dot(dir, fan.beam.along), dot(dir, fan.beam.across));
+    float cos_end = dot(dir, fan.beam.pole);
+    float sin_end = max(length(aside), kLeastSine);
+    float row = fan_row(fan.beam, aside.x / sin_end, aside.y / sin_end);
     // So much of the pixel, across the beam, that a line of any slope is equally bright in every row or column of pixels.
-    vec3 normal = cross(fan.pole, dir);
+    vec3 normal = cross(fan.beam.pole, dir);
     vec2 pixel = abs(vec2(dot(normal, view.right) / float(view.width), dot(normal, view.up) / float(view.height)));
     float half_rad = max(pixel.x, pixel.y) * dot(dir, view.forward) / (dot(view.forward, view.forward) * sin_end);
-    float reach = max(half_rad * fan.row_scale / sin_end, 1e-6);
+    float reach = max(half_rad * fan.beam.row_scale / sin_end, 1e-6);
     float low = max(row - reach, -1.0), high = aside.x > 0.0 ? min(row + reach, 1.0) : low;
     uint count = thin ? kThinRows : 1u;
     vec3 sum = vec3(0.0);
     for (uint k = 0u; k < count; ++k) {
-        vec2 meridian = fan_meridian(fan, mix(low, high, (float(k) + 0.5) / float(kThinRows)));
-        vec3 through = fan.pole * cos_end + (fan.along * meridian.x + fan.across * meridian.y) * sin_end;
+        vec2 meridian = fan_meridian(fan.beam, mix(low, high, (float(k) + 0.5) / float(kThinRows)));
+        vec3 through = fan.beam.pole * cos_end + (fan.beam.along * meridian.x + fan.beam.across * meridian.y) * sin_end;
         sum += scattered(light, fan, thin ? through : dir, far);
     }
     return thin ? sum * (max(high - low, 0.0) / (2.0 * reach * float(kThinRows))) : sum;

@@ -1,14 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a ray runs through light and where through shadow, from what fan_shade.comp wrote. Who includes this has it bound as
-// `sampler2DArray shade`.
+// `sampler2DArray shade`, and shared/fan.h.
 
-// Least and most of the shade between two columns, of a row of so many.
-vec2 shade_between(int row, int layer, int side, int from, int to) {
+// A camera ray in its plane with the place of the light's distance map.
+struct ShadeRay {
+    vec4 tangent;     // of its points, see fan_tangent
+    float cosine;     // of its angle from the pole
+    float half_width; // of the row, tangent
+    float column_u;   // width of a column
+    int row;
+    int layer;
+    int side;
+};
+
+ShadeRay shade_ray(Fan fan, vec3 dir) {
+    vec2 aside = vec2(dot(dir, fan.shade.along), dot(dir, fan.shade.across));
+    float cosine = dot(dir, fan.shade.pole);
+    float sine = max(length(aside), kLeastSine);
+    vec2 meridian = aside / sine;
+    vec4 chord = fan_chord(fan.shade, meridian.x);
+    int side = int(fan_shade_side(fan));
+    // Beside the cone, at the beginning of a wide lens's beam, nothing is known to be in the way but what is at the cone's rim.
+    int row = clamp(int((0.5 * fan_row(fan.shade, meridian.x, meridian.y) + 0.5) * float(side)), 0, side - 1);
+    return ShadeRay(fan_tangent(fan.shade, chord, vec2(cosine, sine)), cosine, chord.w, 2.0 * max(chord.w, 1e-6) / float(side), row,
+                    int(fan.layer), side);
+}
+
+// Column of the ray's point t_m from the eye.
+int shade_column(ShadeRay ray, float t_m) {
+    float u = clamp(fan_tangent_at(ray.tangent, t_m), -ray.half_width, ray.half_width);
+    return clamp(int((u + ray.half_width) / ray.column_u), 0, ray.side - 1);
+}
+
+// Tangent of where a column begins.
+float shade_tangent(ShadeRay ray, int column) { return float(column) * ray.column_u - ray.half_width; }
+
+// Least and most of the shade between two columns.
+vec2 shade_between(ShadeRay ray, int from, int to) {
     int level = findMSB(max(to - from, 1)) + (to - from > 1 ? 1 : 0);
-    level = min(level, findMSB(side));
-    int left = 2 * (side - (side >> level));
-    vec2 a = texelFetch(shade, ivec3(row, left + (from >> level), layer), 0).xy;
-    vec2 b = texelFetch(shade, ivec3(row, left + (to >> level), layer), 0).xy;
+    level = min(level, findMSB(ray.side));
+    int left = 2 * (ray.side - (ray.side >> level));
+    vec2 a = texelFetch(shade, ivec3(ray.row, left + (from >> level), ray.layer), 0).xy;
+    vec2 b = texelFetch(shade, ivec3(ray.row, left + (to >> level), ray.layer), 0).xy;
     return vec2(min(a.x, b.x), max(a.y, b.y));
 }
 
@@ -35,13 +68,13 @@ int turn_at(Runs runs, uint index) {
 
 // Finds the turns from `at` on, whole groups of columns at a time. Returns where it stopped: at `end`, or in the dark because there
 // is no room for more.
-int find_runs(int row, int layer, int side, float ray, int at, int end, inout Runs runs) {
+int find_runs(ShadeRay ray, int at, int end, inout Runs runs) {
     int level = kFirstLevel;
     bool lit = false;
     while (at < end && runs.count < kMostTurns) {
-        vec2 edge = texelFetch(shade, ivec3(row, 2 * (side - (side >> level)) + (at >> level), layer), 0).xy;
-        bool all_lit = ray < edge.x;
-        bool whole = all_lit || ray >= edge.y;
+        vec2 edge = texelFetch(shade, ivec3(ray.row, 2 * (ray.side - (ray.side >> level)) + (at >> level), ray.layer), 0).xy;
+        bool all_lit = ray.cosine < edge.x;
+        bool whole = all_lit || ray.cosine >= edge.y;
         if (whole && all_lit != lit) {
             add_turn(runs, at);
             lit = all_lit;

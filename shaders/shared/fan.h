@@ -10,24 +10,32 @@
 //
 //     L = sigma_s / D * integral of I(row, psi) phase transmittance dpsi        (equi-angular: dt / r^2 = dpsi / D)
 //
-// where D is the distance of the ray from the lamp. The table holds prefix sums of I dpsi along the columns, so that a segment
-// of any length costs two fetches, and their first moment, so that a segment knows where its light is. After Kulla & Fajardo
-// 2012 (equi-angular variable), Pegoraro 2009 (angular airlight), Baran et al. 2010 (prefix sums in rectified coordinates).
+// where D is the distance of the ray from the lamp (the apex of its beam). The table holds prefix sums of I dpsi along the columns,
+// so that a segment of any length costs two fetches, and their first moment, so that a segment knows where its light is. After
+// Kulla & Fajardo 2012 (equi-angular variable), Pegoraro 2009 (angular airlight), Baran et al. 2010 (prefix sums in rectified
+// coordinates). What is in the way is seen from the middle of the lens, not from the apex behind it: it has a fan of its own.
 
 SHARED_BEGIN
 
-// Places the fan of one light for one eye. pole, along, across: unit, orthogonal, right-handed, in the world; the axis of
-// the beam lies in the plane of pole and along.
-struct Fan {
-    vec3 pole;       // from the lamp to the eye
+// All planes through a place and the eye, and of each the directions within a cone about the beam's axis. pole, along, across:
+// unit, orthogonal, right-handed, in the world; the axis lies in the plane of pole and along.
+struct Planes {
+    vec3 pole;       // from the place to the eye
     float eye_m;     // distance of the two
     vec3 along;
-    float cos_axis;  // of the angle between pole and beam axis
+    float cos_axis;  // of the angle between pole and axis
     vec3 across;
     float sin_axis;
-    float cos_cone;  // of the angle between the beam's axis and its rim
+    float cos_cone;  // of the angle between the axis and the cone's rim
     float row_scale; // > 0: rows are even in the sine of the meridian, times this; < 0: the rim is near the pole or surrounds it (or
-                     // the point opposite), rows are even in the meridian's angle, times minus this, in the half where the beam's axis is
+                     // the point opposite), rows are even in the meridian's angle, times minus this, in the half where the axis is
+};
+SHARED_SIZE(Planes, 56);
+
+// Places the fan of one light for one eye.
+struct Fan {
+    Planes beam;     // through the beam's apex; the cone is the beam
+    Planes shade;    // through the place of the light's distance map; the cone holds the beam but for its beginning at the lens
     uint layer;      // of the table
     uint size;       // rows and columns of the sharpest level
     float sharpest;  // blur (gate units) of level 0; level n has twice that to the nth
@@ -37,8 +45,9 @@ struct Fan {
     float most;      // share that the table holds as 1
     uint thin;       // 1: may be thinner than a pixel, and rows are even in the sine
 };
-SHARED_SIZE(Fan, 140);
+SHARED_SIZE(Fan, 196);
 
+SHARED_CONST float kLeastSine = 1e-4f; // between a ray and the pole
 SHARED_CONST uint kFanLevels = 8u;
 SHARED_CONST uint kFanNodes = 14u;    // levels of a shaped beam
 SHARED_CONST uint kLargeNodes = 7u;   // that are not small: as many as stand in a line
@@ -60,44 +69,44 @@ SHARED_FN float fan_turn(float cosine, float sine) {
     return sine < 0.0f ? -turn : turn;
 }
 
-// Row coordinate -1..1 of a meridian given by its cosine and sine; beyond: the plane misses the beam.
-SHARED_FN float fan_row(Fan fan, float cosine, float sine) {
+// Row coordinate -1..1 of a meridian given by its cosine and sine; beyond: the plane misses the cone.
+SHARED_FN float fan_row(Planes planes, float cosine, float sine) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float line = cosine > 0.0f ? sine * fan.row_scale : 2.0f;
+    float line = cosine > 0.0f ? sine * planes.row_scale : 2.0f;
     float turn = fan_turn(cosine, sine);
-    float behind = max(abs(turn) - 0.5f, 0.0f) * (2.0f + 2.0f * fan.row_scale);
-    float round = -fan.row_scale * abs(turn) + behind;
-    return fan.row_scale > 0.0f ? line : (turn < 0.0f ? -round : round);
+    float behind = max(abs(turn) - 0.5f, 0.0f) * (2.0f + 2.0f * planes.row_scale);
+    float round = -planes.row_scale * abs(turn) + behind;
+    return planes.row_scale > 0.0f ? line : (turn < 0.0f ? -round : round);
 }
 
 // Cosine and sine of the meridian of a row coordinate.
-SHARED_FN vec2 fan_meridian(Fan fan, float row) {
+SHARED_FN vec2 fan_meridian(Planes planes, float row) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float line_sine = row / max(fan.row_scale, 1.0f);
+    float line_sine = row / max(planes.row_scale, 1.0f);
     vec2 line = vec2(sqrt(max(1.0f - line_sine * line_sine, 0.0f)), line_sine);
-    float slope = max(-fan.row_scale, 1.0f);
+    float slope = max(-planes.row_scale, 1.0f);
     float behind = max(abs(row) - 0.5f * slope, 0.0f) / max(2.0f - slope, 1e-3f);
     float x = 1.0f - 2.0f * (min(abs(row) / slope, 0.5f) + behind);
     vec2 square = vec2(x, (1.0f - abs(x)) * (row < 0.0f ? -1.0f : 1.0f));
     vec2 turn = square / length(square);
-    return fan.row_scale > 0.0f ? line : turn;
+    return planes.row_scale > 0.0f ? line : turn;
 }
 
-// Where a meridian runs through the beam, in its plane with the pole along x. xy: unit, where it is nearest to the beam's axis;
+// Where a meridian runs through the cone, in its plane with the pole along x. xy: unit, where it is nearest to the axis;
 // z: how near (cosine of that angle); w: tangent of half the chord, seen from xy; 0 where it misses. A direction is
 // given by the tangent u of its angle from xy: its place in the row is 0.5 + 0.5 u / w.
-SHARED_FN vec4 fan_chord(Fan fan, float meridian_cosine) {
+SHARED_FN vec4 fan_chord(Planes planes, float meridian_cosine) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float side = fan.sin_axis * meridian_cosine;
-    float reach = max(sqrt(fan.cos_axis * fan.cos_axis + side * side), 1e-6f);
-    float ratio = reach / fan.cos_cone;
-    return vec4(fan.cos_axis / reach, side / reach, reach, sqrt(max(ratio * ratio - 1.0f, 0.0f)));
+    float side = planes.sin_axis * meridian_cosine;
+    float reach = max(sqrt(planes.cos_axis * planes.cos_axis + side * side), 1e-6f);
+    float ratio = reach / planes.cos_cone;
+    return vec4(planes.cos_axis / reach, side / reach, reach, sqrt(max(ratio * ratio - 1.0f, 0.0f)));
 }
 
 // Rows and columns of a level: half of the level before, kLeastSharp until its blur is four times as wide as these, then kLeastFan.
@@ -142,19 +151,44 @@ SHARED_FN uint fan_shade_side(Fan fan) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float width = 2.0f * sqrt(max(1.0f - fan.cos_cone * fan.cos_cone, 0.0f)) / max(fan.cos_cone, 1e-3f);
+    float width = 2.0f * sqrt(max(1.0f - fan.shade.cos_cone * fan.shade.cos_cone, 0.0f)) / max(fan.shade.cos_cone, 1e-3f);
     uint texels = uint(clamp(width / 0.0035f, float(kLeastSharp / 2u), float(kFinestShade / 2u)));
     return 2u << uint(findMSB(texels));
 }
 
-// Where a ray of a plane is, seen from the eye: the cosine of its angle from the pole. The light of a direction whose first surface
-// is at distance_m reaches the rays below this. direction: unit, pole along x.
+// Where a ray of a plane of the map is, seen from the eye: the cosine of its angle from the pole. The light of a direction whose
+// first surface is at distance_m reaches the rays below this. direction: unit, pole along x.
 SHARED_FN float fan_shade(Fan fan, vec2 direction, float distance_m) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    vec2 from_eye = vec2(direction.x * distance_m - fan.eye_m, direction.y * distance_m);
+    vec2 from_eye = vec2(direction.x * distance_m - fan.shade.eye_m, direction.y * distance_m);
     return from_eye.x / sqrt(max(dot(from_eye, from_eye), 1e-18f));
+}
+
+// A camera ray in its plane with a place, the pole along x: a point t_m from the eye is in the direction whose tangent is
+// (of.x + t_m of.y) / (of.z + t_m of.w), see fan_chord; ahead of the place where the divisor is above 0. ray: unit, in the plane.
+SHARED_FN vec4 fan_tangent(Planes planes, vec4 chord, vec2 ray) {
+    return vec4(-planes.eye_m * chord.y, ray.y * chord.x - ray.x * chord.y, planes.eye_m * chord.x,
+                ray.x * chord.x + ray.y * chord.y);
+}
+
+// Tangent of the direction t_m from the eye.
+SHARED_FN float fan_tangent_at(vec4 of, float t_m) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float ahead = of.z + t_m * of.w;
+    return ahead > 1e-6f ? (of.x + t_m * of.y) / ahead : -1e9f;
+}
+
+// The same point's tangent in the plane `to`, from its tangent in the plane `from`, of one ray.
+SHARED_FN float fan_tangent_of(vec4 to, vec4 from, float u) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    vec2 way = vec2(u * from.z - from.x, from.y - u * from.w); // t_m is the quotient
+    return (to.x * way.y + to.y * way.x) / max(to.z * way.y + to.w * way.x, 1e-6f);
 }
 
 SHARED_END

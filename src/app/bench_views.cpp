@@ -21,8 +21,9 @@ namespace {
 using glm::vec3;
 
 constexpr float kPeak_cd = 20000.0f;
-constexpr int kRound = 32; // quads round a ball
-constexpr int kPacket = 8; // rays of Tracer::distances
+constexpr int kRound = 32;         // quads round a ball
+constexpr int kPacket = 8;         // rays of Tracer::distances
+constexpr float kPivot_m = 0.255f; // of a head, behind its lens
 
 scene::Mesh box_mesh() {
     scene::Mesh mesh;
@@ -181,7 +182,7 @@ shared::Light aimed_light(const vec3& from_m, const vec3& to_m, float field_deg,
     const vec3 aside = std::abs(light.axis_w.z) > 0.9f ? vec3(0, 1, 0) : vec3(0, 0, 1);
     light.axis_u = glm::normalize(glm::cross(light.axis_w, aside));
     light.axis_v = glm::cross(light.axis_u, light.axis_w);
-    light.lens_m = 0.255f;
+    light.lens_m = kPivot_m;
     light.tan_field = profile.tan_field;
     light.cut_radius = profile.cut_radius;
     light.profile_power = profile.power;
@@ -195,6 +196,15 @@ shared::Light aimed_light(const vec3& from_m, const vec3& to_m, float field_deg,
     light.lens_radius_m = hard_edge ? 0.07f : 0.0f;
     light.haze_samples = 4; // the paper's number for simple lights
     return light;
+}
+
+void leave_lens(shared::Light& light, float radius_m) {
+    const vec3 lens_m = light.position_m;
+    light.lens_m = radius_m / light.tan_field;
+    light.position_m = lens_m - light.lens_m * light.axis_w;
+    light.off_map_m = light.position_m - (lens_m - kPivot_m * light.axis_w);
+    light.disc_radius_m = radius_m;
+    light.lens_radius_m = radius_m;
 }
 
 std::vector<BenchView> bench_views() {
@@ -230,6 +240,10 @@ std::vector<BenchView> bench_views() {
     all.push_back(std::move(bars));
     all.push_back({"near the lens", room(), camera_at({-5, 0.5f, 6.3f}, {-3.5f, 2, 5.6f}, 50),
                    aimed_light(left, right, 14, true)});
+    BenchView lens{"bar before a wide lens", room(), house, aimed_light({-4, 2, 4}, {4, 2, 4}, 10, true)};
+    leave_lens(lens.light, 0.07f);
+    add_box(lens.stage, {-3.025f, 1.5f, 4.02f}, {-2.975f, 2.5f, 4.07f});
+    all.push_back(std::move(lens));
     return all;
 }
 
@@ -289,7 +303,8 @@ BenchStages::BenchStages(const gpu::Device& device, std::vector<BenchView> views
     for (std::size_t k = 0; k < views_.size(); ++k) {
         tracers_.push_back(std::make_unique<bake::Tracer>(views_[k].stage));
         models_.push_back(std::make_unique<render::StageModel>(device, views_[k].stage, report));
-        maps.maps.push_back(trace_distances(*tracers_[k], views_[k].light.position_m, map_side));
+        maps.maps.push_back(
+            trace_distances(*tracers_[k], views_[k].light.position_m - views_[k].light.off_map_m, map_side));
         views_[k].light.map = static_cast<std::uint32_t>(k + 1);
     }
     distances_ = std::make_unique<render::DistanceImages>(device, maps);

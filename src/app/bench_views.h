@@ -22,7 +22,7 @@ struct BenchView {
     shared::Light light{};
 };
 
-// Twelve, 256x144: from a beam of 3 degrees to one through a truss.
+// Thirteen, 256x144: from a beam of 3 degrees to a bar right before a large lens.
 std::vector<BenchView> bench_views();
 // What the thesis shows at 256x256: a spot with a gobo over a floor, a wall, boxes and a ball.
 BenchView thesis_view();
@@ -33,6 +33,9 @@ void add_box(scene::Stage& stage, const glm::vec3& low_m, const glm::vec3& high_
 void add_ball(scene::Stage& stage, const glm::vec3& centre_m, float radius_m);
 // Field angle; hard_edge: a spot, else a wash.
 shared::Light aimed_light(const glm::vec3& from_m, const glm::vec3& to_m, float field_deg, bool hard_edge);
+// The same beam as it leaves a lens of this radius that stands where the light began: its apex lies behind,
+// its distance map, at the pivot of the head, between the two.
+void leave_lens(shared::Light& light, float radius_m);
 
 // map_side: texels, a multiple of 8.
 scene::DistanceMap trace_distances(const bake::Tracer& tracer, const glm::vec3& position_m, int map_side);

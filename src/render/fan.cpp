@@ -109,13 +109,27 @@ void set_nodes(shared::Fan& fan, const shared::Light& light) {
     }
 }
 
-} // namespace
+// What is in the way of the light is right from so far before the lens on.
+constexpr double kShadeFrom_m = 0.3;
+constexpr double kWidestShade = 1.5; // tangent
 
-shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad,
-                     std::uint32_t layer) {
+// The cone from the distance map's place that holds the beam from kShadeFrom_m before the lens on.
+double shade_tangent(const shared::Light& light, double tangent) {
     using glm::dvec3;
     const dvec3 axis(light.axis_w);
-    dvec3 pole = dvec3(eye_m) - dvec3(light.position_m);
+    const dvec3 lens = dvec3(light.off_map_m) + double{light.lens_m} * axis; // from the map's place
+    const double ahead = glm::dot(lens, axis);
+    const double radius = (double{light.lens_m} + kShadeFrom_m) * tangent + glm::length(lens - ahead * axis);
+    const double seen = radius / std::max(ahead + kShadeFrom_m, 0.5 * kShadeFrom_m);
+    return std::max(tangent, std::min(seen, kWidestShade));
+}
+
+// Planes through a place, for the cone of this tangent about the axis.
+shared::Planes planes_of(const glm::dvec3& place_m, const shared::Light& light, const glm::vec3& eye_m,
+                         double tangent) {
+    using glm::dvec3;
+    const dvec3 axis(light.axis_w);
+    dvec3 pole = dvec3(eye_m) - place_m;
     double distance_m = glm::length(pole);
     if (distance_m < kNearest_m) {
         distance_m = kNearest_m;
@@ -133,27 +147,38 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
     } else {
         along /= sine;
     }
-    const double tangent = static_cast<double>(light.tan_field) * static_cast<double>(light.cut_radius);
     const double cos_cone = 1.0 / std::sqrt(1.0 + tangent * tangent);
     const double sin_cone = tangent * cos_cone;
-    const bool surrounds = sine <= sin_cone * kNearRim;
     const double share = std::min(sin_cone / std::max(sine, 1e-9), 1.0); // sine of the last meridian, or all
 
-    shared::Fan fan{};
-    fan.pole = glm::vec3(pole);
-    fan.eye_m = static_cast<float>(distance_m);
-    fan.along = glm::vec3(along);
-    fan.cos_axis = static_cast<float>(cosine);
-    fan.across = glm::vec3(glm::cross(pole, along));
-    fan.sin_axis = static_cast<float>(sine);
-    fan.cos_cone = static_cast<float>(cos_cone);
-    if (!surrounds)
-        fan.row_scale = static_cast<float>(sine / sin_cone);
+    shared::Planes planes{};
+    planes.pole = glm::vec3(pole);
+    planes.eye_m = static_cast<float>(distance_m);
+    planes.along = glm::vec3(along);
+    planes.cos_axis = static_cast<float>(cosine);
+    planes.across = glm::vec3(glm::cross(pole, along));
+    planes.sin_axis = static_cast<float>(sine);
+    planes.cos_cone = static_cast<float>(cos_cone);
+    if (sine > sin_cone * kNearRim)
+        planes.row_scale = static_cast<float>(sine / sin_cone);
     else if (share < 1)
-        fan.row_scale = -1.0f / shared::fan_turn(static_cast<float>(std::sqrt(1 - share * share)),
-                                                 static_cast<float>(share));
+        planes.row_scale = -1.0f / shared::fan_turn(static_cast<float>(std::sqrt(1 - share * share)),
+                                                    static_cast<float>(share));
     else
-        fan.row_scale = -static_cast<float>(1 + 0.9 * glm::smoothstep(kDeepInside, 1.0, sine / sin_cone));
+        planes.row_scale = -static_cast<float>(1 + 0.9 * glm::smoothstep(kDeepInside, 1.0, sine / sin_cone));
+    return planes;
+}
+
+} // namespace
+
+shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad,
+                     std::uint32_t layer) {
+    const glm::dvec3 apex_m(light.position_m);
+    const double tangent = static_cast<double>(light.tan_field) * static_cast<double>(light.cut_radius);
+    shared::Fan fan{};
+    fan.beam = planes_of(apex_m, light, eye_m, tangent);
+    fan.shade = planes_of(apex_m - glm::dvec3(light.off_map_m), light, eye_m, shade_tangent(light, tangent));
+    const bool surrounds = fan.beam.row_scale < 0;
     const float width_pixels = 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
     fan.thin = !surrounds && width_pixels < kThin_pixels ? 1 : 0;
     // The brightest colour of a split gate.

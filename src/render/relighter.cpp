@@ -91,7 +91,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
            {settings.beams.beams == Beams::gate ? 0u : 1u}),
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
       fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored, kStored, kStorage, kStorage},
-            {settings.air ? 1u : 0u}),
+            {settings.air ? 1u : 0u, settings.beams.beams == Beams::gate ? 0u : 1u}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
       develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
       haze_(device, settings.beams, batch_size_, static_cast<std::uint32_t>(light_count),

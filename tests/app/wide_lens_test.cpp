@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// Shadows in the air of what stands right before a large lens: the light comes from an apex far behind it,
+// what is in its way is seen from the head's pivot (docs/optics.md, "From lens to wall"), and both must agree
+// with brute force.
+#include "thesis_scene.h"
+
+namespace ghost::app {
+namespace {
+
+using glm::vec3;
+
+struct Blocked {
+    const char* name;
+    float field_deg;
+    float radius_m;
+    vec3 low_m; // of the box in the way; the lens stands at (-4, 2, 4) and shines along x
+    vec3 high_m;
+};
+
+const LiveStage::Eye kBeside{{0, -9, 4.3f}, {0, 2, 4}, 26};
+
+LiveStage stage_of(const Blocked& blocked) {
+    scene::Stage stage = small_stage();
+    add_box(stage, blocked.low_m, blocked.high_m);
+    shared::Light light = aimed_light({-4, 2, 4}, {4, 2, 4}, blocked.field_deg, true);
+    leave_lens(light, blocked.radius_m);
+    return LiveStage(std::move(stage), {light}, 128, 72, haze_only(), 2048);
+}
+
+TEST(WideLens, WhatStandsBeforeItThrowsItsShadowInTheAir) {
+    // Limits a little below what was measured.
+    const std::pair<Blocked, double> all[] = {
+        {{"bar 1 m before 10 degrees", 10, 0.07f, {-3.025f, 1.5f, 4.02f}, {-2.975f, 2.5f, 4.07f}}, 38.0},
+        {{"bar 0.5 m before 4 degrees", 4, 0.1f, {-3.52f, 1.5f, 4.04f}, {-3.48f, 2.5f, 4.08f}}, 40.0},
+        {{"plate 0.6 m before 6 degrees", 6, 0.15f, {-3.41f, 1.95f, 3.95f}, {-3.39f, 2.05f, 4.05f}}, 37.5},
+        {{"half of 6 degrees", 6, 0.15f, {-3.41f, 1.5f, 4.05f}, {-3.39f, 2.5f, 4.6f}}, 44.0},
+    };
+    for (const auto& [blocked, least_db] : all) {
+        SCOPED_TRACE(blocked.name);
+        LiveStage stage = stage_of(blocked);
+        stage.look(kBeside);
+        const Likeness like = likeness(stage.draw(), stage.reference(2048));
+        std::printf("%-30s %.1f dB, bias %.2f %%\n", blocked.name, like.psnr_db, 100 * like.bias);
+        EXPECT_GE(like.psnr_db, least_db);
+    }
+}
+
+// Haze at a silhouette is mended with its neighbours' (shaders/fold.comp): that must not take more than is
+// there.
+TEST(WideLens, NoPixelIsBlackerThanBlack) {
+    LiveStage stage =
+        stage_of({"bars between the eye and the beam", 10, 0.07f, {-3.2f, 0.5f, 0}, {-3.1f, 0.6f, 8}});
+    for (const render::Beams beams : {render::Beams::cone, render::Beams::march, render::Beams::gate}) {
+        render::Settings settings = haze_only();
+        settings.beams.beams = beams;
+        stage.renew(settings, bench_gobos());
+        stage.look(kBeside);
+        const image::ImageF picture = stage.draw();
+        EXPECT_GE(*std::min_element(picture.samples.begin(), picture.samples.end()), 0.0f);
+        EXPECT_GT(mean_of(picture), 0.0);
+    }
+}
+
+} // namespace
+} // namespace ghost::app
