@@ -27,7 +27,7 @@ constexpr Table kTables[] = {
     {"paper", "The paper's scene: five spots with two gobos, five washes", bench_paper},
     {"projectors", "The paper's figure 8: ten video projectors, two movies and a camera", bench_projectors},
     {"thesis", "The thesis's picture: 256x256, one spot", bench_thesis},
-    {"integrators", "gate, cone and march in twelve views", bench_integrators},
+    {"integrators", "gate, cone and march in thirteen views", bench_integrators},
     {"scale", "1 to 1000 moving lights, four picture sizes", bench_scale},
     {"tree", "One light of n changes", bench_tree},
     {"triangles", "Triangles do not matter", bench_triangles},

@@ -77,8 +77,23 @@ std::string_view json_of_glb(Bytes glb) {
     return {reinterpret_cast<const char*>(chunk.data()), chunk.size()};
 }
 
-std::size_t replace_non_numbers(Bytes glb, std::vector<std::uint8_t>& repaired) {
+std::vector<std::uint8_t> glb_with_json(Bytes glb, std::string json) {
     constexpr std::size_t kBeforeText = 20; // header of the file, header of its first chunk
+    const std::size_t old_size = json_of_glb(glb).size();
+    json.resize((json.size() + 3) / 4 * 4, ' ');
+    const std::size_t size = glb.size() - old_size + json.size();
+    std::vector<std::uint8_t> made;
+    made.reserve(size);
+    for (const std::size_t value :
+         {std::size_t{kMagic}, std::size_t{2}, size, json.size(), std::size_t{kJsonChunk}})
+        for (std::size_t k = 0; k < 4; ++k) made.push_back(static_cast<std::uint8_t>(value >> (8 * k)));
+    made.insert(made.end(), json.begin(), json.end());
+    const Bytes rest = glb.subspan(kBeforeText + old_size);
+    made.insert(made.end(), rest.begin(), rest.end());
+    return made;
+}
+
+std::size_t replace_non_numbers(Bytes glb, std::vector<std::uint8_t>& repaired) {
     const std::string_view from = json_of_glb(glb);
     std::string text;
     std::size_t count = 0;
@@ -98,16 +113,7 @@ std::size_t replace_non_numbers(Bytes glb, std::vector<std::uint8_t>& repaired) 
         text += from[k];
     }
     if (count == 0) return 0;
-    text.resize((text.size() + 3) / 4 * 4, ' ');
-    const std::size_t end = kBeforeText + from.size();
-    repaired.assign(glb.begin(), glb.begin() + kBeforeText);
-    const auto put_u32 = [&](std::size_t at, std::size_t value) {
-        for (std::size_t k = 0; k < 4; ++k) repaired[at + k] = static_cast<std::uint8_t>(value >> (8 * k));
-    };
-    put_u32(8, glb.size() - from.size() + text.size());
-    put_u32(12, text.size());
-    repaired.insert(repaired.end(), text.begin(), text.end());
-    repaired.insert(repaired.end(), glb.begin() + static_cast<std::ptrdiff_t>(end), glb.end());
+    repaired = glb_with_json(glb, std::move(text));
     return count;
 }
 

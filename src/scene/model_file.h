@@ -52,6 +52,14 @@ Result<void> check_gltf_size(std::string_view json, const std::string& name);
 // their place, which are found again where they are used. glb: as check_glb() lets it through.
 std::size_t replace_non_numbers(Bytes glb, std::vector<std::uint8_t>& repaired);
 
+// The same glTF with lines, fans with indices, and strips and fans of fewer than three points made points,
+// which nothing draws: Assimp reads beyond its memory for them. Empty where nothing had to be done. lost:
+// primitives with triangles among these. Error: is no JSON.
+Result<std::string> without_unsafe_faces(std::string_view json, const std::string& name, std::size_t& lost);
+
+// A glTF binary with another JSON in its first chunk. glb: as check_glb() lets it through.
+std::vector<std::uint8_t> glb_with_json(Bytes glb, std::string json);
+
 // Triangles of one mesh; no indices where nothing is left of it.
 Mesh mesh_from(const aiMesh& source);
 

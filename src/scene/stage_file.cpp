@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/files.h"
 #include "fixture/mesh_check.h"
+#include "fixture/xml_encoding.h"
+#include "scene/gltf_pack.h"
 #include "scene/model_file.h"
 #include "scene/show.h"
 #include "scene/stage_checks.h"
@@ -128,12 +130,32 @@ std::string plain_words(std::string words) {
     return words;
 }
 
+// As a glTF binary that Assimp reads without harm; nothing where it already is one. lost: see
+// without_unsafe_faces().
+Result<std::vector<std::uint8_t>> made_safe(Bytes gltf, bool is_binary, const std::string& name,
+                                            const std::filesystem::path& folder, std::size_t& lost) {
+    const std::string_view json =
+        is_binary ? json_of_glb(gltf)
+                  : std::string_view(reinterpret_cast<const char*>(gltf.data()), gltf.size());
+    // What is looked at here must be what Assimp reads, which does not look at encodings.
+    std::vector<std::uint8_t> letters(json.begin(), json.end());
+    const bool was_utf8 = !fixture::repair_utf8(letters);
+    std::string text(letters.begin(), letters.end());
+    TRY_VOID(check_gltf_size(text, name));
+    TRY(std::string safe, without_unsafe_faces(text, name, lost));
+    if (safe.empty() && was_utf8) return std::vector<std::uint8_t>{};
+    if (safe.empty()) safe = std::move(text);
+    if (is_binary) return glb_with_json(gltf, std::move(safe));
+    return glb_from_gltf(Bytes(reinterpret_cast<const std::uint8_t*>(safe.data()), safe.size()), name,
+                         [&](const std::string& file) { return read_file(folder / file, kMaxFileBytes); });
+}
+
 } // namespace
 
 Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::string& name,
                          const std::filesystem::path& folder, Report& report,
                          const ReadPicture& read_picture) {
-    const std::string format = lower(extension);
+    std::string format = lower(extension);
     const bool is_gltf = format == "glb" || format == "gltf";
     std::vector<std::uint8_t> repaired;
     if (format == "glb") {
@@ -144,10 +166,22 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
                        std::to_string(count) +
                            " numbers in it are NaN or Infinity; what needs them is left out");
         }
-        TRY_VOID(check_gltf_size(json_of_glb(bytes), name));
     }
-    if (format == "gltf")
-        TRY_VOID(check_gltf_size({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, name));
+    if (is_gltf) {
+        std::size_t lost = 0;
+        TRY(std::vector<std::uint8_t> safe, made_safe(bytes, format == "glb", name, folder, lost));
+        if (lost > 0)
+            report.add(
+                Severity::warning, name,
+                std::to_string(lost) +
+                    " of its primitives are fans of triangles with indices, or have too few points for one "
+                    "triangle: they are left out");
+        if (!safe.empty()) {
+            repaired = std::move(safe);
+            bytes = repaired;
+            format = "glb";
+        }
+    }
     if (format == "3ds") {
         if (std::string fault = fixture::fault_of_mesh(bytes, format); !fault.empty())
             return Error{std::move(fault), name};

@@ -73,5 +73,44 @@ TEST(GltfSize, vertices_count_as_often_as_they_are_used) {
     EXPECT_TRUE(says(fault_of(keys), "unpacks to 1220 MiB"));
 }
 
+// Assimp makes each face of these from the one before, which is not there where an index was wrong.
+TEST(GltfFaces, lines_and_fans_with_wrong_indices_are_left_out) {
+    for (const char* mode : {R"("mode":2,)", R"("mode":3,)", R"("mode":6,)", R"("mode":2,"mode":4,)",
+                             R"("m\u006fde":2,"mode":4,)"}) {
+        SCOPED_TRACE(mode);
+        TinyGlb tiny;
+        tiny.indices = {9, 0, 1, 9, 2, 0};
+        std::vector<std::uint8_t> bytes = tiny.bytes();
+        std::string json(json_of_glb(bytes));
+        json.insert(json.find(R"("attributes")"), mode);
+        bytes = glb_with_json(bytes, json);
+        Report report;
+        const auto model = load_model(bytes, "glb", "lines.glb", {}, report);
+        if (model.ok()) {
+            for (const Mesh& mesh : model->meshes) EXPECT_TRUE(mesh.indices.size() % 3 == 0);
+        }
+        const bool fan = std::string(mode) == R"("mode":6,)";
+        const bool said =
+            std::any_of(report.messages.begin(), report.messages.end(),
+                        [](const Message& message) { return says(message.what, "fans of triangles"); });
+        EXPECT_EQ(said, fan);
+    }
+}
+
+TEST(GltfFaces, what_is_safe_stays_as_it_is) {
+    std::size_t lost = 0;
+    const auto same = [&](const std::string& json) {
+        const auto safe = without_unsafe_faces(json, "a.glb", lost);
+        return safe.ok() && safe->empty() && lost == 0;
+    };
+    EXPECT_TRUE(same(std::string(json_of_glb(TinyGlb().bytes()))));
+    EXPECT_TRUE(same(
+        R"({"accessors":[{"count":4}],"meshes":[{"primitives":[{"mode":6,"attributes":{"POSITION":0}}]}]})"));
+    EXPECT_FALSE(same(
+        R"({"accessors":[{"count":2}],"meshes":[{"primitives":[{"mode":5,"attributes":{"POSITION":0}}]}]})"));
+    EXPECT_EQ(lost, 1u);
+    EXPECT_FALSE(without_unsafe_faces("{", "a.glb", lost).ok());
+}
+
 } // namespace
 } // namespace ghost::scene
