@@ -4,6 +4,7 @@
 #include "scene/bodies.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <set>
 
@@ -26,6 +27,13 @@ ui::Object object_of(const scene::Stage& stage, std::size_t instance) {
     object.centre_m = 0.5f * (low_m + high_m);
     object.radius_m = 0.5f * glm::length(high_m - low_m);
     return object;
+}
+
+// Of structures of floats.
+template <class T>
+bool is_same(const T& a, const T& b) {
+    static_assert(sizeof(T) % sizeof(float) == 0);
+    return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
 } // namespace
@@ -78,14 +86,34 @@ bool AppliedLook::apply(const ui::Look& look, Session& session) {
 }
 
 bool AppliedLook::apply_scene(const ui::SceneLook& look, Session& session) {
-    if (look == applied_.scene) return false;
-    scene::Show& show = *session.show;
+    if (look == applied_.scene && !is_stale_) return false;
+    is_stale_ = false;
+    take_off(*session.show);
+    session.shadows = shadows_;
+    app::apply(look, *session.show, session.shadows);
+    return true;
+}
+
+void AppliedLook::take_off(scene::Show& show) const {
     show.haze.extinction_per_m = haze_.extinction_per_m;
     show.ambient_lux = ambient_lux_;
     show.ambient_colour = ambient_colour_;
     show.attenuation = attenuation_;
-    session.shadows = shadows_;
-    app::apply(look, show, session.shadows);
+}
+
+bool AppliedLook::take_air(const scene::Show& edited, Session& session) {
+    scene::Show& show = *session.show;
+    if (is_same(edited.haze, haze_) &&
+        std::equal(edited.hazers.begin(), edited.hazers.end(), show.hazers.begin(), show.hazers.end(),
+                   is_same<scene::Hazer>))
+        return false;
+    const bool was_uneven = is_uneven(show);
+    haze_ = show.haze = edited.haze;
+    show.hazers = edited.hazers;
+    is_stale_ = true;
+    if (is_uneven(show) == was_uneven) return true;
+    session.relighter.reset(); // its programs are for the one or the other
+    session.look_from(scene::Camera(session.live->camera()));
     return true;
 }
 

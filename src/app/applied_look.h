@@ -19,6 +19,11 @@ public:
     // True: Session::look_from has to follow, for the camera sees something else now. A look's indices that
     // the session does not have are left out.
     bool apply(const ui::Look& look, Session& session);
+    // The show has the haze and the hazers of that one now. True: they are others, and look_from has to
+    // follow the next apply.
+    bool take_air(const scene::Show& edited, Session& session);
+    // Takes what looks changed off a copy of the session's show.
+    void take_off(scene::Show& show) const;
 
 private:
     bool apply_scene(const ui::SceneLook& look, Session& session);
@@ -31,6 +36,7 @@ private:
     glm::vec3 ambient_colour_;
     bool shadows_;
     ui::Look applied_;
+    bool is_stale_ = false; // the air is another one than that which applied_ was applied to
 };
 
 } // namespace ghost::app

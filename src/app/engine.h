@@ -71,6 +71,7 @@ private:
 
     // The show that is open has another text; engine_edits.cpp.
     void take_edit();
+    void take_air(const scene::Show& edited);
 
     // engine_recording.cpp
     void hear(const dmx::Universes& universes, std::chrono::nanoseconds now);

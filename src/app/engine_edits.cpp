@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of the show that is drawn: names and addresses with the next frame, anything else by opening the show
-// anew beside the one that is drawn until then.
+// Edits of the show that is drawn: names, addresses and the air with the next frame, anything else by opening
+// the show anew beside the one that is drawn until then.
 #include "app/engine.h"
 
 #include "app/take_patch.h"
@@ -12,11 +12,12 @@ namespace {
 
 constexpr std::uintmax_t kMostShowBytes = std::uintmax_t{16} << 20;
 
-bool differs_in_fixtures_only(const Session& session, const std::shared_ptr<const std::string>& before,
-                              const std::string& now) {
+bool differs_in_fixtures_and_air_only(const Session& session,
+                                      const std::shared_ptr<const std::string>& before,
+                                      const std::string& now) {
     const Result<std::string> text =
         before ? Result<std::string>(*before) : read_text_file(session.show->file, kMostShowBytes);
-    return text.ok() && scene::differ_in_fixtures_only(*text, now);
+    return text.ok() && scene::differ_in_fixtures_and_air_only(*text, now);
 }
 
 } // namespace
@@ -25,13 +26,14 @@ void Engine::take_edit() {
     if (reopening_.valid()) return; // later
     forget_baked();
     const std::string& path = session_->options.show;
-    const bool of_fixtures = differs_in_fixtures_only(*session_, text_, *wishes_.text);
+    const bool is_quick = differs_in_fixtures_and_air_only(*session_, text_, *wishes_.text);
     text_ = wishes_.text;
-    if (of_fixtures) {
+    if (is_quick) {
         scene::Report report;
         const auto edited = open_show(path, false, true, report, text_);
         if (edited.ok() && take_patch(*session_, *edited, report)) {
             listen_to_patch();
+            take_air(*edited);
             drawn_ = {};
             publish_opened(Opening::edit);
             return;
@@ -42,6 +44,14 @@ void Engine::take_edit() {
     reopening_as_ = Opening::edit;
     reopening_ =
         std::async(std::launch::async, [options = session_options(path)] { return open_session(options); });
+}
+
+void Engine::take_air(const scene::Show& edited) {
+    if (!look_->take_air(edited, *session_)) return;
+    session_->relighter->set_quality(haze_);
+    meter_.reset(); // it knows one air
+    sees_else_ = true;
+    last_change_s_ = now_s();
 }
 
 } // namespace ghost::app

@@ -19,6 +19,9 @@ constexpr double kExplainEvery_s = 0.25;
 
 void Engine::publish_opened(Opening opening) {
     ui::Opened news = opened_from(*session_);
+    auto own = std::make_shared<scene::Show>(*news.show); // without what hands set
+    look_->take_off(*own);
+    news.show = std::move(own);
     news.recording_s = input_->recording_s();
     news.opens = opens_;
     news.again = opening == Opening::newer_plot;

@@ -247,7 +247,7 @@ scene::Lit Session::lit() const {
 }
 
 void Session::look_from(const scene::Camera& from) {
-    if (from.width == relighter->width() && from.height == relighter->height()) {
+    if (relighter && from.width == relighter->width() && from.height == relighter->height()) {
         live->look_from(from);
         relighter->forget();
     } else {

@@ -6,27 +6,18 @@
 #include "fixture/wall_type.h"
 #include "scene/show.h"
 #include "scene/show_toml.h"
-#include "scene/toml_text.h"
+#include "scene/toml_keys.h"
 
 #include <algorithm>
 #include <map>
-#include <set>
 
 namespace ghost::scene {
 namespace {
 
-// What an edit writes: a key with its TOML text, or without: the key goes.
-using Keys = std::vector<std::pair<std::string, std::optional<std::string>>>;
-
-std::string toml_text(const glm::vec3& numbers) {
-    using scene::toml_text;
-    return "[" + toml_text(numbers.x) + ", " + toml_text(numbers.y) + ", " + toml_text(numbers.z) + "]";
-}
-
 Keys keys_of(const FixtureEdit& edit, bool of_plot) {
     Keys keys;
-    if (edit.name) keys.emplace_back("name", scene::toml_text(*edit.name));
-    if (edit.mode) keys.emplace_back("mode", scene::toml_text(*edit.mode));
+    if (edit.name) keys.emplace_back("name", toml_text(*edit.name));
+    if (edit.mode) keys.emplace_back("mode", toml_text(*edit.mode));
     if (edit.address) {
         keys.emplace_back("universe", std::to_string(edit.address->universe));
         // In a plot's change 0 says "not patched"; a [[fixture]] says so by having none.
@@ -39,55 +30,6 @@ Keys keys_of(const FixtureEdit& edit, bool of_plot) {
     if (edit.rotation_deg) keys.emplace_back("rotation_deg", toml_text(*edit.rotation_deg));
     if (edit.hidden && of_plot) keys.emplace_back("hidden", *edit.hidden ? "true" : "false");
     return keys;
-}
-
-Result<void> write(TomlText& document, const toml::table& table, const Keys& keys) {
-    for (const auto& [key, value] : keys) {
-        if (value)
-            TRY_VOID(document.set(table, key, *value));
-        else
-            document.unset(table, key);
-    }
-    return {};
-}
-
-std::string block_of(const std::string& header, const Keys& keys, const std::string& line_end) {
-    std::string block = header + line_end;
-    for (const auto& [key, value] : keys)
-        if (value) block += key + " = " + *value + line_end;
-    return block;
-}
-
-// The same in values, to compare with what the new text says.
-void write(toml::table& table, const Keys& keys) {
-    for (const auto& [key, value] : keys) {
-        table.erase(key);
-        if (!value) continue;
-        const toml::table one = toml::parse("k = " + *value);
-        one.get("k")->visit([&, name = key](const auto& node) { table.insert_or_assign(name, node); });
-    }
-}
-
-toml::array& array_of(toml::table& root, const std::string& name) {
-    if (!root[name].as_array()) root.insert_or_assign(name, toml::array{});
-    return *root[name].as_array();
-}
-
-// The cut text, if it says what is expected.
-Result<std::string> checked(const TomlText& document, const toml::table& expected) {
-    std::string text = document.cut();
-    TRY(const TomlText after, TomlText::parse(text));
-    if (after.root() != expected)
-        return Error{"is written in a way that cannot be edited here; change it in a text editor",
-                     "show.toml"};
-    return text;
-}
-
-Result<const toml::table*> fixture_table(const TomlText& document, std::size_t number) {
-    const std::vector<const toml::table*> tables = document.tables("fixture");
-    if (number >= tables.size() || !tables[number])
-        return Error{"has no [[fixture]] number " + std::to_string(number + 1), "show.toml"};
-    return tables[number];
 }
 
 // Of a plot's object; the last one, for later changes win. -1: none.
@@ -115,7 +57,7 @@ Result<std::string> edit_fixtures(const std::string& text,
         const Keys keys = keys_of(edit, !place.uuid.empty());
         if (keys.empty()) continue;
         if (place.uuid.empty()) {
-            TRY(const toml::table* table, fixture_table(document, place.number));
+            TRY(const toml::table* table, entry_of(document, "fixture", place.number));
             TRY_VOID(write(document, *table, keys));
             write(*array_of(expected, "fixture").get(place.number)->as_table(), keys);
         } else if (const int change = change_of(document, place.uuid); change >= 0) {
@@ -123,7 +65,7 @@ Result<std::string> edit_fixtures(const std::string& text,
             TRY_VOID(write(document, *document.tables("change")[number], keys));
             write(*array_of(expected, "change").get(number)->as_table(), keys);
         } else {
-            Keys all{{"uuid", scene::toml_text(place.uuid)}};
+            Keys all{{"uuid", toml_text(place.uuid)}};
             all.insert(all.end(), keys.begin(), keys.end());
             document.append(block_of("[[change]]", all, document.line_end()));
             toml::table made;
@@ -136,7 +78,7 @@ Result<std::string> edit_fixtures(const std::string& text,
 
 Result<std::string> copy_fixture(const std::string& text, std::size_t number, const FixtureEdit& edit) {
     TRY(TomlText document, TomlText::parse(text));
-    TRY(const toml::table* table, fixture_table(document, number));
+    TRY(const toml::table* table, entry_of(document, "fixture", number));
     TRY(const TomlText::Span span, document.span_of(*table, "fixture"));
     std::string block = document.text().substr(span.begin, span.end - span.begin);
     if (block.back() != '\n') block = document.line_end() + block;
@@ -149,60 +91,30 @@ Result<std::string> copy_fixture(const std::string& text, std::size_t number, co
 }
 
 Result<std::string> add_fixture(const std::string& text, const NewFixture& fixture) {
-    TRY(TomlText document, TomlText::parse(text));
     Keys keys;
-    if (fixture.keys.name) keys.emplace_back("name", scene::toml_text(*fixture.keys.name));
-    keys.emplace_back("gdtf", scene::toml_text(fixture.gdtf));
+    if (fixture.keys.name) keys.emplace_back("name", toml_text(*fixture.keys.name));
+    keys.emplace_back("gdtf", toml_text(fixture.gdtf));
     FixtureEdit rest = fixture.keys;
     rest.name.reset();
     const Keys more = keys_of(rest, false);
     keys.insert(keys.end(), more.begin(), more.end());
-    const std::string block = block_of("[[fixture]]", keys, document.line_end());
-    const std::vector<const toml::table*> tables = document.tables("fixture");
-    if (!tables.empty() && tables.back() && !tables.back()->is_inline()) {
-        TRY(const TomlText::Span span, document.span_of(*tables.back(), "fixture"));
-        const bool is_open = document.text()[span.end - 1] != '\n';
-        document.replace({span.end, span.end},
-                         (is_open ? document.line_end() : "") + document.line_end() + block);
-    } else {
-        document.append(block);
-    }
-    toml::table expected = document.root();
-    toml::table made;
-    write(made, keys);
-    array_of(expected, "fixture").push_back(std::move(made));
-    return checked(document, expected);
+    return add_entry(text, "fixture", keys);
 }
 
 Result<std::string> remove_fixtures(const std::string& text, const std::vector<std::size_t>& numbers) {
-    TRY(TomlText document, TomlText::parse(text));
-    toml::table expected = document.root();
-    const std::set<std::size_t> once(numbers.begin(), numbers.end());
-    for (auto number = once.rbegin(); number != once.rend(); ++number) {
-        TRY(const toml::table* table, fixture_table(document, *number));
-        TRY(TomlText::Span span, document.span_of(*table, "fixture"));
-        // With the blank line that stood behind it.
-        const std::string& all = document.text();
-        if (all.compare(span.end, document.line_end().size(), document.line_end()) == 0)
-            span.end += document.line_end().size();
-        document.replace(span, "");
-        toml::array& fixtures = array_of(expected, "fixture");
-        fixtures.erase(fixtures.begin() + static_cast<std::ptrdiff_t>(*number));
-        if (fixtures.empty()) expected.erase("fixture");
-    }
-    return checked(document, expected);
+    return remove_entries(text, "fixture", {numbers.begin(), numbers.end()});
 }
 
 Result<std::string> add_camera(const std::string& text, const Camera& camera) {
     TRY(TomlText document, TomlText::parse(text));
-    Keys keys{{"name", scene::toml_text(camera.name)},
+    Keys keys{{"name", toml_text(camera.name)},
               {"position_m", toml_text(camera.position_m)},
               {"target_m", toml_text(camera.target_m)},
-              {"fov_y_deg", scene::toml_text(camera.fov_y_deg)}};
+              {"fov_y_deg", toml_text(camera.fov_y_deg)}};
     if (camera.auto_exposure)
-        keys.emplace_back("exposure", scene::toml_text(std::string("auto")));
+        keys.emplace_back("exposure", toml_text(std::string("auto")));
     else
-        keys.emplace_back("ev100", scene::toml_text(camera.ev100));
+        keys.emplace_back("ev100", toml_text(camera.ev100));
     document.append(block_of("[[camera]]", keys, document.line_end()));
     toml::table expected = document.root();
     toml::table made;
@@ -212,19 +124,7 @@ Result<std::string> add_camera(const std::string& text, const Camera& camera) {
 }
 
 Result<std::string> set_of_show(const std::string& text, const std::string& key, const std::string& value) {
-    TRY(TomlText document, TomlText::parse(text));
-    const Keys keys{{key, scene::toml_text(value)}};
-    toml::table expected = document.root();
-    if (const toml::table* table = document.root()["show"].as_table()) {
-        TRY_VOID(write(document, *table, keys));
-        write(*expected["show"].as_table(), keys);
-    } else {
-        document.append(block_of("[show]", keys, document.line_end()));
-        toml::table made;
-        write(made, keys);
-        expected.insert_or_assign("show", std::move(made));
-    }
-    return checked(document, expected);
+    return set_in(text, "show", {{key, toml_text(value)}});
 }
 
 Result<Show> preview_edit(const Show& before, const std::string& text) {
@@ -234,6 +134,8 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
     for (const PatchedFixture& fixture : before.fixtures) types[fixture.gdtf] = fixture.type;
     Show show = before;
     show.fixtures = std::move(parsed.show.fixtures);
+    show.haze = parsed.show.haze;
+    show.hazers = std::move(parsed.show.hazers);
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
         PatchedFixture& fixture = show.fixtures[i];
         const auto same =
@@ -275,12 +177,11 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
     return show;
 }
 
-bool differ_in_fixtures_only(const std::string& a, const std::string& b) {
+bool differ_in_fixtures_and_air_only(const std::string& a, const std::string& b) {
     const auto rest = [](const std::string& text) -> Result<toml::table> {
         TRY(const TomlText document, TomlText::parse(text));
         toml::table root = document.root();
-        root.erase("fixture");
-        root.erase("change");
+        for (const char* const name : {"fixture", "change", "haze", "hazer"}) root.erase(name);
         return root;
     };
     const auto first = rest(a);

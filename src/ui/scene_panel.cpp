@@ -80,6 +80,9 @@ void ScenePanel::add_air(QLayout* layout) {
         change_scene(studio_, "shadows", Hand::step, [&](SceneLook& scene) { scene.shadows = on; });
     });
     layout->addWidget(shadows_);
+    auto* air = new QPushButton("Haze, wind and hazers of the show...", this);
+    connect(air, &QPushButton::clicked, this, &ScenePanel::asks_for_air);
+    layout->addWidget(air);
 }
 
 void ScenePanel::add_stage(QLayout* layout) {

@@ -19,6 +19,9 @@ class ScenePanel : public QWidget {
 public:
     ScenePanel(Studio& studio, QWidget* parent);
 
+Q_SIGNALS:
+    void asks_for_air(); // what the show says of it: AirPanel
+
 private:
     void add_air(QLayout* layout);
     void add_stage(QLayout* layout);

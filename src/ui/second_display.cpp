@@ -36,7 +36,7 @@ PictureWindow::PictureWindow(Studio& studio) : studio_(studio) {
     resize_timer_.setSingleShot(true);
     resize_timer_.setInterval(kRest_ms);
     connect(&resize_timer_, &QTimer::timeout, this, [this] {
-        const double ratio = devicePixelRatioF();
+        const double ratio = asked_ratio_ = devicePixelRatioF();
         studio_.set_second_size({static_cast<int>(std::lround(width() * ratio)),
                                  static_cast<int>(std::lround(height() * ratio))});
     });
@@ -44,6 +44,8 @@ PictureWindow::PictureWindow(Studio& studio) : studio_(studio) {
 }
 
 void PictureWindow::paintEvent(QPaintEvent*) {
+    if (asked_ratio_ > 0 && asked_ratio_ != devicePixelRatioF() && !resize_timer_.isActive())
+        resize_timer_.start();
     QPainter painter(this);
     painter.fillRect(rect(), Qt::black);
     const Picture& picture = studio_.picture();

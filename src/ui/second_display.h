@@ -33,6 +33,7 @@ protected:
 private:
     Studio& studio_;
     QTimer resize_timer_;
+    double asked_ratio_ = 0; // as in View
 };
 
 class SecondDisplay : public QObject {

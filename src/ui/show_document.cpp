@@ -4,6 +4,7 @@
 #include "base/crc32.h"
 #include "base/files.h"
 #include "scene/show_edit.h"
+#include "ui/undo_ids.h"
 
 #include <QDateTime>
 #include <QFileInfo>
@@ -25,14 +26,28 @@ std::string crc_of(const std::string& text) {
 // From one text to another, with what is by index of the fixture.
 class EditStep : public QUndoCommand {
 public:
-    EditStep(ShowDocument& document, ShowDocument::Edit before, ShowDocument::Edit after, const QString& text)
-        : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)) {}
+    EditStep(ShowDocument& document, ShowDocument::Edit before, ShowDocument::Edit after, const QString& text,
+             int kind)
+        : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)),
+          kind_(kind) {
+        age_.start();
+    }
     void undo() override { document_.put(before_); }
     void redo() override { document_.put(after_); }
+    int id() const override { return kind_ == 0 ? -1 : kFirstEditId + kind_; }
+    bool mergeWith(const QUndoCommand* next) override {
+        const auto* later = static_cast<const EditStep*>(next);
+        if (age_.elapsed() > kMergeWithin_ms) return false;
+        after_ = later->after_;
+        age_.restart();
+        return true;
+    }
 
 private:
     ShowDocument& document_;
     ShowDocument::Edit before_, after_;
+    int kind_;
+    QElapsedTimer age_;
 };
 
 ShowDocument::ShowDocument(Studio& studio) : studio_(studio) {
@@ -110,12 +125,12 @@ Result<void> ShowDocument::check_editable() const {
     return {};
 }
 
-Result<void> ShowDocument::edit(const QString& what, Edit edit) {
+Result<void> ShowDocument::edit(const QString& what, Edit edit, int kind) {
     TRY_VOID(check_editable());
     if (edit.text == text_) return {};
     TRY_VOID(scene::preview_edit(*studio_.show(), edit.text)); // one that opens
     Edit before{text_, studio_.look(), studio_.selection()};
-    studio_.undo_stack().push(new EditStep(*this, std::move(before), std::move(edit), what));
+    studio_.undo_stack().push(new EditStep(*this, std::move(before), std::move(edit), what, kind));
     return {};
 }
 

@@ -39,7 +39,9 @@ public:
         Look look;
         std::set<std::size_t> selection;
     };
-    Result<void> edit(const QString& what, Edit edit);
+    // Edits of one kind that follow each other closely, as those of a slider, are one step; kind 0: always a
+    // step of its own.
+    Result<void> edit(const QString& what, Edit edit, int kind = 0);
 
     // Whole or not at all. Error: cannot be written, or the file was changed outside meanwhile and over is
     // false.

@@ -2,7 +2,9 @@
 #include "ui/studio.h"
 
 #include "scene/camera_moves.h"
+#include "scene/show.h"
 #include "ui/look_fade.h"
+#include "ui/undo_ids.h"
 
 #include <QCoreApplication>
 
@@ -13,8 +15,15 @@ namespace ghost::ui {
 namespace {
 
 constexpr int kTravelStep_ms = 16;
-constexpr int kMergeWithin_ms = 1500; // changes of a slider
 constexpr int kFadeStep_ms = 33;
+
+// Until the engine says what shines.
+RigNow rig_at_home(const scene::Show& show) {
+    RigNow rig;
+    for (const scene::PatchedFixture& fixture : show.fixtures)
+        rig.fixtures.push_back({.light_m = scene::light_position_m(fixture, 0)});
+    return rig;
+}
 
 } // namespace
 
@@ -143,7 +152,7 @@ void Studio::take_opened(Opened opened) {
     travel_timer_.stop();
     undo_.clear();
     selection_.clear();
-    rig_ = {};
+    rig_ = opened_.show ? rig_at_home(*opened_.show) : RigNow{};
     explained_ = {};
     fade_timer_.stop();
     look_ = on_the_way_ = wishes_.look = {};

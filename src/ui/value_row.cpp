@@ -65,8 +65,9 @@ double ValueRow::from_slider(int at) const {
 void ValueRow::show_value(double value, bool by_hand) {
     follows_ = true;
     if (!slider_->isSliderDown()) slider_->setValue(to_slider(value));
-    if (!field_->hasFocus() || by_hand) field_->setValue(value);
+    if (!field_->hasFocus() || by_hand || !on_release) field_->setValue(value);
     follows_ = false;
+    release_->setVisible(on_release != nullptr);
     release_->setEnabled(by_hand);
     QPalette colours = palette();
     if (by_hand) colours.setColor(QPalette::WindowText, accent());

@@ -82,7 +82,7 @@ View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
 
 void View::ask_for_size() {
     if (!studio_.show()) return;
-    const double ratio = devicePixelRatioF();
+    const double ratio = asked_ratio_ = devicePixelRatioF();
     studio_.set_size(std::max(static_cast<int>(std::lround(width() * ratio)), 16),
                      std::max(static_cast<int>(std::lround(height() * ratio)), 16));
 }
@@ -106,6 +106,9 @@ void View::resizeEvent(QResizeEvent*) {
 void View::paintEvent(QPaintEvent*) {
     QElapsedTimer clock;
     clock.start();
+    // Another display, or another scale of this one, often leaves the window its size.
+    if (asked_ratio_ > 0 && asked_ratio_ != devicePixelRatioF() && !resize_timer_.isActive())
+        resize_timer_.start();
     QPainter painter(this);
     const Picture& picture = studio_.picture();
     if (!studio_.show() || !picture.image) {
@@ -114,6 +117,7 @@ void View::paintEvent(QPaintEvent*) {
         paint_notice(painter, size(),
                      waits ? QString::fromStdString(studio_.activity()) : QString("No show is open"),
                      waits ? QString() : hint);
+        paint_box(painter);
         return;
     }
     const image::Image8& pixels = *picture.image;
@@ -131,11 +135,7 @@ void View::paintEvent(QPaintEvent*) {
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
     if (overlays.figures) paint_figures(painter, size(), figures());
     if (overlays.probe && studio_.probed()) paint_probe(painter, place, size(), *studio_.probed());
-    if (drag_ == Drag::box) {
-        painter.setPen(QPen(accent(), 1));
-        painter.setBrush(QColor(255, 179, 71, 40));
-        painter.drawRect(QRectF(drag_from_, drag_at_).normalized());
-    }
+    paint_box(painter);
     painter.end();
     paint_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     if (std::exchange(picture_waits_, false))
@@ -146,6 +146,17 @@ void View::paintEvent(QPaintEvent*) {
         studio_.count_latency(latency);
     }
     arrival_waits_ = false;
+}
+
+void View::paint_box(QPainter& painter) const {
+    if (drag_ != Drag::box) return;
+    painter.setPen(QPen(accent(), 1));
+    painter.setBrush(QColor(255, 179, 71, 40));
+    painter.drawRect(QRectF(drag_from_, drag_at_).normalized());
+}
+
+const scene::Camera& View::camera_of_picture() const {
+    return studio_.picture().image ? studio_.picture().camera : studio_.camera();
 }
 
 QStringList View::figures() const {
@@ -231,7 +242,7 @@ void View::end_probe() {
 void View::mouseReleaseEvent(QMouseEvent* event) {
     const bool adds = event->modifiers() & Qt::ControlModifier;
     std::set<std::size_t> selection = adds ? studio_.selection() : std::set<std::size_t>{};
-    const scene::Camera& camera = studio_.picture().camera;
+    const scene::Camera& camera = camera_of_picture();
     if (drag_ == Drag::undecided) {
         const auto hit = fixture_at(rect_of_picture(), camera, studio_.rig(), event->position());
         if (hit && adds && selection.contains(*hit))
@@ -250,8 +261,7 @@ void View::mouseReleaseEvent(QMouseEvent* event) {
 
 void View::mouseDoubleClickEvent(QMouseEvent* event) {
     if (!studio_.show()) return;
-    const auto hit =
-        fixture_at(rect_of_picture(), studio_.picture().camera, studio_.rig(), event->position());
+    const auto hit = fixture_at(rect_of_picture(), camera_of_picture(), studio_.rig(), event->position());
     if (hit) studio_.travel_to(scene::focused(studio_.camera(), studio_.rig().fixtures[*hit].light_m, 2.0f));
 }
 

@@ -47,10 +47,14 @@ private:
     void ask_for_size();
     void fly();
     QStringList figures() const;
-    QRectF rect_of_picture() const { return picture_rect(size(), studio_.picture().camera); }
+    // Of the picture that is shown; before the first one, that which is asked for.
+    const scene::Camera& camera_of_picture() const;
+    QRectF rect_of_picture() const { return picture_rect(size(), camera_of_picture()); }
+    void paint_box(QPainter& painter) const;
 
     Studio& studio_;
     QTimer resize_timer_;
+    double asked_ratio_ = 0; // pixels of the display to one of the window, when the size was asked for
     Drag drag_ = Drag::none;
     QPointF drag_from_, drag_at_;
     QSet<int> held_; // keys that fly

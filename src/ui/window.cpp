@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window.h"
 
+#include "ui/air_panel.h"
 #include "ui/export_actions.h"
 #include "ui/export_panel.h"
 #include "ui/fixture_panel.h"
@@ -62,6 +63,7 @@ Window::Window(Link& link, const WindowOptions& options)
     add_look_actions(actions_, studio_, looks_);
     add_export_actions(actions_, studio_, exporter_);
     add_patch_actions(actions_, studio_, document_);
+    add_air_actions(actions_, studio_, document_);
     add_document_actions(actions_, document_);
     make_menus();
     auto* transport = new QToolBar("Transport", this);
@@ -119,6 +121,8 @@ Window::Window(Link& link, const WindowOptions& options)
         if (!what.isEmpty()) statusBar()->showMessage(what, 15000);
         actions_.refresh();
     });
+    connect(&reach_, &Reach::moved, this,
+            [this](const QString& what) { statusBar()->showMessage(what, 15000); });
     connect(&studio_.jobs(), &Jobs::changed, this, &Window::show_jobs);
     connect(&studio_.jobs(), &Jobs::ended, this, [this](const Job& job) {
         QString words = job.title + ": " + state_name(job.state);
@@ -151,7 +155,7 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
     dock->setWidget(panel);
     addDockWidget(area, dock);
     docks_.push_back(dock);
-    const QString key = docks_.size() <= 8 ? QString("Ctrl+%1").arg(docks_.size()) : QString();
+    const QString key = docks_.size() <= 9 ? QString("Ctrl+%1").arg(docks_.size()) : QString();
     actions_.add({"panel-" + name, "Panels", title, key, "[on|off]",
                   [dock](const QStringList& words) -> Result<void> {
                       dock->setVisible(words.isEmpty() ? !dock->isVisible() : words[0] == "on");
@@ -171,7 +175,8 @@ void Window::add_panels() {
     QDockWidget* values =
         add_panel("values", "Values", new ValuePanel(studio_, this), Qt::RightDockWidgetArea);
     QDockWidget* hand = add_panel("hand", "By hand", new HandPanel(studio_, this), Qt::RightDockWidgetArea);
-    QDockWidget* scene = add_panel("scene", "Scene", new ScenePanel(studio_, this), Qt::RightDockWidgetArea);
+    auto* scene_panel = new ScenePanel(studio_, this);
+    QDockWidget* scene = add_panel("scene", "Scene", scene_panel, Qt::RightDockWidgetArea);
     tabifyDockWidget(values, hand);
     tabifyDockWidget(hand, scene);
     hand->raise();
@@ -187,7 +192,16 @@ void Window::add_panels() {
     QDockWidget* exports =
         add_panel("export", "Export", new ExportPanel(studio_, actions_, this), Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, exports);
+    auto* air_panel = new AirPanel(studio_, document_, actions_, this);
+    air_panel->complain = actions_.complain;
+    QDockWidget* air = add_panel("air", "Air", air_panel, Qt::RightDockWidgetArea);
+    tabifyDockWidget(exports, air);
+    connect(scene_panel, &ScenePanel::asks_for_air, air, [air] {
+        air->show();
+        air->raise();
+    });
     exports->hide();
+    air->hide();
     hand->raise();
     network->hide();
     messages->hide();

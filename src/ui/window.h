@@ -7,6 +7,7 @@
 #include "ui/exporter.h"
 #include "ui/looks.h"
 #include "ui/open_window.h"
+#include "ui/reach.h"
 #include "ui/second_display.h"
 #include "ui/show_document.h"
 #include "ui/studio.h"
@@ -58,6 +59,7 @@ private:
     Looks looks_;
     Exporter exporter_;
     SecondDisplay second_;
+    Reach reach_;
     Actions actions_;
     View* view_;
     FixturePanel* fixtures_ = nullptr;

@@ -12,6 +12,7 @@
 #include <QFileDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QLayout>
 #include <QMenuBar>
 #include <QStatusBar>
 
@@ -179,13 +180,18 @@ void Window::set_full_screen(bool full) {
         docks_shown_.clear();
         for (QDockWidget* dock : docks_) docks_shown_.push_back(dock->isVisible());
         for (QDockWidget* dock : docks_) dock->hide();
+    }
+    menuBar()->setVisible(!full);
+    statusBar()->setVisible(!full);
+    if (full) {
+        // What is left may need more width than a window has whose display got another scale; Qt resizes it
+        // then, which would end the full screen.
+        layout()->activate();
         showFullScreen();
     } else {
         showNormal();
         for (std::size_t i = 0; i < docks_shown_.size(); ++i) docks_[i]->setVisible(docks_shown_[i]);
     }
-    menuBar()->setVisible(!full);
-    statusBar()->setVisible(!full);
     view_->setFocus();
 }
 

@@ -287,6 +287,28 @@ class Editing(unittest.TestCase):
         finally:
             self.assertEqual(window.close(), 0)
 
+    def test_the_air_is_edited_without_opening_the_show_again(self):
+        window = self.open()
+        try:
+            window.do("camera close", "panel-air on")
+            even = window.picture("even")
+            window.do("add-hazer 0 2 0", "hazer 1 rate 40")
+            plume = window.picture("plume")
+            self.assertGreater(changed(even, plume), 0.2, "a plume is seen")
+            window.do("clouds 1", "haze fog", "smoke 0.5")
+            self.assertGreater(changed(plume, window.picture("fog")), 1)
+            self.assertNotIn("taking the changes of", window.text(), "the show is not opened anew for it")
+            self.assertIn("[[hazer]]", (self.show / ".ghost/draft.toml").read_text())
+            window.do("save")
+            saved = self.file.read_text()
+            for line in ('preset = "fog"', "unevenness = 1", "rate = 40"):
+                self.assertIn(line, saved)
+            window.do("release-all", *["undo"] * 6, "save")
+            self.assertEqual(self.file.read_bytes(), self.original)
+            self.assertLess(changed(even, window.picture("even again")), 0.05, "thickness, clouds and plume are gone")
+        finally:
+            self.assertEqual(window.close(), 0)
+
     def test_what_was_not_saved_outlives_a_kill(self):
         window = self.open()
         window.do("select \"Spot 3\"", "rename Killed", "wait 2")

@@ -8,6 +8,8 @@
 #include <QApplication>
 #include <QCoreApplication>
 #include <QEventLoop>
+#include <QFile>
+#include <QTemporaryDir>
 #include <QTimer>
 
 #include <gtest/gtest.h>
@@ -16,17 +18,25 @@
 
 namespace ghost::ui {
 
-// One for the test binary; what a screen would show is drawn into memory. It ends with the tests and not with
-// the process: by then Qt's own objects are gone.
+// One for the test binary, with two displays of which the second has two pixels to one; what they would show
+// is drawn into memory. It ends with the tests and not with the process: by then Qt's own objects are gone.
 class Application : public testing::Environment {
 public:
     void SetUp() override {
-        ASSERT_TRUE(qputenv("QT_QPA_PLATFORM", "offscreen"));
+        const QString displays = folder_.filePath("displays.json");
+        QFile file(displays);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(R"({"screens": [
+            {"name": "first", "x": 0, "y": 0, "width": 1280, "height": 1024, "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1},
+            {"name": "second", "x": 1280, "y": 0, "width": 1920, "height": 1080, "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 2}]})");
+        file.close();
+        ASSERT_TRUE(qputenv("QT_QPA_PLATFORM", ("offscreen:configfile=" + displays).toUtf8()));
         one_ = std::make_unique<QApplication>(argc_, argv_);
     }
     void TearDown() override { one_.reset(); }
 
 private:
+    QTemporaryDir folder_;
     int argc_ = 1;
     char name_[8] = "test_ui";
     char* argv_[2] = {name_, nullptr};

@@ -8,7 +8,9 @@
 #include "scene/camera_moves.h"
 
 #include <QMouseEvent>
+#include <QScreen>
 #include <QWheelEvent>
+#include <QWindow>
 
 namespace ghost::ui {
 namespace {
@@ -74,6 +76,52 @@ TEST(View, a_box_selects_all_in_it) {
     watched.drag(watched.lamp(1) - QPointF(8, 8), watched.lamp(3) + QPointF(8, 8), Qt::LeftButton,
                  Qt::ControlModifier);
     EXPECT_EQ(watched.bench.studio.selection(), (std::set<std::size_t>{1, 2, 3}));
+}
+
+TEST(View, a_box_before_the_first_picture_selects_what_will_be_in_it) {
+    Bench bench;
+    View view(bench.studio, nullptr);
+    view.resize(320, 180);
+    view.show();
+    bench.link.opened.put(four_lamps()); // no rig and no picture yet
+    bench.link.on_news();
+    settle();
+    ASSERT_FALSE(bench.studio.picture().image);
+    const auto at = [&](std::size_t index) {
+        scene::Camera camera = bench.studio.camera();
+        return *to_widget(picture_rect(view.size(), camera), camera,
+                          four_lamps().show->fixtures[index].position_m);
+    };
+    const auto mouse = [&](QEvent::Type type, const QPointF& place) {
+        QMouseEvent event(
+            type, place, view.mapToGlobal(place), type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton,
+            type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::ControlModifier);
+        QCoreApplication::sendEvent(&view, &event);
+    };
+    const QPointF from = at(1) - QPointF(8, 8), to = at(3) + QPointF(8, 8);
+    mouse(QEvent::MouseButtonPress, from);
+    mouse(QEvent::MouseMove, (from + to) / 2);
+    mouse(QEvent::MouseMove, to);
+    const QImage shown = view.grab().toImage();
+    EXPECT_GT(qRed(shown.pixel(((from + to) / 2).toPoint())),
+              qBlue(shown.pixel(((from + to) / 2).toPoint())) + 10)
+        << "the box is seen while it is drawn";
+    mouse(QEvent::MouseButtonRelease, to);
+    EXPECT_EQ(bench.studio.selection(), (std::set<std::size_t>{1, 2, 3}));
+}
+
+TEST(View, another_scale_of_the_display_asks_for_other_pixels) {
+    Watched watched;
+    QScreen* const fine = QGuiApplication::screens().at(1);
+    ASSERT_EQ(fine->devicePixelRatio(), 2);
+    watched.view.windowHandle()->setScreen(fine);
+    watched.view.resize(320, 180); // as it was
+    settle();
+    ASSERT_EQ(watched.view.devicePixelRatioF(), 2);
+    watched.view.update();
+    wait_ms(400);
+    EXPECT_EQ(watched.bench.studio.camera().width, 640);
+    EXPECT_EQ(watched.bench.studio.camera().height, 360);
 }
 
 TEST(View, drags_and_the_wheel_move_the_camera) {
