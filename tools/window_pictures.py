@@ -1,0 +1,67 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The pictures of the window in docs/images, of the demo, without a screen (Qt's offscreen platform). Words behind the folder choose
+among them. Usage: window_pictures.py BUILD_FOLDER [NAME ...]. Needs python3-pil."""
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from PIL import Image
+
+SOURCE = pathlib.Path(__file__).resolve().parent.parent
+PROGRAM = pathlib.Path(sys.argv[1]).resolve() / "ghostlight"
+IMAGES = SOURCE / "docs/images"
+BEGIN = "wait opened\njump 36\nwait 0.3\nfreeze on\n"
+ALONE = "".join(f"panel-{one} off\n" for one in ("values", "hand", "scene", "looks"))
+
+# Name: size of the window, lines; {} is where the picture goes.
+WINDOWS = {
+    "window.png": ("1760x1100", 'panel-hand on\ncamera close\nselect "Spot 2"\nwait settled\nscreenshot {}\n'),
+    "window-looks.jpg": ("1760x1100", 'panel-looks on\ncamera close\nselect "Spot *"\ncolour #00ff80\nintensity 1\nlook-store Chorus\nselect *\n'
+                                      'intensity 0.05\nlook-store "Blackout, nearly"\nselect "Spot *"\ncolour #ff3820\nintensity 1\n'
+                                      'select "Wash *"\ncolour #5070ff\nintensity 1\nselect *\nlook-store Verse\nlook-recall Verse 0\n'
+                                      "wait settled\nscreenshot {}\n"),
+    "window-lux.jpg": ("1760x1100", "panel-looks on\ncamera close\nresolution 50\nfalse-colour lux\nprobe 520 830\nwait settled\nwait 2\nscreenshot {}\n"),
+    "guide-baking.jpg": ("1280x760", ALONE + "panel-export on\ncamera house\nwait settled\nbake house 64\nwait 12\nscreenshot {}\ncancel-jobs\n"),
+    "guide-patching.jpg": ("1280x760", ALONE + 'camera house\nselect "Spot *"\naddress 2.101\nwait settled\nscreenshot {}\n'),
+}
+
+
+def run(work, size, lines):
+    shutil.rmtree(work / "demo", ignore_errors=True)
+    shutil.copytree(SOURCE / "assets/demo", work / "demo", ignore=shutil.ignore_patterns(".ghost"))
+    script = work / "script.txt"
+    script.write_text(BEGIN + lines + "quit\n")
+    subprocess.run([str(PROGRAM), "open", str(work / "demo"), "--forget", "--no-desk", "--quiet", "--size", size, "--script", str(script)],
+                   env=dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_CONFIG_HOME=str(work)), check=True)
+
+
+def main():
+    wanted = sys.argv[2:] or [*WINDOWS, "guide-haze.jpg"]
+    with tempfile.TemporaryDirectory() as folder:
+        work = pathlib.Path(folder)
+        (work / "fixtures").symlink_to(SOURCE / "assets/fixtures")
+        shot = work / "shot.png"
+        for name in wanted:
+            if name in WINDOWS:
+                size, lines = WINDOWS[name]
+                run(work, size, lines.replace("{}", f'"{shot}"'))
+                picture = Image.open(shot).convert("RGB")
+            else:  # guide-haze.jpg: smoke 0, 1 and 3 beside each other
+                parts = [work / f"smoke-{smoke}.png" for smoke in (0, 1, 3)]
+                run(work, "480x600", ALONE + "panel-fixtures off\ncamera close\n" +
+                    "".join(f'smoke {part.stem[-1]}\nwait settled\nsave-picture "{part}"\n' for part in parts))
+                picture = Image.new("RGB", (1208, 447))
+                for i, part in enumerate(parts):
+                    one = Image.open(part).convert("RGB")
+                    one = one.resize((round(one.width * 447 / one.height), 447), Image.LANCZOS)
+                    left = max(one.width - 400, 0) // 2
+                    picture.paste(one.crop((left, 0, left + 400, 447)), (404 * i, 0))
+            picture.save(IMAGES / name, quality=88, optimize=True)
+            print(name)
+
+
+main()
