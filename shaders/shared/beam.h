@@ -60,9 +60,10 @@ SHARED_FN vec3 wheel_sample(Wheel wheel, vec2 gate, float blur WITH_GOBOS) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    // Which of the two slots covers this place, and where its centre is now.
+    // Which of the two slots covers this place, and where its centre is now. Beside a centred one is the wheel's own metal:
+    // what a blur throws there is that slot's.
     float centre_a = -wheel.shift * kSlotSpacing;
-    bool second = gate.x > centre_a + 0.5f * kSlotSpacing;
+    bool second = wheel.shift != 0.0f && gate.x > centre_a + 0.5f * kSlotSpacing;
     vec2 g = gate - vec2(second ? centre_a + kSlotSpacing : centre_a, 0.0f);
     uint layer = second ? wheel.layer_b : wheel.layer_a;
     // Off-centre slots end at their own rim; a centred one is limited by the aperture alone.

@@ -218,7 +218,7 @@ double ReferenceBeam::figure_share(const dvec2& gate, double blur) const {
 
 dvec3 ReferenceBeam::wheel_colour(const shared::Wheel& wheel, const dvec2& gate, double blur) const {
     const double first_x = -static_cast<double>(wheel.shift) * kSlotPitch;
-    const bool in_next = gate.x - first_x > 0.5 * kSlotPitch;
+    const bool in_next = wheel.shift != 0.0f && gate.x - first_x > 0.5 * kSlotPitch;
     const dvec2 in_slot(gate.x - (in_next ? first_x + kSlotPitch : first_x), gate.y);
     const double cosine = wheel.cosine;
     const double sine = wheel.sine;

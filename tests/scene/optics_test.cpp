@@ -479,6 +479,24 @@ TEST(Focus, BlursAsALensDoes) {
     EXPECT_LT(worst, 0.02);
 }
 
+// Beside a slot that stands in the gate a blur throws that slot's light, not its neighbour's.
+TEST(Focus, ABlurredSlotHasNoNeighbour) {
+    const fixture::Type& type = profile_type();
+    constexpr float kBlur = 1.5f;
+    float apart = 0.0f;
+    for (std::uint32_t layer = 1; layer < static_cast<std::uint32_t>(gobos().images.layers); ++layer)
+        for (float v = -1.0f; v <= 1.0f; v += 0.1f) {
+            const shared::Wheel wheel{layer, layer, 0.0f, 1.0f, 0.0f, 0.0f};
+            const vec2 beside(1.3f, v), other_side(1.3f - shared::kSlotSpacing, v);
+            const vec3 seen = shared::wheel_sample(wheel, beside, kBlur, gobos().images);
+            const vec3 own = shared::gobo_sample(layer, beside, kBlur, gobos().images);
+            const vec3 others = shared::gobo_sample(layer, other_side, kBlur, gobos().images);
+            EXPECT_LT(glm::length(seen - own), 1e-5f);
+            apart = std::max(apart, glm::length(own - others));
+        }
+    EXPECT_GT(apart, 0.1f) << "these pictures do not tell, of " << type.name;
+}
+
 TEST(Disc, TurnsThroughTheGateAndSwingsOutOfIt) {
     fixture::BeamState beam = open_beam();
     fixture::Insert disc{.number = 1, .wheel = wheel_number("Animation wheel"), .slot = 0, .in = 1};
