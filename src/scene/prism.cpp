@@ -167,9 +167,11 @@ std::map<int, int> most_facets(const fixture::Type& type, const fixture::Mode& m
     return most;
 }
 
-void check_wheel(const fixture::Wheel& wheel, const std::string& file, Report& report) {
+// others: among its slots are other things than prisms.
+void check_wheel(const fixture::Wheel& wheel, bool others, const std::string& file, Report& report) {
     for (std::size_t k = 0; k < wheel.slots.size(); ++k) {
         const fixture::Slot& slot = wheel.slots[k];
+        if (others && slot.facets.empty()) continue;
         const std::string where = file + ": " + wheel.name + "/" + slot.name;
         const std::size_t count = facets_of(slot).size();
         if (slot.facets.empty() && k > 0)
@@ -262,8 +264,9 @@ void check_prisms(const Show& show, Report& report) {
                 if (!is_prism(function.meaning.role) || !seen.insert({&type, function.wheel}).second)
                     continue;
                 if (function.wheel >= 0)
-                    check_wheel(type.wheels[static_cast<std::size_t>(function.wheel)], fixture.gdtf.string(),
-                                report);
+                    check_wheel(type.wheels[static_cast<std::size_t>(function.wheel)],
+                                fixture::attribute_from(function.attribute).role != function.meaning.role,
+                                fixture.gdtf.string(), report);
             }
     }
 }
