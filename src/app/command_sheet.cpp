@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// ghostlight sheet: all looks of a show from all of its cameras, small, on one picture.
+// ghostlight sheet: all looks of a show from all of its cameras, small, on one picture; or all channels of a
+// fixture file.
 #include "app/applied_look.h"
 #include "app/caption.h"
+#include "app/channel_sheet.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/number_option.h"
 #include "app/recordings.h"
 #include "app/session.h"
 #include "dmx/player.h"
+#include "fixture/load_type.h"
 #include "image/ldr.h"
 
 #include "base/log.h"
@@ -33,7 +36,8 @@ constexpr int kSettleSteps = 50;
 struct SheetArguments {
     SessionOptions session;
     std::string out;
-    std::string size = "480x270";
+    std::string size;
+    std::string mode;               // of a fixture file
     std::vector<std::string> views; // empty: all
     double at_s = -1;
     int width = 0, height = 0; // of one picture
@@ -45,17 +49,28 @@ struct Row {
     double at_s = -1; // of the recording; below 0: without one
 };
 
+bool is_of_fixture(const SheetArguments& arguments) {
+    return fixture::has_type_extension(arguments.session.show);
+}
+
 double now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 Result<void> check_usage(SheetArguments& arguments) {
     char end = 0;
+    if (arguments.size.empty()) arguments.size = is_of_fixture(arguments) ? "160x120" : "480x270";
     if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &arguments.width, &arguments.height, &end) != 2 ||
         arguments.width < 16 || arguments.height < 16 || arguments.width > 4096 || arguments.height > 4096)
         return Error{"'" + arguments.size + "' is not WIDTHxHEIGHT between 16x16 and 4096x4096", "--size"};
     if (std::filesystem::path(arguments.out).extension() != ".png")
         return Error{"a contact sheet is a .png", arguments.out};
+    if (is_of_fixture(arguments) && arguments.views.size() > 1)
+        return Error{"of a fixture's channels there is one view: side, wall or face", "--view"};
+    if (is_of_fixture(arguments) && arguments.at_s >= 0)
+        return Error{"a fixture file has no recording", "--at"};
+    if (!is_of_fixture(arguments) && !arguments.mode.empty())
+        return Error{"only a fixture file has modes to choose from", "--mode"};
     return {};
 }
 
@@ -166,25 +181,48 @@ Result<void> draw_sheet(SheetArguments& arguments) {
 
 void add_sheet(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand(
-        "sheet", "a contact sheet: all looks of a show (or its cues) from all of its cameras, one .png");
+        "sheet", "a contact sheet, one .png: all looks of a show (or its cues) from all of its cameras; of a "
+                 "fixture file what each channel does");
     const auto a = std::make_shared<SheetArguments>();
-    command->add_option("SHOW", a->session.show, "folder with show.toml, or an .mvr")->required();
+    command->add_option("SHOW", a->session.show, "folder with show.toml, or an .mvr; or a .gdtf, .qxf, .json")
+        ->required();
     command->add_option("-o,--out", a->out, "the .png")->required();
-    command->add_option("--size", a->size, "WIDTHxHEIGHT of one picture")
-        ->type_name("WxH")
-        ->capture_default_str();
-    command->add_option("--view", a->views, "only this camera (may be repeated)")->type_name("NAME");
+    command->add_option("--size", a->size, "WIDTHxHEIGHT of one picture (480x270; of a fixture file 160x120)")
+        ->type_name("WxH");
+    command
+        ->add_option("--view", a->views,
+                     "only this camera (may be repeated); of a fixture file side, wall or face (the lenses)")
+        ->type_name("NAME");
+    command->add_option("--mode", a->mode, "DMX mode of a fixture file (default: the first)")
+        ->type_name("NAME");
     command->add_option("--at", a->at_s, "second of the recording that lights what a look leaves alone")
         ->check(number_in(0.0, kLongest_s));
     command->add_option("--device", a->session.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
     command->add_flag("--quiet", a->session.quiet, "print warnings and errors only");
-    command->footer("Example: ghostlight sheet assets/demo -o looks.png --view house --view close");
+    command->footer(
+        "Example: ghostlight sheet assets/demo -o looks.png --view house --view close\n"
+        "         ghostlight sheet assets/fixtures/Ghostlight@Optics_Profile.gdtf -o channels.png");
     command->callback([a, &exit_code] {
         if (a->session.quiet) set_log_level(LogLevel::warning);
         if (const Result<void> usage = check_usage(*a); !usage.ok()) {
             log_error(usage.error().text());
             exit_code = 2;
+            return;
+        }
+        if (is_of_fixture(*a)) {
+            const ChannelSheetOptions options{a->session.show,
+                                              a->mode,
+                                              a->out,
+                                              a->views.empty() ? "" : a->views.front(),
+                                              a->width,
+                                              a->height,
+                                              a->session.device,
+                                              a->session.quiet};
+            if (const Result<void> done = draw_channel_sheet(options); !done.ok()) {
+                log_error(done.error().text());
+                exit_code = 1;
+            }
             return;
         }
         a->session.live = true;

@@ -2,6 +2,7 @@
 #include "app/session.h"
 
 #include "app/interrupt.h"
+#include "app/made_session.h"
 #include "app/passes_sources.h"
 #include "bake/bake_show.h"
 #include "scene/passes_file.h"
@@ -299,10 +300,17 @@ void apply(const scene::SceneLook& look, scene::Show& show, bool& shadows) {
 }
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
+    scene::Report report;
+    TRY(scene::Show show, open_show(options.show, false, options.quiet, report, options.text));
+    return open_session(options, std::move(show), std::move(report));
+}
+
+Result<std::unique_ptr<Session>> open_session(const SessionOptions& options, scene::Show show,
+                                              scene::Report read) {
     auto session = std::make_unique<Session>();
     session->options = options;
+    session->report = std::move(read);
     scene::Report& report = session->report;
-    TRY(scene::Show show, open_show(options.show, false, options.quiet, report, options.text));
     session->of_show_file = report.messages.size();
     show.motion = options.motion.value_or(show.motion);
     if (!options.look.empty()) TRY_VOID(take_look(options, show, *session, report));

@@ -1,0 +1,25 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// A contact sheet of a fixture file: what each of its channels does, tried one after the other
+// (fixture/sweep.h) before a wall 8 m away. Main thread.
+
+#include "base/result.h"
+
+#include <string>
+
+namespace ghost::app {
+
+struct ChannelSheetOptions {
+    std::string file; // GDTF, QXF, OFL
+    std::string mode; // empty: the first
+    std::string out;
+    std::string view;              // "side", "wall", "face"; empty: face for bars and panels, else side
+    int width = 160, height = 120; // of one picture
+    std::string device;
+    bool quiet = false;
+};
+
+// Error: unreadable file, no such mode, nothing that shines, too large.
+Result<void> draw_channel_sheet(const ChannelSheetOptions& options);
+
+} // namespace ghost::app
