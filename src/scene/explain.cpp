@@ -119,6 +119,27 @@ const Reason* first_blocking(const std::vector<Reason>& findings) {
     return nullptr;
 }
 
+// "draws a fan of 12 rays, 60 deg wide", as the rig chooses between show file and desk; "" where it draws
+// none.
+std::string figure_text(const PatchedFixture& fixture, const std::optional<fixture::Figure>& chosen) {
+    std::optional<fixture::Figure> figure = chosen;
+    if (fixture.laser && fixture.laser->has_figure && (!chosen || fixture.address == 0))
+        figure = fixture.laser->figure;
+    if (!figure || figure->kind == fixture::FigureKind::beam) return {};
+    const auto deg = [](float value) { return number(static_cast<double>(value), 1); };
+    std::string text =
+        "draws a " + std::string(fixture::kFigureNames[static_cast<std::size_t>(figure->kind)]);
+    if (figure->kind == fixture::FigureKind::wave)
+        text += " of " + std::to_string(figure->count) + (figure->count == 1 ? " length" : " lengths");
+    else if (!fixture::is_swept(figure->kind))
+        text += " of " + std::to_string(figure->count) + " rays";
+    const bool is_flat =
+        figure->kind == fixture::FigureKind::fan || figure->kind == fixture::FigureKind::line;
+    text += ", " + deg(figure->size_deg.x) + (is_flat ? "" : " x " + deg(figure->size_deg.y)) + " deg";
+    if (figure->deg_s != 0.0f) text += ", turning at " + deg(figure->deg_s) + " deg/s";
+    return text;
+}
+
 // The medium that a projector shows: the light knows it where it was drawn with pictures.
 std::string shown_by(const Show& show, const shared::Light& light, const Projector& projector) {
     const int media = light.slide.layer > 0 ? static_cast<int>(light.slide.layer) - 1 : projector.media;
@@ -251,6 +272,8 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
             facts.medium = shown_by(input_.show, light, *fixture.projector);
             facts.optics.insert(facts.optics.begin(), "projects '" + facts.medium + "'");
         }
+        if (const std::string figure = figure_text(fixture, state.beams[b].optics.figure); !figure.empty())
+            facts.optics.insert(facts.optics.begin(), figure);
         const Emitters& emitters = input_.rig.emitters(index);
         if (const int light_index = emitter_of(emitters, static_cast<int>(b)); light_index >= 0)
             facts.grouped =

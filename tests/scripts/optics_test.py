@@ -43,4 +43,9 @@ expect(50, ["prism 1 '8 circular'", "prism 2 '3 circular'", "24 pictures of all 
 expect(66, ["frost 100 %: scatters by 8 deg"])
 expect(58, ["scatters by 1 deg"])
 expect(70, ["the iris pulses at"])
+# A laser's figure is among its optics, a plain beam's is not.
+done = subprocess.run([build / "ghostlight", "explain", root / "assets/lasers", "Fan", "--at", "1", "--json"],
+                      check=True, capture_output=True, text=True)
+said = " / ".join(json.loads(done.stdout)["beams"][0]["optics"])
+assert "draws a fan of 16 rays, 90 deg" in said, said
 print("the optics show is as it is written, explain names what is in the light")
