@@ -76,14 +76,13 @@ Reach::Reach() {
         if (bring_into_reach(displays) > 0)
             Q_EMIT moved("The display it was on is gone: what was there is here now");
     });
-    const auto wait = [this] { timer_.start(); };
-    connect(qGuiApp, &QGuiApplication::screenRemoved, this, wait);
+    connect(qGuiApp, &QGuiApplication::screenRemoved, this, &Reach::look);
     connect(qGuiApp, &QGuiApplication::screenAdded, this, &Reach::watch);
     for (QScreen* screen : QGuiApplication::screens()) watch(screen);
 }
 
 void Reach::watch(QScreen* screen) {
-    connect(screen, &QScreen::availableGeometryChanged, this, [this] { timer_.start(); });
+    connect(screen, &QScreen::availableGeometryChanged, this, &Reach::look);
 }
 
 } // namespace ghost::ui

@@ -23,6 +23,8 @@ class Reach : public QObject {
     Q_OBJECT
 public:
     Reach();
+    // Soon: also for who gives a window back the place that it had long ago.
+    void look() { timer_.start(); }
 
 Q_SIGNALS:
     void moved(const QString& what);

@@ -190,6 +190,7 @@ void Window::set_full_screen(bool full) {
         showFullScreen();
     } else {
         showNormal();
+        reach_.look(); // its display may have gone meanwhile
         for (std::size_t i = 0; i < docks_shown_.size(); ++i) docks_[i]->setVisible(docks_shown_[i]);
     }
     view_->setFocus();

@@ -2,9 +2,11 @@
 // Windows whose display is gone come to one that is there; those that can be reached stay where they are.
 #include "test_window.h"
 #include "ui/reach.h"
+#include "ui/window.h"
 
 #include <QDockWidget>
 #include <QMainWindow>
+#include <QWindow>
 
 namespace ghost::ui {
 namespace {
@@ -48,6 +50,26 @@ TEST(Reach, windows_and_torn_off_panels_are_moved) {
     EXPECT_TRUE(kFirst.contains(dock->frameGeometry())) << dock->frameGeometry().x();
     EXPECT_EQ(near.frameGeometry(), stays);
     EXPECT_EQ(bring_into_reach({kFirst}), 0);
+}
+
+TEST(Reach, full_screen_lasts_in_a_window_narrower_than_its_tool_bar_and_leads_back) {
+    Link link;
+    WindowOptions options;
+    options.remembers = false;
+    Window window(link, options);
+    window.show();
+    settle();
+    // As another scale of the display leaves it.
+    window.windowHandle()->setGeometry(4000, 200, 400, 300);
+    settle();
+    ASSERT_LT(window.width(), window.minimumSizeHint().width());
+    ASSERT_TRUE(window.actions().run("full-screen").ok());
+    settle();
+    EXPECT_TRUE(window.isFullScreen());
+    ASSERT_TRUE(window.actions().run("full-screen").ok());
+    wait_ms(600);
+    EXPECT_FALSE(window.isFullScreen());
+    EXPECT_TRUE(kFirst.united(kSecond).contains(window.frameGeometry())) << window.frameGeometry().x();
 }
 
 } // namespace

@@ -83,7 +83,11 @@ TEST(View, a_box_before_the_first_picture_selects_what_will_be_in_it) {
     View view(bench.studio, nullptr);
     view.resize(320, 180);
     view.show();
-    bench.link.opened.put(four_lamps()); // no rig and no picture yet
+    Opened opened = four_lamps();
+    auto show = std::make_shared<scene::Show>(*opened.show);
+    show->cameras.front().position_m = {4, -12, 5}; // not where a camera stands by default
+    opened.show = std::move(show);
+    bench.link.opened.put(std::move(opened)); // no rig and no picture yet
     bench.link.on_news();
     settle();
     ASSERT_FALSE(bench.studio.picture().image);
@@ -114,10 +118,11 @@ TEST(View, another_scale_of_the_display_asks_for_other_pixels) {
     Watched watched;
     QScreen* const fine = QGuiApplication::screens().at(1);
     ASSERT_EQ(fine->devicePixelRatio(), 2);
+    wait_ms(300); // it rests
     watched.view.windowHandle()->setScreen(fine);
-    watched.view.resize(320, 180); // as it was
     settle();
     ASSERT_EQ(watched.view.devicePixelRatioF(), 2);
+    ASSERT_EQ(watched.view.size(), QSize(320, 180)) << "the window keeps its size";
     watched.view.update();
     wait_ms(400);
     EXPECT_EQ(watched.bench.studio.camera().width, 640);
