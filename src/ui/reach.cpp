@@ -74,7 +74,7 @@ Reach::Reach() {
         QList<QRect> displays;
         for (const QScreen* screen : QGuiApplication::screens()) displays << screen->availableGeometry();
         if (bring_into_reach(displays) > 0)
-            Q_EMIT moved("The display it was on is gone: what was there is here now");
+            Q_EMIT moved("The displays changed: what was out of sight is here now");
     });
     connect(qGuiApp, &QGuiApplication::screenRemoved, this, &Reach::look);
     connect(qGuiApp, &QGuiApplication::screenAdded, this, &Reach::watch);
