@@ -16,6 +16,8 @@ layout(binding = 2, rg32f) uniform image2DArray shade;
 layout(push_constant, scalar) uniform Push { FanPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
+const float kAlwaysLit = 2.0; // above every cosine
+
 // How far from the map's place the light gets in a direction (unit).
 float reach_of(uint map, vec3 direction, int size) {
     ivec2 at = min(ivec2(octahedral_from(direction) * float(size)), size - 1);
@@ -26,23 +28,27 @@ void fill(uint map, Fan fan) {
     int size = textureSize(distance_maps, 0).x;
     uint side = fan_shade_side(fan);
     uint row = gl_GlobalInvocationID.x;
-    vec2 meridian = fan_meridian(fan.shade, (2.0 * float(row) + 1.0) / float(side) - 1.0);
+    vec2 meridian = fan_meridian(fan.shade, fan_straight((2.0 * float(row) + 1.0) / float(side) - 1.0, fan.row_bend));
     vec4 chord = fan_chord(fan.shade, meridian.x);
     vec3 aside = fan.shade.along * meridian.x + fan.shade.across * meridian.y;
     vec3 centre = fan.shade.pole * chord.x + aside * chord.y;
     vec3 turn = aside * chord.x - fan.shade.pole * chord.y;
-    float step_u = 2.0 * chord.w / float(side);
-    float u = 0.5 * step_u - chord.w;
+    float step = 2.0 / float(side);
+    float place = 0.5 * step - 1.0;
+    // The last rows and columns are for what lies beside the cone, right before the lens.
+    bool beside = fan.shade.row_scale > 0.0 && (row == 0u || row == side - 1u);
     uint columns = row < side ? side : 0u;
     // Levels of 1, 2 and 4 columns.
     for (uint column = 0u; column < columns; column += 4u) {
         vec4 edge;
         for (uint k = 0u; k < 4u; ++k) {
+            float u = chord.w * fan_straight(place, fan.column_bend);
             float unit = inversesqrt(1.0 + u * u);
             float reach_m = reach_of(map, (centre + turn * u) * unit, size);
             edge[k] = fan_shade(fan, (chord.xy + u * vec2(-chord.y, chord.x)) * unit, reach_m);
+            edge[k] = beside || column + k == 0u || column + k == side - 1u ? kAlwaysLit : edge[k];
             imageStore(shade, ivec3(row, column + k, fan.layer), edge[k].xxxx);
-            u += step_u;
+            place += step;
         }
         vec2 least = min(edge.xz, edge.yw), most = max(edge.xz, edge.yw);
         imageStore(shade, ivec3(row, side + column / 2u, fan.layer), vec4(least.x, most.x, 0.0, 0.0));

@@ -143,10 +143,9 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     bool open = true;
     if (kShadows) {
         shaded = shade_ray(fan, dir);
-        first = shade_column(shaded, ray_way_m(ray, u0));
-        last = shade_column(shaded, ray_way_m(ray, u1));
+        first = shade_column(shaded, fan_tangent_at(shaded.tangent, ray_way_m(ray, u0)));
         // At the surface that ends the ray the map is too coarse to tell before from behind.
-        last = max(last - int(ceil(p.shade_rad / shaded.column_u)), first);
+        last = max(shade_column(shaded, fan_tangent_at(shaded.tangent, ray_way_m(ray, u1)) - p.shade_rad), first);
         vec2 edge = shade_between(shaded, first, last);
         open = shaded.cosine < edge.x;
         last = shaded.cosine >= edge.y ? first - 1 : last;

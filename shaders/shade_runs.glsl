@@ -7,7 +7,7 @@ struct ShadeRay {
     vec4 tangent;     // of its points, see fan_tangent
     float cosine;     // of its angle from the pole
     float half_width; // of the row, tangent
-    float column_u;   // width of a column
+    float bend;       // of its columns
     int row;
     int layer;
     int side;
@@ -20,20 +20,21 @@ ShadeRay shade_ray(Fan fan, vec3 dir) {
     vec2 meridian = aside / sine;
     vec4 chord = fan_chord(fan.shade, meridian.x);
     int side = int(fan_shade_side(fan));
-    // Beside the cone, at the beginning of a wide lens's beam, nothing is known to be in the way but what is at the cone's rim.
-    int row = clamp(int((0.5 * fan_row(fan.shade, meridian.x, meridian.y) + 0.5) * float(side)), 0, side - 1);
-    return ShadeRay(fan_tangent(fan.shade, chord, vec2(cosine, sine)), cosine, chord.w, 2.0 * max(chord.w, 1e-6) / float(side), row,
-                    int(fan.layer), side);
+    float row = fan_bent(clamp(fan_row(fan.shade, meridian.x, meridian.y), -1.0, 1.0), fan.row_bend);
+    return ShadeRay(fan_tangent(fan.shade, chord, vec2(cosine, sine)), cosine, max(chord.w, 1e-6), fan.column_bend,
+                    clamp(int((0.5 * row + 0.5) * float(side)), 0, side - 1), int(fan.layer), side);
 }
 
-// Column of the ray's point t_m from the eye.
-int shade_column(ShadeRay ray, float t_m) {
-    float u = clamp(fan_tangent_at(ray.tangent, t_m), -ray.half_width, ray.half_width);
-    return clamp(int((u + ray.half_width) / ray.column_u), 0, ray.side - 1);
+// Column of a tangent.
+int shade_column(ShadeRay ray, float u) {
+    float place = fan_bent(clamp(u / ray.half_width, -1.0, 1.0), ray.bend);
+    return clamp(int((0.5 * place + 0.5) * float(ray.side)), 0, ray.side - 1);
 }
 
 // Tangent of where a column begins.
-float shade_tangent(ShadeRay ray, int column) { return float(column) * ray.column_u - ray.half_width; }
+float shade_tangent(ShadeRay ray, int column) {
+    return ray.half_width * fan_straight(2.0 * float(column) / float(ray.side) - 1.0, ray.bend);
+}
 
 // Least and most of the shade between two columns.
 vec2 shade_between(ShadeRay ray, int from, int to) {

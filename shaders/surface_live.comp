@@ -115,8 +115,10 @@ vec3 shown(Light light, Fragment f, Haze haze) {
     float distance2 = max(dot(from_light, from_light), 1e-4);
     float distance_m = sqrt(distance2);
     vec3 q = to_gate(light, from_light);
-    vec3 to_light = -from_light / distance_m;
-    float facing = dot(f.facet, to_light);
+    float facing = -dot(f.facet, from_light) / distance_m;
+    // It comes from the lens, not from the apex behind it; a cell of a bar is a bit beside the place where the map was made.
+    vec3 from_map = from_light + light.off_map_m;
+    vec3 to_light = -from_map / max(length(from_map), 0.01);
     // The beam's mean over the fragment: a blur as wide as that is in the gate. (Shadows as wide as the fragment gain .1 dB, but
     // their relative error grows by up to 9 %.)
     float width_m = sqrt(f.area_m2 * max(facing, 0.0));
@@ -129,12 +131,9 @@ vec3 shown(Light light, Fragment f, Haze haze) {
                     (haze_transmittance(haze, way_from_lens_m(light, q)) * attenuation_factor(air.attenuation, distance_m) / distance2);
     // The facet is kept to 2 degrees, the normal exactly.
     vec3 value = light_cd * (kIlluminance ? vec3(max(dot(f.normal, to_light), 0.0)) : brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light));
-    value = facing > 0.0 ? value : vec3(0.0);
-    if (kShadows) {
-        // As seen from where the map was made: a cell of a bar is a bit beside it.
-        vec3 from_map = from_light + light.off_map_m;
+    value = dot(f.facet, to_light) > 0.0 ? value : vec3(0.0);
+    if (kShadows)
         value *= lit_share(light, f, from_map, max(length(from_map), 0.01), max(max(value.r, value.g), value.b) > 0.0);
-    }
     return value;
 }
 

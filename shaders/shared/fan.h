@@ -35,7 +35,9 @@ SHARED_SIZE(Planes, 56);
 // Places the fan of one light for one eye.
 struct Fan {
     Planes beam;     // through the beam's apex; the cone is the beam
-    Planes shade;    // through the place of the light's distance map; the cone holds the beam but for its beginning at the lens
+    Planes shade;    // through the place of the light's distance map; the cone is wide enough for the beam's beginning at the lens
+    float row_bend;  // of the shade, see fan_bent
+    float column_bend;
     uint layer;      // of the table
     uint size;       // rows and columns of the sharpest level
     float sharpest;  // blur (gate units) of level 0; level n has twice that to the nth
@@ -45,7 +47,7 @@ struct Fan {
     float most;      // share that the table holds as 1
     uint thin;       // 1: may be thinner than a pixel, and rows are even in the sine
 };
-SHARED_SIZE(Fan, 196);
+SHARED_SIZE(Fan, 204);
 
 SHARED_CONST float kLeastSine = 1e-4f; // between a ray and the pole
 SHARED_CONST uint kFanLevels = 8u;
@@ -145,15 +147,31 @@ SHARED_FN float fan_node_level(Fan fan, float t) {
     return level;
 }
 
-// Rows and columns of the finest level of what is in the light's way: about a texel of a distance map of 1024. Its levels stand side
-// by side, too, each half as many columns.
+// Most of the shade's rows and columns lie where the beam is far from its lens: -1..1 to -1..1, 1 + bend times as steep in the middle.
+SHARED_FN float fan_bent(float even, float bend) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return even * (1.0f + bend) / (1.0f + bend * abs(even));
+}
+
+SHARED_FN float fan_straight(float bent, float bend) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return bent / (1.0f + bend - bend * abs(bent));
+}
+
+// Rows and columns of the finest level of what is in the light's way: about a texel of a distance map of 1024 in the middle. Its
+// levels stand side by side, too, each half as many columns.
 SHARED_FN uint fan_shade_side(Fan fan) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
     float width = 2.0f * sqrt(max(1.0f - fan.shade.cos_cone * fan.shade.cos_cone, 0.0f)) / max(fan.shade.cos_cone, 1e-3f);
-    uint texels = uint(clamp(width / 0.0035f, float(kLeastSharp / 2u), float(kFinestShade / 2u)));
-    return 2u << uint(findMSB(texels));
+    uint texels = uint(clamp(width / ((1.0f + fan.column_bend) * 0.0035f), float(kLeastSharp / 2u), float(kFinestShade / 2u)));
+    // An eye within the cone sees rows from end to end.
+    return fan.shade.row_scale < 0.0f ? kFinestShade : 2u << uint(findMSB(texels));
 }
 
 // Where a ray of a plane of the map is, seen from the eye: the cosine of its angle from the pole. The light of a direction whose
@@ -173,13 +191,14 @@ SHARED_FN vec4 fan_tangent(Planes planes, vec4 chord, vec2 ray) {
                 ray.x * chord.x + ray.y * chord.y);
 }
 
-// Tangent of the direction t_m from the eye.
+// Tangent of the direction t_m from the eye; beyond a right angle, on either side, of one so near to it that nothing is there.
 SHARED_FN float fan_tangent_at(vec4 of, float t_m) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
+    float aside = of.x + t_m * of.y;
     float ahead = of.z + t_m * of.w;
-    return ahead > 1e-6f ? (of.x + t_m * of.y) / ahead : -1e9f;
+    return ahead > 1e-6f ? aside / ahead : (aside < 0.0f ? -1e9f : 1e9f);
 }
 
 // The same point's tangent in the plane `to`, from its tangent in the plane `from`, of one ray.

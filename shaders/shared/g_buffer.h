@@ -99,7 +99,8 @@ struct GatherCounts {
 };
 SHARED_SIZE(GatherCounts, 32);
 
-// A unit vector in 11 bits, a whole number that a half float holds: within 4 degrees. Enough to lift a point off its surface.
+// A unit vector in 11 bits, a whole number that a half float holds: within 4 degrees, and exactly where it lies along an axis of
+// the world, as floors and walls do, which light skims. Enough to lift a point off its surface.
 SHARED_FN float pack_facet(vec3 n) {
 #ifdef __cplusplus
     using namespace glm;
@@ -108,7 +109,7 @@ SHARED_FN float pack_facet(vec3 n) {
     vec2 at = vec2(n.x, n.y) / sum;
     vec2 folded = (vec2(1.0f) - abs(vec2(at.y, at.x))) * vec2(at.x < 0.0f ? -1.0f : 1.0f, at.y < 0.0f ? -1.0f : 1.0f);
     at = n.z < 0.0f ? folded : at;
-    return floor((at.x * 0.5f + 0.5f) * 31.0f + 0.5f) * 64.0f + floor((at.y * 0.5f + 0.5f) * 63.0f + 0.5f);
+    return floor((at.x * 0.5f + 0.5f) * 30.0f + 0.5f) * 64.0f + floor((at.y * 0.5f + 0.5f) * 62.0f + 0.5f);
 }
 
 SHARED_FN vec3 unpack_facet(float packed_facet) {
@@ -116,7 +117,7 @@ SHARED_FN vec3 unpack_facet(float packed_facet) {
     using namespace glm;
 #endif
     float high = floor(packed_facet / 64.0f);
-    vec2 at = vec2(high / 31.0f, (packed_facet - high * 64.0f) / 63.0f) * 2.0f - vec2(1.0f);
+    vec2 at = vec2(high / 30.0f, (packed_facet - high * 64.0f) / 62.0f) * 2.0f - vec2(1.0f);
     float z = 1.0f - abs(at.x) - abs(at.y);
     float inward = max(-z, 0.0f);
     vec3 n = vec3(at.x + (at.x < 0.0f ? inward : -inward), at.y + (at.y < 0.0f ? inward : -inward), z);

@@ -109,19 +109,30 @@ void set_nodes(shared::Fan& fan, const shared::Light& light) {
     }
 }
 
-// What is in the way of the light is right from so far before the lens on.
-constexpr double kShadeFrom_m = 0.3;
-constexpr double kWidestShade = 1.5; // tangent
+constexpr double kShadeFrom_m =
+    0.05;                    // before the lens; nearer, what is in the way may be beside the shade's cone
+constexpr double kFar_m = 1; // before the lens: from here on the beam has kFarShare of the shade's columns
+constexpr double kFarShare = 0.6;
+constexpr double kWidestShade = 4; // tangent
+constexpr double kAround =
+    1.15; // of the beam's own tangent, so that its rim is not in the shade's last columns
+constexpr double kMostBend = 30;
 
-// The cone from the distance map's place that holds the beam from kShadeFrom_m before the lens on.
-double shade_tangent(const shared::Light& light, double tangent) {
+// Tangent of the beam's rim so far before the lens, seen from the distance map's place.
+double tangent_from_map(const shared::Light& light, double tangent, double before_m) {
     using glm::dvec3;
     const dvec3 axis(light.axis_w);
     const dvec3 lens = dvec3(light.off_map_m) + double{light.lens_m} * axis; // from the map's place
     const double ahead = glm::dot(lens, axis);
-    const double radius = (double{light.lens_m} + kShadeFrom_m) * tangent + glm::length(lens - ahead * axis);
-    const double seen = radius / std::max(ahead + kShadeFrom_m, 0.5 * kShadeFrom_m);
-    return std::max(tangent, std::min(seen, kWidestShade));
+    const double radius = (double{light.lens_m} + before_m) * tangent + glm::length(lens - ahead * axis);
+    return std::clamp(radius / std::max(ahead + before_m, 0.5 * before_m), tangent * kAround,
+                      std::max(tangent * kAround, kWidestShade));
+}
+
+// Bend (shared::fan_bent) that gives kFarShare of all places to this share of them.
+float bend_for(double share) {
+    return static_cast<float>(
+        std::clamp((kFarShare / std::max(share, 1e-6) - 1) / (1 - kFarShare), 0.0, kMostBend));
 }
 
 // Planes through a place, for the cone of this tangent about the axis.
@@ -177,7 +188,16 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
     const double tangent = static_cast<double>(light.tan_field) * static_cast<double>(light.cut_radius);
     shared::Fan fan{};
     fan.beam = planes_of(apex_m, light, eye_m, tangent);
-    fan.shade = planes_of(apex_m - glm::dvec3(light.off_map_m), light, eye_m, shade_tangent(light, tangent));
+    const double widest = tangent_from_map(light, tangent, kShadeFrom_m);
+    const double far = std::min(tangent_from_map(light, tangent, kFar_m), widest);
+    fan.shade = planes_of(apex_m - glm::dvec3(light.off_map_m), light, eye_m, widest);
+    fan.column_bend = bend_for(far / widest);
+    const double meridian =
+        far / std::sqrt(1 + far * far) / std::max(double{fan.shade.sin_axis}, 1e-9); // sine
+    if (meridian < 1)
+        fan.row_bend =
+            bend_for(double{shared::fan_row(fan.shade, static_cast<float>(std::sqrt(1 - meridian * meridian)),
+                                            static_cast<float>(meridian))});
     const bool surrounds = fan.beam.row_scale < 0;
     const float width_pixels = 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
     fan.thin = !surrounds && width_pixels < kThin_pixels ? 1 : 0;
