@@ -18,6 +18,12 @@ constexpr std::size_t kMaxLetters = 120; // names come from outside
 constexpr std::size_t kLoaded = 3;
 constexpr double kOtherNumber = 0.85; // a 2500 where a 2000 was asked for
 constexpr double kLengthWorth = 0.1;  // of a mode that fits the patch, in likeness
+constexpr double kGdtfWorth =
+    0.15; // of a GDTF, whose name also holds a revision, and which brings all its pictures along
+
+double gdtf_worth(const std::string& name) {
+    return fixture::lower(name).ends_with(".gdtf") ? kGdtfWorth : 0;
+}
 
 struct Word {
     std::string text;
@@ -121,8 +127,9 @@ suggest_substitute(const WantedFixture& wanted, std::span<const std::string> nam
     for (std::size_t k = 0; k < names.size(); ++k)
         if (const double value = likeness(wanted.name, names[k]); value >= kLikeFixture)
             ranked.push_back({value, k});
-    std::stable_sort(ranked.begin(), ranked.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::stable_sort(ranked.begin(), ranked.end(), [&](const auto& a, const auto& b) {
+        return a.first + gdtf_worth(names[a.second]) > b.first + gdtf_worth(names[b.second]);
+    });
     if (ranked.size() > kLoaded) ranked.resize(kLoaded);
     std::optional<Suggestion> best;
     for (const auto& [value, offer] : ranked) {
@@ -136,8 +143,8 @@ suggest_substitute(const WantedFixture& wanted, std::span<const std::string> nam
         suggestion.mode = chosen.name;
         suggestion.channels = length_of(chosen);
         suggestion.by_length = wanted.channels > 0 && suggestion.channels == wanted.channels;
-        const auto worth = [](const Suggestion& of) {
-            return of.likeness + (of.by_length ? kLengthWorth : 0);
+        const auto worth = [&](const Suggestion& of) {
+            return of.likeness + (of.by_length ? kLengthWorth : 0) + gdtf_worth(names[of.offer]);
         };
         if (!best || worth(suggestion) > worth(*best)) best = suggestion;
     }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <optional>
 #include <set>
 #include <string_view>
@@ -11,9 +12,9 @@
 namespace ghost::scene {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546c67;     // "glTF"
-constexpr std::size_t kTriangles = 4;            // primitive mode
-constexpr std::uint32_t kJsonChunk = 0x4e4f534a; // "JSON"
+constexpr std::uint32_t kMagic = 0x46546c67;              // "glTF"
+constexpr std::size_t kTriangles = 4, kTriangleStrip = 5; // primitive modes
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a;          // "JSON"
 constexpr std::string_view kBeyondFloat = "1e39";
 
 float number_at(const nlohmann::json& json, const char* place, float fallback, float high) {
@@ -135,11 +136,14 @@ GltfExtras gltf_extras(Bytes glb) {
         for (std::size_t k = 0; k < primitives.size(); ++k) {
             const auto mode = index_at(primitives[k], "mode");
             const auto accessor = index_at(primitives[k], "indices");
-            if (mode.value_or(kTriangles) != kTriangles || !accessor || *accessor >= accessors.size())
+            const bool strip = mode == kTriangleStrip;
+            if ((!strip && mode.value_or(kTriangles) != kTriangles) || !accessor ||
+                *accessor >= accessors.size())
                 continue;
             const std::string name =
                 mesh["name"].get<std::string>() + (primitives.size() > 1 ? "-" + std::to_string(k) : "");
-            const std::size_t count = index_at(accessors[*accessor], "count").value_or(0) / 3;
+            const std::size_t points = index_at(accessors[*accessor], "count").value_or(0);
+            const std::size_t count = strip ? std::max<std::size_t>(points, 2) - 2 : points / 3;
             if (!extras.triangles.emplace(name, count).second) not_unique.insert(name);
         }
     }

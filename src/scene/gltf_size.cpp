@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace ghost::scene {
 namespace {
@@ -147,6 +148,67 @@ private:
     std::size_t bytes_ = 0;
 };
 
+// Assimp copies sparse values without looking whether their views hold so many.
+class SparseValues {
+public:
+    explicit SparseValues(const Json& document)
+        : views_(member(document, "bufferViews")), buffers_(member(document, "buffers")) {}
+
+    bool fit(const Json& accessor) const {
+        const Json& sparse = member(accessor, "sparse");
+        if (sparse.is_null()) return true;
+        const std::size_t count = number_of(member(sparse, "count"));
+        const Json& indices = member(sparse, "indices");
+        const std::size_t value_bytes = component_bytes(accessor) * components(member(accessor, "type"));
+        return count <= number_of(member(accessor, "count")) && value_bytes > 0 &&
+               holds(indices, count, component_bytes(indices)) &&
+               holds(member(sparse, "values"), count, value_bytes);
+    }
+
+private:
+    static std::size_t number_of(const Json& json) {
+        return json.is_number_unsigned() ? json.get<std::size_t>() : 0;
+    }
+    static std::size_t component_bytes(const Json& of) {
+        switch (number_of(member(of, "componentType"))) {
+        case 5120:
+        case 5121:
+            return 1;
+        case 5122:
+        case 5123:
+            return 2;
+        case 5125:
+        case 5126:
+            return 4;
+        default:
+            return 0;
+        }
+    }
+    static std::size_t components(const Json& type) {
+        constexpr std::pair<const char*, std::size_t> kTypes[] = {
+            {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}};
+        for (const auto& [name, count] : kTypes)
+            if (type == name) return count;
+        return 0;
+    }
+    bool holds(const Json& part, std::size_t count, std::size_t bytes_each) const {
+        const std::size_t index = index_of(member(part, "bufferView"));
+        if (!views_.is_array() || index >= views_.size() || bytes_each == 0) return false;
+        const Json& view = views_[index];
+        const std::size_t buffer = index_of(member(view, "buffer"));
+        if (!buffers_.is_array() || buffer >= buffers_.size()) return false;
+        const std::size_t view_bytes = number_of(member(view, "byteLength"));
+        const std::size_t view_offset = number_of(member(view, "byteOffset"));
+        const std::size_t buffer_bytes = number_of(member(buffers_[buffer], "byteLength"));
+        const std::size_t offset = number_of(member(part, "byteOffset"));
+        return view_offset <= buffer_bytes && view_bytes <= buffer_bytes - view_offset &&
+               offset <= view_bytes && count <= (view_bytes - offset) / bytes_each;
+    }
+
+    const Json& views_;
+    const Json& buffers_;
+};
+
 } // namespace
 
 Result<void> check_gltf_size(std::string_view text, const std::string& name) {
@@ -157,6 +219,13 @@ Result<void> check_gltf_size(std::string_view text, const std::string& name) {
     if (nodes.is_array())
         if (std::string fault = NodeTree(nodes).fault(member(document, "scenes")); !fault.empty())
             return Error{std::move(fault), name};
+    const SparseValues sparse_values(document);
+    const Json& accessors = member(document, "accessors");
+    for (std::size_t k = 0; accessors.is_array() && k < accessors.size(); ++k)
+        if (!sparse_values.fit(accessors[k]))
+            return Error{"accessor " + std::to_string(k) +
+                             " has sparse values that their buffer views do not hold",
+                         name};
     if (const std::size_t bytes = Unpacked(document).bytes(); bytes > kMaxUnpackedBytes)
         return Error{"unpacks to " + std::to_string(bytes >> 20) +
                          " MiB of vertices and triangles, at most " +

@@ -44,7 +44,8 @@ std::string_view json_of_glb(Bytes glb);
 
 // What a glTF's JSON asks for, before anything is made of it: 4 Mi things 128 deep, 200,000 nodes of a scene
 // 256 deep, 1 GiB of unpacked vertices and triangles, each as often as it is used. Error: over one of these,
-// or nodes that hold themselves.
+// or nodes that hold themselves, or sparse
+// values that are not there.
 Result<void> check_gltf_size(std::string_view json, const std::string& name);
 
 // Exporters write NaN and Infinity, which JSON does not have, and for which a parser gives up the whole file.

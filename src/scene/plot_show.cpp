@@ -105,6 +105,9 @@ public:
                            "[[wall]] name: the plot has no screen '" + walls_[k].name.substr(0, 60) + "'");
         say(report, bent_, Severity::warning,
             "a LED wall that is not flat: its picture is thrown straight onto it");
+        say(report, unhung_, Severity::warning,
+            "hangs by its ChildPosition on a geometry that the fixture above does not have; it hangs on its "
+            "base");
         say(report, mirrored_, Severity::warning,
             "mirrored by the plot, which no fixture can be; drawn as made");
         say(report, scaled_, Severity::note, "scaled or skewed by the plot; drawn in the size of their GDTF");
@@ -204,7 +207,7 @@ private:
 
     // What hangs on a geometry of a fixture counts its matrix from there ("Base.Yoke.Head"; MVR 1.6,
     // ChildPosition). The fixture is taken as it hangs at home.
-    glm::dmat4 child_position(const PlotObject& object, int parent_fixture) const {
+    glm::dmat4 child_position(const PlotObject& object, int parent_fixture) {
         const std::string& path = object.device.child_position;
         if (path.empty() || parent_fixture < 0) return glm::dmat4(1.0);
         const PatchedFixture& parent = show_.fixtures[static_cast<std::size_t>(parent_fixture)];
@@ -214,6 +217,7 @@ private:
         for (std::size_t k = 0; k < mode.nodes.size(); ++k)
             if (mode.nodes[k].name == path || mode.nodes[k].name == last)
                 return glm::dmat4(node_to_fixture(mode, static_cast<int>(k)));
+        unhung_.push_back(object.name);
         return glm::dmat4(1.0);
     }
 
@@ -266,6 +270,7 @@ private:
     std::vector<std::string> scaled_;
     std::vector<std::string> aimed_;
     std::vector<std::string> bent_;
+    std::vector<std::string> unhung_;
     std::size_t left_out_ = 0;
 };
 

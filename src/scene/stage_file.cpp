@@ -172,7 +172,7 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
         TRY(std::vector<std::uint8_t> safe, made_safe(bytes, format == "glb", name, folder, lost));
         if (lost > 0)
             report.add(
-                Severity::warning, name,
+                Severity::error, name,
                 std::to_string(lost) +
                     " of its primitives are fans of triangles with indices, or have too few points for one "
                     "triangle: they are left out");

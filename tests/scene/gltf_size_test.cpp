@@ -61,7 +61,7 @@ TEST(GltfSize, nodes_in_each_other_in_circles_and_doubled) {
 TEST(GltfSize, vertices_count_as_often_as_they_are_used) {
     const auto model = [](const std::string& primitives, std::size_t count) {
         return R"({"meshes":[{"primitives":[)" + primitives + R"(]}],"accessors":[{"count":)" +
-               std::to_string(count) + R"(,"sparse":{}}]})";
+               std::to_string(count) + R"(}]})";
     };
     const std::string mesh = R"({"attributes":{"POSITION":0}})"; // 16 bytes a vertex, 16 a corner
     EXPECT_EQ(fault_of(model(mesh, 1u << 25)), "");
@@ -110,6 +110,34 @@ TEST(GltfFaces, what_is_safe_stays_as_it_is) {
         R"({"accessors":[{"count":2}],"meshes":[{"primitives":[{"mode":5,"attributes":{"POSITION":0}}]}]})"));
     EXPECT_EQ(lost, 1u);
     EXPECT_FALSE(without_unsafe_faces("{", "a.glb", lost).ok());
+}
+
+TEST(GltfSize, sparse_values_that_are_not_there) {
+    const auto fault = [](const char* count, const char* view_bytes, const char* of = "3") {
+        return fault_of(
+            std::string(R"({"buffers":[{"byteLength":100}],"bufferViews":[{"buffer":0,"byteLength":)") +
+            view_bytes + R"(}],"accessors":[{"count":)" + of +
+            R"(,"componentType":5126,"type":"VEC3","sparse":{"count":)" + count +
+            R"(,"indices":{"bufferView":0,"componentType":5123},"values":{"bufferView":0}}}]})");
+    };
+    EXPECT_EQ(fault("3", "36"), "");
+    EXPECT_TRUE(says(fault("3", "35"), "accessor 0 has sparse values")) << "36 bytes of values";
+    EXPECT_TRUE(says(fault("4", "100"), "accessor 0 has sparse values")) << "more than the accessor has";
+    EXPECT_TRUE(says(fault("400000000", "100", "400000000"), "accessor 0 has sparse values"));
+    EXPECT_TRUE(says(fault("3", "101"), "accessor 0 has sparse values")) << "a view beyond its buffer";
+}
+
+TEST(GltfFaces, a_strip_that_loses_triangles_is_said) {
+    TinyGlb tiny;
+    tiny.indices = {0, 1, 2, 9};
+    std::vector<std::uint8_t> bytes = tiny.bytes();
+    std::string json(json_of_glb(bytes));
+    json.insert(json.find(R"("attributes")"), R"("mode":5,)");
+    Report report;
+    const auto model = load_model(glb_with_json(bytes, json), "glb", "strip.glb", {}, report);
+    ASSERT_TRUE(model.ok()) << model.error().text();
+    ASSERT_EQ(report.messages.size(), 1u);
+    EXPECT_TRUE(says(report.messages[0].what, "1 faces have vertices that do not exist"));
 }
 
 } // namespace

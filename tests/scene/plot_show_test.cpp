@@ -242,6 +242,20 @@ TEST(PlotShow, FixturesHangOnPartsOfFixtures) {
     expect_near(scroller.rotation_deg, {0, 0, 90});
     EXPECT_EQ(scroller.universe, 2) << "multipatch: the channels of the one it names";
     EXPECT_EQ(scroller.address, 17);
+    const auto unhung = [](const Report& of) {
+        return std::any_of(of.messages.begin(), of.messages.end(), [](const Message& message) {
+            return message.what.find("ChildPosition") != std::string::npos;
+        });
+    };
+    EXPECT_FALSE(unhung(report));
+    std::string nowhere = child;
+    nowhere.replace(nowhere.find("Base.Yoke.Head"), 14, "Base.Nothing");
+    Report missing;
+    opened_xml("nowhere",
+               small_xml(fixture_xml(20, "Spot", kIdentity + "{1000,0,6000}",
+                                     "<Addresses><Address>2.17</Address></Addresses>" + nowhere)),
+               missing);
+    EXPECT_TRUE(unhung(missing));
 }
 
 TEST(PlotShow, LanternsThatNothingTurnsAimAtTheirFocus) {
