@@ -14,9 +14,8 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, QWidget* parent)
     connect(&document_, &ShowDocument::draft_found, this, [this](const QString& words) {
         ask(words, {{"Take them", "take-changes"}, {"Drop them", "drop-changes"}});
     });
-    connect(&document_, &ShowDocument::found_changed_outside, this, [this] {
-        ask("Another program changed the show file, and there are changes here that are not saved.",
-            {{"Take what the file says", "reload"}, {"Save mine over it", "save over"}});
+    connect(&document_, &ShowDocument::found_changed_outside, this, [this](const QString& words) {
+        ask(words, {{"Take what the file says", "reload"}, {"Save mine over it", "save over"}});
     });
     connect(&document_, &ShowDocument::changed, this, [this] {
         if (!document_.has_draft() && !document_.is_changed_outside()) hide();

@@ -9,6 +9,8 @@
 #include <QDateTime>
 #include <QFileInfo>
 
+#include <utility>
+
 namespace ghost::ui {
 namespace {
 
@@ -54,7 +56,8 @@ ShowDocument::ShowDocument(Studio& studio) : studio_(studio) {
     draft_timer_.setSingleShot(true);
     draft_timer_.setInterval(kDraftAfter_ms);
     connect(&draft_timer_, &QTimer::timeout, this, &ShowDocument::keep_draft);
-    connect(&watcher_, &QFileSystemWatcher::fileChanged, this, &ShowDocument::look_at_file);
+    for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
+        connect(&watcher_, signal, this, &ShowDocument::look_at_file);
     connect(&studio_, &Studio::opened_show, this, [this] {
         const bool goes_on = studio_.opened().again && studio_.show()->file == file_;
         if (!studio_.opened().is_edit && !goes_on) read_opened();
@@ -70,8 +73,14 @@ std::filesystem::path ShowDocument::draft_file() const {
 }
 
 void ShowDocument::watch() {
+    // The folder, too: editors take the file away for a moment and put another one in its place.
     if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
-    if (!file_.empty()) watcher_.addPath(QString::fromStdString(file_.string()));
+    const QString folder = QString::fromStdString(file_.parent_path().string());
+    for (const QString& other : watcher_.directories())
+        if (other != folder) watcher_.removePath(other);
+    if (file_.empty()) return;
+    watcher_.addPath(QString::fromStdString(file_.string()));
+    if (!watcher_.directories().contains(folder)) watcher_.addPath(folder);
 }
 
 void ShowDocument::read_opened() {
@@ -80,6 +89,7 @@ void ShowDocument::read_opened() {
     text_.clear();
     draft_.reset();
     changed_outside_ = false;
+    seen_outside_.reset();
     if (file_.extension() != ".toml") file_.clear();
     if (!file_.empty()) {
         if (auto text = read_text_file(file_, kMostBytes); text.ok())
@@ -162,12 +172,18 @@ void ShowDocument::keep_draft() {
 void ShowDocument::look_at_file() {
     watch(); // a file that was replaced is another one
     const auto now = read_text_file(file_, kMostBytes);
-    const bool outside = now.ok() && *now != saved_ && *now != text_;
-    if (outside == changed_outside_) return;
+    if (!now.ok()) return; // away for a moment; the folder tells when it is back
+    const bool outside = *now != saved_ && *now != text_;
+    if (outside ? seen_outside_ == *now : !changed_outside_) return;
     changed_outside_ = outside;
-    if (!outside) return;
-    if (!is_changed() && !draft_ && reload().ok()) return;
-    Q_EMIT found_changed_outside();
+    seen_outside_ = outside ? std::optional(*now) : std::nullopt;
+    QString why = "there are changes here that are not saved.";
+    if (outside && !is_changed() && !draft_) {
+        const Result<void> taken = reload();
+        if (taken.ok()) return;
+        why = "it cannot be taken: " + QString::fromStdString(taken.error().text());
+    }
+    if (outside) Q_EMIT found_changed_outside("Another program changed the show file, and " + why);
     Q_EMIT changed();
 }
 
@@ -193,9 +209,15 @@ Result<void> ShowDocument::save(bool over) {
 Result<void> ShowDocument::reload() {
     TRY_VOID(check_editable());
     TRY(std::string now, read_text_file(file_, kMostBytes));
-    changed_outside_ = false;
-    saved_ = now;
-    return edit("Reload", {std::move(now), studio_.look(), studio_.selection()});
+    // Before the step, which asks what is saved.
+    std::string before = std::exchange(saved_, now);
+    const bool was_outside = std::exchange(changed_outside_, false);
+    Result<void> done = edit("Reload", {std::move(now), studio_.look(), studio_.selection()});
+    if (!done.ok()) {
+        saved_ = std::move(before); // what cannot be taken must not be written over unasked
+        changed_outside_ = was_outside;
+    }
+    return done;
 }
 
 Result<void> ShowDocument::take_draft() {

@@ -46,7 +46,7 @@ public:
     // Whole or not at all. Error: cannot be written, or the file was changed outside meanwhile and over is
     // false.
     Result<void> save(bool over);
-    // What the file says, as a step that can be undone.
+    // What the file says, as a step that can be undone. Error: it cannot be read; all stays as it was.
     Result<void> reload();
     Result<void> take_draft();
     Result<void> drop_draft();
@@ -54,7 +54,7 @@ public:
 Q_SIGNALS:
     void changed(); // any of the above
     void draft_found(const QString& words);
-    void found_changed_outside();
+    void found_changed_outside(const QString& words); // and could not be taken
 
 private:
     friend class EditStep;
@@ -72,6 +72,7 @@ private:
     std::string saved_; // as the file has it
     std::optional<std::string> draft_;
     bool changed_outside_ = false;
+    std::optional<std::string> seen_outside_; // what it says there
     QTimer draft_timer_;
     QFileSystemWatcher watcher_;
 };

@@ -7,6 +7,8 @@
 
 #include <random>
 
+#include <fstream>
+
 namespace ghost::ui {
 namespace {
 
@@ -233,6 +235,41 @@ TEST(Patch, a_file_that_others_change_is_followed_and_never_written_over) {
     ASSERT_TRUE(desk.document.save(true).ok());
     EXPECT_NE(desk.on_disk().find("Mine"), std::string::npos);
     EXPECT_NE(desk.on_disk().find("fog"), std::string::npos);
+}
+
+TEST(Patch, what_is_written_by_hand_and_wrong_is_not_written_over_and_taken_once_it_is_right) {
+    Desk desk;
+    desk.open();
+    QString said;
+    QObject::connect(&desk.document, &ShowDocument::found_changed_outside,
+                     [&](const QString& words) { said = words; });
+    const std::string broken = kShow + "broken = [\n";
+    ASSERT_TRUE(write_file_atomic(desk.file, broken).ok());
+    for (int i = 0; i < 100 && said.isEmpty(); ++i) wait_ms(20);
+    EXPECT_TRUE(said.contains("cannot be taken")) << said.toStdString();
+    EXPECT_FALSE(said.contains("not saved"));
+    EXPECT_FALSE(desk.document.is_changed()) << "nothing was changed here";
+    EXPECT_FALSE(desk.document.save(false).ok());
+    EXPECT_EQ(desk.on_disk(), broken);
+    const std::string mended = kShow + "[haze]\npreset = \"fog\"\n";
+    ASSERT_TRUE(write_file_atomic(desk.file, mended).ok());
+    for (int i = 0; i < 100 && desk.document.text() != mended; ++i) wait_ms(20);
+    EXPECT_EQ(desk.document.text(), mended);
+    EXPECT_FALSE(desk.document.is_changed_outside());
+}
+
+TEST(Patch, an_editor_that_takes_the_file_away_first_is_followed) {
+    Desk desk;
+    desk.open();
+    for (const char* preset : {"fog", "light haze"}) {
+        const std::string by_hand = kShow + "[haze]\npreset = \"" + preset + "\"\n";
+        fs::rename(desk.file, fs::path(desk.file).concat("~"));
+        wait_ms(100);
+        std::ofstream(desk.file) << by_hand;
+        for (int i = 0; i < 100 && desk.document.text() != by_hand; ++i) wait_ms(20);
+        EXPECT_EQ(desk.document.text(), by_hand);
+        desk.follow();
+    }
 }
 
 TEST(Patch, where_nothing_can_be_written_it_is_said) {
