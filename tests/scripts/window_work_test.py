@@ -163,7 +163,7 @@ class AtWork(unittest.TestCase):
             self.assertEqual(window.state()["jobs"][0]["state"], "done", window.state()["jobs"])
             self.assertEqual(shares, sorted(shares), "progress goes on")
             self.assertGreater(len(pictures), 2, "the picture goes on meanwhile")
-            window.do("freeze on")
+            window.do("jump 36", "wait 0.2", "freeze on")  # the show went on meanwhile, perhaps into the dark
             state = window.until(lambda state: state["picture"]["baked"])
             self.assertIn("baked: house", state["picture"]["supply"])
             self.assertEqual(state["picture"]["camera"]["width"], 256)
