@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Development: exposure in EV100 and a tone curve in the manner of AgX (Troy Sobotka; sigmoid as the polynomial fit by
-// Benjamin Wrensch), linear Rec.2020 cd/m^2 in, sRGB-encoded display values out. One definition for screen, PNG, film and
-// the metrics.
+// Development: exposure in EV100 and a tone curve, linear Rec.2020 cd/m^2 in, sRGB-encoded display values out. One definition
+// for screen, PNG, film and the metrics. The curves leave the middle grey 0.18 where it is; agx
+// makes it 0.21.
 #ifndef GHOST_SHARED_DEVELOP_H
 #define GHOST_SHARED_DEVELOP_H
 #include "shared/types.h"
@@ -16,6 +16,11 @@ SHARED_BEGIN
 
 SHARED_CONST float kMeterFloor = 0.01f; // cd/m^2; darker pixels are the hall, not the show
 SHARED_CONST float kAutoBias = 0.7f;    // a lit stage in a dark hall is exposed for its highlights
+// As image::Tone counts them.
+SHARED_CONST uint kToneAgx = 0u;
+SHARED_CONST uint kToneAces = 1u;
+SHARED_CONST uint kToneLinear = 2u;
+SHARED_CONST float kAcesScale = 0.7232f; // with it 0.18 stays 0.18
 SHARED_CONST float kAgxMinEv = -12.47393f;
 SHARED_CONST float kAgxMaxEv = 4.026069f;
 
@@ -39,7 +44,9 @@ SHARED_FN vec3 srgb_encode(vec3 linear) {
     return vec3(c.x < 0.0031308f ? low.x : high.x, c.y < 0.0031308f ? low.y : high.y, c.z < 0.0031308f ? low.z : high.z);
 }
 
-SHARED_FN vec3 develop(vec3 rec2020, float exposure) {
+// In the manner of AgX (Troy Sobotka; sigmoid as the polynomial fit by Benjamin Wrensch): colours that are too bright go to
+// white as film does. Exposed Rec.2020 in, linear of the display out, likewise below.
+SHARED_FN vec3 tone_agx(vec3 exposed) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
@@ -49,9 +56,7 @@ SHARED_FN vec3 develop(vec3 rec2020, float exposure) {
     mat3 outset = mat3(vec3(1.1271005818144368f, -0.1413297634984383f, -0.14132976349843826f),
                        vec3(-0.11060664309660323f, 1.157823702216272f, -0.11060664309660294f),
                        vec3(-0.016493938717834573f, -0.016493938717834257f, 1.2519364065950405f));
-    mat3 to_rec709 = mat3(vec3(1.660491f, -0.124550f, -0.018151f), vec3(-0.587641f, 1.132900f, -0.100579f),
-                          vec3(-0.072850f, -0.008349f, 1.118730f));
-    vec3 c = inset * max(rec2020 * exposure, vec3(0.0f));
+    vec3 c = inset * exposed;
     c = clamp((log2(max(c, vec3(1e-10f))) - kAgxMinEv) / (kAgxMaxEv - kAgxMinEv), vec3(0.0f), vec3(1.0f));
     vec3 c2 = c * c;
     vec3 c4 = c2 * c2;
@@ -59,8 +64,28 @@ SHARED_FN vec3 develop(vec3 rec2020, float exposure) {
     // A little of the saturation that the curve takes away: stage light is coloured on purpose.
     float grey = dot(c, vec3(0.2126f, 0.7152f, 0.0722f));
     c = vec3(grey) + 1.25f * (c - vec3(grey));
-    c = pow(max(outset * c, vec3(0.0f)), vec3(2.2f));
-    return srgb_encode(to_rec709 * c);
+    return pow(max(outset * c, vec3(0.0f)), vec3(2.2f));
+}
+
+// The look of the Academy's output transforms: more contrast, colours stay saturated for longer. The fit
+// (x (2.51 x + 0.03)) / (x (2.43 x + 0.59) + 0.14) by Krzysztof Narkowicz (2015), on each primary of Rec.2020.
+SHARED_FN vec3 tone_aces(vec3 exposed) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    vec3 c = min(exposed * kAcesScale, vec3(1e4f));
+    return clamp((c * (2.51f * c + 0.03f)) / (c * (2.43f * c + 0.59f) + 0.14f), vec3(0.0f), vec3(1.0f));
+}
+
+SHARED_FN vec3 develop(vec3 rec2020, float exposure, uint tone) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    mat3 to_rec709 = mat3(vec3(1.660491f, -0.124550f, -0.018151f), vec3(-0.587641f, 1.132900f, -0.100579f),
+                          vec3(-0.072850f, -0.008349f, 1.118730f));
+    vec3 exposed = max(rec2020 * exposure, vec3(0.0f));
+    vec3 shown = tone == kToneLinear ? exposed : tone == kToneAces ? tone_aces(exposed) : tone_agx(exposed);
+    return srgb_encode(to_rec709 * shown); // which clips
 }
 
 SHARED_END

@@ -26,6 +26,7 @@ ui::Object object_of(const scene::Stage& stage, std::size_t instance) {
     if (mesh.positions.empty()) return object;
     object.centre_m = 0.5f * (low_m + high_m);
     object.radius_m = 0.5f * glm::length(high_m - low_m);
+    object.bar = scene::bar_of(mesh.positions, placed.world);
     return object;
 }
 

@@ -180,6 +180,7 @@ Result<void> draw_channel_sheet(const ChannelSheetOptions& options) {
     session_options.shadows = false; // nothing stands in the way, and maps of it would be kept
     session_options.device = options.device;
     session_options.quiet = options.quiet;
+    session_options.tone = options.tone;
     session_options.view = !options.view.empty()              ? options.view
                            : patch.mode_of().beams.size() > 1 ? "face"
                                                               : "side";
@@ -200,8 +201,9 @@ Result<void> draw_channel_sheet(const ChannelSheetOptions& options) {
     };
     // Exposed for the fixture at rest, all pictures alike; before the wall so that its light is not white.
     draw(sweep.rest);
-    session->relighter->set_exposure(
-        session->relighter->ev100_used() + (session_options.view == "face" ? kDarkerFace_ev : kDarker_ev), false);
+    session->relighter->set_exposure(session->relighter->ev100_used() +
+                                         (session_options.view == "face" ? kDarkerFace_ev : kDarker_ev),
+                                     false);
     const image::Image8 at_rest = draw(sweep.rest);
 
     image::Image8 sheet = ground(width, height);

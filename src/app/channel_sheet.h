@@ -4,6 +4,7 @@
 // (fixture/sweep.h) before a wall 8 m away. Main thread.
 
 #include "base/result.h"
+#include "image/tone.h"
 
 #include <string>
 
@@ -17,6 +18,7 @@ struct ChannelSheetOptions {
     int width = 160, height = 120; // of one picture
     std::string device;
     bool quiet = false;
+    image::Tone tone = image::Tone::agx;
 };
 
 // Error: unreadable file, no such mode, nothing that shines, too large.

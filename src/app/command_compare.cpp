@@ -190,8 +190,8 @@ image::FlipMap compare_linear(const image::PicturePair& pair, const CompareArgum
     out.ev100 = arguments.ev100 ? static_cast<double>(*arguments.ev100) : metered_ev100(pair);
     out.exposures = image::flip_exposures(pair);
     const float exposure = shared::exposure_of(static_cast<float>(*out.ev100));
-    const double psnr =
-        image::psnr_db(pair, [&](const glm::vec3& value) { return shared::develop(value, exposure); });
+    const double psnr = image::psnr_db(
+        pair, [&](const glm::vec3& value) { return shared::develop(value, exposure, shared::kToneAgx); });
     const double psnr_p75 = image::psnr_db(pair, image::p75_curve(pair));
     out.metrics = {{"flip", map.mean},
                    {"flip_p99", map.p99},

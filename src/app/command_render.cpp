@@ -4,6 +4,7 @@
 #include "app/number_option.h"
 #include "app/recordings.h"
 #include "app/render_film.h"
+#include "app/tone_option.h"
 
 #include "base/log.h"
 
@@ -241,6 +242,7 @@ void add_render(CLI::App& app, int& exit_code) {
                              ->capture_default_str();
     CLI::Option* ev = command->add_option("--ev", a->ev100, "exposure EV100 instead of the camera's")
                           ->check(number_in(-10.0, 20.0));
+    add_tone_option(*command, a->session.tone);
     command->add_option("--device", a->session.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
     command->add_option("--image-memory", a->image_memory_mb, "megabytes for kept images of resting lights")

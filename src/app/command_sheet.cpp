@@ -9,6 +9,7 @@
 #include "app/number_option.h"
 #include "app/recordings.h"
 #include "app/session.h"
+#include "app/tone_option.h"
 #include "dmx/player.h"
 #include "fixture/load_type.h"
 #include "image/ldr.h"
@@ -197,6 +198,7 @@ void add_sheet(CLI::App& app, int& exit_code) {
         ->type_name("NAME");
     command->add_option("--at", a->at_s, "second of the recording that lights what a look leaves alone")
         ->check(number_in(0.0, kLongest_s));
+    add_tone_option(*command, a->session.tone);
     command->add_option("--device", a->session.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
     command->add_flag("--quiet", a->session.quiet, "print warnings and errors only");
@@ -218,7 +220,8 @@ void add_sheet(CLI::App& app, int& exit_code) {
                                               a->width,
                                               a->height,
                                               a->session.device,
-                                              a->session.quiet};
+                                              a->session.quiet,
+                                              a->session.tone};
             if (const Result<void> done = draw_channel_sheet(options); !done.ok()) {
                 log_error(done.error().text());
                 exit_code = 1;

@@ -195,7 +195,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
     drawn_from_ = live_from_ = {};
     whole_for_ = {};
     drawn_ = {};
-    pace_ = {};
+    if (opening == Opening::another) pace_ = {};
     haze_ = {};
     last_step_s_ = now_s();
     messages_sent_ = 0;

@@ -131,6 +131,8 @@ void Engine::frame() {
     const bool sees_else = look_->apply(wishes_.look, *session_) || thicker;
     sees_else_ = sees_else_ || sees_else;
     session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
+    session_->options.tone = wishes_.tone; // of pictures that are made anew
+    session_->relighter->set_tone(wishes_.tone);
     if (const int segments = std::clamp(wishes_.quality.most_segments, 1, 256);
         segments != std::exchange(haze_.most_segments, segments)) {
         session_->relighter->set_quality(haze_);
@@ -160,8 +162,10 @@ void Engine::frame() {
     if (drew || wishes_.false_colour != false_colour_ || supply_ != supply_sent_)
         publish_picture(statistics, draw_ms);
     if (drew) {
-        // A new size costs what no other frame does.
-        if (last_change_s_ == begin_s && !was_resized_ && !baked) pace_.add(draw_ms, wishes_.quality.fps);
+        // A new size costs what no other frame does, but never that much.
+        const bool counts = !was_resized_ || Pace::is_far_over(statistics.draw_ms, wishes_.quality.fps);
+        if (last_change_s_ == begin_s && counts && !baked)
+            pace_.add(was_resized_ ? statistics.draw_ms : draw_ms, wishes_.quality.fps);
     } else {
         arrival_ = std::chrono::nanoseconds{0}; // they changed nothing that is seen
     }

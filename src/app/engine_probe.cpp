@@ -71,8 +71,8 @@ void Engine::publish_probe(double now_s, bool drew) {
 void Engine::save_frame() {
     if (wishes_.save_frame.number == saved_frame_) return;
     saved_frame_ = wishes_.save_frame.number;
-    const Result<void> written =
-        write_picture(wishes_.save_frame.file, relighter().frame(), relighter().ev100_used());
+    const Result<void> written = write_picture(wishes_.save_frame.file, relighter().frame(),
+                                               relighter().ev100_used(), relighter().tone());
     link_.saved.put({saved_frame_, written.ok() ? std::nullopt : std::optional(written.error())});
     link_.on_news();
 }

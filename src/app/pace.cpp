@@ -7,25 +7,39 @@ namespace ghost::app {
 namespace {
 
 constexpr double kTooSlow = 1.25; // of a frame's time: below, a coarser picture is worse than a late one
+constexpr double kFarOver = 10;   // likewise
 constexpr double kRoom = 0.8;     // of a frame's time, that the better level may seem to need
 constexpr int kLongestWait = 160;
 
 } // namespace
 
+bool Pace::is_far_over(double frame_ms, double frames_per_s) {
+    return frame_ms > kFarOver * 1000.0 / frames_per_s;
+}
+
 bool Pace::add(double frame_ms, double frames_per_s) {
     const double wanted_ms = 1000.0 / frames_per_s;
+    if (!knows_) {
+        knows_ = true;
+        const double all_ms = frame_ms / (share() * share());
+        const std::size_t before = level_;
+        for (level_ = 0; level_ + 1 < kShares.size(); ++level_)
+            if (all_ms * share() * share() <= kRoom * wanted_ms) break;
+        return level_ != before;
+    }
     recent_ms_[seen_++ % recent_ms_.size()] = frame_ms;
-    if (seen_ < recent_ms_.size()) return false;
+    const bool is_far = is_far_over(frame_ms, frames_per_s);
+    if (seen_ < recent_ms_.size() && !is_far) return false;
     std::array<double, 3> sorted = recent_ms_;
     std::sort(sorted.begin(), sorted.end());
-    const double median_ms = sorted[1];
+    const double usual_ms = is_far ? frame_ms : sorted[1];
     // Most of a frame's time goes with its pixels.
     const auto expected_ms = [&](std::size_t level) {
         const double sides = kShares[level] / kShares[level_];
-        return median_ms * sides * sides;
+        return usual_ms * sides * sides;
     };
     std::size_t level = level_;
-    if (median_ms > kTooSlow * wanted_ms) {
+    if (usual_ms > kTooSlow * wanted_ms) {
         while (level + 1 < kShares.size() && (level == level_ || expected_ms(level) > wanted_ms)) ++level;
         if (raised_ && level > level_) wait_ = std::min(2 * wait_, kLongestWait);
     } else if (level_ > 0 && expected_ms(level_ - 1) < kRoom * wanted_ms) {

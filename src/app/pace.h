@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Pace: how many pixels a picture that moves may have, so that it is drawn at a wanted rate. Goes down at
-// once to where the time seems to be enough, and up a step at a time after many frames that leave room. Pure:
-// times come in, a share of the sides comes out.
+// Pace: how many pixels a picture that moves may have, so that it is drawn at a wanted rate. Begins with the
+// fewest, for a thousand lights would take half a minute with all of them, and with the first frame goes to
+// where the time seems to be enough; later down likewise after three frames, or one that is far too slow, and
+// up a step at a time after many frames that leave room. Pure: times come in, a share of the sides comes out.
 
 #include <array>
 #include <cstddef>
@@ -17,9 +18,12 @@ public:
     // A frame at this share took so long. True: the share changed.
     bool add(double frame_ms, double frames_per_s);
     double share() const { return kShares[level_]; }
+    // So slow that nobody should wait for two more of them.
+    static bool is_far_over(double frame_ms, double frames_per_s);
 
 private:
-    std::size_t level_ = 0;
+    std::size_t level_ = kShares.size() - 1;
+    bool knows_ = false; // how fast it is
     std::array<double, 3> recent_ms_{};
     std::size_t seen_ = 0; // frames at this level
     int calm_ = 0;         // in a row with which the better level would have been fast enough

@@ -19,13 +19,14 @@ namespace {
 
 constexpr std::uintmax_t kMaxPictureBytes = std::uintmax_t{1} << 31; // of 8192x8192 in floats: 0.8 GB
 
-image::Image8 developed(const image::ImageF& picture, float ev100) {
+image::Image8 developed(const image::ImageF& picture, float ev100, image::Tone tone) {
     image::Image8 shown(picture.width, picture.height, 4);
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             const float* linear = picture.at(x, y);
             const glm::vec3 value =
-                shared::develop({linear[0], linear[1], linear[2]}, shared::exposure_of(ev100));
+                shared::develop({linear[0], linear[1], linear[2]}, shared::exposure_of(ev100),
+                                static_cast<std::uint32_t>(tone));
             std::uint8_t* texel = shown.at(x, y);
             for (int c = 0; c < 3; ++c)
                 texel[c] = static_cast<std::uint8_t>(std::lround(std::clamp(value[c], 0.0f, 1.0f) * 255.0f));
@@ -44,10 +45,11 @@ Result<OutputKind> output_kind(const std::filesystem::path& path) {
     return Error{"the output must end in .png, .exr or .mp4", path.string()};
 }
 
-Result<void> write_picture(const std::filesystem::path& path, const image::ImageF& picture, float ev100) {
+Result<void> write_picture(const std::filesystem::path& path, const image::ImageF& picture, float ev100,
+                           image::Tone tone) {
     TRY(const OutputKind kind, output_kind(path));
     if (kind == OutputKind::film) return Error{"one picture is no film: .png or .exr", path.string()};
-    if (kind == OutputKind::png) return image::write_png(path, developed(picture, ev100));
+    if (kind == OutputKind::png) return image::write_png(path, developed(picture, ev100, tone));
     image::ExrFile file;
     file.pixels = picture;
     file.channels = {"R", "G", "B"};
@@ -82,9 +84,9 @@ std::filesystem::path PictureWriter::next_path() {
 Result<void> PictureWriter::add(const render::Relighter& relighter, const std::string& caption) {
     image::Image8 picture;
     if (kind_ != OutputKind::exr) {
-        picture = supersample_ == 1
-                      ? relighter.picture()
-                      : developed(image::averaged(relighter.frame(), supersample_), relighter.ev100_used());
+        picture = supersample_ == 1 ? relighter.picture()
+                                    : developed(image::averaged(relighter.frame(), supersample_),
+                                                relighter.ev100_used(), relighter.tone());
         draw_caption(picture, caption);
     }
     if (kind_ == OutputKind::film) {
@@ -93,8 +95,8 @@ Result<void> PictureWriter::add(const render::Relighter& relighter, const std::s
     }
     last_path_ = next_path();
     if (kind_ == OutputKind::png) return image::write_png(last_path_, picture);
-    return write_picture(last_path_, image::averaged(relighter.frame(), supersample_),
-                         relighter.ev100_used());
+    return write_picture(last_path_, image::averaged(relighter.frame(), supersample_), relighter.ev100_used(),
+                         relighter.tone());
 }
 
 Result<void> PictureWriter::repeat(long times) {

@@ -16,8 +16,9 @@ namespace ghost::app {
 enum class OutputKind { png, exr, film };
 Result<OutputKind> output_kind(const std::filesystem::path& path);
 
-// A linear picture as .exr, or developed at this exposure as .png.
-Result<void> write_picture(const std::filesystem::path& path, const image::ImageF& picture, float ev100);
+// A linear picture as .exr, or developed at this exposure, by this curve, as .png.
+Result<void> write_picture(const std::filesystem::path& path, const image::ImageF& picture, float ev100,
+                           image::Tone tone);
 
 class PictureWriter {
 public:

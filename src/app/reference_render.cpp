@@ -96,7 +96,7 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     progress.finish();
     if (interrupted()) return Error{"interrupted: nothing was written", out};
     if (!picture.ok()) return picture.error();
-    TRY_VOID(write_picture(out, *picture, options.ev100.value_or(camera.ev100)));
+    TRY_VOID(write_picture(out, *picture, options.ev100.value_or(camera.ev100), options.tone));
     log_info(out + ": reference in " + clock_text(steady_now_s() - start_s));
     if (report.lost_anything())
         return Error{"drawn, but something that the show asks for is missing (see above)",

@@ -228,6 +228,7 @@ render::Settings draw_settings(const scene::Show& show, const scene::Camera& cam
     settings.beams.uneven = is_uneven(show);
     settings.ev100 = options.ev100.value_or(camera.ev100);
     settings.auto_exposure = camera.auto_exposure && !options.ev100;
+    settings.tone = options.tone;
     settings.image_memory_bytes = options.image_memory_bytes;
     return settings;
 }

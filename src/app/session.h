@@ -36,14 +36,15 @@ struct SessionOptions {
     render::HazeSettings beams;
     std::optional<fixture::Motion> motion; // instead of the show's
     std::optional<float> ev100;            // instead of the camera's
-    bool live = false;                     // a free camera: no passes
-    std::optional<scene::Camera> eye;      // instead of a camera of the show; live only
-    std::string travel;                    // a camera to fly to; live only
-    std::string look;                      // one of looks.toml, on top of what DMX asks for
-    std::string looks_file;                // instead of the show's own
-    bool shadows = true;                   // live only
-    bool maps_in_background = false;       // live only: LiveOptions
-    bool keep_hidden = false;              // live only: LiveOptions
+    image::Tone tone = image::Tone::agx;
+    bool live = false;                // a free camera: no passes
+    std::optional<scene::Camera> eye; // instead of a camera of the show; live only
+    std::string travel;               // a camera to fly to; live only
+    std::string look;                 // one of looks.toml, on top of what DMX asks for
+    std::string looks_file;           // instead of the show's own
+    bool shadows = true;              // live only
+    bool maps_in_background = false;  // live only: LiveOptions
+    bool keep_hidden = false;         // live only: LiveOptions
     float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
     std::uint64_t memory_limit_bytes = 0; // of the device, see gpu::DeviceOptions

@@ -11,6 +11,7 @@
 #include "shaders/sum.h"
 #include "shaders/surface.h"
 #include "shaders/surface_live.h"
+#include "shared/develop.h"
 
 #include <algorithm>
 #include <array>
@@ -30,6 +31,10 @@ constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kMaxLayers = 2048; // of an image, on every device
 constexpr std::uint32_t kFixedImages = 2;  // the frame, and all that rests
+
+static_assert(static_cast<std::uint32_t>(image::Tone::agx) == shared::kToneAgx &&
+              static_cast<std::uint32_t>(image::Tone::aces) == shared::kToneAces &&
+              static_cast<std::uint32_t>(image::Tone::linear) == shared::kToneLinear);
 
 std::uint32_t batch_size(const gpu::Device& device, const Settings& settings) {
     if (settings.lights_per_dispatch > 0)
@@ -145,6 +150,12 @@ void Relighter::set_exposure(float ev100, bool automatic) {
     settings_.ev100 = ev100;
     settings_.auto_exposure = automatic;
     tree_.invalidate_frame(); // kept images know no exposure
+}
+
+void Relighter::set_tone(image::Tone tone) {
+    if (tone == settings_.tone) return;
+    settings_.tone = tone;
+    tree_.invalidate_frame(); // nor a tone curve
 }
 
 void Relighter::set_quality(const HazeQuality& quality) {
@@ -357,7 +368,7 @@ void Relighter::develop(const scene::Lit& lit) {
     commands_.dispatch(meter_, meter, {gpu::stored(seen), gpu::storage(exposure_)}, 1);
     commands_.barrier();
     commands_.begin_span("develop");
-    commands_.dispatch(develop_, std::uint32_t{0},
+    commands_.dispatch(develop_, static_cast<std::uint32_t>(settings_.tone),
                        {gpu::stored(seen), gpu::uniform(exposure_), gpu::stored(picture_)}, f.tiles_x,
                        f.tiles_y);
     commands_.barrier();

@@ -10,6 +10,7 @@
 #include "gpu/commands.h"
 #include "gpu/texture.h"
 #include "image/image.h"
+#include "image/tone.h"
 #include "render/distance_images.h"
 #include "render/g_buffer.h"
 #include "render/glare_pass.h"
@@ -46,6 +47,7 @@ struct Settings {
     GlareSettings glare{.strength = 0};
     float ev100 = 6;
     bool auto_exposure = false;
+    image::Tone tone = image::Tone::agx;
     bool surfaces = true; // both on but for measurements
     bool air = true;
     bool illuminance =
@@ -94,6 +96,8 @@ public:
     void set_quality(const HazeQuality& quality);
     // From the next frame on; automatic: measured, and ev100 is not used.
     void set_exposure(float ev100, bool automatic);
+    // Likewise.
+    void set_tone(image::Tone tone);
     // The moving pictures now, as many and as large as those of the gobos that this was made with. Lights
     // that show another one have another Slide::moment.
     void set_slides(const std::vector<shared::SlidePicture>& slides);
@@ -105,6 +109,7 @@ public:
     image::Image8 picture() const; // RGBA, sRGB: the developed frame
     image::ImageF frame() const;   // RGB, linear Rec.2020, cd/m^2, glare included
     float ev100_used() const;
+    image::Tone tone() const { return settings_.tone; }
     std::uint64_t memory_bytes() const; // on the device
     // Of that, what goes when the picture gets another size; with the G-buffer.
     std::uint64_t picture_bytes() const;

@@ -3,6 +3,7 @@
 
 #include "scene/haze_presets.h"
 
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QVBoxLayout>
@@ -78,7 +79,15 @@ void AirPanel::add_rows(QLayout* layout) {
         const QString preset = haze_->itemData(index).toString();
         if (!preset.isEmpty()) take(AirEdit(studio_, document_).set_haze(preset));
     });
-    layout->addWidget(haze_);
+    auto* haze_row = new QWidget(this);
+    auto* haze_layout = new QHBoxLayout(haze_row);
+    haze_layout->setContentsMargins(0, 0, 0, 0);
+    auto* haze_label = new QLabel("Haze", haze_row);
+    haze_label->setFixedWidth(ValueRow::label_width(*this));
+    haze_label->setBuddy(haze_);
+    haze_layout->addWidget(haze_label);
+    haze_layout->addWidget(haze_, 1);
+    layout->addWidget(haze_row);
     clouds_ = new ValueRow("Clouds", {0, 1, 2, ""}, this);
     clouds_->setToolTip("0: the same everywhere; 1: from nothing to twice as thick");
     clouds_->on_change = [this](double value) {

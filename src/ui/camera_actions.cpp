@@ -213,6 +213,7 @@ void add_camera_actions(Actions& actions, Studio& studio) {
                  "NAME...",
                  [&studio](const QStringList& words) -> Result<void> {
                      TRY_VOID(need_show(studio));
+                     if (studio.show()->fixtures.empty()) return Error{"the show has no fixtures", ""};
                      std::set<std::size_t> wanted;
                      for (const QString& word : words) {
                          const std::size_t before = wanted.size();
@@ -220,7 +221,10 @@ void add_camera_actions(Actions& actions, Studio& studio) {
                              if (scene::matches(word.toStdString(), studio.show()->fixtures[i].name))
                                  wanted.insert(i);
                          if (wanted.size() == before)
-                             return Error{"no further fixture is called '" + word.toStdString() + "'", ""};
+                             return Error{
+                                 (before > 0 ? "no further fixture is called '" : "no fixture is called '") +
+                                     word.toStdString() + "'",
+                                 ""};
                      }
                      studio.select(std::move(wanted));
                      return {};

@@ -49,6 +49,10 @@ Result<QString> Exporter::show_file() const {
     return QString::fromStdString(std::filesystem::absolute(studio_.show()->file).string());
 }
 
+QStringList Exporter::tone_arguments() const {
+    return {"--tone", QString::fromStdString(image::name_of(studio_.wishes().tone))};
+}
+
 QStringList Exporter::eye_arguments() const {
     const scene::Camera& camera = studio_.camera();
     const float ev100 = camera.auto_exposure ? studio_.picture().ev100 : camera.ev100;
@@ -104,6 +108,7 @@ Result<int> Exporter::render(const PictureWish& wish) {
         TRY_VOID(studio_.show()->find_camera(wish.camera.toStdString()));
         words << "--view" << wish.camera;
     }
+    words += tone_arguments();
     const std::string& played = studio_.wishes().recording;
     const bool plays = !studio_.show()->recording.empty() || !played.empty();
     if (!played.empty()) words << "--replay" << QString::fromStdString(played);
@@ -133,6 +138,7 @@ Result<int> Exporter::sheet(const QString& file, int width, int height) {
     // What looks leave alone does what the window's recording does now.
     const bool plays = !studio_.show()->recording.empty() && !studio_.rig().from_desk;
     if (plays && studio_.wishes().recording.empty()) words << "--at" << QString::number(studio_.rig().at_s);
+    words += tone_arguments();
     return studio_.jobs().start("Contact sheet " + QFileInfo(file).fileName(), words);
 }
 

@@ -41,6 +41,7 @@ public:
 private:
     Result<QString> show_file() const;
     Result<QStringList> look_arguments();
+    QStringList tone_arguments() const;
     QStringList eye_arguments() const;
 
     Studio& studio_;

@@ -7,6 +7,7 @@
 
 #include <QComboBox>
 #include <QHeaderView>
+#include <QPainter>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
@@ -36,6 +37,18 @@ public:
 
 private:
     Studio& studio_;
+};
+
+// The colour of the light, which the mark of a chosen row leaves free.
+class SwatchPainter : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        QStyledItemDelegate::paint(painter, option, index);
+        if (const QVariant colour = index.data(FixtureModel::kSwatch); colour.isValid())
+            painter->fillRect(option.rect.adjusted(3, 3, -3, -3), colour.value<QColor>());
+    }
 };
 
 QString text_of(const scene::PatchedFixture& fixture, int column) {
@@ -112,7 +125,7 @@ QVariant FixtureModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::DisplayRole && index.column() == level)
         return now ? QString("%1 %").arg(100 * static_cast<double>(now->dimmer), 0, 'f', 0) : QString();
     if (role == Qt::DisplayRole || role == Qt::EditRole) return text_of(fixture, index.column());
-    if (role == Qt::BackgroundRole && index.column() == colour && now && now->candela > 0)
+    if (role == kSwatch && index.column() == colour && now && now->candela > 0)
         return screen_colour(now->colour);
     if (role == Qt::TextAlignmentRole && index.column() == level)
         return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
@@ -200,6 +213,7 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     table_->setShowGrid(false);
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     table_->setItemDelegateForColumn(FixtureModel::mode, new ModeDelegate(studio, table_));
+    table_->setItemDelegateForColumn(FixtureModel::colour, new SwatchPainter(table_));
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
     table_->horizontalHeader()->setStretchLastSection(true);

@@ -18,6 +18,7 @@ class FixtureModel : public QAbstractTableModel {
     Q_OBJECT
 public:
     enum Column { name, patch, level, colour, type, mode, x, y, z, turn, kColumns };
+    static constexpr int kSwatch = Qt::UserRole; // colour of the light, where there is one
 
     FixtureModel(Studio& studio, ShowDocument& document, QObject* parent);
     int rowCount(const QModelIndex& parent = {}) const override;

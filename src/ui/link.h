@@ -7,7 +7,9 @@
 #include "dmx/receiver.h"
 #include "image/false_colour.h"
 #include "image/image.h"
+#include "image/tone.h"
 #include "scene/explain.h"
+#include "scene/hang.h"
 #include "scene/show.h"
 #include "ui/look.h"
 
@@ -81,6 +83,7 @@ struct Wishes {
     std::string record_to; // what the desk sends is recorded there; empty: it is not
     Quality quality;
     std::optional<std::size_t> explained; // fixture
+    image::Tone tone = image::Tone::agx;
     FalseColour false_colour;
     std::optional<glm::vec2> probe; // what is measured there; (0, 0) is the top left corner of the picture
     bool takes_baked = true;        // where the camera stands as one whose passes are fresh
@@ -96,6 +99,7 @@ struct Object {
     bool shown = true;
     glm::vec3 centre_m{0};
     float radius_m = 1;
+    std::optional<scene::Bar> bar; // where it lies, so that things can hang under it
 };
 
 struct Opened {

@@ -134,6 +134,19 @@ void add_document_actions(Actions& actions, ShowDocument& document) {
                  "[over]",
                  [&document](const QStringList& words) { return document.save(words.value(0) == "over"); },
                  {}});
+    actions.add({"save-copy",
+                 "Show",
+                 "Save a copy of the show file...",
+                 "",
+                 "[FILE]",
+                 [&document](const QStringList& words) -> Result<void> {
+                     QString file = words.value(0);
+                     if (file.isEmpty())
+                         file = QFileDialog::getSaveFileName(nullptr, "Save a copy of the show file",
+                                                             "show.toml", "Show files (*.toml)");
+                     return file.isEmpty() ? Result<void>{} : document.save_copy(file.toStdString());
+                 },
+                 {}});
     actions.add({"reload",
                  "Show",
                  "Take what the show file says now",

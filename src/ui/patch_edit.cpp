@@ -138,6 +138,17 @@ Result<void> PatchEdit::set_position(const glm::vec3& position_m) {
                      });
 }
 
+Result<void> PatchEdit::set_positions(const QString& what, const std::vector<glm::vec3>& positions_m) {
+    std::size_t number = 0;
+    return edit_each(what,
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (fixture.track)
+                             return Error{"hangs on a track, which says where it is", fixture.name};
+                         edit.position_m = positions_m.at(number++);
+                         return {};
+                     });
+}
+
 Result<void> PatchEdit::move_by(const glm::vec3& by_m) {
     return edit_each("Move",
                      [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
@@ -177,13 +188,11 @@ Result<void> PatchEdit::distribute() {
     if (chosen.size() < 3) return Error{"three fixtures or more can be spread evenly", ""};
     const glm::vec3 first_m = fixtures()[*chosen.begin()].position_m;
     const glm::vec3 last_m = fixtures()[*chosen.rbegin()].position_m;
-    float number = 0;
-    return edit_each(
-        "Distribute", [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
-            if (fixture.track) return Error{"hangs on a track, which says where it is", fixture.name};
-            edit.position_m = glm::mix(first_m, last_m, number++ / static_cast<float>(chosen.size() - 1));
-            return {};
-        });
+    std::vector<glm::vec3> places;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        places.push_back(
+            glm::mix(first_m, last_m, static_cast<float>(i) / static_cast<float>(chosen.size() - 1)));
+    return set_positions("Distribute", places);
 }
 
 Result<void> PatchEdit::duplicate(const glm::vec3& by_m) {

@@ -24,6 +24,8 @@ public:
     Result<void> set_axis(int axis, float place_m); // axis 0 to 2
     Result<void> move_by(const glm::vec3& by_m);
     Result<void> set_rotation(const glm::vec3& rotation_deg);
+    // Each selected one its own, in the order of the show.
+    Result<void> set_positions(const QString& what, const std::vector<glm::vec3>& positions_m);
     // All at the first one's place on this axis.
     Result<void> align(int axis);
     // Evenly between the first and the last.

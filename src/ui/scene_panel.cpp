@@ -41,7 +41,7 @@ ScenePanel::ScenePanel(Studio& studio, QWidget* parent) : QWidget(parent), studi
     add_air(layout);
     add_stage(layout);
     connect(&studio_, &Studio::opened_show, this, &ScenePanel::fill);
-    for (const auto signal : {&Studio::look_changed, &Studio::wishes_changed})
+    for (const auto signal : {&Studio::look_changed, &Studio::wishes_changed, &Studio::selection_changed})
         connect(&studio_, signal, this, &ScenePanel::refresh);
     setEnabled(false);
 }
@@ -102,6 +102,13 @@ void ScenePanel::add_stage(QLayout* layout) {
     });
     connect(objects_, &QTreeWidget::currentItemChanged, this, &ScenePanel::refresh);
     layout->addWidget(objects_);
+    hang_ = new QPushButton("Hang the selected fixtures under it", this);
+    hang_->setToolTip(
+        "Evenly along the truss or pipe that is chosen, with all its pieces; one alone where it is nearest");
+    connect(hang_, &QPushButton::clicked, this, [this] {
+        if (object()) Q_EMIT asks_to_hang(*object());
+    });
+    layout->addWidget(hang_);
     const auto surface_row = [&](const QString& name, const ValueRange& range,
                                  std::optional<float> SurfaceLook::*value, auto convert) {
         auto* row = new ValueRow(name, range, this);
@@ -126,10 +133,14 @@ void ScenePanel::add_stage(QLayout* layout) {
                              [](float value) { return scene::roughness_from_shininess(value); });
 }
 
-std::optional<std::size_t> ScenePanel::material() const {
+std::optional<std::size_t> ScenePanel::object() const {
     const QTreeWidgetItem* item = objects_->currentItem();
-    if (!item) return std::nullopt;
-    const std::size_t index = studio_.opened().objects[item->data(0, Qt::UserRole).toUInt()].material;
+    return item ? std::optional<std::size_t>(item->data(0, Qt::UserRole).toUInt()) : std::nullopt;
+}
+
+std::optional<std::size_t> ScenePanel::material() const {
+    if (!object()) return std::nullopt;
+    const std::size_t index = studio_.opened().objects[*object()].material;
     return index < studio_.opened().materials.size() ? std::optional(index) : std::nullopt;
 }
 
@@ -156,6 +167,7 @@ void ScenePanel::change_attenuation(int factor, double value) {
 void ScenePanel::fill() {
     setEnabled(true);
     follows_ = true;
+    const std::optional<std::size_t> chosen = studio_.opened().is_edit ? object() : std::nullopt;
     objects_->clear();
     const Opened& opened = studio_.opened();
     for (std::size_t i = 0; i < opened.objects.size(); ++i) {
@@ -165,6 +177,7 @@ void ScenePanel::fill() {
             item->setText(1, QString::fromStdString(opened.materials[opened.objects[i].material].name));
         item->setData(0, Qt::UserRole, static_cast<unsigned>(i));
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+        if (chosen == i) objects_->setCurrentItem(item);
     }
     objects_->header()->resizeSection(0, width() / 2);
     follows_ = false;
@@ -193,6 +206,7 @@ void ScenePanel::refresh() {
         const bool on = by_hand == studio_.look().shown.end() ? object.shown : by_hand->second;
         item->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
     }
+    hang_->setEnabled(object() && studio_.opened().objects[*object()].bar && !studio_.selection().empty());
     specular_->setEnabled(material().has_value());
     shininess_->setEnabled(material().has_value());
     if (material()) {

@@ -20,7 +20,8 @@ public:
     ScenePanel(Studio& studio, QWidget* parent);
 
 Q_SIGNALS:
-    void asks_for_air(); // what the show says of it: AirPanel
+    void asks_for_air();                   // what the show says of it: AirPanel
+    void asks_to_hang(std::size_t object); // the selected fixtures under it
 
 private:
     void add_air(QLayout* layout);
@@ -29,7 +30,8 @@ private:
     void fill();
     void refresh();
     void change_attenuation(int factor, double value);
-    std::optional<std::size_t> material() const; // of the object that is chosen
+    std::optional<std::size_t> object() const;   // that is chosen
+    std::optional<std::size_t> material() const; // of it
 
     Studio& studio_;
     ValueRow *smoke_, *ambient_, *segments_;
@@ -37,6 +39,7 @@ private:
     QPushButton* colour_;
     QCheckBox* shadows_;
     QTreeWidget* objects_;
+    QPushButton* hang_;
     ValueRow *specular_, *shininess_;
     bool follows_ = false;
 };

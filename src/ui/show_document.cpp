@@ -68,10 +68,6 @@ ShowDocument::~ShowDocument() {
     if (draft_timer_.isActive()) keep_draft();
 }
 
-std::filesystem::path ShowDocument::draft_file() const {
-    return studio_.show()->cache_folder() / "draft.toml";
-}
-
 void ShowDocument::watch() {
     // The folder, too: editors take the file away for a moment and put another one in its place.
     if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
@@ -84,8 +80,9 @@ void ShowDocument::watch() {
 }
 
 void ShowDocument::read_opened() {
-    if (draft_timer_.isActive()) draft_timer_.stop(); // keep_draft came with the last edit or never
+    if (draft_timer_.isActive()) keep_draft(); // of the show that was open
     file_ = studio_.show()->file;
+    draft_file_ = studio_.show()->cache_folder() / "draft.toml";
     text_.clear();
     draft_.reset();
     changed_outside_ = false;
@@ -100,15 +97,15 @@ void ShowDocument::read_opened() {
     saved_ = text_;
     watch();
     std::error_code code;
-    if (!file_.empty() && std::filesystem::is_regular_file(draft_file(), code))
-        if (auto draft = read_text_file(draft_file(), kMostBytes); draft.ok()) {
+    if (!file_.empty() && std::filesystem::is_regular_file(draft_file_, code))
+        if (auto draft = read_text_file(draft_file_, kMostBytes); draft.ok()) {
             const std::size_t head = draft->find('\n');
             const bool is_ours = draft->starts_with(kDraftHead) && head != std::string::npos;
             if (is_ours && draft->substr(head + 1) != text_) {
                 const bool of_this =
                     draft->substr(kDraftHead.size(), head - kDraftHead.size()) == crc_of(text_);
                 draft_ = draft->substr(head + 1);
-                const QString when = QFileInfo(QString::fromStdString(draft_file().string()))
+                const QString when = QFileInfo(QString::fromStdString(draft_file_.string()))
                                          .lastModified()
                                          .toString("d MMM hh:mm");
                 Q_EMIT draft_found("Changes of " + when + " were not saved." +
@@ -116,7 +113,7 @@ void ShowDocument::read_opened() {
                                             : QString(" The show file was changed since; taking them "
                                                       "drops what was changed there.")));
             } else {
-                std::filesystem::remove(draft_file(), code);
+                std::filesystem::remove(draft_file_, code);
             }
         }
     Q_EMIT changed();
@@ -158,12 +155,12 @@ void ShowDocument::keep_draft() {
     if (file_.empty() || draft_) return;
     std::error_code code;
     if (!is_changed()) {
-        std::filesystem::remove(draft_file(), code);
+        std::filesystem::remove(draft_file_, code);
         return;
     }
-    std::filesystem::create_directories(draft_file().parent_path(), code);
+    std::filesystem::create_directories(draft_file_.parent_path(), code);
     if (const Result<void> written =
-            write_file_atomic(draft_file(), kDraftHead + crc_of(saved_) + "\n" + text_);
+            write_file_atomic(draft_file_, kDraftHead + crc_of(saved_) + "\n" + text_);
         !written.ok())
         Q_EMIT studio_.failed("Changes that are not saved cannot be kept: " +
                               QString::fromStdString(written.error().text()));
@@ -206,6 +203,14 @@ Result<void> ShowDocument::save(bool over) {
     return {};
 }
 
+Result<void> ShowDocument::save_copy(const std::filesystem::path& file) const {
+    TRY_VOID(check_editable());
+    std::error_code code;
+    if (std::filesystem::equivalent(file, file_, code))
+        return Error{"is the show file itself, which 'save' writes", file.string()};
+    return write_file_atomic(file, text_);
+}
+
 Result<void> ShowDocument::reload() {
     TRY_VOID(check_editable());
     TRY(std::string now, read_text_file(file_, kMostBytes));
@@ -231,7 +236,7 @@ Result<void> ShowDocument::drop_draft() {
     if (!draft_) return Error{"there are no changes of an earlier time", ""};
     draft_.reset();
     std::error_code code;
-    std::filesystem::remove(draft_file(), code);
+    std::filesystem::remove(draft_file_, code);
     Q_EMIT changed();
     return {};
 }

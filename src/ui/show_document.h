@@ -46,6 +46,8 @@ public:
     // Whole or not at all. Error: cannot be written, or the file was changed outside meanwhile and over is
     // false.
     Result<void> save(bool over);
+    // As it is now, elsewhere; the show stays where it is, with what is not saved. For a disk that is full.
+    Result<void> save_copy(const std::filesystem::path& file) const;
     // What the file says, as a step that can be undone. Error: it cannot be read; all stays as it was.
     Result<void> reload();
     Result<void> take_draft();
@@ -64,10 +66,10 @@ private:
     void keep_draft();
     void look_at_file();
     void watch();
-    std::filesystem::path draft_file() const;
 
     Studio& studio_;
     std::filesystem::path file_; // empty: nothing that can be edited
+    std::filesystem::path draft_file_;
     std::string text_;
     std::string saved_; // as the file has it
     std::optional<std::string> draft_;

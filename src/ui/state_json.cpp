@@ -132,6 +132,7 @@ QJsonObject state_json(const Studio& studio, const View& view) {
             {"by_hand", look_json(studio.look(), show)},
             {"fades", studio.fades()},
             {"black_out", studio.wishes().black_out},
+            {"tone", QString::fromStdString(image::name_of(studio.wishes().tone))},
             {"master", static_cast<double>(studio.wishes().master)},
             {"playing", studio.wishes().transport.playing},
             {"at_s", studio.rig().at_s},

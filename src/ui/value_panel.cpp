@@ -12,16 +12,20 @@
 namespace ghost::ui {
 namespace {
 
-// The bar of a channel's value.
+// A channel's value before a bar as long as its share of the most.
 class BarPainter : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override {
-        const QRectF all = QRectF(option.rect).adjusted(4, 6, -4, -6);
+        const QRectF all = QRectF(option.rect).adjusted(4, 3, -4, -3);
         painter->fillRect(all, QColor(52, 52, 56));
         const double share = index.data(ChannelModel::kShare).toDouble();
-        painter->fillRect(QRectF(all.x(), all.y(), all.width() * share, all.height()), QColor(120, 150, 190));
+        painter->fillRect(QRectF(all.x(), all.y(), all.width() * share, all.height()), QColor(58, 88, 128));
+        painter->setPen(index.data(Qt::ForegroundRole).isValid() ? faint()
+                                                                 : option.palette.color(QPalette::Text));
+        painter->drawText(option.rect.adjusted(0, 0, -8, 0), Qt::AlignRight | Qt::AlignVCenter,
+                          index.data().toString());
     }
 };
 
@@ -79,7 +83,7 @@ QVariant ChannelModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant ChannelModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    static const char* const kTitles[kColumns] = {"Address", "Attribute", "DMX", "", "Means"};
+    static const char* const kTitles[kColumns] = {"Address", "Attribute", "DMX", "Means"};
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     return kTitles[section];
 }
@@ -94,19 +98,20 @@ ValuePanel::ValuePanel(Studio& studio, QWidget* parent) : QWidget(parent), studi
     model_ = new ChannelModel(this);
     table_ = new QTableView(this);
     table_->setModel(model_);
-    table_->setItemDelegateForColumn(ChannelModel::bar, new BarPainter(this));
+    table_->setItemDelegateForColumn(ChannelModel::value, new BarPainter(this));
     table_->setShowGrid(false);
     table_->setAlternatingRowColors(true);
     table_->setSelectionMode(QAbstractItemView::NoSelection);
     table_->setFocusPolicy(Qt::NoFocus);
     table_->verticalHeader()->hide();
-    table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 7);
+    // What a channel means may take two lines.
+    table_->verticalHeader()->setMinimumSectionSize(table_->fontMetrics().height() + 7);
+    table_->verticalHeader()->setResizeContentsPrecision(0);
+    table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setStretchLastSection(true);
     const int letter = table_->fontMetrics().averageCharWidth();
-    for (const auto& [column, letters] : {std::pair{ChannelModel::address, 14},
-                                          {ChannelModel::attribute, 18},
-                                          {ChannelModel::value, 8},
-                                          {ChannelModel::bar, 9}})
+    for (const auto& [column, letters] :
+         {std::pair{ChannelModel::address, 13}, {ChannelModel::attribute, 14}, {ChannelModel::value, 8}})
         table_->setColumnWidth(column, letters * letter);
     words_ = new QPlainTextEdit(this);
     words_->setReadOnly(true);

@@ -16,8 +16,8 @@ namespace ghost::ui {
 class ChannelModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { address, attribute, value, bar, meaning, kColumns };
-    static constexpr int kShare = Qt::UserRole; // of the bar, 0..1
+    enum Column { address, attribute, value, meaning, kColumns };
+    static constexpr int kShare = Qt::UserRole; // of the bar behind the value, 0..1
 
     explicit ChannelModel(QObject* parent) : QAbstractTableModel(parent) {}
     void show(const scene::Explanation& explanation);

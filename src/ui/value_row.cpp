@@ -19,7 +19,7 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
     : QWidget(parent), range_(range), label_(new QLabel(name, this)),
       slider_(new QSlider(Qt::Horizontal, this)), field_(new QDoubleSpinBox(this)),
       release_(new QToolButton(this)) {
-    label_->setFixedWidth(fontMetrics().averageCharWidth() * 14);
+    label_->setFixedWidth(label_width(*this));
     slider_->setRange(0, kSteps);
     slider_->setAccessibleName(name);
     field_->setRange(range.low, range.high);
@@ -47,6 +47,10 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
     connect(release_, &QToolButton::clicked, this, [this] {
         if (on_release) on_release();
     });
+}
+
+int ValueRow::label_width(const QWidget& widget) {
+    return widget.fontMetrics().averageCharWidth() * 14;
 }
 
 int ValueRow::to_slider(double value) const {

@@ -25,6 +25,8 @@ struct ValueRange {
 class ValueRow : public QWidget {
     Q_OBJECT
 public:
+    // Of the names of rows, so that all of a panel begin at one place.
+    static int label_width(const QWidget& widget);
     ValueRow(const QString& name, const ValueRange& range, QWidget* parent);
 
     // by_hand: it is set by a person; else it is only shown. Does not call back.

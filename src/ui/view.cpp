@@ -170,6 +170,8 @@ QStringList View::figures() const {
     if (picture.is_coarse) frame += " while it moves";
     lines << frame;
     QString second = QString("EV %1").arg(static_cast<double>(picture.ev100), 0, 'f', 1);
+    if (studio_.wishes().tone != image::Tone::agx)
+        second += ", tone curve " + QString::fromStdString(image::name_of(studio_.wishes().tone));
     lines << second;
     const dmx::Latency &latency = studio_.latency(), &cost = studio_.window_cost();
     if (latency_ms_ >= 0)

@@ -7,6 +7,7 @@
 #include "ui/fixture_panel.h"
 #include "ui/hand.h"
 #include "ui/hand_panel.h"
+#include "ui/hang_edit.h"
 #include "ui/look_actions.h"
 #include "ui/look_panel.h"
 #include "ui/message_panel.h"
@@ -15,6 +16,8 @@
 #include "ui/notice_bar.h"
 #include "ui/patch_actions.h"
 #include "ui/scene_panel.h"
+#include "ui/shortened.h"
+#include "ui/tone_actions.h"
 #include "ui/transport_panel.h"
 #include "ui/value_panel.h"
 
@@ -24,7 +27,6 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
-#include <QToolBar>
 
 namespace ghost::ui {
 namespace {
@@ -50,27 +52,27 @@ Window::Window(Link& link, const WindowOptions& options)
     statusBar()->addPermanentWidget(status_jobs_);
     statusBar()->addPermanentWidget(status_supply_);
     statusBar()->addPermanentWidget(status_device_);
-    actions_.complain = [this](const Error& error) {
-        statusBar()->showMessage(QString::fromStdString(error.text()), 8000);
-    };
+    actions_.complain = [this](const Error& error) { say(QString::fromStdString(error.text()), 8000); };
     add_panels();
     add_window_actions();
     add_view_switches();
     add_meter_actions(actions_, studio_, *view_);
     add_hand_actions(actions_, studio_);
     add_camera_actions(actions_, studio_);
+    add_tone_actions(actions_, studio_);
     add_play_actions(actions_, studio_);
     add_look_actions(actions_, studio_, looks_);
     add_export_actions(actions_, studio_, exporter_);
     add_patch_actions(actions_, studio_, document_);
+    add_hang_action(actions_, studio_, document_);
     add_air_actions(actions_, studio_, document_);
     add_document_actions(actions_, document_);
     make_menus();
-    auto* transport = new QToolBar("Transport", this);
-    transport->setObjectName("transport");
-    transport->setMovable(false);
-    transport->addWidget(new TransportPanel(studio_, actions_, transport));
-    addToolBar(Qt::BottomToolBarArea, transport);
+    transport_ = new QToolBar("Transport", this);
+    transport_->setObjectName("transport");
+    transport_->setMovable(false);
+    transport_->addWidget(new TransportPanel(studio_, actions_, transport_));
+    addToolBar(Qt::BottomToolBarArea, transport_);
     addToolBar(Qt::TopToolBarArea, new NoticeBar(actions_, document_, this));
     fixtures_->model().complain = actions_.complain;
     connect(&document_, &ShowDocument::changed, this, [this] { setWindowModified(document_.is_changed()); });
@@ -82,21 +84,20 @@ Window::Window(Link& link, const WindowOptions& options)
         if (studio_.opened().is_edit) return;
         view_->setFocus();
         if (!options_.remembers || !QSettings().contains("layout version"))
-            statusBar()->showMessage(
-                "Press ? for all keys. A desk that sends sACN or Art-Net to this machine takes over by "
+            say("Press ? for all keys. A desk that sends sACN or Art-Net to this machine takes over by "
                 "itself.",
                 20000);
     });
     connect(&studio_, &Studio::failed, this, [this](const QString& what) {
         view_->hint = what + "\n\n" + kHint;
-        statusBar()->showMessage(what, 15000);
+        say(what, 15000);
         view_->update();
     });
     connect(&studio_, &Studio::plot_came, this, [this] {
         const ReceivedPlot& plot = studio_.plot();
-        statusBar()->showMessage(QString::fromStdString(plot.from + " sent a plot (" +
-                                                        (plot.comment.empty() ? plot.file : plot.comment) +
-                                                        "): Show, Take the received plot, Ctrl+T"));
+        say(QString::fromStdString(plot.from + " sent a plot (" +
+                                   (plot.comment.empty() ? plot.file : plot.comment) +
+                                   "): Show, Take the received plot, Ctrl+T"));
     });
     connect(&studio_, &Studio::wishes_changed, this, [this] { actions_.refresh(); });
     connect(&studio_, &Studio::rig_came, this, &Window::show_status);
@@ -105,32 +106,33 @@ Window::Window(Link& link, const WindowOptions& options)
         if (supply != status_supply_->text()) status_supply_->setText(supply);
     });
     connect(&studio_, &Studio::picture_saved, this, [this](const QString& error) {
-        statusBar()->showMessage(error.isEmpty() ? QString("The picture is saved") : error, 8000);
+        say(error.isEmpty() ? QString("The picture is saved") : error, 8000);
     });
     connect(&studio_, &Studio::recording_ended, this, [this] {
         const Recorded& recorded = studio_.recorded();
-        statusBar()->showMessage(recorded.error
-                                     ? QString::fromStdString(recorded.error->text())
-                                     : QString("Recorded %1 s to %2: Play, Play what was recorded last")
-                                           .arg(recorded.seconds, 0, 'f', 1)
-                                           .arg(QString::fromStdString(recorded.file)),
-                                 20000);
+        say(recorded.error ? QString::fromStdString(recorded.error->text())
+                           : QString("Recorded %1 s to %2: Play, Play what was recorded last")
+                                 .arg(recorded.seconds, 0, 'f', 1)
+                                 .arg(QString::fromStdString(recorded.file)),
+            20000);
         actions_.refresh();
     });
     connect(&second_, &SecondDisplay::changed, this, [this](const QString& what) {
-        if (!what.isEmpty()) statusBar()->showMessage(what, 15000);
+        if (!what.isEmpty()) say(what, 15000);
         actions_.refresh();
     });
-    connect(&reach_, &Reach::moved, this,
-            [this](const QString& what) { statusBar()->showMessage(what, 15000); });
+    connect(&reach_, &Reach::moved, this, [this](const QString& what) { say(what, 15000); });
     connect(&studio_.jobs(), &Jobs::changed, this, &Window::show_jobs);
     connect(&studio_.jobs(), &Jobs::ended, this, [this](const Job& job) {
         QString words = job.title + ": " + state_name(job.state);
         if (job.state == Job::State::failed) words += ". " + job.last_said;
-        statusBar()->showMessage(words, 15000);
+        say(words, 15000);
     });
     resize(1280, 760);
     QSettings settings;
+    if (const auto tone = image::tone_from(settings.value("tone").toString().toStdString());
+        options_.remembers && tone.ok())
+        studio_.wish([&](Wishes& wishes) { wishes.tone = *tone; });
     if (options_.remembers && settings.value("layout version").toInt() == kLayoutVersion) {
         restoreGeometry(settings.value("geometry").toByteArray());
         restoreState(settings.value("docks").toByteArray(), kLayoutVersion);
@@ -200,13 +202,17 @@ void Window::add_panels() {
         air->show();
         air->raise();
     });
+    connect(scene_panel, &ScenePanel::asks_to_hang, this, [this](std::size_t object) {
+        if (const Result<void> done = hang_under(studio_, document_, object); !done.ok())
+            actions_.complain(done.error());
+    });
     exports->hide();
     air->hide();
     hand->raise();
     network->hide();
     messages->hide();
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    resizeDocks({docks_.front(), values}, {310, 360}, Qt::Horizontal);
+    resizeDocks({docks_.front(), values}, {310, 400}, Qt::Horizontal);
 }
 
 void Window::make_menus() {
@@ -254,7 +260,15 @@ void Window::show_jobs() {
     status_jobs_->setText(words);
 }
 
+void Window::say(const QString& what, int for_ms) {
+    const int room_px = status_jobs_->x(); // what always stands there begins there
+    statusBar()->showMessage(shortened(what, room_px / fontMetrics().averageCharWidth()), for_ms);
+    statusBar()->setToolTip(what);
+}
+
 void Window::closeEvent(QCloseEvent* event) {
+    if (options_.remembers)
+        QSettings().setValue("tone", QString::fromStdString(image::name_of(studio_.wishes().tone)));
     if (options_.remembers && !isFullScreen()) {
         QSettings settings;
         settings.setValue("layout version", kLayoutVersion);

@@ -16,6 +16,7 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMainWindow>
+#include <QToolBar>
 
 namespace ghost::ui {
 
@@ -46,6 +47,8 @@ private:
     void name_cameras();
     void show_status();
     void show_jobs();
+    // In the status line, whole as its tool tip.
+    void say(const QString& what, int for_ms = 0);
     void set_full_screen(bool full);
     void show_shortcuts();
     Result<void> choose_show(const QStringList& arguments);
@@ -65,6 +68,8 @@ private:
     FixturePanel* fixtures_ = nullptr;
     std::vector<QDockWidget*> docks_;
     std::vector<bool> docks_shown_; // before full screen
+    QToolBar* transport_ = nullptr;
+    bool transport_shown_ = true; // likewise
     QLabel* status_input_;
     QLabel* status_supply_;
     QLabel* status_jobs_;

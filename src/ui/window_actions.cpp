@@ -180,8 +180,10 @@ void Window::set_full_screen(bool full) {
         docks_shown_.clear();
         for (QDockWidget* dock : docks_) docks_shown_.push_back(dock->isVisible());
         for (QDockWidget* dock : docks_) dock->hide();
+        transport_shown_ = transport_->isVisible();
     }
     menuBar()->setVisible(!full);
+    transport_->setVisible(!full && transport_shown_);
     statusBar()->setVisible(!full);
     if (full) {
         // What is left may need more width than a window has whose display got another scale; Qt resizes it
@@ -252,6 +254,10 @@ Result<void> Window::save_state(const QStringList& arguments) {
                                 {"left", job.left},
                                 {"said", job.last_said}});
     state["jobs"] = jobs;
+    QJsonArray panels;
+    for (const QDockWidget* dock : docks_)
+        if (dock->isVisible() && !dock->visibleRegion().isEmpty()) panels.append(dock->objectName());
+    state["panels"] = panels; // that are seen
     state["second_display"] = second_.words();
     state["unsaved"] = document_.is_changed();
     state["changes_wait"] = document_.has_draft();

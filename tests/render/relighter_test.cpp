@@ -388,11 +388,16 @@ TEST_F(Frames, PictureIsTheDevelopedFrame) {
     std::mt19937 random(12);
     scene::Passes passes = edgy_passes(random, 61, 35);
     const std::vector<shared::Light> lights = random_rig(random, passes, 6);
-    for (const bool automatic : {false, true}) {
+    for (const auto& [automatic, tone] : {std::pair{false, image::Tone::agx},
+                                          {true, image::Tone::agx},
+                                          {false, image::Tone::aces},
+                                          {false, image::Tone::linear}}) {
         Settings settings = clear_air();
         settings.ev100 = 4;
         settings.auto_exposure = automatic;
         Relighter relighter(device(), passes, test_gobos(), 6, settings);
+        relighter.draw(lights);
+        relighter.set_tone(tone); // what rests is developed anew
         relighter.draw(lights);
         const image::ImageF frame = relighter.frame();
         const image::Image8 picture = relighter.picture();
@@ -419,7 +424,8 @@ TEST_F(Frames, PictureIsTheDevelopedFrame) {
         int worst = 0;
         for (std::size_t p = 0; p < passes.pixel_count(); ++p) {
             const float* t = frame.samples.data() + 3 * p;
-            const vec3 expected = shared::develop({t[0], t[1], t[2]}, exposure) * 255.0f;
+            const vec3 expected =
+                shared::develop({t[0], t[1], t[2]}, exposure, static_cast<std::uint32_t>(tone)) * 255.0f;
             for (int c = 0; c < 3; ++c)
                 worst = std::max(
                     worst, std::abs(static_cast<int>(picture.samples[4 * p + static_cast<std::size_t>(c)]) -

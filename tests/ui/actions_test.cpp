@@ -4,11 +4,13 @@
 #include "test_window.h"
 #include "ui/message_panel.h"
 #include "ui/script.h"
+#include "ui/shortened.h"
 #include "ui/window.h"
 
 #include <QDropEvent>
 #include <QLocalSocket>
 #include <QMimeData>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QTreeWidget>
 #include <QUrl>
@@ -64,6 +66,77 @@ TEST(Actions, no_name_and_no_key_stands_twice_and_what_is_in_a_menu_has_words) {
     for (const char* const key : {"W", "A", "S", "D", "Q", "E"}) EXPECT_FALSE(keys.contains(key)) << key;
 }
 
+TEST(Actions, the_tone_curve_is_chosen_by_name_and_by_key) {
+    Opened4 opened;
+    EXPECT_EQ(opened.wishes().tone, image::Tone::agx);
+    EXPECT_EQ(opened.error_of("tone linear"), "");
+    EXPECT_EQ(opened.wishes().tone, image::Tone::linear);
+    EXPECT_TRUE(opened.window->actions().item("tone-linear")->isChecked());
+    EXPECT_EQ(opened.error_of("tone"), "");
+    EXPECT_EQ(opened.wishes().tone, image::Tone::agx) << "round at the end";
+    EXPECT_FALSE(opened.window->actions().item("tone-linear")->isChecked());
+    EXPECT_EQ(opened.error_of("tone-aces"), "");
+    EXPECT_EQ(opened.wishes().tone, image::Tone::aces);
+    EXPECT_NE(opened.error_of("tone film").find("agx, aces or linear"), std::string::npos);
+    EXPECT_EQ(opened.wishes().tone, image::Tone::aces);
+}
+
+// As the layout is; --forget takes neither.
+TEST(Actions, the_tone_curve_is_there_again_the_next_time) {
+    QTemporaryDir home;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
+    const auto tone_of = [](bool remembers) {
+        Link link;
+        Window window(link, WindowOptions{.remembers = remembers, .width = 640, .height = 400});
+        return window.studio().wishes().tone;
+    };
+    {
+        Link link;
+        Window window(link, WindowOptions{.width = 640, .height = 400});
+        window.show();
+        ASSERT_TRUE(window.actions().run("tone aces").ok());
+        window.close();
+    }
+    EXPECT_EQ(tone_of(true), image::Tone::aces);
+    EXPECT_EQ(tone_of(false), image::Tone::agx);
+}
+
+TEST(Actions, a_sentence_that_is_too_long_loses_folders_and_keeps_its_reason) {
+    const QString sentence = "/home/me/shows/summer tour/show.toml:12: expected a number from 0 to 1";
+    EXPECT_EQ(shortened(sentence, 200), sentence);
+    const QString little = shortened(sentence, 50);
+    EXPECT_TRUE(little.endsWith("show.toml:12: expected a number from 0 to 1")) << little.toStdString();
+    EXPECT_LE(little.size(), 59);
+    EXPECT_EQ(shortened("/a/b/c/x.gdtf: 300 cd/m^2", 10), ".../x.gdtf: 300 cd/m^2");
+    EXPECT_EQ(shortened("nothing to leave out here", 3), "nothing to leave out here");
+    EXPECT_EQ(shortened("", 0), "");
+}
+
+TEST(Actions, full_screen_is_the_picture_alone) {
+    Opened4 opened;
+    auto* transport = opened.window->findChild<QToolBar*>("transport");
+    ASSERT_NE(transport, nullptr);
+    EXPECT_TRUE(transport->isVisible());
+    EXPECT_EQ(opened.error_of("full-screen"), "");
+    EXPECT_FALSE(transport->isVisible());
+    EXPECT_EQ(opened.error_of("full-screen"), "");
+    EXPECT_TRUE(transport->isVisible());
+}
+
+TEST(Actions, selecting_among_no_fixtures_says_so) {
+    Opened4 opened;
+    EXPECT_NE(opened.error_of("select Nobody").find("no fixture is called 'Nobody'"), std::string::npos);
+    EXPECT_NE(opened.error_of("select \"Lamp 1\" \"Lamp 1\"").find("no further fixture"), std::string::npos);
+    Opened none = four_lamps();
+    auto show = std::make_shared<scene::Show>(*none.show);
+    show->fixtures.clear();
+    none.show = show;
+    opened.link.opened.put(std::move(none));
+    opened.link.on_news();
+    settle();
+    EXPECT_NE(opened.error_of("select *").find("the show has no fixtures"), std::string::npos);
+}
+
 TEST(Actions, a_script_does_what_hands_do) {
     Opened4 opened;
     EXPECT_EQ(opened.error_of("select \"Lamp 2\" \"Lamp 4\""), "");
@@ -103,7 +176,7 @@ TEST(Actions, what_cannot_be_done_is_said_with_its_name) {
     Opened4 opened;
     EXPECT_EQ(opened.error_of("blackout"), "there is no action 'blackout', did you mean 'black-out'?");
     EXPECT_EQ(opened.error_of("intensity 0.5"), "intensity: no fixture is selected");
-    EXPECT_EQ(opened.error_of("select Lamp\\ 9"), "select: no further fixture is called 'Lamp\\'");
+    EXPECT_EQ(opened.error_of("select Lamp\\ 9"), "select: no fixture is called 'Lamp\\'");
     EXPECT_EQ(opened.error_of("select *"), "");
     EXPECT_EQ(opened.error_of("intensity 1.5"), "intensity: '1.5' is no number from 0 to 1");
     EXPECT_EQ(opened.error_of("intensity nan"), "intensity: 'nan' is no number from 0 to 1");

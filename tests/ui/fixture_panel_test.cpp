@@ -2,6 +2,7 @@
 // The list of fixtures: searching is no selecting.
 #include "test_desk.h"
 
+#include "image/colour.h"
 #include "ui/fixture_panel.h"
 
 #include <QLineEdit>
@@ -27,6 +28,33 @@ TEST(FixturePanel, what_is_searched_away_stays_selected) {
     settle();
     EXPECT_EQ(table->selectionModel()->selectedRows().size(), 3);
     EXPECT_EQ(selections, 0);
+}
+
+// The mark of a chosen row covers all but the colour of the light.
+TEST(FixturePanel, a_chosen_row_still_shows_its_colour) {
+    Desk desk;
+    FixturePanel panel(desk.studio, desk.document, nullptr);
+    desk.open();
+    panel.resize(600, 300);
+    panel.show();
+    settle();
+    auto* table = panel.findChild<QTableView*>();
+    const auto has_green = [&] {
+        const QModelIndex cell = table->model()->index(0, FixtureModel::colour);
+        const QImage picture = table->viewport()->grab(table->visualRect(cell)).toImage();
+        return picture.pixelColor(picture.rect().center()) == QColor(0, 255, 0);
+    };
+    EXPECT_FALSE(has_green()) << "dark";
+    RigNow rig;
+    rig.fixtures.resize(3);
+    rig.fixtures[0].candela = 1000;
+    rig.fixtures[0].colour = image::rec709_to_rec2020({0, 1, 0});
+    desk.link.rig.put(rig);
+    desk.link.on_news();
+    settle();
+    EXPECT_TRUE(has_green());
+    desk.studio.select({0});
+    EXPECT_TRUE(has_green());
 }
 
 } // namespace

@@ -199,6 +199,43 @@ TEST(Patch, what_is_not_saved_waits_for_the_next_window) {
     EXPECT_FALSE(fs::exists(fs::path(desk.folder) / ".ghost" / "draft.toml"));
 }
 
+// Half a second is not over when another show is opened in the same window.
+TEST(Patch, another_show_does_not_cost_what_was_typed_just_before) {
+    Desk desk;
+    desk.open();
+    desk.studio.select({1});
+    ASSERT_TRUE(desk.edit.rename("Typed just now").ok());
+    QTemporaryDir elsewhere;
+    const fs::path other = fs::path(elsewhere.path().toStdString()) / "show.toml", first = desk.file;
+    ASSERT_TRUE(write_file_atomic(other, kShow).ok());
+    desk.file = other;
+    desk.studio.open(other.string());
+    desk.open();
+    EXPECT_EQ(desk.document.text(), kShow);
+    EXPECT_FALSE(fs::exists(other.parent_path() / ".ghost" / "draft.toml"));
+    desk.file = first;
+    desk.studio.open(first.string());
+    desk.open();
+    EXPECT_TRUE(desk.document.has_draft());
+    ASSERT_TRUE(desk.document.take_draft().ok());
+    EXPECT_NE(desk.document.text().find("Typed just now"), std::string::npos);
+}
+
+TEST(Patch, a_copy_goes_elsewhere_and_the_show_stays_unsaved) {
+    Desk desk;
+    desk.open();
+    desk.studio.select({1});
+    ASSERT_TRUE(desk.edit.rename("Mine").ok());
+    QTemporaryDir elsewhere;
+    const fs::path copy = fs::path(elsewhere.path().toStdString()) / "show.toml";
+    ASSERT_TRUE(desk.document.save_copy(copy).ok());
+    EXPECT_EQ(*read_text_file(copy, 1 << 20), desk.document.text());
+    EXPECT_EQ(desk.on_disk(), kShow);
+    EXPECT_TRUE(desk.document.is_changed());
+    EXPECT_FALSE(desk.document.save_copy(desk.file).ok()) << "that is what saving is for";
+    EXPECT_FALSE(desk.document.save_copy(copy.parent_path() / "nowhere" / "show.toml").ok());
+}
+
 TEST(Patch, dropped_changes_are_gone) {
     QTemporaryDir place;
     {

@@ -1,0 +1,40 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Hang: where fixtures hang under a truss or a pipe. A truss of several pieces in a row counts as one; what
+// lies level is one, what stands is none. Metres of the show. Pure.
+
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ghost::scene {
+
+// The middle line of an object's underside, along it. From left to right as the house sees it; what runs
+// up-stage begins down-stage.
+struct Bar {
+    glm::vec3 from_m{0};
+    glm::vec3 to_m{0};
+    float across_m = 0; // the wider of its two sides
+
+    float length_m() const { return glm::distance(from_m, to_m); }
+    bool operator==(const Bar&) const = default;
+};
+
+// Of the corners of a mesh. Nothing: it stands upright rather than lies, or it has no length.
+std::optional<Bar> bar_of(std::span<const glm::vec3> positions, const glm::mat4& world);
+
+// Slender enough for a truss or a pipe; a wall, a curtain or a floor is not.
+bool is_slender(const Bar& bar);
+
+// The piece with all those that go on where it ends.
+Bar joined(const Bar& piece, std::span<const Bar> all);
+
+// Of slender ones; nothing: there is none.
+std::optional<std::size_t> nearest_bar(std::span<const Bar> all, const glm::vec3& to_m);
+
+// One goes to the place nearest to where it is; several spread evenly, each in the middle of its share.
+std::vector<glm::vec3> places_under(const Bar& bar, std::span<const glm::vec3> are_m);
+
+} // namespace ghost::scene
