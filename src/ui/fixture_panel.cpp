@@ -239,6 +239,13 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
         follows_ = false;
         show_selection();
     });
+    connect(search_, &QLineEdit::returnPressed, this, [this] {
+        if (sorted_->rowCount() == 0) return;
+        table_->setFocus();
+        table_->setCurrentIndex(sorted_->index(0, FixtureModel::name)); // that F2 edits
+        table_->selectAll();
+        take_selection(); // where they were selected already, the table says nothing
+    });
     connect(&studio_, &Studio::selection_changed, this, &FixturePanel::show_selection);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &FixturePanel::take_selection);

@@ -37,7 +37,7 @@ def edit_until_killed(window, first, edited, saved, refused):
     """Edits of all weights: those that are seen with the next frame, and those for which the show is opened anew."""
     try:
         for number in range(first, first + 100000):
-            for line in (f'rename "N {number}"', f"move 0 0 {0.01 if number % 2 else -0.01}" if number % 5 == 0 else "", "save" if number % 7 == 0 else ""):
+            for line in (f'rename "N {number}"', f"move 0 0 {0.01 if number % 2 else -0.01}" if number % 5 == 0 else "", "save" if number % 41 == 0 else ""):
                 if not line:
                     continue
                 answer = window.ask(line)
@@ -65,7 +65,7 @@ def main():
             window = Window("--size", "400x300", "--no-desk", "--quiet", show=show)
             window.do("wait opened", "freeze on", "resolution 1")
             if previous:
-                edited, saved, killed_s = previous
+                edited, saved, killed_s, pid = previous
                 in_file = newest((show / "show.toml").read_text())
                 assert in_file >= max(saved, default=0), f"kill {kill}: what was said to be saved is not in the file"
                 if window.state()["changes_wait"]:
@@ -75,7 +75,7 @@ def main():
                 lost = [killed_s - at_s for number, at_s in edited if number > there]
                 worst_s = max([worst_s, *lost])
                 assert worst_s <= MOST_LOST_S, f"kill {kill}: an edit of {worst_s:.1f} s before it is lost"
-                left = [file for file in show.rglob("*.part*")]
+                left = [file for file in show.rglob(f"*.part{pid}_*")]
                 assert not left, f"unfinished files stay: {left}"
             if kill == KILLS:
                 assert window.close() == 0, window.text()
@@ -96,7 +96,7 @@ def main():
             assert edited and not any(refused), refused or window.text()
             edits += len(edited)
             saves += len(saved)
-            previous = (edited, saved, killed_s)
+            previous = (edited, saved, killed_s, window.process.pid)
     print(f"ok: {KILLS} kills, {edits} edits, {saves} saves, {drafts} times changes waited; the oldest edit that was lost was "
           f"{worst_s:.2f} s old")
     assert edits > KILLS

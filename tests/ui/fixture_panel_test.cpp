@@ -30,6 +30,23 @@ TEST(FixturePanel, what_is_searched_away_stays_selected) {
     EXPECT_EQ(selections, 0);
 }
 
+TEST(FixturePanel, enter_in_the_search_selects_what_it_found) {
+    Desk desk;
+    FixturePanel panel(desk.studio, desk.document, nullptr);
+    desk.open();
+    desk.studio.select({0});
+    auto* search = panel.findChild<QLineEdit*>();
+    search->setText("none of them");
+    Q_EMIT search->returnPressed();
+    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{0})) << "nothing was found";
+    search->setText("Lamp");
+    Q_EMIT search->returnPressed();
+    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{0, 1, 2}));
+    search->setText("017");
+    Q_EMIT search->returnPressed();
+    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{1}));
+}
+
 // The mark of a chosen row covers all but the colour of the light.
 TEST(FixturePanel, a_chosen_row_still_shows_its_colour) {
     Desk desk;

@@ -47,7 +47,7 @@ class BesideADesk(unittest.TestCase):
         return "red" if red > 40 and red > 2 * blue else "blue" if blue > 40 and blue > 2 * red else "dark" if max(red, blue) < 15 else "other"
 
     def comes(self, colour):
-        for _ in range(LONG_S):
+        for _ in range(100):
             if self.colour() == colour:
                 return
             time.sleep(0.2)
@@ -82,7 +82,7 @@ class BesideADesk(unittest.TestCase):
         self.window.until(lambda state: not state["black_out"])
         self.keys("ctrl+a")
         self.window.until(lambda state: len(state["selection"]) == 10)
-        self.window.do("colour #ff0000")  # now the desk's blue is never seen
+        self.window.do("colour #ff0000", "wait 2")  # from now on the desk's blue is never seen
         for _ in range(25):
             self.assertNotEqual(self.colour(), "blue")
             time.sleep(0.2)
@@ -97,7 +97,7 @@ class BesideADesk(unittest.TestCase):
         self.window.until(lambda state: state["selection"] == ["Wash 2"])
         self.keys("ctrl+f")
         self.window.xdo("type", "--delay", "30", "Wash 3")
-        self.keys("Tab", "space")  # into the list, whose only row is taken
+        self.keys("Return")
         self.window.until(lambda state: state["selection"] == ["Wash 3"])
         self.keys("F2", "ctrl+a")
         self.window.xdo("type", "--delay", "30", "Cyc right")
