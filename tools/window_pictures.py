@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The pictures of the window in docs/images, of the demo, without a screen (Qt's offscreen platform). Words behind the folder choose
 among them. Usage: window_pictures.py BUILD_FOLDER [NAME ...]. Needs python3-pil."""
+import contextlib
 import os
 import pathlib
 import shutil
@@ -26,16 +27,34 @@ WINDOWS = {
                                       "wait settled\nscreenshot {}\n"),
     "window-lux.jpg": ("1760x1100", "panel-looks on\ncamera close\nresolution 50\nfalse-colour lux\nprobe 520 830\nwait settled\nwait 2\nscreenshot {}\n"),
     "guide-baking.jpg": ("1280x760", ALONE + "panel-export on\ncamera house\nwait settled\nbake house 64\nwait 12\nscreenshot {}\ncancel-jobs\n"),
+    "guide-network.jpg": ("1760x760", ALONE + "panel-network on\ncamera house\nresolution 6\nwait 25\nreset-figures\nwait 10\nscreenshot {}\n"),
     "guide-patching.jpg": ("1280x760", ALONE + 'camera house\nselect "Spot *"\naddress 2.101\nwait settled\nscreenshot {}\n'),
 }
 
 
-def run(work, size, lines):
+# What is cut out of the picture of the window: the panel alone.
+CROPS = {"guide-network.jpg": (314, 330, 1760, 692)}
+
+
+@contextlib.contextmanager
+def desk(plays):
+    """The demo's recording as a desk, on this machine alone."""
+    sender = subprocess.Popen([str(PROGRAM), "play", str(SOURCE / "assets/demo/demo.show"), "--to", "127.0.0.1", "--loop", "--quiet",
+                               "--from", "20"]) if plays else None
+    try:
+        yield
+    finally:
+        if sender:
+            sender.terminate()
+            sender.wait()
+
+
+def run(work, size, lines, hears=False):
     shutil.rmtree(work / "demo", ignore_errors=True)
     shutil.copytree(SOURCE / "assets/demo", work / "demo", ignore=shutil.ignore_patterns(".ghost"))
     script = work / "script.txt"
-    script.write_text(BEGIN + lines + "quit\n")
-    subprocess.run([str(PROGRAM), "open", str(work / "demo"), "--forget", "--no-desk", "--quiet", "--size", size, "--script", str(script)],
+    script.write_text(("wait opened\n" if hears else BEGIN) + lines + "quit\n")
+    subprocess.run([str(PROGRAM), "open", str(work / "demo"), "--forget", "--quiet", *(("--interface", "lo") if hears else ("--no-desk",)), "--size", size, "--script", str(script)],
                    env=dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_CONFIG_HOME=str(work)), check=True)
 
 
@@ -48,8 +67,10 @@ def main():
         for name in wanted:
             if name in WINDOWS:
                 size, lines = WINDOWS[name]
-                run(work, size, lines.replace("{}", f'"{shot}"'))
-                picture = Image.open(shot).convert("RGB")
+                hears = "panel-network" in lines
+                with desk(hears):
+                    run(work, size, lines.replace("{}", f'"{shot}"'), hears)
+                picture = Image.open(shot).convert("RGB").crop(CROPS.get(name))
             else:  # guide-haze.jpg: smoke 0, 1 and 3 beside each other
                 parts = [work / f"smoke-{smoke}.png" for smoke in (0, 1, 3)]
                 run(work, "480x600", ALONE + "panel-fixtures off\ncamera close\n" +
