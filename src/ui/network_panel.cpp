@@ -6,7 +6,6 @@
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QPainter>
-#include <QSplitter>
 #include <QToolTip>
 #include <QVBoxLayout>
 
@@ -121,6 +120,15 @@ bool UniverseGrid::event(QEvent* event) {
     return true;
 }
 
+// Beside each other where both have room to be read.
+void NetworkPanel::resizeEvent(QResizeEvent*) {
+    const bool is_wide = 4 * width() > 7 * grid_->minimumWidth();
+    const Qt::Orientation wanted = is_wide ? Qt::Horizontal : Qt::Vertical;
+    if (halves_->orientation() == wanted) return;
+    halves_->setOrientation(wanted);
+    halves_->setSizes({400, 600});
+}
+
 NetworkPanel::NetworkPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     diagnosis_ = new QLabel(this);
     diagnosis_->setWordWrap(true);
@@ -150,16 +158,16 @@ NetworkPanel::NetworkPanel(Studio& studio, QWidget* parent) : QWidget(parent), s
     right_layout->setContentsMargins(0, 0, 0, 0);
     right_layout->addWidget(universes_);
     right_layout->addWidget(grid_, 1);
-    auto* splitter = new QSplitter(this);
-    splitter->addWidget(left);
-    splitter->addWidget(right);
-    splitter->setStretchFactor(0, 2);
-    splitter->setStretchFactor(1, 3);
-    splitter->setSizes({400, 600}); // the grid would like to have it all
+    halves_ = new QSplitter(this);
+    halves_->addWidget(left);
+    halves_->addWidget(right);
+    halves_->setStretchFactor(0, 2);
+    halves_->setStretchFactor(1, 3);
+    halves_->setSizes({400, 600}); // the grid would like to have it all
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(diagnosis_);
-    layout->addWidget(splitter, 1);
+    layout->addWidget(halves_, 1);
     connect(&studio_, &Studio::network_came, this, &NetworkPanel::refresh);
     connect(&studio_, &Studio::rig_came, this, &NetworkPanel::refresh_universes);
     connect(&studio_, &Studio::opened_show, this, &NetworkPanel::refresh_universes);

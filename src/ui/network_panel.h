@@ -7,6 +7,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QSplitter>
 #include <QTableWidget>
 #include <QWidget>
 
@@ -45,6 +46,9 @@ class NetworkPanel : public QWidget {
 public:
     NetworkPanel(Studio& studio, QWidget* parent);
 
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
 private:
     void refresh();
     void refresh_diagnosis();
@@ -57,6 +61,7 @@ private:
     QTableWidget* sources_;
     QComboBox* universes_;
     UniverseGrid* grid_;
+    QSplitter* halves_; // sources, and a universe
 };
 
 } // namespace ghost::ui

@@ -27,6 +27,9 @@ public:
         painter->drawText(option.rect.adjusted(0, 0, -8, 0), Qt::AlignRight | Qt::AlignVCenter,
                           index.data().toString());
     }
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(12, 0); // around the bar
+    }
 };
 
 double share_of(const scene::ChannelFacts& channel) {
@@ -109,10 +112,10 @@ ValuePanel::ValuePanel(Studio& studio, QWidget* parent) : QWidget(parent), studi
     table_->verticalHeader()->setResizeContentsPrecision(0);
     table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table_->horizontalHeader()->setStretchLastSection(true);
-    const int letter = table_->fontMetrics().averageCharWidth();
-    for (const auto& [column, letters] :
-         {std::pair{ChannelModel::address, 13}, {ChannelModel::attribute, 14}, {ChannelModel::value, 8}})
-        table_->setColumnWidth(column, letters * letter);
+    for (const int column : {ChannelModel::address, ChannelModel::value})
+        table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setResizeContentsPrecision(0);
+    table_->setColumnWidth(ChannelModel::attribute, 14 * table_->fontMetrics().averageCharWidth());
     words_ = new QPlainTextEdit(this);
     words_->setReadOnly(true);
     words_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
