@@ -170,6 +170,20 @@ class Controls(unittest.TestCase):
         self.assertGreater(brighter.mean(), self.show.mean() + 10)
 
 
+    def test_tone_curve(self):
+        # Without a curve highlights clip; ACES makes the dark darker.
+        try:
+            linear = self.after("tone linear")
+            self.assertEqual(self.window.state()["tone"], "linear")
+            aces = self.after("tone aces")
+        finally:
+            self.window.do("tone agx")
+        self.assertGreater(changed(linear, self.show), 1)
+        self.assertGreater((linear.max(axis=2) == 255).sum(), (self.show.max(axis=2) == 255).sum())
+        dark = (self.show > 5) & (self.show < 60)
+        self.assertLess(aces[dark].mean(), 0.9 * self.show[dark].mean())
+
+
 class Desk(unittest.TestCase):
     def test_packets_of_a_desk_come_through(self):
         offset = str(-1100 - os.getpid() % 500)  # universes of nobody else
@@ -284,6 +298,26 @@ class Editing(unittest.TestCase):
             self.assertLess(changed(hung, window.picture("again")), 0.05)
             self.assertIn("no fixture is selected", window.ask("select-none") + window.ask("remove"))
             self.assertIn("is no address like 2.101", window.ask("address 1.900"))
+        finally:
+            self.assertEqual(window.close(), 0)
+
+    def test_lamps_are_hung_under_a_truss(self):
+        window = self.open()
+        try:
+            window.do('select "Wash *"')
+            x, y, width, _ = window.place()
+            window.xdo("mousemove", x + width // 2, y + 8, "key", "ctrl+h")
+            # The middle truss: eight pieces from -8 to 8 m, its underside at 6.77 m; they hung at 6.76 m, two of five elsewhere.
+            state = window.until(lambda s: s["patch"]["Wash 4"]["position_m"][1] < 5)
+            places = [state["patch"][f"Wash {number}"]["position_m"] for number in range(1, 6)]
+            for place, wanted in zip(places, (-6.406, -3.203, 0, 3.203, 6.406)):
+                for is_m, wanted_m in zip(place, (wanted, 4.3, 6.771)):
+                    self.assertAlmostEqual(is_m, wanted_m, places=3)
+            window.do("hang truss_front_3")
+            self.assertAlmostEqual(window.state()["patch"]["Wash 1"]["position_m"][1], 0.4, places=3)
+            self.assertIn("is no truss or pipe", window.ask("hang tower*"))
+            window.do("undo", "undo", "save")
+            self.assertEqual(self.file.read_bytes(), self.original)
         finally:
             self.assertEqual(window.close(), 0)
 
