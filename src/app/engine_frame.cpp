@@ -131,8 +131,8 @@ void Engine::frame() {
     const bool sees_else = look_->apply(wishes_.look, *session_) || thicker;
     sees_else_ = sees_else_ || sees_else;
     session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
-    session_->options.tone = wishes_.tone; // of pictures that are made anew
-    session_->relighter->set_tone(wishes_.tone);
+    session_->options.tone = remote_wishes_.tone.value_or(wishes_.tone); // of pictures that are made anew
+    session_->relighter->set_tone(session_->options.tone);
     if (const int segments = std::clamp(wishes_.quality.most_segments, 1, 256);
         segments != std::exchange(haze_.most_segments, segments)) {
         session_->relighter->set_quality(haze_);

@@ -96,6 +96,7 @@ void LiveControls::apply(Session& session, const RemoteWishes& wishes, double no
     const scene::Camera& camera = exposed_ ? *exposed_ : session.show->cameras[session.camera];
     const std::optional<float> fixed = wishes.ev100 ? wishes.ev100 : ev100_;
     session.relighter->set_exposure(fixed.value_or(camera.ev100), camera.auto_exposure && !fixed);
+    session.relighter->set_tone(wishes.tone.value_or(session.options.tone));
 }
 
 } // namespace ghost::app

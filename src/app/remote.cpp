@@ -116,6 +116,13 @@ Result<void> Remote::apply(const dmx::OscMessage& message) {
         TRY(wishes_.ev100, number_of(message, 0, -10.0f, 20.0f));
     } else if (what == "exposure/auto") {
         wishes_.ev100.reset();
+    } else if (what == "tone" && message.arguments.empty()) {
+        wishes_.tone.reset();
+    } else if (what == "tone") {
+        const std::string* name = std::get_if<std::string>(&message.arguments[0]);
+        const Result<image::Tone> tone = image::tone_from(name ? *name : "");
+        if (!tone.ok()) return Error{tone.error().what, message.address};
+        wishes_.tone = *tone;
     } else if (what == "blackout") {
         // A button without a value blacks out; faders and buttons send 0 or 1.
         if (message.arguments.empty()) {
@@ -127,7 +134,7 @@ Result<void> Remote::apply(const dmx::OscMessage& message) {
     } else {
         return Error{
             "is no address of ours; they are /ghostlight/camera, cue, cue/go, cue/back, recording, master, "
-            "blackout, haze, exposure and exposure/auto",
+            "blackout, haze, exposure, exposure/auto and tone",
             message.address};
     }
     return {};

@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "dmx/osc.h"
+#include "image/tone.h"
 #include "scene/cues.h"
 
 #include <cstddef>
@@ -27,6 +28,7 @@ struct RemoteWishes {
     bool blackout = false;
     float haze = 1;                     // times the show's density
     std::optional<float> ev100;         // instead of the camera's exposure
+    std::optional<image::Tone> tone;    // instead of the one that was chosen
     std::optional<RemoteCamera> camera; // the last one asked for
     std::size_t calls = 0;              // of cameras: the same one may be asked for again
     double at_s = 0;                    // of the recording: the last place asked for

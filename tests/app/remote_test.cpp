@@ -33,6 +33,15 @@ TEST(Remote, each_address_does_what_it_says) {
     EXPECT_FLOAT_EQ(remote.wishes().ev100.value(), 4.5f);
     EXPECT_TRUE(remote.apply(message("/ghostlight/exposure/auto")).ok());
     EXPECT_FALSE(remote.wishes().ev100.has_value());
+    EXPECT_FALSE(remote.wishes().tone.has_value());
+    EXPECT_TRUE(remote.apply(message("/ghostlight/tone", {std::string("aces")})).ok());
+    EXPECT_EQ(remote.wishes().tone, image::Tone::aces);
+    for (const std::vector<dmx::OscArgument>& wrong :
+         {std::vector<dmx::OscArgument>{1.0}, {std::string("film")}})
+        EXPECT_FALSE(remote.apply(message("/ghostlight/tone", wrong)).ok());
+    EXPECT_EQ(remote.wishes().tone, image::Tone::aces);
+    EXPECT_TRUE(remote.apply(message("/ghostlight/tone")).ok());
+    EXPECT_FALSE(remote.wishes().tone.has_value());
 }
 
 TEST(Remote, cameras_by_name_and_number) {
