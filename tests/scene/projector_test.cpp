@@ -5,6 +5,7 @@
 #include "fixture/projector_type.h"
 #include "image/pyramid.h"
 #include "scene/explain.h"
+#include "scene/explain_print.h"
 #include "scene/gobos.h"
 #include "scene/lit.h"
 #include "scene/rig.h"
@@ -135,11 +136,20 @@ TEST(Projector, ExplainMeasuresThePicture) {
     EXPECT_NEAR(beam.lit_deg.x, glm::degrees(2.0f * std::atan(0.5f / 1.5f)), 1.0f);
     EXPECT_NEAR(beam.lit_deg.y, glm::degrees(2.0f * std::atan(0.28125f / 1.5f)), 1.0f);
     EXPECT_NE(white.verdict.find("picture 3"), std::string::npos) << white.verdict;
+    const auto says = [&](const Explanation& explanation, const std::vector<std::string>& parts) {
+        const std::string words = words_of(explanation, reception);
+        for (const std::string& part : parts)
+            EXPECT_NE(words.find(part), std::string::npos) << "'" << part << "' is not in\n" << words;
+    };
+    says(white, {"projects 'film'", "x picture 100 % = 100", "beam      picture 3", " x 2"});
+    EXPECT_EQ(words_of(white, reception).find("deg at half"), std::string::npos) << "it has no round field";
     EXPECT_NEAR(explained(255, 36, 36).beams.at(0).output_lm, 0.5625f * kLumens, 0.02f * kLumens)
         << "a square picture on a panel of 16:9";
     const Explanation black = explained(0, 64, 36);
     EXPECT_EQ(black.cause, Cause::picture) << black.verdict;
     EXPECT_NEAR(black.beams.at(0).full_lm, kLumens, 0.02f * kLumens);
+    says(black, {"dark because the picture that it projects is black at this moment: of white it has 0 %",
+                 "projects 'film'", "x picture 0 % = 0"});
 }
 
 // What is beside the picture on the panel is lit as much as its black.

@@ -9,69 +9,10 @@
 #include <array>
 #include <string_view>
 
-extern "C" {
-#include <libavcodec/avcodec.h>
-#include <libavformat/avformat.h>
-}
-
 namespace ghost::video {
 namespace {
 
 using MovieTest = WithFilms;
-
-// A film of the pictures 0, 1, .. at these moments (milliseconds), by FFmpeg itself.
-void make_uneven(const std::filesystem::path& path, const std::vector<int>& at_ms, int last_ms) {
-    AVFormatContext* file = nullptr;
-    ASSERT_GE(avformat_alloc_output_context2(&file, nullptr, "matroska", path.c_str()), 0);
-    AVStream* stream = avformat_new_stream(file, nullptr);
-    AVCodecContext* codec = avcodec_alloc_context3(avcodec_find_encoder(AV_CODEC_ID_MPEG4));
-    codec->width = kBits * kBarWidth;
-    codec->height = kTestHeight;
-    codec->time_base = {1, 1000};
-    codec->pix_fmt = AV_PIX_FMT_YUV420P;
-    codec->bit_rate = 4'000'000;
-    codec->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
-    ASSERT_GE(avcodec_open2(codec, nullptr, nullptr), 0);
-    avcodec_parameters_from_context(stream->codecpar, codec);
-    stream->time_base = codec->time_base;
-    ASSERT_GE(avio_open(&file->pb, path.c_str(), AVIO_FLAG_WRITE), 0);
-    ASSERT_GE(avformat_write_header(file, nullptr), 0);
-    AVPacket* packet = av_packet_alloc();
-    AVFrame* frame = av_frame_alloc();
-    frame->format = codec->pix_fmt;
-    frame->width = codec->width;
-    frame->height = codec->height;
-    av_frame_get_buffer(frame, 0);
-    const auto drain = [&] {
-        while (avcodec_receive_packet(codec, packet) == 0) {
-            const auto at = std::find(at_ms.begin(), at_ms.end(), static_cast<int>(packet->pts));
-            packet->duration = (at + 1 < at_ms.end() ? *(at + 1) : last_ms) - *at;
-            av_packet_rescale_ts(packet, codec->time_base, stream->time_base);
-            av_interleaved_write_frame(file, packet);
-        }
-    };
-    for (std::size_t k = 0; k < at_ms.size(); ++k) {
-        av_frame_make_writable(frame);
-        for (int y = 0; y < codec->height; ++y)
-            for (int x = 0; x < codec->width; ++x)
-                frame->data[0][y * frame->linesize[0] + x] = (k >> (x / kBarWidth)) % 2 ? 235 : 16;
-        for (int plane : {1, 2})
-            for (int y = 0; y < codec->height / 2; ++y)
-                std::fill_n(frame->data[plane] + y * frame->linesize[plane], codec->width / 2,
-                            std::uint8_t{128});
-        frame->pts = at_ms[k];
-        avcodec_send_frame(codec, frame);
-        drain();
-    }
-    avcodec_send_frame(codec, nullptr);
-    drain();
-    av_write_trailer(file);
-    avio_closep(&file->pb);
-    av_frame_free(&frame);
-    av_packet_free(&packet);
-    avcodec_free_context(&codec);
-    avformat_free_context(file);
-}
 
 int newest_number(const Movie& movie, Movie::Which which = Movie::Which::newest) {
     const glm::ivec2 size = image::fitted(movie.width(), movie.height(), 128);

@@ -48,6 +48,18 @@ TEST_F(SourceTest, TenMinutesWithoutDrift) {
     EXPECT_TRUE(source.take_messages().empty());
 }
 
+// Pictures at uneven times: each from its time stamp to the next one's, in every round.
+TEST_F(SourceTest, UnevenTimesAreKept) {
+    const std::vector<int> at_ms{0, 100, 150, 1000, 1020, 2500};
+    make_uneven(folder / "uneven.mkv", at_ms, 3000);
+    Source source(of(folder / "uneven.mkv"));
+    for (const int round : {0, 1, 7})
+        for (int ms = 5; ms < 2950; ms += 35) {
+            const auto due = std::upper_bound(at_ms.begin(), at_ms.end(), ms) - at_ms.begin() - 1;
+            EXPECT_EQ(number_at(source, 3.0 * round + ms / 1000.0), due) << round << " " << ms;
+        }
+}
+
 TEST_F(SourceTest, JumpsAnywhere) {
     Source source(of(film("film.mp4", 250)));
     std::mt19937 random(4);
