@@ -115,6 +115,9 @@ struct FoldPush {
 };
 SHARED_SIZE(FoldPush, 8);
 
+// Of the nine pixels round one on an edge, by rows: itself.
+SHARED_CONST uint kOwnHaze = 4u;
+
 struct MeterPush {
     uint width;
     uint height;

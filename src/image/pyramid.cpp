@@ -68,45 +68,83 @@ Image8 resampled(const Image8& from, const glm::ivec2& size) {
     return to;
 }
 
-// Level 0, and its light: the picture in the middle, its rim beyond.
-void place(const Image8& picture, int side, std::vector<std::uint8_t>& level,
-           std::vector<std::uint16_t>& light) {
+// Texels of a row, four values each: as they are shown, and their light.
+struct Row {
+    std::uint8_t* codes;
+    std::uint16_t* light;
+};
+
+// A row of the picture, from `left` on; its ends go on to the rim. Adds its light up.
+void fill_row(const std::uint8_t* from, int width, int left, int side, const Row& to,
+              std::array<std::uint64_t, 3>& sum) {
     const Curve& c = curve();
-    const int left = (side - picture.width) / 2, top = (side - picture.height) / 2;
-    level.resize(texel(0, side, side));
-    light.resize(level.size());
-    for (int y = 0; y < side; ++y) {
-        if (y > top && y >= top + picture.height) { // as the row above
-            std::copy_n(level.begin() + static_cast<std::ptrdiff_t>(texel(0, y - 1, side)), 4 * side,
-                        level.begin() + static_cast<std::ptrdiff_t>(texel(0, y, side)));
-            std::copy_n(light.begin() + static_cast<std::ptrdiff_t>(texel(0, y - 1, side)), 4 * side,
-                        light.begin() + static_cast<std::ptrdiff_t>(texel(0, y, side)));
-            continue;
+    std::array<std::uint32_t, 3> in_row{};
+    Row at{to.codes + 4 * left, to.light + 4 * left};
+    for (int x = 0; x < width; ++x, from += 4, at.codes += 4, at.light += 4) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            at.codes[k] = from[k];
+            at.light[k] = c.light[from[k]];
         }
-        const int from_y = std::clamp(y - top, 0, picture.height - 1);
-        for (int x = 0; x < side; ++x) {
-            const std::uint8_t* t = picture.at(std::clamp(x - left, 0, picture.width - 1), from_y);
-            const std::size_t to = texel(x, y, side);
+        at.codes[3] = 255;
+        if (from[3] != 255)
             for (std::size_t k = 0; k < 3; ++k) {
-                const std::uint16_t value =
-                    t[3] == 255 ? c.light[t[k]]
-                                : static_cast<std::uint16_t>(std::uint32_t{c.light[t[k]]} * t[3] / 255);
-                light[to + k] = value;
-                level[to + k] = t[3] == 255 ? t[k] : c.code[static_cast<std::size_t>(value) >> kCodeShift];
+                at.light[k] = static_cast<std::uint16_t>(std::uint32_t{at.light[k]} * from[3] / 255);
+                at.codes[k] = c.code[static_cast<std::size_t>(at.light[k]) >> kCodeShift];
             }
-            level[to + 3] = 255;
+        for (std::size_t k = 0; k < 3; ++k) in_row[k] += at.light[k];
+    }
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += in_row[k];
+    const auto repeat = [&](int texel, int begin, int end) {
+        for (int x = begin; x < end; ++x) {
+            std::copy_n(to.codes + 4 * texel, 4, to.codes + 4 * x);
+            std::copy_n(to.light + 4 * texel, 4, to.light + 4 * x);
         }
+    };
+    repeat(left, 0, left);
+    repeat(left + width - 1, left + width, side);
+}
+
+// Two rows to one of half as many texels.
+void halve_rows(const std::uint16_t* above, const std::uint16_t* below, int half, const Row& to) {
+    const Curve& c = curve();
+    Row at = to;
+    for (int x = 0; x < half; ++x, above += 8, below += 8, at.codes += 4, at.light += 4) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t sum = std::uint32_t{above[k]} + above[k + 4] + below[k] + below[k + 4];
+            at.light[k] = static_cast<std::uint16_t>((sum + 2) / 4);
+            at.codes[k] = c.code[static_cast<std::size_t>(at.light[k]) >> kCodeShift];
+        }
+        at.codes[3] = 255;
     }
 }
 
-glm::vec3 mean_of(const std::vector<std::uint16_t>& light, int side, const glm::ivec2& size) {
-    const int left = (side - size.x) / 2, top = (side - size.y) / 2;
+// Level 0 row by row, the picture in the middle and its rim beyond; the next level's light on the way, as all
+// of level 0's would leave the cache before it is needed.
+void place(const Image8& picture, int side, std::vector<std::uint8_t>& codes,
+           std::vector<std::uint8_t>& half_codes, std::vector<std::uint16_t>& half_light, glm::vec3& mean) {
+    const int left = (side - picture.width) / 2, top = (side - picture.height) / 2, half = side / 2;
+    codes.resize(texel(0, side, side));
+    half_codes.resize(texel(0, half, half));
+    half_light.resize(half_codes.size());
+    std::vector<std::uint16_t> pair(texel(0, 2, side));
     std::array<std::uint64_t, 3> sum{};
-    for (int y = top; y < top + size.y; ++y)
-        for (int x = left; x < left + size.x; ++x)
-            for (std::size_t k = 0; k < 3; ++k) sum[k] += light[texel(x, y, side) + k];
-    const double all = 65535.0 * size.x * size.y;
-    return glm::vec3(glm::dvec3(sum[0], sum[1], sum[2]) / all);
+    int last = -1;
+    for (int y = 0; y < side; ++y) {
+        const Row row{codes.data() + texel(0, y, side), pair.data() + texel(0, y % 2, side)};
+        const int from = std::clamp(y - top, 0, picture.height - 1);
+        if (from == last) { // as the row above
+            std::copy_n(row.codes - 4 * side, 4 * side, row.codes);
+            std::copy_n(pair.data() + texel(0, 1 - y % 2, side), 4 * side, row.light);
+        } else {
+            fill_row(picture.at(0, from), picture.width, left, side, row, sum);
+        }
+        last = from;
+        if (y % 2 == 1)
+            halve_rows(
+                pair.data(), pair.data() + texel(0, 1, side), half,
+                {half_codes.data() + texel(0, y / 2, half), half_light.data() + texel(0, y / 2, half)});
+    }
+    mean = glm::vec3(glm::dvec3(sum[0], sum[1], sum[2]) / (65535.0 * picture.width * picture.height));
 }
 
 } // namespace
@@ -123,37 +161,22 @@ glm::ivec2 fitted(int width, int height, int side) {
 Pyramid make_pyramid(const Image8& rgba, int side) {
     CHECK(side >= kLeastPyramid && (side & (side - 1)) == 0 && rgba.channels == 4);
     const glm::ivec2 size = fitted(rgba.width, rgba.height, side);
-    std::vector<std::vector<std::uint8_t>> levels(1);
+    std::vector<std::vector<std::uint8_t>> levels(2);
     std::vector<std::uint16_t> light;
-    if (size == glm::ivec2(rgba.width, rgba.height))
-        place(rgba, side, levels[0], light);
-    else
-        place(resampled(rgba, size), side, levels[0], light);
-
     Pyramid pyramid;
     pyramid.side = side;
     pyramid.extent = glm::vec2(size) / static_cast<float>(side);
-    pyramid.mean = mean_of(light, side, size);
-    const Curve& c = curve();
-    for (int half = side / 2; half >= kLeastPyramid; half /= 2) {
+    place(size == glm::ivec2(rgba.width, rgba.height) ? rgba : resampled(rgba, size), side, levels[0],
+          levels[1], light, pyramid.mean);
+    for (int half = side / 4; half >= kLeastPyramid; half /= 2) {
         std::vector<std::uint16_t> next(texel(0, half, half));
-        std::vector<std::uint8_t> codes(next.size(), 255);
-        for (int y = 0; y < half; ++y) {
-            const std::uint16_t* above = light.data() + texel(0, 2 * y, 2 * half);
-            const std::uint16_t* below = above + texel(0, 1, 2 * half);
-            for (int x = 0; x < half; ++x) {
-                const std::size_t to = texel(x, y, half), from = 8 * static_cast<std::size_t>(x);
-                for (std::size_t k = 0; k < 3; ++k) {
-                    const std::uint32_t sum = std::uint32_t{above[from + k]} + above[from + 4 + k] +
-                                              below[from + k] + below[from + 4 + k];
-                    next[to + k] = static_cast<std::uint16_t>((sum + 2) / 4);
-                    codes[to + k] = c.code[next[to + k] >> kCodeShift];
-                }
-            }
-        }
-        levels.push_back(std::move(codes));
+        std::vector<std::uint8_t>& codes = levels.emplace_back(next.size());
+        for (int y = 0; y < half; ++y)
+            halve_rows(light.data() + texel(0, 2 * y, 2 * half), light.data() + texel(0, 2 * y + 1, 2 * half),
+                       half, {codes.data() + texel(0, y, half), next.data() + texel(0, y, half)});
         light = std::move(next);
     }
+    if (side / 2 < kLeastPyramid) levels.pop_back();
     pyramid.levels = std::make_shared<const std::vector<std::vector<std::uint8_t>>>(std::move(levels));
     return pyramid;
 }

@@ -8,6 +8,7 @@
 #include "shaders/develop.h"
 #include "shaders/fold.h"
 #include "shaders/meter.h"
+#include "shaders/silhouettes.h"
 #include "shaders/sum.h"
 #include "shaders/surface.h"
 #include "shaders/surface_live.h"
@@ -95,7 +96,9 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       sum_(device, shaders::kShader_sum, {kStored, kStored, kStored, kStorage},
            {settings.beams.beams == Beams::gate ? 0u : 1u}),
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
-      fold_(device, shaders::kShader_fold, {kUniform, kSampled, kStored, kStored, kStorage, kStorage},
+      silhouettes_(device, shaders::kShader_silhouettes, {kUniform, kSampled, kStored, kStored}),
+      fold_(device, shaders::kShader_fold,
+            {kUniform, kSampled, kStored, kStored, kStorage, kStorage, kStored},
             {settings.air ? 1u : 0u, settings.beams.beams == Beams::gate ? 0u : 1u}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
       develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
@@ -168,7 +171,7 @@ void Relighter::set_quality(const HazeQuality& quality) {
 void Relighter::forget() {
     tree_.invalidate_all();
     if (mender_) mender_->forget();
-    wide_prepared_ = false;
+    wide_prepared_ = silhouettes_known_ = false;
     last_lights_.clear();
 }
 
@@ -184,7 +187,7 @@ void Relighter::touch() {
         forget();
         return;
     }
-    wide_prepared_ = false;
+    wide_prepared_ = silhouettes_known_ = false;
     tree_.invalidate_frame();
     if (!mender_->touch(rects)) forget();
 }
@@ -206,6 +209,8 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
     picture_ = Texture(device_, {f.width, f.height, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
     drawn_ = Texture(device_,
                      {f.width, f.places.shape().height, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    haze_sources_ = Texture(
+        device_, {f.edges.shape().width, f.edges.shape().height, 1, 1, VK_FORMAT_R16_UINT, true, false});
     const std::uint64_t tiles = std::uint64_t{f.tiles_x} * f.tiles_y;
     // A G-buffer has another number of them each time; there is room for so many.
     const std::uint64_t blocks =
@@ -415,7 +420,8 @@ std::uint64_t Relighter::picture_bytes() const {
     std::uint64_t sum = haze_.memory_bytes() + lens_.memory_bytes() + glare_.memory_bytes() +
                         (wide_ ? wide_->memory_bytes() : 0) + (mender_ ? mender_->memory_bytes() : 0);
     for (const gpu::Buffer* buffer : {&masks_, &lists_, &pixels_}) sum += buffer->bytes();
-    for (const gpu::Texture* texture : {&images_, &drawn_, &picture_}) sum += texture->bytes();
+    for (const gpu::Texture* texture : {&images_, &drawn_, &haze_sources_, &picture_})
+        sum += texture->bytes();
     if (g_buffer_) return sum + g_buffer_->memory_bytes();
     const Fragments& f = fragments();
     for (const gpu::Texture* texture : {&passes_.radiance, &passes_.bounces, &f.places, &f.edges, &f.base})

@@ -150,18 +150,19 @@ private:
     static constexpr std::uint64_t kLightRoom =
         (sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
     static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
-    gpu::Program cull_, sum_, bounce_, fold_, meter_, develop_;
+    gpu::Program cull_, sum_, bounce_, silhouettes_, fold_, meter_, develop_;
     std::array<gpu::LateProgram, shared::kBeamClasses> surface_;
     HazePass haze_;
     std::unique_ptr<WideBeams> wide_; // null: HazeSettings::most_wide_step is 1
     std::uint32_t wide_step_ = 1;
     bool wide_prepared_ = false;
+    bool silhouettes_known_ = false; // haze_sources_ are those of the picture
     LedWallPass led_walls_;
     LensPass lens_;
     GlarePass glare_;
     mutable gpu::Commands commands_;
     gpu::Buffer air_, lights_, masks_, lists_, groups_, work_, work_read_, exposure_, pixels_;
-    gpu::Texture gobos_, slides_, images_, drawn_, picture_;
+    gpu::Texture gobos_, slides_, images_, drawn_, haze_sources_, picture_;
     gpu::Buffer slides_upload_;
     std::vector<shared::SlidePicture> shown_; // what is in slides_, or on its way there
     std::vector<std::size_t> new_slides_;     // those on their way

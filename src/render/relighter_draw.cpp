@@ -54,11 +54,19 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         mender_ ? mender_->tiles() : f.tile_bounds; // only read where tiles are mended
     if (!sum.lights.empty() && f.edge_count > 0) {
         commands_.begin_span("fold");
-        commands_.dispatch(
-            fold_, shared::FoldPush{f.edge_count, mended_tiles_ > 0 ? 1u : 0u},
-            {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_), gpu::stored(f.places),
-             gpu::storage(g_buffer_ ? g_buffer_->rooms() : f.tile_bounds), gpu::storage(tile_list)},
-            mended_tiles_ > 0 ? mended_tiles_ : gpu::groups(f.edge_count, 64));
+        if (settings_.air && !std::exchange(silhouettes_known_, true)) {
+            commands_.dispatch(silhouettes_, shared::FoldPush{f.edge_count, 0u},
+                               {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(f.places),
+                                gpu::stored(haze_sources_)},
+                               gpu::groups(f.edge_count, 64));
+            commands_.barrier();
+        }
+        commands_.dispatch(fold_, shared::FoldPush{f.edge_count, mended_tiles_ > 0 ? 1u : 0u},
+                           {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_),
+                            gpu::stored(f.places),
+                            gpu::storage(g_buffer_ ? g_buffer_->rooms() : f.tile_bounds),
+                            gpu::storage(tile_list), gpu::stored(haze_sources_)},
+                           mended_tiles_ > 0 ? mended_tiles_ : gpu::groups(f.edge_count, 64));
         commands_.barrier();
     }
     std::size_t added = 0;
