@@ -60,16 +60,17 @@ SHARED_FN vec3 wheel_sample(Wheel wheel, vec2 gate, float blur WITH_GOBOS) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    // Which of the two slots covers this place, and where its centre is now. Beside a centred one is the wheel's own metal:
-    // what a blur throws there is that slot's.
-    float centre_a = -wheel.shift * kSlotSpacing;
-    bool second = wheel.shift != 0.0f && gate.x > centre_a + 0.5f * kSlotSpacing;
-    vec2 g = gate - vec2(second ? centre_a + kSlotSpacing : centre_a, 0.0f);
-    uint layer = second ? wheel.layer_b : wheel.layer_a;
-    // Off-centre slots end at their own rim; a centred one is limited by the aperture alone.
-    float rim = wheel.shift == 0.0f ? 1.0f : beam_aperture(length(g), 1.0f, max(blur, 0.01f));
-    vec2 turned = vec2(wheel.cosine * g.x + wheel.sine * g.y, wheel.cosine * g.y - wheel.sine * g.x);
-    return gobo_sample(layer, turned, blur PASS_GOBOS) * rim;
+    // A centred slot is limited by the aperture alone, and beside it is the wheel's own metal. Else two are in the gate, each within
+    // its own rim; what a blur throws beyond it adds up.
+    uint slots = wheel.shift == 0.0f ? 1u : 2u;
+    vec3 sum = vec3(0.0f);
+    for (uint k = 0u; k < slots; ++k) {
+        vec2 g = gate - vec2((float(k) - wheel.shift) * kSlotSpacing, 0.0f);
+        float rim = wheel.shift == 0.0f ? 1.0f : beam_aperture(length(g), 1.0f, max(blur, 0.01f));
+        vec2 turned = vec2(wheel.cosine * g.x + wheel.sine * g.y, wheel.cosine * g.y - wheel.sine * g.x);
+        sum += gobo_sample(k == 0u ? wheel.layer_a : wheel.layer_b, turned, blur PASS_GOBOS) * rim;
+    }
+    return sum;
 }
 
 // What the animation wheel leaves of the light.

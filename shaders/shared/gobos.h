@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Gobos: the images in all gates of a show, as a stack of square RGBA8 layers with mip levels. Level k holds the image
+// Gobos: the images in all gates of a show, as a stack of square layers with mip levels. Nine bits a colour and an exponent that
+// they share: what is dark is as exact as what is bright, at the size of 8 bits. Level k holds the image
 // averaged over a disc of radius kGoboBlurUnit 2^k gate units (averaged inside the gate only: the aperture is the beam's
 // business). Layer 0 is open. C++ samples it as the shaders' sampler does: trilinear, clamped. Values only.
 #ifdef __cplusplus
@@ -27,19 +28,34 @@ struct SlidePicture {
 struct Gobos {
     std::vector<SlidePicture> slides; // C++ only: shaders have a texture of their own
     int layers = 0;
-    // texels[level]: layers x side x side x RGBA, side = kGoboSize >> level.
-    std::vector<std::uint8_t> texels[kGoboLevels];
+    // texels[level]: layers x side x side gobo_code, side = kGoboSize >> level.
+    std::vector<std::uint32_t> texels[kGoboLevels];
 };
+
+// VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, of 0..1.
+inline std::uint32_t gobo_code(const vec3& rgb) {
+    const vec3 c = glm::clamp(rgb, vec3(0.0f), vec3(1.0f));
+    int exponent = 0;
+    (void)std::frexp(std::max({c.x, c.y, c.z}), &exponent);
+    exponent = std::max(exponent, -15);
+    const auto mantissa = [&](float value) {
+        return static_cast<std::uint32_t>(std::lround(std::ldexp(value, 9 - exponent)));
+    };
+    if (std::max({mantissa(c.x), mantissa(c.y), mantissa(c.z)}) > 511u) ++exponent; // rounded up to the next power of two
+    return mantissa(c.x) | mantissa(c.y) << 9 | mantissa(c.z) << 18 | static_cast<std::uint32_t>(exponent + 15) << 27;
+}
+
+inline vec3 gobo_light(std::uint32_t code) {
+    return vec3(code & 511u, code >> 9 & 511u, code >> 18 & 511u) * std::ldexp(1.0f, static_cast<int>(code >> 27) - 24);
+}
 
 inline vec3 gobo_texel(const Gobos& gobos, int level, uint layer, int x, int y) {
     const int side = kGoboSize >> level;
     x = std::clamp(x, 0, side - 1);
     y = std::clamp(y, 0, side - 1);
-    const std::size_t at =
-        ((static_cast<std::size_t>(layer) * static_cast<std::size_t>(side) + static_cast<std::size_t>(y)) *
-             static_cast<std::size_t>(side) + static_cast<std::size_t>(x)) * 4;
-    const std::uint8_t* t = gobos.texels[level].data() + at;
-    return vec3(t[0], t[1], t[2]) * (1.0f / 255.0f);
+    const std::size_t at = (static_cast<std::size_t>(layer) * static_cast<std::size_t>(side) + static_cast<std::size_t>(y)) *
+                               static_cast<std::size_t>(side) + static_cast<std::size_t>(x);
+    return gobo_light(gobos.texels[level][at]);
 }
 
 inline vec3 gobo_bilinear(const Gobos& gobos, int level, uint layer, vec2 uv) {

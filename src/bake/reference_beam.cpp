@@ -29,9 +29,10 @@ dvec3 texel(const shared::Gobos& gobos, std::size_t level, std::uint32_t layer, 
     const long side = shared::kGoboSize >> level;
     x = std::clamp(x, 0L, side - 1);
     y = std::clamp(y, 0L, side - 1);
-    const auto at = static_cast<std::size_t>((static_cast<long>(layer) * side + y) * side + x) * 4;
-    const std::uint8_t* rgba = &gobos.texels[level][at];
-    return dvec3(rgba[0], rgba[1], rgba[2]) / 255.0;
+    const std::uint32_t code =
+        gobos.texels[level][static_cast<std::size_t>((static_cast<long>(layer) * side + y) * side + x)];
+    return dvec3(code % 512, (code >> 9) % 512, (code >> 18) % 512) *
+           std::exp2(static_cast<double>(code >> 27) - 24.0);
 }
 
 dvec3 bilinear(const shared::Gobos& gobos, std::size_t level, std::uint32_t layer, const dvec2& uv) {
@@ -217,16 +218,19 @@ double ReferenceBeam::figure_share(const dvec2& gate, double blur) const {
 }
 
 dvec3 ReferenceBeam::wheel_colour(const shared::Wheel& wheel, const dvec2& gate, double blur) const {
+    const auto of_slot = [&](std::uint32_t layer, double centre_x) {
+        const dvec2 in_slot(gate.x - centre_x, gate.y);
+        const double cosine = wheel.cosine;
+        const double sine = wheel.sine;
+        const dvec2 turned(cosine * in_slot.x + sine * in_slot.y, cosine * in_slot.y - sine * in_slot.x);
+        const dvec3 colour = gobo_colour(layer, turned, blur);
+        // A centred slot is limited by the aperture alone, one that is moving by its own rim.
+        return wheel.shift == 0.0f ? colour
+                                   : colour * share_inside(glm::length(in_slot), 1.0, std::max(blur, 0.01));
+    };
     const double first_x = -static_cast<double>(wheel.shift) * kSlotPitch;
-    const bool in_next = wheel.shift != 0.0f && gate.x - first_x > 0.5 * kSlotPitch;
-    const dvec2 in_slot(gate.x - (in_next ? first_x + kSlotPitch : first_x), gate.y);
-    const double cosine = wheel.cosine;
-    const double sine = wheel.sine;
-    const dvec2 turned(cosine * in_slot.x + sine * in_slot.y, cosine * in_slot.y - sine * in_slot.x);
-    const dvec3 colour = gobo_colour(in_next ? wheel.layer_b : wheel.layer_a, turned, blur);
-    // A centred slot is limited by the aperture alone, one that is moving by its own rim.
-    return wheel.shift == 0.0f ? colour
-                               : colour * share_inside(glm::length(in_slot), 1.0, std::max(blur, 0.01));
+    const dvec3 first = of_slot(wheel.layer_a, first_x);
+    return wheel.shift == 0.0f ? first : first + of_slot(wheel.layer_b, first_x + kSlotPitch);
 }
 
 dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {

@@ -219,9 +219,9 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
         Buffer(device_, 2 * (tiles + blocks) * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
     lists_ = Buffer(device_, batches * (2 * tiles + blocks) * sizeof(std::uint32_t), Access::device);
     gobos_ = Texture(device_, {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
-                               shared::kGoboLevels, VK_FORMAT_R8G8B8A8_UNORM, false, true});
+                               shared::kGoboLevels, VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, false, true});
     for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
-        gobos_.write(level, gobos.texels[level].data(), gobos.texels[level].size());
+        gobos_.write(level, gobos.texels[level].data(), gobos.texels[level].size() * sizeof(std::uint32_t));
     make_slides(gobos.slides);
 }
 

@@ -124,19 +124,14 @@ Plane disc_blurred(const Plane& plane, int radius) {
     return result;
 }
 
-void append_level(std::vector<std::uint8_t>& texels, const Plane& plane) {
-    for (const vec3& pixel : plane.pixels) {
-        for (int c = 0; c < 3; ++c)
-            texels.push_back(
-                static_cast<std::uint8_t>(std::lround(std::clamp(pixel[c], 0.0f, 1.0f) * 255.0f)));
-        texels.push_back(255);
-    }
+void append_level(std::vector<std::uint32_t>& texels, const Plane& plane) {
+    for (const vec3& pixel : plane.pixels) texels.push_back(shared::gobo_code(pixel));
 }
 
 void append_open_layer(shared::Gobos& gobos) {
     for (int level = 0; level < shared::kGoboLevels; ++level) {
         const auto side = static_cast<std::size_t>(shared::kGoboSize >> level);
-        gobos.texels[level].insert(gobos.texels[level].end(), side * side * 4, 255);
+        gobos.texels[level].insert(gobos.texels[level].end(), side * side, shared::gobo_code(vec3(1.0f)));
     }
     gobos.layers = 1;
 }

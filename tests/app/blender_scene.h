@@ -82,13 +82,10 @@ inline shared::Gobos gate_picture(const BlenderGate& gate) {
             level.push_back(sum / static_cast<double>(kPerTexel * kPerTexel));
         }
     for (int k = 0, side = shared::kGoboSize; k < shared::kGoboLevels; ++k, side /= 2) {
-        std::vector<std::uint8_t>& texels = gobos.texels[k];
-        texels.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side) * 4, 255); // open
-        for (const glm::dvec3& value : level) {
-            for (int c = 0; c < 3; ++c)
-                texels.push_back(static_cast<std::uint8_t>(std::lround(value[c] * 255)));
-            texels.push_back(255);
-        }
+        std::vector<std::uint32_t>& texels = gobos.texels[k];
+        texels.assign(static_cast<std::size_t>(side) * static_cast<std::size_t>(side),
+                      shared::gobo_code(glm::vec3(1.0f))); // open
+        for (const glm::dvec3& value : level) texels.push_back(shared::gobo_code(glm::vec3(value)));
         std::vector<glm::dvec3> half;
         const auto at = [&](int x, int y) {
             return level[static_cast<std::size_t>(y) * static_cast<std::size_t>(side) +

@@ -49,9 +49,9 @@ inline const gpu::Texture& gobo_texture() {
         const shared::Gobos& gobos = test_gobos();
         gpu::Texture made(device(),
                           {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
-                           shared::kGoboLevels, VK_FORMAT_R8G8B8A8_UNORM, false, true});
+                           shared::kGoboLevels, VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, false, true});
         for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
-            made.write(level, gobos.texels[level].data(), gobos.texels[level].size());
+            made.write(level, gobos.texels[level].data(), gobos.texels[level].size() * sizeof(std::uint32_t));
         return made;
     }();
     return texture;

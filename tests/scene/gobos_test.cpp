@@ -51,6 +51,27 @@ float gate_mean(const shared::Gobos& gobos, float blur) {
     return static_cast<float>(sum / count);
 }
 
+// What a faint picture lets through is as exact as what a bright one does, however much it is blurred.
+TEST(gobos, TheDarkIsAsExactAsTheBright) {
+    for (const float value : {1.0f, 0.7f, 0.1f, 0.0123f, 1e-3f, 2e-4f})
+        EXPECT_NEAR(shared::gobo_light(shared::gobo_code(vec3(value))).y / value, 1.0f, 1.0f / 500) << value;
+    EXPECT_EQ(shared::gobo_light(shared::gobo_code(vec3(1.0f))), vec3(1.0f));
+    EXPECT_EQ(shared::gobo_light(shared::gobo_code(vec3(0.0f))), vec3(0.0f));
+    EXPECT_EQ(shared::gobo_light(shared::gobo_code(vec3(1e-9f))), vec3(0.0f));
+    EXPECT_NEAR(shared::gobo_light(shared::gobo_code(vec3(0.9999f))).x, 1.0f, 1e-3f)
+        << "the next power of two";
+    // Light that falls off from a bright rim: between two of its texels every place has a value of its own.
+    const shared::Gobos faint = stack_of(256, [](vec2 at) { return at.x > 0.9f; });
+    float before = 0.0f;
+    int alike = 0, looked = 0;
+    for (float x = -0.3f; x < 0.6f; x += 0.004f, ++looked) {
+        const float seen = shared::gobo_sample(1, {x, 0.0f}, 0.4f, faint).y;
+        alike += seen == before ? 1 : 0;
+        before = seen;
+    }
+    EXPECT_LT(alike, looked / 10) << "steps";
+}
+
 TEST(gobos, LayerZeroIsOpenAndMissingLayersAreToo) {
     const shared::Gobos gobos = stack_of(64, [](vec2) { return false; });
     EXPECT_EQ(gobos.layers, 2);
@@ -59,7 +80,7 @@ TEST(gobos, LayerZeroIsOpenAndMissingLayersAreToo) {
     EXPECT_EQ(shared::gobo_sample(1, {0.3f, 0.1f}, 0.02f, gobos), vec3(0.0f));
     for (int level = 0; level < shared::kGoboLevels; ++level) {
         const auto side = static_cast<std::size_t>(shared::kGoboSize >> level);
-        EXPECT_EQ(gobos.texels[level].size(), 2 * side * side * 4);
+        EXPECT_EQ(gobos.texels[level].size(), 2 * side * side);
     }
 }
 

@@ -497,6 +497,23 @@ TEST(Focus, ABlurredSlotHasNoNeighbour) {
     EXPECT_GT(apart, 0.1f) << "these pictures do not tell, of " << type.name;
 }
 
+// Between two slots both shine, each blurred beyond its own rim: nothing is cut where they meet.
+TEST(Focus, TwoBlurredSlotsAddUp) {
+    constexpr float kBlur = 0.5f;
+    const shared::Wheel open{0, 0, 0.5f, 1.0f, 0.0f, 0.0f};
+    const vec3 middle = shared::wheel_sample(open, {0.0f, 0.0f}, kBlur, gobos().images);
+    const float one = shared::beam_aperture(0.5f * shared::kSlotSpacing, 1.0f, kBlur);
+    EXPECT_GT(one, 0.2f);
+    EXPECT_NEAR(middle.y, 2.0f * one, 1e-5f);
+    // A bright slot beside a darker one.
+    for (std::uint32_t layer = 1; layer < static_cast<std::uint32_t>(gobos().images.layers); ++layer) {
+        const shared::Wheel wheel{0, layer, 0.5f, 1.0f, 0.0f, 0.0f};
+        const vec3 left = shared::wheel_sample(wheel, {-1e-3f, 0.0f}, kBlur, gobos().images);
+        const vec3 right = shared::wheel_sample(wheel, {1e-3f, 0.0f}, kBlur, gobos().images);
+        EXPECT_LT(glm::length(left - right), 0.02f) << layer;
+    }
+}
+
 TEST(Disc, TurnsThroughTheGateAndSwingsOutOfIt) {
     fixture::BeamState beam = open_beam();
     fixture::Insert disc{.number = 1, .wheel = wheel_number("Animation wheel"), .slot = 0, .in = 1};
