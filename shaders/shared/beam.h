@@ -59,10 +59,10 @@ SHARED_FN float beam_aperture(float radius, float aperture, float blur) {
 SHARED_FN vec3 wheel_sample(Wheel wheel, vec2 gate, float blur WITH_GOBOS) {
 #ifdef __cplusplus
     using namespace glm;
+#else // The other classes have no wheel between two slots (scene/gate.cpp): a loop in the loop over the wheels costs them a tenth.
+    if (kClass != kCutClass && kClass != kCutSlideClass) return gobo_sample(wheel.layer_a, vec2(wheel.cosine * gate.x + wheel.sine * gate.y, wheel.cosine * gate.y - wheel.sine * gate.x), blur);
 #endif
-    // A centred slot is limited by the aperture alone, and beside it is the wheel's own metal. Else two are in the gate, each within
-    // its own rim; what a blur throws beyond it adds up.
-    uint slots = wheel.shift == 0.0f ? 1u : 2u;
+    uint slots = wheel.shift == 0.0f ? 1u : 2u; // a centred one is limited by the aperture alone, two have rims and add up
     vec3 sum = vec3(0.0f);
     for (uint k = 0u; k < slots; ++k) {
         vec2 g = gate - vec2((float(k) - wheel.shift) * kSlotSpacing, 0.0f);

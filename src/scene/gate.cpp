@@ -191,7 +191,10 @@ void set_gate(const fixture::Type& type, const fixture::Optics& optics, const Go
         if (blade.offset < kNoBlade) blade.offset /= pull;
     if (light.split < shared::kNoSplit) light.split /= pull;
     const bool slide_among = has_slide && (light.wheel_count > 0 || !(one_plane || no_lens));
-    light.shaped = has_disc || has_blades || slide_among              ? 2
+    const bool between = std::any_of(light.wheel, light.wheel + light.wheel_count,
+                                     [](const shared::Wheel& wheel) { return wheel.shift != 0.0f; });
+    // Shaders of this class know two slots at once.
+    light.shaped = has_disc || has_blades || slide_among || between   ? 2
                    : light.wheel_count > 2 || !(one_plane || no_lens) ? 1
                                                                       : 0;
     if (light.shaped != 0) return;

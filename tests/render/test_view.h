@@ -126,6 +126,10 @@ inline shared::Light aimed_light(const glm::vec3& from, const glm::vec3& to, flo
 inline void put_gobo(shared::Light& light, std::uint32_t layer, float turn_deg = 0, float shift = 0,
                      std::uint32_t next_layer = 0) {
     const float turn = glm::radians(turn_deg);
+    if (shift != 0 && light.shaped != 2) { // as scene/gate.cpp has it
+        light.shaped = 2;
+        for (shared::Blade& blade : light.blade) blade.offset = shared::kNoSplit;
+    }
     light.wheel[light.wheel_count++] = {layer, next_layer, shift, std::cos(turn), std::sin(turn), 0};
     light.haze_samples = 10;
 }
