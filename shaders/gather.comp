@@ -220,7 +220,7 @@ void main() {
         imageStore(places, to, vec4(view.eye_m + way, covered));
         imageStore(diffuse, to, vec4(brdf.diffuse, brdf.alpha));
         imageStore(specular, to, vec4(brdf.f0, brdf.f90));
-        imageStore(shown_normals, to, vec4(shown, pack_facet(facet_of(slope * share, vec2(at) + 0.5))));
+        imageStore(shown_normals, to, pack_normals(shown, facet_of(slope * share, vec2(at) + 0.5)));
     }
     if (inside && count == 0) {
         imageStore(places, ivec3(at, 0), vec4(0.0, 0.0, 0.0, -1.0));

@@ -13,13 +13,11 @@ float texel_rad(vec3 direction, int size) {
     return 2.0 / float(size) * length1 * sqrt(length1);
 }
 
-// Texel of a map; beyond an edge the octahedron goes on at the same edge, mirrored.
-float map_texel(uint map, ivec2 at, int size) {
+// A texel, or beyond an edge: the octahedron goes on at the same edge, mirrored.
+ivec2 octahedral_wrapped(ivec2 at, int size) {
     bool beyond_x = at.x < 0 || at.x >= size;
     bool beyond_y = at.y < 0 || at.y >= size;
     int x = at.x < 0 ? -1 - at.x : (at.x >= size ? 2 * size - 1 - at.x : at.x);
     int y = at.y < 0 ? -1 - at.y : (at.y >= size ? 2 * size - 1 - at.y : at.y);
-    x = beyond_y ? size - 1 - x : x;
-    y = beyond_x ? size - 1 - y : y;
-    return texelFetch(distance_maps, ivec3(x, y, int(map) - 1), 0).x;
+    return ivec2(beyond_y ? size - 1 - x : x, beyond_x ? size - 1 - y : y);
 }

@@ -2,6 +2,7 @@
 // What the G-buffer's shaders and their callers share: how a mesh is drawn, how samples become fragments.
 #ifndef GHOST_SHARED_G_BUFFER_H
 #define GHOST_SHARED_G_BUFFER_H
+#include "shared/octahedral.h"
 #include "shared/types.h"
 
 SHARED_BEGIN
@@ -99,29 +100,13 @@ struct GatherCounts {
 };
 SHARED_SIZE(GatherCounts, 32);
 
-// A unit vector in 11 bits, a whole number that a half float holds: within 4 degrees, and exactly where it lies along an axis of
-// the world, as floors and walls do, which light skims. Enough to lift a point off its surface.
-SHARED_FN float pack_facet(vec3 n) {
-#ifdef __cplusplus
-    using namespace glm;
-#endif
-    float sum = max(abs(n.x) + abs(n.y) + abs(n.z), 1e-12f);
-    vec2 at = vec2(n.x, n.y) / sum;
-    vec2 folded = (vec2(1.0f) - abs(vec2(at.y, at.x))) * vec2(at.x < 0.0f ? -1.0f : 1.0f, at.y < 0.0f ? -1.0f : 1.0f);
-    at = n.z < 0.0f ? folded : at;
-    return floor((at.x * 0.5f + 0.5f) * 30.0f + 0.5f) * 64.0f + floor((at.y * 0.5f + 0.5f) * 62.0f + 0.5f);
+// Shading normal and the facet's, for four half floats: each within 0.03 degrees, which light that skims a surface tells.
+SHARED_FN vec4 pack_normals(vec3 shading, vec3 facet) {
+    return vec4(octahedral_from(shading), octahedral_from(facet)) * 2.0f - vec4(1.0f);
 }
 
-SHARED_FN vec3 unpack_facet(float packed_facet) {
-#ifdef __cplusplus
-    using namespace glm;
-#endif
-    float high = floor(packed_facet / 64.0f);
-    vec2 at = vec2(high / 30.0f, (packed_facet - high * 64.0f) / 62.0f) * 2.0f - vec2(1.0f);
-    float z = 1.0f - abs(at.x) - abs(at.y);
-    float inward = max(-z, 0.0f);
-    vec3 n = vec3(at.x + (at.x < 0.0f ? inward : -inward), at.y + (at.y < 0.0f ? inward : -inward), z);
-    return n / length(n);
+SHARED_FN vec3 unpack_normal(vec2 packed_normal) {
+    return direction_from_octahedral(packed_normal * 0.5f + vec2(0.5f));
 }
 
 SHARED_END

@@ -197,7 +197,7 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
     TRY(scene::DistanceMaps maps, trace_all(stage, places));
     const std::unique_ptr<render::DistanceImages> distances = upload(*device, std::move(maps));
     const double map_bytes =
-        static_cast<double>(distances->texture().bytes()) / static_cast<double>(places.size());
+        static_cast<double>(distances->bytes()) / static_cast<double>(places.size());
     scene::Report report; // of a stage made in code: nothing to say
     const render::StageModel model(*device, stage, report);
     const shared::Gobos gobos = bench_gobos();

@@ -110,8 +110,8 @@ void Texture::write(std::uint32_t level, const void* data, std::uint64_t bytes) 
     upload(level, 0, shape_.layers, data, bytes);
 }
 
-void Texture::write_layer(std::uint32_t layer, const void* data, std::uint64_t bytes) {
-    upload(0, layer, 1, data, bytes);
+void Texture::write_layer(std::uint32_t layer, const void* data, std::uint64_t bytes, std::uint32_t level) {
+    upload(level, layer, 1, data, bytes);
 }
 
 void Texture::upload(std::uint32_t level, std::uint32_t layer, std::uint32_t layers, const void* data,

@@ -44,8 +44,8 @@ public:
 
     // Fills all layers of one level; bytes: layer after layer, tightly packed. Waits.
     void write(std::uint32_t level, const void* data, std::uint64_t bytes);
-    // Fills one layer of level 0. Waits.
-    void write_layer(std::uint32_t layer, const void* data, std::uint64_t bytes);
+    // Fills one layer of one level. Waits.
+    void write_layer(std::uint32_t layer, const void* data, std::uint64_t bytes, std::uint32_t level = 0);
 
     VkImage image() const { return image_; }
     VkImageView view() const { return view_; }

@@ -2,6 +2,7 @@
 #include "render/distance_images.h"
 
 #include "base/check.h"
+#include "render/blockers.h"
 
 #include <algorithm>
 #include <vector>
@@ -11,56 +12,37 @@ namespace {
 
 constexpr std::uint32_t kLeastSide = 32;
 
-gpu::TextureShape shape_of(const gpu::Device& device, const scene::DistanceMaps& maps, std::uint32_t side) {
-    const auto layers =
-        static_cast<std::uint32_t>(std::clamp<std::size_t>(maps.maps.size(), 1, device.most_layers()));
+std::uint32_t layers_of(const gpu::Device& device, const scene::DistanceMaps& maps) {
+    return static_cast<std::uint32_t>(std::clamp<std::size_t>(maps.maps.size(), 1, device.most_layers()));
+}
+
+gpu::TextureShape texels_shape(std::uint32_t side, std::uint32_t layers) {
     return {side, side, layers, 1, VK_FORMAT_R16_SFLOAT};
+}
+
+gpu::TextureShape blockers_shape(std::uint32_t side, std::uint32_t layers) {
+    const std::uint32_t cells = std::max(side / kLeastBlockerCell, 1u);
+    return {cells, cells, layers, blocker_levels(side), VK_FORMAT_R16G16B16A16_SFLOAT};
 }
 
 std::uint32_t side_that_fits(const gpu::Device& device, const scene::DistanceMaps& maps) {
     auto side = static_cast<std::uint32_t>(std::max(maps.size, 1));
+    const std::uint32_t layers = layers_of(device, maps);
     const std::uint64_t room = device.memory_left_bytes() / 2;
     while (side % 2 == 0 && side > kLeastSide &&
-           gpu::texture_bytes(device, shape_of(device, maps, side)) > room)
+           gpu::texture_bytes(device, texels_shape(side, layers)) +
+                   gpu::texture_bytes(device, blockers_shape(side, layers)) >
+               room)
         side /= 2;
     return side;
-}
-
-// The nearest of each cell and its eight neighbours. Half floats above zero are in the order of their bits.
-std::vector<std::uint16_t> nearest_around(const std::vector<std::uint16_t>& texels, int side, int cells) {
-    std::vector<std::uint16_t> inside(static_cast<std::size_t>(cells * cells), scene::kNoSurface);
-    const int step = side / cells;
-    for (int y = 0; y < cells * step; ++y)
-        for (int x = 0; x < cells * step; ++x) {
-            std::uint16_t& cell = inside[static_cast<std::size_t>(y / step * cells + x / step)];
-            cell = std::min(cell, texels[static_cast<std::size_t>(y * side + x)]);
-        }
-    std::vector<std::uint16_t> around(inside.size());
-    for (int y = 0; y < cells; ++y)
-        for (int x = 0; x < cells; ++x) {
-            std::uint16_t nearest = scene::kNoSurface;
-            for (int k = 0; k < 9; ++k) {
-                // Beyond an edge the octahedron goes on at the same edge, mirrored.
-                const int row = k / 3;
-                int to_x = x + k % 3 - 1, to_y = y + row - 1;
-                const bool beyond_x = to_x < 0 || to_x >= cells, beyond_y = to_y < 0 || to_y >= cells;
-                to_x = std::clamp(to_x, 0, cells - 1);
-                to_y = std::clamp(to_y, 0, cells - 1);
-                if (beyond_y) to_x = cells - 1 - to_x;
-                if (beyond_x) to_y = cells - 1 - to_y;
-                nearest = std::min(nearest, inside[static_cast<std::size_t>(to_y * cells + to_x)]);
-            }
-            around[static_cast<std::size_t>(y * cells + x)] = nearest;
-        }
-    return around;
 }
 
 } // namespace
 
 DistanceImages::DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps)
     : wanted_side_(static_cast<std::uint32_t>(std::max(maps.size, 1))),
-      texture_(device, shape_of(device, maps, side_that_fits(device, maps))),
-      nearest_(device, shape_of(device, maps, std::max(side() / kNearestCell, 1u))) {
+      texture_(device, texels_shape(side_that_fits(device, maps), layers_of(device, maps))),
+      blockers_(device, blockers_shape(side(), layers_of(device, maps))) {
     for (std::size_t index = 0; index < maps.maps.size(); ++index) set(index, maps.maps[index]);
 }
 
@@ -75,9 +57,9 @@ void DistanceImages::set(std::size_t index, const scene::DistanceMap& map) {
     for (std::size_t y = step / 2; y < wanted; y += step)
         for (std::size_t x = step / 2; x < wanted; x += step) kept.push_back(map.distance[y * wanted + x]);
     texture_.write_layer(layer, kept.data(), kept.size() * sizeof kept[0]);
-    const auto nearest =
-        nearest_around(kept, static_cast<int>(side()), static_cast<int>(nearest_.shape().width));
-    nearest_.write_layer(layer, nearest.data(), nearest.size() * sizeof nearest[0]);
+    const auto levels = blockers_of(kept, static_cast<int>(side()));
+    for (std::uint32_t level = 0; level < levels.size(); ++level)
+        blockers_.write_layer(layer, levels[level].data(), levels[level].size() * sizeof(Blockers), level);
 }
 
 } // namespace ghost::render

@@ -4,8 +4,7 @@
 // layer + 1 is shared::Light::map. A map that comes later (it was being made) can be set at any time. Main
 // thread; the device must outlive it.
 //
-// Beside them lies, for each cell of kNearestCell x kNearestCell texels, the nearest distance in it and in
-// the cells around: how near what throws a shadow can be.
+// Beside them lie their texels summed up in cells, for soft shadows (render/blockers.h).
 //
 // Where half of the memory that is left on the device would not hold them, only every 2nd, 4th, .. texel is
 // kept: shadows get coarser. Maps beyond the layers that an image of the device can have are left out.
@@ -18,8 +17,6 @@
 
 namespace ghost::render {
 
-inline constexpr std::uint32_t kNearestCell = 16;
-
 class DistanceImages {
 public:
     DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps);
@@ -28,15 +25,15 @@ public:
     void set(std::size_t index, const scene::DistanceMap& map);
     std::size_t count() const { return texture_.shape().layers; }
     const gpu::Texture& texture() const { return texture_; }
-    const gpu::Texture& nearest() const { return nearest_; }
-    std::uint64_t bytes() const { return texture_.bytes() + nearest_.bytes(); }
+    const gpu::Texture& blockers() const { return blockers_; }
+    std::uint64_t bytes() const { return texture_.bytes() + blockers_.bytes(); }
     std::uint32_t side() const { return texture_.shape().width; } // texels
     std::uint32_t wanted_side() const { return wanted_side_; }    // more than side(): memory ran short
 
 private:
     std::uint32_t wanted_side_;
     gpu::Texture texture_;
-    gpu::Texture nearest_;
+    gpu::Texture blockers_;
 };
 
 } // namespace ghost::render

@@ -58,8 +58,7 @@ public:
     // One texel per fragment, laid out as Fragments::places; undefined where there is no fragment.
     const gpu::Texture& diffuse() const { return diffuse_; }   // rgba16f: Brdf::diffuse, Brdf::alpha
     const gpu::Texture& specular() const { return specular_; } // rgba16f: Brdf::f0, Brdf::f90
-    // rgba16f: shading normal towards the viewer; w: normal of the facet, see unpack_facet in
-    // shared/g_buffer.h.
+    // rgba16f: shading normal towards the viewer and normal of the facet, pack_normals in shared/g_buffer.h
     const gpu::Texture& normals() const { return normals_; }
 
     // Places of fragments beyond the main ones; after an update some of them may be empty.

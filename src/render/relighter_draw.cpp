@@ -143,7 +143,7 @@ void Relighter::record_surfaces(const LightChunk& chunk) {
         bindings.insert(bindings.end(),
                         {gpu::sampled(distances_ ? distances_->texture() : gobos_),
                          gpu::stored(g_buffer_->specular()), gpu::stored(g_buffer_->normals()),
-                         gpu::uniform(air_), gpu::sampled(distances_ ? distances_->nearest() : gobos_),
+                         gpu::uniform(air_), gpu::sampled(distances_ ? distances_->blockers() : gobos_),
                          gpu::sampled(slides_)});
     else
         bindings.insert(bindings.end(), {gpu::uniform(air_), gpu::sampled(slides_)});

@@ -82,8 +82,10 @@ public:
         return draw(dark);
     }
     // By brute force, for the camera of the last look(Eye).
-    image::ImageF reference(int air_samples, const bake::HazeDensity& density = {}) const {
+    image::ImageF reference(int air_samples, const bake::HazeDensity& density = {},
+                            int lens_samples = 1) const {
         bake::ReferenceOptions options;
+        options.lens_samples = lens_samples;
         options.air_samples = air_samples;
         options.surfaces = settings_.surfaces;
         options.air = settings_.air;

@@ -85,6 +85,29 @@ TEST(WideLens, SurfacesAreLitFromTheHead) {
     EXPECT_LT(std::abs(like.bias), 0.02);
 }
 
+// The same along no axis of the world: a plank that light skims at 2 to 5 degrees does not shadow itself.
+TEST(WideLens, PlanksAreLitByLightThatSkimsThem) {
+    for (const float rise_deg : {2.0f, 3.0f, 5.0f}) {
+        SCOPED_TRACE(rise_deg);
+        const glm::mat4 turn = glm::rotate(glm::mat4(1), 0.7f, glm::normalize(vec3(0.3f, -0.8f, 0.4f)));
+        const auto placed = [&](const vec3& at_m) { return vec3(turn * glm::vec4(at_m, 1)); };
+        scene::Stage stage = empty_stage();
+        add_box(stage, {-1, -3, -0.1f}, {12, 3, 0});
+        stage.instances.back().world = turn * stage.instances.back().world;
+        const float height_m = 8 * std::tan(glm::radians(rise_deg));
+        shared::Light light = aimed_light(placed({-2, 0, height_m}), placed({6, 0, 0}), 10, true);
+        light.disc_radius_m = 0; // hard shadows, as in the reference
+        render::Settings settings = bench_settings();
+        settings.air = false;
+        LiveStage live(std::move(stage), {light}, 128, 72, settings, 1024);
+        live.look({placed({5, -4, 5}), placed({5, 0, 0}), 60});
+        const Likeness like = likeness(live.draw(), live.reference(1));
+        std::printf("plank at %.0f degrees: %.1f dB, bias %.2f %%\n", static_cast<double>(rise_deg),
+                    like.psnr_db, 100 * like.bias);
+        EXPECT_LT(std::abs(like.bias), 0.02);
+    }
+}
+
 // Haze at a silhouette is mended with its neighbours' (shaders/fold.comp): that must not take more than is
 // there.
 TEST(WideLens, NoPixelIsBlackerThanBlack) {

@@ -3,6 +3,7 @@
 // What a G-buffer made, read back, and what holds for every one of them. Small stages to draw.
 
 #include "render/g_buffer.h"
+#include "shared/g_buffer.h"
 #include "shared/push.h"
 #include "test_view.h"
 
@@ -19,6 +20,12 @@ struct Picture {
     std::uint32_t extras = 0;
     std::uint32_t dropped = 0;
     std::vector<glm::vec4> places, base, diffuse, specular, normals, bounds;
+    glm::vec3 normal(std::size_t fragment) const {
+        return shared::unpack_normal(glm::vec2(normals[fragment]));
+    }
+    glm::vec3 facet(std::size_t fragment) const {
+        return shared::unpack_normal({normals[fragment].z, normals[fragment].w});
+    }
     std::vector<glm::uvec2> edges;
 
     std::size_t pixels() const { return std::size_t{fragments->width} * fragments->height; }
@@ -178,7 +185,7 @@ inline void expect_sound(const Picture& picture, bool spare_room = false) {
             }
             if (place.w < 0) continue;
             sum += place.w;
-            ASSERT_NEAR(glm::length(glm::vec3(picture.normals[k])), 1.0f, 2e-3f);
+            ASSERT_NEAR(glm::length(picture.normal(k)), 1.0f, 2e-3f);
             std::vector<std::size_t> spheres{tile};
             if (k >= pixels) spheres.push_back(tiles + (k - pixels) / shared::kTilePixels);
             for (const std::size_t sphere : spheres) {

@@ -33,13 +33,13 @@ TEST_F(GBufferTest, PlacesLieWhereRaysMeetFloorAndWall) {
         EXPECT_FLOAT_EQ(picture.coverage(pixel), 1.0f);
         for (const std::size_t k : picture.of(pixel)) {
             const glm::vec3 place(picture.places[k]);
-            const glm::vec3 normal(picture.normals[k]);
+            const glm::vec3 normal = picture.normal(k);
             const bool on_wall = normal.y < -0.5f;
             (on_wall ? wall : floor) += 1;
             EXPECT_NEAR(on_wall ? place.y : place.z, on_wall ? 10.0f : 0.0f, 2e-3f) << pixel;
             EXPECT_NEAR(glm::length(normal - (on_wall ? glm::vec3(0, -1, 0) : glm::vec3(0, 0, 1))), 0.0f,
                         2e-3f);
-            EXPECT_LT(glm::length(shared::unpack_facet(picture.normals[k].w) - normal), 3e-3f); // along axes
+            EXPECT_LT(glm::length(picture.facet(k) - normal), 3e-3f);
             if (picture.places[k].w < 1.0f) continue;
             // The mean of the four samples is the plane's point in the middle of the pixel.
             const float x = static_cast<float>(pixel % 160) + 0.5f;
@@ -127,7 +127,7 @@ TEST_F(GBufferTest, NormalsPointTowardsTheViewerFromBothSidesAndMirrored) {
                 expect_sound(picture);
                 const glm::vec3 expected =
                     glm::normalize(glm::vec3(mirrored ? -0.3f : 0.3f, -1, 0)) * (side < 0 ? 1.0f : -1.0f);
-                EXPECT_LT(glm::length(glm::vec3(picture.normals[16 * 32 + 16]) - expected), 2e-3f)
+                EXPECT_LT(glm::length(picture.normal(16 * 32 + 16) - expected), 2e-3f)
                     << mirrored << wound_wrongly << side;
             }
 }
@@ -224,7 +224,7 @@ TEST_F(GBufferTest, BumpsBendTheNormalAlongThePicture) {
         add(stage, mesh);
         const Picture picture = drawn(stage, camera_at({0, -10, 0}, {0, 0, 0}, 30, 32, 32));
         const glm::vec3 expected = glm::normalize(glm::vec3(0.3f, -0.8f, 0.2f));
-        EXPECT_LT(glm::length(glm::vec3(picture.normals[500]) - expected), 6e-3f) << tangents;
+        EXPECT_LT(glm::length(picture.normal(500) - expected), 6e-3f) << tangents;
     }
 }
 
