@@ -26,9 +26,9 @@ float reach_of(uint map, vec3 direction, int size) {
 
 void fill(uint map, Fan fan) {
     int size = textureSize(distance_maps, 0).x;
-    uint side = fan_shade_side(fan);
+    uint side = fan_shade_side(fan), rows = fan_shade_rows(fan);
     uint row = gl_GlobalInvocationID.x;
-    vec2 meridian = fan_meridian(fan.shade, fan_straight((2.0 * float(row) + 1.0) / float(side) - 1.0, fan.row_bend));
+    vec2 meridian = fan_meridian(fan.shade, fan_straight((2.0 * float(row) + 1.0) / float(rows) - 1.0, fan.row_bend));
     vec4 chord = fan_chord(fan.shade, meridian.x);
     vec3 aside = fan.shade.along * meridian.x + fan.shade.across * meridian.y;
     vec3 centre = fan.shade.pole * chord.x + aside * chord.y;
@@ -36,8 +36,8 @@ void fill(uint map, Fan fan) {
     float step = 2.0 / float(side);
     float place = 0.5 * step - 1.0;
     // The last rows and columns are for what lies beside the cone, right before the lens.
-    bool beside = fan.shade.row_scale > 0.0 && (row == 0u || row == side - 1u);
-    uint columns = row < side ? side : 0u;
+    bool beside = fan.shade.row_scale > 0.0 && (row == 0u || row == rows - 1u);
+    uint columns = row < rows ? side : 0u;
     // Levels of 1, 2 and 4 columns.
     for (uint column = 0u; column < columns; column += 4u) {
         vec4 edge;

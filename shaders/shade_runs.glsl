@@ -19,10 +19,10 @@ ShadeRay shade_ray(Fan fan, vec3 dir) {
     float sine = max(length(aside), kLeastSine);
     vec2 meridian = aside / sine;
     vec4 chord = fan_chord(fan.shade, meridian.x);
-    int side = int(fan_shade_side(fan));
+    int side = int(fan_shade_side(fan)), rows = int(fan_shade_rows(fan));
     float row = fan_bent(clamp(fan_row(fan.shade, meridian.x, meridian.y), -1.0, 1.0), fan.row_bend);
     return ShadeRay(fan_tangent(fan.shade, chord, vec2(cosine, sine)), cosine, max(chord.w, 1e-6), fan.column_bend,
-                    clamp(int((0.5 * row + 0.5) * float(side)), 0, side - 1), int(fan.layer), side);
+                    clamp(int((0.5 * row + 0.5) * float(rows)), 0, rows - 1), int(fan.layer), side);
 }
 
 // Column of a tangent.

@@ -59,7 +59,7 @@ SHARED_CONST uint kLeastSharp = 64u;  // and of the sharpest one, and of all of 
 SHARED_CONST uint kEvenLevels = 2u;   // that are as large as the smallest sharp one
 SHARED_CONST uint kMiddleFan = 160u;  // its texels are as wide as the blur of a gobo's second level
 SHARED_CONST uint kFinestFan = 256u;
-SHARED_CONST uint kFinestShade = 256u;
+SHARED_CONST uint kFinestShade = 256u; // columns of what is in the way; twice as many rows
 SHARED_CONST uint kFanWidth = kLargeNodes * kFinestNode; // of a layer: all levels
 
 // An angle -1..1 for the half turns from -pi to pi, evenly along a square instead of a circle, which needs no arc tangent.
@@ -162,7 +162,7 @@ SHARED_FN float fan_straight(float bent, float bend) {
     return bent / (1.0f + bend - bend * abs(bent));
 }
 
-// Rows and columns of the finest level of what is in the light's way: about a texel of a distance map of 1024 in the middle. Its
+// Columns of the finest level of what is in the light's way: about a texel of a distance map of 1024 in the middle. Its
 // levels stand side by side, too, each half as many columns.
 SHARED_FN uint fan_shade_side(Fan fan) {
 #ifdef __cplusplus
@@ -173,6 +173,9 @@ SHARED_FN uint fan_shade_side(Fan fan) {
     // An eye within the cone sees rows from end to end.
     return fan.shade.row_scale < 0.0f ? kFinestShade : 2u << uint(findMSB(texels));
 }
+
+// Twice as many rows: along one the end of a shadow is told to a column, from one to the next nothing is.
+SHARED_FN uint fan_shade_rows(Fan fan) { return 2u * fan_shade_side(fan); }
 
 // Where a ray of a plane of the map is, seen from the eye: the cosine of its angle from the pole. The light of a direction whose
 // first surface is at distance_m reaches the rays below this. direction: unit, pole along x.

@@ -115,7 +115,7 @@ constexpr double kFar_m = 1; // before the lens: from here on the beam has kFarS
 constexpr double kFarShare = 0.6;
 constexpr double kWidestShade = 4; // tangent
 constexpr double kAround =
-    1.15; // of the beam's own tangent, so that its rim is not in the shade's last columns
+    1.05; // of the beam's own tangent, so that its rim is not in the shade's last rows and columns
 constexpr double kMostBend = 30;
 
 // Tangent of the beam's rim so far before the lens, seen from the distance map's place.

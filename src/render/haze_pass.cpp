@@ -91,8 +91,8 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
     const VkFormat format = device.first_format(
         kFormats, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT);
     table_ = gpu::Texture(device, {shared::kFanWidth, shared::kFinestFan, layers, 1, format, true, true});
-    shade_ = gpu::Texture(device, {shared::kFinestShade, 2 * shared::kFinestShade, distance_maps ? layers : 1,
-                                   1, VK_FORMAT_R32G32_SFLOAT, true, false});
+    shade_ = gpu::Texture(device, {2 * shared::kFinestShade, 2 * shared::kFinestShade,
+                                   distance_maps ? layers : 1, 1, VK_FORMAT_R32G32_SFLOAT, true, false});
     // Filtering may touch, with no weight, texels that no fan has filled.
     gpu::Commands commands(device);
     commands.begin();
@@ -162,7 +162,7 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
         const std::uint32_t lights = std::min(batch_size_, chunk.count() - first);
         const std::uint32_t rows = rows_of(batch_size_ == 1 ? fans[first] : shared::Fan{}, shaped);
         const std::uint32_t shade_rows =
-            batch_size_ == 1 ? shared::fan_shade_side(fans[first]) : shared::kFinestShade;
+            batch_size_ == 1 ? shared::fan_shade_rows(fans[first]) : 2 * shared::kFinestShade;
         commands.begin_span("fan");
         commands.dispatch(fill_[chunk.beam_class].get(), shared::FanPush{first},
                           {gpu::sampled(chunk.gobos), gpu::uniform(chunk.light_buffer, chunk.light_offset),
