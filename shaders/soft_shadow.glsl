@@ -18,6 +18,7 @@ const float kFinest = 0.95;   // what is finer belongs to the next band
 const float kClose = 0.3;     // what is this fine may still close a gap between what the band sees
 const float kNarrowest = 0.5; // drawn as wide as this at least
 const float kCellBlur = 0.2;  // squares of radii: as much wider it gets by cells and soft edges
+const float kDark = 0.003; // what is less lit is dark
 // The most that may be lit, of the share of the lens that nothing is before.
 const float kLeak = 1.15;
 
@@ -39,7 +40,8 @@ float penumbra_texels(Receiver r, float blocker_m) {
 }
 
 vec4 blocker_cell(Receiver r, ivec2 at, int level) {
-    return texelFetch(blockers, ivec3(octahedral_wrapped(at, textureSize(blockers, level).x), int(r.map) - 1), level);
+    // Not the size of the level: where neighbours differ in it, lavapipe gives all of them that of the first.
+    return texelFetch(blockers, ivec3(octahedral_wrapped(at, textureSize(blockers, 0).x >> level), int(r.map) - 1), level);
 }
 
 // What is nearest in 2 x 2 cells around.
@@ -131,10 +133,10 @@ float soft_shadow(Receiver r, bool wanted) {
         level = min(band_of(widest, coarsest), level);
     }
     float bias_m = kBias_m + kBias * r.distance_m;
-    float lit = 1.0;
+    float lit = 1.0, most_lit = 1.0;
     Slab slab = Slab(0.0, 0.0, 0.0, 0.0);
     int band = wanted ? band_of(widest, coarsest) : -1;
-    while (band >= 0) {
+    while (band >= 0 && lit > kDark) {
         int cells = size >> band;
         float cell_rad = r.texel_rad * float(1 << band);
         float lens_cells = r.lens_m / cell_rad;
@@ -168,13 +170,15 @@ float soft_shadow(Receiver r, bool wanted) {
                 open += disc * (1.0 - things.taken);
                 clear += disc * (1.0 - max(things.close, things.taken));
             }
-        // What lies behind things of the band before is as what is seen beside them. However unlike their distances, things without a
-        // gap let no light through.
-        float dark = hidden * disc_cells(disc_radius) / max(open, 0.1 * area + 1e-6);
-        lit *= clamp(min(1.0 - dark, kLeak * (clear + 0.005 * area) / (open + 0.005 * area)), 0.0, 1.0);
+        // What lies behind things of the band before is as what is seen beside them.
+        float dark = min(hidden * disc_cells(disc_radius) / max(open, 0.3 * area + 1e-6), 1.0);
+        // However unlike their distances, things without a gap let no light through.
+        float gaps = open < 0.005 * area ? 1.0 : kLeak * clear / open;
+        most_lit = min(most_lit, lit * mix(1.0, gaps, clamp(16.0 * dark, 0.0, 1.0)));
+        lit *= 1.0 - dark;
         slab.from_m = finest_m;
         widest = penumbra_texels(r, rest_m);
         band = band == 0 ? -1 : min(band_of(widest, coarsest), band - 1);
     }
-    return lit;
+    return clamp(min(lit, most_lit), 0.0, 1.0);
 }

@@ -105,6 +105,10 @@ TEST(SoftShadow, OfThinThingsIsThatOfBruteForce) {
         {"both", {near_bar, post}, 0.075, 0.06},
         {"bars at two distances", {far_bar, behind_post, near_bar}, 0.08, 0.08},
         {"two posts behind each other", {post, behind_post}, 0.04, 0.05},
+        {"plate's edge, a bar far aside",
+         {{{-6, 1.98f, 0}, {-0.05f, 2.02f, 8}}, {{0.1f, 0.38f, 2}, {0.12f, 0.42f, 6}}},
+         0.04,
+         0.03},
         {"bar before a crate on the wall", {near_bar, {{-0.5f, 8.6f, 3}, {0.6f, 9, 4.2f}}}, 0.055, 0.01},
     };
     for (const Obstacles& obstacles : all) {
@@ -126,7 +130,8 @@ TEST(SoftShadow, OfThinThingsIsThatOfBruteForce) {
         const image::ImageF wanted = with.reference(1, {}, 100);
         // On the wall; the beam's own edge is another matter.
         const float least = 0.3f * *std::max_element(open.samples.begin(), open.samples.end());
-        double squares = 0, worst = 0, lit = 0, wrong = 0, bias = 0;
+        double squares = 0, worst = 0, lit = 0, wrong = 0, bias = 0, before = 0;
+        int steps = 0; // from one pixel to the next, where there are none
 
         for (int y = 0; y < 90; ++y)
             for (int x = 0; x < 160; ++x) {
@@ -138,15 +143,19 @@ TEST(SoftShadow, OfThinThingsIsThatOfBruteForce) {
                     (static_cast<double>(shadowed.at(x, y)[1]) - static_cast<double>(wanted.at(x, y)[1])) /
                     full;
                 lit += 1;
+                steps += std::abs(off - before) > 0.3 ? 1 : 0;
+                before = off;
                 squares += off * off;
                 bias += off;
                 worst = std::max(worst, std::abs(off));
                 wrong += std::abs(off) > 0.1 ? 1 : 0;
             }
-        std::printf("%-36s rms %.4f, mean %+.4f, worst %.3f, off by a tenth %.3f\n", obstacles.name,
-                    std::sqrt(squares / lit), bias / lit, worst, wrong / lit);
+        std::printf("%-36s rms %.4f, mean %+.4f, worst %.3f, off by a tenth %.3f, %d steps\n", obstacles.name,
+                    std::sqrt(squares / lit), bias / lit, worst, wrong / lit, steps);
         EXPECT_LE(std::sqrt(squares / lit), obstacles.most_rms);
         EXPECT_LE(wrong / lit, obstacles.most_wrong);
+        EXPECT_LE(steps, 20);
+        ASSERT_GT(lit, 500) << "nothing to judge by";
     }
 }
 

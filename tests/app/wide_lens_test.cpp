@@ -30,9 +30,9 @@ LiveStage stage_of(const Blocked& blocked) {
 TEST(WideLens, WhatStandsBeforeItThrowsItsShadowInTheAir) {
     // Limits a little below what was measured.
     const std::pair<Blocked, double> all[] = {
-        {{"bar 1 m before 10 degrees", 10, 0.07f, {-3.025f, 1.5f, 4.02f}, {-2.975f, 2.5f, 4.07f}}, 36.0},
-        {{"bar 0.5 m before 4 degrees", 4, 0.1f, {-3.52f, 1.5f, 4.04f}, {-3.48f, 2.5f, 4.08f}}, 39.5},
-        {{"plate 0.6 m before 6 degrees", 6, 0.15f, {-3.41f, 1.95f, 3.95f}, {-3.39f, 2.05f, 4.05f}}, 35.0},
+        {{"bar 1 m before 10 degrees", 10, 0.07f, {-3.025f, 1.5f, 4.02f}, {-2.975f, 2.5f, 4.07f}}, 39.5},
+        {{"bar 0.5 m before 4 degrees", 4, 0.1f, {-3.52f, 1.5f, 4.04f}, {-3.48f, 2.5f, 4.08f}}, 39.8},
+        {{"plate 0.6 m before 6 degrees", 6, 0.15f, {-3.41f, 1.95f, 3.95f}, {-3.39f, 2.05f, 4.05f}}, 39.0},
         {{"half of 6 degrees", 6, 0.15f, {-3.41f, 1.5f, 4.05f}, {-3.39f, 2.5f, 4.6f}}, 44.0},
     };
     for (const auto& [blocked, least_db] : all) {
@@ -50,7 +50,7 @@ TEST(WideLens, WhatStandsBeforeItThrowsItsShadowInTheAir) {
 TEST(WideLens, LooksRightFromWithinTheBeam) {
     const LiveStage::Eye eyes[] = {{{-1.8f, 2.3f, 4.1f}, {-3, 1.95f, 4}, 60},
                                    {{1, 2.02f, 4.03f}, {-4, 2.01f, 4}, 40}};
-    const double least_db[] = {35, 51};
+    const double least_db[] = {36, 51};
     const double most_bias[] = {0.08, 0.02}; // rays that skim the bar's edge
     for (int k = 0; k < 2; ++k) {
         SCOPED_TRACE(k);
