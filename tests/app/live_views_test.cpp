@@ -190,7 +190,7 @@ TEST(live_views, HazeAmongThingsAgreesWithTheReference) {
         const std::string_view name = view.name;
         const bool two_gobos = name == "two gobos";
         EXPECT_GE(away.psnr_db, 44.0);
-        EXPECT_LT(std::abs(away.bias), two_gobos || name == "through a truss" ? 0.006 : 0.004);
+        EXPECT_LT(std::abs(away.bias), name == "through a truss" ? 0.009 : two_gobos ? 0.006 : 0.004);
         EXPECT_GE(sharp.psnr_db, 46.5);
         EXPECT_LT(std::abs(sharp.bias), two_gobos ? 0.009 : 0.003);
         EXPECT_GE(whole.psnr_db, 50.0);
