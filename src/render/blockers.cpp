@@ -49,26 +49,24 @@ Cell divided(std::span<Group> groups) {
     return cell;
 }
 
-Cell cell_of(const std::uint16_t* corner, int side) {
-    std::array<Group, kLeastBlockerCell * kLeastBlockerCell> groups;
+Cell cell_of(const std::uint16_t* corner, std::size_t side) {
     int least = 0xffff, most = 0;
-    for (int y = 0; y < kLeastBlockerCell; ++y)
-        for (int x = 0; x < kLeastBlockerCell; ++x) {
+    for (std::size_t y = 0; y < kLeastBlockerCell; ++y)
+        for (std::size_t x = 0; x < kLeastBlockerCell; ++x) {
             const int value = corner[y * side + x];
             least = std::min(least, value);
             most = std::max(most, value);
         }
     if (most - least < kGap) return {{least, most, 1}, {}};
-    for (int y = 0; y < kLeastBlockerCell; ++y)
-        for (int x = 0; x < kLeastBlockerCell; ++x) {
-            const int value = corner[y * side + x];
-            groups[static_cast<std::size_t>(y * kLeastBlockerCell + x)] = {
-                value, value, 1.0f / static_cast<float>(groups.size())};
-        }
+    std::array<Group, std::size_t{kLeastBlockerCell} * kLeastBlockerCell> groups;
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+        const int value = corner[k / kLeastBlockerCell * side + k % kLeastBlockerCell];
+        groups[k] = {value, value, 1.0f / static_cast<float>(groups.size())};
+    }
     return divided(groups);
 }
 
-Cell merged(const Cell* corner, int side) {
+Cell merged(const Cell* corner, std::size_t side) {
     std::array<Group, 8> groups;
     std::size_t count = 0;
     for (const Cell* cell : {corner, corner + 1, corner + side, corner + side + 1})
@@ -114,22 +112,18 @@ std::uint32_t blocker_levels(std::uint32_t side) {
     return levels;
 }
 
-std::vector<std::vector<Blockers>> blockers_of(const std::vector<std::uint16_t>& texels, int side) {
-    int cells = std::max(side / kLeastBlockerCell, 1);
-    std::vector<Cell> level(static_cast<std::size_t>(cells * cells));
-    for (int y = 0; y < cells; ++y)
-        for (int x = 0; x < cells; ++x)
-            level[static_cast<std::size_t>(y * cells + x)] =
-                cell_of(texels.data() + kLeastBlockerCell * (y * side + x), side);
+std::vector<std::vector<Blockers>> blockers_of(const std::vector<std::uint16_t>& texels, std::uint32_t side) {
+    std::size_t cells = std::max(side / kLeastBlockerCell, 1u);
+    std::vector<Cell> level(cells * cells);
+    for (std::size_t k = 0; k < level.size(); ++k)
+        level[k] = cell_of(&texels[kLeastBlockerCell * (k / cells * side + k % cells)], side);
     std::vector<std::vector<Blockers>> levels{packed(level)};
-    while (levels.size() < blocker_levels(static_cast<std::uint32_t>(side))) {
-        const int finer = cells;
+    while (levels.size() < blocker_levels(side)) {
+        const std::size_t finer = cells;
         cells /= 2;
-        std::vector<Cell> coarser(static_cast<std::size_t>(cells * cells));
-        for (int y = 0; y < cells; ++y)
-            for (int x = 0; x < cells; ++x)
-                coarser[static_cast<std::size_t>(y * cells + x)] =
-                    merged(level.data() + 2 * (y * finer + x), finer);
+        std::vector<Cell> coarser(cells * cells);
+        for (std::size_t k = 0; k < coarser.size(); ++k)
+            coarser[k] = merged(&level[2 * (k / cells * finer + k % cells)], finer);
         level = std::move(coarser);
         levels.push_back(packed(level));
     }

@@ -10,8 +10,8 @@
 
 namespace ghost::render {
 
-inline constexpr int kLeastBlockerCell = 4;        // texels
-inline constexpr std::uint32_t kBlockerLevels = 5; // up to 64 texels, or as many as the map has
+inline constexpr std::uint32_t kLeastBlockerCell = 4; // texels
+inline constexpr std::uint32_t kBlockerLevels = 5;    // up to 64 texels, or as many as the map has
 
 // Half floats, laid out as shared/blockers.h says.
 struct Blockers {
@@ -25,6 +25,6 @@ struct Blockers {
 std::uint32_t blocker_levels(std::uint32_t side);
 
 // Level after level, cells row by row. texels: half floats above zero, side x side.
-std::vector<std::vector<Blockers>> blockers_of(const std::vector<std::uint16_t>& texels, int side);
+std::vector<std::vector<Blockers>> blockers_of(const std::vector<std::uint16_t>& texels, std::uint32_t side);
 
 } // namespace ghost::render

@@ -57,7 +57,7 @@ void DistanceImages::set(std::size_t index, const scene::DistanceMap& map) {
     for (std::size_t y = step / 2; y < wanted; y += step)
         for (std::size_t x = step / 2; x < wanted; x += step) kept.push_back(map.distance[y * wanted + x]);
     texture_.write_layer(layer, kept.data(), kept.size() * sizeof kept[0]);
-    const auto levels = blockers_of(kept, static_cast<int>(side()));
+    const auto levels = blockers_of(kept, side());
     for (std::uint32_t level = 0; level < levels.size(); ++level)
         blockers_.write_layer(layer, levels[level].data(), levels[level].size() * sizeof(Blockers), level);
 }

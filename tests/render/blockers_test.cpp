@@ -48,7 +48,7 @@ TEST(Blockers, APipeOneTexelWideKeepsItsShare) {
         texels[static_cast<std::size_t>(y * kSide + 21)] = glm::packHalf1x16(2.0f);
     const auto levels = blockers_of(texels, kSide);
     for (std::size_t level = 0; level < levels.size(); ++level) {
-        const int cell_texels = kLeastBlockerCell << level, cells = kSide / cell_texels;
+        const int cell_texels = static_cast<int>(kLeastBlockerCell) << level, cells = kSide / cell_texels;
         for (int x = 0; x < cells; ++x) {
             const Blockers& cell = levels[level][static_cast<std::size_t>(cells + x)];
             const bool has_pipe = x == 21 / cell_texels;
