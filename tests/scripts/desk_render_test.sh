@@ -37,25 +37,16 @@ timeout 20 ip netns exec $DESK ola_patch -d $device -p 0 -u 1 || fail "ola_patch
 # Washes 1 to 3 on the cyclorama, two seconds red, two seconds blue, 40 frames a second; slot 500 counts, so each is sent.
 cat >"$work/looks.py" <<'P'
 import sys, time
-sys.path.insert(0, sys.argv[1])
-from rig import *
-looks = []
-for cyan, yellow, magenta in ((0, 255, 255), (255, 0, 215)):
-    levels = [0] * 500
-    for wash in (5, 6, 7):
-        x, _, _, address = RIG[NAMES[wash]]
-        values = {DIM: 255, CYAN: cyan, YELLOW: yellow, MAGENTA: magenta, DIFFUSER: 200}
-        values.update(pan_tilt_dmx(*pan_tilt_deg(wash, (x, 9.6, 3.6))))
-        for channel, level in values.items():
-            levels[address - 1 + channel] = level
-    looks.append(levels)
+sys.path[:0] = sys.argv[1:]
+from desk_looks import red_and_blue
+looks = [levels[:500] for levels in red_and_blue()]
 for i in range(40 * 60):
     levels = looks[i // 80 % 2]
     levels[499] = i % 256
     print(','.join(map(str, levels)), flush=True)
     time.sleep(0.025)
 P
-/usr/bin/python3 -B "$work/looks.py" "$source_dir/tools/demo_show" 2>/dev/null > >(exec ip netns exec $DESK ola_streaming_client -u 1 >/dev/null) &
+/usr/bin/python3 -B "$work/looks.py" "$source_dir/tools/demo_show" "$source_dir/tests/scripts/lib" 2>/dev/null > >(exec ip netns exec $DESK ola_streaming_client -u 1 >/dev/null) &
 pids="$pids $!"
 mkdir "$work/film"
 ip netns exec $VIS "$ghostlight" render "$source_dir/assets/demo" -o "$work/film/f.png" --view house --live-input --seconds 9 \

@@ -9,20 +9,11 @@ set -u
 desk_test "qlcplus, iproute2, xvfb, xdotool" qlcplus ip Xvfb xdotool
 
 # Washes 1 to 3 on the cyclorama, four seconds red, four seconds blue.
-/usr/bin/python3 -B - "$source_dir/tools/demo_show" "$work/test.qxw" <<'P' || fail "workspace"
+/usr/bin/python3 -B - "$source_dir/tools/demo_show" "$source_dir/tests/scripts/lib" "$work/test.qxw" <<'P' || fail "workspace"
 import sys
-sys.path.insert(0, sys.argv[1])
-from rig import *
-looks = []
-for cyan, yellow, magenta in ((0, 255, 255), (255, 0, 215)):
-    levels = [0] * 512
-    for wash in (5, 6, 7):
-        x, _, _, address = RIG[NAMES[wash]]
-        values = {DIM: 255, CYAN: cyan, YELLOW: yellow, MAGENTA: magenta, DIFFUSER: 200}
-        values.update(pan_tilt_dmx(*pan_tilt_deg(wash, (x, 9.6, 3.6))))
-        for channel, level in values.items():
-            levels[address - 1 + channel] = level
-    looks.append(levels)
+sys.path[:0] = sys.argv[1:3]
+from desk_looks import red_and_blue
+looks = red_and_blue()
 x = ('<?xml version="1.0" encoding="UTF-8"?>\n<!DOCTYPE Workspace>\n<Workspace xmlns="http://www.qlcplus.org/Workspace" '
      'CurrentWindow="VirtualConsole">\n<Creator><Name>Q Light Controller Plus</Name><Version>4.12.6</Version>'
      '<Author>test</Author></Creator>\n<Engine Autostart="2">\n<InputOutputMap>\n<Universe Name="U1" ID="0">'
@@ -36,7 +27,7 @@ x += ('<Function ID="2" Type="Chaser" Name="C"><Speed FadeIn="0" FadeOut="0" Dur
       '<RunOrder>Loop</RunOrder><SpeedModes FadeIn="Common" FadeOut="Common" Duration="Common"/>'
       '<Step Number="0" FadeIn="0" Hold="0" FadeOut="0">0</Step><Step Number="1" FadeIn="0" Hold="0" FadeOut="0">1</Step>'
       '</Function>\n</Engine>\n</Workspace>\n')
-open(sys.argv[2], 'w').write(x)
+open(sys.argv[3], 'w').write(x)
 P
 ip netns exec $DESK env HOME="$work" XDG_RUNTIME_DIR="$work" QT_QPA_PLATFORM=offscreen \
     qlcplus --nowm --nogui --open "$work/test.qxw" --operate >"$work/qlcplus.log" 2>&1 &
