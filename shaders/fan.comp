@@ -23,26 +23,20 @@ void fill(Light light, Fan fan) {
     // Rows of all levels lie one after another.
     uint level = 0u;
     uint row = gl_GlobalInvocationID.x;
-    if (IS_SHAPED(light)) {
-        uint small_rows = fan.halvings * kLeastSharp;
-        bool small = row < small_rows;
-        level = small ? row / kLeastSharp : fan.halvings + (row - small_rows) / fan.size;
-        row = small ? row % kLeastSharp : (row - small_rows) % fan.size;
-    } else {
-        for (uint before = 0u; before < kFanLevels; ++before) {
-            uint rows = fan_side(fan, before);
-            bool beyond = level == before && row >= rows;
-            row -= beyond ? rows : 0u;
-            level += beyond ? 1u : 0u;
-        }
+    for (uint before = 0u; before < (IS_SHAPED(light) ? fan.levels : kFanLevels); ++before) {
+        uint rows = IS_SHAPED(light) ? fan_node_side(fan.place[before]) : fan_side(fan, before);
+        bool beyond = level == before && row >= rows;
+        row -= beyond ? rows : 0u;
+        level += beyond ? 1u : 0u;
     }
     bool wanted = level < fan.levels;
     level = min(level, fan.levels - 1u);
-    uint side = IS_SHAPED(light) ? fan_node_side(fan, level) : fan_side(fan, level);
-    uvec2 corner = IS_SHAPED(light) ? fan_node_corner(fan, level) : uvec2(fan_left(fan, level), 0u);
+    uint side = IS_SHAPED(light) ? fan_node_side(fan.place[level]) : fan_side(fan, level);
+    uvec2 corner = IS_SHAPED(light) ? fan_node_corner(fan.place[level]) : uvec2(fan_left(fan, level), 0u);
     float blur = fan.levels > 1u ? fan.sharpest * exp2(float(level)) : max(light.edge, fan.sharpest);
     Focus focus = even_focus(light, blur);
-    if (IS_SHAPED(light)) focus = focus_at(light, fan.node[level], fan.sharpest);
+    // Detail finer than a column would be cut into steps.
+    if (IS_SHAPED(light)) focus = focus_at(light, fan.node[level].x, 2.0 * light.cut_radius / float(side));
     vec2 meridian = fan_meridian(fan.beam, 2.0 * float(row) / float(side - 1u) - 1.0);
     vec4 chord = fan_chord(fan.beam, meridian.x);
     vec3 aside = fan.beam.along * meridian.x + fan.beam.across * meridian.y;
@@ -51,7 +45,8 @@ void fill(Light light, Fan fan) {
     // The line in the gate, and how far a column goes along it.
     vec3 centre = pole * chord.x + side_axis * chord.y;
     vec3 turn = side_axis * chord.x - pole * chord.y;
-    float share = 1.0 / float(side - 1u);
+    uint columns = IS_SHAPED(light) ? side >> fan.plain : side;
+    float share = 1.0 / float(columns - 1u);
     float u = chord.w * (share - 1.0);
     float step_u = 2.0 * chord.w * share;
     vec4 sum = vec4(0.0);
@@ -60,12 +55,12 @@ void fill(Light light, Fan fan) {
     // Levels of blur are whole levels of the gobos; a level between two costs twice as much.
     float whole = gobo_level_of(blur);
     gobo_level = fan.levels > 1u ? floor(whole + 0.5) : whole;
-    if (IS_SHAPED(light)) gobo_level = kLevelOfBlur;
+    if (IS_SHAPED(light)) gobo_level = fan.plain != 0u ? kWholeLevelOfBlur : kLevelOfBlur;
     if (HAS_SLIDE(light) && !IS_SHAPED(light)) {
         whole = slide_level_of(blur / light.slide.texel);
         slide_level = fan.levels > 1u ? floor(whole + 0.5) : whole;
     }
-    uint columns = wanted ? side : 0u;
+    columns = wanted ? columns : 0u;
     for (uint column = 0u; column < columns; ++column) {
         imageStore(table, at, sum);
         vec3 direction = centre + turn * u;

@@ -37,11 +37,26 @@ layout(constant_id = 5) const bool kThin = false;   // some beam may be thinner 
 
 #include "shade_runs.glsl"
 
+// Of the light that is drawn: its levels are read where they lie, for a copy of a fan in each lane costs as much as a ray.
+uint fan_index = 0u;
+
+// Level of a shaped beam at a place t of its way, between two nodes in proportion.
+float node_level(float t) {
+    float level = 0.0;
+    for (uint k = 0u; k + 1u < fans[fan_index].levels; ++k) {
+        vec2 node = fans[fan_index].node[k];
+        level += clamp((node.x - t) * node.y, 0.0, 1.0);
+    }
+    return level;
+}
+
 // Prefix sums at a place 0..1 of a row -1..1.
 vec4 prefix(Fan fan, vec2 texel, uint level, float row, float column) {
-    vec2 corner = kFocus == 2u ? vec2(fan_node_corner(fan, level)) : vec2(float(fan_left(fan, level)), 0.0);
-    uint side = kFocus == 2u ? fan_node_side(fan, level) : fan_side(fan, level);
-    vec2 at = corner + 0.5 + vec2(column, 0.5 * row + 0.5) * (float(side) - 1.0);
+    uint place = kFocus == 2u ? fans[fan_index].place[level] : 0u;
+    vec2 corner = kFocus == 2u ? vec2(fan_node_corner(place)) : vec2(float(fan_left(fan, level)), 0.0);
+    uint side = kFocus == 2u ? fan_node_side(place) : fan_side(fan, level);
+    uint columns = kFocus == 2u ? side >> fan.plain : side;
+    vec2 at = corner + 0.5 + vec2(column, 0.5 * row + 0.5) * (vec2(float(columns), float(side)) - 1.0);
     return textureLod(table, vec3(at * texel, float(fan.layer)), 0.0);
 }
 
@@ -135,7 +150,7 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     float scale = 0.5 / max(chord.w, 1e-9);
     float segments_per_u = float(count) / max(u1 - u0, 1e-9);
     // What a segment takes from the table is at least this wide: a texel and a half.
-    float narrowest = 1.5 / float(fan.size - 1u);
+    float narrowest = 1.5 / float((kFocus == 2u ? fan.size >> fan.plain : fan.size) - 1u);
 
     // The ray is cut into runs that are lit, and each run into segments.
     ShadeRay shaded;
@@ -174,7 +189,7 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
             if (kFocus > 0u) {
                 float z = distance_m * chord.z / max(across + middle * across_u, 1e-6);
                 if (kFocus == 2u)
-                    level = fan_node_level(fan, 1.0 - beam_focus(light, z).away);
+                    level = node_level(1.0 - beam_focus(light, z).away);
                 else
                     level = clamp(log2(beam_blur(light, z) / fan.sharpest), 0.0, float(fan.levels - 1u));
             }
@@ -270,6 +285,7 @@ void main() {
 
         vec3 sum = vec3(0.0);
         if (kSingle) {
+            fan_index = p.batch;
             sum = seen_by_pixel(lights[p.batch], fans[p.batch], dir, far);
             if (kWide) sum *= abs((place.tip ? 0.0 : 1.0) - tip_share(lights[p.batch], vec2(at)));
         } else {
@@ -280,6 +296,7 @@ void main() {
                     uint index = word * 32u + uint(findLSB(mask));
                     mask &= mask - 1u;
                     float share = kWide ? abs((place.tip ? 0.0 : 1.0) - tip_share(lights[index], vec2(at))) : 1.0;
+                    fan_index = index;
                     sum += share * seen_by_pixel(lights[index], fans[index], dir, far);
                 }
             }

@@ -15,6 +15,7 @@ float gobo_dither = -1.0;
 // they do not.
 #ifdef GOBO_LEVEL
 const float kLevelOfBlur = -1.0;
+const float kWholeLevelOfBlur = -2.0; // the nearest: half the work
 float gobo_level = 0.0;
 #endif
 
@@ -23,7 +24,8 @@ float gobo_level_of(float blur) { return clamp(log2(max(blur / kGoboBlurUnit, 1.
 vec3 gobo_sample(uint layer, vec2 gate, float blur) {
     vec2 uv = gate * vec2(0.5, -0.5) + 0.5;
 #ifdef GOBO_LEVEL
-    float known = gobo_level == kLevelOfBlur ? gobo_level_of(blur) : gobo_level;
+    float level = gobo_level_of(blur);
+    float known = gobo_level >= 0.0 ? gobo_level : gobo_level == kLevelOfBlur ? level : floor(level + 0.5);
     return textureLod(gobo_stack, vec3(uv, float(layer)), known).rgb;
 #else
     float level = gobo_level_of(blur);

@@ -42,25 +42,28 @@ struct Fan {
     uint size;       // rows and columns of the sharpest level
     float sharpest;  // blur (gate units) of level 0; level n has twice that to the nth
     uint levels;     // of blur: 1 where nothing gets out of focus
-    uint halvings;   // levels that are half of the one before; of a shaped beam: small levels
-    float node[14];  // of a shaped beam, whose planes are not blurred alike: falling t (shared/optics.h) of each level
+    uint halvings;   // levels that are half of the one before
+    vec2 node[14];   // of a shaped beam, whose planes are not blurred alike: falling t (shared/optics.h) of each level, and
+                     // 1 / what it falls to the next
+    uint place[14];  // and where in its layer it lies, see fan_placed
     float most;      // share that the table holds as 1
     uint thin;       // 1: may be thinner than a pixel, and rows are even in the sine
+    uint plain;      // 1: of a shaped beam: levels have half as many columns as rows, and gobos whole levels of blur
 };
-SHARED_SIZE(Fan, 204);
+SHARED_SIZE(Fan, 320);
 
 SHARED_CONST float kLeastSine = 1e-4f; // between a ray and the pole
 SHARED_CONST uint kFanLevels = 8u;
 SHARED_CONST uint kFanNodes = 14u;    // levels of a shaped beam
-SHARED_CONST uint kLargeNodes = 7u;   // that are not small: as many as stand in a line
-SHARED_CONST uint kFinestNode = 128u; // rows and columns of these
+SHARED_CONST uint kFinestNode = 128u; // rows and columns of these, at most
+SHARED_CONST uint kNodeStep = 16u;    // they are multiples of it
 SHARED_CONST uint kLeastFan = 32u;    // rows and columns of any level
-SHARED_CONST uint kLeastSharp = 64u;  // and of the sharpest one, and of all of a shaped beam
+SHARED_CONST uint kLeastSharp = 64u;  // and of the sharpest one
 SHARED_CONST uint kEvenLevels = 2u;   // that are as large as the smallest sharp one
 SHARED_CONST uint kMiddleFan = 160u;  // its texels are as wide as the blur of a gobo's second level
 SHARED_CONST uint kFinestFan = 256u;
 SHARED_CONST uint kFinestShade = 256u; // columns of what is in the way; twice as many rows
-SHARED_CONST uint kFanWidth = kLargeNodes * kFinestNode; // of a layer: all levels
+SHARED_CONST uint kFanWidth = 7u * kFinestNode; // of a layer: all levels, those of a shaped beam in two lines
 
 // An angle -1..1 for the half turns from -pi to pi, evenly along a square instead of a circle, which needs no arc tangent.
 SHARED_FN float fan_turn(float cosine, float sine) {
@@ -125,27 +128,10 @@ SHARED_FN uint fan_left(Fan fan, uint level) {
     return level <= fan.halvings ? halved : even + sharp * kLeastSharp + (beyond - sharp) * kLeastFan;
 }
 
-// Rows of a level of a shaped beam: its first ones, near the lens, are blurred and small.
-SHARED_FN uint fan_node_side(Fan fan, uint level) { return level < fan.halvings ? kLeastSharp : fan.size; }
-
-// The small ones stand in the first line of the layer, the others below.
-SHARED_FN uvec2 fan_node_corner(Fan fan, uint level) {
-    uint in_line = kFanWidth / fan.size;
-    uint large = level - fan.halvings;
-    return level < fan.halvings ? uvec2(level * kLeastSharp, 0u)
-                                : uvec2(large % in_line * fan.size, kLeastSharp + large / in_line * fan.size);
-}
-
-// Level of a shaped beam at a place t of its way, between two nodes in proportion.
-SHARED_FN float fan_node_level(Fan fan, float t) {
-#ifdef __cplusplus
-    using namespace glm;
-#endif
-    float level = 0.0f;
-    for (uint k = 1u; k < fan.levels; ++k)
-        level += clamp((fan.node[k - 1u] - t) / max(fan.node[k - 1u] - fan.node[k], 1e-6f), 0.0f, 1.0f);
-    return level;
-}
+// Where a level of a shaped beam lies: its corner, and its rows and columns.
+SHARED_FN uint fan_placed(uint x, uint y, uint side) { return x | y << 10u | side << 20u; }
+SHARED_FN uvec2 fan_node_corner(uint place) { return uvec2(place & 1023u, place >> 10u & 1023u); }
+SHARED_FN uint fan_node_side(uint place) { return place >> 20u; }
 
 // Most of the shade's rows and columns lie where the beam is far from its lens: -1..1 to -1..1, 1 + bend times as steep in the middle.
 SHARED_FN float fan_bent(float even, float bend) {

@@ -182,8 +182,7 @@ std::unique_ptr<render::DistanceImages> upload(const gpu::Device& device, scene:
 double fan_bytes(const gpu::Device& device, const render::Settings& settings, std::size_t count,
                  const render::DistanceImages& distances) {
     const std::uint32_t batch = device.is_cpu() ? 1 : shared::kLightsPerChunk;
-    const render::HazePass haze(device, settings.beams, batch, static_cast<std::uint32_t>(count),
-                                &distances.texture());
+    const render::HazePass haze(device, settings.beams, batch, static_cast<std::uint32_t>(count), &distances);
     return static_cast<double>(haze.memory_bytes());
 }
 
@@ -196,8 +195,7 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
     const std::vector<Place> places = festival_places();
     TRY(scene::DistanceMaps maps, trace_all(stage, places));
     const std::unique_ptr<render::DistanceImages> distances = upload(*device, std::move(maps));
-    const double map_bytes =
-        static_cast<double>(distances->bytes()) / static_cast<double>(places.size());
+    const double map_bytes = static_cast<double>(distances->bytes()) / static_cast<double>(places.size());
     scene::Report report; // of a stage made in code: nothing to say
     const render::StageModel model(*device, stage, report);
     const shared::Gobos gobos = bench_gobos();

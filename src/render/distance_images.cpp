@@ -42,7 +42,8 @@ std::uint32_t side_that_fits(const gpu::Device& device, const scene::DistanceMap
 DistanceImages::DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps)
     : wanted_side_(static_cast<std::uint32_t>(std::max(maps.size, 1))),
       texture_(device, texels_shape(side_that_fits(device, maps), layers_of(device, maps))),
-      blockers_(device, blockers_shape(side(), layers_of(device, maps))) {
+      blockers_(device, blockers_shape(side(), layers_of(device, maps))), far_(count()) {
+    for (FarParts& parts : far_) parts.fill(scene::kNoSurface_m);
     for (std::size_t index = 0; index < maps.maps.size(); ++index) set(index, maps.maps[index]);
 }
 
@@ -57,9 +58,14 @@ void DistanceImages::set(std::size_t index, const scene::DistanceMap& map) {
     for (std::size_t y = step / 2; y < wanted; y += step)
         for (std::size_t x = step / 2; x < wanted; x += step) kept.push_back(map.distance[y * wanted + x]);
     texture_.write_layer(layer, kept.data(), kept.size() * sizeof kept[0]);
+    far_[index] = far_parts(kept, side());
     const auto levels = blockers_of(kept, side());
     for (std::uint32_t level = 0; level < levels.size(); ++level)
         blockers_.write_layer(layer, levels[level].data(), levels[level].size() * sizeof(Blockers), level);
+}
+
+float DistanceImages::reach_m(const shared::Light& light) const {
+    return light.map > 0 && light.map <= far_.size() ? reach_in(far_[light.map - 1], light) : kEndless_m;
 }
 
 } // namespace ghost::render

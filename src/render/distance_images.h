@@ -11,9 +11,11 @@
 
 #include "gpu/device.h"
 #include "gpu/texture.h"
+#include "render/beam_reach.h"
 #include "scene/distance_maps.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace ghost::render {
 
@@ -28,12 +30,15 @@ public:
     const gpu::Texture& blockers() const { return blockers_; }
     std::uint64_t bytes() const { return texture_.bytes() + blockers_.bytes(); }
     std::uint32_t side() const { return texture_.shape().width; } // texels
-    std::uint32_t wanted_side() const { return wanted_side_; }    // more than side(): memory ran short
+    // How far along a light's beam there may be haze: a surface ends it (render/beam_reach.h).
+    float reach_m(const shared::Light& light) const;
+    std::uint32_t wanted_side() const { return wanted_side_; } // more than side(): memory ran short
 
 private:
     std::uint32_t wanted_side_;
     gpu::Texture texture_;
     gpu::Texture blockers_;
+    std::vector<FarParts> far_; // of each map
 };
 
 } // namespace ghost::render

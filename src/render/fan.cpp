@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace ghost::render {
 namespace {
@@ -17,96 +16,32 @@ constexpr float kFanStep = 32;      // sizes can be halved
 constexpr double kParallel = 1e-6;  // sine below which pole and axis are one line
 // Nearer to the rim rows that are even in the sine lie thin at their ends: the two ways are alike here.
 constexpr double kNearRim = 1.05;
-constexpr float kBladeIsOut = 4.0f; // gate radii
-constexpr float kLastNode = 1e-3f;  // of the way, see nodes_of
-constexpr float kNodeRatio = 2.0f;
-constexpr float kCoarser = 1.2f;
 constexpr float kThin_pixels = 2.0f;
 constexpr double kDeepInside = 0.7; // from here to the rim more and more rows lie where the beam is
 
 // A Gaussian is sampled evenly where its standard deviation is three quarters of a column (to 0.01 %).
 constexpr float kFigureBlur = 1.5f;
 
-// Rows for a pixel of the beam's width where it is as far from the lamp as from the eye. An open beam has
-// no detail but its rim; a moving picture counts as a gobo.
-constexpr float kOpenRows = 0.5f, kGoboRows = 2.0f;
+// Rows for a pixel of the width of an open beam: it has no detail but its rim.
+constexpr float kOpenRows = 0.5f;
 
-std::uint32_t size_of(const shared::Light& light, bool surrounds, float pixels_per_rad) {
+bool is_open(const shared::Light& light) {
+    return light.wheel_count == 0 && light.shaped == 0 && light.slide.layer == 0 &&
+           light.figure.kind == shared::kNoFigure;
+}
+
+std::uint32_t size_of(const shared::Light& light, const BeamExtent& extent, FanDetail detail) {
     const bool figure = light.figure.kind != shared::kNoFigure;
-    const bool open = light.wheel_count == 0 && light.shaped == 0 && light.slide.layer == 0 && !figure;
-    const float pixels = 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
-    const float rows = std::ceil((open ? kOpenRows : kGoboRows) * pixels / kFanStep) * kFanStep;
-    const bool large = surrounds || rows > 2.0f * shared::kFinestFan;
-    const std::uint32_t finest = open || light.shaped != 0 ? shared::kFinestNode
-                                 : large || figure         ? shared::kFinestFan
-                                                           : shared::kMiddleFan;
-    if (surrounds) return finest;
+    // A moving picture counts as a gobo.
+    const FanDetail wanted = light.shaped != 0 ? detail : FanDetail::fine;
+    const float per_pixel = is_open(light) ? kOpenRows : rows_per_pixel(wanted);
+    const float rows = std::ceil(per_pixel * extent.widest_pixels() / kFanStep) * kFanStep;
+    const bool large = extent.surrounds || rows > 2.0f * shared::kFinestFan;
+    const std::uint32_t finest = is_open(light) || light.shaped != 0 ? shared::kFinestNode
+                                 : large || figure                   ? shared::kFinestFan
+                                                                     : shared::kMiddleFan;
+    if (extent.surrounds) return finest;
     return std::clamp(static_cast<std::uint32_t>(rows), shared::kLeastSharp, finest);
-}
-
-// Depths of the planes that a shaped beam goes through.
-std::vector<float> depths_of(const shared::Light& light) {
-    std::vector<float> depths{light.iris_depth};
-    if (light.slide.layer != 0) depths.push_back(0.0f);
-    for (std::uint32_t k = 0; k < light.wheel_count; ++k) depths.push_back(light.wheel[k].depth);
-    if (light.disc.layer != 0) depths.push_back(light.disc.depth);
-    for (const shared::Blade& blade : light.blade)
-        if (blade.offset < kBladeIsOut) depths.push_back(blade.depth);
-    std::sort(depths.begin(), depths.end());
-    depths.erase(std::unique(depths.begin(), depths.end()), depths.end());
-    return depths;
-}
-
-// Falling from 1 (the lens) to 0 (far away), so close that no plane's blur grows or falls by more than
-// `ratio` from one to the next, or by more than `finest` where it is nearly sharp.
-std::vector<float> nodes_of(const shared::Light& light, const std::vector<float>& depths, float finest,
-                            float ratio) {
-    const float far_blur = light.lens_radius_m * light.focus_per_m / light.tan_field;
-    std::vector<float> nodes{1.0f};
-    while (nodes.back() > 0.0f && nodes.size() <= shared::kFanNodes) {
-        float step = nodes.back();
-        for (const float depth : depths) {
-            const float slope = 1.0f + far_blur - depth; // of its blur, which is linear in t
-            const float blur = nodes.back() * slope - (far_blur - depth);
-            const float grows = (ratio - 1.0f) * std::abs(blur), falls = grows / ratio;
-            step = std::min(step, std::max(finest, blur * slope > 0 ? falls : grows) / std::abs(slope));
-        }
-        const float next = nodes.back() - step;
-        nodes.push_back(next > kLastNode ? next : 0.0f);
-    }
-    return nodes;
-}
-
-// The first nodes at which no plane is nearly sharp.
-std::uint32_t small_nodes(const shared::Light& light, const std::vector<float>& depths,
-                          const std::vector<float>& nodes, float finest) {
-    std::uint32_t count = 0;
-    for (const float node : nodes) {
-        const shared::Focus focus = shared::focus_at(light, node, 0);
-        for (const float depth : depths)
-            if (shared::blur_of(light, focus, depth) < finest) return count;
-        ++count;
-    }
-    return count;
-}
-
-// The levels of a shaped beam: as many as there is room for.
-void set_nodes(shared::Fan& fan, const shared::Light& light) {
-    fan.levels = 1;
-    if (!(light.lens_radius_m > 0)) return;
-    const std::vector<float> depths = depths_of(light);
-    // What a level of the least size shows.
-    const float coarse = 2.0f * light.cut_radius / static_cast<float>(shared::kLeastSharp);
-    for (float finest = fan.sharpest, ratio = kNodeRatio;; finest *= kCoarser, ratio *= kCoarser) {
-        const std::vector<float> nodes = nodes_of(light, depths, finest, ratio);
-        if (nodes.size() > shared::kFanNodes) continue;
-        const std::uint32_t small = small_nodes(light, depths, nodes, coarse);
-        if (nodes.size() - small > shared::kLargeNodes) continue;
-        fan.levels = static_cast<std::uint32_t>(nodes.size());
-        fan.halvings = small;
-        std::copy(nodes.begin(), nodes.end(), fan.node);
-        return;
-    }
 }
 
 constexpr double kShadeFrom_m =
@@ -182,8 +117,8 @@ shared::Planes planes_of(const glm::dvec3& place_m, const shared::Light& light, 
 
 } // namespace
 
-shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad,
-                     std::uint32_t layer) {
+shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad, float reach_m,
+                     FanDetail detail, std::uint32_t layer) {
     const glm::dvec3 apex_m(light.position_m);
     const double tangent = static_cast<double>(light.tan_field) * static_cast<double>(light.cut_radius);
     shared::Fan fan{};
@@ -199,17 +134,17 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
             bend_for(double{shared::fan_row(fan.shade, static_cast<float>(std::sqrt(1 - meridian * meridian)),
                                             static_cast<float>(meridian))});
     const bool surrounds = fan.beam.row_scale < 0;
-    const float width_pixels = 2.0f * light.tan_field * light.cut_radius * pixels_per_rad;
-    fan.thin = !surrounds && width_pixels < kThin_pixels ? 1 : 0;
+    const BeamExtent extent = extent_of(fan.beam, tangent, pixels_per_rad, reach_m, surrounds);
+    fan.thin = !surrounds && extent.pixels < kThin_pixels ? 1 : 0;
     // The brightest colour of a split gate.
     fan.most = std::max({light.colour_b.x, light.colour_b.y, light.colour_b.z, 1.0f});
     fan.layer = layer;
-    fan.size = size_of(light, surrounds, pixels_per_rad);
+    fan.size = size_of(light, extent, detail);
     // Detail finer than a column would be cut into steps. The gobos' own levels of blur are used as they are.
     const float finest = std::max(2.0f * light.cut_radius / static_cast<float>(fan.size), light.edge);
     if (light.shaped != 0) {
         fan.sharpest = finest;
-        set_nodes(fan, light);
+        set_nodes(fan, light, extent, detail);
         return fan;
     }
     // A figure is out of focus nowhere: beside its cone, even the first centimetres are thin.

@@ -6,7 +6,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/texture.h"
-
+#include "render/beam_reach.h"
 #include "shared/types.h"
 
 #include <cstdint>
@@ -24,6 +24,7 @@ struct Fragments {
     shared::View camera{};        // what view holds
     glm::vec3 eye_m{0};
     float pixels_per_rad = 0; // in the middle of the picture
+    SeenBox seen;             // of a G-buffer: not known
     gpu::Buffer view;         // shared::View
     // rgba32f: position_m, coverage (< 0: no surface). The picture's rows, then rows of extra fragments;
     // extra k lies at (k % width, height + k / width); what no fragment fills has coverage -1.

@@ -22,13 +22,17 @@ constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Fan);
 constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
-constexpr std::uint32_t kOfPlaces = 2;      // kFocus of gate.comp, for shaped beams
+// From here on shaped beams have plain tables: many lie over each other.
+constexpr std::uint32_t kManyLights = 100;
+constexpr std::uint32_t kOfPlaces = 2; // kFocus of gate.comp, for shaped beams
 
 // Rows of all levels; of no light in particular: at most.
 std::uint32_t rows_of(const shared::Fan& fan, bool shaped) {
     if (fan.levels == 0) return shaped ? shared::kFanNodes * shared::kFinestNode : shared::kFanWidth;
-    return shaped ? fan.halvings * shared::kLeastSharp + (fan.levels - fan.halvings) * fan.size
-                  : shared::fan_left(fan, fan.levels);
+    if (!shaped) return shared::fan_left(fan, fan.levels);
+    std::uint32_t rows = 0;
+    for (std::uint32_t k = 0; k < fan.levels; ++k) rows += shared::fan_node_side(fan.place[k]);
+    return rows;
 }
 
 // A bit more than half a texel of a distance map: what the edge of a shadow may be off. A whole texel costs
@@ -40,8 +44,9 @@ float shade_doubt_rad(std::uint32_t map_side) {
 } // namespace
 
 HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std::uint32_t batch_size,
-                   std::uint32_t light_count, const gpu::Texture* distance_maps)
-    : settings_(settings), batch_size_(batch_size), distance_maps_(distance_maps) {
+                   std::uint32_t light_count, const DistanceImages* distances)
+    : settings_(settings), batch_size_(batch_size), distances_(distances),
+      detail_(light_count < kManyLights ? FanDetail::fine : FanDetail::plain) {
     const std::uint32_t single = batch_size == 1 ? 1 : 0;
     if (settings.beams != Beams::gate) {
         for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
@@ -65,8 +70,8 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
                                     std::vector{kUniform, kUniform, kUniform, kStorage, kStorage, kStored,
                                                 kStored, kSampled, kSampled, kUniform, kStorage, kStored,
                                                 kStored},
-                                    std::vector{focus, single, distance_maps ? 1u : 0u,
-                                                settings.uneven ? 1u : 0u, wide ? 1u : 0u, thin ? 1u : 0u});
+                                    std::vector{focus, single, distances ? 1u : 0u, settings.uneven ? 1u : 0u,
+                                                wide ? 1u : 0u, thin ? 1u : 0u});
         };
         gate_[focus] = gate(false, false);
         thin_gate_[focus] = gate(false, true);
@@ -77,7 +82,7 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
     }
     no_rays_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     no_lonely_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UINT, true, false});
-    if (distance_maps)
+    if (distances)
         shade_fill_ = std::make_unique<gpu::Program>(device, shaders::kShader_fan_shade,
                                                      std::vector{kUniform, kUniform, kStored, kSampled},
                                                      std::vector{0u, single});
@@ -91,8 +96,8 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
     const VkFormat format = device.first_format(
         kFormats, VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT | VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT);
     table_ = gpu::Texture(device, {shared::kFanWidth, shared::kFinestFan, layers, 1, format, true, true});
-    shade_ = gpu::Texture(device, {2 * shared::kFinestShade, 2 * shared::kFinestShade,
-                                   distance_maps ? layers : 1, 1, VK_FORMAT_R32G32_SFLOAT, true, false});
+    shade_ = gpu::Texture(device, {2 * shared::kFinestShade, 2 * shared::kFinestShade, distances ? layers : 1,
+                                   1, VK_FORMAT_R32G32_SFLOAT, true, false});
     // Filtering may touch, with no weight, texels that no fan has filled.
     gpu::Commands commands(device);
     commands.begin();
@@ -138,8 +143,10 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     bool focus = false;
     bool thin = false;
     for (std::uint32_t k = 0; k < chunk.count(); ++k) {
-        const shared::Fan fan =
-            make_fan(chunk.lights[k], chunk.fragments.eye_m, chunk.fragments.pixels_per_rad, k % batch_size_);
+        const shared::Light& light = chunk.lights[k];
+        const float reach_m = distances_ ? distances_->reach_m(light) : reach_in(chunk.fragments.seen, light);
+        const shared::Fan fan = make_fan(light, chunk.fragments.eye_m, chunk.fragments.pixels_per_rad,
+                                         reach_m, detail_, k % batch_size_);
         focus = focus || fan.levels > 1;
         thin = thin || fan.thin != 0;
         std::memcpy(fans + k, &fan, sizeof fan);
@@ -147,7 +154,7 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     fans_used_ += (chunk.count() * sizeof(shared::Fan) + kAlign - 1) / kAlign * kAlign;
 
     const float segments_per_rad = 1.0f / std::sqrt(settings_.curvature);
-    const float shade_rad = distance_maps_ ? shade_doubt_rad(distance_maps_->shape().width) : 0.0f;
+    const float shade_rad = distances_ ? shade_doubt_rad(distances_->side()) : 0.0f;
     shared::GatePush push{chunk.count(),
                           0,
                           chunk.fragments.tiles_x,
@@ -168,11 +175,11 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
                           {gpu::sampled(chunk.gobos), gpu::uniform(chunk.light_buffer, chunk.light_offset),
                            gpu::uniform(fans_, offset), gpu::stored(table_), gpu::sampled(chunk.slides)},
                           (rows + kRowsPerGroup - 1) / kRowsPerGroup, lights);
-        if (distance_maps_)
+        if (distances_)
             commands.dispatch(*shade_fill_, shared::FanPush{first},
                               {gpu::uniform(chunk.light_buffer, chunk.light_offset),
                                gpu::uniform(fans_, offset), gpu::stored(shade_),
-                               gpu::sampled(*distance_maps_)},
+                               gpu::sampled(distances_->texture())},
                               shade_rows / kRowsPerGroup, lights);
         commands.barrier();
         commands.begin_span("gate");

@@ -4,6 +4,8 @@
 // paper's, march the thesis's: samples of the beam (haze.comp). gate is ours: segments from a table per light
 // and frame, without noise (fan.comp, gate.comp, shared/fan.h). Main thread; the device must outlive it.
 
+#include "render/distance_images.h"
+#include "render/fan.h"
 #include "render/light_chunk.h"
 #include "render/quality.h"
 #include "shared/optics.h"
@@ -30,11 +32,10 @@ struct HazeSettings {
 
 class HazePass {
 public:
-    // light_count: of the show; at most so many fans are needed at a time. distance_maps: layers by
-    // Light::map (render/distance_images.h), null: nothing throws shadows into haze; gate only. Must outlive
-    // this.
+    // light_count: of the show; at most so many fans are needed at a time. distances: null: nothing throws
+    // shadows into haze; gate only. Must outlive this.
     HazePass(const gpu::Device& device, const HazeSettings& settings, std::uint32_t batch_size,
-             std::uint32_t light_count, const gpu::Texture* distance_maps);
+             std::uint32_t light_count, const DistanceImages* distances);
 
     // Of gate: segments, from the next frame on.
     void set_quality(const HazeQuality& quality);
@@ -53,7 +54,8 @@ private:
     std::array<gpu::LateProgram, shared::kBeamClasses> samples_, fill_;
     std::array<gpu::LateProgram, 3> gate_, wide_gate_, thin_gate_; // by kFocus of gate.comp
     std::unique_ptr<gpu::Program> shade_fill_;
-    const gpu::Texture* distance_maps_;
+    const DistanceImages* distances_;
+    FanDetail detail_;
     gpu::Buffer fans_;
     std::uint64_t fans_used_ = 0; // bytes
     gpu::Texture table_, shade_;

@@ -48,6 +48,16 @@ gpu::Texture bounces_of(const gpu::Device& device, const scene::Passes& passes) 
     return texture;
 }
 
+SeenBox seen_in(const scene::Passes& passes, const glm::vec3& eye_m) {
+    SeenBox box{eye_m, eye_m, true};
+    for (const glm::vec4& fragment : passes.fragments) {
+        box.closed = box.closed && fragment.w >= 0;
+        box.low_m = glm::min(box.low_m, glm::vec3(fragment));
+        box.high_m = glm::max(box.high_m, glm::vec3(fragment));
+    }
+    return box;
+}
+
 } // namespace
 
 PassImages make_pass_images(const gpu::Device& device, const scene::Passes& passes, const glm::vec3& ambient,
@@ -64,6 +74,7 @@ PassImages make_pass_images(const gpu::Device& device, const scene::Passes& pass
     f.camera = view;
     f.eye_m = view.eye_m;
     f.pixels_per_rad = pixels_per_rad(view);
+    f.seen = seen_in(passes, view.eye_m);
     const Layout layout = make_layout(passes, f.tiles_x, f.tiles_y);
     f.blocks = layout.blocks;
     f.edge_count = static_cast<std::uint32_t>(layout.edges.size());

@@ -102,8 +102,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
             {settings.air ? 1u : 0u, settings.beams.beams == Beams::gate ? 0u : 1u}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
       develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
-      haze_(device, settings.beams, batch_size_, static_cast<std::uint32_t>(light_count),
-            distances ? &distances->texture() : nullptr),
+      haze_(device, settings.beams, batch_size_, static_cast<std::uint32_t>(light_count), distances),
       led_walls_(device), lens_(device, settings.lens),
       glare_(device, fragments().width, fragments().height, settings.glare), commands_(device) {
     make_surface_programs();
