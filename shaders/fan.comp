@@ -19,6 +19,24 @@ layout(binding = 3) writeonly uniform image2DArray table;
 layout(push_constant, scalar) uniform Push { FanPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
+// Of the line from + u step through the gate, scaled so that z is 1 there: where it runs over the panel of a projector, blurred. All
+// bounds are linear in u.
+vec2 panel_part(Light light, vec3 from, vec3 step, float blur) {
+    const float kSpare = 1.03;
+    vec3 row_z = light.slide.panel[2];
+    vec2 part = vec2(-1e9, 1e9);
+    for (int side = 0; side < 4; ++side) {
+        vec3 row = light.slide.panel[side >> 1];
+        float rim = kSpare + blur / max(row_z.z, 1e-3) * length(row.xy);
+        vec3 inside = rim * row_z + ((side & 1) == 0 ? row : -row);
+        float at = dot(inside, from), slope = dot(inside, step);
+        float meets = -at / (abs(slope) < 1e-9 ? 1e-9 : slope);
+        if (slope >= 0.0) part.x = max(part.x, meets);
+        else part.y = min(part.y, meets);
+    }
+    return part;
+}
+
 void fill(Light light, Fan fan) {
     // Rows of all levels lie one after another.
     uint level = 0u;
@@ -61,7 +79,22 @@ void fill(Light light, Fan fan) {
         slide_level = fan.levels > 1u ? floor(whole + 0.5) : whole;
     }
     columns = wanted ? columns : 0u;
-    for (uint column = 0u; column < columns; ++column) {
+    uint begin = 0u, end = columns;
+    if (HAS_SLIDE(light)) {
+        // Nothing shines beside the panel: nearly half of a table.
+        vec3 to_gate = vec3(1.0, 1.0, light.tan_field);
+        vec2 part = panel_part(light, centre * to_gate, turn * to_gate, blur_of(light, focus, 0.0));
+        vec2 column = clamp((part - u) / max(step_u, 1e-9), 0.0, float(columns));
+        begin = uint(column.x);
+        end = clamp(uint(ceil(column.y)) + 1u, begin, columns);
+        for (uint before = 0u; before < begin; ++before) {
+            imageStore(table, at, sum);
+            at.x += 1;
+        }
+        u += float(begin) * step_u;
+        place += float(begin) * share;
+    }
+    for (uint column = begin; column < end; ++column) {
         imageStore(table, at, sum);
         vec3 direction = centre + turn * u;
         vec2 gate = direction.xy / (max(direction.z, 1e-4) * light.tan_field);
@@ -69,6 +102,11 @@ void fill(Light light, Fan fan) {
         sum += vec4(value, luminance_of(value) * place);
         u += step_u;
         place += share;
+        at.x += 1;
+    }
+    if (!HAS_SLIDE(light)) return;
+    for (uint after = end; after < columns; ++after) {
+        imageStore(table, at, sum);
         at.x += 1;
     }
 }
