@@ -176,9 +176,10 @@ void Xchange::Loop::fetch_wanted() {
             request.file_uuid = wanted.commit.asked_as;
             request.station_uuid = known_.at(wanted.key).station.uuid;
             connection->peer->say(request);
-            connection->fetch.emplace();
-            connection->fetch->commit = wanted.commit;
-            connection->fetch->station = connection->name;
+            Fetch fetch;
+            fetch.commit = wanted.commit;
+            fetch.station = connection->name;
+            connection->fetch = std::move(fetch);
         } else {
             tell(XchangeEvent::Kind::trouble, "",
                  "a plot was offered by a station that cannot be reached (" + wanted.commit.file_name + ")");

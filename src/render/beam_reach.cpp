@@ -46,8 +46,8 @@ const std::array<Part, kFarSide * kFarSide>& parts_of_sphere() {
                 Part& part = result[y * kFarSide + x];
                 part.way = way_to(x, y, 0.5f);
                 float cosine = 1;
-                for (const std::size_t dx : {0, 1})
-                    for (const std::size_t dy : {0, 1})
+                for (const std::size_t dx : {0u, 1u})
+                    for (const std::size_t dy : {0u, 1u})
                         cosine = std::min(cosine, glm::dot(part.way, way_to(x + dx, y + dy, 0)));
                 part.radius_rad = std::acos(cosine);
             }
