@@ -38,10 +38,11 @@ Result<void> run_script(const std::string& file, Window& window, Result<void>& o
     TRY(const std::string text, read_text_file(file, kMostScriptBytes));
     auto* script = new Script(window.actions(), window.studio(), &window);
     auto line = std::make_shared<int>(0);
-    script->on_line = [file, line, &window, &outcome](const Result<void>& done) {
+    script->on_line = [file, line, script, &window, &outcome](const Result<void>& done) {
         ++*line;
         if (done.ok() || !outcome.ok()) return;
         outcome = Error{done.error().text(), file + ":" + std::to_string(*line)};
+        script->stop();
         window.close();
     };
     for (const QString& one : QString::fromStdString(text).split('\n')) script->add(one);

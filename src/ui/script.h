@@ -24,6 +24,8 @@ public:
     Script(Actions& actions, Studio& studio, QObject* parent);
 
     void add(const QString& line);
+    // Forgets the lines that are left.
+    void stop() { lines_.clear(); }
     bool is_done() const { return lines_.empty() && !runs_; }
     // After each line, in their order; a line that did nothing counts.
     std::function<void(const Result<void>&)> on_line;

@@ -233,10 +233,12 @@ class BadInput(unittest.TestCase):
 
     def test_a_script_that_fails_says_where(self):
         script = WORK / "bad.txt"
-        script.write_text("# nothing wrong yet\nwait opened\ncamera nowhere\nquit\n")
+        later = WORK / "later.toml"
+        script.write_text(f"# nothing wrong yet\nwait opened\ncamera nowhere\nsave-copy {later}\nquit\n")
         done = self.run_open(WORK / "demo", "--forget", "--no-desk", "--script", script, "--size", "400x300", DISPLAY=window_driver.DISPLAY)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("bad.txt:3: camera: ", done.stderr)
+        self.assertFalse(later.exists(), "a line after the one that failed was done")
 
     def test_a_show_that_breaks_leaves_the_one_that_is_open(self):
         broken = WORK / "broken"
