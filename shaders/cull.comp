@@ -20,6 +20,8 @@ layout(push_constant, scalar) uniform Push { CullPush p; };
 
 vec3 gobo_sample(uint layer, vec2 gate, float blur) { return vec3(1.0); }
 
+const float kThinTangent = 0.02;
+const float kPixelMore = 1.25; // of the radius of a tile's surfaces
 const uint kStretches = 3u; // of a bundle of rays, each four times as far as the one before
 
 // The panel of a projector fills half of its cone: is all of a line of the gate, and what lies within room_m of it, beside it?
@@ -72,7 +74,8 @@ void main() {
 
             vec3 q = to_gate(light, sphere.xyz - light.position_m);
             bool beside = beside_panel(light, q, q, sphere.w);
-            q.z += sphere.w * back_per_m;
+            // The dot of a thin beam reaches a pixel further.
+            q.z += sphere.w * (k < kThinTangent ? kPixelMore : 1.0) * back_per_m;
             surface_mask |= lit && !beside && sphere.w >= 0.0 && q.z > 0.0 && dot(q.xy, q.xy) < k * k * q.z * q.z ? bit : 0u;
 
             // The bundle is narrow near the eye: each stretch of it is as wide as at its own far end.

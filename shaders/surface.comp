@@ -23,13 +23,37 @@ layout(binding = 7, rgba16f) readonly uniform image2DArray passes;  // radiance 
 layout(binding = 8, scalar) uniform AirBlock { Air air; };
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
+layout(constant_id = 2) const bool kThin = false;   // some beam may be narrower than two pixels
+
+#include "thin_dot.glsl"
+
+// From a pixel to the next along a row or column, on the side where the surface goes on.
+vec3 to_next(ivec2 at, ivec2 step, vec3 here_m) {
+    vec3 ways_m[2];
+    float lengths[2];
+    for (int side = 0; side < 2; ++side) {
+        ivec2 next = at + (side == 0 ? step : -step);
+        bool inside = all(greaterThanEqual(next, ivec2(0))) && all(lessThan(next, ivec2(view.width, view.height)));
+        vec4 place = imageLoad(fragments, ivec3(inside ? next : at, 0));
+        ways_m[side] = (place.xyz - here_m) * (side == 0 ? 1.0 : -1.0);
+        lengths[side] = inside && place.w >= 0.0 ? dot(ways_m[side], ways_m[side]) : 1e30;
+    }
+    return lengths[0] <= lengths[1] ? ways_m[0] : ways_m[1];
+}
 
 vec3 shown(Light light, vec3 position_m, ivec2 row, Haze haze) {
     vec3 way_m = position_m - light.position_m;
     vec3 q = to_gate(light, way_m);
     vec3 radiance = imageLoad(passes, ivec3(row, light.pass)).rgb;
     float distance_m = length(q);
-    return beam_candela(light, q) * radiance *
+    vec3 beam_cd = beam_candela(light, q);
+    if (kThin) {
+        bool of_picture = row.y < int(view.height) && q.z > max(light.lens_m, 1e-4);
+        vec3 across = to_next(row, ivec2(1, 0), position_m), down = to_next(row, ivec2(0, 1), position_m);
+        float share = of_picture ? thin_dot_share(light, q, across, down) : -1.0;
+        beam_cd = share >= 0.0 ? lumens_of(light) * (share * dot(way_m, way_m)) : beam_cd;
+    }
+    return beam_cd * radiance *
            (pass_share(light, way_m) * haze_transmittance(haze, way_from_lens_m(light, q)) *
             attenuation_factor(air.attenuation, distance_m));
 }

@@ -32,6 +32,9 @@ layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 layout(constant_id = 2) const bool kShadows = true;
 layout(constant_id = 3) const bool kIlluminance = false; // lux on the surface, instead of what the eye sees of it
+layout(constant_id = 4) const bool kThin = false;        // some beam may be narrower than two pixels
+
+#include "thin_dot.glsl"
 
 struct Fragment {
     vec3 position_m;
@@ -74,6 +77,17 @@ vec3 shown(Light light, Fragment f, Haze haze) {
     Focus focus = beam_focus(light, z);
     focus.least = 0.5 * width_m * per_m;
     vec3 beam_cd = q.z > max(light.lens_m, 1e-4) ? light.intensity_cd * beam_gate(light, q.xy * per_m, focus) : vec3(0.0);
+    if (kThin) {
+        // To what the next pixels show of the plane that the surface lies in.
+        vec3 way_m = f.position_m - view.eye_m;
+        float depth_m = max(dot(way_m, view.forward), 1e-4);
+        vec3 along = way_m / (min(dot(f.facet, way_m), -1e-4) / depth_m);
+        vec3 right = view.right * (2.0 / float(view.width)), up = view.up * (2.0 / float(view.height));
+        right = depth_m * right - along * dot(f.facet, right);
+        up = depth_m * up - along * dot(f.facet, up);
+        float share = q.z > max(light.lens_m, 1e-4) ? thin_dot_share(light, q, right, up) : -1.0;
+        beam_cd = share >= 0.0 ? lumens_of(light) * (share * distance2) : beam_cd;
+    }
     vec3 light_cd = beam_cd *
                     (haze_transmittance(haze, way_from_lens_m(light, q)) * attenuation_factor(air.attenuation, distance_m) / distance2);
     vec3 value = light_cd * (kIlluminance ? vec3(max(dot(f.normal, to_light), 0.0)) : brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light));

@@ -125,11 +125,13 @@ void Relighter::make_surface_programs() {
     else
         bindings.insert(bindings.end(), {kUniform, kSampled});
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
-        surface_[kind] =
-            g_buffer_
-                ? gpu::LateProgram(device_, shaders::kShader_surface_live, bindings,
-                                   {kind, single, distances_ ? 1u : 0u, settings_.illuminance ? 1u : 0u})
-                : gpu::LateProgram(device_, shaders::kShader_surface, bindings, {kind, single});
+        for (const std::uint32_t thin : {0u, 1u})
+            (thin ? thin_surface_ : surface_)[kind] =
+                g_buffer_
+                    ? gpu::LateProgram(
+                          device_, shaders::kShader_surface_live, bindings,
+                          {kind, single, distances_ ? 1u : 0u, settings_.illuminance ? 1u : 0u, thin})
+                    : gpu::LateProgram(device_, shaders::kShader_surface, bindings, {kind, single, thin});
         if (kind < shared::kPlanesClass) (void)surface_[kind].get();
     }
 }

@@ -151,7 +151,7 @@ private:
         (sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
     static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
     gpu::Program cull_, sum_, bounce_, silhouettes_, fold_, meter_, develop_;
-    std::array<gpu::LateProgram, shared::kBeamClasses> surface_;
+    std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_;
     HazePass haze_;
     std::unique_ptr<WideBeams> wide_; // null: HazeSettings::most_wide_step is 1
     std::uint32_t wide_step_ = 1;

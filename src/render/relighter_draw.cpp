@@ -2,6 +2,7 @@
 // The part of Relighter that draws lights: a sum of the tree, its lights by chunks, their surfaces.
 #include "base/check.h"
 #include "render/relighter.h"
+#include "shared/figure.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,6 +14,15 @@ namespace {
 // Facets of prisms that are not in the beam, and lamps that are out.
 bool is_dark(const shared::Light& light) {
     return light.intensity_cd == glm::vec3(0.0f) && light.bounce_cd == glm::vec3(0.0f);
+}
+
+// Narrower than two pixels of the picture, wherever a surface is. A curve that is swept is drawn at any
+// width.
+bool may_be_thin(const shared::Light& light, const Fragments& f) {
+    constexpr float kMost_pixels =
+        10; // where it is as far from the eye: dots lie up to five times nearer to their lamp
+    return light.figure.kind == shared::kNoFigure &&
+           2 * light.tan_field * light.cut_radius * f.pixels_per_rad < kMost_pixels;
 }
 
 } // namespace
@@ -147,11 +157,13 @@ void Relighter::record_surfaces(const LightChunk& chunk) {
                          gpu::sampled(slides_)});
     else
         bindings.insert(bindings.end(), {gpu::uniform(air_), gpu::sampled(slides_)});
+    const bool thin = std::any_of(chunk.lights.begin(), chunk.lights.end(),
+                                  [&](const shared::Light& light) { return may_be_thin(light, f); });
     commands_.begin_span("surfaces");
     shared::RelightPush push{chunk.count(), 0, f.tiles_x, chunk.tiles(), f.blocks, 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
-        commands_.dispatch_indirect(surface_[chunk.beam_class].get(), push, bindings, groups_,
-                                    chunk.surface_groups(push.batch));
+        commands_.dispatch_indirect((thin ? thin_surface_ : surface_)[chunk.beam_class].get(), push, bindings,
+                                    groups_, chunk.surface_groups(push.batch));
         commands_.barrier();
     }
 }

@@ -210,6 +210,8 @@ std::vector<shared::Light> random_rig(std::mt19937& random, scene::Passes& passe
     for (int k = 0; k < count; ++k) {
         const vec3 from(-5.0f + 10.0f * unit(), -6.0f + 8.0f * unit(), 4.0f + 3.0f * unit());
         lights.push_back(random_light(random, from, {-3.0f + 6.0f * unit(), 4, 4.0f * unit()}));
+        // Of two pixels and more: narrower beams are dots (shaders/thin_dot.glsl).
+        lights.back().tan_field = std::max(lights.back().tan_field, 0.25f);
         if (passes.lights.size() < 12) {
             const vec3 colour(unit(), unit(), unit());
             add_pass(passes, from, [&](const vec3& x) { return colour / glm::dot(x - from, x - from); });
