@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@ extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
 #include <libavutil/dict.h>
+#include <libavutil/display.h>
 #include <libavutil/imgutils.h>
 #include <libswscale/swscale.h>
 }
@@ -47,6 +49,40 @@ const int* matrix_of(const AVFrame& frame) {
     }
 }
 
+// FFmpeg's own decoders of VP8 and VP9 leave the alpha channel out.
+const AVCodec* decoder_of(const AVStream& stream, bool& drops_alpha) {
+    const AVCodecID id = stream.codecpar->codec_id;
+    const AVDictionaryEntry* alpha = av_dict_get(stream.metadata, "alpha_mode", nullptr, 0);
+    const bool has_alpha =
+        (id == AV_CODEC_ID_VP8 || id == AV_CODEC_ID_VP9) && alpha && std::string(alpha->value) == "1";
+    const AVCodec* with_alpha =
+        has_alpha ? avcodec_find_decoder_by_name(id == AV_CODEC_ID_VP9 ? "libvpx-vp9" : "libvpx") : nullptr;
+    drops_alpha = has_alpha && !with_alpha;
+    return with_alpha ? with_alpha : avcodec_find_decoder(id);
+}
+
+// Quarter turns, clockwise, that a player makes: telephones film as they are held.
+int quarter_turns_of(const AVStream& stream) {
+    std::size_t bytes = 0;
+    const std::uint8_t* matrix = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &bytes);
+    if (!matrix || bytes < 9 * sizeof(std::int32_t)) return 0;
+    std::int32_t values[9];
+    std::memcpy(values, matrix, sizeof values);
+    const double anticlockwise_deg = av_display_rotation_get(values);
+    return std::isfinite(anticlockwise_deg) ? static_cast<int>(std::lround(-anticlockwise_deg / 90)) & 3 : 0;
+}
+
+// rows: RGBA, `stride` bytes each; the picture has their size, turned.
+void copy_turned(const std::vector<std::uint8_t>& rows, int stride, int turns, image::Image8& picture) {
+    for (int y = 0; y < picture.height; ++y)
+        for (int x = 0; x < picture.width; ++x) {
+            const int column = turns == 1 ? y : turns == 2 ? picture.width - 1 - x : picture.height - 1 - y;
+            const int row = turns == 1 ? picture.width - 1 - x : turns == 2 ? picture.height - 1 - y : x;
+            std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(row) * stride + column * 4, 4,
+                        picture.at(x, y));
+        }
+}
+
 } // namespace
 
 struct Movie::Decoder {
@@ -64,6 +100,8 @@ struct Movie::Decoder {
     double frame_s = 0.04;
     double last_s = -1;
     int damaged = 0;
+    int quarter_turns = 0; // clockwise, as it is shown
+    bool drops_alpha = false;
     bool flushed = false;
 
     ~Decoder() {
@@ -80,6 +118,7 @@ struct Movie::Decoder {
     double seconds(std::int64_t stamp) const {
         return static_cast<double>(stamp) * av_q2d(stream->time_base);
     }
+    int stretched_width() const;
     Result<bool> feed();
     Result<void> seek(double at_s);
     Result<std::optional<double>> next();
@@ -102,6 +141,7 @@ Result<void> Movie::Decoder::open() {
     stream = file->streams[index];
     for (unsigned k = 0; k < file->nb_streams; ++k)
         if (static_cast<int>(k) != index) file->streams[k]->discard = AVDISCARD_ALL;
+    quarter_turns = quarter_turns_of(*stream);
     TRY_VOID(open_codec());
     if (stream->avg_frame_rate.num > 0 && stream->avg_frame_rate.den > 0)
         frame_s = std::clamp(1.0 / av_q2d(stream->avg_frame_rate), 1e-3, 3600.0);
@@ -110,7 +150,7 @@ Result<void> Movie::Decoder::open() {
 
 Result<void> Movie::Decoder::open_codec() {
     const AVCodecParameters& parameters = *stream->codecpar;
-    const AVCodec* decoder = avcodec_find_decoder(parameters.codec_id);
+    const AVCodec* decoder = decoder_of(*stream, drops_alpha);
     if (!decoder)
         return Error{std::string("is coded as ") + avcodec_get_name(parameters.codec_id) +
                          ", which this FFmpeg cannot decode",
@@ -161,6 +201,12 @@ Result<void> Movie::Decoder::find_length() {
     return {};
 }
 
+int Movie::Decoder::stretched_width() const {
+    const AVRational pixel = av_guess_sample_aspect_ratio(file, stream, nullptr);
+    const double stretch = pixel.num > 0 && pixel.den > 0 ? std::clamp(av_q2d(pixel), 0.1, 10.0) : 1.0;
+    return std::max(static_cast<int>(std::lround(stretch * stream->codecpar->width)), 1);
+}
+
 // One packet into the decoder; false: there are no more.
 Result<bool> Movie::Decoder::feed() {
     for (;;) {
@@ -168,6 +214,8 @@ Result<bool> Movie::Decoder::feed() {
         if (code == AVERROR_EOF || (code < 0 && file->pb && avio_feof(file->pb))) return false;
         if (code < 0) return ffmpeg_error("cannot be read further", code, path);
         const bool ours = packet->stream_index == stream->index;
+        // The list of what to show of a film that states no length would leave nothing of it.
+        if (stream->duration == 0) packet->flags &= ~AV_PKT_FLAG_DISCARD;
         const int sent = ours ? avcodec_send_packet(codec, packet) : 0;
         av_packet_unref(packet);
         if (sent < 0) ++damaged;
@@ -224,12 +272,13 @@ double Movie::duration_s() const {
     return decoder_->length_s;
 }
 int Movie::width() const {
-    const AVRational pixel = av_guess_sample_aspect_ratio(decoder_->file, decoder_->stream, nullptr);
-    const double stretch = pixel.num > 0 && pixel.den > 0 ? std::clamp(av_q2d(pixel), 0.1, 10.0) : 1.0;
-    return std::max(static_cast<int>(std::lround(stretch * decoder_->stream->codecpar->width)), 1);
+    return decoder_->quarter_turns % 2 ? decoder_->stream->codecpar->height : decoder_->stretched_width();
 }
 int Movie::height() const {
-    return decoder_->stream->codecpar->height;
+    return decoder_->quarter_turns % 2 ? decoder_->stretched_width() : decoder_->stream->codecpar->height;
+}
+bool Movie::drops_alpha() const {
+    return decoder_->drops_alpha;
 }
 int Movie::damaged() const {
     return decoder_->damaged;
@@ -256,6 +305,8 @@ Result<image::Image8> Movie::picture(Which which, int width_px, int height_px) c
     const AVFrame& from = which == Which::newest ? *d.frame : *d.before;
     if (from.width < 1 || from.height < 1 || !from.data[0])
         return Error{"has no picture here", d.path.string()};
+    image::Image8 picture(width_px, height_px, 4);
+    if (d.quarter_turns % 2) std::swap(width_px, height_px);
     const bool smaller = width_px < from.width || height_px < from.height;
     d.scaler = sws_getCachedContext(
         d.scaler, from.width, from.height, static_cast<AVPixelFormat>(from.format), width_px, height_px,
@@ -263,7 +314,6 @@ Result<image::Image8> Movie::picture(Which which, int width_px, int height_px) c
     if (!d.scaler) return Error{"has colours that cannot be converted", d.path.string()};
     sws_setColorspaceDetails(d.scaler, matrix_of(from), from.color_range == AVCOL_RANGE_JPEG ? 1 : 0,
                              sws_getCoefficients(SWS_CS_ITU709), 1, 0, 1 << 16, 1 << 16);
-    image::Image8 picture(width_px, height_px, 4);
     // swscale writes whole blocks beyond a row's end.
     const int stride = (width_px * 4 + 63) / 64 * 64;
     std::vector<std::uint8_t> rows(static_cast<std::size_t>(stride) * static_cast<std::size_t>(height_px) +
@@ -271,6 +321,10 @@ Result<image::Image8> Movie::picture(Which which, int width_px, int height_px) c
     std::uint8_t* to[4] = {rows.data(), nullptr, nullptr, nullptr};
     const int strides[4] = {stride, 0, 0, 0};
     sws_scale(d.scaler, from.data, from.linesize, 0, from.height, to, strides);
+    if (d.quarter_turns) {
+        copy_turned(rows, stride, d.quarter_turns, picture);
+        return picture;
+    }
     for (int y = 0; y < height_px; ++y)
         std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(y) * stride, width_px * 4, picture.at(0, y));
     return picture;

@@ -23,7 +23,7 @@ public:
     Movie& operator=(const Movie&) = delete;
 
     double duration_s() const; // of the pictures, above 0
-    int width() const;         // as shown: pixels that are not square are counted
+    int width() const; // as shown: pixels that are not square are counted, and turned as the file says
     int height() const;
 
     // Decodes the next picture: seconds from the film's first picture at which it is shown. Nothing: the film
@@ -35,6 +35,7 @@ public:
     // The next picture is one at this moment or before.
     Result<void> seek(double at_s);
     int damaged() const;       // packets that could not be decoded
+    bool drops_alpha() const;  // it has an alpha channel that this FFmpeg cannot decode
     bool is_cut_short() const; // its index names pictures beyond the end of the file
 
 private:

@@ -130,7 +130,6 @@ std::string Source::play() {
 std::string Source::play_movie() {
     auto movie = Movie::open(settings_.path);
     if (!movie.ok()) return movie.error().text();
-    recovered();
     return follow(**movie);
 }
 
@@ -147,6 +146,7 @@ std::string Source::follow(Movie& movie) {
             say(picture.error().text());
             return;
         }
+        recovered();
         queue_.put(made(*picture, settings_.side, from_s), known_to_s);
         converted_s = now_s();
         any = true;
@@ -156,6 +156,9 @@ std::string Source::follow(Movie& movie) {
             " s it shows what is there, then its last picture until it begins again");
     };
     if (movie.is_cut_short()) say_cut();
+    if (movie.drops_alpha())
+        say(settings_.path.string() +
+            ": has an alpha channel, which this FFmpeg cannot decode without libvpx; it is opaque");
     double last_s = -kForever;     // time of the last picture, of the film
     queue_.begin_search(kForever); // nothing is here: the first need is a search
     for (bool first = true;;) {
@@ -208,6 +211,8 @@ std::string Source::follow(Movie& movie) {
 
 std::string Source::play_camera() {
     std::error_code code;
+    if (!std::filesystem::exists(settings_.path, code))
+        return settings_.path.string() + ": there is no such camera, nor a film in its place";
     if (!std::filesystem::is_character_file(settings_.path, code)) return play_file_as_camera();
     auto camera = Camera::open(settings_.path);
     if (!camera.ok()) return camera.error().text();

@@ -73,6 +73,49 @@ TEST_F(MovieTest, UnevenTimesAreTheFiles) {
 }
 
 // Each is an error that names the file; none of them hangs or crashes.
+image::Image8 one_off(const std::filesystem::path& path, const OneOff& wanted) {
+    make_one_off(path, wanted);
+    const auto movie = Movie::open(path);
+    EXPECT_TRUE(movie.ok()) << movie.error().text();
+    if (!movie.ok()) return {};
+    const auto at_s = (*movie)->next();
+    EXPECT_TRUE(at_s.ok() && at_s->has_value()) << "no picture in it";
+    EXPECT_FALSE((*movie)->drops_alpha());
+    auto picture = (*movie)->picture(Movie::Which::newest, (*movie)->width(), (*movie)->height());
+    EXPECT_TRUE(picture.ok());
+    return picture.ok() ? std::move(*picture) : image::Image8{};
+}
+
+TEST_F(MovieTest, APictureWithoutAnyLengthIsShown) {
+    const image::Image8 picture = one_off(folder / "one.mp4", {.has_duration = false});
+    ASSERT_EQ(picture.width, 64);
+    EXPECT_GT(picture.at(8, 8)[0], 200);
+}
+
+TEST_F(MovieTest, TelephonesFilmsStandUpright) {
+    for (const int deg : {0, 90, 180, 270}) {
+        SCOPED_TRACE(deg);
+        const image::Image8 picture = one_off(folder / "turned.mp4", {.clockwise_deg = deg});
+        ASSERT_EQ(picture.width, deg % 180 == 0 ? 64 : 32);
+        ASSERT_EQ(picture.height, deg % 180 == 0 ? 32 : 64);
+        const bool right = deg == 90 || deg == 180, low = deg == 180 || deg == 270;
+        for (const bool x : {false, true})
+            for (const bool y : {false, true}) {
+                const int value =
+                    picture.at(picture.width * (x ? 3 : 1) / 4, picture.height * (y ? 3 : 1) / 4)[0];
+                EXPECT_EQ(value > 128, x == right && y == low) << x << y << ": " << value;
+            }
+    }
+}
+
+TEST_F(MovieTest, WebmKeepsItsAlpha) {
+    const image::Image8 picture = one_off(
+        folder / "alpha.webm", {.muxer = "webm", .encoder = "libvpx-vp9", .format = AV_PIX_FMT_YUVA420P});
+    ASSERT_EQ(picture.width, 64);
+    EXPECT_LT(picture.at(16, 24)[3], 10);
+    EXPECT_GT(picture.at(48, 24)[3], 245);
+}
+
 TEST_F(MovieTest, WhatIsNoFilmIsSaid) {
     const auto expect_error = [&](const std::string& name, std::string_view part) {
         const auto movie = Movie::open(folder / name);

@@ -15,6 +15,7 @@
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavformat/avformat.h>
+#include <libavutil/display.h>
 }
 
 namespace ghost::video {
@@ -94,6 +95,68 @@ inline void make_uneven(const std::filesystem::path& path, const std::vector<int
     }
     avcodec_send_frame(codec, nullptr);
     drain();
+    av_write_trailer(file);
+    avio_closep(&file->pb);
+    av_frame_free(&frame);
+    av_packet_free(&packet);
+    avcodec_free_context(&codec);
+    avformat_free_context(file);
+}
+
+// One picture whose top left quarter is white, the rest black, as a file may have it.
+struct OneOff {
+    const char* muxer = "mp4";
+    const char* encoder = "mpeg4";
+    AVPixelFormat format = AV_PIX_FMT_YUV420P; // YUVA420P: its left half is transparent
+    int clockwise_deg = 0;                     // that a player shall turn it
+    bool has_duration = true;
+};
+
+inline void make_one_off(const std::filesystem::path& path, const OneOff& wanted) {
+    AVFormatContext* file = nullptr;
+    ASSERT_GE(avformat_alloc_output_context2(&file, nullptr, wanted.muxer, path.c_str()), 0);
+    AVStream* stream = avformat_new_stream(file, nullptr);
+    const AVCodec* encoder = avcodec_find_encoder_by_name(wanted.encoder);
+    ASSERT_TRUE(encoder) << wanted.encoder;
+    AVCodecContext* codec = avcodec_alloc_context3(encoder);
+    codec->width = 64;
+    codec->height = 32;
+    codec->time_base = {1, 25};
+    codec->pix_fmt = wanted.format;
+    codec->bit_rate = 4'000'000;
+    codec->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
+    ASSERT_GE(avcodec_open2(codec, encoder, nullptr), 0);
+    avcodec_parameters_from_context(stream->codecpar, codec);
+    stream->time_base = codec->time_base;
+    if (wanted.clockwise_deg != 0)
+        av_display_rotation_set(reinterpret_cast<std::int32_t*>(av_stream_new_side_data(
+                                    stream, AV_PKT_DATA_DISPLAYMATRIX, 9 * sizeof(std::int32_t))),
+                                wanted.clockwise_deg); // its argument is clockwise
+    ASSERT_GE(avio_open(&file->pb, path.c_str(), AVIO_FLAG_WRITE), 0);
+    ASSERT_GE(avformat_write_header(file, nullptr), 0);
+    AVPacket* packet = av_packet_alloc();
+    AVFrame* frame = av_frame_alloc();
+    frame->format = codec->pix_fmt;
+    frame->width = codec->width;
+    frame->height = codec->height;
+    av_frame_get_buffer(frame, 0);
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 64; ++x) {
+            frame->data[0][y * frame->linesize[0] + x] = x < 32 && y < 16 ? 235 : 16;
+            if (wanted.format == AV_PIX_FMT_YUVA420P)
+                frame->data[3][y * frame->linesize[3] + x] = x < 32 ? 0 : 255;
+        }
+    for (int plane : {1, 2})
+        for (int y = 0; y < 16; ++y)
+            std::fill_n(frame->data[plane] + y * frame->linesize[plane], 32, std::uint8_t{128});
+    frame->pts = 0;
+    avcodec_send_frame(codec, frame);
+    avcodec_send_frame(codec, nullptr);
+    while (avcodec_receive_packet(codec, packet) == 0) {
+        packet->duration = wanted.has_duration ? 1 : 0;
+        av_packet_rescale_ts(packet, codec->time_base, stream->time_base);
+        av_interleaved_write_frame(file, packet);
+    }
     av_write_trailer(file);
     avio_closep(&file->pb);
     av_frame_free(&frame);
