@@ -12,8 +12,9 @@ using glm::vec2;
 using glm::vec3;
 
 constexpr float kLeastBlend = 1e-4f;
-constexpr float kEdge = 0.002f; // gate radii: a pixel of a panel of 1000
-constexpr float kSpill = 0.05f; // gate radii beyond the corners, for what is out of focus
+constexpr float kEdge = 0.002f;    // gate radii: a pixel of a panel of 1000
+constexpr float kSpill = 0.05f;    // gate radii beyond the corners, for what is out of focus: at least
+constexpr float kMostSpill = 3.0f; // and at most
 constexpr float kOpenIris = 0.995f;
 constexpr float kLeastIris = 0.02f;
 constexpr int kFitSteps = 30;
@@ -114,11 +115,13 @@ float project(const Projector& projector, const fixture::Optics& optics, const M
     // Frost blurs over a disc of twice its standard deviation, as with any beam.
     const float frost = std::tan(glm::radians(optics.frost * optics.frost_full_deg)) / made.tan_field;
     light.edge = kEdge + 2.0f * frost;
-    light.cut_radius = 1.0f + std::min(light.edge + kSpill, 1.0f);
+    if (projector.focus_m > 0) light.focus_per_m = 1.0f / projector.focus_m;
+    // What is focused near is blurred this wide far away.
+    const float far_blur = light.lens_radius_m * light.focus_per_m / light.tan_field;
+    light.cut_radius = 1.0f + std::min(light.edge + std::max(far_blur, kSpill), kMostSpill);
     light.profile_power = 1.0f;
     light.profile_scale = 0.0f;
     light.iris_radius = optics.iris < kOpenIris ? std::max(optics.iris, kLeastIris) : 2.0f * light.cut_radius;
-    if (projector.focus_m > 0) light.focus_per_m = 1.0f / projector.focus_m;
     light.slide = made.slide;
     light.slide.layer = layer + 1;
     light.slide.moment = now.moment;
