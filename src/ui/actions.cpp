@@ -45,8 +45,25 @@ Result<void> Actions::run(const QString& line) {
                  ""};
 }
 
+namespace {
+
+// Whether a switch is to be turned with these words; one that names no arguments of its own takes on and off.
+Result<bool> turns(const Action& action, const QStringList& arguments) {
+    if (arguments.isEmpty() || !action.arguments.isEmpty()) return true;
+    const std::string word = arguments[0].toStdString();
+    if (!action.is_on) return Error{"takes no arguments, so what is '" + word + "'?", ""};
+    if (arguments.size() > 1 || (word != "on" && word != "off"))
+        return Error{"'" + arguments.join(' ').toStdString() + "' is neither on nor off", ""};
+    return action.is_on() != (word == "on");
+}
+
+} // namespace
+
 Result<void> Actions::run(const Action& action, const QStringList& arguments) {
-    const Result<void> done = action.run(arguments);
+    const Result<bool> turned = turns(action, arguments);
+    const Result<void> done = !turned.ok() ? Result<void>(turned.error())
+                              : *turned    ? action.run(arguments)
+                                           : Result<void>();
     refresh();
     if (done.ok()) return {};
     return Error{done.error().text(), action.name.toStdString()};

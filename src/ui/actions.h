@@ -22,7 +22,7 @@ struct Action {
     QString menu;      // "View"; empty: scripts only
     QString text;      // "Black-out"
     QString key;       // "B"; empty: none. Several with "; " between them
-    QString arguments; // of a script line, for people: "FILE"; empty: none
+    QString arguments; // of a script line, for people: "FILE"; empty: none, a switch takes "on" and "off"
     std::function<Result<void>(const QStringList& arguments)> run;
     std::function<bool()> is_on; // where it is a switch: its state, for the tick in the menu
 };

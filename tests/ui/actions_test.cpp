@@ -30,8 +30,8 @@ struct Opened4 {
         link.on_news();
         settle();
     }
-    std::string error_of(const char* line) {
-        const Result<void> done = window->actions().run(line);
+    std::string error_of(const std::string& line) {
+        const Result<void> done = window->actions().run(QString::fromStdString(line));
         return done.ok() ? "" : done.error().text();
     }
     const Wishes& wishes() { return window->studio().wishes(); }
@@ -191,6 +191,25 @@ TEST(Actions, what_cannot_be_done_is_said_with_its_name) {
     EXPECT_NE(opened.error_of("screenshot /no/such/folder/x.png"), "");
     EXPECT_NE(opened.error_of("select \"Lamp"), "");
     EXPECT_TRUE(opened.wishes().look.is_empty());
+}
+
+TEST(Actions, switches_take_on_and_off_and_nothing_else_is_taken_silently) {
+    Opened4 opened;
+    const auto is_on = [&](const QString& name) { return opened.window->actions().item(name)->isChecked(); };
+    for (const char* const name : {"black-out", "figures", "names", "addresses", "aims", "marks"}) {
+        SCOPED_TRACE(name);
+        const std::string line = name;
+        for (const bool on : {true, true, false, false, true}) {
+            EXPECT_EQ(opened.error_of(line + (on ? " on" : " off")), "");
+            EXPECT_EQ(is_on(name), on);
+        }
+        EXPECT_EQ(opened.error_of(line), "");
+        EXPECT_FALSE(is_on(name)); // the other way round
+        EXPECT_EQ(opened.error_of(line + " maybe"), line + ": 'maybe' is neither on nor off");
+        EXPECT_EQ(opened.error_of(line + " on off"), line + ": 'on off' is neither on nor off");
+        EXPECT_FALSE(is_on(name));
+    }
+    EXPECT_EQ(opened.error_of("see-all 7"), "see-all: takes no arguments, so what is '7'?");
 }
 
 TEST(Actions, a_script_waits_and_goes_on) {
