@@ -2,6 +2,7 @@
 #include "app/doctor.h"
 
 #include "app/doctor_files.h"
+#include "app/media_player.h"
 #include "dmx/recording.h"
 #include "fixture/load_type.h"
 #include "fixture/values.h"
@@ -119,6 +120,7 @@ void check_show(const fs::path& path, const scene::FixtureOffers& offers, const 
             for (const Error& problem : problems) report.add(Severity::error, problem.where, problem.what);
         }
     }
+    check_media(*show, report);
     for (const scene::Camera& camera : show->cameras) {
         if (camera.foreign_passes.empty()) continue;
         const auto passes = scene::load_foreign_passes(camera.foreign_passes, report);

@@ -7,11 +7,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
+#include <system_error>
 
 namespace ghost::app {
 namespace {
 
 constexpr double kPatience_s = 10; // for a picture that a film needs
+constexpr int kCheckedSide = 16;   // texels of a picture that nobody looks at
 
 video::SourceSettings settings_of(const scene::Media& media, int side) {
     video::SourceSettings settings;
@@ -57,6 +60,17 @@ void MediaPlayer::show(double time_s, bool waits, scene::GoboStack& stack, scene
             oldest_due_s_ = std::min(oldest_due_s_, picture->from_s);
         for (const std::string& sentence : sources_[k]->take_messages())
             report.add(scene::Severity::warning, where_[k], sentence);
+    }
+}
+
+void check_media(const scene::Show& show, scene::Report& report) {
+    for (const scene::Media& media : show.media) {
+        // What is not there is said by the loader, and a device may be busy with others' pictures.
+        if (std::error_code code; !std::filesystem::is_regular_file(media.file, code)) continue;
+        video::Source source(settings_of(media, kCheckedSide));
+        source.wait_for(media.start_s, kPatience_s);
+        for (const std::string& sentence : source.take_messages())
+            report.add(scene::Severity::error, media.where, sentence);
     }
 }
 

@@ -116,8 +116,10 @@ Result<Image8> decode_ldr(Bytes bytes, const std::string& name, const LdrLimits&
         stbi_image_free);
     if (!pixels) {
         const std::string why = stbi_failure_reason();
+        if (why == "too large")
+            return Error{"the picture is too large, at most 16384 pixels a side are allowed", name};
         return Error{
-            "not a readable PNG or JPEG picture of at most 16384 pixels a side: " +
+            "not a readable PNG or JPEG picture: " +
                 (why == "outofmem" ? "it unpacks to more than its size says, or memory is short" : why),
             name};
     }

@@ -39,6 +39,8 @@ constexpr KnownSentence kSentences[] = {
     {"no Beam or Laser geometry", "no_beam", "fine for machines; for a lamp get a newer file from its maker"},
     {"has no DMX mode", "no_mode", "get a newer file from its maker"},
     {"has no mode '", "unknown_mode", "choose a mode that the file has, in the plot or in the show file"},
+    {"a striped card is shown until it can be read", "unreadable_media",
+     "get the file again, or make one of it that FFmpeg plays"},
     {"no mesh '", "missing_media", "get the file again, with its models; a plain shape stands in"},
     {"texture '", "missing_media", "export the model again, with its textures"},
     {"the picture ", "missing_media", "get the file again, with its pictures; the gobo is open until then"},

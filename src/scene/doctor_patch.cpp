@@ -116,7 +116,9 @@ private:
             }
             // What has no channels needs no address.
             if (of.type && channels_of(of.type->modes[static_cast<std::size_t>(of.mode)]) == 0) continue;
-            if (!of.track) none.push_back(k);
+            // Our own walls, projectors and lasers shine without a desk.
+            const bool is_on = of.gdtf.empty() && (of.wall || of.projector || of.laser);
+            if (!of.track && !is_on) none.push_back(k);
         }
         if (none.empty()) return;
         say(Severity::warning, "unpatched", none.front(),

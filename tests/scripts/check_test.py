@@ -105,6 +105,25 @@ class Check(unittest.TestCase):
         done = run(name, "--all")
         self.assertEqual(sum("is not in the archive" in line for line in done.stdout.splitlines()), 50)
 
+    def test_films_and_pictures_are_opened(self):
+        show = WORK / "media"
+        show.mkdir()
+        (show / "empty.mp4").write_bytes(b"")
+        (show / "text.mov").write_text("no film")
+        (show / "noise.png").write_bytes(bytes(range(256)) * 8)
+        names = ("empty.mp4", "text.mov", "noise.png", "gone.mp4")
+        (show / "show.toml").write_text(
+            f'[show]\nname = "Media"\nstage = "{SOURCE / "assets" / "optics" / "stage.glb"}"\n'
+            '[[camera]]\nname = "front"\nposition_m = [0, -6, 2]\ntarget_m = [0, 5, 2]\n'
+            + "".join(f'[[media]]\nname = "{name}"\nfile = "{name}"\n' for name in names)
+            + '[[fixture]]\nname = "Wall"\nposition_m = [0, 0, 2]\nwall = { media = "gone.mp4", size_m = [4, 2] }\n')
+        done = run(show)
+        for name in names[:3]:
+            self.assertRegex(done.stdout, rf"error: .*show.toml:\d+: \[\[media\]\] '{name}': .*{name}.*striped card", done.stdout)
+        self.assertEqual(done.stdout.count("gone.mp4'"), 1, done.stdout) # said once
+        self.assertNotIn("no address", done.stdout) # our own walls shine without a desk
+        self.assertEqual(done.returncode, 1)
+
     def test_a_substitute_comes_from_the_same_folder(self):
         done = run(self.folder)
         self.assertRegex(done.stdout, r"Test@sound.gdtf' is not in the archive.*\n    do: '.*sound.gdtf' seems to be this fixture")
