@@ -23,6 +23,7 @@ ui::Object object_of(const scene::Stage& stage, std::size_t instance) {
     }
     ui::Object object{placed.name, instance, static_cast<std::size_t>(std::max(mesh.material, 0)),
                       placed.shown};
+    object.layer = placed.layer;
     if (mesh.positions.empty()) return object;
     object.centre_m = 0.5f * (low_m + high_m);
     object.radius_m = 0.5f * glm::length(high_m - low_m);

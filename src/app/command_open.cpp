@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // ghostlight open: the window. A show, live, from anywhere.
 #include "app/commands.h"
+#include "app/doctor_files.h"
 #include "app/engine.h"
 #include "app/input_options.h"
 #include "app/interrupt.h"
@@ -62,6 +63,7 @@ Result<void> run(OpenArguments& arguments) {
     ui::Link link;
     arguments.window.begin = [&] { return std::make_shared<Engine>(link, arguments.engine); };
     arguments.window.should_close = interrupted;
+    arguments.window.demo = own_folder("demo").string();
     return ui::open_window(link, arguments.window);
 }
 

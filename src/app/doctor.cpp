@@ -212,7 +212,7 @@ scene::FixtureOffers offers_of(const std::vector<Checked>& results, const Doctor
         for (const fs::path& part : {folder.empty() ? fs::path(".") : folder, folder / "fixtures"})
             for (const fs::path& file : fixture_files(part, kMaxOffers, 0)) add(file, "");
     std::vector<fs::path> more = options.fixture_folders;
-    more.push_back(own_fixtures());
+    more.push_back(own_folder("fixtures"));
     for (const fs::path& folder : more)
         for (const fs::path& file : fixture_files(folder, kMaxOffers, kMaxSearchDepth)) add(file, "");
     offers.load = [files = offers.files](std::size_t k) { return load_offer(files[k]); };

@@ -114,12 +114,12 @@ std::vector<fs::path> fixture_files(const fs::path& folder, std::size_t limit, i
     return files;
 }
 
-fs::path own_fixtures() {
+fs::path own_folder(const std::string& name) {
     std::error_code code;
     const fs::path program = fs::read_symlink("/proc/self/exe", code); // empty on other systems
     const fs::path here = program.parent_path();
     for (const fs::path& folder :
-         {here / "../share/ghostlight/fixtures", here / "../../assets/fixtures", fs::path("assets/fixtures")})
+         {here / "../share/ghostlight" / name, here / "../../assets" / name, fs::path("assets") / name})
         if (is_folder(folder)) return folder.lexically_normal();
     return {};
 }

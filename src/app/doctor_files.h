@@ -27,7 +27,7 @@ FileSearch find_files(const std::vector<std::string>& arguments);
 std::vector<std::filesystem::path> fixture_files(const std::filesystem::path& folder, std::size_t limit,
                                                  int depth);
 
-// Fixture files that come with the program, where they can be found; empty: nowhere.
-std::filesystem::path own_fixtures();
+// Of what comes with the program, "fixtures" or "demo", where it can be found; empty: nowhere.
+std::filesystem::path own_folder(const std::string& name);
 
 } // namespace ghost::app

@@ -59,8 +59,9 @@ std::optional<std::vector<float>> LiveInput::take_activity() {
 void LiveInput::step(ui::Input wanted, const ui::Transport& transport, double dt_s) {
     arrival_ = std::chrono::nanoseconds{0};
     listened_s_ += dt_s;
+    const bool is_frozen = dt_s <= 0;
     if (receiver_) {
-        if (std::optional<dmx::Universes> newest = receiver_->take()) {
+        if (std::optional<dmx::Universes> newest = is_frozen ? std::nullopt : receiver_->take()) {
             if (newest->revision != desk_.revision)
                 for (const dmx::Universe& universe : newest->list)
                     arrival_ = std::max(arrival_, universe.arrival);
@@ -84,7 +85,8 @@ void LiveInput::step(ui::Input wanted, const ui::Transport& transport, double dt
     if (const double from_s = transport.loop_from_s, to_s = std::min(transport.loop_to_s, end_s);
         to_s > from_s && at_s_ >= to_s)
         at_s_ = from_s + std::fmod(at_s_ - from_s, to_s - from_s);
-    if (const auto wanted_s = timecode_ ? timecode_->at_s(end_s) : std::nullopt) at_s_ = *wanted_s;
+    if (const auto wanted_s = timecode_ && !is_frozen ? timecode_->at_s(end_s) : std::nullopt)
+        at_s_ = *wanted_s;
     played_ = player_->at(at_s_);
 }
 

@@ -39,7 +39,8 @@ public:
     std::optional<std::vector<float>> take_activity();
     double recording_s() const { return player_ ? player_->duration_s() : 0; }
 
-    // What is there now, dt_s after the call before.
+    // What is there now, dt_s after the call before. 0: time stands still, and what a desk sends meanwhile
+    // and a time code's moments wait; a jump within the recording is made.
     void step(ui::Input wanted, const ui::Transport& transport, double dt_s);
     const dmx::Universes& universes() const { return shows_desk_ ? desk_ : played_; }
     const dmx::Universes& desk() const { return desk_; } // heard, shown or not

@@ -140,6 +140,8 @@ public:
             Instance& made = stage_.instances.emplace_back();
             made.name = name_of_object(object);
             if (made.name.empty()) made.name = part.name;
+            if (object.layer >= 0)
+                made.layer = loaded_.plot.layers[static_cast<std::size_t>(object.layer)].name;
             made.mesh = part.mesh;
             made.world = glm::mat4(to_world * glm::dmat4(part.world));
             if (usable(made.world)) continue;

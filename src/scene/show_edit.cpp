@@ -2,6 +2,7 @@
 #include "scene/show_edit.h"
 
 #include "fixture/laser_type.h"
+#include "fixture/load_type.h"
 #include "fixture/projector_type.h"
 #include "fixture/wall_type.h"
 #include "scene/show.h"
@@ -132,6 +133,14 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
     TRY(ParsedShow parsed, parse_show(text, before.file, unsaid));
     std::map<std::filesystem::path, std::shared_ptr<const fixture::Type>> types;
     for (const PatchedFixture& fixture : before.fixtures) types[fixture.gdtf] = fixture.type;
+    const auto type_of = [&](const std::filesystem::path& gdtf) {
+        const auto known = types.find(gdtf);
+        if (known != types.end()) return known->second;
+        const std::filesystem::path file = before.folder / gdtf;
+        auto loaded = fixture::load_type(file); // what is wrong with it, whoever opens the text says
+        return types[gdtf] =
+                   loaded.ok() ? std::make_shared<const fixture::Type>(std::move(loaded->type)) : nullptr;
+    };
     Show show = before;
     show.fixtures = std::move(parsed.show.fixtures);
     show.haze = parsed.show.haze;
@@ -150,7 +159,7 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
                            : fixture.laser   ? fixture::show_laser_type()
                                              : nullptr;
         else
-            fixture.type = types[fixture.gdtf];
+            fixture.type = type_of(fixture.gdtf);
         if (!fixture.type) continue;
         if (const auto mode = fixture::find_mode(*fixture.type, parsed.sources[i].mode); mode.ok())
             fixture.mode = *mode;

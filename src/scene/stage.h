@@ -60,6 +60,7 @@ struct Instance {
     bool shown = true;   // hidden ones are kept so that they can be shown again; scene::visible drops them
     int part = kNone;    // of a fixture's body: index into fixture::Mode::parts and State::parts
     glm::mat4 to_part{1.0f}; // from the mesh to the frame of that part
+    std::string layer;       // of the plot that has it; "": of none
 };
 
 struct Stage {

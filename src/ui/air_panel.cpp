@@ -2,6 +2,7 @@
 #include "ui/air_panel.h"
 
 #include "scene/haze_presets.h"
+#include "ui/following.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -166,7 +167,7 @@ void AirPanel::refresh() {
     if (!studio_.show()) return;
     setEnabled(document_.check_editable().ok());
     const scene::HazeSettings& haze = studio_.show()->haze;
-    follows_ = true;
+    const Following following(follows_);
     show_haze();
     const glm::vec2 along(haze.wind_m_s);
     if (glm::length(along) > 0) {
@@ -180,7 +181,6 @@ void AirPanel::refresh() {
     wind_->show_value(static_cast<double>(glm::length(along)), false);
     towards_->show_value(towards_deg_, false);
     show_hazers();
-    follows_ = false;
 }
 
 // By name, or as a number where it is none of them.

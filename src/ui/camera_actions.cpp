@@ -54,6 +54,11 @@ Result<void> focus(Studio& studio, bool all) {
         low_m = glm::min(low_m, fixtures[index].light_m);
         high_m = glm::max(high_m, fixtures[index].light_m);
     }
+    if (const auto object = studio.marked(); !all && studio.selection().empty() && object) {
+        const Object& one = studio.opened().objects[*object];
+        studio.travel_to(scene::focused(studio.camera(), one.centre_m, kPerson_m + one.radius_m));
+        return {};
+    }
     if (all || low_m.x > high_m.x)
         studio.travel_to(scene::focused(studio.camera(), studio.opened().centre_m, studio.opened().radius_m));
     else

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/fixture_panel.h"
 
+#include "ui/following.h"
 #include "ui/hand.h"
 #include "ui/patch_actions.h"
 #include "ui/theme.h"
@@ -40,6 +41,19 @@ private:
 };
 
 // The colour of the light, which the mark of a chosen row leaves free.
+// What is wrong stays red in a row that is selected; styles give those one colour of their own.
+class CellPainter : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (const QVariant colour = index.data(Qt::ForegroundRole); colour.isValid())
+            option->palette.setColor(QPalette::HighlightedText, colour.value<QColor>());
+    }
+};
+
 class SwatchPainter : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
@@ -212,6 +226,7 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     table_->setAlternatingRowColors(true);
     table_->setShowGrid(false);
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    table_->setItemDelegate(new CellPainter(table_));
     table_->setItemDelegateForColumn(FixtureModel::mode, new ModeDelegate(studio, table_));
     table_->setItemDelegateForColumn(FixtureModel::colour, new SwatchPainter(table_));
     table_->verticalHeader()->hide();
@@ -234,9 +249,10 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     layout->addWidget(table_);
     // What is searched away stays selected, and rows that go say nothing: each would be a selection.
     connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
-        follows_ = true;
-        sorted_->setFilterFixedString(text);
-        follows_ = false;
+        {
+            const Following following(follows_);
+            sorted_->setFilterFixedString(text);
+        }
         show_selection();
     });
     connect(search_, &QLineEdit::returnPressed, this, [this] {
@@ -260,9 +276,11 @@ void FixturePanel::show_selection() {
         rows.select(index, index);
         if (!first.isValid()) first = index;
     }
-    follows_ = true;
-    table_->selectionModel()->select(rows, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
-    follows_ = false;
+    {
+        const Following following(follows_);
+        table_->selectionModel()->select(rows,
+                                         QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    }
     if (first.isValid() && !table_->hasFocus()) table_->scrollTo(first);
 }
 

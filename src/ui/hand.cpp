@@ -76,17 +76,25 @@ void add_fixture_actions(Actions& actions, Studio& studio) {
                      return {};
                  },
                  {}});
-    actions.add({"release",
-                 "Edit",
-                 "Release selected fixtures",
-                 "R",
-                 "",
-                 [&studio](const QStringList&) -> Result<void> {
-                     change_selected(studio, "release", Hand::step,
-                                     [](fixture::Manual& manual) { manual = {}; });
-                     return {};
-                 },
-                 {}});
+    actions.add(
+        {"release",
+         "Edit",
+         "Release selected fixtures",
+         "R",
+         "",
+         [&studio](const QStringList&) -> Result<void> {
+             const Look& look = studio.look();
+             const std::set<std::size_t>& selection = studio.selection();
+             if (std::none_of(selection.begin(), selection.end(),
+                              [&](std::size_t one) { return look.fixtures.contains(one); }))
+                 return Error{selection.empty() ? "no fixture is selected; Shift+R releases everything"
+                                                : "nothing of the selected fixtures is set by hand; "
+                                                  "Shift+R releases everything",
+                              ""};
+             change_selected(studio, "release", Hand::step, [](fixture::Manual& manual) { manual = {}; });
+             return {};
+         },
+         {}});
     actions.add({"release-all",
                  "Edit",
                  "Release everything set by hand",
@@ -223,6 +231,19 @@ QColor screen_colour(const glm::vec3& rec2020) {
     rgb /= std::max({rgb.x, rgb.y, rgb.z, 1.0f});
     return QColor::fromRgbF(image::linear_to_srgb(rgb.x), image::linear_to_srgb(rgb.y),
                             image::linear_to_srgb(rgb.z));
+}
+
+QString words_of(const Look& look) {
+    QStringList words;
+    const auto add = [&](std::size_t count, const QString& thing) {
+        if (count > 0) words << QString("%1 %2%3").arg(count).arg(thing, count == 1 ? "" : "s");
+    };
+    add(look.fixtures.size(), "fixture");
+    if (look.scene != SceneLook{}) words << "scene";
+    add(look.shown.size(), "object");
+    add(look.surfaces.size(), "material");
+    if (!look.solo.empty()) words << "solo";
+    return words.join(", ");
 }
 
 void add_hand_actions(Actions& actions, Studio& studio) {

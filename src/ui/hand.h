@@ -32,6 +32,9 @@ void change_scene(Studio& studio, const QString& text, Hand kind, F&& f) {
 glm::vec3 filter_from(const QColor& colour);
 QColor screen_colour(const glm::vec3& rec2020);
 
+// What of it is not as the show has it: "2 fixtures, scene, 1 object".
+QString words_of(const Look& look);
+
 // "intensity 0.5", "release", "smoke 2", "shadows off" and so on.
 void add_hand_actions(Actions& actions, Studio& studio);
 // "camera house", "orbit 30 0", "exposure 6", "focus" and so on.

@@ -4,20 +4,10 @@
 #include "ui/hand.h"
 
 #include <QAbstractItemView>
-#include <QColorDialog>
 #include <QFormLayout>
 #include <QVBoxLayout>
 
 namespace ghost::ui {
-namespace {
-
-QString swatch(const QColor& colour) {
-    return QString("background: %1; color: %2; border: 1px solid #55555a; padding: 4px;")
-        .arg(colour.name(), colour.lightnessF() > 0.5f ? "#111111" : "#eeeeee");
-}
-
-} // namespace
-
 HandPanel::HandPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     title_ = new QLabel(this);
     title_->setWordWrap(true);
@@ -29,8 +19,16 @@ HandPanel::HandPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_
     pan_ = add_row("Pan", {-330, 330, 1, " deg"}, static_cast<int>(Hand::pan), &fixture::Manual::pan_deg, 1);
     tilt_ =
         add_row("Tilt", {-150, 150, 1, " deg"}, static_cast<int>(Hand::tilt), &fixture::Manual::tilt_deg, 1);
-    colour_ = new QPushButton("Colour...", this);
-    connect(colour_, &QPushButton::clicked, this, &HandPanel::choose_colour);
+    colour_ = new ColourRow("Colour", this);
+    layout->addWidget(colour_);
+    colour_->on_change = [this](const QColor& colour) {
+        change_selected(studio_, "colour", Hand::colour,
+                        [&](fixture::Manual& manual) { manual.colour = filter_from(colour); });
+    };
+    colour_->on_release = [this] {
+        change_selected(studio_, "release colour", Hand::step,
+                        [](fixture::Manual& manual) { manual.colour.reset(); });
+    };
     gobo_ = new QComboBox(this);
     gobo_->setAccessibleName("Gobo");
     connect(gobo_, &QComboBox::activated, this, [this](int index) {
@@ -46,7 +44,6 @@ HandPanel::HandPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_
         change_selected(studio_, "release", Hand::step, [](fixture::Manual& manual) { manual = {}; });
     });
     auto* form = new QFormLayout;
-    form->addRow("Colour", colour_);
     form->addRow("Gobo", gobo_);
     layout->addLayout(form);
     layout->addWidget(release_);
@@ -71,18 +68,6 @@ ValueRow* HandPanel::add_row(const QString& name, const ValueRange& range, int k
                         [&](fixture::Manual& manual) { (manual.*value).reset(); });
     };
     return row;
-}
-
-void HandPanel::choose_colour() {
-    const auto current = studio_.current();
-    if (!current) return;
-    QColorDialog dialog(colour_->palette().button().color(), this);
-    dialog.setOption(QColorDialog::NoButtons);
-    connect(&dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
-        change_selected(studio_, "colour", Hand::colour,
-                        [&](fixture::Manual& manual) { manual.colour = filter_from(colour); });
-    });
-    dialog.exec();
 }
 
 void HandPanel::list_gobos() {
@@ -121,8 +106,7 @@ void HandPanel::refresh() {
     show(zoom_, manual.zoom_deg, now.zoom_deg, 1);
     show(pan_, manual.pan_deg, now.pan_deg, 1);
     show(tilt_, manual.tilt_deg, now.tilt_deg, 1);
-    colour_->setStyleSheet(swatch(screen_colour(manual.colour.value_or(now.colour))));
-    colour_->setText(manual.colour ? "Colour, by hand..." : "Colour...");
+    colour_->show_colour(screen_colour(manual.colour.value_or(now.colour)), manual.colour.has_value());
     if (!gobo_->view()->isVisible()) gobo_->setCurrentIndex(manual.gobo ? *manual.gobo + 1 : 0);
 }
 

@@ -3,6 +3,7 @@
 // HandPanel: the selected fixtures under the hand, beside DMX: intensity, colour, zoom, pan, tilt, gobo. What
 // is moved is set for all of them; what is not moved stays the desk's. Window thread.
 
+#include "ui/colour_row.h"
 #include "ui/studio.h"
 #include "ui/value_row.h"
 
@@ -21,14 +22,13 @@ public:
 private:
     ValueRow* add_row(const QString& name, const ValueRange& range, int kind,
                       std::optional<float> fixture::Manual::*value, double per_unit);
-    void choose_colour();
     void refresh();
     void list_gobos();
 
     Studio& studio_;
     QLabel* title_;
     ValueRow *intensity_, *zoom_, *pan_, *tilt_;
-    QPushButton* colour_;
+    ColourRow* colour_;
     QComboBox* gobo_;
     QPushButton* release_;
 };

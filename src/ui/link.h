@@ -100,6 +100,7 @@ struct Object {
     glm::vec3 centre_m{0};
     float radius_m = 1;
     std::optional<scene::Bar> bar; // where it lies, so that things can hang under it
+    std::string layer;             // of the plot that has it; "": of none
 };
 
 struct Opened {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/look_panel.h"
 
+#include "ui/following.h"
 #include "ui/hand.h"
 #include "ui/theme.h"
 
-#include <QColorDialog>
 #include <QGridLayout>
 #include <QVBoxLayout>
 
@@ -13,11 +13,6 @@ namespace {
 
 QString quoted(const QString& words) {
     return "\"" + QString(words).remove('"') + "\"";
-}
-
-QString swatch(const QColor& colour) {
-    return QString("background: %1; color: %2; border: 1px solid #55555a; padding: 4px;")
-        .arg(colour.name(), colour.lightnessF() > 0.5f ? "#111111" : "#eeeeee");
 }
 
 } // namespace
@@ -88,9 +83,13 @@ void LookPanel::add_what_if(QLayout* layout) {
     solo_->setCheckable(true);
     what_if_ = new QLabel(this);
     what_if_->setWordWrap(true);
-    gel_ = new QPushButton("Gel...", this);
+    gel_ = new ColourRow("Gel", this);
     gel_->setToolTip("A filter in front of the selected fixtures, on top of all else");
-    connect(gel_, &QPushButton::clicked, this, &LookPanel::choose_gel);
+    gel_->on_change = [this](const QColor& colour) { run("gel " + colour.name()); };
+    gel_->on_release = [this] {
+        change_selected(studio_, "release gel", Hand::step,
+                        [](fixture::Manual& manual) { manual.gel.reset(); });
+    };
     lamp_ = new ValueRow("Lamp", {0, 4, 2, " x"}, this);
     lamp_->setToolTip("Another lamp: how many times as much light");
     lamp_k_ = new ValueRow("Its white", {2000, 10000, 0, " K"}, this);
@@ -127,17 +126,16 @@ QString LookPanel::new_name() const {
             return name;
 }
 
-void LookPanel::choose_gel() {
-    QColorDialog dialog(Qt::white, this);
-    dialog.setOption(QColorDialog::NoButtons);
-    connect(&dialog, &QColorDialog::currentColorChanged, this,
-            [this](const QColor& colour) { run("gel " + colour.name()); });
-    dialog.exec();
-}
-
 void LookPanel::fill() {
     setEnabled(studio_.show() != nullptr);
-    follows_ = true;
+    {
+        const Following following(follows_);
+        list_names();
+    }
+    refresh();
+}
+
+void LookPanel::list_names() {
     const QString before = chosen();
     const int row = list_->currentRow();
     list_->clear();
@@ -152,13 +150,11 @@ void LookPanel::fill() {
     }
     if (!list_->currentItem() && list_->count() > 0)
         list_->setCurrentRow(std::clamp(row, 0, list_->count() - 1));
-    follows_ = false;
-    refresh();
 }
 
 void LookPanel::refresh() {
     if (!studio_.show() || follows_) return;
-    follows_ = true;
+    const Following following(follows_);
     const QString current = QString::fromStdString(looks_.current());
     for (int i = 0; i < list_->count(); ++i) {
         QListWidgetItem* item = list_->item(i);
@@ -182,11 +178,9 @@ void LookPanel::refresh() {
         if (const auto found = studio_.look().fixtures.find(*studio_.current());
             found != studio_.look().fixtures.end())
             manual = found->second;
-    gel_->setText(manual.gel ? "Gel... (R gives it back)" : "Gel...");
-    gel_->setStyleSheet(manual.gel ? swatch(screen_colour(*manual.gel)) : QString());
+    gel_->show_colour(screen_colour(manual.gel.value_or(glm::vec3(1))), manual.gel.has_value());
     lamp_->show_value(static_cast<double>(manual.lamp.value_or(1)), manual.lamp.has_value());
     lamp_k_->show_value(static_cast<double>(manual.lamp_k.value_or(6000)), manual.lamp_k.has_value());
-    follows_ = false;
 }
 
 } // namespace ghost::ui

@@ -4,6 +4,7 @@
 // crossfade; solo and what-if for the selected fixtures. Window thread.
 
 #include "ui/actions.h"
+#include "ui/colour_row.h"
 #include "ui/looks.h"
 #include "ui/value_row.h"
 
@@ -27,8 +28,8 @@ private:
     void add_what_if(QLayout* layout);
     void run(const QString& line);
     void fill();
+    void list_names();
     void refresh();
-    void choose_gel();
     QString chosen() const;   // name of the row that is current; empty: none
     QString new_name() const; // that nobody has
 
@@ -39,7 +40,7 @@ private:
     QDoubleSpinBox* fade_;
     QPushButton *update_, *recall_, *remove_, *solo_;
     QLabel* what_if_;
-    QPushButton* gel_;
+    ColourRow* gel_;
     ValueRow *lamp_, *lamp_k_;
     bool follows_ = false;
 };

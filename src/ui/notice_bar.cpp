@@ -17,8 +17,14 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, QWidget* parent)
     connect(&document_, &ShowDocument::found_changed_outside, this, [this](const QString& words) {
         ask(words, {{"Take what the file says", "reload"}, {"Save mine over it", "save over"}});
     });
+    connect(&document_, &ShowDocument::save_failed, this, [this](const QString& words) {
+        ask(words, {{"Try again", "save"}, {"Save a copy elsewhere...", "save-copy"}});
+    });
+    connect(&document_, &ShowDocument::keep_failed, this, [this](const QString& words) {
+        ask(words, {{"Save a copy elsewhere...", "save-copy"}, {"Close and lose them", "quit anyway"}});
+    });
     connect(&document_, &ShowDocument::changed, this, [this] {
-        if (!document_.has_draft() && !document_.is_changed_outside()) hide();
+        if (!document_.waits_for_answer()) hide();
     });
 }
 

@@ -84,7 +84,11 @@ Result<void> open_window(Link& link, const WindowOptions& options) {
     if (!options.script.empty()) TRY_VOID(run_script(options.script, window, outcome));
     QTimer ask;
     QObject::connect(&ask, &QTimer::timeout, &window, [&] {
-        if (options.should_close && options.should_close()) window.close();
+        if (!options.should_close || !options.should_close()) return;
+        ask.stop();
+        if (!window.close())
+            log_error(
+                "not closed: changes are not saved and can be kept nowhere; interrupt again to lose them");
     });
     ask.start(kAsk_ms);
     const std::shared_ptr<void> engine = options.begin(); // goes before the window does

@@ -112,6 +112,29 @@ void paint_fixtures(QPainter& painter, const QRectF& picture, const scene::Camer
     painter.restore();
 }
 
+void paint_object(QPainter& painter, const QRectF& picture, const scene::Camera& camera,
+                  const Object& object) {
+    const auto middle = to_widget(picture, camera, object.centre_m);
+    if (!middle) return;
+    // Its radius as seen: that of a point beside its middle, across the view.
+    const glm::vec3 forward = glm::normalize(object.centre_m - camera.position_m);
+    const glm::vec3 beside = glm::abs(forward.z) > 0.99f ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
+    const glm::vec3 across = glm::normalize(glm::cross(forward, beside));
+    const auto edge = to_widget(picture, camera, object.centre_m + object.radius_m * across);
+    if (!edge) return;
+    const double radius = std::max(QLineF(*middle, *edge).length(), 10.0);
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(small_font(painter));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0, 0, 0, 160), 4));
+    painter.drawEllipse(*middle, radius, radius);
+    painter.setPen(QPen(accent(), 2, Qt::DashLine));
+    painter.drawEllipse(*middle, radius, radius);
+    paint_label(painter, *middle, {QString::fromStdString(object.name)}, accent());
+    painter.restore();
+}
+
 void paint_figures(QPainter& painter, const QSizeF& widget, const QStringList& lines) {
     if (lines.isEmpty()) return;
     painter.save();

@@ -37,6 +37,9 @@ std::set<std::size_t> fixtures_in(const QRectF& picture, const scene::Camera& ca
 void paint_fixtures(QPainter& painter, const QRectF& picture, const scene::Camera& camera,
                     const scene::Show& show, const RigNow& rig, const std::set<std::size_t>& selection,
                     const OverlayChoice& choice);
+// A ring round an object, and its name.
+void paint_object(QPainter& painter, const QRectF& picture, const scene::Camera& camera,
+                  const Object& object);
 // Lines of text on a dark ground, in the lower left corner.
 void paint_figures(QPainter& painter, const QSizeF& widget, const QStringList& lines);
 // What the colours of the picture mean, in the lower right corner.

@@ -5,6 +5,7 @@
 #include "base/suggest.h"
 #include "fixture/free_address.h"
 #include "fixture/load_type.h"
+#include "fixture/values.h"
 #include "scene/show_edit.h"
 #include "scene/show_toml.h"
 
@@ -265,7 +266,9 @@ Result<std::string> PatchEdit::beside_show(const fs::path& file, std::uintmax_t 
     TRY(const std::vector<std::uint8_t> bytes, read_file(file, most_bytes));
     const auto there = read_file(folder / inside, most_bytes);
     if (there.ok() && *there != bytes)
-        return Error{"another file of this name lies beside the show already", (folder / inside).string()};
+        return Error{"another file of this name lies beside the show already; rename the new one, or put it "
+                     "there yourself and the show takes it",
+                     (folder / inside).string()};
     if (!there.ok()) TRY_VOID(write_file_atomic(folder / inside, bytes));
     return inside.generic_string();
 }
@@ -296,7 +299,16 @@ Result<void> PatchEdit::keep_camera(const QString& name) {
     return document_.edit("Keep camera", {std::move(text), studio_.look(), studio_.selection()});
 }
 
+bool is_model(const fs::path& file) {
+    const std::string ending = fixture::lower(file.extension().string());
+    const auto known = {".glb", ".gltf", ".obj", ".fbx", ".dae", ".3ds", ".stl", ".ply"};
+    return std::find(known.begin(), known.end(), ending) != known.end();
+}
+
 Result<void> PatchEdit::set_stage(const fs::path& file) {
+    if (!is_model(file))
+        return Error{"is no model, expected .glb, .gltf, .obj, .fbx, .dae, .3ds, .stl or .ply",
+                     file.string()};
     return set_file("Stage", "stage", file);
 }
 
@@ -305,6 +317,8 @@ Result<void> PatchEdit::set_plot(const fs::path& file) {
     if (!studio_.show()->plot_file.empty())
         return Error{"the show has a plot; 'ghostlight import' into its folder merges a newer one",
                      file.string()};
+    if (fixture::lower(file.extension().string()) != ".mvr")
+        return Error{"is no plot, expected .mvr", file.string()};
     return set_file("Plot", "plot", file);
 }
 

@@ -10,6 +10,9 @@
 
 namespace ghost::ui {
 
+// By its ending: a model of a stage.
+bool is_model(const std::filesystem::path& file);
+
 class PatchEdit {
 public:
     PatchEdit(Studio& studio, ShowDocument& document) : studio_(studio), document_(document) {}

@@ -3,6 +3,7 @@
 #include "ui/hand.h"
 
 #include <QDateTime>
+#include <QFileDialog>
 
 namespace ghost::ui {
 
@@ -54,16 +55,26 @@ void add_recorder(Actions& actions, Studio& studio) {
                  },
                  {}});
     actions.add({"play-file",
+                 "Play",
+                 "Play a recording...",
                  "",
-                 "play-file",
-                 "",
-                 "FILE|own",
+                 "[FILE|own]",
                  [&studio](const QStringList& words) -> Result<void> {
-                     if (words.value(0).isEmpty())
-                         return Error{"it needs the name of a recording, or own", ""};
-                     return play_file(studio, words[0] == "own" ? "" : words[0].toStdString());
+                     const QString file =
+                         words.isEmpty()
+                             ? QFileDialog::getOpenFileName(
+                                   nullptr, "Play a recording", {},
+                                   "Recordings (*.ghostdmx *.show *.pcap *.pcapng);;All files (*)")
+                             : words[0];
+                     if (file.isEmpty()) return {};
+                     return play_file(studio, file == "own" ? "" : file.toStdString());
                  },
                  {}});
+    actions.add({"play-own", "Play", "Play the show's own recording", "", "",
+                 [&studio](const QStringList&) { return play_file(studio, ""); },
+                 [&studio] {
+                     return studio.wishes().recording.empty() && studio.wishes().input == Input::recording;
+                 }});
 }
 
 } // namespace
@@ -157,6 +168,14 @@ void add_play_actions(Actions& actions, Studio& studio) {
                      return {};
                  },
                  {}});
+    for (const int fps : {15, 25, 30, 44, 60}) {
+        actions.add({QString("fps-%1").arg(fps), "Quality", QString("%1 pictures a second").arg(fps), "", "",
+                     [&studio, fps](const QStringList&) -> Result<void> {
+                         studio.wish([&](Wishes& wishes) { wishes.quality.fps = fps; });
+                         return {};
+                     },
+                     [&studio, fps] { return studio.wishes().quality.fps == fps; }});
+    }
     actions.add({"resolution",
                  "",
                  "resolution",

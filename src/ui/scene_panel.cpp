@@ -4,8 +4,6 @@
 #include "scene/overrides.h"
 #include "ui/hand.h"
 
-#include <QColorDialog>
-#include <QHeaderView>
 #include <QVBoxLayout>
 
 namespace ghost::ui {
@@ -51,8 +49,16 @@ void ScenePanel::add_air(QLayout* layout) {
     ambient_ = scene_row(studio_, "Even light", {0, 200, 1, " lx"}, this, &SceneLook::ambient_lux);
     layout->addWidget(smoke_);
     layout->addWidget(ambient_);
-    colour_ = new QPushButton("Colour of the even light...", this);
-    connect(colour_, &QPushButton::clicked, this, &ScenePanel::choose_colour);
+    colour_ = new ColourRow("Its colour", this);
+    colour_->setToolTip("Of the even light");
+    colour_->on_change = [this](const QColor& colour) {
+        change_scene(studio_, "colour of the even light", Hand::scene,
+                     [&](SceneLook& scene) { scene.ambient_colour = filter_from(colour); });
+    };
+    colour_->on_release = [this] {
+        change_scene(studio_, "release the colour of the even light", Hand::step,
+                     [](SceneLook& scene) { scene.ambient_colour.reset(); });
+    };
     layout->addWidget(colour_);
     static const char* const kFactors[] = {"Constant", "Linear", "Quadratic"};
     for (int k = 0; k < 3; ++k) {
@@ -77,7 +83,9 @@ void ScenePanel::add_air(QLayout* layout) {
     layout->addWidget(segments_);
     shadows_ = new QCheckBox("Shadows", this);
     connect(shadows_, &QCheckBox::clicked, this, [this](bool on) {
-        change_scene(studio_, "shadows", Hand::step, [&](SceneLook& scene) { scene.shadows = on; });
+        change_scene(studio_, "shadows", Hand::step, [&](SceneLook& scene) {
+            scene.shadows = on == studio_.show()->shadows ? std::nullopt : std::optional(on);
+        });
     });
     layout->addWidget(shadows_);
     auto* air = new QPushButton("Haze, wind and hazers of the show...", this);
@@ -86,27 +94,14 @@ void ScenePanel::add_air(QLayout* layout) {
 }
 
 void ScenePanel::add_stage(QLayout* layout) {
-    objects_ = new QTreeWidget(this);
-    objects_->setHeaderLabels({"Object", "Material"});
-    objects_->setRootIsDecorated(false);
-    objects_->setAlternatingRowColors(true);
-    objects_->setUniformRowHeights(true);
-    connect(objects_, &QTreeWidget::itemChanged, this, [this](QTreeWidgetItem* item) {
-        if (follows_) return;
-        const Object& object = studio_.opened().objects[item->data(0, Qt::UserRole).toUInt()];
-        const bool on = item->checkState(0) == Qt::Checked;
-        Look look = studio_.look();
-        look.shown.erase(object.instance);
-        if (on != object.shown) look.shown[object.instance] = on;
-        studio_.set_look(std::move(look), on ? "show object" : "hide object");
-    });
-    connect(objects_, &QTreeWidget::currentItemChanged, this, &ScenePanel::refresh);
-    layout->addWidget(objects_);
+    stage_ = new StageTree(studio_, this);
+    connect(stage_, &StageTree::chose, this, &ScenePanel::refresh);
+    layout->addWidget(stage_);
     hang_ = new QPushButton("Hang the selected fixtures under it", this);
     hang_->setToolTip(
         "Evenly along the truss or pipe that is chosen, with all its pieces; one alone where it is nearest");
     connect(hang_, &QPushButton::clicked, this, [this] {
-        if (object()) Q_EMIT asks_to_hang(*object());
+        if (const auto object = stage_->object()) Q_EMIT asks_to_hang(*object);
     });
     layout->addWidget(hang_);
     const auto surface_row = [&](const QString& name, const ValueRange& range,
@@ -133,26 +128,11 @@ void ScenePanel::add_stage(QLayout* layout) {
                              [](float value) { return scene::roughness_from_shininess(value); });
 }
 
-std::optional<std::size_t> ScenePanel::object() const {
-    const QTreeWidgetItem* item = objects_->currentItem();
-    return item ? std::optional<std::size_t>(item->data(0, Qt::UserRole).toUInt()) : std::nullopt;
-}
-
 std::optional<std::size_t> ScenePanel::material() const {
-    if (!object()) return std::nullopt;
-    const std::size_t index = studio_.opened().objects[*object()].material;
+    const auto object = stage_->object();
+    if (!object) return std::nullopt;
+    const std::size_t index = studio_.opened().objects[*object].material;
     return index < studio_.opened().materials.size() ? std::optional(index) : std::nullopt;
-}
-
-void ScenePanel::choose_colour() {
-    QColorDialog dialog(
-        screen_colour(studio_.look().scene.ambient_colour.value_or(studio_.show()->ambient_colour)), this);
-    dialog.setOption(QColorDialog::NoButtons);
-    connect(&dialog, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
-        change_scene(studio_, "colour of the even light", Hand::scene,
-                     [&](SceneLook& scene) { scene.ambient_colour = filter_from(colour); });
-    });
-    dialog.exec();
 }
 
 void ScenePanel::change_attenuation(int factor, double value) {
@@ -166,21 +146,7 @@ void ScenePanel::change_attenuation(int factor, double value) {
 
 void ScenePanel::fill() {
     setEnabled(true);
-    follows_ = true;
-    const std::optional<std::size_t> chosen = studio_.opened().is_edit ? object() : std::nullopt;
-    objects_->clear();
-    const Opened& opened = studio_.opened();
-    for (std::size_t i = 0; i < opened.objects.size(); ++i) {
-        auto* item = new QTreeWidgetItem(objects_);
-        item->setText(0, QString::fromStdString(opened.objects[i].name));
-        if (opened.objects[i].material < opened.materials.size())
-            item->setText(1, QString::fromStdString(opened.materials[opened.objects[i].material].name));
-        item->setData(0, Qt::UserRole, static_cast<unsigned>(i));
-        item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-        if (chosen == i) objects_->setCurrentItem(item);
-    }
-    objects_->header()->resizeSection(0, width() / 2);
-    follows_ = false;
+    stage_->fill();
     refresh();
 }
 
@@ -188,10 +154,11 @@ void ScenePanel::refresh() {
     if (!studio_.show()) return;
     const scene::Show& show = *studio_.show();
     const SceneLook& look = studio_.look().scene;
-    follows_ = true;
     smoke_->show_value(static_cast<double>(look.smoke.value_or(1)), look.smoke.has_value());
     ambient_->show_value(static_cast<double>(look.ambient_lux.value_or(show.ambient_lux)),
                          look.ambient_lux.has_value());
+    colour_->show_colour(screen_colour(look.ambient_colour.value_or(show.ambient_colour)),
+                         look.ambient_colour.has_value());
     const glm::vec3 factors = look.attenuation.value_or(
         glm::vec3(show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic));
     for (int k = 0; k < 3; ++k)
@@ -199,14 +166,9 @@ void ScenePanel::refresh() {
     const int segments = studio_.wishes().quality.most_segments;
     segments_->show_value(segments, segments != Quality{}.most_segments);
     shadows_->setChecked(look.shadows.value_or(show.shadows));
-    for (int i = 0; i < objects_->topLevelItemCount(); ++i) {
-        QTreeWidgetItem* item = objects_->topLevelItem(i);
-        const Object& object = studio_.opened().objects[item->data(0, Qt::UserRole).toUInt()];
-        const auto by_hand = studio_.look().shown.find(object.instance);
-        const bool on = by_hand == studio_.look().shown.end() ? object.shown : by_hand->second;
-        item->setCheckState(0, on ? Qt::Checked : Qt::Unchecked);
-    }
-    hang_->setEnabled(object() && studio_.opened().objects[*object()].bar && !studio_.selection().empty());
+    stage_->refresh();
+    const auto object = stage_->object();
+    hang_->setEnabled(object && studio_.opened().objects[*object].bar && !studio_.selection().empty());
     specular_->setEnabled(material().has_value());
     shininess_->setEnabled(material().has_value());
     if (material()) {
@@ -219,7 +181,6 @@ void ScenePanel::refresh() {
             static_cast<double>(shininess_from_roughness(surface.roughness.value_or(own.roughness))),
             surface.roughness.has_value());
     }
-    follows_ = false;
 }
 
 } // namespace ghost::ui

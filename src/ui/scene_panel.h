@@ -1,15 +1,16 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // ScenePanel: the air, the even light and the stage under the hand: smoke, even light and its colour,
-// attenuation, shadows, samples; objects that can be hidden and shown; specular and roughness of materials.
+// attenuation, shadows, samples; the objects of the stage; specular and roughness of their materials.
 // Window thread.
 
+#include "ui/colour_row.h"
+#include "ui/stage_tree.h"
 #include "ui/studio.h"
 #include "ui/value_row.h"
 
 #include <QCheckBox>
 #include <QPushButton>
-#include <QTreeWidget>
 #include <QWidget>
 
 namespace ghost::ui {
@@ -26,22 +27,19 @@ Q_SIGNALS:
 private:
     void add_air(QLayout* layout);
     void add_stage(QLayout* layout);
-    void choose_colour();
     void fill();
     void refresh();
     void change_attenuation(int factor, double value);
-    std::optional<std::size_t> object() const;   // that is chosen
-    std::optional<std::size_t> material() const; // of it
+    std::optional<std::size_t> material() const; // of the object that is chosen
 
     Studio& studio_;
     ValueRow *smoke_, *ambient_, *segments_;
     ValueRow* attenuation_[3];
-    QPushButton* colour_;
+    ColourRow* colour_;
     QCheckBox* shadows_;
-    QTreeWidget* objects_;
+    StageTree* stage_;
     QPushButton* hang_;
     ValueRow *specular_, *shininess_;
-    bool follows_ = false;
 };
 
 } // namespace ghost::ui

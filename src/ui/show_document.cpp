@@ -8,6 +8,7 @@
 
 #include <QDateTime>
 #include <QFileInfo>
+#include <QStandardPaths>
 
 #include <utility>
 
@@ -15,12 +16,21 @@ namespace ghost::ui {
 namespace {
 
 constexpr int kDraftAfter_ms = 500;
+constexpr int kDraftAgain_ms = 5000; // where it could not be written
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
 const std::string kDraftHead = "# Ghostlight: changes that were not saved, of a show.toml with CRC ";
 
 std::string crc_of(const std::string& text) {
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
     return std::to_string(crc32(Bytes(bytes, text.size())));
+}
+
+// Where drafts of a show lie whose own disk takes none.
+std::filesystem::path own_draft_file(const std::filesystem::path& show_file) {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+    std::error_code code;
+    return std::filesystem::path(folder.toStdString()) / "ghostlight" / "drafts" /
+           (crc_of(std::filesystem::absolute(show_file, code).string()) + ".toml");
 }
 
 } // namespace
@@ -54,7 +64,6 @@ private:
 
 ShowDocument::ShowDocument(Studio& studio) : studio_(studio) {
     draft_timer_.setSingleShot(true);
-    draft_timer_.setInterval(kDraftAfter_ms);
     connect(&draft_timer_, &QTimer::timeout, this, &ShowDocument::keep_draft);
     for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
         connect(&watcher_, signal, this, &ShowDocument::look_at_file);
@@ -65,7 +74,7 @@ ShowDocument::ShowDocument(Studio& studio) : studio_(studio) {
 }
 
 ShowDocument::~ShowDocument() {
-    if (draft_timer_.isActive()) keep_draft();
+    if (draft_timer_.isActive()) static_cast<void>(keep()); // who closes was told
 }
 
 void ShowDocument::watch() {
@@ -82,9 +91,12 @@ void ShowDocument::watch() {
 void ShowDocument::read_opened() {
     if (draft_timer_.isActive()) keep_draft(); // of the show that was open
     file_ = studio_.show()->file;
-    draft_file_ = studio_.show()->cache_folder() / "draft.toml";
+    draft_files_ = {studio_.show()->cache_folder() / "draft.toml", own_draft_file(file_)};
     text_.clear();
+    copied_.clear();
     draft_.reset();
+    is_kept_ = true;
+    save_failed_ = false;
     changed_outside_ = false;
     seen_outside_.reset();
     if (file_.extension() != ".toml") file_.clear();
@@ -96,27 +108,32 @@ void ShowDocument::read_opened() {
     }
     saved_ = text_;
     watch();
-    std::error_code code;
-    if (!file_.empty() && std::filesystem::is_regular_file(draft_file_, code))
-        if (auto draft = read_text_file(draft_file_, kMostBytes); draft.ok()) {
-            const std::size_t head = draft->find('\n');
-            const bool is_ours = draft->starts_with(kDraftHead) && head != std::string::npos;
-            if (is_ours && draft->substr(head + 1) != text_) {
-                const bool of_this =
-                    draft->substr(kDraftHead.size(), head - kDraftHead.size()) == crc_of(text_);
-                draft_ = draft->substr(head + 1);
-                const QString when = QFileInfo(QString::fromStdString(draft_file_.string()))
-                                         .lastModified()
-                                         .toString("d MMM hh:mm");
-                Q_EMIT draft_found("Changes of " + when + " were not saved." +
-                                   (of_this ? QString()
-                                            : QString(" The show file was changed since; taking them "
-                                                      "drops what was changed there.")));
-            } else {
-                std::filesystem::remove(draft_file_, code);
-            }
-        }
+    if (!file_.empty()) find_draft();
     Q_EMIT changed();
+}
+
+void ShowDocument::find_draft() {
+    for (const std::filesystem::path& file : draft_files_) {
+        std::error_code code;
+        if (!std::filesystem::is_regular_file(file, code)) continue;
+        const auto draft = read_text_file(file, kMostBytes);
+        if (!draft.ok()) continue;
+        const std::size_t head = draft->find('\n');
+        const bool is_ours = draft->starts_with(kDraftHead) && head != std::string::npos;
+        if (!is_ours || draft->substr(head + 1) == text_) {
+            std::filesystem::remove(file, code);
+            continue;
+        }
+        const bool of_this = draft->substr(kDraftHead.size(), head - kDraftHead.size()) == crc_of(text_);
+        draft_ = draft->substr(head + 1);
+        const QString when =
+            QFileInfo(QString::fromStdString(file.string())).lastModified().toString("d MMM hh:mm");
+        Q_EMIT draft_found("Changes of " + when + " were not saved." +
+                           (of_this ? QString()
+                                    : QString(" The show file was changed since; taking them "
+                                              "drops what was changed there.")));
+        return;
+    }
 }
 
 Result<void> ShowDocument::check_editable() const {
@@ -146,24 +163,45 @@ void ShowDocument::put(const Edit& edit) {
     if (auto preview = scene::preview_edit(*studio_.show(), text_); preview.ok())
         studio_.put_edit(std::make_shared<const std::string>(text_), std::move(*preview), edit.look,
                          edit.selection);
-    if (!draft_timer_.isActive()) draft_timer_.start(); // who types on must not put it off
+    // Who types on must not put it off.
+    if (!draft_timer_.isActive() || draft_timer_.remainingTime() > kDraftAfter_ms)
+        draft_timer_.start(kDraftAfter_ms);
     Q_EMIT changed();
 }
 
 void ShowDocument::keep_draft() {
+    const bool was_kept = is_kept_;
+    const Result<void> kept = keep();
+    if (kept.ok() || !was_kept) return; // said once
+    Q_EMIT keep_failed("Changes that are not saved cannot be kept: " +
+                       QString::fromStdString(kept.error().text()));
+}
+
+Result<void> ShowDocument::keep() {
     draft_timer_.stop();
-    if (file_.empty() || draft_) return;
+    if (file_.empty() || draft_) return {};
+    std::optional<Error> fault;
     std::error_code code;
-    if (!is_changed()) {
-        std::filesystem::remove(draft_file_, code);
-        return;
+    const std::string draft = kDraftHead + crc_of(saved_) + "\n" + text_;
+    bool is_kept = !is_changed();
+    for (const std::filesystem::path& file : draft_files_) {
+        if (is_kept) { // saved, or in the place before
+            std::filesystem::remove(file, code);
+            continue;
+        }
+        std::filesystem::create_directories(file.parent_path(), code);
+        const Result<void> written = write_file_atomic(file, draft);
+        is_kept = written.ok();
+        if (!is_kept && !fault) fault = written.error();
     }
-    std::filesystem::create_directories(draft_file_.parent_path(), code);
-    if (const Result<void> written =
-            write_file_atomic(draft_file_, kDraftHead + crc_of(saved_) + "\n" + text_);
-        !written.ok())
-        Q_EMIT studio_.failed("Changes that are not saved cannot be kept: " +
-                              QString::fromStdString(written.error().text()));
+    if (is_kept != is_kept_) {
+        is_kept_ = is_kept;
+        Q_EMIT changed();
+    }
+    if (is_kept) return {};
+    draft_timer_.start(kDraftAgain_ms);
+    if (text_ == copied_) return {};
+    return *fault;
 }
 
 void ShowDocument::look_at_file() {
@@ -194,7 +232,12 @@ Result<void> ShowDocument::save(bool over) {
             "'save over' writes yours",
             file_.string()};
     }
-    TRY_VOID(write_file_atomic(file_, text_));
+    if (const Result<void> written = write_file_atomic(file_, text_); !written.ok()) {
+        save_failed_ = true;
+        Q_EMIT save_failed("The show is not saved: " + QString::fromStdString(written.error().text()));
+        return written;
+    }
+    save_failed_ = false;
     saved_ = text_;
     changed_outside_ = false;
     keep_draft();
@@ -203,12 +246,14 @@ Result<void> ShowDocument::save(bool over) {
     return {};
 }
 
-Result<void> ShowDocument::save_copy(const std::filesystem::path& file) const {
+Result<void> ShowDocument::save_copy(const std::filesystem::path& file) {
     TRY_VOID(check_editable());
     std::error_code code;
     if (std::filesystem::equivalent(file, file_, code))
         return Error{"is the show file itself, which 'save' writes", file.string()};
-    return write_file_atomic(file, text_);
+    TRY_VOID(write_file_atomic(file, text_));
+    copied_ = text_;
+    return {};
 }
 
 Result<void> ShowDocument::reload() {
@@ -236,7 +281,7 @@ Result<void> ShowDocument::drop_draft() {
     if (!draft_) return Error{"there are no changes of an earlier time", ""};
     draft_.reset();
     std::error_code code;
-    std::filesystem::remove(draft_file_, code);
+    for (const std::filesystem::path& file : draft_files_) std::filesystem::remove(file, code);
     Q_EMIT changed();
     return {};
 }

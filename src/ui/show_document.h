@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // ShowDocument: show.toml as the window edits it. Its text is the document: an edit is a step of the undo
 // list from one text to the next, and undone it leaves not one other byte. What is not saved lies in
-// .ghost/draft.toml half a second later, so that neither a crash nor a window that is closed loses more; the
-// next time it is offered. Errors go to who asked. Window thread.
+// .ghost/draft.toml half a second later, or, where that disk is full, in the user's own folder, so that
+// neither a crash nor a window that is closed loses more; the next time it is offered. Errors go to who
+// asked. Window thread.
 
 #include "ui/studio.h"
 
@@ -14,6 +15,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ghost::ui {
 
@@ -30,6 +32,8 @@ public:
     bool has_draft() const { return draft_.has_value(); }
     // Whether the file says something else now than when it was read or written here.
     bool is_changed_outside() const { return changed_outside_; }
+    // Whether something waits for a person: a draft, a change outside, a disk that takes nothing.
+    bool waits_for_answer() const { return has_draft() || is_changed_outside() || !is_kept_ || save_failed_; }
 
     // Error: no show, an .mvr that was opened as it is, or a draft that waits.
     Result<void> check_editable() const;
@@ -47,9 +51,11 @@ public:
     // false.
     Result<void> save(bool over);
     // As it is now, elsewhere; the show stays where it is, with what is not saved. For a disk that is full.
-    Result<void> save_copy(const std::filesystem::path& file) const;
+    Result<void> save_copy(const std::filesystem::path& file);
     // What the file says, as a step that can be undone. Error: it cannot be read; all stays as it was.
     Result<void> reload();
+    // Writes what is not saved where the next window finds it. Error: nowhere, nor was it saved as a copy.
+    Result<void> keep();
     Result<void> take_draft();
     Result<void> drop_draft();
 
@@ -57,6 +63,8 @@ Q_SIGNALS:
     void changed(); // any of the above
     void draft_found(const QString& words);
     void found_changed_outside(const QString& words); // and could not be taken
+    void save_failed(const QString& words);
+    void keep_failed(const QString& words); // the next window would not find what is not saved
 
 private:
     friend class EditStep;
@@ -64,15 +72,19 @@ private:
     void read_opened();
     void put(const Edit& edit);
     void keep_draft();
+    void find_draft();
     void look_at_file();
     void watch();
 
     Studio& studio_;
-    std::filesystem::path file_; // empty: nothing that can be edited
-    std::filesystem::path draft_file_;
+    std::filesystem::path file_;                     // empty: nothing that can be edited
+    std::vector<std::filesystem::path> draft_files_; // the first that can be written
     std::string text_;
-    std::string saved_; // as the file has it
+    std::string saved_;  // as the file has it
+    std::string copied_; // as it was saved as a copy
     std::optional<std::string> draft_;
+    bool is_kept_ = true;
+    bool save_failed_ = false;
     bool changed_outside_ = false;
     std::optional<std::string> seen_outside_; // what it says there
     QTimer draft_timer_;

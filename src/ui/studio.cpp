@@ -315,6 +315,16 @@ void Studio::select(std::set<std::size_t> fixtures) {
     Q_EMIT selection_changed();
 }
 
+void Studio::mark(std::optional<std::size_t> object) {
+    if (object == marked_) return;
+    marked_ = object;
+    Q_EMIT marked_changed();
+}
+
+std::optional<std::size_t> Studio::marked() const {
+    return marked_ && *marked_ < opened_.objects.size() ? marked_ : std::nullopt;
+}
+
 std::optional<std::size_t> Studio::current() const {
     return selection_.empty() ? std::nullopt : std::optional(*selection_.begin());
 }

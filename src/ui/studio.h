@@ -99,6 +99,9 @@ public:
     // Fixtures, by index of the show.
     const std::set<std::size_t>& selection() const { return selection_; }
     void select(std::set<std::size_t> fixtures);
+    // An object of the stage that the picture shall point out; index into Opened::objects.
+    void mark(std::optional<std::size_t> object);
+    std::optional<std::size_t> marked() const;
     // The one that panels are about: the first selected one.
     std::optional<std::size_t> current() const;
 
@@ -124,6 +127,7 @@ Q_SIGNALS:
     void wishes_changed();
     void look_changed();
     void selection_changed();
+    void marked_changed();
 
 private:
     friend class LookStep;
@@ -162,6 +166,7 @@ private:
     std::optional<Error> open_error_;
     std::uint64_t settled_ = 0;
     std::set<std::size_t> selection_;
+    std::optional<std::size_t> marked_;
     QUndoStack undo_;
     Jobs jobs_;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/value_row.h"
 
+#include "ui/following.h"
 #include "ui/theme.h"
 
 #include <QHBoxLayout>
@@ -67,10 +68,11 @@ double ValueRow::from_slider(int at) const {
 }
 
 void ValueRow::show_value(double value, bool by_hand) {
-    follows_ = true;
-    if (!slider_->isSliderDown()) slider_->setValue(to_slider(value));
-    if (!field_->hasFocus() || by_hand || !on_release) field_->setValue(value);
-    follows_ = false;
+    {
+        const Following following(follows_);
+        if (!slider_->isSliderDown()) slider_->setValue(to_slider(value));
+        if (!field_->hasFocus() || by_hand || !on_release) field_->setValue(value);
+    }
     release_->setVisible(on_release != nullptr);
     release_->setEnabled(by_hand);
     QPalette colours = palette();

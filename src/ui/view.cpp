@@ -2,6 +2,7 @@
 #include "ui/view.h"
 
 #include "scene/camera_moves.h"
+#include "ui/hand.h"
 #include "ui/theme.h"
 
 #include <QKeyEvent>
@@ -75,8 +76,8 @@ View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     connect(&studio_, &Studio::rig_came, this, [this] {
         if (overlays.aims || overlays.names || overlays.addresses || !studio_.selection().empty()) update();
     });
-    for (const auto signal :
-         {&Studio::selection_changed, &Studio::activity_came, &Studio::opened_show, &Studio::probe_came})
+    for (const auto signal : {&Studio::selection_changed, &Studio::marked_changed, &Studio::activity_came,
+                              &Studio::opened_show, &Studio::probe_came})
         connect(&studio_, signal, this, qOverload<>(&QWidget::update));
 }
 
@@ -132,6 +133,8 @@ void View::paintEvent(QPaintEvent*) {
     painter.drawImage(fits ? QRectF(rect()) : place, image);
     paint_fixtures(painter, place, picture.camera, *studio_.show(), studio_.rig(), studio_.selection(),
                    overlays);
+    if (const auto object = studio_.marked(); object && overlays.marks)
+        paint_object(painter, place, picture.camera, studio_.opened().objects[*object]);
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
     if (overlays.figures) paint_figures(painter, size(), figures());
     if (overlays.probe && studio_.probed()) paint_probe(painter, place, size(), *studio_.probed());
@@ -188,7 +191,8 @@ QStringList View::figures() const {
         lines << QString("%1 lights throw no shadows yet").arg(picture.missing_maps);
     if (studio_.wishes().black_out) lines << "BLACK-OUT";
     if (studio_.wishes().frozen) lines << "frozen (Z goes on)";
-    if (!studio_.look().is_empty()) lines << "set by hand (R releases)";
+    if (!studio_.look().is_empty())
+        lines << "set by hand: " + words_of(studio_.look()) + " (Shift+R releases all)";
     return lines;
 }
 

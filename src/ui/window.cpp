@@ -15,6 +15,7 @@
 #include "ui/network_panel.h"
 #include "ui/notice_bar.h"
 #include "ui/patch_actions.h"
+#include "ui/patch_edit.h"
 #include "ui/scene_panel.h"
 #include "ui/shortened.h"
 #include "ui/tone_actions.h"
@@ -33,9 +34,10 @@ namespace {
 
 constexpr int kLayoutVersion = 2; // another number: a layout of an older program is not taken
 
-const char* const kHint = "Drop a show folder, a show.toml or an .mvr here, or press Ctrl+O.\n"
-                          "The demo is assets/demo. A desk is heard as soon as it sends sACN or Art-Net;\n"
-                          "Network (Ctrl+5) says what arrives. Press ? for all keys.";
+const char* const kHint =
+    "Drop a show folder, a show.toml or an .mvr here, or press Ctrl+O.\n"
+    "Ctrl+Shift+O opens the demo. A desk is heard as soon as it sends sACN or Art-Net;\n"
+    "Network (Ctrl+5) says what arrives. Press ? for all keys.";
 
 } // namespace
 
@@ -84,8 +86,8 @@ Window::Window(Link& link, const WindowOptions& options)
         if (studio_.opened().is_edit) return;
         view_->setFocus();
         if (!options_.remembers || !QSettings().contains("layout version"))
-            say("Press ? for all keys. A desk that sends sACN or Art-Net to this machine takes over by "
-                "itself.",
+            say(QString("Press ? for all keys.") +
+                    (options_.takes_desk ? " A desk that sends sACN or Art-Net takes over by itself." : ""),
                 20000);
     });
     connect(&studio_, &Studio::failed, this, [this](const QString& what) {
@@ -267,6 +269,12 @@ void Window::say(const QString& what, int for_ms) {
 }
 
 void Window::closeEvent(QCloseEvent* event) {
+    if (const Result<void> kept = document_.keep(); !kept.ok() && !closes_anyway_) {
+        Q_EMIT document_.keep_failed("Not closed, for changes are not saved and cannot be kept: " +
+                                     QString::fromStdString(kept.error().text()));
+        event->ignore();
+        return;
+    }
     if (options_.remembers)
         QSettings().setValue("tone", QString::fromStdString(image::name_of(studio_.wishes().tone)));
     if (options_.remembers && !isFullScreen()) {
@@ -294,12 +302,11 @@ void Window::dropEvent(QDropEvent* event) {
 void Window::take_file(const QString& file) {
     const QString ending = QFileInfo(file).suffix().toLower();
     const bool is_fixture = ending == "gdtf" || ending == "qxf";
-    const bool is_model =
-        QStringList{"glb", "gltf", "obj", "fbx", "dae", "3ds", "stl", "ply"}.contains(ending);
+    const bool is_stage = is_model(file.toStdString());
     const bool is_plot =
         ending == "mvr" && document_.check_editable().ok() && studio_.show()->plot_file.empty();
-    const QString action = is_fixture ? "add-fixture" : is_model ? "set-stage" : "set-plot";
-    if (!is_fixture && !is_model && !is_plot) {
+    const QString action = is_fixture ? "add-fixture" : is_stage ? "set-stage" : "set-plot";
+    if (!is_fixture && !is_stage && !is_plot) {
         studio_.open(file.toStdString());
         return;
     }

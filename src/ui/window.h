@@ -67,9 +67,11 @@ private:
     View* view_;
     FixturePanel* fixtures_ = nullptr;
     std::vector<QDockWidget*> docks_;
-    std::vector<bool> docks_shown_; // before full screen
+    std::vector<bool> docks_shown_;      // before full screen
+    std::vector<QDockWidget*> in_front_; // likewise, of those behind one another
     QToolBar* transport_ = nullptr;
     bool transport_shown_ = true; // likewise
+    bool closes_anyway_ = false;  // with changes that can be written nowhere
     QLabel* status_input_;
     QLabel* status_supply_;
     QLabel* status_jobs_;

@@ -26,6 +26,20 @@ void Window::add_window_actions() {
                   "[PATH]",
                   [this](const QStringList& words) { return choose_show(words); },
                   {}});
+    actions_.add({"open-demo",
+                  "Show",
+                  "Open the demo",
+                  "Ctrl+Shift+O",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      if (options_.demo.empty())
+                          return Error{"there is no folder 'demo' beside this program (assets/demo, or "
+                                       "share/ghostlight/demo)",
+                                       ""};
+                      studio_.open(options_.demo);
+                      return {};
+                  },
+                  {}});
     actions_.add({"take-plot",
                   "Show",
                   "Take the received plot",
@@ -64,9 +78,10 @@ void Window::add_window_actions() {
                   "Show",
                   "Quit",
                   "Ctrl+Q",
-                  "",
-                  [this](const QStringList&) -> Result<void> {
-                      close();
+                  "[anyway]",
+                  [this](const QStringList& words) -> Result<void> {
+                      closes_anyway_ = words.value(0) == "anyway";
+                      if (!close()) return Error{"changes are saved nowhere; 'quit anyway' loses them", ""};
                       return {};
                   },
                   {}});
@@ -131,6 +146,13 @@ void Window::add_view_switches() {
              return {};
          },
          [this] { return second_.is_open(); }});
+    actions_.add({"second-window", "View", "The picture in a second window", "", "",
+                  [this](const QStringList&) -> Result<void> {
+                      if (!second_.is_open()) return second_.open("window", screen());
+                      second_.close();
+                      return {};
+                  },
+                  [this] { return second_.is_open(); }});
     actions_.add({"reset-figures",
                   "",
                   "reset-figures",
@@ -178,7 +200,11 @@ void Window::add_view_switches() {
 void Window::set_full_screen(bool full) {
     if (full) {
         docks_shown_.clear();
-        for (QDockWidget* dock : docks_) docks_shown_.push_back(dock->isVisible());
+        in_front_.clear();
+        for (QDockWidget* dock : docks_) {
+            docks_shown_.push_back(dock->isVisible());
+            if (!dock->visibleRegion().isEmpty()) in_front_.push_back(dock);
+        }
         for (QDockWidget* dock : docks_) dock->hide();
         transport_shown_ = transport_->isVisible();
     }
@@ -194,6 +220,7 @@ void Window::set_full_screen(bool full) {
         showNormal();
         reach_.look(); // its display may have gone meanwhile
         for (std::size_t i = 0; i < docks_shown_.size(); ++i) docks_[i]->setVisible(docks_shown_[i]);
+        for (QDockWidget* dock : in_front_) dock->raise();
     }
     view_->setFocus();
 }

@@ -93,14 +93,17 @@ TEST(Hang, the_scene_panel_offers_it_for_what_lies) {
         if (button->text().startsWith("Hang")) hang = button;
     ASSERT_NE(hang, nullptr);
     auto* objects = of_stage.findChild<QTreeWidget*>();
+    const auto choose = [&](const char* name) {
+        objects->setCurrentItem(objects->findItems(name, Qt::MatchExactly | Qt::MatchRecursive).value(0));
+    };
     EXPECT_FALSE(hang->isEnabled()) << "nothing is chosen";
-    objects->setCurrentItem(objects->topLevelItem(2));
+    choose("back");
     EXPECT_FALSE(hang->isEnabled()) << "no fixture is selected";
     stage.studio.select({0, 2});
     EXPECT_TRUE(hang->isEnabled());
-    objects->setCurrentItem(objects->topLevelItem(3));
+    choose("tower");
     EXPECT_FALSE(hang->isEnabled()) << "a tower stands";
-    objects->setCurrentItem(objects->topLevelItem(2));
+    choose("back");
     hang->click();
     EXPECT_EQ(asked, 2u);
 }

@@ -322,5 +322,59 @@ TEST(Patch, where_nothing_can_be_written_it_is_said) {
     EXPECT_TRUE(fs::exists(fs::path(desk.folder) / ".ghost" / "draft.toml"));
 }
 
+// A file where a folder is wanted is what a full disk is, for a test that runs as root.
+TEST(ShowDocument, where_its_disk_takes_no_draft_another_place_has_it) {
+    const QTemporaryDir home;
+    qputenv("XDG_DATA_HOME", home.path().toUtf8());
+    const QTemporaryDir place;
+    {
+        Desk desk(place.path().toStdString());
+        ASSERT_TRUE(write_file_atomic(fs::path(desk.folder) / ".ghost", "full").ok());
+        desk.open();
+        desk.studio.select({0});
+        ASSERT_TRUE(desk.edit.set_address({2, 101}).ok());
+        EXPECT_TRUE(desk.document.keep().ok());
+        EXPECT_FALSE(desk.document.waits_for_answer());
+    }
+    Desk desk(place.path().toStdString());
+    desk.open();
+    ASSERT_TRUE(desk.document.has_draft());
+    ASSERT_TRUE(desk.document.take_draft().ok());
+    EXPECT_NE(desk.document.text().find("101"), std::string::npos);
+    ASSERT_TRUE(desk.document.save(false).ok());
+    EXPECT_TRUE(fs::is_empty(fs::path(home.path().toStdString()) / "ghostlight" / "drafts"));
+    qunsetenv("XDG_DATA_HOME");
+}
+
+TEST(ShowDocument, what_can_be_kept_nowhere_is_said_until_it_is_saved_somewhere) {
+    const QTemporaryDir home;
+    ASSERT_TRUE(write_file_atomic(fs::path(home.path().toStdString()) / "ghostlight", "full").ok());
+    qputenv("XDG_DATA_HOME", home.path().toUtf8());
+    {
+        Desk desk;
+        ASSERT_TRUE(write_file_atomic(fs::path(desk.folder) / ".ghost", "full").ok());
+        QStringList said;
+        QObject::connect(&desk.document, &ShowDocument::keep_failed,
+                         [&](const QString& words) { said << words; });
+        desk.open();
+        EXPECT_TRUE(desk.document.keep().ok()) << "nothing is changed";
+        desk.studio.select({0});
+        ASSERT_TRUE(desk.edit.set_address({2, 101}).ok());
+        wait_ms(700);
+        ASSERT_EQ(said.size(), 1) << "by itself, half a second later";
+        EXPECT_TRUE(said[0].contains("cannot be kept")) << said[0].toStdString();
+        EXPECT_TRUE(desk.document.waits_for_answer());
+        EXPECT_FALSE(desk.document.keep().ok());
+        const fs::path copy = fs::path(home.path().toStdString()) / "copy.toml";
+        ASSERT_TRUE(desk.document.save_copy(copy).ok());
+        EXPECT_TRUE(desk.document.keep().ok()) << "it lies in the copy";
+        ASSERT_TRUE(desk.edit.set_address({2, 102}).ok());
+        EXPECT_FALSE(desk.document.keep().ok()) << "but what came later does not";
+        ASSERT_TRUE(desk.document.save(false).ok());
+        EXPECT_FALSE(desk.document.waits_for_answer());
+    }
+    qunsetenv("XDG_DATA_HOME");
+}
+
 } // namespace
 } // namespace ghost::ui
