@@ -133,7 +133,7 @@ void Engine::frame() {
     session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
     session_->options.tone = remote_wishes_.tone.value_or(wishes_.tone); // of pictures that are made anew
     session_->relighter->set_tone(session_->options.tone);
-    if (const int segments = std::clamp(wishes_.quality.most_segments, 1, 256);
+    if (const int segments = std::clamp(wishes_.look.haze_samples.value_or(ui::kHazeSamples), 1, 256);
         segments != std::exchange(haze_.most_segments, segments)) {
         session_->relighter->set_quality(haze_);
         session_->relighter->forget(); // what rests was drawn with others

@@ -3,6 +3,8 @@
 
 #include "base/suggest.h"
 
+#include <QFileDialog>
+
 #include <cmath>
 
 namespace ghost::ui {
@@ -16,14 +18,7 @@ void Actions::add(Action action) {
     item->setCheckable(static_cast<bool>(action.is_on));
     items_[action.name] = item;
     window_.addAction(item);
-    QObject::connect(item, &QAction::triggered, &window_, [this, name = action.name] {
-        for (const Action& one : actions_) {
-            if (one.name != name) continue;
-            const Result<void> done = run(one, {});
-            if (!done.ok() && complain) complain(done.error());
-            return;
-        }
-    });
+    QObject::connect(item, &QAction::triggered, &window_, [this, name = action.name] { choose(name); });
     actions_.push_back(std::move(action));
 }
 
@@ -32,17 +27,45 @@ QAction* Actions::item(const QString& name) const {
     return found == items_.end() ? nullptr : found->second;
 }
 
-Result<void> Actions::run(const QString& line) {
-    TRY(QStringList words, split_line(line));
-    if (words.isEmpty()) return {};
-    const QString name = words.takeFirst();
+Result<const Action*> Actions::find(const QString& line, QStringList& arguments) const {
+    TRY(arguments, split_line(line));
+    if (arguments.isEmpty()) return nullptr;
+    const QString name = arguments.takeFirst();
     std::vector<std::string> names;
     for (const Action& action : actions_) {
-        if (action.name == name) return run(action, words);
+        if (action.name == name) return &action;
         names.push_back(action.name.toStdString());
     }
     return Error{"there is no action '" + name.toStdString() + "'" + did_you_mean(name.toStdString(), names),
                  ""};
+}
+
+Result<void> Actions::run(const QString& line) {
+    QStringList arguments;
+    TRY(const Action* const action, find(line, arguments));
+    return action == nullptr ? Result<void>() : run(*action, arguments);
+}
+
+void Actions::choose(const QString& line) {
+    QStringList arguments;
+    const Result<const Action*> action = find(line, arguments);
+    const Result<void> done = !action.ok()         ? Result<void>(action.error())
+                              : *action == nullptr ? Result<void>()
+                                                   : choose(**action, arguments);
+    if (!done.ok() && complain) complain(done.error());
+}
+
+Result<void> Actions::choose(const Action& action, QStringList arguments) {
+    const FileQuestion& asks = action.asks;
+    if (arguments.isEmpty() && !asks.title.isEmpty()) {
+        const QString file =
+            asks.proposed.isEmpty()
+                ? QFileDialog::getOpenFileName(&window_, asks.title, {}, asks.endings)
+                : QFileDialog::getSaveFileName(&window_, asks.title, asks.proposed, asks.endings);
+        if (file.isEmpty()) return {};
+        arguments.append(file);
+    }
+    return run(action, arguments);
 }
 
 namespace {
@@ -61,9 +84,11 @@ Result<bool> turns(const Action& action, const QStringList& arguments) {
 
 Result<void> Actions::run(const Action& action, const QStringList& arguments) {
     const Result<bool> turned = turns(action, arguments);
-    const Result<void> done = !turned.ok() ? Result<void>(turned.error())
-                              : *turned    ? action.run(arguments)
-                                           : Result<void>();
+    const bool lacks_file = arguments.isEmpty() && !action.asks.title.isEmpty();
+    const Result<void> done = lacks_file     ? Result<void>(Error{"it needs the name of a file", ""})
+                              : !turned.ok() ? Result<void>(turned.error())
+                              : *turned      ? action.run(arguments)
+                                             : Result<void>();
     refresh();
     if (done.ok()) return {};
     return Error{done.error().text(), action.name.toStdString()};

@@ -17,6 +17,13 @@
 
 namespace ghost::ui {
 
+// What a person is asked in a dialog who chose an action without its file; a script has to name it.
+struct FileQuestion {
+    QString title;
+    QString endings;  // as QFileDialog takes them: "Pictures (*.png *.exr)"
+    QString proposed; // a name to save by; empty: an existing file is chosen
+};
+
 struct Action {
     QString name;      // for scripts: "black-out"
     QString menu;      // "View"; empty: scripts only
@@ -25,6 +32,7 @@ struct Action {
     QString arguments; // of a script line, for people: "FILE"; empty: none, a switch takes "on" and "off"
     std::function<Result<void>(const QStringList& arguments)> run;
     std::function<bool()> is_on; // where it is a switch: its state, for the tick in the menu
+    FileQuestion asks = {};      // no title: nothing is asked
 };
 
 class Actions {
@@ -39,6 +47,9 @@ public:
     // One line of a script: the name and its arguments, those with blanks in "quotes". Error: no such action
     // (with a near name), or what it said itself.
     Result<void> run(const QString& line);
+    // The same by a person's hand: what lacks its file is asked for (no answer: nothing happens), and what
+    // went wrong goes to `complain`.
+    void choose(const QString& line);
     // Sets the ticks of all switches.
     void refresh();
 
@@ -46,7 +57,10 @@ public:
     std::function<void(const Error&)> complain;
 
 private:
+    // Null: the line is empty. Error: no such action.
+    Result<const Action*> find(const QString& line, QStringList& arguments) const;
     Result<void> run(const Action& action, const QStringList& arguments);
+    Result<void> choose(const Action& action, QStringList arguments);
 
     QWidget& window_;
     std::vector<Action> actions_;

@@ -142,7 +142,7 @@ QWidget* ExportPanel::make_pictures() {
 }
 
 void ExportPanel::run(const QString& line) {
-    if (const Result<void> done = actions_.run(line); !done.ok()) actions_.complain(done.error());
+    actions_.choose(line);
 }
 
 void ExportPanel::run_with_file(const QString& action, const QString& title, const QString& ending,

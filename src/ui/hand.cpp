@@ -154,6 +154,17 @@ void add_scene_actions(Actions& actions, Studio& studio) {
                      return {};
                  },
                  {}});
+    actions.add({"samples",
+                 "",
+                 "samples",
+                 "",
+                 "NUMBER",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     TRY(const double samples, number_of(words, 0, "number of samples", 1, 256));
+                     change_samples(studio, static_cast<int>(samples));
+                     return {};
+                 },
+                 {}});
     actions.add({"shadows",
                  "",
                  "shadows",
@@ -233,6 +244,13 @@ QColor screen_colour(const glm::vec3& rec2020) {
                             image::linear_to_srgb(rgb.z));
 }
 
+void change_samples(Studio& studio, std::optional<int> samples) {
+    Look look = studio.look();
+    look.haze_samples = samples;
+    studio.set_look(std::move(look), samples ? "samples" : "release samples",
+                    static_cast<int>(samples ? Hand::samples : Hand::step));
+}
+
 QString words_of(const Look& look) {
     QStringList words;
     const auto add = [&](std::size_t count, const QString& thing) {
@@ -243,6 +261,7 @@ QString words_of(const Look& look) {
     add(look.shown.size(), "object");
     add(look.surfaces.size(), "material");
     if (!look.solo.empty()) words << "solo";
+    if (look.haze_samples) words << "samples";
     return words.join(", ");
 }
 

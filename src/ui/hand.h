@@ -11,7 +11,20 @@
 namespace ghost::ui {
 
 // Kinds of change, see Studio::set_look.
-enum class Hand : int { step = 0, intensity, colour, zoom, pan, tilt, gobo, gel, lamp, scene, surface };
+enum class Hand : int {
+    step = 0,
+    intensity,
+    colour,
+    zoom,
+    pan,
+    tilt,
+    gobo,
+    gel,
+    lamp,
+    scene,
+    surface,
+    samples
+};
 
 // Changes the manual values of all selected fixtures; f gets each fixture's.
 template <class F>
@@ -27,6 +40,9 @@ void change_scene(Studio& studio, const QString& text, Hand kind, F&& f) {
     f(look.scene);
     studio.set_look(std::move(look), text, static_cast<int>(kind));
 }
+
+// Of the haze along a ray through one beam; nothing: as many as the program finds good.
+void change_samples(Studio& studio, std::optional<int> samples);
 
 // A colour as screens have it -> a filter: linear Rec.2020 with its largest component at 1.
 glm::vec3 filter_from(const QColor& colour);

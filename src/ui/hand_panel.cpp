@@ -8,6 +8,17 @@
 #include <QVBoxLayout>
 
 namespace ghost::ui {
+namespace {
+
+// Of fixtures whose channels do not say how far.
+constexpr fixture::Reach kZoom{1, 80}, kPan{-270, 270}, kTilt{-135, 135};
+
+ValueRange range_of(const fixture::Reach& reach) {
+    return {static_cast<double>(reach.low), static_cast<double>(reach.high), 1, " deg"};
+}
+
+} // namespace
+
 HandPanel::HandPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     title_ = new QLabel(this);
     title_->setWordWrap(true);
@@ -15,10 +26,9 @@ HandPanel::HandPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_
     layout->addWidget(title_);
     intensity_ = add_row("Intensity", {0, 100, 0, " %"}, static_cast<int>(Hand::intensity),
                          &fixture::Manual::intensity, 0.01);
-    zoom_ = add_row("Zoom", {1, 80, 1, " deg"}, static_cast<int>(Hand::zoom), &fixture::Manual::zoom_deg, 1);
-    pan_ = add_row("Pan", {-330, 330, 1, " deg"}, static_cast<int>(Hand::pan), &fixture::Manual::pan_deg, 1);
-    tilt_ =
-        add_row("Tilt", {-150, 150, 1, " deg"}, static_cast<int>(Hand::tilt), &fixture::Manual::tilt_deg, 1);
+    zoom_ = add_row("Zoom", range_of(kZoom), static_cast<int>(Hand::zoom), &fixture::Manual::zoom_deg, 1);
+    pan_ = add_row("Pan", range_of(kPan), static_cast<int>(Hand::pan), &fixture::Manual::pan_deg, 1);
+    tilt_ = add_row("Tilt", range_of(kTilt), static_cast<int>(Hand::tilt), &fixture::Manual::tilt_deg, 1);
     colour_ = new ColourRow("Colour", this);
     layout->addWidget(colour_);
     colour_->on_change = [this](const QColor& colour) {
@@ -48,7 +58,7 @@ HandPanel::HandPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_
     layout->addLayout(form);
     layout->addWidget(release_);
     layout->addStretch(1);
-    connect(&studio_, &Studio::selection_changed, this, &HandPanel::list_gobos);
+    connect(&studio_, &Studio::selection_changed, this, &HandPanel::take_kinds);
     for (const auto signal : {&Studio::selection_changed, &Studio::look_changed, &Studio::rig_came})
         connect(&studio_, signal, this, &HandPanel::refresh);
     refresh();
@@ -70,7 +80,28 @@ ValueRow* HandPanel::add_row(const QString& name, const ValueRange& range, int k
     return row;
 }
 
-void HandPanel::list_gobos() {
+// As far as any of the selected goes.
+void HandPanel::set_reach(ValueRow& row, fixture::Role role, const fixture::Reach& otherwise) {
+    std::optional<fixture::Reach> widest;
+    for (const std::size_t index : studio_.selection()) {
+        const scene::PatchedFixture& fixture = studio_.show()->fixtures[index];
+        if (!fixture.type) continue;
+        const std::optional<fixture::Reach> reach = fixture::reach_of(fixture.patch(), role);
+        if (!reach) continue;
+        widest = widest
+                     ? fixture::Reach{std::min(widest->low, reach->low), std::max(widest->high, reach->high)}
+                     : *reach;
+    }
+    const fixture::Reach reach = widest.value_or(otherwise);
+    row.set_reach(static_cast<double>(reach.low), static_cast<double>(reach.high));
+}
+
+void HandPanel::take_kinds() {
+    if (studio_.show() && studio_.current()) {
+        set_reach(*zoom_, fixture::Role::zoom, kZoom);
+        set_reach(*pan_, fixture::Role::pan, kPan);
+        set_reach(*tilt_, fixture::Role::tilt, kTilt);
+    }
     gobo_->clear();
     const auto current = studio_.current();
     if (!studio_.show() || !current) return;

@@ -23,7 +23,8 @@ private:
     ValueRow* add_row(const QString& name, const ValueRange& range, int kind,
                       std::optional<float> fixture::Manual::*value, double per_unit);
     void refresh();
-    void list_gobos();
+    void set_reach(ValueRow& row, fixture::Role role, const fixture::Reach& otherwise);
+    void take_kinds();
 
     Studio& studio_;
     QLabel* title_;

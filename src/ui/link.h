@@ -42,9 +42,8 @@ struct Transport {
 };
 
 struct Quality {
-    int fps = 25;           // the picture gets coarser while it moves, to hold this
-    int percent = 0;        // of the window's pixels; 0: as many as fps allows
-    int most_segments = 24; // samples of haze along a ray through one beam
+    int fps = 25;    // the picture gets coarser while it moves, to hold this
+    int percent = 0; // of the window's pixels; 0: as many as fps allows
     bool operator==(const Quality&) const = default;
 };
 

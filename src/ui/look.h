@@ -17,6 +17,8 @@ namespace ghost::ui {
 
 using scene::SceneLook;
 
+inline constexpr int kHazeSamples = 24; // where no hand says how many
+
 // Instead of what the model says of a material.
 struct SurfaceLook {
     std::optional<glm::vec3> colour;
@@ -33,6 +35,7 @@ struct Look {
     std::map<std::size_t, bool> shown;           // by index of the object
     std::map<std::size_t, SurfaceLook> surfaces; // by index of the material; no empty ones
     std::set<std::size_t> solo;                  // these fixtures alone shine; empty: all do
+    std::optional<int> haze_samples;             // along a ray through one beam
 
     bool is_empty() const { return *this == Look{}; }
     bool operator==(const Look&) const = default;

@@ -111,7 +111,7 @@ void LookPanel::add_what_if(QLayout* layout) {
 }
 
 void LookPanel::run(const QString& line) {
-    if (const Result<void> done = actions_.run(line); !done.ok()) actions_.complain(done.error());
+    actions_.choose(line);
     refresh();
 }
 

@@ -34,10 +34,7 @@ void NoticeBar::ask(const QString& words, const std::vector<std::pair<QString, Q
     label->setContentsMargins(8, 0, 8, 0);
     addWidget(label);
     for (const auto& [text, line] : buttons_and_lines)
-        connect(addAction(text), &QAction::triggered, this, [this, line = line] {
-            if (const Result<void> done = actions_.run(line); !done.ok() && actions_.complain)
-                actions_.complain(done.error());
-        });
+        connect(addAction(text), &QAction::triggered, this, [this, line = line] { actions_.choose(line); });
     show();
 }
 

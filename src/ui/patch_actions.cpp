@@ -3,8 +3,6 @@
 
 #include "dmx/universes.h"
 
-#include <QFileDialog>
-
 namespace ghost::ui {
 namespace {
 
@@ -39,7 +37,7 @@ Result<fixture::Address> address_of(const QString& words) {
 
 void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document) {
     const auto add = [&](const QString& name, const QString& text, const QString& key,
-                         const QString& arguments, const Run& run) {
+                         const QString& arguments, const Run& run, const FileQuestion& asks = {}) {
         actions.add({name,
                      text.isEmpty() ? "" : "Edit",
                      text.isEmpty() ? name : text,
@@ -49,7 +47,8 @@ void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document)
                          PatchEdit edit(studio, document);
                          return run(edit, words);
                      },
-                     {}});
+                     {},
+                     asks});
     };
     add("address", "", "", "UNIVERSE.CHANNEL|none",
         [](PatchEdit& edit, const QStringList& words) -> Result<void> {
@@ -92,17 +91,13 @@ void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document)
     add("unpatch", "Unpatch", "", "", [](PatchEdit& edit, const QStringList&) {
         return edit.set_address({1, 0});
     });
-    add("add-fixture", "Add a fixture...", "", "[FILE]",
-        [&studio](PatchEdit& edit, const QStringList& words) -> Result<void> {
-            QString file = words.value(0);
-            if (file.isEmpty())
-                file = QFileDialog::getOpenFileName(nullptr, "Add a fixture", {},
-                                                    "Fixtures (*.gdtf *.qxf *.json);;All files (*)");
-            if (file.isEmpty()) return {};
+    add("add-fixture", "Add a fixture...", "", "FILE",
+        [&studio](PatchEdit& edit, const QStringList& words) {
             glm::vec3 place_m = studio.camera().target_m;
             place_m.z = std::max(place_m.z, 3.0f);
-            return edit.add(file.toStdString(), place_m);
-        });
+            return edit.add(words[0].toStdString(), place_m);
+        },
+        {"Add a fixture", "Fixtures (*.gdtf *.qxf *.json);;All files (*)", ""});
     actions.add({"keep-camera",
                  "Camera",
                  "Keep this camera",
@@ -112,15 +107,10 @@ void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document)
                      return PatchEdit(studio, document).keep_camera(words.value(0));
                  },
                  {}});
-    add("set-stage", "Choose the stage...", "", "[MODEL]",
-        [](PatchEdit& edit, const QStringList& words) -> Result<void> {
-            QString file = words.value(0);
-            if (file.isEmpty())
-                file = QFileDialog::getOpenFileName(nullptr, "A model becomes the stage of the show", {},
-                                                    "Models (*.glb *.gltf *.obj *.fbx *.dae);;All files (*)");
-            if (file.isEmpty()) return {};
-            return edit.set_stage(file.toStdString());
-        });
+    add("set-stage", "Choose the stage...", "", "MODEL",
+        [](PatchEdit& edit, const QStringList& words) { return edit.set_stage(words[0].toStdString()); },
+        {"A model becomes the stage of the show", "Models (*.glb *.gltf *.obj *.fbx *.dae);;All files (*)",
+         ""});
     add("set-plot", "", "", "FILE.mvr", [](PatchEdit& edit, const QStringList& words) {
         return edit.set_plot(words.value(0).toStdString());
     });
@@ -138,15 +128,10 @@ void add_document_actions(Actions& actions, ShowDocument& document) {
                  "Show",
                  "Save a copy of the show file...",
                  "",
-                 "[FILE]",
-                 [&document](const QStringList& words) -> Result<void> {
-                     QString file = words.value(0);
-                     if (file.isEmpty())
-                         file = QFileDialog::getSaveFileName(nullptr, "Save a copy of the show file",
-                                                             "show.toml", "Show files (*.toml)");
-                     return file.isEmpty() ? Result<void>{} : document.save_copy(file.toStdString());
-                 },
-                 {}});
+                 "FILE",
+                 [&document](const QStringList& words) { return document.save_copy(words[0].toStdString()); },
+                 {},
+                 {"Save a copy of the show file", "Show files (*.toml)", "show.toml"}});
     actions.add({"reload",
                  "Show",
                  "Take what the show file says now",

@@ -3,7 +3,6 @@
 #include "ui/hand.h"
 
 #include <QDateTime>
-#include <QFileDialog>
 
 namespace ghost::ui {
 
@@ -58,18 +57,12 @@ void add_recorder(Actions& actions, Studio& studio) {
                  "Play",
                  "Play a recording...",
                  "",
-                 "[FILE|own]",
+                 "FILE|own",
                  [&studio](const QStringList& words) -> Result<void> {
-                     const QString file =
-                         words.isEmpty()
-                             ? QFileDialog::getOpenFileName(
-                                   nullptr, "Play a recording", {},
-                                   "Recordings (*.ghostdmx *.show *.pcap *.pcapng);;All files (*)")
-                             : words[0];
-                     if (file.isEmpty()) return {};
-                     return play_file(studio, file == "own" ? "" : file.toStdString());
+                     return play_file(studio, words[0] == "own" ? "" : words[0].toStdString());
                  },
-                 {}});
+                 {},
+                 {"Play a recording", "Recordings (*.ghostdmx *.show *.pcap *.pcapng);;All files (*)", ""}});
     actions.add({"play-own", "Play", "Play the show's own recording", "", "",
                  [&studio](const QStringList&) { return play_file(studio, ""); },
                  [&studio] {
@@ -199,18 +192,6 @@ void add_play_actions(Actions& actions, Studio& studio) {
                      },
                      [&studio, percent] { return studio.wishes().quality.percent == percent; }});
     }
-    actions.add({"samples",
-                 "",
-                 "samples",
-                 "",
-                 "SEGMENTS",
-                 [&studio](const QStringList& words) -> Result<void> {
-                     TRY(const double segments, number_of(words, 0, "number of segments", 1, 256));
-                     studio.wish(
-                         [&](Wishes& wishes) { wishes.quality.most_segments = static_cast<int>(segments); });
-                     return {};
-                 },
-                 {}});
 }
 
 } // namespace ghost::ui

@@ -72,15 +72,11 @@ void ScenePanel::add_air(QLayout* layout) {
         };
         layout->addWidget(attenuation_[k]);
     }
-    segments_ = new ValueRow("Samples", {1, 64, 0, ""}, this);
-    segments_->setToolTip("Of the haze, along a ray through one beam. Fewer are faster.");
-    segments_->on_change = [this](double value) {
-        studio_.wish([&](Wishes& wishes) { wishes.quality.most_segments = static_cast<int>(value); });
-    };
-    segments_->on_release = [this] {
-        studio_.wish([](Wishes& wishes) { wishes.quality.most_segments = Quality{}.most_segments; });
-    };
-    layout->addWidget(segments_);
+    samples_ = new ValueRow("Samples", {1, 64, 0, ""}, this);
+    samples_->setToolTip("Of the haze, along a ray through one beam. Fewer are faster.");
+    samples_->on_change = [this](double value) { change_samples(studio_, static_cast<int>(value)); };
+    samples_->on_release = [this] { change_samples(studio_, std::nullopt); };
+    layout->addWidget(samples_);
     shadows_ = new QCheckBox("Shadows", this);
     connect(shadows_, &QCheckBox::clicked, this, [this](bool on) {
         change_scene(studio_, "shadows", Hand::step, [&](SceneLook& scene) {
@@ -163,8 +159,8 @@ void ScenePanel::refresh() {
         glm::vec3(show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic));
     for (int k = 0; k < 3; ++k)
         attenuation_[k]->show_value(static_cast<double>(factors[k]), look.attenuation.has_value());
-    const int segments = studio_.wishes().quality.most_segments;
-    segments_->show_value(segments, segments != Quality{}.most_segments);
+    const std::optional<int> samples = studio_.look().haze_samples;
+    samples_->show_value(samples.value_or(kHazeSamples), samples.has_value());
     shadows_->setChecked(look.shadows.value_or(show.shadows));
     stage_->refresh();
     const auto object = stage_->object();

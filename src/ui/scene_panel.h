@@ -33,7 +33,7 @@ private:
     std::optional<std::size_t> material() const; // of the object that is chosen
 
     Studio& studio_;
-    ValueRow *smoke_, *ambient_, *segments_;
+    ValueRow *smoke_, *ambient_, *samples_;
     ValueRow* attenuation_[3];
     ColourRow* colour_;
     QCheckBox* shadows_;

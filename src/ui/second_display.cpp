@@ -99,7 +99,8 @@ Result<void> SecondDisplay::open(const QString& which, const QScreen* main) {
         return {};
     }
     if (which.isEmpty())
-        return Error{"there is one display only; 'second-display window' opens a window that can be moved",
+        return Error{"there is one display only; View has 'The picture in a second window' (in a script: "
+                     "second-display window)",
                      ""};
     return Error{"there is no display '" + which.toStdString() + "'; there are " +
                      names_of_screens().toStdString(),

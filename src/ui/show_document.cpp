@@ -228,8 +228,8 @@ Result<void> ShowDocument::save(bool over) {
     if (!over && now.ok() && *now != saved_ && *now != text_) {
         changed_outside_ = true;
         return Error{
-            "was changed by another program since it was read here: 'reload' takes what it says now, "
-            "'save over' writes yours",
+            "was changed by another program since it was read here: take what the file says, or save yours "
+            "over it (in a script: reload, save over)",
             file_.string()};
     }
     if (const Result<void> written = write_file_atomic(file_, text_); !written.ok()) {

@@ -67,6 +67,15 @@ double ValueRow::from_slider(int at) const {
                            : range_.low + share * (range_.high - range_.low);
 }
 
+void ValueRow::set_reach(double low, double high) {
+    if (low == range_.low && high == range_.high) return;
+    const Following following(follows_);
+    range_.low = low;
+    range_.high = high;
+    field_->setRange(low, high);
+    field_->setSingleStep((high - low) / 100);
+}
+
 void ValueRow::show_value(double value, bool by_hand) {
     {
         const Following following(follows_);

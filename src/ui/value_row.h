@@ -31,6 +31,8 @@ public:
 
     // by_hand: it is set by a person; else it is only shown. Does not call back.
     void show_value(double value, bool by_hand);
+    // Does not call back.
+    void set_reach(double low, double high);
     std::function<void(double)> on_change; // a person moved it
     std::function<void()> on_release;      // none: there is nothing to give it back to
 

@@ -218,12 +218,16 @@ void Window::add_panels() {
 }
 
 void Window::make_menus() {
+    const QString kLast = "quit"; // of the first menu, as everywhere
     // Panels come first in the table, for their docks do; people look for the show first.
     for (const char* const title : {"Show", "Edit", "View", "Camera", "Play", "Quality", "Panels", "Help"}) {
         QMenu* menu = menuBar()->addMenu(title);
         for (const Action& action : actions_.all())
-            if (action.menu == title) menu->addAction(actions_.item(action.name));
+            if (action.menu == title && action.name != kLast) menu->addAction(actions_.item(action.name));
     }
+    QMenu* show = menuBar()->actions().first()->menu();
+    show->addSeparator();
+    show->addAction(actions_.item(kLast));
 }
 
 void Window::name_cameras() {
@@ -310,8 +314,7 @@ void Window::take_file(const QString& file) {
         studio_.open(file.toStdString());
         return;
     }
-    if (const Result<void> done = actions_.run(action + " \"" + file + "\""); !done.ok())
-        actions_.complain(done.error());
+    actions_.choose(action + " \"" + file + "\"");
 }
 
 } // namespace ghost::ui

@@ -51,9 +51,7 @@ private:
     void say(const QString& what, int for_ms = 0);
     void set_full_screen(bool full);
     void show_shortcuts();
-    Result<void> choose_show(const QStringList& arguments);
-    Result<void> save_screenshot(const QStringList& arguments);
-    Result<void> save_picture(const QStringList& arguments);
+    Result<void> save_picture(const QString& file);
     Result<void> save_state(const QStringList& arguments);
 
     WindowOptions options_;

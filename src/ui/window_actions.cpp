@@ -8,8 +8,6 @@
 #include "ui/shortcut_sheet.h"
 #include "ui/state_json.h"
 
-#include <QDir>
-#include <QFileDialog>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QLayout>
@@ -23,9 +21,13 @@ void Window::add_window_actions() {
                   "Show",
                   "Open a show...",
                   "Ctrl+O",
-                  "[PATH]",
-                  [this](const QStringList& words) { return choose_show(words); },
-                  {}});
+                  "PATH",
+                  [this](const QStringList& words) -> Result<void> {
+                      studio_.open(words[0].toStdString());
+                      return {};
+                  },
+                  {},
+                  {"Open a show", "Shows (show.toml *.mvr);;All files (*)", ""}});
     actions_.add({"open-demo",
                   "Show",
                   "Open the demo",
@@ -57,16 +59,21 @@ void Window::add_window_actions() {
                   "Show",
                   "Save the picture...",
                   "Ctrl+Shift+S",
-                  "[FILE]",
-                  [this](const QStringList& words) { return save_picture(words); },
-                  {}});
+                  "FILE",
+                  [this](const QStringList& words) { return save_picture(words[0]); },
+                  {},
+                  {"Save the picture", "Pictures (*.png *.exr)", "picture.png"}});
     actions_.add({"screenshot",
                   "Show",
                   "Save a picture of the window...",
                   "",
-                  "[FILE]",
-                  [this](const QStringList& words) { return save_screenshot(words); },
-                  {}});
+                  "FILE",
+                  [this](const QStringList& words) -> Result<void> {
+                      if (grab().save(words[0], "PNG")) return {};
+                      return Error{"the picture cannot be written", words[0].toStdString()};
+                  },
+                  {},
+                  {"Save a picture of the window", "Pictures (*.png)", "window.png"}});
     actions_.add({"state",
                   "",
                   "state",
@@ -81,7 +88,10 @@ void Window::add_window_actions() {
                   "[anyway]",
                   [this](const QStringList& words) -> Result<void> {
                       closes_anyway_ = words.value(0) == "anyway";
-                      if (!close()) return Error{"changes are saved nowhere; 'quit anyway' loses them", ""};
+                      if (!close())
+                          return Error{"changes are saved nowhere: save a copy elsewhere, or close and lose "
+                                       "them (in a script: quit anyway)",
+                                       ""};
                       return {};
                   },
                   {}});
@@ -231,31 +241,8 @@ void Window::show_shortcuts() {
     sheet->show();
 }
 
-Result<void> Window::choose_show(const QStringList& arguments) {
-    QString path = arguments.value(0);
-    if (path.isEmpty())
-        path = QFileDialog::getOpenFileName(this, "Open a show", QDir::currentPath(),
-                                            "Shows (show.toml *.mvr);;All files (*)");
-    if (!path.isEmpty()) studio_.open(path.toStdString());
-    return {};
-}
-
-Result<void> Window::save_screenshot(const QStringList& arguments) {
-    const QString file = arguments.isEmpty()
-                             ? QFileDialog::getSaveFileName(this, "Save a picture of the window",
-                                                            "window.png", "Pictures (*.png)")
-                             : arguments[0];
-    if (file.isEmpty() || grab().save(file, "PNG")) return {};
-    return Error{"the picture cannot be written", file.toStdString()};
-}
-
-Result<void> Window::save_picture(const QStringList& arguments) {
+Result<void> Window::save_picture(const QString& file) {
     if (!studio_.picture().image) return Error{"there is no picture yet", ""};
-    const QString file =
-        arguments.isEmpty()
-            ? QFileDialog::getSaveFileName(this, "Save the picture", "picture.png", "Pictures (*.png *.exr)")
-            : arguments[0];
-    if (file.isEmpty()) return {};
     if (file.endsWith(".exr", Qt::CaseInsensitive)) {
         // The engine has the linear values; it says when they are there.
         studio_.wish([&](Wishes& wishes) {

@@ -48,6 +48,21 @@ TEST(Actions, lines_are_split_at_blanks_and_quotes) {
     EXPECT_FALSE(split_line("select \"Spot 1").ok());
 }
 
+// A dialog would wait for ever for a person who is not there.
+TEST(Actions, what_asks_a_person_for_a_file_tells_a_script_to_name_it) {
+    Opened4 opened;
+    std::set<QString> asking;
+    for (const Action& action : opened.window->actions().all()) {
+        EXPECT_EQ(action.text.endsWith("..."), !action.asks.title.isEmpty()) << action.name.toStdString();
+        if (action.asks.title.isEmpty()) continue;
+        asking.insert(action.name);
+        EXPECT_EQ(opened.error_of(action.name.toStdString()),
+                  action.name.toStdString() + ": it needs the name of a file");
+    }
+    EXPECT_EQ(asking, (std::set<QString>{"open", "play-file", "save-picture", "screenshot", "add-fixture",
+                                         "set-stage", "save-copy"}));
+}
+
 TEST(Actions, no_name_and_no_key_stands_twice_and_what_is_in_a_menu_has_words) {
     Opened4 opened;
     std::set<QString> names, keys;
@@ -161,7 +176,10 @@ TEST(Actions, a_script_does_what_hands_do) {
     EXPECT_EQ(opened.error_of("surface wood specular 0.3"), "");
     EXPECT_EQ(opened.wishes().look.surfaces.at(0).specular, 0.3f);
     EXPECT_EQ(opened.error_of("samples 7"), "");
-    EXPECT_EQ(opened.wishes().quality.most_segments, 7);
+    EXPECT_EQ(opened.wishes().look.haze_samples, 7);
+    EXPECT_EQ(opened.error_of("undo"), "");
+    EXPECT_FALSE(opened.wishes().look.haze_samples);
+    EXPECT_EQ(opened.error_of("redo"), "");
     EXPECT_EQ(opened.error_of("release-all"), "");
     EXPECT_TRUE(opened.wishes().look.is_empty());
     EXPECT_EQ(opened.error_of("undo"), "");
