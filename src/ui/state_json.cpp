@@ -96,11 +96,11 @@ QJsonObject state_json(const Studio& studio, const View& view) {
                                  {"lights_drawn", picture.lights_drawn},
                                  {"missing_maps", static_cast<int>(picture.missing_maps)},
                                  {"paint_ms", view.paint_ms()},
-                                 {"pictures_per_s", view.pictures_per_s()},
+                                 {"pictures_per_s", view.figures().pictures_per_s()},
                                  {"baked", picture.is_baked},
                                  {"supply", QString::fromStdString(picture.supply)},
                                  {"false_colour", static_cast<int>(picture.false_colour.measure)},
-                                 {"latency_ms", view.latency_ms()}};
+                                 {"latency_ms", view.figures().latency_ms()}};
     const dmx::Latency& latency = studio.latency();
     const QJsonObject packet_to_window{{"count", static_cast<qint64>(latency.count())},
                                        {"p50", latency.percentile_ms(0.5)},

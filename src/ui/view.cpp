@@ -2,7 +2,6 @@
 #include "ui/view.h"
 
 #include "scene/camera_moves.h"
-#include "ui/hand.h"
 #include "ui/theme.h"
 
 #include <QKeyEvent>
@@ -52,7 +51,7 @@ glm::vec3 way_of(int key) {
 
 } // namespace
 
-View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio), figures_(studio) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 90);
@@ -61,6 +60,8 @@ View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     resize_timer_.setSingleShot(true);
     resize_timer_.setInterval(kRest_ms);
     connect(&resize_timer_, &QTimer::timeout, this, &View::ask_for_size);
+    rest_timer_.setSingleShot(true);
+    connect(&rest_timer_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     fly_timer_.setInterval(kFly_ms);
     connect(&fly_timer_, &QTimer::timeout, this, &View::fly);
     connect(&studio_, &Studio::picture_came, this, &View::take_picture);
@@ -91,12 +92,8 @@ void View::ask_for_size() {
 void View::take_picture() {
     arrival_waits_ = arrival_waits_ || studio_.picture().arrival.count() > 0;
     picture_waits_ = true;
-    ++rate_count_;
-    if (!rate_clock_.isValid()) rate_clock_.start();
-    if (rate_clock_.elapsed() >= 1000) {
-        rate_hz_ = 1000.0 * rate_count_ / static_cast<double>(rate_clock_.restart());
-        rate_count_ = 0;
-    }
+    figures_.count_picture();
+    rest_timer_.start(figures_.rest_ms());
     update();
 }
 
@@ -136,7 +133,7 @@ void View::paintEvent(QPaintEvent*) {
     if (const auto object = studio_.marked(); object && overlays.marks)
         paint_object(painter, place, picture.camera, studio_.opened().objects[*object]);
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
-    if (overlays.figures) paint_figures(painter, size(), figures());
+    if (overlays.figures) paint_figures(painter, size(), figures_.lines());
     if (overlays.probe && studio_.probed()) paint_probe(painter, place, size(), *studio_.probed());
     paint_box(painter);
     painter.end();
@@ -145,7 +142,7 @@ void View::paintEvent(QPaintEvent*) {
         studio_.count_window(std::chrono::nanoseconds(clock.nsecsElapsed()));
     if (arrival_waits_ && picture.arrival.count() > 0) {
         const auto latency = std::chrono::steady_clock::now().time_since_epoch() - picture.arrival;
-        latency_ms_ = std::chrono::duration<double, std::milli>(latency).count();
+        figures_.take_latency(latency);
         studio_.count_latency(latency);
     }
     arrival_waits_ = false;
@@ -160,40 +157,6 @@ void View::paint_box(QPainter& painter) const {
 
 const scene::Camera& View::camera_of_picture() const {
     return studio_.picture().image ? studio_.picture().camera : studio_.camera();
-}
-
-QStringList View::figures() const {
-    const Picture& picture = studio_.picture();
-    QStringList lines;
-    QString frame = QString("%1 ms a frame, %2 pictures/s, %3x%4")
-                        .arg(picture.draw_ms, 0, 'f', 1)
-                        .arg(rate_hz_, 0, 'f', 1)
-                        .arg(picture.camera.width)
-                        .arg(picture.camera.height);
-    if (picture.is_coarse) frame += " while it moves";
-    lines << frame;
-    QString second = QString("EV %1").arg(static_cast<double>(picture.ev100), 0, 'f', 1);
-    if (studio_.wishes().tone != image::Tone::agx)
-        second += ", tone curve " + QString::fromStdString(image::name_of(studio_.wishes().tone));
-    lines << second;
-    const dmx::Latency &latency = studio_.latency(), &cost = studio_.window_cost();
-    if (latency_ms_ >= 0)
-        lines << QString("packet to window %1 ms (half within %2, 99 % within %3)")
-                     .arg(latency_ms_, 0, 'f', 0)
-                     .arg(latency.percentile_ms(0.5), 0, 'f', 0)
-                     .arg(latency.percentile_ms(0.99), 0, 'f', 0);
-    if (cost.count() > 0)
-        lines << QString("the window itself %1 ms a picture (99 % within %2)")
-                     .arg(cost.percentile_ms(0.5), 0, 'f', 1)
-                     .arg(cost.percentile_ms(0.99), 0, 'f', 1);
-    if (!picture.supply.empty()) lines << QString::fromStdString(picture.supply);
-    if (picture.missing_maps > 0)
-        lines << QString("%1 lights throw no shadows yet").arg(picture.missing_maps);
-    if (studio_.wishes().black_out) lines << "BLACK-OUT";
-    if (studio_.wishes().frozen) lines << "frozen (Z goes on)";
-    if (!studio_.look().is_empty())
-        lines << "set by hand: " + words_of(studio_.look()) + " (Shift+R releases all)";
-    return lines;
 }
 
 void View::mousePressEvent(QMouseEvent* event) {

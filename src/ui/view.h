@@ -3,6 +3,7 @@
 // View: the picture with its overlays, and the mouse and keys that move the camera in it. It scales the
 // newest picture to its size at once; the engine draws the new size when the window rests. Window thread.
 
+#include "ui/figures.h"
 #include "ui/overlays.h"
 #include "ui/studio.h"
 
@@ -20,10 +21,8 @@ public:
 
     OverlayChoice overlays;
     QString hint; // shown where no show is open
-    // Packet to window, of the newest picture that packets changed; below 0: none came.
-    double latency_ms() const { return latency_ms_; }
+    const Figures& figures() const { return figures_; }
     double paint_ms() const { return paint_ms_; }
-    double pictures_per_s() const { return rate_hz_; }
     // Measures there from now on, until the mouse moves.
     void probe_at(const QPointF& place);
     void end_probe();
@@ -46,7 +45,6 @@ private:
     void take_picture();
     void ask_for_size();
     void fly();
-    QStringList figures() const;
     // Of the picture that is shown; before the first one, that which is asked for.
     const scene::Camera& camera_of_picture() const;
     QRectF rect_of_picture() const { return picture_rect(size(), camera_of_picture()); }
@@ -63,11 +61,9 @@ private:
 
     bool picture_waits_ = false; // a new one, to be painted
     bool arrival_waits_ = false; // the picture that is painted next has new packets in it
-    double latency_ms_ = -1;
     double paint_ms_ = 0;
-    QElapsedTimer rate_clock_;
-    int rate_count_ = 0;
-    double rate_hz_ = 0;
+    Figures figures_;
+    QTimer rest_timer_; // until the figures may say that it rests
 };
 
 } // namespace ghost::ui

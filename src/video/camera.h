@@ -14,19 +14,23 @@ namespace ghost::video {
 
 class Camera {
 public:
-    // Error: no such device, not a camera, in use, none of the two formats.
+    // Error: no such device, no permission, not a camera, in use, none of the two formats.
     static Result<std::unique_ptr<Camera>> open(const std::filesystem::path& device);
     ~Camera();
     Camera(const Camera&) = delete;
     Camera& operator=(const Camera&) = delete;
 
-    // The newest picture; nothing: none came within a fifth of a second. Error: the device is gone.
+    // The next picture; nothing: none that can be read came within a fifth of a second. Error: the device is
+    // gone.
     Result<std::optional<image::Image8>> next();
+    // Why none came since the last one.
+    Error silence() const;
 
 private:
     struct Device;
     explicit Camera(std::unique_ptr<Device> device);
     std::unique_ptr<Device> device_;
+    std::string damage_; // of the last picture; empty: it had none
 };
 
 // A picture as a camera sends it: YUYV with 4:2:2 samples of Rec.601, rows of stride_bytes. Error: fewer

@@ -69,7 +69,9 @@ Result<void> Camera::Device::choose_format() {
         format.fmt.pix.height = kHeight;
         format.fmt.pix.pixelformat = wanted;
         format.fmt.pix.field = V4L2_FIELD_ANY;
-        if (call(file, VIDIOC_S_FMT, &format) == 0 && format.fmt.pix.pixelformat == wanted) return {};
+        const bool taken = call(file, VIDIOC_S_FMT, &format) == 0;
+        if (!taken && errno == EBUSY) return Error{"is in use by another program", name};
+        if (taken && format.fmt.pix.pixelformat == wanted) return {};
     }
     return Error{"has neither Motion JPEG nor YUYV", name};
 }
@@ -79,7 +81,8 @@ Result<void> Camera::Device::map_buffers() {
     request.count = kBuffers;
     request.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
     request.memory = V4L2_MEMORY_MMAP;
-    if (call(file, VIDIOC_REQBUFS, &request) < 0) return failed("is in use, or has no memory");
+    if (call(file, VIDIOC_REQBUFS, &request) < 0)
+        return failed("gives no memory for pictures (another program may use it)");
     for (std::uint32_t k = 0; k < request.count; ++k) {
         v4l2_buffer buffer{};
         buffer.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
@@ -109,6 +112,9 @@ Result<std::unique_ptr<Camera>> Camera::open(const std::filesystem::path& path) 
     auto device = std::make_unique<Device>();
     device->name = path.string();
     device->file = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
+    if (device->file < 0 && errno == EACCES)
+        return Error{"you may not open this camera; on most systems members of the group 'video' may",
+                     path.string()};
     if (device->file < 0) return device->failed("cannot be opened as a camera");
     TRY_VOID(device->choose_format());
     TRY_VOID(device->map_buffers());
@@ -128,17 +134,23 @@ Result<std::optional<image::Image8>> Camera::next() {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
             continue;
         }
-        Result<image::Image8> picture = Error{"sent a damaged picture", device_->name};
+        Result<image::Image8> picture = Error{"the device calls them damaged", device_->name};
         if (buffer.index < device_->buffers.size() && !(buffer.flags & V4L2_BUF_FLAG_ERROR)) {
             const auto& [memory, bytes] = device_->buffers[buffer.index];
             picture = device_->decode(static_cast<const std::uint8_t*>(memory),
                                       std::min<std::size_t>(buffer.bytesused, bytes));
         }
         if (call(device_->file, VIDIOC_QBUF, &buffer) < 0) return device_->failed("the camera is gone");
+        damage_ = picture.ok() ? "" : picture.error().text();
         if (picture.ok()) return std::optional(std::move(*picture));
         // A picture that was damaged on its way: the next one.
     }
     return std::optional<image::Image8>();
+}
+
+Error Camera::silence() const {
+    return Error{damage_.empty() ? "sends no pictures" : "sends pictures that cannot be read: " + damage_,
+                 device_->name};
 }
 
 } // namespace ghost::video

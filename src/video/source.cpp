@@ -18,6 +18,7 @@ namespace ghost::video {
 namespace {
 
 constexpr double kAgain_s = 1.0;   // until a source that failed is tried again
+constexpr double kSilent_s = 4.0;  // some cameras take seconds to begin
 constexpr double kGlimpse_s = 0.1; // a film that is late shows something this often
 constexpr std::size_t kMostMessages = 100;
 // A film whose pictures end so much before its stated length is cut short: sound may be longer than pictures.
@@ -216,11 +217,15 @@ std::string Source::play_camera() {
     if (!std::filesystem::is_character_file(settings_.path, code)) return play_file_as_camera();
     auto camera = Camera::open(settings_.path);
     if (!camera.ok()) return camera.error().text();
-    recovered();
+    double seen_s = now_s();
     while (!queue_.stopped()) {
         auto picture = (*camera)->next();
         if (!picture.ok()) return picture.error().text();
-        if (*picture) replace(**picture, false);
+        if (!*picture && now_s() - seen_s > kSilent_s) return (*camera)->silence().text();
+        if (!*picture) continue;
+        seen_s = now_s();
+        recovered();
+        replace(**picture, false);
     }
     return {};
 }

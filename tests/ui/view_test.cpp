@@ -182,6 +182,23 @@ TEST(View, overlays_are_seen_and_go_away) {
     EXPECT_NE(watched.view.grab().toImage(), plain);
 }
 
+TEST(View, figures_say_the_pace_while_it_moves_and_rest_when_it_does_not) {
+    Watched watched;
+    const scene::Camera camera = watched.bench.studio.camera();
+    for (int i = 0; i < 30; ++i) {
+        wait_ms(50);
+        watched.bench.show_picture(camera);
+    }
+    const Figures& figures = watched.view.figures();
+    EXPECT_TRUE(figures.lines().front().contains("pictures/s")) << figures.lines().front().toStdString();
+    EXPECT_GT(figures.pictures_per_s(), 2);
+    EXPECT_LE(figures.pictures_per_s(), 20);
+    wait_ms(figures.rest_ms() + 50);
+    EXPECT_TRUE(figures.lines().front().startsWith("at rest")) << figures.lines().front().toStdString();
+    watched.bench.show_picture(camera);
+    EXPECT_FALSE(figures.lines().front().contains("pictures/s")) << "the rest was no frame";
+}
+
 TEST(View, a_window_without_a_show_says_what_to_do) {
     Bench bench;
     View view(bench.studio, nullptr);
