@@ -143,6 +143,8 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
     };
     Show show = before;
     show.fixtures = std::move(parsed.show.fixtures);
+    if (!parsed.show.cameras.empty())
+        show.cameras = std::move(parsed.show.cameras); // else those that were made
     show.haze = parsed.show.haze;
     show.hazers = std::move(parsed.show.hazers);
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {

@@ -119,6 +119,9 @@ TEST(Patch, the_picture_as_it_is_seen_becomes_a_camera) {
     ASSERT_TRUE(desk.edit.keep_camera("").ok());
     EXPECT_NE(desk.document.text().find("name = \"Camera 2\"\nposition_m = [1, -7, 3]"), std::string::npos)
         << desk.document.text();
+    ASSERT_TRUE(desk.edit.keep_camera("").ok()); // before the show was opened anew with the first
+    EXPECT_NE(desk.document.text().find("name = \"Camera 3\""), std::string::npos) << desk.document.text();
+    desk.studio.undo_stack().undo();
     desk.follow();
     EXPECT_EQ(desk.studio.show()->cameras.size(), 2u);
     EXPECT_FALSE(desk.edit.keep_camera("front").ok());
