@@ -34,10 +34,17 @@ ev100 = 7
 [[media]]
 name = "eye"
 camera = "camera0"
+[[media]]
+name = "still"
+file = "blue.png"
 [[fixture]]
 name = "Beamer"
-position_m = [0, -4, 3]
-projector = {{ media = "eye", throw_ratio = 1.6, target_m = [0, 10, 3], lumens = 30000, focus_m = 14 }}
+position_m = [0, -4, 4.5]
+projector = {{ media = "eye", throw_ratio = 4, target_m = [0, 10, 4.5], lumens = 5000, focus_m = 14 }}
+[[fixture]]
+name = "Neighbour"
+position_m = [0, -4, 1.5]
+projector = {{ media = "still", throw_ratio = 4, target_m = [0, 10, 1.5], lumens = 5000, focus_m = 14 }}
 """
 
 
@@ -48,6 +55,7 @@ class Stage:
         self.folder = folder
         self.device, self.does = folder / "camera0", folder / "does"
         (folder / "show.toml").write_text(SHOW)
+        Image.new("RGB", (64, 48), (0, 0, 255)).save(folder / "blue.png")
         (folder / "dark.show").write_text("OLA Show\n1 0,0,0\n40\n1 0,0,0\n4000\n")
         libraries = str(BUILD / "tests/libfake_camera.so")
         self.environment = dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_CONFIG_HOME=str(folder / "config"), LD_PRELOAD=libraries,
@@ -101,18 +109,20 @@ class Stage:
             one.close()
         return self.process.wait(timeout=LONG_S)
 
-    def colour(self):
-        """What the projector throws on the wall now."""
+    def colours(self):
+        """What the two projectors throw on the wall now: the camera's picture above, the still one below."""
         file = self.folder / "now.png"
         self.do(f'save-picture "{file}"')
         with Image.open(file) as picture:
-            lit = sorted(picture.convert("RGB").getdata(), key=sum)[-picture.width * picture.height // 20:]
-        return tuple(sum(pixel[k] for pixel in lit) / len(lit) for k in range(3))
+            middle = picture.height // 2
+            halves = [picture.convert("RGB").crop((0, y, picture.width, y + middle)) for y in (0, middle)]
+        return [brightest(half) for half in halves]
 
     def until(self, holds, what):
         end_s = time.monotonic() + LONG_S
         while time.monotonic() < end_s:
-            colour = self.colour()
+            colour, neighbour = self.colours()
+            assert blue(*neighbour), f"{neighbour} below a camera that should be {what}\n{self.text()}"
             if holds(*colour):
                 return
             time.sleep(0.2)
@@ -127,12 +137,21 @@ class Stage:
         raise AssertionError(f"never said '{words}'\n{self.text()}")
 
 
+def brightest(picture):
+    lit = sorted(picture.getdata(), key=sum)[-picture.width * picture.height // 20:]
+    return tuple(sum(pixel[k] for pixel in lit) / len(lit) for k in range(3))
+
+
 def red(r, g, b):
     return r > 60 and r > 3 * g and r > 3 * b
 
 
 def green(r, g, b):
     return g > 60 and g > 3 * r and g > 3 * b
+
+
+def blue(r, g, b):
+    return b > 60 and b > 3 * r and b > 3 * g
 
 
 def striped(r, g, b):
