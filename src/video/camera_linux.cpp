@@ -58,7 +58,8 @@ struct Camera::Device {
 
 Result<void> Camera::Device::choose_format() {
     v4l2_capability can{};
-    if (call(file, VIDIOC_QUERYCAP, &can) < 0) return failed("is not a camera");
+    if (call(file, VIDIOC_QUERYCAP, &can) < 0)
+        return failed(errno == ENODEV ? "the camera is gone" : "is not a camera");
     const std::uint32_t has = can.capabilities & V4L2_CAP_DEVICE_CAPS ? can.device_caps : can.capabilities;
     if (!(has & V4L2_CAP_VIDEO_CAPTURE) || !(has & V4L2_CAP_STREAMING))
         return Error{"sends no pictures, expected a device that captures and streams", name};

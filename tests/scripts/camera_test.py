@@ -207,7 +207,7 @@ class Camera(unittest.TestCase):
 
     def test_each_trouble_has_its_sentence(self):
         for does, words in (("busy", "is in use by another program"), ("grey", "has neither Motion JPEG nor YUYV"),
-                            ("short", "pictures that cannot be read"), ("silent", "sends no pictures")):
+                            ("short", "pictures that cannot be read"), ("gone", "the camera is gone"), ("silent", "sends no pictures")):
             self.stage.plug_in(does)
             text = self.stage.render()
             self.assertIn(words, text, does)
