@@ -29,7 +29,8 @@ std::string pass_name(const scene::ManifestLight& light) {
 
 CameraBake::CameraBake(const scene::Show& show, const scene::Stage& stage, const StageKeys& keys,
                        const scene::Camera& camera, const BakeOptions& options)
-    : camera_(camera), options_(options), folder_(scene::passes_folder(show, camera.name)) {
+    : camera_(camera), options_(options), home_(show.folder),
+      folder_(scene::passes_folder(show, camera.name)) {
     wanted_.camera = camera.name;
     wanted_.camera_to_world = scene::camera_to_world(camera);
     wanted_.fov_y_deg = camera.fov_y_deg;
@@ -234,9 +235,7 @@ Result<void> CameraBake::trace_batch(const Tracer& tracer, bool surroundings,
 
 Result<void> CameraBake::run(const Tracer& tracer, const std::function<void(double)>& on_samples,
                              BakeStats& stats) {
-    std::error_code code;
-    fs::create_directories(pictures(), code);
-    if (code) return Error{"cannot create the folder: " + code.message(), pictures().string()};
+    TRY_VOID(make_folders(pictures(), home_));
 
     const int kept = static_cast<int>(std::count(done_.begin(), done_.end(), true));
     if (layout_ == Layout::patched) {

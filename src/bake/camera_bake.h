@@ -46,6 +46,7 @@ private:
 
     const scene::Camera& camera_;
     const BakeOptions& options_;
+    std::filesystem::path home_; // of the show
     std::filesystem::path folder_;
     scene::PassManifest wanted_;                            // with all lights
     scene::PassManifest written_;                           // what the manifest on disk says now

@@ -137,7 +137,7 @@ void Update::find_kept() {
     wanted_.stage.also_right.assign(keys.begin(), keys.end());
     stats_.kept = static_cast<int>(std::count(right_.begin(), right_.end(), 1));
     if (!old || *old != wanted_.stage)
-        if (auto written = scene::write_distance_stage(folder, wanted_.stage); !written.ok())
+        if (auto written = scene::write_distance_stage(show_, options_.size, wanted_.stage); !written.ok())
             failed_to_write(written.error());
 }
 

@@ -120,6 +120,15 @@ Result<void> write_file_atomic(const fs::path& path, Bytes bytes) {
     return commit_temporary(temporary, path);
 }
 
+Result<void> make_folders(const fs::path& folder, const fs::path& home) {
+    std::error_code code;
+    if (!fs::is_directory(home.empty() ? fs::path(".") : home, code))
+        return Error{"this folder is gone", home.string()};
+    fs::create_directories(folder, code);
+    return code ? Result<void>(Error{"cannot make the folder: " + code.message(), folder.string()})
+                : Result<void>();
+}
+
 Result<void> write_file_atomic(const fs::path& path, std::string_view text) {
     return write_file_atomic(path, Bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }

@@ -21,6 +21,10 @@ Result<std::string> read_text_file(const std::filesystem::path& path, std::uintm
 Result<void> write_file_atomic(const std::filesystem::path& path, Bytes bytes);
 Result<void> write_file_atomic(const std::filesystem::path& path, std::string_view text);
 
+// Makes a folder and those above it, but never `home`, which is to be there: who renames a show's folder does
+// not find another one in its place.
+Result<void> make_folders(const std::filesystem::path& folder, const std::filesystem::path& home);
+
 // For writers that want a file name: write to the returned path (same folder), then commit_temporary.
 std::filesystem::path temporary_beside(const std::filesystem::path& path);
 Result<void> commit_temporary(const std::filesystem::path& temporary, const std::filesystem::path& path);

@@ -193,10 +193,9 @@ Result<std::optional<DistanceStage>> read_distance_stage(const fs::path& folder)
     return std::optional(std::move(stage));
 }
 
-Result<void> write_distance_stage(const fs::path& folder, const DistanceStage& stage) {
-    std::error_code code;
-    fs::create_directories(folder, code);
-    if (code) return Error{"cannot make the folder: " + code.message(), folder.string()};
+Result<void> write_distance_stage(const Show& show, int size, const DistanceStage& stage) {
+    const fs::path folder = distance_folder(show, size);
+    TRY_VOID(make_folders(folder, show.folder));
     return write_file_atomic(folder / kStageFile, distance_stage_text(stage));
 }
 

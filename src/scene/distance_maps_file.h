@@ -66,6 +66,6 @@ std::string distance_stage_text(const DistanceStage& stage);
 Result<DistanceStage> parse_distance_stage(std::string_view text, const std::string& where);
 // No value: there is no such file.
 Result<std::optional<DistanceStage>> read_distance_stage(const std::filesystem::path& folder);
-Result<void> write_distance_stage(const std::filesystem::path& folder, const DistanceStage& stage);
+Result<void> write_distance_stage(const Show& show, int size, const DistanceStage& stage);
 
 } // namespace ghost::scene

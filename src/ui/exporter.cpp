@@ -75,8 +75,7 @@ Result<QStringList> Exporter::look_arguments() {
             stored.fixtures[studio_.show()->fixtures[index].name] = manual;
     if (stored.fixtures.empty() && stored.scene == SceneLook{}) return QStringList{};
     const std::filesystem::path folder = studio_.show()->cache_folder();
-    std::error_code code;
-    std::filesystem::create_directories(folder, code);
+    TRY_VOID(make_folders(folder, studio_.show()->folder));
     const std::filesystem::path file = temporary_beside(folder / kLookFile); // one for each job
     TRY_VOID(write_file_atomic(file, scene::text_of({stored})));
     return QStringList{"--looks", QString::fromStdString(std::filesystem::absolute(file).string()), "--look",

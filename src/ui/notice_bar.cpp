@@ -17,6 +17,9 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, QWidget* parent)
     connect(&document_, &ShowDocument::found_changed_outside, this, [this](const QString& words) {
         ask(words, {{"Take what the file says", "reload"}, {"Save mine over it", "save over"}});
     });
+    connect(&document_, &ShowDocument::found_gone, this, [this](const QString& words) {
+        ask(words, {{"Save it there again", "save"}, {"Save a copy elsewhere...", "save-copy"}});
+    });
     connect(&document_, &ShowDocument::save_failed, this, [this](const QString& words) {
         ask(words, {{"Try again", "save"}, {"Save a copy elsewhere...", "save-copy"}});
     });

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/show_document.h"
 
-#include "base/crc32.h"
 #include "base/files.h"
 #include "scene/show_edit.h"
 #include "ui/undo_ids.h"
-
-#include <QDateTime>
-#include <QFileInfo>
-#include <QStandardPaths>
 
 #include <utility>
 
@@ -17,21 +12,9 @@ namespace {
 
 constexpr int kDraftAfter_ms = 500;
 constexpr int kDraftAgain_ms = 5000; // where it could not be written
+constexpr int kLookAgain_ms = 1000;
+constexpr int kGoneAfter = 2; // looks, for editors take a file away for a moment
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
-const std::string kDraftHead = "# Ghostlight: changes that were not saved, of a show.toml with CRC ";
-
-std::string crc_of(const std::string& text) {
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
-    return std::to_string(crc32(Bytes(bytes, text.size())));
-}
-
-// Where drafts of a show lie whose own disk takes none.
-std::filesystem::path own_draft_file(const std::filesystem::path& show_file) {
-    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
-    std::error_code code;
-    return std::filesystem::path(folder.toStdString()) / "ghostlight" / "drafts" /
-           (crc_of(std::filesystem::absolute(show_file, code).string()) + ".toml");
-}
 
 } // namespace
 
@@ -64,6 +47,9 @@ private:
 
 ShowDocument::ShowDocument(Studio& studio) : studio_(studio) {
     draft_timer_.setSingleShot(true);
+    // No watcher tells of a folder that is renamed, or of a disk that is taken out.
+    gone_timer_.start(kLookAgain_ms);
+    connect(&gone_timer_, &QTimer::timeout, this, &ShowDocument::look_whether_gone);
     connect(&draft_timer_, &QTimer::timeout, this, &ShowDocument::keep_draft);
     for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
         connect(&watcher_, signal, this, &ShowDocument::look_at_file);
@@ -91,7 +77,7 @@ void ShowDocument::watch() {
 void ShowDocument::read_opened() {
     if (draft_timer_.isActive()) keep_draft(); // of the show that was open
     file_ = studio_.show()->file;
-    draft_files_ = {studio_.show()->cache_folder() / "draft.toml", own_draft_file(file_)};
+    drafts_ = Drafts(*studio_.show());
     text_.clear();
     copied_.clear();
     draft_.reset();
@@ -99,6 +85,7 @@ void ShowDocument::read_opened() {
     save_failed_ = false;
     changed_outside_ = false;
     seen_outside_.reset();
+    is_gone_ = false;
     if (file_.extension() != ".toml") file_.clear();
     if (!file_.empty()) {
         if (auto text = read_text_file(file_, kMostBytes); text.ok())
@@ -113,27 +100,13 @@ void ShowDocument::read_opened() {
 }
 
 void ShowDocument::find_draft() {
-    for (const std::filesystem::path& file : draft_files_) {
-        std::error_code code;
-        if (!std::filesystem::is_regular_file(file, code)) continue;
-        const auto draft = read_text_file(file, kMostBytes);
-        if (!draft.ok()) continue;
-        const std::size_t head = draft->find('\n');
-        const bool is_ours = draft->starts_with(kDraftHead) && head != std::string::npos;
-        if (!is_ours || draft->substr(head + 1) == text_) {
-            std::filesystem::remove(file, code);
-            continue;
-        }
-        const bool of_this = draft->substr(kDraftHead.size(), head - kDraftHead.size()) == crc_of(text_);
-        draft_ = draft->substr(head + 1);
-        const QString when =
-            QFileInfo(QString::fromStdString(file.string())).lastModified().toString("d MMM hh:mm");
-        Q_EMIT draft_found("Changes of " + when + " were not saved." +
-                           (of_this ? QString()
-                                    : QString(" The show file was changed since; taking them "
-                                              "drops what was changed there.")));
-        return;
-    }
+    auto found = drafts_.find(text_);
+    if (!found) return;
+    draft_ = std::move(found->text);
+    Q_EMIT draft_found("Changes of " + found->when.toString("d MMM hh:mm") + " were not saved." +
+                       (found->of_this ? QString()
+                                       : QString(" The show file was changed since; taking them drops what "
+                                                 "was changed there.")));
 }
 
 Result<void> ShowDocument::check_editable() const {
@@ -180,20 +153,12 @@ void ShowDocument::keep_draft() {
 Result<void> ShowDocument::keep() {
     draft_timer_.stop();
     if (file_.empty() || draft_) return {};
-    std::optional<Error> fault;
-    std::error_code code;
-    const std::string draft = kDraftHead + crc_of(saved_) + "\n" + text_;
-    bool is_kept = !is_changed();
-    for (const std::filesystem::path& file : draft_files_) {
-        if (is_kept) { // saved, or in the place before
-            std::filesystem::remove(file, code);
-            continue;
-        }
-        std::filesystem::create_directories(file.parent_path(), code);
-        const Result<void> written = write_file_atomic(file, draft);
-        is_kept = written.ok();
-        if (!is_kept && !fault) fault = written.error();
-    }
+    Result<void> kept;
+    if (is_changed())
+        kept = drafts_.write(text_, saved_);
+    else
+        drafts_.remove();
+    const bool is_kept = kept.ok();
     if (is_kept != is_kept_) {
         is_kept_ = is_kept;
         Q_EMIT changed();
@@ -201,15 +166,19 @@ Result<void> ShowDocument::keep() {
     if (is_kept) return {};
     draft_timer_.start(kDraftAgain_ms);
     if (text_ == copied_) return {};
-    return *fault;
+    return kept;
 }
 
 void ShowDocument::look_at_file() {
     watch(); // a file that was replaced is another one
     const auto now = read_text_file(file_, kMostBytes);
-    if (!now.ok()) return; // away for a moment; the folder tells when it is back
+    if (!now.ok()) return; // away for a moment, or look_whether_gone says so
+    const bool was_gone = std::exchange(is_gone_, false);
     const bool outside = *now != saved_ && *now != text_;
-    if (outside ? seen_outside_ == *now : !changed_outside_) return;
+    if (outside ? seen_outside_ == *now : !changed_outside_) {
+        if (was_gone) Q_EMIT changed();
+        return;
+    }
     changed_outside_ = outside;
     seen_outside_ = outside ? std::optional(*now) : std::nullopt;
     QString why = "there are changes here that are not saved.";
@@ -219,6 +188,24 @@ void ShowDocument::look_at_file() {
         why = "it cannot be taken: " + QString::fromStdString(taken.error().text());
     }
     if (outside) Q_EMIT found_changed_outside("Another program changed the show file, and " + why);
+    Q_EMIT changed();
+}
+
+void ShowDocument::look_whether_gone() {
+    std::error_code code;
+    const bool is_there = file_.empty() || std::filesystem::exists(file_, code);
+    misses_ = is_there ? 0 : misses_ + 1;
+    if (is_there && is_gone_) {
+        watcher_.removePaths(watcher_.directories()); // it may be another folder
+        look_at_file();
+    }
+    if (misses_ < kGoneAfter || is_gone_) return;
+    is_gone_ = true;
+    const bool has_folder = std::filesystem::exists(file_.parent_path(), code);
+    Q_EMIT found_gone(
+        QString("The show %1 is gone: deleted, renamed, or its disk was taken out. What is open "
+                "here stays as it is.")
+            .arg(has_folder ? "file" : "folder"));
     Q_EMIT changed();
 }
 
@@ -237,7 +224,7 @@ Result<void> ShowDocument::save(bool over) {
         Q_EMIT save_failed("The show is not saved: " + QString::fromStdString(written.error().text()));
         return written;
     }
-    save_failed_ = false;
+    save_failed_ = is_gone_ = false;
     saved_ = text_;
     changed_outside_ = false;
     keep_draft();
@@ -280,8 +267,7 @@ Result<void> ShowDocument::take_draft() {
 Result<void> ShowDocument::drop_draft() {
     if (!draft_) return Error{"there are no changes of an earlier time", ""};
     draft_.reset();
-    std::error_code code;
-    for (const std::filesystem::path& file : draft_files_) std::filesystem::remove(file, code);
+    drafts_.remove();
     Q_EMIT changed();
     return {};
 }

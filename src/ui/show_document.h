@@ -1,11 +1,12 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // ShowDocument: show.toml as the window edits it. Its text is the document: an edit is a step of the undo
-// list from one text to the next, and undone it leaves not one other byte. What is not saved lies in
-// .ghost/draft.toml half a second later, or, where that disk is full, in the user's own folder, so that
-// neither a crash nor a window that is closed loses more; the next time it is offered. Errors go to who
+// list from one text to the next, and undone it leaves not one other byte. What is not saved is a draft
+// (ui/drafts.h) half a second later, so that neither a crash nor a window that is closed loses more; the next
+// time it is offered. Errors go to who
 // asked. Window thread.
 
+#include "ui/drafts.h"
 #include "ui/studio.h"
 
 #include <QFileSystemWatcher>
@@ -32,8 +33,11 @@ public:
     bool has_draft() const { return draft_.has_value(); }
     // Whether the file says something else now than when it was read or written here.
     bool is_changed_outside() const { return changed_outside_; }
-    // Whether something waits for a person: a draft, a change outside, a disk that takes nothing.
-    bool waits_for_answer() const { return has_draft() || is_changed_outside() || !is_kept_ || save_failed_; }
+    // Whether something waits for a person: a draft, a change outside, a disk that takes
+    // nothing, a show file that is gone.
+    bool waits_for_answer() const {
+        return has_draft() || is_changed_outside() || !is_kept_ || save_failed_ || is_gone_;
+    }
 
     // Error: no show, an .mvr that was opened as it is, or a draft that waits.
     Result<void> check_editable() const;
@@ -63,6 +67,7 @@ Q_SIGNALS:
     void changed(); // any of the above
     void draft_found(const QString& words);
     void found_changed_outside(const QString& words); // and could not be taken
+    void found_gone(const QString& words);
     void save_failed(const QString& words);
     void keep_failed(const QString& words); // the next window would not find what is not saved
 
@@ -74,11 +79,12 @@ private:
     void keep_draft();
     void find_draft();
     void look_at_file();
+    void look_whether_gone();
     void watch();
 
     Studio& studio_;
-    std::filesystem::path file_;                     // empty: nothing that can be edited
-    std::vector<std::filesystem::path> draft_files_; // the first that can be written
+    std::filesystem::path file_; // empty: nothing that can be edited
+    Drafts drafts_;
     std::string text_;
     std::string saved_;  // as the file has it
     std::string copied_; // as it was saved as a copy
@@ -86,8 +92,10 @@ private:
     bool is_kept_ = true;
     bool save_failed_ = false;
     bool changed_outside_ = false;
+    bool is_gone_ = false;                    // the show file
+    int misses_ = 0;                          // looks that did not find it
     std::optional<std::string> seen_outside_; // what it says there
-    QTimer draft_timer_;
+    QTimer draft_timer_, gone_timer_;
     QFileSystemWatcher watcher_;
 };
 

@@ -156,7 +156,7 @@ TEST_F(DistanceFiles, NoSurfaceIsTheHalfOfItsDistance) {
 }
 
 TEST_F(DistanceFiles, WhatIsWrittenIsRead) {
-    ASSERT_TRUE(write_distance_stage(distance_folder(show, kSize), stage).ok());
+    ASSERT_TRUE(write_distance_stage(show, kSize, stage).ok());
     for (std::size_t k = 0; k < 3; ++k) write(k, stored(k));
     const auto maps = load_distance_maps(show, kSize, report);
     ASSERT_TRUE(maps.ok());
@@ -179,14 +179,14 @@ TEST_F(DistanceFiles, WhatIsWrittenIsRead) {
 TEST_F(DistanceFiles, OnlyWhatFitsPlaceAndStageIsLoaded) {
     write(0, stored(0));
     EXPECT_EQ(loaded(), 0u); // no stage says that it is right
-    ASSERT_TRUE(write_distance_stage(distance_folder(show, kSize), stage).ok());
+    ASSERT_TRUE(write_distance_stage(show, kSize, stage).ok());
     EXPECT_EQ(loaded(), 1u);
     StoredDistanceMap other = stored(1);
     other.stage = other.key = kOtherKey;
     write(1, other);
     EXPECT_EQ(loaded(), 1u);
     stage.also_right = {kOtherKey};
-    ASSERT_TRUE(write_distance_stage(distance_folder(show, kSize), stage).ok());
+    ASSERT_TRUE(write_distance_stage(show, kSize, stage).ok());
     EXPECT_EQ(loaded(), 2u);
     show.fixtures[0].track->stops_m[1].x = 1e-7f;
     EXPECT_EQ(loaded(), 1u);
@@ -196,7 +196,7 @@ TEST_F(DistanceFiles, OnlyWhatFitsPlaceAndStageIsLoaded) {
 }
 
 TEST_F(DistanceFiles, DamagedFilesAreNamedAndLeftOut) {
-    ASSERT_TRUE(write_distance_stage(distance_folder(show, kSize), stage).ok());
+    ASSERT_TRUE(write_distance_stage(show, kSize, stage).ok());
     write(0, stored(0));
     write(1, stored(1));
     const auto named = [&](const char* what) {

@@ -224,6 +224,38 @@ TEST(Patch, another_show_does_not_cost_what_was_typed_just_before) {
     EXPECT_NE(desk.document.text().find("Typed just now"), std::string::npos);
 }
 
+TEST(Patch, a_show_that_is_renamed_is_said_and_not_made_again) {
+    QTemporaryDir place;
+    const fs::path folder = fs::path(place.path().toStdString()) / "show",
+                   renamed = fs::path(place.path().toStdString()) / "renamed";
+    fs::create_directory(folder);
+    Desk desk(folder.string());
+    desk.open();
+    QString said;
+    QObject::connect(&desk.document, &ShowDocument::found_gone, [&](const QString& words) { said = words; });
+    fs::rename(folder, renamed);
+    wait_ms(3200);
+    EXPECT_TRUE(said.contains("The show folder is gone")) << said.toStdString();
+    EXPECT_TRUE(desk.document.waits_for_answer());
+    desk.studio.select({1});
+    ASSERT_TRUE(desk.edit.rename("Changed").ok());
+    wait_ms(700);
+    EXPECT_FALSE(desk.document.save(false).ok());
+    EXPECT_FALSE(fs::exists(folder)) << "another one in its place";
+    fs::rename(renamed, folder);
+    ASSERT_TRUE(desk.document.save(false).ok());
+    EXPECT_EQ(desk.on_disk(), desk.document.text());
+    EXPECT_FALSE(desk.document.waits_for_answer());
+    // The file alone: saving writes it again.
+    said.clear();
+    fs::remove(desk.file);
+    wait_ms(3200);
+    EXPECT_TRUE(said.contains("The show file is gone")) << said.toStdString();
+    ASSERT_TRUE(desk.document.save(false).ok());
+    EXPECT_EQ(desk.on_disk(), desk.document.text());
+    EXPECT_FALSE(desk.document.waits_for_answer());
+}
+
 TEST(Patch, a_copy_goes_elsewhere_and_the_show_stays_unsaved) {
     Desk desk;
     desk.open();
