@@ -155,11 +155,17 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     if (projects)
         light.bounce_cd *=
             picture_share(*projector, gobos.showing[static_cast<std::size_t>(projector->media)]);
+    if (is_measured) add_shape(measured_light->second, light);
     // Frost spreads what the gate lets through.
-    if (is_measured)
-        add_shape(measured_light->second, light);
-    else if (!projects && measured.sent_sr > 0)
+    if (!projects && optics.frost > 0 && (light.wheel_count > 0 || light.shaped != 0)) {
+        fixture::BeamState unfrosted = beam;
+        unfrosted.optics.frost = 0;
+        const shared::Light clear = light_from(type, unfrosted, to_world, gobos, profiles, projector, shape);
+        light.intensity_cd *=
+            profiles.frost.correction(clear, light, gobos.images, light.lens_m + optics.focus_m);
+    } else if (!projects && !is_measured && measured.sent_sr > 0) {
         light.intensity_cd *= measured.iris_sr / measured.sent_sr;
+    }
     light.haze_samples = light.wheel_count > 0 || light.shaped != 0 || projects ? kGoboSamples : kOpenSamples;
     return light;
 }

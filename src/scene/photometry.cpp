@@ -13,6 +13,7 @@ constexpr float kMinAngleDeg = 0.1f;
 constexpr float kMaxAngleDeg = 170.0f;
 constexpr float kMaxPower = 10.0f; // equal beam and field angle: nearly flat
 constexpr int kSteps = 512;
+constexpr std::size_t kMostFound = 4096;
 constexpr float kFrostEnd = 9.0f; // halvings of the peak where a frosted beam ends
 
 float tan_half(float angle_deg) {
@@ -117,6 +118,11 @@ const MeasuredProfile& area_profile() {
         return area;
     }();
     return made;
+}
+
+void ProfileTable::trim() {
+    if (found_.size() > kMostFound) found_.clear();
+    frost.trim();
 }
 
 const MeasuredProfile& ProfileTable::find(float beam_angle_deg, float field_angle_deg, bool hard_edge,

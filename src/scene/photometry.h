@@ -4,6 +4,7 @@
 // intensity that shaders/shared/beam.h uses. Beam angle: 50 % of the peak, field angle: 10 % (IES/CIE): I(r)
 // = I0 exp2(-scale r^(2 power)) in gate radii r = tan / tan(field / 2). Pure.
 
+#include "scene/frost_flux.h"
 #include "shared/types.h"
 
 #include <array>
@@ -71,6 +72,10 @@ public:
     // iris: share of the open aperture; frost_deg: standard deviation of the angle of its scatter.
     const MeasuredProfile& find(float beam_angle_deg, float field_angle_deg, bool hard_edge, float iris,
                                 float frost_deg = 0.0f);
+
+    // Forgets zooms and gates that were on their way, before there are too many. No reference outlives it.
+    void trim();
+    FrostFlux frost;
 
 private:
     std::map<std::array<float, 5>, MeasuredProfile> found_;

@@ -263,10 +263,9 @@ Rig::Between Rig::between(std::size_t index) const {
     return result;
 }
 
-std::vector<Face> Rig::faces(std::size_t index, const Hung& hung, const GoboStack& gobos,
-                             ProfileTable& profiles) const {
+std::vector<Face> Rig::faces(std::size_t index, const Hung& hung, const GoboStack& gobos) const {
     const fixture::Type& type = *show_.fixtures[index].type;
-    std::vector<Face> faces = faces_of(type, states_[index].beams, hung.to_world, gobos, profiles,
+    std::vector<Face> faces = faces_of(type, states_[index].beams, hung.to_world, gobos, profiles_,
                                        projector_of(index), show_.fixtures[index].shape.get());
     if (walls_[index]) light_wall(index, gobos, faces);
     if (show_.fixtures[index].laser) colour_laser(*show_.fixtures[index].laser, type, states_[index], faces);
@@ -284,14 +283,14 @@ std::vector<Face> Rig::faces(std::size_t index, const Hung& hung, const GoboStac
 Lit Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) const {
     Lit lit;
     std::vector<Face> facets;
-    ProfileTable profiles;
+    profiles_.trim();
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const PatchedFixture& fixture = show_.fixtures[i];
         if (!fixture.type) continue;
         const Between track = between(i);
         const Hung hung = track.hung(track.stop_m, track.next_m);
         const Emitters emitters = cells == Cells::apart ? apart(*emitters_[i]) : *emitters_[i];
-        std::vector<Face> faces = this->faces(i, hung, gobos, profiles);
+        std::vector<Face> faces = this->faces(i, hung, gobos);
         const auto stop = static_cast<int>(track.share < 0.5f ? track.stop : track.next);
         std::vector<int> map_of;
         for (int place = 0; place < static_cast<int>(emitters.places_m.size()); ++place)
@@ -313,7 +312,7 @@ Lit Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) cons
 Lit Rig::lit(const GoboStack& gobos, const Passes& passes) const {
     Lit lit;
     std::vector<Face> facets;
-    ProfileTable profiles;
+    profiles_.trim();
     const auto dark_pass = static_cast<std::uint32_t>(passes.lights.size());
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const PatchedFixture& fixture = show_.fixtures[i];
@@ -330,7 +329,7 @@ Lit Rig::lit(const GoboStack& gobos, const Passes& passes) const {
         const Between track = between(i);
         const Hung hung = track.hung(place_of(track.stop, track.stop_m), place_of(track.next, track.next_m));
         const Emitters& emitters = *emitters_[i];
-        std::vector<Face> faces = this->faces(i, hung, gobos, profiles);
+        std::vector<Face> faces = this->faces(i, hung, gobos);
         for (const Emitter& emitter : emitters.lights) {
             shared::Light whole = light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung));
             whole.pass = pass_of(track.stop);

@@ -68,8 +68,7 @@ private:
     Between between(std::size_t fixture) const;
 
     void follow(std::size_t fixture, fixture::Targets& targets) const;
-    std::vector<Face> faces(std::size_t fixture, const Hung& hung, const GoboStack& gobos,
-                            ProfileTable& profiles) const;
+    std::vector<Face> faces(std::size_t fixture, const Hung& hung, const GoboStack& gobos) const;
     void choose_medium(std::size_t fixture, const dmx::Universes& universes);
     std::optional<fixture::Figure> figure_of(std::size_t fixture, const Emitter& emitter) const;
     void light_wall(std::size_t fixture, const GoboStack& gobos, std::vector<Face>& faces) const;
@@ -88,6 +87,7 @@ private:
     std::vector<std::shared_ptr<const Emitters>> emitters_; // one for all fixtures of a type and mode
     std::vector<std::optional<glm::vec3>> aims_;
     std::map<std::size_t, fixture::Manual> manual_, asked_; // of the last step
+    mutable ProfileTable profiles_; // of frames before, too: a light is the same with it and without
 };
 
 } // namespace ghost::scene

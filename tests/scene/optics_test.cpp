@@ -267,6 +267,53 @@ TEST(Frost, ConservesTheFlux) {
         }
 }
 
+// Behind a gate with something in it, too, whatever hangs together with what, where it is focused.
+TEST(Frost, ConservesTheFluxBehindAFullGate) {
+    const auto gobo = [](int number, float slot) {
+        return fixture::WheelState{.wheel = wheel_number(number == 1 ? "Static gobos" : "Rotating gobos"),
+                                   .number = number,
+                                   .position = slot};
+    };
+    const std::vector<fixture::Blade> blades{{0.45f, 0.2f}, {0.3f, 0.3f}, {0.1f, 0.4f}, {}};
+    const std::vector<std::pair<const char*, std::function<void(Optics&)>>> gates{
+        {"gobo", [&](Optics& optics) { optics.gobo_wheels = {gobo(1, 1)}; }},
+        {"gobo and iris",
+         [&](Optics& optics) {
+             optics.gobo_wheels = {gobo(1, 1)};
+             optics.iris = 0.5f;
+         }},
+        {"two gobos",
+         [&](Optics& optics) {
+             optics.gobo_wheels = {gobo(1, 1), gobo(2, 1)};
+         }},
+        {"blades", [&](Optics& optics) { optics.blades = blades; }},
+        {"gobo and blades",
+         [&](Optics& optics) {
+             optics.gobo_wheels = {gobo(1, 2)};
+             optics.blades = blades;
+         }},
+    };
+    double worst = 0;
+    for (const auto& [name, put] : gates)
+        for (const float zoom_deg : {12.0f, 30.0f}) {
+            fixture::BeamState beam = open_beam();
+            beam.optics.zoom_deg = zoom_deg;
+            beam.optics.focus_m = 8;
+            put(beam.optics);
+            const double clear_lm = flux_lm(light_of(beam), 8.0, 700);
+            for (const float frost_deg : {0.3f, 1.0f, 3.0f, 8.0f}) {
+                beam.optics.frost = 1;
+                beam.optics.frost_full_deg = frost_deg;
+                const double share = flux_lm(light_of(beam), 8.0, 700) / clear_lm;
+                std::printf("%s, %.0f deg, frost %.1f deg: %.4f of the light\n", name,
+                            static_cast<double>(zoom_deg), static_cast<double>(frost_deg), share);
+                worst = std::max(worst, std::abs(share - 1));
+                beam.optics.frost = 0;
+            }
+        }
+    EXPECT_LT(worst, 0.005);
+}
+
 // Share of the light within a radius, against a disc that is scattered by a Gaussian: a million rays.
 TEST(Frost, SpreadsAsAGaussianDoes) {
     std::mt19937 random(5);
