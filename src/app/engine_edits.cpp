@@ -17,7 +17,8 @@ bool differs_in_fixtures_and_air_only(const Session& session,
                                       const std::string& now) {
     const Result<std::string> text =
         before ? Result<std::string>(*before) : read_text_file(session.show->file, kMostShowBytes);
-    return text.ok() && scene::differ_in_fixtures_and_air_only(*text, now);
+    // The same text is taken because the files that it names are others.
+    return text.ok() && *text != now && scene::differ_in_fixtures_and_air_only(*text, now);
 }
 
 } // namespace

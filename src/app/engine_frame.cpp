@@ -14,6 +14,7 @@ namespace {
 constexpr int kLeastPixels = 16; // across
 constexpr int kMostPixels = 8192;
 constexpr double kLongestStep_s = 0.5; // a slow frame must not make the recording jump
+constexpr double kLongestFilm_s = 1e9; // of time code, which loops where the film does
 
 bool same_view(const scene::Camera& a, const scene::Camera& b) {
     return a.position_m == b.position_m && a.target_m == b.target_m && a.fov_y_deg == b.fov_y_deg &&
@@ -140,9 +141,11 @@ void Engine::frame() {
         last_change_s_ = begin_s;
     }
 
-    // Films run with the recording, where it is shown.
-    const bool of_recording = input_->recording_s() > 0 && !input_->shows_desk();
-    session_->media_s = of_recording ? std::optional(input_->at_s()) : std::nullopt;
+    // Films run with the recording, where it is shown, else with the network's time code, once it is heard.
+    if (input_->recording_s() > 0 && !input_->shows_desk())
+        session_->media_s = input_->at_s();
+    else if (!wishes_.frozen)
+        session_->media_s = timecode_ ? timecode_->at_s(kLongestFilm_s) : std::nullopt;
     session_->show_media(air_s_ + dt_s);
     const bool baked = choose_baked(begin_s);
     const bool switched = baked != std::exchange(shows_baked_, baked);

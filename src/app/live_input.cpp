@@ -27,6 +27,10 @@ std::vector<float> measure_activity(const std::filesystem::path& file, const std
 } // namespace
 
 Result<void> LiveInput::load_recording(const std::filesystem::path& file, scene::Report& report) {
+    std::optional<dmx::Recording> recording;
+    if (!file.empty()) {
+        TRY(recording, dmx::read_recording(file)); // else the one before plays on
+    }
     stop_measuring_ = true;
     measuring_ = {}; // waits for the one before
     stop_measuring_ = false;
@@ -34,14 +38,13 @@ Result<void> LiveInput::load_recording(const std::filesystem::path& file, scene:
     played_ = {};
     at_s_ = 0;
     file_ = file;
-    if (file.empty()) return {};
-    TRY(dmx::Recording recording, dmx::read_recording(file));
-    for (const Error& problem : recording.problems)
+    if (!recording) return {};
+    for (const Error& problem : recording->problems)
         report.add(scene::Severity::warning, problem.where, problem.what);
     first_frames_s_.clear();
-    for (const auto& [universe, time] : recording.first_frames())
+    for (const auto& [universe, time] : recording->first_frames())
         first_frames_s_.emplace_back(universe, seconds_of(time));
-    player_ = std::make_unique<dmx::Player>(std::move(recording));
+    player_ = std::make_unique<dmx::Player>(std::move(*recording));
     measuring_ = std::async(std::launch::async, measure_activity, file, std::cref(stop_measuring_));
     return {};
 }

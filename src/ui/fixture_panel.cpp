@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/fixture_panel.h"
 
+#include "ui/fixture_table.h"
 #include "ui/following.h"
 #include "ui/hand.h"
 #include "ui/patch_actions.h"
@@ -218,7 +219,7 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
     sorted_->setFilterKeyColumn(-1);
     sorted_->setDynamicSortFilter(false); // levels change all the time
-    table_ = new QTableView(this);
+    table_ = new FixtureTable(this);
     table_->setModel(sorted_);
     table_->setSortingEnabled(true);
     table_->sortByColumn(-1, Qt::AscendingOrder);

@@ -46,8 +46,8 @@ void add_number(Actions& actions, Studio& studio, const QString& name, Hand kind
 void add_fixture_actions(Actions& actions, Studio& studio) {
     add_number(actions, studio, "intensity", Hand::intensity, 0, 1, &fixture::Manual::intensity);
     add_number(actions, studio, "zoom", Hand::zoom, 0.05, 160, &fixture::Manual::zoom_deg);
-    add_number(actions, studio, "pan", Hand::pan, -100000, 100000, &fixture::Manual::pan_deg);
-    add_number(actions, studio, "tilt", Hand::tilt, -100000, 100000, &fixture::Manual::tilt_deg);
+    add_number(actions, studio, "pan", Hand::pan, -3600, 3600, &fixture::Manual::pan_deg);
+    add_number(actions, studio, "tilt", Hand::tilt, -3600, 3600, &fixture::Manual::tilt_deg);
     actions.add({"colour",
                  "",
                  "colour",

@@ -5,8 +5,9 @@
 
 namespace ghost::ui {
 
-NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, QWidget* parent)
-    : QToolBar("Notice", parent), actions_(actions), document_(document) {
+NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, Studio& studio, QWidget* parent)
+    : QToolBar("Notice", parent), actions_(actions), document_(document), studio_(studio) {
+    connect(&studio_, &Studio::messages_came, this, &NoticeBar::look_at_messages);
     setObjectName("notice");
     setMovable(false);
     toggleViewAction()->setVisible(false);
@@ -29,6 +30,20 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, QWidget* parent)
     connect(&document_, &ShowDocument::changed, this, [this] {
         if (!document_.waits_for_answer()) hide();
     });
+}
+
+void NoticeBar::look_at_messages() {
+    std::set<std::string> errors;
+    QStringList anew;
+    for (const scene::Message& message : studio_.messages()) {
+        if (message.severity != scene::Severity::error) continue;
+        if (errors.insert(message.what).second && !errors_.contains(message.what))
+            anew << QString::fromStdString(message.where + ": " + message.what);
+    }
+    errors_ = std::move(errors);
+    if (!studio_.opened().is_edit || anew.isEmpty()) return;
+    const QString more = anew.size() == 1 ? QString() : QString(" (and %1 more)").arg(anew.size() - 1);
+    ask("Since this edit: " + anew.front() + more, {{"Undo", "undo"}, {"All messages", "panel-messages on"}});
 }
 
 void NoticeBar::ask(const QString& words, const std::vector<std::pair<QString, QString>>& buttons_and_lines) {

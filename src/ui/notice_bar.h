@@ -8,19 +8,26 @@
 
 #include <QToolBar>
 
+#include <set>
+#include <string>
+
 namespace ghost::ui {
 
 class NoticeBar : public QToolBar {
     Q_OBJECT
 public:
-    NoticeBar(Actions& actions, ShowDocument& document, QWidget* parent);
+    NoticeBar(Actions& actions, ShowDocument& document, Studio& studio, QWidget* parent);
 
 private:
+    // Errors that an edit brought with it, as a stage that cannot be read.
+    void look_at_messages();
     // A line of a script for each button.
     void ask(const QString& words, const std::vector<std::pair<QString, QString>>& buttons_and_lines);
 
     Actions& actions_;
     ShowDocument& document_;
+    Studio& studio_;
+    std::set<std::string> errors_; // of the show that was open, without their lines, which move
 };
 
 } // namespace ghost::ui

@@ -2,6 +2,8 @@
 // The actions that are about the recording, the input, and how finely the picture is drawn.
 #include "ui/hand.h"
 
+#include "dmx/recording.h"
+
 #include <QDateTime>
 
 namespace ghost::ui {
@@ -26,6 +28,8 @@ Result<void> record(Studio& studio, const QStringList& words) {
 }
 
 Result<void> play_file(Studio& studio, const std::string& file) {
+    // What is no recording must not stop the one that plays.
+    if (!file.empty()) TRY_VOID(dmx::read_recording(file));
     studio.wish([&](Wishes& wishes) {
         wishes.recording = file;
         wishes.input = Input::recording;

@@ -57,6 +57,8 @@ Result<bool> Script::is_over(const QStringList& words) {
     if (what == "settled" && waited_s < kPatience_s) return false;
     if (what == "opened" && studio_.open_error())
         return Error{"the show is not open: " + studio_.open_error()->text(), "wait opened"};
+    if (what == "opened" && !studio_.show() && studio_.wishes().show.empty())
+        return Error{"no show is being opened", "wait opened"};
     if (what == "opened" || what == "settled") {
         const bool is_open = studio_.show() && !studio_.is_opening();
         if (what == "opened" ? is_open : studio_.is_settled()) return true;

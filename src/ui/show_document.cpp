@@ -246,6 +246,12 @@ Result<void> ShowDocument::save_copy(const std::filesystem::path& file) {
 Result<void> ShowDocument::reload() {
     TRY_VOID(check_editable());
     TRY(std::string now, read_text_file(file_, kMostBytes));
+    if (now == text_) { // perhaps the files that it names are others
+        saved_ = std::move(now);
+        changed_outside_ = false;
+        put({text_, studio_.look(), studio_.selection()});
+        return {};
+    }
     // Before the step, which asks what is saved.
     std::string before = std::exchange(saved_, now);
     const bool was_outside = std::exchange(changed_outside_, false);

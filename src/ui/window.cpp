@@ -29,6 +29,8 @@
 #include <QSettings>
 #include <QStatusBar>
 
+#include <algorithm>
+
 namespace ghost::ui {
 namespace {
 
@@ -75,7 +77,7 @@ Window::Window(Link& link, const WindowOptions& options)
     transport_->setMovable(false);
     transport_->addWidget(new TransportPanel(studio_, actions_, transport_));
     addToolBar(Qt::BottomToolBarArea, transport_);
-    addToolBar(Qt::TopToolBarArea, new NoticeBar(actions_, document_, this));
+    addToolBar(Qt::TopToolBarArea, new NoticeBar(actions_, document_, studio_, this));
     fixtures_->model().complain = actions_.complain;
     connect(&document_, &ShowDocument::changed, this, [this] { setWindowModified(document_.is_changed()); });
     connect(&studio_, &Studio::opened_show, this, &Window::name_cameras);
@@ -162,7 +164,9 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
     const QString key = docks_.size() <= 9 ? QString("Ctrl+%1").arg(docks_.size()) : QString();
     actions_.add({"panel-" + name, "Panels", title, key, "[on|off]",
                   [dock](const QStringList& words) -> Result<void> {
-                      dock->setVisible(words.isEmpty() ? !dock->isVisible() : words[0] == "on");
+                      // One that lies behind another's tab counts as visible, but nobody sees it.
+                      const bool is_seen = dock->isVisible() && !dock->visibleRegion().isEmpty();
+                      dock->setVisible(words.isEmpty() ? !is_seen : words[0] == "on");
                       if (dock->isVisible()) dock->raise();
                       return {};
                   },
@@ -293,19 +297,20 @@ void Window::closeEvent(QCloseEvent* event) {
 
 void Window::dragEnterEvent(QDragEnterEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();
-    if (urls.size() == 1 && urls[0].isLocalFile()) event->acceptProposedAction();
+    if (std::any_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); }))
+        event->acceptProposedAction();
 }
 
 void Window::dropEvent(QDropEvent* event) {
-    const QString file = event->mimeData()->urls().value(0).toLocalFile();
     event->acceptProposedAction();
-    take_file(file);
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) take_file(url.toLocalFile());
 }
 
 // Of an open show a fixture, a stage or a plot becomes a part; all else is opened.
 void Window::take_file(const QString& file) {
     const QString ending = QFileInfo(file).suffix().toLower();
-    const bool is_fixture = ending == "gdtf" || ending == "qxf";
+    const bool is_fixture = ending == "gdtf" || ending == "qxf" || (ending == "json" && studio_.show());
     const bool is_stage = is_model(file.toStdString());
     const bool is_plot =
         ending == "mvr" && document_.check_editable().ok() && studio_.show()->plot_file.empty();

@@ -7,6 +7,7 @@
 #include "ui/shortened.h"
 #include "ui/window.h"
 
+#include <QDockWidget>
 #include <QDropEvent>
 #include <QLocalSocket>
 #include <QMimeData>
@@ -259,6 +260,26 @@ TEST(Actions, a_message_leads_to_what_it_is_about) {
     Q_EMIT list->itemActivated(list->topLevelItem(0), 0);
     EXPECT_EQ(opened.window->studio().selection(), (std::set<std::size_t>{1, 3}));
     EXPECT_TRUE(opened.window->studio().travels());
+}
+
+// A panel behind another's tab comes to the front first; closing it there would be what nobody meant.
+TEST(Actions, the_key_of_a_panel_behind_a_tab_brings_it_to_the_front) {
+    Opened4 opened;
+    const auto is_seen = [&](const char* name) {
+        const auto* dock = opened.window->findChild<QDockWidget*>(name);
+        return dock->isVisible() && !dock->visibleRegion().isEmpty();
+    };
+    opened.error_of("panel-hand on");
+    settle();
+    ASSERT_TRUE(is_seen("hand"));
+    ASSERT_FALSE(is_seen("scene"));
+    opened.error_of("panel-scene");
+    settle();
+    EXPECT_TRUE(is_seen("scene"));
+    EXPECT_FALSE(is_seen("hand"));
+    opened.error_of("panel-scene");
+    settle();
+    EXPECT_FALSE(opened.window->findChild<QDockWidget*>("scene")->isVisible());
 }
 
 TEST(Actions, what_is_dropped_becomes_a_part_of_the_show_or_is_opened) {

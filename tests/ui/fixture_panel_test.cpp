@@ -5,7 +5,9 @@
 #include "image/colour.h"
 #include "ui/fixture_panel.h"
 
+#include <QKeyEvent>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QTableView>
 
 namespace ghost::ui {
@@ -45,6 +47,36 @@ TEST(FixturePanel, enter_in_the_search_selects_what_it_found) {
     search->setText("017");
     Q_EMIT search->returnPressed();
     EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{1}));
+}
+
+// The first of its clicks alone leaves one row selected.
+TEST(FixturePanel, a_double_click_edits_all_that_were_selected) {
+    Desk desk;
+    FixturePanel panel(desk.studio, desk.document, nullptr);
+    desk.open();
+    panel.resize(600, 300);
+    panel.show();
+    settle();
+    desk.studio.select({0, 1, 2});
+    auto* table = panel.findChild<QTableView*>();
+    const QPointF at = table->visualRect(table->model()->index(1, FixtureModel::patch)).center();
+    const auto send = [&](QEvent::Type type, Qt::MouseButtons held) {
+        QMouseEvent event(type, at, table->viewport()->mapToGlobal(at), Qt::LeftButton, held, Qt::NoModifier);
+        QCoreApplication::sendEvent(table->viewport(), &event);
+    };
+    send(QEvent::MouseButtonPress, Qt::LeftButton);
+    send(QEvent::MouseButtonRelease, Qt::NoButton);
+    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{1})) << "a click is a choice";
+    send(QEvent::MouseButtonDblClick, Qt::LeftButton);
+    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{0, 1, 2}));
+    auto* field = table->findChild<QLineEdit*>();
+    ASSERT_NE(field, nullptr);
+    field->setText("4.101");
+    QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+    QCoreApplication::sendEvent(field, &enter);
+    settle();
+    for (const scene::PatchedFixture& fixture : desk.studio.show()->fixtures)
+        EXPECT_EQ(fixture.universe, 4) << fixture.name;
 }
 
 // The mark of a chosen row covers all but the colour of the light.
