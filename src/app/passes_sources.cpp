@@ -53,6 +53,7 @@ void add_companions(const fs::path& stage, const fs::path& cache, bake::Hasher& 
 
 std::string passes_fingerprint(const scene::Show& show) {
     std::set<fs::path> sources{show.file, show.stage_file, show.plot_file};
+    for (const scene::Model& model : show.models) sources.insert(model.file);
     for (const scene::PatchedFixture& fixture : show.fixtures) sources.insert(show.folder / fixture.gdtf);
     bake::Hasher hasher;
     hasher.value(bake::kBakerVersion);
@@ -62,6 +63,7 @@ std::string passes_fingerprint(const scene::Show& show) {
         if (bytes.ok()) hasher.list(*bytes);
     }
     if (!show.stage_file.empty()) add_companions(show.stage_file, show.cache_folder(), hasher);
+    for (const scene::Model& model : show.models) add_companions(model.file, show.cache_folder(), hasher);
     return hasher.hex();
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/show.h"
+#include "scene/extra_models.h"
 
 #include "base/files.h"
 #include "base/suggest.h"
@@ -307,6 +308,7 @@ void check_files(const ParsedShow& parsed, const std::string& file, Report& repo
     if (!show.stage_file.empty() && !is_file(show.stage_file))
         report.add(Severity::error, file_line(file, parsed.stage_line),
                    "[show] stage: " + missing_file(show.stage_file) + " The stage is empty.");
+    check_models(show, report);
     for (std::size_t k = 0; k < show.cameras.size(); ++k)
         if (const Camera& camera = show.cameras[k];
             !camera.foreign_passes.empty() && !is_file(camera.foreign_passes))
@@ -423,6 +425,7 @@ Result<Stage> read_stage(const Show& show, Report& report, const ShowLoading& lo
             shown_objects(show.plot->plot, show.hidden_layers, show.hidden_classes);
         TRY_VOID(add_plot_stage(*show.plot, shown, show.plot_origin_m, stage, report, loading));
     }
+    add_models(show, stage, report);
     return stage;
 }
 

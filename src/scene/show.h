@@ -64,6 +64,15 @@ struct Hazer {
     float reach_m = 6;            // from here on it is as thin as the room
 };
 
+// A model beside the stage.
+struct Model {
+    std::filesystem::path file;
+    glm::vec3 position_m{0};
+    glm::vec3 rotation_deg{0}; // about X, then Y, then Z
+    float scale = 1;
+    std::string where; // file:line
+};
+
 // The thesis's factors: light falls with 1 / (constant + linear d + quadratic d^2); (0, 0, 1) is physics.
 struct Attenuation {
     float constant = 0;
@@ -117,6 +126,7 @@ struct Show {
     std::string cache_name;       // its folder in .ghost; "": .ghost itself
     std::string name;
     std::filesystem::path stage_file;
+    std::vector<Model> models;
     std::filesystem::path plot_file;        // .mvr, or empty
     std::shared_ptr<LoadedPlot> plot;       // of it, as the show changes it; null where it could not be read
     glm::dvec3 plot_origin_m{0.0};          // taken off all places of a plot in survey coordinates

@@ -124,6 +124,10 @@ Result<std::string> add_camera(const std::string& text, const Camera& camera) {
     return checked(document, expected);
 }
 
+Result<std::string> add_model(const std::string& text, const std::string& file, const glm::vec3& position_m) {
+    return add_entry(text, "model", {{"file", toml_text(file)}, {"position_m", toml_text(position_m)}});
+}
+
 Result<std::string> set_of_show(const std::string& text, const std::string& key, const std::string& value) {
     return set_in(text, "show", {{key, toml_text(value)}});
 }

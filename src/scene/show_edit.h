@@ -60,6 +60,8 @@ Result<std::string> remove_fixtures(const std::string& text, const std::vector<s
 // At the end: a [[camera]] with its name, place, field of view and exposure; the size of its picture is the
 // default.
 Result<std::string> add_camera(const std::string& text, const Camera& camera);
+// At the end: a [[model]] of that file, relative to the show, there.
+Result<std::string> add_model(const std::string& text, const std::string& file, const glm::vec3& position_m);
 // A text of [show]: its stage, its plot.
 Result<std::string> set_of_show(const std::string& text, const std::string& key, const std::string& value);
 

@@ -2,6 +2,7 @@
 #include "scene/show_toml.h"
 
 #include "dmx/universes.h"
+#include "scene/extra_models.h"
 #include "scene/laser_toml.h"
 #include "scene/media_toml.h"
 #include "scene/scene_toml.h"
@@ -248,6 +249,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
     show.tracking = read_tracking(top, file, report);
     show.cues = read_cues(top, file, report);
     read_media(top, file, show, report);
+    read_models(top, file, show, report);
     parsed.walls = read_walls(top, file, show, report);
     if (!parsed.walls.empty() && show.plot_file.empty())
         report.add(Severity::error, parsed.walls.front().where,

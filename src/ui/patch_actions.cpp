@@ -111,6 +111,16 @@ void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document)
         [](PatchEdit& edit, const QStringList& words) { return edit.set_stage(words[0].toStdString()); },
         {"A model becomes the stage of the show", "Models (*.glb *.gltf *.obj *.fbx *.dae);;All files (*)",
          ""});
+    add("add-model", "Add a model...", "", "MODEL [X Y Z]",
+        [&studio](PatchEdit& edit, const QStringList& words) -> Result<void> {
+            glm::vec3 place_m = studio.camera().target_m;
+            place_m.z = 0; // on the floor
+            if (words.size() > 1) {
+                TRY(place_m, vector_of(words.mid(1), "metres", kMost_m));
+            }
+            return edit.add_model(words[0].toStdString(), place_m);
+        },
+        {"A model that stands on the stage", "Models (*.glb *.gltf *.obj *.fbx *.dae);;All files (*)", ""});
     add("set-plot", "", "", "FILE.mvr", [](PatchEdit& edit, const QStringList& words) {
         return edit.set_plot(words.value(0).toStdString());
     });

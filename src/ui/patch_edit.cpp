@@ -312,6 +312,16 @@ Result<void> PatchEdit::set_stage(const fs::path& file) {
     return set_file("Stage", "stage", file);
 }
 
+Result<void> PatchEdit::add_model(const fs::path& file, const glm::vec3& position_m) {
+    TRY_VOID(document_.check_editable());
+    if (!is_model(file))
+        return Error{"is no model, expected .glb, .gltf, .obj, .fbx, .dae, .3ds, .stl or .ply",
+                     file.string()};
+    TRY(const std::string inside, beside_show(file, kMostModelBytes));
+    TRY(std::string text, scene::add_model(document_.text(), inside, position_m));
+    return document_.edit("Add a model", {std::move(text), studio_.look(), studio_.selection()});
+}
+
 Result<void> PatchEdit::set_plot(const fs::path& file) {
     TRY_VOID(document_.check_editable());
     if (!studio_.show()->plot_file.empty())

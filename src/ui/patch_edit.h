@@ -44,6 +44,8 @@ public:
     // A model becomes the stage of the show, a plot (.mvr) its plot, where it has none; copied likewise.
     Result<void> set_stage(const std::filesystem::path& file);
     Result<void> set_plot(const std::filesystem::path& file);
+    // A model beside the stage, its origin there; copied likewise.
+    Result<void> add_model(const std::filesystem::path& file, const glm::vec3& position_m);
 
 private:
     using Fixtures = std::vector<scene::PatchedFixture>;

@@ -307,15 +307,20 @@ void Window::dropEvent(QDropEvent* event) {
         if (url.isLocalFile()) take_file(url.toLocalFile());
 }
 
-// Of an open show a fixture, a stage or a plot becomes a part; all else is opened.
+// Of an open show a fixture, a model or a plot becomes a part; all else is opened.
 void Window::take_file(const QString& file) {
     const QString ending = QFileInfo(file).suffix().toLower();
     const bool is_fixture = ending == "gdtf" || ending == "qxf" || (ending == "json" && studio_.show());
-    const bool is_stage = is_model(file.toStdString());
+    const bool is_model_file = is_model(file.toStdString());
     const bool is_plot =
         ending == "mvr" && document_.check_editable().ok() && studio_.show()->plot_file.empty();
-    const QString action = is_fixture ? "add-fixture" : is_stage ? "set-stage" : "set-plot";
-    if (!is_fixture && !is_stage && !is_plot) {
+    const bool has_stage =
+        studio_.show() && (!studio_.show()->stage_file.empty() || !studio_.show()->plot_file.empty());
+    const QString action = is_fixture                   ? "add-fixture"
+                           : is_model_file && has_stage ? "add-model"
+                           : is_model_file              ? "set-stage"
+                                                        : "set-plot";
+    if (!is_fixture && !is_model_file && !is_plot) {
         studio_.open(file.toStdString());
         return;
     }

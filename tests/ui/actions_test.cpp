@@ -61,7 +61,7 @@ TEST(Actions, what_asks_a_person_for_a_file_tells_a_script_to_name_it) {
                   action.name.toStdString() + ": it needs the name of a file");
     }
     EXPECT_EQ(asking, (std::set<QString>{"open", "play-file", "save-picture", "screenshot", "add-fixture",
-                                         "set-stage", "save-copy"}));
+                                         "add-model", "set-stage", "save-copy"}));
 }
 
 TEST(Actions, no_name_and_no_key_stands_twice_and_what_is_in_a_menu_has_words) {

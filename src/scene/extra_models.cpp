@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/extra_models.h"
+
+#include "scene/model_file.h"
+#include "scene/scene_toml.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <system_error>
+
+namespace ghost::scene {
+namespace {
+
+constexpr std::size_t kMaxModels = 1000;
+constexpr std::size_t kMaxDrawnTriangles = 20'000'000; // as of a model file
+
+bool is_file(const std::filesystem::path& path) {
+    std::error_code code;
+    return std::filesystem::is_regular_file(path, code);
+}
+
+glm::mat4 place_of(const Model& model) {
+    glm::mat4 place = glm::translate(glm::mat4(1.0f), model.position_m);
+    place = glm::rotate(place, glm::radians(model.rotation_deg.z), glm::vec3(0, 0, 1));
+    place = glm::rotate(place, glm::radians(model.rotation_deg.y), glm::vec3(0, 1, 0));
+    place = glm::rotate(place, glm::radians(model.rotation_deg.x), glm::vec3(1, 0, 0));
+    return glm::scale(place, glm::vec3(model.scale));
+}
+
+} // namespace
+
+void read_models(TableReader& top, const std::string& file, Show& show, Report& report) {
+    for (const toml::table* table : top.tables("model", kMaxModels)) {
+        TableReader reader(*table, "[[model]]", file, report);
+        Model model;
+        const auto name = reader.text("file");
+        if (!reader.has("file")) reader.missing("file", "the name of a model file (.glb)");
+        model.position_m = reader.vec3("position_m", kMaxCoordinate_m).value_or(model.position_m);
+        model.rotation_deg = reader.vec3("rotation_deg", 36'000).value_or(model.rotation_deg);
+        model.scale = static_cast<float>(reader.number("scale", 1e-4, 1e4).value_or(1.0));
+        model.where = reader.where("file");
+        reader.finish();
+        if (!name) continue;
+        model.file = show.folder / *name;
+        show.models.push_back(std::move(model));
+    }
+}
+
+void check_models(const Show& show, Report& report) {
+    for (const Model& model : show.models)
+        if (!is_file(model.file))
+            report.add(Severity::error, model.where,
+                       "[[model]] file: no such file " + model.file.string() + ". The stage is without it.");
+}
+
+void add_models(const Show& show, Stage& stage, Report& report) {
+    for (const Model& model : show.models) {
+        if (!is_file(model.file)) continue; // said by check_models
+        auto loaded = load_stage_file(model.file, report);
+        if (!loaded.ok()) {
+            report.add(Severity::error, loaded.error().where,
+                       loaded.error().what + "; the stage is without it");
+            continue;
+        }
+        if (stage.drawn_triangles() + loaded->drawn_triangles() > kMaxDrawnTriangles) {
+            report.add(Severity::error, model.where,
+                       "[[model]] '" + model.file.filename().string() +
+                           "' would make more than 20 million triangles of the stage; it is left out");
+            continue;
+        }
+        std::vector<Instance> objects = absorb(std::move(*loaded), place_of(model), stage);
+        stage.instances.insert(stage.instances.end(), std::make_move_iterator(objects.begin()),
+                               std::make_move_iterator(objects.end()));
+    }
+}
+
+} // namespace ghost::scene
