@@ -226,6 +226,7 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     table_->setSelectionBehavior(QAbstractItemView::SelectRows);
     table_->setAlternatingRowColors(true);
     table_->setShowGrid(false);
+    table_->setTextElideMode(Qt::ElideMiddle); // numbers that tell lamps apart stand at the end
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     table_->setItemDelegate(new CellPainter(table_));
     table_->setItemDelegateForColumn(FixtureModel::mode, new ModeDelegate(studio, table_));

@@ -106,11 +106,14 @@ void HandPanel::take_kinds() {
     const auto current = studio_.current();
     if (!studio_.show() || !current) return;
     gobo_->addItem("As the desk says");
-    const scene::PatchedFixture& fixture = studio_.show()->fixtures[*current];
-    if (!fixture.type) return;
-    int slot = 0;
-    for (const std::string& name : fixture::gobo_names(fixture.patch()))
-        gobo_->addItem(QString("%1  %2").arg(slot++).arg(QString::fromStdString(name)));
+    for (const std::size_t index : studio_.selection()) { // the first that has gobos
+        const scene::PatchedFixture& fixture = studio_.show()->fixtures[index];
+        if (!fixture.type) continue;
+        int slot = 0;
+        for (const std::string& name : fixture::gobo_names(fixture.patch()))
+            gobo_->addItem(QString("%1  %2").arg(slot++).arg(QString::fromStdString(name)));
+        if (slot > 0) return;
+    }
 }
 
 void HandPanel::refresh() {

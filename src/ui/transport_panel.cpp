@@ -43,7 +43,8 @@ TransportPanel::TransportPanel(Studio& studio, const Actions& actions, QWidget* 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(6, 4, 6, 4);
     layout->addWidget(button_of(actions.item("to-start"), "|\u25C0", this));
-    layout->addWidget(button_of(actions.item("play"), "\u25B6", this));
+    play_ = actions.item("play");
+    layout->addWidget(button_of(play_, "\u25B6", this));
     layout->addWidget(place_, 1);
     layout->addWidget(time_);
     layout->addWidget(input_);
@@ -64,6 +65,7 @@ TransportPanel::TransportPanel(Studio& studio, const Actions& actions, QWidget* 
 }
 
 void TransportPanel::refresh() {
+    play_->setIconText(studio_.wishes().transport.playing ? "\u275A\u275A" : "\u25B6"); // what it will do
     const double length_s = studio_.rig().recording_s;
     place_->setEnabled(length_s > 0 && !studio_.rig().from_desk);
     time_->setText(studio_.rig().from_desk ? QString("desk")

@@ -7,6 +7,7 @@
 #include "ui/studio.h"
 #include "ui/waveform.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QLabel>
 #include <QSlider>
@@ -26,6 +27,7 @@ private:
     Studio& studio_;
     Waveform* place_;
     QLabel* time_;
+    QAction* play_;
     QComboBox* input_;
     QSlider* master_;
 };
