@@ -45,6 +45,9 @@ float put_shape(const BeamShape& shape, const fixture::Beam& source, const fixtu
     };
     const float zoom = tan_half(optics.zoom_deg) / tan_half(source.field_angle_deg);
     light.tan_field = std::min(shape.tan_field * zoom, tan_half(kWidestShape_deg));
+    // A laboratory measures from the lens, and the light comes from all over it and widens less (spread_of).
+    const float even_tan = std::sqrt(shape.solid_angle(light.tan_field) / shared::kPi);
+    light.tan_field *= lens_share(even_tan, source.beam_radius_m);
     light.profile_power = 1.0f;
     light.profile_scale = 0.0f;
     light.cut_radius = 1.0f;

@@ -68,10 +68,14 @@ Profile frosted(const Profile& profile, float aperture, float sigma) {
     return result;
 }
 
-Spread spread_of(float beam_deg, float field_deg, float lens_radius_m) {
+float lens_share(float tangent, float lens_radius_m) {
     constexpr float kLeast = 1.0f / 3.0f;
+    return std::max(1.0f - std::max(lens_radius_m, 0.0f) / (kMeasured_m * tangent), kLeast);
+}
+
+Spread spread_of(float beam_deg, float field_deg, float lens_radius_m) {
     const float tan_field = tan_half(std::clamp(field_deg, kMinAngleDeg, kMaxAngleDeg));
-    const float share = std::max(1.0f - std::max(lens_radius_m, 0.0f) / (kMeasured_m * tan_field), kLeast);
+    const float share = lens_share(tan_field, lens_radius_m);
     const auto narrowed = [share](float deg) {
         return glm::degrees(2.0f * std::atan(share * tan_half(std::clamp(deg, kMinAngleDeg, kMaxAngleDeg))));
     };

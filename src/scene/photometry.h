@@ -41,6 +41,9 @@ struct Spread {
 
 // Full angles by which a beam widens that leaves a lens of this radius and has the data sheet's angles
 // kMeasured_m before it; a third of the tangents at least: a lens may be wider than the picture.
+// By what tangents of a beam that would be so wide from the lens become those from its apex: at least a
+// third.
+float lens_share(float tangent, float lens_radius_m);
 Spread spread_of(float beam_deg, float field_deg, float lens_radius_m);
 
 // What a meter kMeasured_m before the lens has a light's candela for, which are from its apex.

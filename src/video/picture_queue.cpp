@@ -68,8 +68,12 @@ void PictureQueue::begin_search(double show_s) {
     known_to_s_ = -kForever;
 }
 
-void PictureQueue::put(std::shared_ptr<const Picture> next, double known_to_s) {
+void PictureQueue::put(std::shared_ptr<const Picture> next, double known_to_s, bool after_gap) {
     const std::scoped_lock lock(mutex_);
+    if (after_gap) {
+        pictures_.clear();
+        low_s_ = next->from_s;
+    }
     head_s_ = next->from_s;
     known_to_s_ = known_to_s;
     pictures_.push_back(std::move(next));

@@ -36,7 +36,8 @@ public:
     Need wait_for_need();
     double wanted_s() const;
     void begin_search(double show_s); // of wait_for_need
-    void put(std::shared_ptr<const Picture> next, double known_to_s);
+    // after_gap: pictures between the last one and this one were left out, so no moment there is known.
+    void put(std::shared_ptr<const Picture> next, double known_to_s, bool after_gap);
     void know_to(double show_s);                       // no picture before is missing
     void replace(std::shared_ptr<const Picture> only); // whatever the moment
     bool sleep(double seconds);                        // false: it was stopped

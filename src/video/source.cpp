@@ -141,14 +141,14 @@ std::string Source::follow(Movie& movie) {
     double skipped_s = kForever;       // a picture that was not converted, for a later one may be due
     double converted_s = -kForever;    // by our clock
     bool any = false;
-    const auto convert = [&](Movie::Which which, double from_s, double known_to_s) {
+    const auto convert = [&](Movie::Which which, double from_s, double known_to_s, bool after_gap) {
         auto picture = movie.picture(which, size.x, size.y);
         if (!picture.ok()) {
             say(picture.error().text());
             return;
         }
         recovered();
-        queue_.put(made(*picture, settings_.side, from_s), known_to_s);
+        queue_.put(made(*picture, settings_.side, from_s), known_to_s, after_gap);
         converted_s = now_s();
         any = true;
     };
@@ -187,15 +187,15 @@ std::string Source::follow(Movie& movie) {
         if (next->has_value() && from_s <= queue_.wanted_s()) {
             // The next one may be due already, and then this one was for nothing.
             const bool glimpse = now_s() - converted_s > kGlimpse_s;
-            if (glimpse) convert(Movie::Which::newest, from_s, from_s);
+            if (glimpse) convert(Movie::Which::newest, from_s, from_s, true);
             skipped_s = glimpse ? kForever : from_s;
             continue;
         }
         if (skipped_s < kForever)
             convert(next->has_value() ? Movie::Which::before : Movie::Which::newest,
-                    std::exchange(skipped_s, kForever), from_s);
+                    std::exchange(skipped_s, kForever), from_s, true);
         if (next->has_value()) {
-            convert(Movie::Which::newest, from_s, from_s);
+            convert(Movie::Which::newest, from_s, from_s, false);
             continue;
         }
         if (!any) return settings_.path.string() + ": no picture in it can be decoded";

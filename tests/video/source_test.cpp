@@ -69,6 +69,25 @@ TEST_F(SourceTest, JumpsAnywhere) {
     }
 }
 
+// Where the moment goes back a little while a film is being searched, the pictures in between were passed
+// over: they are searched again, and what was shown meanwhile does not stay.
+TEST_F(SourceTest, StandsWhereItIsPutWhateverCameBefore) {
+    Source source(of(film("film.mp4", 100)));
+    for (int n = 0; n < 30; ++n) {
+        const double at_s = n % 2 ? 0.6 : (n % 4 ? 3.4 : 2.0);
+        std::this_thread::sleep_for(std::chrono::milliseconds(130)); // long enough for a glimpse on the way
+        source.at(at_s + 0.04);                                      // time code runs on before it stands
+        std::this_thread::sleep_for(std::chrono::milliseconds(n % 7));
+        const double until_s = now_s() + 10;
+        const auto is_right = [&] {
+            const auto picture = source.at(at_s);
+            return picture && std::abs(picture->from_s - at_s) < 0.045;
+        };
+        while (!is_right() && now_s() < until_s) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        ASSERT_TRUE(is_right()) << n << ", " << at_s << " s";
+    }
+}
+
 TEST_F(SourceTest, BeginsWhenItShallAndEndsAtItsLastPicture) {
     SourceSettings settings = of(film("film.mp4", 50));
     settings.loop = false;
