@@ -69,9 +69,9 @@ Result<std::string> set_of_show(const std::string& text, const std::string& key,
 // is no TOML.
 bool differ_in_fixtures_and_air_only(const std::string& a, const std::string& b);
 
-// The show that was open, with fixtures, cameras and air as the text has them, without opening a file: for who must
-// show an edit at once. A fixture file that was not read before has no type, and what an object of a plot was
-// before its [[change]] went is not known here.
+// The show that was open, with fixtures, cameras and air as the text has them, for who must show an edit at
+// once: only fixture files that were not read before are opened. What an object of a plot was before its
+// [[change]] went is not known here.
 Result<Show> preview_edit(const Show& before, const std::string& text);
 
 // load_show (scene/show.h) of a show.toml that says this instead of what is in the file. Opens files.
