@@ -34,6 +34,7 @@ layout(constant_id = 2) const bool kShadows = false;
 layout(constant_id = 3) const bool kUneven = false; // haze is not the same everywhere
 layout(constant_id = 4) const bool kWide = false;   // every few rays only, and lonely pixels (shared/wide.h)
 layout(constant_id = 5) const bool kThin = false;   // some beam may be thinner than a pixel
+layout(constant_id = 6) const bool kPanels = false; // pieces of LED walls
 
 #include "shade_runs.glsl"
 
@@ -101,6 +102,25 @@ float ray_weight(Haze haze, Ray ray, float u) {
            attenuation_factor(air.attenuation, to_lamp_m);
 }
 
+// Pieces of LED walls (near_share): what is even for the inverse square law along a ray, its angle, is for them the angle of a ray that
+// passes farther away, as far as the ray and the piece's radius make in quadrature. nearer: the quotient of the two ways.
+float panel_angle(Ray ray, float nearer, float u) {
+    return atan(nearer * (ray.along.x + u * ray.along.y), ray.across.x + u * ray.across.y);
+}
+
+float panel_tangent(Ray ray, float nearer, float angle) {
+    vec2 part = vec2(sin(angle), nearer * cos(angle));
+    return (part.x * ray.across.x - part.y * ray.along.x) / max(part.y * ray.along.y - part.x * ray.across.y, 1e-9);
+}
+
+// Mean of near_share over the ray's own angle, in a segment. As an arc tangent of a difference: segments may be very short.
+float near_mean(Ray ray, float nearer, float angle, float u, float step_u) {
+    vec2 ends = vec2(u, u + step_u);
+    vec2 across = ray.across.x + ends * ray.across.y, along = ray.along.x + ends * ray.along.y;
+    float turn = step_u * (ray.along.y * ray.across.x - ray.along.x * ray.across.y);
+    return nearer * angle / max(atan(turn, across.x * across.y + along.x * along.y), 1e-9);
+}
+
 vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     Haze haze = view.haze;
     vec2 texel = 1.0 / vec2(textureSize(table, 0).xy);
@@ -145,8 +165,11 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     float wanted = sqrt(angle * angle * (2.0 + 3.0 * g / ahead) + 8.0 * depth * depth) * p.segments_per_rad;
     // Swirls are resolved, too: their waves are shorter than the swirls are wide.
     if (kUneven) wanted = max(wanted, abs(way1 - way0 - distance_m * (length1 / max(across + u1 * across_u, 1e-6) - length0 / max(across + u0 * across_u, 1e-6))) * air.per_m * 1.6);
+    // What a panel throws along itself is not even in a segment: from the wings it is 8 % too bright with so many, 1.5 % with three times.
+    if (kPanels) wanted *= 3.0;
     uint count = hit ? clamp(uint(ceil(wanted)), 1u, p.most_segments) : 0u;
 
+    float nearer = kPanels ? distance_m / length(vec2(distance_m, light.panel_m)) : 1.0;
     float scale = 0.5 / max(chord.w, 1e-9);
     float segments_per_u = float(count) / max(u1 - u0, 1e-9);
     // What a segment takes from the table is at least this wide: a texel and a half.
@@ -174,6 +197,7 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
         column = kShadows ? find_runs(shaded, open ? last : column, last, runs) : last;
         uint turn = 0u, segments = 0u;
         float from = 0.0, step_u = 0.0;
+        float angle = 0.0, step_angle = 0.0; // of panels
         while (segments > 0u || turn < runs.count) {
             if (segments == 0u) {
                 bool ends = turn + 1u < runs.count;
@@ -183,7 +207,12 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
                 segments = max(uint(ceil((to - from) * segments_per_u - 1e-3)), 1u);
                 step_u = max(to - from, 0.0) / float(segments);
                 turn += 2u;
+                if (kPanels) {
+                    angle = panel_angle(ray, nearer, from);
+                    step_angle = max(panel_angle(ray, nearer, to) - angle, 0.0) / float(segments);
+                }
             }
+            if (kPanels) step_u = max(clamp(panel_tangent(ray, nearer, angle + step_angle), u0, u1) - from, 0.0);
             float middle = from + 0.5 * step_u;
             float level = 0.0;
             if (kFocus > 0u) {
@@ -204,6 +233,12 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
             // Two points, as Gauss has them for even light: exact for weights up to the third power of u.
             float u = clamp(centre - 0.5 * kGauss * step_u, from, from + step_u);
             float v = clamp(centre + 0.5 * kGauss * step_u, from, from + step_u);
+            if (kPanels) {
+                u = clamp(panel_tangent(ray, nearer, angle + (0.5 - 0.5 * kGauss) * step_angle), from, from + step_u);
+                v = clamp(panel_tangent(ray, nearer, angle + (0.5 + 0.5 * kGauss) * step_angle), from, from + step_u);
+                light_here *= near_mean(ray, nearer, step_angle, from, step_u);
+                angle += step_angle;
+            }
             float weight_u = ray_weight(haze, ray, u), weight_v = ray_weight(haze, ray, v);
             if (kUneven) {
                 // Each stands for half of the segment's way, over which the haze is averaged.

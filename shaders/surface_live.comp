@@ -76,7 +76,7 @@ vec3 shown(Light light, Fragment f, Haze haze) {
     float per_m = 1.0 / (z * light.tan_field);
     Focus focus = beam_focus(light, z);
     focus.least = 0.5 * width_m * per_m;
-    vec3 beam_cd = q.z > max(light.lens_m, 1e-4) ? light.intensity_cd * beam_gate(light, q.xy * per_m, focus) : vec3(0.0);
+    vec3 beam_cd = q.z > max(light.lens_m, 1e-4) ? light.intensity_cd * beam_gate(light, q.xy * per_m, focus) * near_share(light, distance2) : vec3(0.0);
     if (kThin) {
         // To what the next pixels show of the plane that the surface lies in.
         vec3 way_m = f.position_m - view.eye_m;

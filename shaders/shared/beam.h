@@ -20,6 +20,7 @@
 #define IS_CUT(light) ((light).shaped > 1u)
 #define HAS_SLIDE(light) ((light).slide.layer != 0u)
 #define HAS_FIGURE(light) ((light).figure.kind != 0u)
+#define IS_PANEL(light) ((light).panel_m > 0.0f)
 #else
 #define WITH_GOBOS
 #define PASS_GOBOS
@@ -31,6 +32,7 @@ layout(constant_id = 0) const uint kClass = 0u;
 #define IS_CUT(light) (kClass == kCutClass || kClass == kCutSlideClass)
 #define HAS_SLIDE(light) (kClass == kSlideClass || kClass == kCutSlideClass)
 #define HAS_FIGURE(light) (kClass == kFigureClass)
+#define IS_PANEL(light) (kClass == kPanelClass)
 vec3 gobo_sample(uint layer, vec2 gate, float blur);
 vec3 slide_sample(uint layer, vec2 place, float radius_texels);
 #endif
@@ -166,7 +168,14 @@ SHARED_FN vec3 beam_gate(Light light, vec2 gate, Focus focus WITH_GOBOS) {
     return colour;
 }
 
-// Candela (RGB) towards gate position q, metres from the apex.
+// What a disc that is evenly bright throws, relative to all its light at its middle, where the inverse square law has no end: on its axis
+// 1 / (d^2 + radius^2) in place of 1 / d^2. distance2: from its middle, m^2.
+SHARED_FN float near_share(Light light, float distance2) {
+    if (!IS_PANEL(light)) return 1.0f;
+    return distance2 / (distance2 + light.panel_m * light.panel_m);
+}
+
+// Candela (RGB) towards gate position q, metres from the apex, for the inverse square law.
 SHARED_FN vec3 beam_candela(Light light, vec3 q WITH_GOBOS) {
 #ifdef __cplusplus
     using namespace glm;
@@ -175,7 +184,7 @@ SHARED_FN vec3 beam_candela(Light light, vec3 q WITH_GOBOS) {
     vec2 gate = vec2(q.x, q.y) / (z * light.tan_field);
     // Nothing leaves backwards, or is lit behind the lens.
     vec3 intensity = q.z > max(light.lens_m, 1e-4f) ? light.intensity_cd : vec3(0.0f);
-    return intensity * beam_gate(light, gate, beam_focus(light, z) PASS_GOBOS);
+    return intensity * beam_gate(light, gate, beam_focus(light, z) PASS_GOBOS) * near_share(light, dot(q, q));
 }
 
 // Of the way from the apex, what lies before the lens: where there is haze. q: in gate coordinates.

@@ -20,7 +20,7 @@ struct Lens {
     vec3 stray;          // cd/m^2 that a dirty lens sends everywhere
     float nearest_m;     // what is nearer to the eye hides the lens
 };
-SHARED_SIZE(Lens, 544);
+SHARED_SIZE(Lens, 548);
 SHARED_CONST uint kLensesPerChunk = 120u; // within 64 KiB
 
 // A workgroup draws a block of pixels.

@@ -10,16 +10,18 @@
 SHARED_BEGIN
 
 // Classes of beams: 0, 1 or 2 wheels and nothing else in the gate; planes at several depths; those and blades or a disc; a moving
-// picture alone, and one among anything; the figure that a laser sweeps.
+// picture alone, and one among anything; the figure that a laser sweeps; a piece of a LED wall, with nothing in its gate.
 SHARED_CONST uint kPlanesClass = 3u;
 SHARED_CONST uint kCutClass = 4u;
 SHARED_CONST uint kSlideClass = 5u;
 SHARED_CONST uint kCutSlideClass = 6u;
 SHARED_CONST uint kFigureClass = 7u;
-SHARED_CONST uint kBeamClasses = 8u;
+SHARED_CONST uint kPanelClass = 8u;
+SHARED_CONST uint kBeamClasses = 9u;
 
 SHARED_FN uint beam_class(Light light) {
     if (light.figure.kind != 0u) return kFigureClass;
+    if (light.panel_m > 0.0f) return kPanelClass;
     uint without = light.shaped == 0u ? light.wheel_count : (light.shaped == 1u ? kPlanesClass : kCutClass);
     return light.slide.layer == 0u ? without : (without == 0u ? kSlideClass : kCutSlideClass);
 }

@@ -280,10 +280,12 @@ private:
         if (way.z == 0.0 && eye.z <= lens_m) return dvec3(0.0);
         if (begin_m >= end_m) return dvec3(0.0);
 
-        // Equi-angular about the apex; a ray through it keeps a scale above zero and stays finite.
+        // Equi-angular about the apex, as wide as a panel is; a ray through it keeps a scale above zero and
+        // stays finite.
         const double closest_m = glm::dot(lamp.position_m - ray.eye_m, ray.way);
         const double passes_m = glm::length(ray.at(closest_m) - lamp.position_m);
-        const double scale_m = std::max(passes_m, kNearest_m);
+        const double scale_m =
+            std::max(std::hypot(passes_m, static_cast<double>(lamp.light.panel_m)), kNearest_m);
         const double first = std::atan((begin_m - closest_m) / scale_m);
         const double step = (std::atan((end_m - closest_m) / scale_m) - first) / options_.air_samples;
 

@@ -252,6 +252,8 @@ dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
     const double side = std::clamp(4.0 * (gate.x - static_cast<double>(light_.split)) + 0.5, 0.0, 1.0);
     dvec3 colour =
         dvec3(light_.intensity_cd) * (shape * open) * glm::mix(dvec3(1.0), dvec3(light_.colour_b), side);
+    const double distance2 = glm::dot(gate_m, gate_m), panel_m = light_.panel_m;
+    colour *= distance2 / (distance2 + panel_m * panel_m);
     if (light_.figure.kind != shared::kNoFigure) return colour * figure_share(gate, blur_of(0.0f));
     for (std::uint32_t k = 0; k < std::min(light_.wheel_count, 3u); ++k)
         colour *= wheel_colour(light_.wheel[k], gate, blur_of(light_.wheel[k].depth));

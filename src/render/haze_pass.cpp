@@ -65,17 +65,19 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
         if (kind < shared::kPlanesClass) (void)fill_[kind].get();
     }
     for (std::uint32_t focus = 0; focus < gate_.size(); ++focus) {
-        const auto gate = [&](bool wide, bool thin) {
+        const auto gate = [&](bool wide, bool thin, bool panels) {
             return gpu::LateProgram(device, shaders::kShader_gate,
                                     std::vector{kUniform, kUniform, kUniform, kStorage, kStorage, kStored,
                                                 kStored, kSampled, kSampled, kUniform, kStorage, kStored,
                                                 kStored},
                                     std::vector{focus, single, distances ? 1u : 0u, settings.uneven ? 1u : 0u,
-                                                wide ? 1u : 0u, thin ? 1u : 0u});
+                                                wide ? 1u : 0u, thin ? 1u : 0u, panels ? 1u : 0u});
         };
-        gate_[focus] = gate(false, false);
-        thin_gate_[focus] = gate(false, true);
-        if (settings.most_wide_step > 1) wide_gate_[focus] = gate(true, false);
+        gate_[focus] = gate(false, false, false);
+        thin_gate_[focus] = gate(false, true, false);
+        if (focus == 0) panel_gate_ = gate(false, false, true);
+        if (focus == 0 && settings.most_wide_step > 1) wide_panel_gate_ = gate(true, false, true);
+        if (settings.most_wide_step > 1) wide_gate_[focus] = gate(true, false, false);
         if (focus == kOfPlaces) continue;
         (void)gate_[focus].get();
         if (settings.most_wide_step > 1) (void)wide_gate_[focus].get();
@@ -183,10 +185,11 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
                               shade_rows / kRowsPerGroup, lights);
         commands.barrier();
         commands.begin_span("gate");
+        gpu::LateProgram& open =
+            (chunk.wide ? wide_gate_ : (thin ? thin_gate_ : gate_))[shaped ? kOfPlaces : (focus ? 1u : 0u)];
+        gpu::LateProgram& panels = chunk.wide ? wide_panel_gate_ : panel_gate_;
         commands.dispatch_indirect(
-            (chunk.wide ? wide_gate_ : (thin ? thin_gate_ : gate_))[shaped ? kOfPlaces : (focus ? 1u : 0u)]
-                .get(),
-            push,
+            (chunk.beam_class == shared::kPanelClass ? panels : open).get(), push,
             {gpu::uniform(chunk.fragments.view), gpu::uniform(chunk.light_buffer, chunk.light_offset),
              gpu::uniform(fans_, offset), gpu::storage(chunk.masks), gpu::storage(chunk.lists),
              gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn), gpu::sampled(table_),

@@ -53,6 +53,7 @@ private:
     std::uint32_t batch_size_;
     std::array<gpu::LateProgram, shared::kBeamClasses> samples_, fill_;
     std::array<gpu::LateProgram, 3> gate_, wide_gate_, thin_gate_; // by kFocus of gate.comp
+    gpu::LateProgram panel_gate_, wide_panel_gate_;                // which have nothing in focus
     std::unique_ptr<gpu::Program> shade_fill_;
     const DistanceImages* distances_;
     FanDetail detail_;

@@ -19,11 +19,7 @@ bool is_file(const std::filesystem::path& path) {
 }
 
 glm::mat4 place_of(const Model& model) {
-    glm::mat4 place = glm::translate(glm::mat4(1.0f), model.position_m);
-    place = glm::rotate(place, glm::radians(model.rotation_deg.z), glm::vec3(0, 0, 1));
-    place = glm::rotate(place, glm::radians(model.rotation_deg.y), glm::vec3(0, 1, 0));
-    place = glm::rotate(place, glm::radians(model.rotation_deg.x), glm::vec3(1, 0, 0));
-    return glm::scale(place, glm::vec3(model.scale));
+    return glm::scale(placed(model.position_m, model.rotation_deg), glm::vec3(model.scale));
 }
 
 } // namespace

@@ -31,7 +31,7 @@ float rim_of(const Profile& profile) {
 
 // From the apex to the lens, so that the beam is as wide as its lens there.
 float apex_distance_m(const fixture::Beam& source, const Profile& profile) {
-    if (source.beam_type == fixture::BeamType::area) return source.beam_radius_m;
+    if (source.beam_type == fixture::BeamType::area) return kMinLens_m; // shared::near_share has its size
     return source.beam_radius_m / (profile.tan_field * rim_of(profile));
 }
 
@@ -141,6 +141,8 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         // As bright on the axis as a lens is that sends its light out evenly.
         apex_m = source.beam_radius_m * std::sqrt(shared::kPi / std::max(open_sr, 1e-9f));
     }
+    if (source.beam_type == fixture::BeamType::area && !projects && !is_measured)
+        light.panel_m = source.beam_radius_m;
     light.lens_m = std::clamp(apex_m, kMinLens_m, kMostLens_m);
     light.position_m = vec3(to_world * beam.to_fixture[3]) - light.lens_m * light.axis_w;
     const float peak_cd = open_sr > 0 ? lumens / open_sr : 0.0f;
@@ -161,9 +163,11 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     if (is_measured) add_shape(measured_light->second, light);
     // Frost spreads what the gate lets through.
     if (!projects && optics.frost > 0 && (light.wheel_count > 0 || light.shaped != 0)) {
-        fixture::BeamState unfrosted = beam;
-        unfrosted.optics.frost = 0;
-        const shared::Light clear = light_from(type, unfrosted, to_world, gobos, profiles, projector, shape);
+        const auto clear = [&] {
+            fixture::BeamState unfrosted = beam;
+            unfrosted.optics.frost = 0;
+            return light_from(type, unfrosted, to_world, gobos, profiles, projector, shape);
+        };
         light.intensity_cd *=
             profiles.frost.correction(clear, light, gobos.images, light.lens_m + optics.focus_m);
     } else if (!projects && !is_measured && measured.sent_sr > 0) {

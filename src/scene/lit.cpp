@@ -72,6 +72,7 @@ shared::Light light_of(const Emitter& emitter, const std::vector<Face>& faces, c
             spread_m2 += emitter.weights[k] * (2.0f * glm::dot(aside_m, aside_m) + own_m * own_m);
         }
         light.disc_radius_m = std::sqrt(spread_m2);
+        if (light.panel_m > 0) light.panel_m = light.disc_radius_m;
         light.intensity_cd = intensity_cd;
         light.bounce_cd = bounce_cd;
         if (!one_split) {

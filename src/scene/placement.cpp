@@ -30,13 +30,17 @@ glm::mat4 camera_to_world(const Camera& camera) {
             glm::vec4(camera.position_m, 1)};
 }
 
+glm::mat4 placed(const glm::vec3& position_m, const glm::vec3& rotation_deg) {
+    glm::mat4 matrix = glm::translate(glm::mat4(1.0f), position_m);
+    matrix = glm::rotate(matrix, glm::radians(rotation_deg.z), glm::vec3(0, 0, 1));
+    matrix = glm::rotate(matrix, glm::radians(rotation_deg.y), glm::vec3(0, 1, 0));
+    return glm::rotate(matrix, glm::radians(rotation_deg.x), glm::vec3(1, 0, 0));
+}
+
 glm::mat4 fixture_to_world(const PatchedFixture& fixture, std::size_t stop) {
     const std::vector<glm::vec3> stops = fixture.stops_m();
     CHECK(stop < stops.size());
-    glm::mat4 matrix = glm::translate(glm::mat4(1.0f), stops[stop]);
-    matrix = glm::rotate(matrix, glm::radians(fixture.rotation_deg.z), glm::vec3(0, 0, 1));
-    matrix = glm::rotate(matrix, glm::radians(fixture.rotation_deg.y), glm::vec3(0, 1, 0));
-    return glm::rotate(matrix, glm::radians(fixture.rotation_deg.x), glm::vec3(1, 0, 0));
+    return placed(stops[stop], fixture.rotation_deg);
 }
 
 glm::vec3 light_position_m(const PatchedFixture& fixture, std::size_t stop) {

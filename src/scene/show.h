@@ -191,6 +191,8 @@ glm::mat4 camera_to_world(const Camera& camera);
 
 // World matrix of a fixture hung at a stop (index into stops_m()).
 glm::mat4 fixture_to_world(const PatchedFixture& fixture, std::size_t stop);
+// What rotation_deg of show.toml means: turned about X, then Y, then Z, and put there.
+glm::mat4 placed(const glm::vec3& position_m, const glm::vec3& rotation_deg);
 
 // Where the light comes from for passes: the pivot of the head (tilt axis), which does not move when the head
 // turns, or the middle of the lights of a bar; in world metres.

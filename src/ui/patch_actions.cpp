@@ -7,6 +7,7 @@ namespace ghost::ui {
 namespace {
 
 constexpr double kMost_m = 100000;
+constexpr const char* kModels = "Models (*.glb *.gltf *.obj *.fbx *.dae);;All files (*)";
 
 Result<glm::vec3> vector_of(const QStringList& words, const char* what, double most) {
     glm::vec3 numbers{0};
@@ -109,8 +110,7 @@ void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document)
                  {}});
     add("set-stage", "Choose the stage...", "", "MODEL",
         [](PatchEdit& edit, const QStringList& words) { return edit.set_stage(words[0].toStdString()); },
-        {"A model becomes the stage of the show", "Models (*.glb *.gltf *.obj *.fbx *.dae);;All files (*)",
-         ""});
+        {"A model becomes the stage of the show", kModels, ""});
     add("add-model", "Add a model...", "", "MODEL [X Y Z]",
         [&studio](PatchEdit& edit, const QStringList& words) -> Result<void> {
             glm::vec3 place_m = studio.camera().target_m;
@@ -120,7 +120,7 @@ void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document)
             }
             return edit.add_model(words[0].toStdString(), place_m);
         },
-        {"A model that stands on the stage", "Models (*.glb *.gltf *.obj *.fbx *.dae);;All files (*)", ""});
+        {"A model that stands on the stage", kModels, ""});
     add("set-plot", "", "", "FILE.mvr", [](PatchEdit& edit, const QStringList& words) {
         return edit.set_plot(words.value(0).toStdString());
     });

@@ -305,18 +305,23 @@ bool is_model(const fs::path& file) {
     return std::find(known.begin(), known.end(), ending) != known.end();
 }
 
+namespace {
+
+Result<void> check_model(const fs::path& file) {
+    if (is_model(file)) return {};
+    return Error{"is no model, expected .glb, .gltf, .obj, .fbx, .dae, .3ds, .stl or .ply", file.string()};
+}
+
+} // namespace
+
 Result<void> PatchEdit::set_stage(const fs::path& file) {
-    if (!is_model(file))
-        return Error{"is no model, expected .glb, .gltf, .obj, .fbx, .dae, .3ds, .stl or .ply",
-                     file.string()};
+    TRY_VOID(check_model(file));
     return set_file("Stage", "stage", file);
 }
 
 Result<void> PatchEdit::add_model(const fs::path& file, const glm::vec3& position_m) {
     TRY_VOID(document_.check_editable());
-    if (!is_model(file))
-        return Error{"is no model, expected .glb, .gltf, .obj, .fbx, .dae, .3ds, .stl or .ply",
-                     file.string()};
+    TRY_VOID(check_model(file));
     TRY(const std::string inside, beside_show(file, kMostModelBytes));
     TRY(std::string text, scene::add_model(document_.text(), inside, position_m));
     return document_.edit("Add a model", {std::move(text), studio_.look(), studio_.selection()});

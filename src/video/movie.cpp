@@ -99,6 +99,7 @@ struct Movie::Decoder {
     double length_s = 0;
     double frame_s = 0.04;
     double last_s = -1;
+    double read_to_s = 0;
     int damaged = 0;
     int quarter_turns = 0; // clockwise, as it is shown
     bool drops_alpha = false;
@@ -216,6 +217,8 @@ Result<bool> Movie::Decoder::feed() {
         const bool ours = packet->stream_index == stream->index;
         // The list of what to show of a film that states no length would leave nothing of it.
         if (stream->duration == 0) packet->flags &= ~AV_PKT_FLAG_DISCARD;
+        if (ours && packet->pts != AV_NOPTS_VALUE)
+            read_to_s = std::max(read_to_s, seconds(packet->pts + packet->duration) - begin_s);
         const int sent = ours ? avcodec_send_packet(codec, packet) : 0;
         av_packet_unref(packet);
         if (sent < 0) ++damaged;
@@ -279,6 +282,9 @@ int Movie::height() const {
 }
 bool Movie::drops_alpha() const {
     return decoder_->drops_alpha;
+}
+double Movie::read_to_s() const {
+    return decoder_->read_to_s;
 }
 int Movie::damaged() const {
     return decoder_->damaged;

@@ -34,6 +34,7 @@ public:
     Result<image::Image8> picture(Which which, int width_px, int height_px) const;
     // The next picture is one at this moment or before.
     Result<void> seek(double at_s);
+    double read_to_s() const;  // when the last picture of those read so far ends, as far as the file says so
     int damaged() const;       // packets that could not be decoded
     bool drops_alpha() const;  // it has an alpha channel that this FFmpeg cannot decode
     bool is_cut_short() const; // its index names pictures beyond the end of the file

@@ -160,7 +160,6 @@ std::string Source::follow(Movie& movie) {
     if (movie.drops_alpha())
         say(settings_.path.string() +
             ": has an alpha channel, which this FFmpeg cannot decode without libvpx; it is opaque");
-    double last_s = -kForever;     // time of the last picture, of the film
     queue_.begin_search(kForever); // nothing is here: the first need is a search
     for (bool first = true;;) {
         const PictureQueue::Need need = queue_.wait_for_need();
@@ -180,7 +179,6 @@ std::string Source::follow(Movie& movie) {
         const auto next = movie.next();
         if (!next.ok()) return next.error().text();
         const double at_s = next->value_or(length_s);
-        if (next->has_value()) last_s = at_s;
         if (next->has_value() && settings_.loop && at_s >= length_s)
             continue; // beyond the end that the film states
         const double from_s = base_s + at_s;
@@ -201,7 +199,7 @@ std::string Source::follow(Movie& movie) {
         if (!any) return settings_.path.string() + ": no picture in it can be decoded";
         if (movie.damaged() > 0 && !movie.is_cut_short())
             say(settings_.path.string() + ": is damaged or cut short; what can be decoded is shown");
-        else if (last_s + std::max(kShortBy * length_s, kShortBy_s) < length_s)
+        else if (movie.read_to_s() + std::max(kShortBy * length_s, kShortBy_s) < length_s)
             say_cut();
         queue_.know_to(settings_.loop ? from_s : kForever);
         if (!settings_.loop) continue;

@@ -7,6 +7,7 @@
 #include "plot_files.h"
 #include "scene/bodies.h"
 #include "scene/gobos.h"
+#include "scene/illuminance.h"
 #include "scene/lit.h"
 #include "scene/rig.h"
 #include "scene/show_toml.h"
@@ -43,10 +44,10 @@ GoboStack white(int width = 256, int height = 144) {
     return showing(width, height, [](int, int) { return vec3(1.0f); });
 }
 
-// A wall at the origin that looks to -Y, 8 x 4.5 m.
-Show wall_show(LedWall wall = {}) {
+// A wall at the origin that looks to -Y.
+Show wall_show(LedWall wall = {}, const vec2& size_m = {8, 4.5f}) {
     Show show;
-    wall.size_m = {8, 4.5f};
+    wall.size_m = size_m;
     wall.nits = 1000;
     show.media.emplace_back();
     PatchedFixture fixture;
@@ -79,7 +80,7 @@ TEST(LedWall, ThrowsTheLumensOfItsPixels) {
     double lumens = 0;
     for (const shared::Light& light : lit.lights) {
         lumens += lumens_of(light, stack);
-        EXPECT_NEAR(light.lens_m, std::sqrt(6.0f / std::numbers::pi_v<float>), 1e-3f)
+        EXPECT_NEAR(light.panel_m, std::sqrt(6.0f / std::numbers::pi_v<float>), 1e-3f)
             << "no bright spot in the air before it";
     }
     EXPECT_NEAR(lumens / (std::numbers::pi * 1000.0 * 8.0 * 4.5), 1.0, 5e-3);
@@ -88,40 +89,49 @@ TEST(LedWall, ThrowsTheLumensOfItsPixels) {
     for (const Face& face : lit.faces) EXPECT_TRUE(face.of_wall);
 }
 
-// What a surface that is equally bright from all sides throws onto a floor before it and a wall far away:
-// within 8 % of the integral over its area.
+// Of what a surface that is equally bright from all sides throws there, by the integral over its area.
+double share_of_lambert(const Lit& lit, const GoboStack& stack, const vec2& size_m, const vec3& at,
+                        const vec3& normal) {
+    double lux = 0, expected = 0;
+    for (const shared::Light& light : lit.lights)
+        lux += static_cast<double>(illuminance(light, at, normal, stack.images, LitAir{}).y);
+    constexpr int kSteps = 100;
+    for (int k = 0; k < kSteps * kSteps; ++k) {
+        const vec3 from(size_m.x * ((static_cast<float>(k % kSteps) + 0.5f) / kSteps - 0.5f), 0,
+                        size_m.y * ((static_cast<float>(k / kSteps) + 0.5f) / kSteps - 0.5f));
+        const vec3 way = at - from;
+        const float d2 = glm::dot(way, way);
+        expected +=
+            static_cast<double>(1000.0f * -way.y * std::max(glm::dot(normal, -way), 0.0f) / (d2 * d2));
+    }
+    return lux / (expected * static_cast<double>(size_m.x * size_m.y) / (kSteps * kSteps));
+}
+
+// Onto a wall across the stage and a floor before it, from as near as a cell is wide.
 TEST(LedWall, LightsAsItsAreaDoes) {
-    LedWall wall;
-    wall.cells = {8, 8};
-    const Show show = wall_show(wall);
-    const GoboStack stack = white();
-    Rig rig(show);
-    rig.step({}, 0);
-    const Lit lit = rig.lit(stack, DistanceMaps{});
-    struct Probe {
-        vec3 at, normal;
+    struct Size {
+        vec2 size_m;
+        glm::ivec2 cells; // 0: as many as it has unless told
     };
-    for (const Probe& probe : {Probe{{0, -12, 0}, {0, 1, 0}}, Probe{{3, -6, -1}, {0, 1, 0}},
-                               Probe{{0, -4, -3.5f}, {0, 0, 1}}, Probe{{5, -8, -3.5f}, {0, 0, 1}}}) {
-        double lux = 0, expected = 0;
-        for (const shared::Light& light : lit.lights) {
-            const vec3 way = probe.at - light.position_m;
-            const float d = glm::length(way);
-            const float cosine = std::max(glm::dot(probe.normal, -way / d), 0.0f);
-            lux += static_cast<double>(
-                shared::beam_candela(light, shared::to_gate(light, way), stack.images).y * cosine / (d * d));
-        }
-        constexpr int kSteps = 100;
-        for (int k = 0; k < kSteps * kSteps; ++k) {
-            const vec3 from(8.0f * ((static_cast<float>(k % kSteps) + 0.5f) / kSteps - 0.5f), 0,
-                            4.5f * ((static_cast<float>(k / kSteps) + 0.5f) / kSteps - 0.5f));
-            const vec3 way = probe.at - from;
-            const float d2 = glm::dot(way, way);
-            expected += static_cast<double>(1000.0f * -way.y * std::max(glm::dot(probe.normal, -way), 0.0f) /
-                                            (d2 * d2));
-        }
-        expected *= 8.0 * 4.5 / (kSteps * kSteps);
-        EXPECT_NEAR(lux / expected, 1.0, 0.08) << probe.at.x << " " << probe.at.y << " " << probe.at.z;
+    for (const Size& size : {Size{{8, 4.5f}, {8, 8}}, Size{{8, 4.5f}, {0, 0}}, Size{{4, 2.25f}, {0, 0}},
+                             Size{{3, 3}, {0, 0}}, Size{{16, 9}, {8, 8}}}) {
+        LedWall wall;
+        wall.cells = size.cells;
+        wall.fit = Fit::stretch;
+        const Show show = wall_show(wall, size.size_m);
+        const GoboStack stack = white();
+        Rig rig(show);
+        rig.step({}, 0);
+        const Lit lit = rig.lit(stack, DistanceMaps{});
+        const float floor_z = -0.5f * size.size_m.y - 1.0f;
+        const vec3 to_wall(0, 1, 0), up(0, 0, 1);
+        for (const auto& [at, normal] :
+             {std::pair{vec3(0, -4, 0), to_wall}, std::pair{vec3(0, -8, 0), to_wall},
+              std::pair{vec3(0, -15, 0), to_wall}, std::pair{vec3(3, -6, -1), to_wall},
+              std::pair{vec3(0, -3, floor_z), up}, std::pair{vec3(0, -6, floor_z), up},
+              std::pair{vec3(4, -9, floor_z), up}})
+            EXPECT_NEAR(share_of_lambert(lit, stack, size.size_m, at, normal), 1.0, 0.1)
+                << size.size_m.x << " m wide at " << at.x << " " << at.y << " " << at.z;
     }
 }
 

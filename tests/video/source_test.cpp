@@ -60,6 +60,28 @@ TEST_F(SourceTest, UnevenTimesAreKept) {
         }
 }
 
+// Its stated length is that of its pictures, whose last one stands long: it is whole. Cut, it is said to be.
+TEST_F(SourceTest, ALastPictureMayStandLong) {
+    make_uneven(folder / "long.mp4", {0, 100, 150}, 3000);
+    for (const bool loops : {false, true}) {
+        SourceSettings settings = of(folder / "long.mp4");
+        settings.loop = loops;
+        Source source(settings);
+        EXPECT_EQ(number_at(source, 2.5), 2);
+        EXPECT_EQ(number_at(source, 3.05), loops ? 0 : 2);
+        EXPECT_EQ(source.take_messages(), std::vector<std::string>{});
+    }
+    std::vector<int> at_ms;
+    for (int ms = 0; ms < 3000; ms += 40) at_ms.push_back(ms);
+    make_uneven(folder / "cut.mkv", at_ms, 3000);
+    std::filesystem::resize_file(folder / "cut.mkv", std::filesystem::file_size(folder / "cut.mkv") / 2);
+    Source source(of(folder / "cut.mkv"));
+    EXPECT_GT(number_at(source, 2.9), 10);
+    const std::vector<std::string> messages = source.take_messages();
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_NE(messages[0].find("cut short"), std::string::npos) << messages[0];
+}
+
 TEST_F(SourceTest, JumpsAnywhere) {
     Source source(of(film("film.mp4", 250)));
     std::mt19937 random(4);

@@ -49,10 +49,10 @@ inline int number_of(const image::Pyramid& pyramid) {
     return number;
 }
 
-// A film of the pictures 0, 1, .. at these moments (milliseconds), by FFmpeg itself.
+// A film of the pictures 0, 1, .. at these moments (milliseconds), by FFmpeg itself; of the kind that its name says.
 inline void make_uneven(const std::filesystem::path& path, const std::vector<int>& at_ms, int last_ms) {
     AVFormatContext* file = nullptr;
-    ASSERT_GE(avformat_alloc_output_context2(&file, nullptr, "matroska", path.c_str()), 0);
+    ASSERT_GE(avformat_alloc_output_context2(&file, nullptr, nullptr, path.c_str()), 0);
     AVStream* stream = avformat_new_stream(file, nullptr);
     AVCodecContext* codec = avcodec_alloc_context3(avcodec_find_encoder(AV_CODEC_ID_MPEG4));
     codec->width = kBits * kBarWidth;
