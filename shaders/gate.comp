@@ -81,6 +81,7 @@ struct Ray {
     vec2 along;       // and along it
     vec2 up;          // and across the pole
     float lens_m;     // from lamp to lens, where there is no haze, in directions of u that are not made unit
+    float panel_m;    // Light::panel_m
 };
 
 const float kGauss = 0.57735; // between the two points of Gauss, in segments
@@ -98,7 +99,8 @@ float ray_weight(Haze haze, Ray ray, float u) {
     float to_lamp_m = ray.distance_m * per_across / unit;
     float to_lens_m = max(ray.distance_m * per_across - ray.lens_m, 0.0) / unit;
     float to_eye_m = ray.eye_m * (ray.up.x + u * ray.up.y) * per_across;
-    return haze_transmittance(haze, to_lens_m + to_eye_m) * haze_phase(haze, -(ray.along.x + u * ray.along.y) * unit) *
+    float narrow = kPanels ? to_lamp_m / length(vec2(to_lamp_m, ray.panel_m)) : 1.0;
+    return haze_transmittance(haze, to_lens_m + to_eye_m) * haze_phase(haze, -(ray.along.x + u * ray.along.y) * unit, narrow) *
            attenuation_factor(air.attenuation, to_lamp_m);
 }
 
@@ -151,7 +153,7 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     float across = tangent.y, across_u = -tangent.w;
     float along = tangent.w, along_u = tangent.y;
 
-    Ray ray = Ray(fan.beam.eye_m, distance_m, vec2(across, across_u), vec2(along, along_u), chord.yx, light.lens_m / max(chord.z, 1e-6));
+    Ray ray = Ray(fan.beam.eye_m, distance_m, vec2(across, across_u), vec2(along, along_u), chord.yx, light.lens_m / max(chord.z, 1e-6), light.panel_m);
 
     // As many segments as the curvature of the phase function (sharpest where the light comes at the eye) and the haze on the
     // way ask for.
@@ -165,7 +167,7 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     float wanted = sqrt(angle * angle * (2.0 + 3.0 * g / ahead) + 8.0 * depth * depth) * p.segments_per_rad;
     // Swirls are resolved, too: their waves are shorter than the swirls are wide.
     if (kUneven) wanted = max(wanted, abs(way1 - way0 - distance_m * (length1 / max(across + u1 * across_u, 1e-6) - length0 / max(across + u0 * across_u, 1e-6))) * air.per_m * 1.6);
-    // What a panel throws along itself is not even in a segment: from the wings it is 8 % too bright with so many, 1.5 % with three times.
+    // What a panel throws along itself is not even in a segment: from the wings it is 8 % too bright with so many, 1 % with three times.
     if (kPanels) wanted *= 3.0;
     uint count = hit ? clamp(uint(ceil(wanted)), 1u, p.most_segments) : 0u;
 

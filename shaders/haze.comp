@@ -44,7 +44,7 @@ vec3 scattered(Light light, vec3 dir, float far, float offset) {
         vec3 g = q + t * dq;
         float distance2 = max(dot(g, g), 1e-6);
         float distance_m = sqrt(distance2);
-        float weight = haze_transmittance(haze, t + way_from_lens_m(light, g)) * haze_phase(haze, -dot(g, dq) / distance_m) / distance2;
+        float weight = haze_transmittance(haze, t + way_from_lens_m(light, g)) * haze_phase(haze, -dot(g, dq) / distance_m, near_narrow(light, distance2)) / distance2;
         weight *= attenuation_factor(air.attenuation, distance_m);
         if (kUneven) weight *= air_density(air, view.eye_m + dir * t);
         weight = g.z > light.lens_m ? weight : 0.0;

@@ -175,6 +175,14 @@ SHARED_FN float near_share(Light light, float distance2) {
     return distance2 / (distance2 + light.panel_m * light.panel_m);
 }
 
+// See haze_phase.
+SHARED_FN float near_narrow(Light light, float distance2) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    return IS_PANEL(light) ? sqrt(near_share(light, distance2)) : 1.0f;
+}
+
 // Candela (RGB) towards gate position q, metres from the apex, for the inverse square law.
 SHARED_FN vec3 beam_candela(Light light, vec3 q WITH_GOBOS) {
 #ifdef __cplusplus

@@ -21,7 +21,7 @@ struct Lens {
     float nearest_m;     // what is nearer to the eye hides the lens
 };
 SHARED_SIZE(Lens, 548);
-SHARED_CONST uint kLensesPerChunk = 120u; // within 64 KiB
+SHARED_CONST uint kLensesPerChunk = 119u; // within 64 KiB
 
 // A workgroup draws a block of pixels.
 SHARED_CONST uint kLensBlockWidth = 8u;

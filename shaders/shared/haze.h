@@ -15,9 +15,10 @@ SHARED_FN float henyey_greenstein(float g, float cosine) {
     return (1.0f - g * g) / (4.0f * kPi * base * sqrt(base));
 }
 
-SHARED_FN float haze_phase(Haze haze, float cosine) {
-    return (1.0f - haze.back_weight) * henyey_greenstein(haze.forward_g, cosine) +
-           haze.back_weight * henyey_greenstein(haze.back_g, cosine);
+// Light that comes from a disc is scattered less sharply: narrow is the cosine of half the angle that it is wide, 1 for a point.
+SHARED_FN float haze_phase(Haze haze, float cosine, float narrow) {
+    return (1.0f - haze.back_weight) * henyey_greenstein(haze.forward_g * narrow, cosine) +
+           haze.back_weight * henyey_greenstein(haze.back_g * narrow, cosine);
 }
 
 SHARED_FN float haze_transmittance(Haze haze, float distance_m) {

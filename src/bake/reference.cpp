@@ -284,8 +284,8 @@ private:
         // stays finite.
         const double closest_m = glm::dot(lamp.position_m - ray.eye_m, ray.way);
         const double passes_m = glm::length(ray.at(closest_m) - lamp.position_m);
-        const double scale_m =
-            std::max(std::hypot(passes_m, static_cast<double>(lamp.light.panel_m)), kNearest_m);
+        const double panel_m = lamp.light.panel_m;
+        const double scale_m = std::max(std::hypot(passes_m, panel_m), kNearest_m);
         const double first = std::atan((begin_m - closest_m) / scale_m);
         const double step = (std::atan((end_m - closest_m) / scale_m) - first) / options_.air_samples;
 
@@ -304,8 +304,9 @@ private:
             const double weight =
                 seen_through(ray, t_m) *
                 std::exp(-medium_.optical_depth(lamp.leaves_lens(light_way, gate_m.z), place_m)) *
-                medium_.phase(-glm::dot(light_way, ray.way) / distance_m) * medium_.density(place_m) * dt_m *
-                weakened(distance_m);
+                medium_.phase(-glm::dot(light_way, ray.way) / distance_m,
+                              distance_m / std::hypot(distance_m, panel_m)) *
+                medium_.density(place_m) * dt_m * weakened(distance_m);
             sum.add(place_m, lamp.lens_m[static_cast<std::size_t>(k) % lamp.lens_m.size()], candela * weight);
         }
         return sum.total() * medium_.scattering_per_m();

@@ -265,10 +265,10 @@ dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
 ReferenceMedium::ReferenceMedium(const shared::Haze& haze, HazeDensity density, int path_samples)
     : haze_(haze), density_(std::move(density)), path_samples_(path_samples) {}
 
-double ReferenceMedium::phase(double cosine) const {
-    const double back = haze_.back_weight;
-    return (1.0 - back) * henyey_greenstein(haze_.forward_g, cosine) +
-           back * henyey_greenstein(haze_.back_g, cosine);
+double ReferenceMedium::phase(double cosine, double narrow) const {
+    const double back = haze_.back_weight, forward_g = haze_.forward_g, back_g = haze_.back_g;
+    return (1.0 - back) * henyey_greenstein(forward_g * narrow, cosine) +
+           back * henyey_greenstein(back_g * narrow, cosine);
 }
 
 double ReferenceMedium::optical_depth(const dvec3& from_m, const dvec3& to_m) const {

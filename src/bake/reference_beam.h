@@ -54,7 +54,7 @@ public:
     double extinction_per_m() const { return haze_.extinction_per_m; }
     double scattering_per_m() const { return haze_.scattering_per_m; }
     // 1/sr; cosine of the angle between the light's way and the scattered way.
-    double phase(double cosine) const;
+    double phase(double cosine, double narrow = 1.0) const; // see shared::haze_phase
     // Extinction integrated from one point to another: closed where the haze is even, else path_samples
     // midpoints.
     double optical_depth(const glm::dvec3& from_m, const glm::dvec3& to_m) const;

@@ -24,6 +24,7 @@ constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 // begin.
 constexpr std::size_t kChunkStart = 64;
 static_assert(kChunkStart * sizeof(shared::Lens) % 256 == 0);
+static_assert(shared::kLensesPerChunk * sizeof(shared::Lens) <= 1u << 16);
 constexpr int kCounted_px = 32;      // lenses up to this size are measured pixel by pixel
 constexpr float kRimVariance = 0.2f; // of the place of a rim of 1 pixel to both sides, pixels^2
 constexpr float kNearest_m = 0.05f;  // from the eye

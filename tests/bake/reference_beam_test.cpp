@@ -167,7 +167,7 @@ TEST(ReferenceBeam, BrdfAndPhaseAgreeWithTheSharedOnes) {
         }
         const shared::Haze haze{0.1f, 0.1f, 0.9f * unit(random), -0.9f * unit(random), unit(random)};
         const float cosine = 2 * unit(random) - 1;
-        worst = std::max(worst, std::abs(d(shared::haze_phase(haze, cosine)) /
+        worst = std::max(worst, std::abs(d(shared::haze_phase(haze, cosine, 1.0f)) /
                                              ReferenceMedium(haze, {}, 1).phase(d(cosine)) -
                                          1));
     }
