@@ -75,7 +75,8 @@ vec3 shown(Light light, Fragment f, Haze haze) {
     float z = max(q.z, 1e-4);
     float per_m = 1.0 / (z * light.tan_field);
     Focus focus = beam_focus(light, z);
-    focus.least = 0.5 * width_m * per_m;
+    // The curve of a laser is a normal distribution across: as bright in any row of pixels if it deviates by half a pixel.
+    focus.least = (HAS_FIGURE(light) ? 1.0 : 0.5) * width_m * per_m;
     vec3 beam_cd = q.z > max(light.lens_m, 1e-4) ? light.intensity_cd * beam_gate(light, q.xy * per_m, focus) * near_share(light, distance2) : vec3(0.0);
     if (kThin) {
         // To what the next pixels show of the plane that the surface lies in.
