@@ -144,7 +144,7 @@ std::vector<shared::Light> wall_at(double seconds) {
     scene::LedWall wall;
     wall.size_m = {8, 4.5f};
     const glm::ivec2 cells = scene::cells_of(wall);
-    const std::shared_ptr<const fixture::Type> type = fixture::led_wall_type(wall.size_m, cells);
+    const std::shared_ptr<const fixture::Type> type = fixture::led_wall_type(wall.size_m, cells, wall.nits);
     const glm::mat4 to_world(glm::vec4(1, 0, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(0, 0, 1, 0),
                              glm::vec4(0, 8, 4, 1));
     std::vector<shared::Light> lights;

@@ -244,10 +244,7 @@ std::optional<PlotSource> MvrReader::source(pugi::xml_node node) {
     }
     if (source.value.empty()) return std::nullopt;
     if (source.type == "File") {
-        source.member = members_.find(source.value).member;
-        if (source.member.empty())
-            say(Severity::error, node,
-                "picture or film " + short_text(source.value) + " is not in the archive");
+        source.member = members_.find(source.value).member; // else it may lie beside the plot
     } else if (source.type != "NDI" && source.type != "CITP" && source.type != "CaptureDevice") {
         say(Severity::warning, node,
             "source of type " + short_text(source.type) + "; expected NDI, File, CITP or CaptureDevice");

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/plot_media.h"
 
+#include "base/files.h"
+#include "scene/mvr_load.h"
+
 #include <algorithm>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -26,6 +30,21 @@ int add_media(Show& show, Media media, Report& report) {
     return static_cast<int>(show.media.size()) - 1;
 }
 
+// FFmpeg reads files by their names: a film of the archive is unpacked beside what is baked, once.
+Result<std::filesystem::path> unpacked(const Show& show, const std::string& member) {
+    char checksum[16];
+    std::snprintf(checksum, sizeof checksum, "%08x-", show.plot->archive.checksum(member));
+    const std::filesystem::path folder = show.cache_folder() / "media";
+    const std::filesystem::path file =
+        folder / (checksum + std::filesystem::path(member).filename().string());
+    std::error_code code;
+    if (std::filesystem::is_regular_file(file, code)) return file;
+    TRY(const std::vector<std::uint8_t> bytes, show.plot->archive.read(member));
+    TRY_VOID(make_folders(folder, show.folder));
+    TRY_VOID(write_file_atomic(file, bytes));
+    return file;
+}
+
 } // namespace
 
 int media_of_source(Show& show, const PlotSource& source, const std::string& name, const std::string& where,
@@ -33,16 +52,19 @@ int media_of_source(Show& show, const PlotSource& source, const std::string& nam
     Media media;
     media.name = name;
     media.where = where;
-    if (source.type == "File") {
-        // Files of a plot stand in no folder; what it names may be another machine's path.
+    if (source.type == "File" && !source.member.empty()) {
+        auto file = unpacked(show, source.member);
+        if (file.ok())
+            media.file = std::move(*file);
+        else
+            report.add(Severity::error, where,
+                       "'" + name + "' shows '" + source.value + "': " + file.error().text());
+    } else if (source.type == "File") {
+        // Beside the plot; what it names may be another machine's path. check_files (show.cpp) says if it is
+        // missing.
         std::string file = source.value;
         std::replace(file.begin(), file.end(), '\\', '/');
         media.file = show.folder / std::filesystem::path(file).filename();
-        std::error_code code;
-        if (!std::filesystem::is_regular_file(media.file, code))
-            report.add(Severity::error, where,
-                       "'" + name + "' shows '" + source.value + "', expected beside the plot as " +
-                           media.file.string() + "; a striped card is shown until it is there");
     } else if (source.type == "CaptureDevice") {
         media.kind = MediaKind::camera;
         media.file = source.value;

@@ -1,7 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// What a plot's video projectors show (MVR 1.6, Projector, Sources). Files of a source are looked for beside
-// the plot; streams (NDI, CITP) become a test card, with a message. Pure.
+// What a plot's video projectors show (MVR 1.6, Projector, Sources). Files of a source are those of
+// the archive, unpacked into show.cache_folder(), or lie beside the plot; streams (NDI, CITP) become a test
+// card, with a message.
 
 #include "scene/plot.h"
 #include "scene/show.h"

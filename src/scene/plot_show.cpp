@@ -182,7 +182,7 @@ private:
         // that.
         place(object, fixture);
         const glm::dmat4 to_world(fixture_to_world(fixture, 0));
-        fixture.type = fixture::led_wall_type(wall.size_m, cells_of(wall),
+        fixture.type = fixture::led_wall_type(wall.size_m, cells_of(wall), wall.nits,
                                               glm::mat4(glm::inverse(to_world) * plane->to_world));
         fixture.wall = wall;
         fixture_of_.back() = static_cast<int>(show_.fixtures.size());

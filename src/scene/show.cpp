@@ -91,7 +91,8 @@ void load_types(ParsedShow& parsed, const std::string& file, Report& report) {
         const FixtureSource& source = parsed.sources[k];
         if (fixture.gdtf.empty()) {
             if (fixture.wall)
-                fixture.type = fixture::led_wall_type(fixture.wall->size_m, cells_of(*fixture.wall));
+                fixture.type =
+                    fixture::led_wall_type(fixture.wall->size_m, cells_of(*fixture.wall), fixture.wall->nits);
             else if (fixture.projector)
                 fixture.type = fixture::video_projector_type();
             else if (fixture.laser)
@@ -301,7 +302,7 @@ void check_files(const ParsedShow& parsed, const std::string& file, Report& repo
         if (media.kind == MediaKind::file && !is_file(media.file))
             report.add(Severity::error, media.where,
                        "[[media]] '" + media.name + "' file: " + missing_file(media.file) +
-                           " A test card is shown.");
+                           " A striped card is shown.");
     if (!show.plot_file.empty() && !is_file(show.plot_file))
         report.add(Severity::error, file_line(file, parsed.plot_line),
                    "[show] plot: " + missing_file(show.plot_file) + " Its fixtures and stage are missing.");

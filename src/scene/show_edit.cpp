@@ -159,7 +159,8 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
             });
         if (same != before.fixtures.end()) fixture.shape = same->shape;
         if (fixture.wall)
-            fixture.type = fixture::led_wall_type(fixture.wall->size_m, cells_of(*fixture.wall));
+            fixture.type =
+                fixture::led_wall_type(fixture.wall->size_m, cells_of(*fixture.wall), fixture.wall->nits);
         else if (fixture.gdtf.empty())
             fixture.type = fixture.projector ? fixture::video_projector_type()
                            : fixture.laser   ? fixture::show_laser_type()

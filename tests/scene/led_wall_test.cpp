@@ -13,6 +13,7 @@
 #include "scene/show_toml.h"
 #include "shared/beam.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ Show wall_show(LedWall wall = {}, const vec2& size_m = {8, 4.5f}) {
     PatchedFixture fixture;
     fixture.name = "Wall";
     fixture.wall = wall;
-    fixture.type = fixture::led_wall_type(wall.size_m, cells_of(wall));
+    fixture.type = fixture::led_wall_type(wall.size_m, cells_of(wall), wall.nits);
     show.fixtures.push_back(std::move(fixture));
     return show;
 }
@@ -264,6 +265,39 @@ name = "*"
         EXPECT_NE(said.find(part), std::string::npos) << part << " in\n" << said;
     ASSERT_TRUE(parsed->show.fixtures[0].wall);
     EXPECT_FLOAT_EQ(parsed->show.fixtures[0].wall->nits, 1500.0f);
+}
+
+// What a screen of a plot shows is in the archive or beside it; what is in neither is said.
+TEST(LedWall, ScreensOfAPlotShowFilesOfItsArchiveAndBesideIt) {
+    const fs::path folder = scratch("screens");
+    const auto screen = [](int number, const std::string& file) {
+        return "<VideoScreen uuid=\"" + uuid(number) + "\" name=\"" + file + "\">" +
+               matrix(kIdentity + "{1000,2000,3000}") +
+               "<Geometries><Geometry3D fileName=\"Sail.glb\"/></Geometries>" +
+               "<Sources><Source linkedGeometry=\"Sail\" type=\"File\">" + file +
+               "</Source></Sources></VideoScreen>\n";
+    };
+    write_mvr(folder / "Show.mvr",
+              small_xml(screen(40, "inside.mp4") + screen(41, "beside.mp4") + screen(42, "gone.mp4")),
+              {{"inside.mp4", "a film"}});
+    std::ofstream(folder / "beside.mp4") << "another";
+    for (int round = 0; round < 2; ++round) {
+        Report report;
+        const Show show = opened(folder / "Show.mvr", report);
+        ASSERT_EQ(show.media.size(), 3u) << messages_of(report);
+        EXPECT_EQ(messages_of(report).find("not in the archive"), std::string::npos) << messages_of(report);
+        EXPECT_EQ(show.media[0].file.parent_path(), show.cache_folder() / "media");
+        std::ifstream unpacked(show.media[0].file);
+        EXPECT_EQ(std::string(std::istreambuf_iterator<char>(unpacked), {}), "a film");
+        EXPECT_EQ(show.media[1].file, folder / "beside.mp4");
+        EXPECT_NE(messages_of(report).find("'gone.mp4' file: no such file " + (folder / "gone.mp4").string()),
+                  std::string::npos)
+            << messages_of(report);
+        EXPECT_EQ(std::count_if(report.messages.begin(), report.messages.end(),
+                                [](const Message& message) { return message.severity == Severity::error; }),
+                  1)
+            << messages_of(report);
+    }
 }
 
 // Sail.glb is a triangle in X and Z; a screen with it is a wall as large as it, and [[wall]] says what it is
