@@ -58,6 +58,17 @@ SHARED_FN float beam_aperture(float radius, float aperture, float blur) {
     return t * t * (3.0f - 2.0f * t);
 }
 
+// The same for a round opening in an even field, which lets as much light through blurred as it does sharp: a soft edge as wide to both
+// sides has more of its area outside. What is blurred more than it is wide has no bright middle left. rim_share: see Light.
+SHARED_FN float beam_opening(float radius, float opening, float blur, float rim_share) {
+#ifdef __cplusplus
+    using namespace glm;
+#endif
+    float opening2 = opening * opening, blur2 = rim_share * blur * blur;
+    float middle = min(opening2 / max(1.2f * blur2, 1e-12f), 1.0f);
+    return middle * beam_aperture(radius, sqrt(max(opening2 - 0.2f * blur2, blur2)), blur);
+}
+
 SHARED_FN vec3 wheel_sample(Wheel wheel, vec2 gate, float blur WITH_GOBOS) {
 #ifdef __cplusplus
     using namespace glm;
@@ -152,9 +163,10 @@ SHARED_FN vec3 beam_gate(Light light, vec2 gate, Focus focus WITH_GOBOS) {
     using namespace glm;
 #endif
     float radius2 = dot(gate, gate);
+    float rim_blur = blur_of(light, focus, IS_SHAPED(light) ? light.iris_depth : 0.0f);
     float value = beam_profile(radius2, light.profile_power, light.profile_scale) *
-                  beam_aperture(sqrt(radius2), light.iris_radius,
-                                blur_of(light, focus, IS_SHAPED(light) ? light.iris_depth : 0.0f));
+                  beam_opening(sqrt(radius2), light.iris_radius, light.rim_share < 0.0f ? light.edge : rim_blur,
+                               max(light.rim_share, 0.0f));
     if (IS_CUT(light)) value *= blades_share(light, gate, focus);
     value = radius2 < light.cut_radius * light.cut_radius ? value : 0.0f;
     float side = clamp((gate.x - light.split) * 4.0f + 0.5f, 0.0f, 1.0f);

@@ -123,11 +123,13 @@ struct Light {
     uint map;              // its distance map: layer + 1; 0: nothing is in the way
     vec3 off_map_m;        // from where that map was made to position_m
     float disc_radius_m;   // of the luminous disc at the lens: how soft shadows are, how large the lens looks
+    float rim_share;       // of beam_opening: 1 where the field is even up to the aperture, 0 where it falls steeply there; below 0: the aperture
+                           // is the end of a frosted field, which no focus makes softer
     float panel_m;         // radius of a piece of a LED wall, which throws light as near_share has it; 0: it does as its apex does
     Slide slide;           // in the plane of depth 0
     Figure figure;         // in place of profile, wheels and slide
 };
-SHARED_SIZE(Light, 476);
+SHARED_SIZE(Light, 480);
 
 // Homogeneous haze: extinction, scattering and the two-term Henyey-Greenstein phase function.
 struct Haze {

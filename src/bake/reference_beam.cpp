@@ -78,6 +78,16 @@ dvec3 mapped(const glm::vec3 (&rows)[3], const dvec2& gate) {
     return {glm::dot(dvec3(rows[0]), way) / z, glm::dot(dvec3(rows[1]), way) / z, z};
 }
 
+// Share that a round opening lets through at a radius: a ring of 2 blur about a radius that keeps the
+// light of an even field (the variance of the edge is a fifth of blur^2), or of one that falls; where blur is
+// larger, all of it is that ring, weaker.
+double share_of_opening(double radius, double opening, double blur, double rim_share) {
+    const double own2 = rim_share * blur * blur;
+    if (opening * opening >= 1.2 * own2)
+        return share_inside(radius, std::sqrt(opening * opening - own2 / 5.0), blur);
+    return share_inside(radius, std::sqrt(own2), blur) * opening * opening / (1.2 * own2);
+}
+
 // Share of the frame -1..1 of such a map that lets light pass, blurred.
 double framed(const glm::vec3 (&rows)[3], const dvec3& at, double blur) {
     double share = 1.0;
@@ -243,7 +253,9 @@ dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
     const auto blur_of = [&](float depth) {
         return blur_at(gate_m.z, shaped ? static_cast<double>(depth) : 0.0);
     };
-    double open = share_inside(radius, light_.iris_radius, blur_of(light_.iris_depth));
+    const double rim_blur =
+        light_.rim_share < 0.0f ? static_cast<double>(light_.edge) : blur_of(light_.iris_depth);
+    double open = share_of_opening(radius, light_.iris_radius, rim_blur, std::max(light_.rim_share, 0.0f));
     const bool cut = light_.shaped > 1;
     if (cut) open *= slit(0, gate, gate_m.z) * slit(1, gate, gate_m.z);
     if (open == 0.0) return dvec3(0.0);

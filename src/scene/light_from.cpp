@@ -67,6 +67,16 @@ void add_shape(std::uint32_t layer, shared::Light& light) {
     if (light.wheel_count > 2 && light.shaped == 0) light.shaped = 1;
 }
 
+// Frost mixes the colours of a split, the more the less it leaves where it was (pull). How bright they are
+// then is for FrostFlux.
+void mix_split(float pull, shared::Light& light) {
+    if (light.split >= shared::kNoSplit) return;
+    const float place = std::clamp(light.split, -1.0f, 1.0f);
+    const float share_b = (std::acos(place) - place * std::sqrt(1.0f - place * place)) / shared::kPi;
+    const vec3 mean = glm::mix(vec3(1.0f), light.colour_b, share_b);
+    light.colour_b = glm::mix(mean, light.colour_b, pull) / glm::max(glm::mix(mean, vec3(1.0f), pull), 1e-4f);
+}
+
 } // namespace
 
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
@@ -104,6 +114,7 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     light.profile_scale = profile.scale;
     light.edge = profile.edge;
     light.iris_radius = measured.aperture;
+    light.rim_share = optics.frost > 0 ? -1.0f : rim_share(profile, measured.aperture);
     light.lens_radius_m = hard_edge ? source.beam_radius_m : 0.0f;
     light.disc_radius_m = source.beam_radius_m;
     light.focus_per_m = 1.0f / std::max(optics.focus_m, 0.1f);
@@ -153,7 +164,8 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     const float width = hard_edge
                             ? 0.5f * iris
                             : std::tan(0.5f * glm::radians(spread.beam_deg)) / profile.tan_field / 1.17741f;
-    set_gate(type, optics, gobos, projects || is_measured ? 1.0f : frost_pull(sigma, width), light);
+    const float pull = frost_pull(sigma, width);
+    set_gate(type, optics, gobos, projects || is_measured ? 1.0f : pull, light);
     light.bounce_cd = light.intensity_cd *
                       ((projects || is_measured ? open_sr : measured.iris_sr) / (4.0f * shared::kPi)) *
                       gate_share(light, gobos.images);
@@ -161,8 +173,10 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         light.bounce_cd *=
             picture_share(*projector, gobos.showing[static_cast<std::size_t>(projector->media)]);
     if (is_measured) add_shape(measured_light->second, light);
+    if (!projects && !is_measured) mix_split(pull, light);
     // Frost spreads what the gate lets through.
-    if (!projects && optics.frost > 0 && (light.wheel_count > 0 || light.shaped != 0)) {
+    const bool is_split = light.split < shared::kNoSplit;
+    if (!projects && optics.frost > 0 && (light.wheel_count > 0 || light.shaped != 0 || is_split)) {
         const auto clear = [&] {
             fixture::BeamState unfrosted = beam;
             unfrosted.optics.frost = 0;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ghost::scene {
 namespace {
@@ -87,17 +88,25 @@ float measured_share(const shared::Light& light) {
     return share * share;
 }
 
+float rim_share(const Profile& profile, float aperture) {
+    // How the field falls with the logarithm of the radius.
+    const float fall = 2.0f * std::numbers::ln2_v<float> * profile.power * profile.scale *
+                       std::pow(aperture, 2.0f * profile.power);
+    return std::clamp(1.0f - fall, 0.0f, 1.0f);
+}
+
 float beam_solid_angle(const Profile& profile, float aperture) {
     // In gate radii: dOmega = 2 pi r tan^2 / (1 + r^2 tan^2)^(3/2) dr.
     const double tan2 = static_cast<double>(profile.tan_field) * static_cast<double>(profile.tan_field);
     const double dr = static_cast<double>(profile.cut_radius) / kSteps;
+    const float share = rim_share(profile, aperture);
     double solid_angle = 0;
     for (int i = 0; i < kSteps; ++i) {
         const double r = (i + 0.5) * dr;
         const auto r_float = static_cast<float>(r);
         const double shape =
             static_cast<double>(shared::beam_profile(r_float * r_float, profile.power, profile.scale) *
-                                shared::beam_aperture(r_float, aperture, profile.edge));
+                                shared::beam_opening(r_float, aperture, profile.edge, share));
         solid_angle += shape * 2.0 * static_cast<double>(shared::kPi) * r * tan2 /
                        std::pow(1.0 + r * r * tan2, 1.5) * dr;
     }

@@ -52,6 +52,9 @@ float measured_share(const shared::Light& light);
 // Candela on the axis of an open beam of this profile that carries flux_lm.
 float peak_candela(const Profile& profile, float flux_lm);
 
+// Light::rim_share for an aperture of this radius.
+float rim_share(const Profile& profile, float aperture);
+
 // Solid angle (steradian) that a beam would fill at its peak intensity: lumens per candela on the axis.
 // aperture: gate radius that the iris leaves open, profile.aperture where there is none.
 float beam_solid_angle(const Profile& profile, float aperture);

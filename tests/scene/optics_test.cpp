@@ -274,6 +274,9 @@ TEST(Frost, ConservesTheFluxBehindAFullGate) {
                                    .number = number,
                                    .position = slot};
     };
+    const auto split = [](float place) {
+        return fixture::WheelState{.wheel = wheel_number("Colours"), .number = 1, .position = place};
+    };
     const std::vector<fixture::Blade> blades{{0.45f, 0.2f}, {0.3f, 0.3f}, {0.1f, 0.4f}, {}};
     const std::vector<std::pair<const char*, std::function<void(Optics&)>>> gates{
         {"gobo", [&](Optics& optics) { optics.gobo_wheels = {gobo(1, 1)}; }},
@@ -287,6 +290,8 @@ TEST(Frost, ConservesTheFluxBehindAFullGate) {
              optics.gobo_wheels = {gobo(1, 1), gobo(2, 1)};
          }},
         {"blades", [&](Optics& optics) { optics.blades = blades; }},
+        {"colours split", [&](Optics& optics) { optics.color_wheels = {split(0.3f)}; }},
+        {"colours split at the rim", [&](Optics& optics) { optics.color_wheels = {split(0.7f)}; }},
         {"gobo and blades",
          [&](Optics& optics) {
              optics.gobo_wheels = {gobo(1, 2)};
@@ -312,6 +317,35 @@ TEST(Frost, ConservesTheFluxBehindAFullGate) {
             }
         }
     EXPECT_LT(worst, 0.005);
+}
+
+// Out of focus a beam has the light that it has in focus, with frost and without, at any iris.
+TEST(Frost, ConservesTheFluxOutOfFocus) {
+    double worst_open = 0, worst_iris = 0, worst = 0;
+    for (const float zoom_deg : {12.0f, 30.0f})
+        for (const float iris : {1.0f, 0.5f, 0.1f}) {
+            fixture::BeamState beam = open_beam();
+            beam.optics.zoom_deg = zoom_deg;
+            beam.optics.iris = iris;
+            beam.optics.focus_m = 8;
+            beam.optics.frost_full_deg = 8;
+            const double sharp_lm = flux_lm(light_of(beam), 8.0, 900);
+            for (const float focus_m : {2.6f, 5.0f, 50.0f})
+                for (const float frost : {0.0f, 0.1f, 0.4f, 1.0f}) {
+                    beam.optics.focus_m = focus_m;
+                    beam.optics.frost = frost;
+                    const double share = flux_lm(light_of(beam), 8.0, 900) / sharp_lm;
+                    std::printf("%.0f deg, iris %.1f, focus %.1f m, frost %.1f deg: %.4f of the light\n",
+                                static_cast<double>(zoom_deg), static_cast<double>(iris),
+                                static_cast<double>(focus_m), 8 * static_cast<double>(frost), share);
+                    double& most = frost > 0 ? worst : (iris < 1 ? worst_iris : worst_open);
+                    most = std::max(most, std::abs(share - 1));
+                }
+        }
+    EXPECT_LT(worst_iris, 0.005);
+    EXPECT_LT(worst, 0.005);
+    // The field falls where its rim is: what of it is beyond is weakened twice.
+    EXPECT_LT(worst_open, 0.025);
 }
 
 // Share of the light within a radius, against a disc that is scattered by a Gaussian: a million rays.
