@@ -11,6 +11,7 @@
 #include "scene/looks.h"
 #include "scene/passes.h"
 #include "scene/plot_types.h"
+#include "scene/prism.h"
 #include "scene/show.h"
 #include "scene/stage_checks.h"
 
@@ -66,6 +67,7 @@ void check_type(const fs::path& path, Checked& result) {
     const fixture::Type& type = loaded->type;
     scene::Report report;
     scene::check_models(type, path.filename().string(), report);
+    scene::check_prisms(type, path.filename().string(), report);
     for (const scene::Message& message : report.messages)
         result.findings.push_back(scene::finding_of(message));
     result.title = type.manufacturer + " " + type.name;
@@ -121,6 +123,7 @@ void check_show(const fs::path& path, const scene::FixtureOffers& offers, const 
         }
     }
     check_media(*show, report);
+    scene::check_prisms(*show, report);
     for (const scene::Camera& camera : show->cameras) {
         if (camera.foreign_passes.empty()) continue;
         const auto passes = scene::load_foreign_passes(camera.foreign_passes, report);

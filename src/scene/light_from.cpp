@@ -67,14 +67,16 @@ void add_shape(std::uint32_t layer, shared::Light& light) {
     if (light.wheel_count > 2 && light.shaped == 0) light.shaped = 1;
 }
 
-// Frost mixes the colours of a split, the more the less it leaves where it was (pull). How bright they are
-// then is for FrostFlux.
-void mix_split(float pull, shared::Light& light) {
-    if (light.split >= shared::kNoSplit) return;
+// Frost mixes the colours of a split, the more the less it leaves where it was (pull). By what the first one
+// is multiplied.
+vec3 mix_split(float pull, shared::Light& light) {
+    if (light.split >= shared::kNoSplit) return vec3(1.0f);
     const float place = std::clamp(light.split, -1.0f, 1.0f);
     const float share_b = (std::acos(place) - place * std::sqrt(1.0f - place * place)) / shared::kPi;
     const vec3 mean = glm::mix(vec3(1.0f), light.colour_b, share_b);
-    light.colour_b = glm::mix(mean, light.colour_b, pull) / glm::max(glm::mix(mean, vec3(1.0f), pull), 1e-4f);
+    const vec3 first = glm::max(glm::mix(mean, vec3(1.0f), pull), 1e-4f);
+    light.colour_b = glm::mix(mean, light.colour_b, pull) / first;
+    return first;
 }
 
 } // namespace
@@ -173,7 +175,8 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         light.bounce_cd *=
             picture_share(*projector, gobos.showing[static_cast<std::size_t>(projector->media)]);
     if (is_measured) add_shape(measured_light->second, light);
-    if (!projects && !is_measured) mix_split(pull, light);
+    const vec3 mixed = projects || is_measured ? vec3(1.0f) : mix_split(pull, light);
+    light.intensity_cd *= mixed;
     // Frost spreads what the gate lets through.
     const bool is_split = light.split < shared::kNoSplit;
     if (!projects && optics.frost > 0 && (light.wheel_count > 0 || light.shaped != 0 || is_split)) {
@@ -183,7 +186,7 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
             return light_from(type, unfrosted, to_world, gobos, profiles, projector, shape);
         };
         light.intensity_cd *=
-            profiles.frost.correction(clear, light, gobos.images, light.lens_m + optics.focus_m);
+            profiles.frost.correction(clear, light, mixed, gobos.images, light.lens_m + optics.focus_m);
     } else if (!projects && !is_measured && measured.sent_sr > 0) {
         light.intensity_cd *= measured.iris_sr / measured.sent_sr;
     }

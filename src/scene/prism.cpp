@@ -254,21 +254,23 @@ shared::Light copied(const shared::Light& light, const Copy& copy) {
     return result;
 }
 
-void check_prisms(const Show& show, Report& report) {
-    std::set<std::pair<const fixture::Type*, int>> seen; // wheels
-    for (const PatchedFixture& fixture : show.fixtures) {
-        if (!fixture.type) continue;
-        const fixture::Type& type = *fixture.type;
-        for (const fixture::Channel& channel : fixture.patch().mode_of().channels)
-            for (const fixture::ChannelFunction& function : channel.functions) {
-                if (!is_prism(function.meaning.role) || !seen.insert({&type, function.wheel}).second)
-                    continue;
-                if (function.wheel >= 0)
+void check_prisms(const fixture::Type& type, const std::string& file, Report& report) {
+    std::set<int> seen; // wheels
+    for (const fixture::Mode& mode : type.modes)
+        for (const fixture::Channel& channel : mode.channels)
+            for (const fixture::ChannelFunction& function : channel.functions)
+                if (is_prism(function.meaning.role) && function.wheel >= 0 &&
+                    seen.insert(function.wheel).second)
                     check_wheel(type.wheels[static_cast<std::size_t>(function.wheel)],
                                 fixture::attribute_from(function.attribute).role != function.meaning.role,
-                                fixture.gdtf.string(), report);
-            }
-    }
+                                file, report);
+}
+
+void check_prisms(const Show& show, Report& report) {
+    std::set<const fixture::Type*> seen;
+    for (const PatchedFixture& fixture : show.fixtures)
+        if (fixture.type && seen.insert(fixture.type.get()).second)
+            check_prisms(*fixture.type, fixture.gdtf.string(), report);
 }
 
 } // namespace ghost::scene

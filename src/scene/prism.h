@@ -39,7 +39,8 @@ int most_copies(const fixture::Type& type, const fixture::Mode& mode, int beam);
 // That picture of a beam.
 shared::Light copied(const shared::Light& light, const Copy& copy);
 
-// Prisms of a show that are drawn with fewer pictures than they make.
+// Prisms that are drawn with fewer pictures than they make. file: for messages.
+void check_prisms(const fixture::Type& type, const std::string& file, Report& report);
 void check_prisms(const Show& show, Report& report);
 
 } // namespace ghost::scene
