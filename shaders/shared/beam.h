@@ -169,7 +169,7 @@ SHARED_FN vec3 beam_gate(Light light, vec2 gate, Focus focus WITH_GOBOS) {
                                max(light.rim_share, 0.0f));
     if (IS_CUT(light)) value *= blades_share(light, gate, focus);
     value = radius2 < light.cut_radius * light.cut_radius ? value : 0.0f;
-    float side = clamp((gate.x - light.split) * 4.0f + 0.5f, 0.0f, 1.0f);
+    float side = clamp((gate.x - light.split) / (2.0f * (kSplitHalf + light.split_soft)) + 0.5f, 0.0f, 1.0f);
     vec3 colour = (vec3(1.0f) + (light.colour_b - vec3(1.0f)) * side) * value;
     for (uint k = 0u; k < WHEEL_COUNT(light); ++k)
         colour *= wheel_sample(light.wheel[k], gate,

@@ -20,8 +20,8 @@ struct Lens {
     vec3 stray;          // cd/m^2 that a dirty lens sends everywhere
     float nearest_m;     // what is nearer to the eye hides the lens
 };
-SHARED_SIZE(Lens, 552);
-SHARED_CONST uint kLensesPerChunk = 118u; // within 64 KiB
+SHARED_SIZE(Lens, 556);
+SHARED_CONST uint kLensesPerChunk = 117u; // within 64 KiB
 
 // A workgroup draws a block of pixels.
 SHARED_CONST uint kLensBlockWidth = 8u;

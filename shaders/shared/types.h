@@ -105,6 +105,7 @@ struct Light {
     float profile_scale;
     vec3 colour_b;         // second colour of a split, relative to the first
     float split;           // gate coordinate of the split; at or above kNoSplit there is none
+    float split_soft;      // by how much frost makes half its width larger than kSplitHalf
     float iris_radius;     // gate radius of the aperture
     float edge;            // half width of the aperture's soft edge where the beam is in focus, gate units
     // 1 / distance from the lens at which the plane of depth 0 is sharp. Depth: radius (gate units) to which another plane is blurred far away
@@ -129,7 +130,7 @@ struct Light {
     Slide slide;           // in the plane of depth 0
     Figure figure;         // in place of profile, wheels and slide
 };
-SHARED_SIZE(Light, 480);
+SHARED_SIZE(Light, 484);
 
 // Homogeneous haze: extinction, scattering and the two-term Henyey-Greenstein phase function.
 struct Haze {
@@ -155,7 +156,8 @@ struct View {
 };
 SHARED_SIZE(View, 84);
 
-SHARED_CONST float kNoSplit = 8.0f;
+SHARED_CONST float kNoSplit = 1e6f;
+SHARED_CONST float kSplitHalf = 0.125f; // half the width of a split in the gate
 SHARED_CONST float kPi = 3.14159265358979f;
 
 SHARED_END

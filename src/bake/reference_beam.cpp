@@ -261,7 +261,8 @@ dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
     if (open == 0.0) return dvec3(0.0);
     const double shape = std::exp2(-static_cast<double>(light_.profile_scale) *
                                    std::pow(radius * radius, static_cast<double>(light_.profile_power)));
-    const double side = std::clamp(4.0 * (gate.x - static_cast<double>(light_.split)) + 0.5, 0.0, 1.0);
+    const double half = 0.125 + static_cast<double>(light_.split_soft);
+    const double side = std::clamp(0.5 * (gate.x - static_cast<double>(light_.split)) / half + 0.5, 0.0, 1.0);
     dvec3 colour =
         dvec3(light_.intensity_cd) * (shape * open) * glm::mix(dvec3(1.0), dvec3(light_.colour_b), side);
     const double distance2 = glm::dot(gate_m, gate_m), panel_m = light_.panel_m;

@@ -57,15 +57,14 @@ vec3 flux_through(const shared::Light& light, const shared::Gobos& gobos, float 
 }
 
 vec3 FrostFlux::correction(const std::function<shared::Light()>& clear, const shared::Light& frosted,
-                           const vec3& mixed, const shared::Gobos& gobos, float at_m) {
+                           const shared::Gobos& gobos, float at_m) {
     const shared::Light gate = gate_of(frosted);
     std::string key(reinterpret_cast<const char*>(&gate), sizeof gate);
     key.append(reinterpret_cast<const char*>(&at_m), sizeof at_m);
-    key.append(reinterpret_cast<const char*>(&mixed), sizeof mixed);
     const auto [entry, is_new] = found_.try_emplace(std::move(key), vec3(1));
     if (!is_new) return entry->second;
     const vec3 before = flux_through(gate_of(clear()), gobos, at_m, kClearPoints),
-               after = mixed * flux_through(gate, gobos, at_m, kFrostedPoints);
+               after = flux_through(gate, gobos, at_m, kFrostedPoints);
     for (int k = 0; k < 3; ++k)
         if (after[k] > kLeastFlux_lm) entry->second[k] = std::min(before[k] / after[k], kMostCorrection);
     return entry->second;

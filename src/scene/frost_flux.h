@@ -21,11 +21,10 @@ glm::vec3 flux_through(const shared::Light& light, const shared::Gobos& gobos, f
 
 class FrostFlux {
 public:
-    // By what the frosted light is to be multiplied; clear() makes the one without frost, where it is needed;
-    // mixed: how bright the frosted one's first colour is, relative to the clear one's.
+    // By what the frosted light is to be multiplied; clear() makes the one without frost, where it is needed.
     // A gate is measured once, which takes a millisecond; so is a picture that turns, in each of 256 places.
     glm::vec3 correction(const std::function<shared::Light()>& clear, const shared::Light& frosted,
-                         const glm::vec3& mixed, const shared::Gobos& gobos, float at_m);
+                         const shared::Gobos& gobos, float at_m);
     // Forgets gates that were on their way, before there are too many.
     void trim();
 

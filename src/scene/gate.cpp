@@ -189,7 +189,7 @@ void set_gate(const fixture::Type& type, const fixture::Optics& optics, const Go
     light.disc.scale *= pull;
     for (shared::Blade& blade : light.blade)
         if (blade.offset < kNoBlade) blade.offset /= pull;
-    if (light.split < shared::kNoSplit) light.split /= pull;
+    if (light.split < shared::kNoSplit) light.split = std::min(light.split / pull, 0.5f * shared::kNoSplit);
     const bool slide_among = has_slide && (light.wheel_count > 0 || !(one_plane || no_lens));
     const bool between = std::any_of(light.wheel, light.wheel + light.wheel_count,
                                      [](const shared::Wheel& wheel) { return wheel.shift != 0.0f; });

@@ -67,18 +67,6 @@ void add_shape(std::uint32_t layer, shared::Light& light) {
     if (light.wheel_count > 2 && light.shaped == 0) light.shaped = 1;
 }
 
-// Frost mixes the colours of a split, the more the less it leaves where it was (pull). By what the first one
-// is multiplied.
-vec3 mix_split(float pull, shared::Light& light) {
-    if (light.split >= shared::kNoSplit) return vec3(1.0f);
-    const float place = std::clamp(light.split, -1.0f, 1.0f);
-    const float share_b = (std::acos(place) - place * std::sqrt(1.0f - place * place)) / shared::kPi;
-    const vec3 mean = glm::mix(vec3(1.0f), light.colour_b, share_b);
-    const vec3 first = glm::max(glm::mix(mean, vec3(1.0f), pull), 1e-4f);
-    light.colour_b = glm::mix(mean, light.colour_b, pull) / first;
-    return first;
-}
-
 } // namespace
 
 shared::Light light_from(const fixture::Type& type, const fixture::BeamState& beam, const glm::mat4& to_world,
@@ -168,6 +156,12 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
                             : std::tan(0.5f * glm::radians(spread.beam_deg)) / profile.tan_field / 1.17741f;
     const float pull = frost_pull(sigma, width);
     set_gate(type, optics, gobos, projects || is_measured ? 1.0f : pull, light);
+    if (!projects && !is_measured && light.split < shared::kNoSplit) {
+        // What comes from either side of the split mixes: where light of a place comes from is normal, too.
+        const float soft = sigma / std::sqrt(pull);
+        light.split_soft =
+            std::sqrt(3.0f * soft * soft + shared::kSplitHalf * shared::kSplitHalf) - shared::kSplitHalf;
+    }
     light.bounce_cd = light.intensity_cd *
                       ((projects || is_measured ? open_sr : measured.iris_sr) / (4.0f * shared::kPi)) *
                       gate_share(light, gobos.images);
@@ -175,8 +169,6 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         light.bounce_cd *=
             picture_share(*projector, gobos.showing[static_cast<std::size_t>(projector->media)]);
     if (is_measured) add_shape(measured_light->second, light);
-    const vec3 mixed = projects || is_measured ? vec3(1.0f) : mix_split(pull, light);
-    light.intensity_cd *= mixed;
     // Frost spreads what the gate lets through.
     const bool is_split = light.split < shared::kNoSplit;
     if (!projects && optics.frost > 0 && (light.wheel_count > 0 || light.shaped != 0 || is_split)) {
@@ -186,7 +178,7 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
             return light_from(type, unfrosted, to_world, gobos, profiles, projector, shape);
         };
         light.intensity_cd *=
-            profiles.frost.correction(clear, light, mixed, gobos.images, light.lens_m + optics.focus_m);
+            profiles.frost.correction(clear, light, gobos.images, light.lens_m + optics.focus_m);
     } else if (!projects && !is_measured && measured.sent_sr > 0) {
         light.intensity_cd *= measured.iris_sr / measured.sent_sr;
     }

@@ -17,7 +17,7 @@ vec3 lens_of(const shared::Light& light) {
 }
 
 bool same_split(const shared::Light& a, const shared::Light& b) {
-    return a.split == b.split && a.colour_b == b.colour_b;
+    return a.split == b.split && a.split_soft == b.split_soft && a.colour_b == b.colour_b;
 }
 
 // Mean colour of what a beam between two colours sends, relative to the first.

@@ -33,6 +33,7 @@ shared::Light random_light(std::mt19937& random, int layers) {
     light.intensity_cd = {between(10, 1e5f), between(10, 1e5f), between(10, 1e5f)};
     light.colour_b = {unit(random), unit(random), unit(random)};
     light.split = unit(random) < 0.5f ? shared::kNoSplit : between(-1, 1);
+    light.split_soft = light.split < 0 ? 0.4f : 0.0f;
     light.iris_radius = between(0.2f, 1.2f);
     light.edge = between(0.01f, 0.3f);
     light.focus_per_m = between(0, 1);
