@@ -110,8 +110,13 @@ float panel_angle(Ray ray, float nearer, float u) {
     return atan(nearer * (ray.along.x + u * ray.along.y), ray.across.x + u * ray.across.y);
 }
 
-float panel_tangent(Ray ray, float nearer, float angle) {
-    vec2 part = vec2(sin(angle), nearer * cos(angle));
+vec2 direction_of(float angle) { return vec2(cos(angle), sin(angle)); }
+
+vec2 turned_by(vec2 direction, vec2 by) { return vec2(direction.x * by.x - direction.y * by.y, direction.y * by.x + direction.x * by.y); }
+
+// Of the direction of an angle.
+float panel_tangent(Ray ray, float nearer, vec2 direction) {
+    vec2 part = vec2(direction.y, nearer * direction.x);
     return (part.x * ray.across.x - part.y * ray.along.x) / max(part.y * ray.along.y - part.x * ray.across.y, 1e-9);
 }
 
@@ -167,8 +172,8 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
     float wanted = sqrt(angle * angle * (2.0 + 3.0 * g / ahead) + 8.0 * depth * depth) * p.segments_per_rad;
     // Swirls are resolved, too: their waves are shorter than the swirls are wide.
     if (kUneven) wanted = max(wanted, abs(way1 - way0 - distance_m * (length1 / max(across + u1 * across_u, 1e-6) - length0 / max(across + u0 * across_u, 1e-6))) * air.per_m * 1.6);
-    // What a panel throws along itself is not even in a segment: from the wings it is 8 % too bright with so many, 1 % with three times.
-    if (kPanels) wanted *= 3.0;
+    // What a panel throws along itself is not even in a segment: from the wings it is 8 % too bright with so many, 1.5 % with twice.
+    if (kPanels) wanted *= 2.0;
     uint count = hit ? clamp(uint(ceil(wanted)), 1u, p.most_segments) : 0u;
 
     float nearer = kPanels ? distance_m / length(vec2(distance_m, light.panel_m)) : 1.0;
@@ -199,7 +204,8 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
         column = kShadows ? find_runs(shaded, open ? last : column, last, runs) : last;
         uint turn = 0u, segments = 0u;
         float from = 0.0, step_u = 0.0;
-        float angle = 0.0, step_angle = 0.0; // of panels
+        float step_angle = 0.0; // of panels, and directions: where a segment begins, by how much its end and its two points are turned
+        vec2 begin = vec2(1.0, 0.0), to_end = begin, to_u = begin, to_v = begin;
         while (segments > 0u || turn < runs.count) {
             if (segments == 0u) {
                 bool ends = turn + 1u < runs.count;
@@ -210,11 +216,15 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
                 step_u = max(to - from, 0.0) / float(segments);
                 turn += 2u;
                 if (kPanels) {
-                    angle = panel_angle(ray, nearer, from);
+                    float angle = panel_angle(ray, nearer, from);
                     step_angle = max(panel_angle(ray, nearer, to) - angle, 0.0) / float(segments);
+                    begin = direction_of(angle);
+                    to_end = direction_of(step_angle);
+                    to_u = direction_of((0.5 - 0.5 * kGauss) * step_angle);
+                    to_v = direction_of((0.5 + 0.5 * kGauss) * step_angle);
                 }
             }
-            if (kPanels) step_u = max(clamp(panel_tangent(ray, nearer, angle + step_angle), u0, u1) - from, 0.0);
+            if (kPanels) step_u = max(clamp(panel_tangent(ray, nearer, turned_by(begin, to_end)), u0, u1) - from, 0.0);
             float middle = from + 0.5 * step_u;
             float level = 0.0;
             if (kFocus > 0u) {
@@ -236,10 +246,10 @@ vec3 scattered(Light light, Fan fan, vec3 dir, float far) {
             float u = clamp(centre - 0.5 * kGauss * step_u, from, from + step_u);
             float v = clamp(centre + 0.5 * kGauss * step_u, from, from + step_u);
             if (kPanels) {
-                u = clamp(panel_tangent(ray, nearer, angle + (0.5 - 0.5 * kGauss) * step_angle), from, from + step_u);
-                v = clamp(panel_tangent(ray, nearer, angle + (0.5 + 0.5 * kGauss) * step_angle), from, from + step_u);
+                u = clamp(panel_tangent(ray, nearer, turned_by(begin, to_u)), from, from + step_u);
+                v = clamp(panel_tangent(ray, nearer, turned_by(begin, to_v)), from, from + step_u);
                 light_here *= near_mean(ray, nearer, step_angle, from, step_u);
-                angle += step_angle;
+                begin = turned_by(begin, to_end);
             }
             float weight_u = ray_weight(haze, ray, u), weight_v = ray_weight(haze, ray, v);
             if (kUneven) {
