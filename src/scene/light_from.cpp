@@ -131,6 +131,7 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         open_sr = project(*projector, optics, gobos.showing[static_cast<std::size_t>(projector->media)],
                           static_cast<std::uint32_t>(projector->media), light);
         if (projector->lumens > 0) lumens = projector->lumens;
+        light.rim_share = 1.0f; // an even field
         // The throw is measured from the lens.
         apex_m = kMinLens_m;
     }
