@@ -104,6 +104,36 @@ struct GatePush {
 };
 SHARED_SIZE(GatePush, 36);
 
+// A light's haze on a grid of camera rays (render/haze_grid.h). Rows: even in the fan's row coordinate -1..1. Columns: of h = tan(phi / 2),
+// phi the angle of the ray from the way to the lamp.
+struct HazeGrid {
+    uint columns;
+    uint rows;
+    float near_h;   // of the first column
+    float per_h;    // 1 / what h grows to the last one
+    float bend;     // the first columns are 1 + bend times as close as even ones
+    float most_doubt; // share of a value that columns may deviate by from a straight line
+};
+SHARED_SIZE(HazeGrid, 24);
+
+struct GridPush {
+    GatePush gate;
+    HazeGrid grid;
+};
+SHARED_SIZE(GridPush, 60);
+
+// Pixels that a light's grid does not know: groups as Vulkan wants them, their number, then y << 16 | x of each.
+struct LeftHead {
+    uint groups[3];
+    uint count;
+};
+SHARED_SIZE(LeftHead, 16);
+
+// Columns and rows of a grid, at most; its layers: rays that end behind the beam, rays that end at their own surface, where those end.
+SHARED_CONST uint kMostGridColumns = 192u;
+SHARED_CONST uint kMostGridRows = 512u;
+SHARED_CONST uint kGridLayers = 3u;
+
 struct BouncePush {
     uint light_count; // of the chunk
 };

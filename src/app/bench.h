@@ -39,6 +39,8 @@ Result<void> bench_samples(const BenchOptions& options, const BenchSink& sink);
 Result<void> bench_optics(const BenchOptions& options, const BenchSink& sink);
 // The scene of the paper: 1024x300, five spots with two gobos and five washes, DMX to image.
 Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink);
+// A film of the free camera by span, and how near a picture that moves is to the same one at rest.
+Result<void> bench_live(const BenchOptions& options, const BenchSink& sink);
 // The paper's figure 8: ten projectors with two movies and a camera on the stage of the show.
 Result<void> bench_projectors(const BenchOptions& options, const BenchSink& sink);
 // The thesis's picture: 256x256, one spot with a gobo, its numbers of steps beside cone and gate.

@@ -25,6 +25,7 @@ constexpr Table kTables[] = {
     {"samples", "Cost of a sample (Screen Space Re-Rendering, table 1)", bench_samples},
     {"optics", "Each optic of a profile, ten moving beams", bench_optics},
     {"paper", "The paper's scene: five spots with two gobos, five washes", bench_paper},
+    {"live", "A film of the free camera, by span", bench_live},
     {"projectors", "The paper's figure 8: ten video projectors, two movies and a camera", bench_projectors},
     {"thesis", "The thesis's picture: 256x256, one spot", bench_thesis},
     {"integrators", "gate, cone and march in thirteen views", bench_integrators},
@@ -86,7 +87,7 @@ void add_bench(CLI::App& app, int& exit_code) {
     for (const Table& table : kTables) names.emplace_back(table.name);
     command->add_option("NAME", a->table, "only this table")->check(CLI::IsMember(names));
     command
-        ->add_option("--show", a->options.show, "show of the tables paper, bake, quality, window and start")
+        ->add_option("--show", a->options.show, "show of the tables paper, live, bake, quality, window and start")
         ->capture_default_str();
     command->add_option("--frames", a->options.frames, "frames measured per row")
         ->check(CLI::Range(5, 10000))

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "render/fan.h"
+#include "render/haze_grid.h"
 #include "shaders/fan.h"
 #include "shaders/fan_shade.h"
 #include "shaders/gate.h"
@@ -43,8 +44,8 @@ float shade_doubt_rad(std::uint32_t map_side) {
 
 } // namespace
 
-HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std::uint32_t batch_size,
-                   std::uint32_t light_count, const DistanceImages* distances)
+HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, const Fragments& fragments,
+                   std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances)
     : settings_(settings), batch_size_(batch_size), distances_(distances),
       detail_(light_count < kManyLights ? FanDetail::fine : FanDetail::plain) {
     const std::uint32_t single = batch_size == 1 ? 1 : 0;
@@ -82,6 +83,9 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
         (void)gate_[focus].get();
         if (settings.most_wide_step > 1) (void)wide_gate_[focus].get();
     }
+    if (settings.grid && batch_size == 1)
+        grid_ = std::make_unique<GridPass>(device, fragments.width, fragments.height, distances != nullptr,
+                                           settings.uneven);
     no_rays_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     no_lonely_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UINT, true, false});
     if (distances)
@@ -110,6 +114,7 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, std:
 void HazePass::set_quality(const HazeQuality& quality) {
     settings_.curvature = quality.curvature;
     settings_.most_segments = quality.most_segments;
+    uses_grid_ = quality.grid;
 }
 
 void HazePass::record(gpu::Commands& commands, const LightChunk& chunk) {
@@ -137,6 +142,10 @@ void HazePass::record_samples(gpu::Commands& commands, const LightChunk& chunk) 
     }
 }
 
+float HazePass::reach_m(const shared::Light& light, const Fragments& fragments) const {
+    return distances_ ? distances_->reach_m(light) : reach_in(fragments.seen, light);
+}
+
 void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     CHECK(fans_used_ + kChunkBytes <= fans_.bytes());
     const std::uint64_t offset = fans_used_;
@@ -146,9 +155,8 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     bool thin = false;
     for (std::uint32_t k = 0; k < chunk.count(); ++k) {
         const shared::Light& light = chunk.lights[k];
-        const float reach_m = distances_ ? distances_->reach_m(light) : reach_in(chunk.fragments.seen, light);
         const shared::Fan fan = make_fan(light, chunk.fragments.eye_m, chunk.fragments.pixels_per_rad,
-                                         reach_m, detail_, k % batch_size_);
+                                         reach_m(light, chunk.fragments), detail_, k % batch_size_);
         focus = focus || fan.levels > 1;
         thin = thin || fan.thin != 0;
         std::memcpy(fans + k, &fan, sizeof fan);
@@ -184,9 +192,10 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
                                gpu::sampled(distances_->texture())},
                               shade_rows / kRowsPerGroup, lights);
         commands.barrier();
+        const std::uint32_t kind = shaped ? kOfPlaces : (focus ? 1u : 0u);
+        if (record_grid(commands, chunk, push, fans[first], kind, offset)) continue;
         commands.begin_span("gate");
-        gpu::LateProgram& open =
-            (chunk.wide ? wide_gate_ : (thin ? thin_gate_ : gate_))[shaped ? kOfPlaces : (focus ? 1u : 0u)];
+        gpu::LateProgram& open = (chunk.wide ? wide_gate_ : (thin ? thin_gate_ : gate_))[kind];
         gpu::LateProgram& panels = chunk.wide ? wide_panel_gate_ : panel_gate_;
         commands.dispatch_indirect(
             (chunk.beam_class == shared::kPanelClass ? panels : open).get(), push,
@@ -199,6 +208,18 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
             chunk.groups, chunk.haze_groups(push.batch));
         commands.barrier();
     }
+}
+
+bool HazePass::record_grid(gpu::Commands& commands, const LightChunk& chunk, const shared::GatePush& push,
+                           const shared::Fan& fan, std::uint32_t focus, std::uint64_t fans_offset) {
+    if (!grid_ || !uses_grid_ || chunk.wide || fan.thin != 0 || chunk.beam_class == shared::kPanelClass)
+        return false;
+    const Fragments& f = chunk.fragments;
+    const shared::Light& light = chunk.lights[push.batch];
+    const auto grid = make_grid(light, fan, f.camera, f.pixels_per_rad, reach_m(light, f));
+    if (!grid) return false;
+    grid_->record(commands, chunk, {push, *grid}, focus, fans_, fans_offset, {table_, shade_});
+    return true;
 }
 
 } // namespace ghost::render

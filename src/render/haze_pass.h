@@ -6,6 +6,7 @@
 
 #include "render/distance_images.h"
 #include "render/fan.h"
+#include "render/grid_pass.h"
 #include "render/light_chunk.h"
 #include "render/quality.h"
 #include "shared/optics.h"
@@ -28,14 +29,15 @@ struct HazeSettings {
     int most_segments = 24;           // of gate
     bool uneven = false;              // shared::Air has swirls or plumes
     std::uint32_t most_wide_step = 1; // of gate: HazeQuality::wide_beam_step may go up to this
+    bool grid = false;                // of gate: HazeQuality::grid may be on
 };
 
 class HazePass {
 public:
     // light_count: of the show; at most so many fans are needed at a time. distances: null: nothing throws
     // shadows into haze; gate only. Must outlive this.
-    HazePass(const gpu::Device& device, const HazeSettings& settings, std::uint32_t batch_size,
-             std::uint32_t light_count, const DistanceImages* distances);
+    HazePass(const gpu::Device& device, const HazeSettings& settings, const Fragments& fragments,
+             std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances);
 
     // Of gate: segments, from the next frame on.
     void set_quality(const HazeQuality& quality);
@@ -43,11 +45,18 @@ public:
     void begin_frame() { fans_used_ = 0; }
     // Adds to layer 1 of the chunk's drawn image, or to the rays of its wide beams.
     void record(gpu::Commands& commands, const LightChunk& chunk);
-    std::uint64_t memory_bytes() const { return table_.bytes() + shade_.bytes() + fans_.bytes(); }
+    std::uint64_t memory_bytes() const {
+        return table_.bytes() + shade_.bytes() + fans_.bytes() + (grid_ ? grid_->memory_bytes() : 0);
+    }
 
 private:
     void record_samples(gpu::Commands& commands, const LightChunk& chunk);
     void record_gate(gpu::Commands& commands, const LightChunk& chunk);
+    // False: the grid does not pay for this light, or is off.
+    bool record_grid(gpu::Commands& commands, const LightChunk& chunk, const shared::GatePush& push,
+                     const shared::Fan& fan, std::uint32_t focus, std::uint64_t fans_offset);
+    // Along a beam, from its apex, beyond which nothing of it is lit.
+    float reach_m(const shared::Light& light, const Fragments& fragments) const;
 
     HazeSettings settings_;
     std::uint32_t batch_size_;
@@ -55,6 +64,8 @@ private:
     std::array<gpu::LateProgram, 3> gate_, wide_gate_, thin_gate_; // by kFocus of gate.comp
     gpu::LateProgram panel_gate_, wide_panel_gate_;                // which have nothing in focus
     std::unique_ptr<gpu::Program> shade_fill_;
+    std::unique_ptr<GridPass> grid_; // null: HazeSettings::grid is off, or many lights share a dispatch
+    bool uses_grid_ = false;
     const DistanceImages* distances_;
     FanDetail detail_;
     gpu::Buffer fans_;

@@ -10,6 +10,7 @@ struct HazeQuality {
     float curvature = 0.12f;          // see HazeSettings
     int most_segments = 24;           // see HazeSettings
     std::uint32_t wide_beam_step = 1; // pixels from one ray to the next in beams that are wide: 1, 2 or 4
+    bool grid = false; // rays take what their neighbours agree on from a grid (render/haze_grid.h)
 
     bool operator==(const HazeQuality&) const = default;
 };

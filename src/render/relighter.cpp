@@ -61,7 +61,8 @@ bool same_walls(const std::vector<shared::LedWall>& a, const std::vector<shared:
 } // namespace
 
 double FrameStatistics::haze_ms() const {
-    constexpr std::array<std::string_view, 5> kOfHaze{"haze", "fan", "gate", "lonely", "spread"};
+    constexpr std::array<std::string_view, 8> kOfHaze{"haze",   "fan",       "gate",         "lonely",
+                                                       "spread", "haze fill", "haze look-up", "haze left"};
     double sum = 0;
     for (const gpu::Span& span : spans)
         if (std::find(kOfHaze.begin(), kOfHaze.end(), span.name) != kOfHaze.end()) sum += span.ms;
@@ -102,7 +103,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
             {settings.air ? 1u : 0u, settings.beams.beams == Beams::gate ? 0u : 1u}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
       develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
-      haze_(device, settings.beams, batch_size_, static_cast<std::uint32_t>(light_count), distances),
+      haze_(device, settings.beams, fragments(), batch_size_, static_cast<std::uint32_t>(light_count), distances),
       led_walls_(device), lens_(device, settings.lens),
       glare_(device, fragments().width, fragments().height, settings.glare), commands_(device) {
     make_surface_programs();

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+// A film of the free camera by span, as it is drawn while things move; and how near that is to the same
+// moments at rest.
+#include "app/bench.h"
+#include "app/input_options.h"
+#include "app/interrupt.h"
+#include "app/recordings.h"
+
+#include "image/metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <map>
+#include <optional>
+
+namespace ghost::app {
+namespace {
+
+constexpr double kFps = 15;
+constexpr double kFrom_s = 20, kTo_s = 22.5; // of the demo: ten lights, half of them turning at a time
+constexpr double kFade_s = 0.04;             // a frame of the fade
+constexpr int kFadeFrames = 25;
+constexpr int kCompareEvery = 12; // frames
+
+struct Film {
+    const char* view;
+    int width;
+    int height;
+};
+constexpr Film kFilms[] = {{"close", 640, 360}, {"house", 640, 360}, {"high", 640, 360}, {"close", 1280, 720}};
+
+class LiveBench {
+public:
+    static Result<LiveBench> open(const BenchOptions& options, const Film& film) {
+        SessionOptions opening;
+        opening.show = options.show;
+        opening.device = options.device;
+        opening.view = film.view;
+        opening.width = film.width;
+        opening.height = film.height;
+        opening.live = true;
+        opening.quiet = true;
+        opening.beams.grid = true;
+        LiveBench bench;
+        TRY(bench.session_, open_session(opening));
+        TRY(dmx::Recording recording, open_recording(bench.session_->show->recording, {}, true));
+        bench.player_.emplace(std::move(recording));
+        return bench;
+    }
+
+    Session& session() { return *session_; }
+    // Steps the rig to this frame; frames come in order.
+    void step_to(long frame) {
+        for (; frame_ <= frame; ++frame_)
+            session_->rig->step(player_->at(static_cast<double>(frame_) / kFps), 1.0 / kFps);
+    }
+
+private:
+    std::unique_ptr<Session> session_;
+    std::optional<dmx::Player> player_;
+    long frame_ = 0;
+};
+
+void use_grid(Session& session, bool grid) {
+    render::HazeQuality quality;
+    quality.grid = grid;
+    session.relighter->set_quality(quality);
+}
+
+double display_db(const image::ImageF& test, const image::ImageF& reference) {
+    const auto pair = image::pair_up(test, reference, {});
+    return pair.ok() ? image::psnr_db(*pair, image::p75_curve(*pair)) : 0;
+}
+
+// Means, for a film is as long as all its frames together.
+class Means {
+public:
+    void add(const std::string& name, double value) { sums_[name] += value; }
+    double of(const std::string& name) const {
+        const auto found = sums_.find(name);
+        return found == sums_.end() ? 0 : found->second / frames;
+    }
+    int frames = 0;
+
+private:
+    std::map<std::string, double> sums_;
+};
+
+const std::vector<std::pair<const char*, std::vector<const char*>>>& columns() {
+    static const std::vector<std::pair<const char*, std::vector<const char*>>> kColumns{
+        {"haze_ms", {"gate", "haze fill", "haze look-up", "haze left"}},
+        {"tables_ms", {"fan", "shade"}},
+        {"surfaces_ms", {"surfaces"}},
+        {"bodies_ms", {"moving", "restore", "gather", "blocks"}},
+        {"sum_ms", {"clear", "fold", "add", "glare", "lenses", "meter", "develop", "read back"}},
+        {"cull_ms", {"cull"}}};
+    return kColumns;
+}
+
+Result<void> film_row(const BenchOptions& options, const Film& film, const BenchSink& sink) {
+    TRY(LiveBench bench, LiveBench::open(options, film));
+    Session& session = bench.session();
+    use_grid(session, true);
+    const auto first = static_cast<long>(kFrom_s * kFps), last = static_cast<long>(kTo_s * kFps);
+    Means means;
+    double db = 1e9;
+    for (long frame = first - 2; frame <= last; ++frame) {
+        if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
+        bench.step_to(frame);
+        const std::clock_t begin = std::clock();
+        const render::FrameStatistics drawn = session.draw(static_cast<double>(frame) / kFps);
+        const double processor_ms = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+        if (frame < first) continue;
+        ++means.frames;
+        means.add("ms", drawn.draw_ms);
+        means.add("processor_ms", processor_ms);
+        means.add("lights_drawn", drawn.drawn);
+        for (const gpu::Span& span : drawn.spans) means.add(span.name, span.ms);
+        if ((frame - first) % kCompareEvery != 0) continue;
+        const image::ImageF moving = session.relighter->frame();
+        use_grid(session, false);
+        session.relighter->forget();
+        (void)session.draw(static_cast<double>(frame) / kFps);
+        db = std::min(db, display_db(moving, session.relighter->frame()));
+        use_grid(session, true);
+        session.relighter->forget();
+        (void)session.draw(static_cast<double>(frame) / kFps);
+    }
+    BenchRow row{"live", std::string(film.view) + " " + std::to_string(film.width) + "x" + std::to_string(film.height), {}, ""};
+    row.figures = {{"ms", means.of("ms")}, {"processor_ms", means.of("processor_ms")}, {"lights_drawn", means.of("lights_drawn")}};
+    for (const auto& [name, spans] : columns()) {
+        double sum = 0;
+        for (const char* const span : spans) sum += means.of(span);
+        row.figures.emplace_back(name, sum);
+    }
+    row.figures.emplace_back("least_db", db);
+    row.note = "mean of " + std::to_string(means.frames) + " frames; dB against the same moments at rest";
+    sink(row);
+    return {};
+}
+
+// Ten lights fade, in dimmer and colour, and nothing turns.
+Result<void> fade_row(const BenchOptions& options, const BenchSink& sink) {
+    TRY(LiveBench bench, LiveBench::open(options, kFilms[0]));
+    Session& session = bench.session();
+    bench.step_to(static_cast<long>(kFrom_s * kFps));
+    std::vector<double> total;
+    int redrawn = 0;
+    scene::Lit lit = session.lit();
+    for (int frame = 0; frame < kFadeFrames + 4; ++frame) {
+        if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
+        scene::Lit faded = lit;
+        for (std::size_t k = 0; k < faded.lights.size(); ++k) {
+            const double phase = kFade_s * frame * 2 + static_cast<double>(k);
+            const glm::vec3 share(0.6 + 0.4 * std::sin(phase), 0.6 + 0.4 * std::sin(1.3 * phase),
+                                  0.6 + 0.4 * std::cos(phase));
+            faded.lights[k].intensity_cd *= share;
+        }
+        const render::FrameStatistics drawn = session.relighter->draw(faded);
+        if (frame < 4) continue;
+        total.push_back(drawn.draw_ms);
+        redrawn = std::max(redrawn, drawn.drawn);
+    }
+    sink({"live",
+          "fade of all lights, 640x360",
+          {{"ms", median(total)}, {"lights_drawn", static_cast<double>(redrawn)}},
+          "colour and dimmer only"});
+    return {};
+}
+
+} // namespace
+
+Result<void> bench_live(const BenchOptions& options, const BenchSink& sink) {
+    catch_interrupts();
+    for (const Film& film : kFilms) TRY_VOID(film_row(options, film, sink));
+    return fade_row(options, sink);
+}
+
+} // namespace ghost::app
