@@ -7,6 +7,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
 #include "shared/beam.h"
+#include "shared/visibility.h"
 
 layout(local_size_x = 64) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
@@ -16,7 +17,11 @@ layout(binding = 3, scalar) writeonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) buffer Groups { TileGroups groups[]; };
 layout(binding = 5, scalar) writeonly buffer Lists { uint list[]; };
 layout(binding = 6, scalar) buffer Work { FrameWork work; };
+layout(binding = 7, scalar) uniform KeepBlock { Keep keeps[kLightsPerChunk]; };
+layout(binding = 8, scalar) buffer Entries { uint pages_used; uint unused; uvec2 entries[]; };
+layout(binding = 9, scalar) readonly buffer Changed { uint changed_at[]; };
 layout(push_constant, scalar) uniform Push { CullPush p; };
+layout(constant_id = 1) const bool kKept = false; // visibility is kept
 
 vec3 gobo_sample(uint layer, vec2 gate, float blur) { return vec3(1.0); }
 
@@ -37,6 +42,25 @@ bool beside_panel(Light light, vec3 a, vec3 b, float room_m) {
         beside = beside || min(dot(outwards, a), dot(outwards, b)) > room_m * length(outwards);
     }
     return light.slide.layer != 0u && beside;
+}
+
+// Whether what a unit sees of a lamp is kept; if not, from this draw on, where there is a page. Another light at the same place may ask, too.
+bool is_kept(Keep light, uint unit) {
+    if (light.place == 0u) return false;
+    uint at = (light.place - 1u) * p.units + unit;
+    uvec2 entry = entries[at];
+    uint made = entry.y >> 1;
+    if (entry.x != 0u && made >= max(light.since, changed_at[unit])) {
+        if (made != p.now) entries[at].y = made << 1;
+        return made != p.now;
+    }
+    if (entry.x == 0u && pages_used < p.pages) {
+        uint page = atomicAdd(pages_used, 1u) + 1u;
+        if (page <= p.pages) atomicCompSwap(entries[at].x, 0u, page);
+    }
+    if (entries[at].x == 0u) atomicAdd(work.units_without_page, 1u);
+    entries[at].y = p.now << 1 | 1u;
+    return false;
 }
 
 void main() {
@@ -60,6 +84,7 @@ void main() {
     bool any_haze = false;
     uint haze_count = 0u;
     uint surface_count = 0u;
+    uint made_count = 0u;
     uint words = (count + 31u) / 32u;
     for (uint word = 0u; word < words; ++word) {
         uint surface_mask = 0u;
@@ -76,7 +101,9 @@ void main() {
             bool beside = beside_panel(light, q, q, sphere.w);
             // The dot of a thin beam reaches a pixel further.
             q.z += sphere.w * (k < kThinTangent ? kPixelMore : 1.0) * back_per_m;
-            surface_mask |= lit && !beside && sphere.w >= 0.0 && q.z > 0.0 && dot(q.xy, q.xy) < k * k * q.z * q.z ? bit : 0u;
+            bool meets_surface = lit && !beside && sphere.w >= 0.0 && q.z > 0.0 && dot(q.xy, q.xy) < k * k * q.z * q.z;
+            surface_mask |= meets_surface ? bit : 0u;
+            if (kKept && meets_surface && p.surfaces != 0u && light.map != 0u) made_count += is_kept(keeps[first + i], tile) ? 0u : 1u;
 
             // The bundle is narrow near the eye: each stretch of it is as wide as at its own far end.
             vec3 eye = to_gate(light, view.eye_m - light.position_m);
@@ -101,15 +128,16 @@ void main() {
         surface_count += uint(bitCount(surface_mask));
         haze_count += uint(bitCount(haze_mask));
     }
-    uint base = batch * (2u * p.tiles + p.blocks);
     if (any_haze && p.air != 0u) {
         uint place = atomicAdd(groups[batch].haze[3], 1u);
-        list[base + place] = tile;
+        list[haze_list(batch, p.tiles, p.blocks) + place] = tile;
         if (place % p.haze_group == 0u) atomicAdd(groups[batch].haze[0], 1u);
         atomicAdd(work.haze_tiles, haze_count);
     }
     if (any_surface && p.surfaces != 0u) {
-        list[base + p.tiles + atomicAdd(groups[batch].surface[0], 1u)] = tile;
+        list[surface_list(batch, p.tiles, p.blocks) + atomicAdd(groups[batch].surface[0], 1u)] = tile;
         atomicAdd(work.surface_tiles, surface_count);
+        if (made_count > 0u) list[made_list(batch, p.tiles, p.blocks) + atomicAdd(groups[batch].made[0], 1u)] = tile;
+        if (made_count > 0u) atomicAdd(work.made_units, made_count);
     }
 }

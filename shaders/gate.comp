@@ -63,7 +63,7 @@ vec3 seen_by_pixel(Light light, Fan fan, vec3 dir, float far) {
 void main() {
     uvec2 size = uvec2(view.width, view.height);
     uint per_group = kWide ? p.step * p.step : 1u;
-    uint first = p.batch * (2u * p.tiles + p.blocks) + gl_WorkGroupID.x * per_group;
+    uint first = haze_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x * per_group;
     uint tiles = 1u;
     uint rounds = 1u, tip_round = 1u;
     if (kWide) {

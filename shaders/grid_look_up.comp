@@ -25,7 +25,7 @@ const float kFaint = 3e-3;    // half floats, in grid units: what is darker is n
 
 void main() {
     uint batch = p.gate.batch;
-    uint tile = list[batch * (2u * p.gate.tiles + p.gate.blocks) + gl_WorkGroupID.x];
+    uint tile = list[haze_list(batch, p.gate.tiles, p.gate.blocks) + gl_WorkGroupID.x];
     uvec2 size = uvec2(view.width, view.height);
     uvec2 pixel = uvec2(tile % p.gate.tiles_x, tile / p.gate.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
     bool inside = pixel.x < size.x && pixel.y < size.y;

@@ -56,7 +56,7 @@ vec3 scattered(Light light, vec3 dir, float far, float offset) {
 
 void main() {
     uvec2 size = uvec2(view.width, view.height);
-    uint tile = list[p.batch * (2u * p.tiles + p.blocks) + gl_WorkGroupID.x];
+    uint tile = list[haze_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x];
     uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
     bool inside = pixel.x < size.x && pixel.y < size.y;
     pixel = min(pixel, size - 1u);

@@ -60,7 +60,7 @@ vec3 shown(Light light, vec3 position_m, ivec2 row, Haze haze) {
 
 void main() {
     uvec2 size = uvec2(view.width, view.height);
-    uint tile = list[p.batch * (2u * p.tiles + p.blocks) + p.tiles + gl_WorkGroupID.x];
+    uint tile = list[surface_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x];
     uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
     uint extra = (tile - p.tiles) * kTilePixels + gl_LocalInvocationIndex;
     bool is_extra = tile >= p.tiles;

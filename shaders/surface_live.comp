@@ -35,6 +35,9 @@ layout(constant_id = 3) const bool kIlluminance = false; // lux on the surface, 
 layout(constant_id = 4) const bool kThin = false;        // some beam may be narrower than two pixels
 
 #include "thin_dot.glsl"
+#include "lit_share.glsl"
+#define KEEPS 14
+#include "visibility.glsl"
 
 struct Fragment {
     vec3 position_m;
@@ -45,22 +48,16 @@ struct Fragment {
     Brdf brdf;
 };
 
-float lit_share(Light light, Fragment f, vec3 from_map, bool wanted) {
-    Receiver r;
-    r.map = max(light.map, 1u);
-    r.distance_m = max(length(from_map), 0.01);
-    r.ray = from_map / r.distance_m;
-    int size = textureSize(distance_maps, 0).x;
-    r.texel_rad = texel_rad(r.ray, size);
-    r.place = octahedral_from(from_map) * float(size);
-    r.facet = f.facet;
-    float plane = dot(f.facet, from_map);
-    r.per_plane_m = abs(plane) > 0.02 * r.distance_m ? 1.0 / plane : 0.0;
-    r.lens_m = light.disc_radius_m;
-    return soft_shadow(r, wanted && light.map != 0u);
+// Made before, or, where many lights share a dispatch and there is no page for it, now.
+float kept_share(Light light, Keep keep, Fragment f, vec3 from_map, bool wanted, uint unit) {
+    if (light.map == 0u) return 1.0;
+    Page page = page_of(keep, unit);
+    if (kSingle) return imageLoad(pages, page.texel).x;
+    float share = lit_share(light, f.facet, from_map, wanted && !page.there);
+    return page.there ? imageLoad(pages, page.texel).x : share;
 }
 
-vec3 shown(Light light, Fragment f, Haze haze) {
+vec3 shown(Light light, Keep keep, Fragment f, Haze haze, uint unit) {
     vec3 from_light = f.position_m - light.position_m;
     float distance2 = max(dot(from_light, from_light), 1e-4);
     float distance_m = sqrt(distance2);
@@ -94,13 +91,13 @@ vec3 shown(Light light, Fragment f, Haze haze) {
     vec3 value = light_cd * (kIlluminance ? vec3(max(dot(f.normal, to_light), 0.0)) : brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light));
     value = dot(f.facet, to_light) > 0.0 ? value : vec3(0.0);
     if (kShadows)
-        value *= lit_share(light, f, from_map, max(max(value.r, value.g), value.b) > 0.0);
+        value *= kept_share(light, keep, f, from_map, max(max(value.r, value.g), value.b) > 0.0, unit);
     return value;
 }
 
 void main() {
     uvec2 size = uvec2(view.width, view.height);
-    uint tile = list[p.batch * (2u * p.tiles + p.blocks) + p.tiles + gl_WorkGroupID.x];
+    uint tile = list[surface_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x];
     uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
     uint extra = (tile - p.tiles) * kTilePixels + gl_LocalInvocationIndex;
     bool is_extra = tile >= p.tiles;
@@ -125,13 +122,14 @@ void main() {
 
     vec3 sum = vec3(0.0);
     if (kSingle) {
-        sum = shown(lights[p.batch], f, haze);
+        sum = shown(lights[p.batch], keeps[p.batch], f, haze, tile);
     } else {
         uint words = (p.light_count + 31u) / 32u;
         for (uint word = 0u; word < words; ++word) {
             uint mask = mask_of[tile * kMaskWords + word];
             while (mask != 0u) {
-                sum += shown(lights[word * 32u + uint(findLSB(mask))], f, haze);
+                uint index = word * 32u + uint(findLSB(mask));
+                sum += shown(lights[index], keeps[index], f, haze, tile);
                 mask &= mask - 1u;
             }
         }

@@ -32,7 +32,12 @@ vec4 light_to_store(vec4 light) {
 SHARED_CONST float kPassScale = 1024.0f;
 
 // Which lights of each batch can reach which tile; the tiles that any of them reaches are appended to the batch's lists for
-// the two passes below. The list of batch b begins at b (2 tiles + blocks): first haze, then, after `tiles` places, surfaces.
+// the passes below. A batch has three lists, one after the other: haze, surfaces, and what of the surfaces sees a lamp for which that
+// must be made (shared/visibility.h).
+SHARED_FN uint lists_length(uint tiles, uint blocks) { return 3u * tiles + 2u * blocks; }
+SHARED_FN uint haze_list(uint batch, uint tiles, uint blocks) { return batch * lists_length(tiles, blocks); }
+SHARED_FN uint surface_list(uint batch, uint tiles, uint blocks) { return haze_list(batch, tiles, blocks) + tiles; }
+SHARED_FN uint made_list(uint batch, uint tiles, uint blocks) { return surface_list(batch, tiles, blocks) + tiles + blocks; }
 struct CullPush {
     uint light_count;
     uint batch_size; // 1 or kLightsPerChunk
@@ -42,22 +47,28 @@ struct CullPush {
     uint surfaces; // 1: list tiles and blocks for the surface pass
     uint air;      // 1: list tiles for the haze pass
     uint haze_group; // tiles that a workgroup of the haze pass draws
+    uint now;        // shared/visibility.h
+    uint pages;      // of kept visibility
+    uint units;      // tiles and room for blocks
 };
-SHARED_SIZE(CullPush, 32);
+SHARED_SIZE(CullPush, 44);
 
 // Workgroups of the two indirect dispatches of a batch, as Vulkan wants them.
 struct TileGroups {
     uint surface[4];
     uint haze[4]; // the last one: tiles
+    uint made[4];
 };
-SHARED_SIZE(TileGroups, 32);
+SHARED_SIZE(TileGroups, 48);
 
 // What the lists of a frame add up to: tiles (and blocks) that are drawn, once for each light that reaches them.
 struct FrameWork {
     uint haze_tiles;
     uint surface_tiles;
+    uint made_units; // of surface_tiles: what they see of a lamp was not kept
+    uint units_without_page; // of these: there was no room to keep it
 };
-SHARED_SIZE(FrameWork, 8);
+SHARED_SIZE(FrameWork, 16);
 
 // target = kept images (+ the picture without lights). Layer 0 is the frame.
 SHARED_CONST uint kMaxAddends = 20u; // of one dispatch; the tree needs one per level
@@ -81,8 +92,10 @@ struct RelightPush {
     uint tiles;
     uint blocks;
     uint march_steps; // 0: samples inside the cone; else over the whole ray
+    uint units;       // of kept visibility
+    uint pages;
 };
-SHARED_SIZE(RelightPush, 24);
+SHARED_SIZE(RelightPush, 32);
 
 // Fills the tables of lights first, first + 1, .. of a chunk.
 struct FanPush {

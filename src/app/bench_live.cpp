@@ -116,6 +116,7 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         means.add("ms", drawn.draw_ms);
         means.add("processor_ms", processor_ms);
         means.add("lights_drawn", drawn.drawn);
+        means.add("made_share", drawn.made_units / std::max(1.0, static_cast<double>(drawn.surface_tiles)));
         for (const gpu::Span& span : drawn.spans) means.add(span.name, span.ms);
         if ((frame - first) % kCompareEvery != 0) continue;
         const image::ImageF moving = session.relighter->frame();
@@ -134,6 +135,7 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         for (const char* const span : spans) sum += means.of(span);
         row.figures.emplace_back(name, sum);
     }
+    row.figures.emplace_back("made_share", means.of("made_share"));
     row.figures.emplace_back("least_db", db);
     row.note = "mean of " + std::to_string(means.frames) + " frames; dB against the same moments at rest";
     sink(row);

@@ -156,6 +156,11 @@ void Commands::write_bytes(const Buffer& to, const void* data, std::uint64_t byt
     barrier();
 }
 
+void Commands::fill_zero(const Buffer& buffer) {
+    barrier(); // earlier readers of the buffer are done
+    vkCmdFillBuffer(commands_, buffer.handle(), 0, VK_WHOLE_SIZE, 0);
+}
+
 void Commands::barrier() {
     VkMemoryBarrier2 memory{};
     memory.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;

@@ -180,6 +180,7 @@ void GBuffer::draw(const StageModel& model, const Pose& pose, const Surroundings
     draw_moving(model, moving);
     gather(nullptr);
     submit();
+    extras_moved_ = true;
     warn_of_dropped();
 }
 
@@ -197,7 +198,8 @@ bool GBuffer::update(const StageModel& model) {
     draw_moving(model, moving);
     gather(&moving.tiles);
     submit();
-    if (dropped_pixels_ > dropped) {
+    extras_moved_ = dropped_pixels_ > dropped;
+    if (extras_moved_) {
         // All fragments move together again; what they are does not change.
         commands_.begin();
         gather(nullptr);

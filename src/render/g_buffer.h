@@ -54,6 +54,9 @@ public:
     // Rectangles in which the last draw or update may have changed fragments.
     const std::vector<PixelRect>& changed() const { return changed_; }
 
+    // In that one all extra fragments got other places.
+    bool extras_moved() const { return extras_moved_; }
+
     const Fragments& fragments() const { return fragments_; }
     // One texel per fragment, laid out as Fragments::places; undefined where there is no fragment.
     const gpu::Texture& diffuse() const { return diffuse_; }   // rgba16f: Brdf::diffuse, Brdf::alpha
@@ -117,6 +120,7 @@ private:
     std::vector<gpu::Span> spans_;
     std::uint32_t extra_count_ = 0;
     std::uint32_t dropped_pixels_ = 0;
+    bool extras_moved_ = false;
     bool warned_ = false; // that there is no room for all extra fragments
 };
 

@@ -128,7 +128,9 @@ void HazePass::record_samples(gpu::Commands& commands, const LightChunk& chunk) 
     const std::uint32_t march_steps =
         settings_.beams == Beams::march ? static_cast<std::uint32_t>(std::max(settings_.march_steps, 1)) : 0u;
     shared::RelightPush push{chunk.count(),          0,          chunk.fragments.tiles_x, chunk.tiles(),
-                             chunk.fragments.blocks, march_steps};
+                             chunk.fragments.blocks, march_steps,
+                             0,
+                             0};
     commands.begin_span("haze");
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
         commands.dispatch_indirect(samples_[chunk.beam_class].get(), push,

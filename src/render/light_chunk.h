@@ -38,6 +38,9 @@ struct LightChunk {
     std::uint64_t surface_groups(std::uint32_t batch) const {
         return batch * sizeof(shared::TileGroups) + offsetof(shared::TileGroups, surface);
     }
+    std::uint64_t made_groups(std::uint32_t batch) const {
+        return batch * sizeof(shared::TileGroups) + offsetof(shared::TileGroups, made);
+    }
     std::uint64_t haze_groups(std::uint32_t batch) const {
         return batch * sizeof(shared::TileGroups) + offsetof(shared::TileGroups, haze);
     }

@@ -12,6 +12,7 @@
 #include "shaders/sum.h"
 #include "shaders/surface.h"
 #include "shaders/surface_live.h"
+#include "shaders/visibility.h"
 #include "shared/develop.h"
 
 #include <algorithm>
@@ -93,7 +94,9 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       light_count_(light_count), passes_(std::move(passes)), g_buffer_(g_buffer), distances_(distances),
       slot_count_(0), tree_(light_count, slot_count_),
       cull_(device, shaders::kShader_cull,
-            {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage, kStorage}),
+            {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage, kStorage, kUniform, kStorage,
+             kStorage},
+            {0u, g_buffer && distances ? 1u : 0u}),
       sum_(device, shaders::kShader_sum, {kStored, kStored, kStored, kStorage},
            {settings.beams.beams == Beams::gate ? 0u : 1u}),
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
@@ -107,12 +110,21 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       led_walls_(device), lens_(device, settings.lens),
       glare_(device, fragments().width, fragments().height, settings.glare), commands_(device) {
     make_surface_programs();
+    visible_ = gpu::LateProgram(device, shaders::kShader_visibility,
+                                {kUniform, kUniform, kStorage, kStorage, kSampled, kSampled, kStored, kStored,
+                                 kUniform, kStorage, kStored},
+                                {0u, batch_size_ == 1 ? 1u : 0u});
     if (g_buffer) mender_ = std::make_unique<Mender>(device, *g_buffer);
     if (settings.beams.beams == Beams::gate && settings.beams.most_wide_step > 1)
         wide_ = std::make_unique<WideBeams>(device, fragments().width, fragments().height);
     // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
     // begins a chunk.
     const std::uint64_t draws = 2 * static_cast<std::uint64_t>(light_count) + shared::kBeamClasses;
+    if (g_buffer && distances)
+        visibility_ = std::make_unique<Visibility>(device, *g_buffer, distances->count(), draws,
+                                                   settings.visibility_bytes);
+    no_pages_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UNORM, true, false});
+    nothing_ = gpu::Buffer(device, kChunkAlign, gpu::Access::device);
     lights_ = gpu::Buffer(device, draws * kLightRoom + kChunkBytes, gpu::Access::upload);
     upload(gobos, batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1);
     make_images();
@@ -122,7 +134,7 @@ void Relighter::make_surface_programs() {
     const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
     std::vector bindings{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kStored};
     if (g_buffer_)
-        bindings.insert(bindings.end(), {kSampled, kStored, kStored, kUniform, kSampled, kSampled});
+        bindings.insert(bindings.end(), {kSampled, kStored, kStored, kUniform, kSampled, kSampled, kUniform, kStorage, kStored});
     else
         bindings.insert(bindings.end(), {kUniform, kSampled});
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
@@ -147,7 +159,7 @@ shared::Air even_air() {
 void Relighter::set_air(const shared::Air& air) {
     if (std::memcmp(&air, air_.mapped(), sizeof air) == 0) return;
     std::memcpy(air_.mapped(), &air, sizeof air);
-    forget();
+    forget_images();
 }
 
 void Relighter::set_exposure(float ev100, bool automatic) {
@@ -171,6 +183,11 @@ void Relighter::set_quality(const HazeQuality& quality) {
 }
 
 void Relighter::forget() {
+    forget_images();
+    if (visibility_) visibility_->forget();
+}
+
+void Relighter::forget_images() {
     tree_.invalidate_all();
     if (mender_) mender_->forget();
     wide_prepared_ = silhouettes_known_ = false;
@@ -180,18 +197,19 @@ void Relighter::forget() {
 void Relighter::touch() {
     CHECK(g_buffer_);
     const std::vector<PixelRect>& rects = g_buffer_->changed();
+    if (visibility_) visibility_->touch(rects);
     std::uint64_t pixels = 0;
     for (const PixelRect& rect : rects)
         pixels +=
             static_cast<std::uint64_t>(rect.x1 - rect.x0) * static_cast<std::uint64_t>(rect.y1 - rect.y0);
     // Where much of the picture changed, every light is drawn in most of it anyway.
     if (2 * pixels > std::uint64_t{fragments().width} * fragments().height) {
-        forget();
+        forget_images();
         return;
     }
     wide_prepared_ = silhouettes_known_ = false;
     tree_.invalidate_frame();
-    if (!mender_->touch(rects)) forget();
+    if (!mender_->touch(rects)) forget_images();
 }
 
 Relighter::~Relighter() = default;
@@ -219,7 +237,8 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
         std::uint64_t{f.places.shape().height - f.height} * f.width / shared::kTilePixels + 1;
     masks_ =
         Buffer(device_, 2 * (tiles + blocks) * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
-    lists_ = Buffer(device_, batches * (2 * tiles + blocks) * sizeof(std::uint32_t), Access::device);
+    lists_ = Buffer(device_, batches * shared::lists_length(static_cast<std::uint32_t>(tiles), static_cast<std::uint32_t>(blocks)) *
+                        sizeof(std::uint32_t), Access::device);
     gobos_ = Texture(device_, {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
                                shared::kGoboLevels, VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, false, true});
     for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
@@ -296,7 +315,7 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<shared::Light>& lights = lit.lights;
     CHECK_EQ(static_cast<int>(lights.size()), light_count_);
-    if (!settings_.reuse) forget();
+    if (!settings_.reuse) forget_images();
     std::vector<int> changed;
     for (std::size_t i = 0; i < lights.size(); ++i)
         if (i >= last_lights_.size() || std::memcmp(&lights[i], &last_lights_[i], sizeof(shared::Light)) != 0)
@@ -321,6 +340,7 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
         haze_.begin_frame();
         commands_.begin();
         commands_.write(work_, std::vector<shared::FrameWork>(1));
+        if (visibility_) visibility_->begin_frame(commands_, pages_full_);
         if (!new_slides_.empty()) commands_.begin_span("slides");
         for (const std::size_t k : new_slides_)
             commands_.copy(slides_upload_, k * slide_bytes_, slides_, static_cast<std::uint32_t>(k));
@@ -338,6 +358,8 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
         const auto* work = static_cast<const shared::FrameWork*>(work_read_.mapped());
         statistics.haze_tiles = static_cast<int>(work->haze_tiles);
         statistics.surface_tiles = static_cast<int>(work->surface_tiles);
+        statistics.made_units = static_cast<int>(work->made_units);
+        pages_full_ = work->units_without_page > 0;
     }
     statistics.draw_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
@@ -420,7 +442,8 @@ std::uint64_t Relighter::memory_bytes() const {
 
 std::uint64_t Relighter::picture_bytes() const {
     std::uint64_t sum = haze_.memory_bytes() + lens_.memory_bytes() + glare_.memory_bytes() +
-                        (wide_ ? wide_->memory_bytes() : 0) + (mender_ ? mender_->memory_bytes() : 0);
+                        (wide_ ? wide_->memory_bytes() : 0) + (visibility_ ? visibility_->memory_bytes() : 0) +
+                        (mender_ ? mender_->memory_bytes() : 0);
     for (const gpu::Buffer* buffer : {&masks_, &lists_, &pixels_}) sum += buffer->bytes();
     for (const gpu::Texture* texture : {&images_, &drawn_, &haze_sources_, &picture_})
         sum += texture->bytes();

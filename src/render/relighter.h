@@ -20,6 +20,7 @@
 #include "render/light_tree.h"
 #include "render/mender.h"
 #include "render/pass_images.h"
+#include "render/visibility.h"
 #include "scene/lit.h"
 #include "scene/passes.h"
 #include "shared/air.h"
@@ -53,6 +54,7 @@ struct Settings {
     bool illuminance =
         false; // of a G-buffer: lux on its surfaces instead of cd/m^2, and nothing without lights
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30; // for kept images of the light tree
+    std::uint64_t visibility_bytes = std::uint64_t{256} << 20; // for kept visibility (render/visibility.h)
     std::uint32_t lights_per_dispatch = 0; // 0: what suits the device; 1 or kLightsPerChunk (shared/push.h)
     bool reuse = true;                     // false: every light is drawn in every frame
 };
@@ -64,6 +66,7 @@ struct FrameStatistics {
     int additions = 0;            // of two images
     int haze_tiles = 0;           // of shared::kTilePixels, whose haze was drawn: once for each light
     int surface_tiles = 0;        // the same for surfaces; blocks of extra fragments count as tiles
+    int made_units = 0;           // of surface_tiles: visibility was not kept
     int faces = 0;                // lenses drawn
     double draw_ms = 0;           // whole draw(), waiting included
     std::vector<gpu::Span> spans; // GPU time
@@ -122,10 +125,11 @@ private:
     void upload(const shared::Gobos& gobos, std::uint64_t batches);
     void make_slides(const std::vector<shared::SlidePicture>& slides);
     void make_images();
+    void forget_images();
     void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
     int mend(int slot, const std::vector<shared::Light>& lights);
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
-    void record_surfaces(const LightChunk& chunk);
+    void record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
     void develop(const scene::Lit& lit);
     const Fragments& fragments() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
 
@@ -138,6 +142,8 @@ private:
     const DistanceImages* distances_;
     int slot_count_;
     LightTree tree_;
+    std::unique_ptr<Visibility> visibility_; // null: from passes, or without shadows
+    bool pages_full_ = false;
     std::unique_ptr<Mender> mender_; // null: from passes, in which nothing moves
     std::uint32_t mended_tiles_ = 0; // above 0: only these tiles, of mender_, are drawn now
     std::vector<shared::Light> last_lights_;
@@ -152,6 +158,7 @@ private:
     static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
     gpu::Program cull_, sum_, bounce_, silhouettes_, fold_, meter_, develop_;
     std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_;
+    gpu::LateProgram visible_;
     HazePass haze_;
     std::unique_ptr<WideBeams> wide_; // null: HazeSettings::most_wide_step is 1
     std::uint32_t wide_step_ = 1;
@@ -161,8 +168,9 @@ private:
     LensPass lens_;
     GlarePass glare_;
     mutable gpu::Commands commands_;
-    gpu::Buffer air_, lights_, masks_, lists_, groups_, work_, work_read_, exposure_, pixels_;
-    gpu::Texture gobos_, slides_, images_, drawn_, haze_sources_, picture_;
+    gpu::Buffer air_, lights_, masks_, lists_, groups_, work_, work_read_, exposure_, pixels_,
+        nothing_;
+    gpu::Texture gobos_, slides_, images_, drawn_, haze_sources_, picture_, no_pages_;
     gpu::Buffer slides_upload_;
     std::vector<shared::SlidePicture> shown_; // what is in slides_, or on its way there
     std::vector<std::size_t> new_slides_;     // those on their way

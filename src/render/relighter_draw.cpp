@@ -106,6 +106,7 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
     std::memcpy(static_cast<std::uint8_t*>(lights_.mapped()) + offset, lights.data(), bytes);
     lights_used_ += (bytes + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
 
+    const Visibility::Chunk kept = visibility_ ? visibility_->add(lights) : Visibility::Chunk{};
     const LightChunk chunk{
         lights,  beam_class, fragments(), gobos_, slides_, drawn_,      air_,
         lights_, offset,     masks_,      lists_, groups_, batch_size_, wide ? wide_.get() : nullptr};
@@ -117,21 +118,27 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
                                 f.blocks,
                                 settings_.surfaces ? 1u : 0u,
                                 settings_.air ? 1u : 0u,
-                                wide ? wide_step_ * wide_step_ : 1u};
+                                wide ? wide_step_ * wide_step_ : 1u,
+                                kept.now,
+                                visibility_ ? visibility_->page_count() : 0,
+                                visibility_ ? visibility_->units() : 0};
     commands_.begin_span("cull");
-    commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}}));
+    commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}}));
     commands_.dispatch(cull_, cull,
                        {gpu::uniform(f.view), gpu::uniform(lights_, offset),
                         gpu::storage(mended_tiles_ > 0 ? mender_->bounds() : f.tile_bounds),
                         gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_),
-                        gpu::storage(work_)},
+                        gpu::storage(work_),
+                        gpu::uniform(visibility_ ? visibility_->keeps() : nothing_, kept.offset),
+                        gpu::storage(visibility_ ? visibility_->entries() : nothing_),
+                        gpu::storage(visibility_ ? visibility_->changed_at() : nothing_)},
                        gpu::groups(chunk.tiles() + f.blocks, 64), chunk.batches());
     commands_.barrier();
     if (settings_.air) haze_.record(commands_, chunk);
-    if (settings_.surfaces) record_surfaces(chunk);
+    if (settings_.surfaces) record_surfaces(chunk, kept.offset);
 }
 
-void Relighter::record_surfaces(const LightChunk& chunk) {
+void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset) {
     const Fragments& f = fragments();
     if (passes_.bounces.bytes() > 0) {
         commands_.begin_span("bounces");
@@ -154,14 +161,30 @@ void Relighter::record_surfaces(const LightChunk& chunk) {
                         {gpu::sampled(distances_ ? distances_->texture() : gobos_),
                          gpu::stored(g_buffer_->specular()), gpu::stored(g_buffer_->normals()),
                          gpu::uniform(air_), gpu::sampled(distances_ ? distances_->blockers() : gobos_),
-                         gpu::sampled(slides_)});
+                         gpu::sampled(slides_),
+                         gpu::uniform(visibility_ ? visibility_->keeps() : nothing_, keeps_offset),
+                         gpu::storage(visibility_ ? visibility_->entries() : nothing_),
+                         gpu::stored(visibility_ ? visibility_->pages() : no_pages_)});
     else
         bindings.insert(bindings.end(), {gpu::uniform(air_), gpu::sampled(slides_)});
     const bool thin = std::any_of(chunk.lights.begin(), chunk.lights.end(),
                                   [&](const shared::Light& light) { return may_be_thin(light, f); });
     commands_.begin_span("surfaces");
-    shared::RelightPush push{chunk.count(), 0, f.tiles_x, chunk.tiles(), f.blocks, 0};
+    shared::RelightPush push{chunk.count(), 0, f.tiles_x,
+                              chunk.tiles(), f.blocks, 0, visibility_ ? visibility_->units() : 0,
+                              visibility_ ? visibility_->page_count() : 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
+        if (visibility_) {
+            commands_.dispatch_indirect(
+                visible_.get(), push,
+                {gpu::uniform(f.view), gpu::uniform(lights_, chunk.light_offset), gpu::storage(masks_),
+                 gpu::storage(lists_), gpu::sampled(distances_->texture()),
+                 gpu::sampled(distances_->blockers()), gpu::stored(f.places),
+                 gpu::stored(g_buffer_->normals()), gpu::uniform(visibility_->keeps(), keeps_offset),
+                 gpu::storage(visibility_->entries()), gpu::stored(visibility_->pages())},
+                groups_, chunk.made_groups(push.batch));
+            commands_.barrier();
+        }
         commands_.dispatch_indirect((thin ? thin_surface_ : surface_)[chunk.beam_class].get(), push, bindings,
                                     groups_, chunk.surface_groups(push.batch));
         commands_.barrier();

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// Kept visibility: what share of its lens a lamp shows to a fragment rests while lamp, stage and camera do (shaders/soft_shadow.glsl),
+// whatever the beam does. It is made when a beam first reaches a tile (or a block of extra fragments) and kept in a page, a texel a
+// fragment. Entry of a place (a distance map, with the size of a lens) and a unit (tile, then block): x: its page + 1, 0: none;
+// y: when it was made * 2, + 1: it is made by the draw that reads this.
+#ifndef GHOST_SHARED_VISIBILITY_H
+#define GHOST_SHARED_VISIBILITY_H
+#include "shared/push.h"
+
+SHARED_BEGIN
+
+// Of a light, beside it in its chunk.
+struct Keep {
+    uint place; // + 1; 0: nothing is kept for this light
+    uint since; // what was made before is stale
+};
+SHARED_SIZE(Keep, 8);
+
+SHARED_CONST uint kPagesAcross = 256u; // of an atlas layer, and down
+SHARED_CONST uint kPagesOfLayer = kPagesAcross * kPagesAcross;
+
+struct VisibilityTouchPush {
+    uint count; // of the list
+    uint tiles; // of the picture
+    uint now;
+};
+SHARED_SIZE(VisibilityTouchPush, 12);
+
+SHARED_END
+#endif

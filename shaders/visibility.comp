@@ -1,0 +1,56 @@
+#version 460
+// SPDX-License-Identifier: Apache-2.0
+// Makes what units see of a lamp where it is not kept (shared/visibility.h), for all their fragments.
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+#include "shared/push.h"
+#define DISTANCE_MAPS 4
+#include "octahedral_map.glsl"
+#define BLOCKERS 5
+#include "soft_shadow.glsl"
+#include "shared/g_buffer.h"
+
+layout(local_size_x = 128) in;
+layout(binding = 0, scalar) uniform ViewBlock { View view; };
+layout(binding = 1, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
+layout(binding = 2, scalar) readonly buffer Masks { uint mask_of[]; };
+layout(binding = 3, scalar) readonly buffer Lists { uint list[]; };
+layout(binding = 6, rgba32f) readonly uniform image2DArray places;
+layout(binding = 7, rgba16f) readonly uniform image2DArray normals; // and the facets', packed
+layout(push_constant, scalar) uniform Push { RelightPush p; };
+layout(constant_id = 1) const bool kSingle = false; // a batch is one light
+
+#include "lit_share.glsl"
+#define KEEPS 8
+#include "visibility.glsl"
+
+void make(Light light, Keep keep, vec3 place_m, vec3 facet, uint unit, bool there) {
+    Page page = page_of(keep, unit);
+    vec3 from_map = place_m - light.position_m + light.off_map_m;
+    bool wanted = there && light.map != 0u && page.there && page.make && dot(facet, from_map) < 0.0;
+    float share = lit_share(light, facet, from_map, wanted);
+    if (page.there && page.make) imageStore(pages, page.texel, vec4(wanted ? share : 0.0));
+}
+
+void main() {
+    uvec2 size = uvec2(view.width, view.height);
+    uint unit = list[made_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x];
+    uvec2 local = uvec2(gl_LocalInvocationIndex % kTileWidth, gl_LocalInvocationIndex / kTileWidth);
+    uvec2 pixel = uvec2(unit % p.tiles_x, unit / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + local;
+    uint extra = (unit - p.tiles) * kTilePixels + gl_LocalInvocationIndex;
+    bool is_extra = unit >= p.tiles;
+    bool inside = is_extra || (pixel.x < size.x && pixel.y < size.y);
+    pixel = is_extra ? uvec2(extra % size.x, size.y + extra / size.x) : min(pixel, size - 1u);
+    vec4 place = imageLoad(places, ivec3(pixel, 0));
+    vec3 facet = unpack_normal(imageLoad(normals, ivec3(pixel, 0)).zw);
+    bool there = inside && place.w > 0.0;
+    if (kSingle) {
+        make(lights[p.batch], keeps[p.batch], place.xyz, facet, unit, there);
+        return;
+    }
+    for (uint word = 0u; word < (p.light_count + 31u) / 32u; ++word)
+        for (uint mask = mask_of[unit * kMaskWords + word]; mask != 0u; mask &= mask - 1u) {
+            uint index = word * 32u + uint(findLSB(mask));
+            make(lights[index], keeps[index], place.xyz, facet, unit, there);
+        }
+}

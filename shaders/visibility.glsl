@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where what a unit sees of a lamp is kept (shared/visibility.h), or lies just for this draw: behind the pages is room for one light's
+// units. Who includes this has kSingle and the push constants p: RelightPush, and defines KEEPS, the first of three bindings.
+#include "shared/visibility.h"
+
+layout(binding = KEEPS, scalar) uniform KeepBlock { Keep keeps[kLightsPerChunk]; };
+layout(binding = KEEPS + 1, scalar) readonly buffer Entries { uint pages_used; uint unused; uvec2 entries[]; };
+layout(binding = KEEPS + 2, r16) uniform image2DArray pages;
+
+struct Page {
+    ivec3 texel; // of this invocation's fragment
+    bool there;  // else there is no room for it
+    bool make;
+};
+
+Page page_of(Keep keep, uint unit) {
+    uvec2 entry = keep.place == 0u ? uvec2(0u, 1u) : entries[(keep.place - 1u) * p.units + unit];
+    uint page = entry.x != 0u ? entry.x - 1u : p.pages + unit;
+    uint in_layer = page % kPagesOfLayer;
+    uvec2 corner = uvec2(in_layer % kPagesAcross, in_layer / kPagesAcross) * uvec2(kTileWidth, kTileHeight);
+    uvec2 local = uvec2(gl_LocalInvocationIndex % kTileWidth, gl_LocalInvocationIndex / kTileWidth);
+    return Page(ivec3(corner + local, page / kPagesOfLayer), kSingle || entry.x != 0u, (entry.y & 1u) != 0u || entry.x == 0u);
+}
