@@ -1,7 +1,6 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
-// Fills the grid of a light (grid.glsl): layer 0 with what rays without an end gather, layer 1 with what they gather up to the surface that
-// they meet, layer 2 with where that ends along the chord.
+// Fills the grid of a light (grid.glsl): layer 0 with what rays gather up to the surface that they meet, layer 1 with where they end.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
@@ -24,7 +23,6 @@ layout(push_constant, scalar) uniform Push { GridPush p; };
 #include "gate_scatter.glsl"
 #include "grid.glsl"
 
-const float kEndless_m = 1e4;
 const float kMargin = 0.1;  // of the picture, beyond which no node is needed
 const float kRim = 0.9995; // the last rows are those of the rim
 
@@ -45,18 +43,8 @@ void main() {
     vec4 surface = imageLoad(places, ivec3(at, 0));
     float far = surface.w >= 0.0 ? length(surface.xyz - view.eye_m) : view.far_m;
     GridRay ray = grid_ray(lights[fan_index], fans[fan_index], dir, far);
-    bool ends = seen && ray.hit && ray.end < 1.0;
-    // One call, for it is long: once for all rays, once more for those that end in the beam.
-    vec3 endless = vec3(0.0), own = vec3(0.0);
-    for (uint layer = 0u; layer < 2u; ++layer) {
-        bool wanted = layer == 0u ? seen : ends;
-        vec3 sum = kGridScale * gathered(lights[fan_index], fans[fan_index], dir, wanted ? (layer == 0u ? kEndless_m : far) : 0.0);
-        endless = layer == 0u ? sum : endless;
-        own = layer == 0u || ends ? sum : own;
-    }
+    vec3 sum = kGridScale * gathered(lights[fan_index], fans[fan_index], dir, seen ? far : 0.0);
     if (!inside) return;
-    imageStore(grid, ivec3(node, 0), vec4(endless, seen ? 0.0 : kUnknown));
-    // A ray that ends before the beam says nothing of those that end in it.
-    imageStore(grid, ivec3(node, 1), vec4(own, seen && ray.hit ? 0.0 : kUnknown));
-    imageStore(grid, ivec3(node, 2), vec4(clamp(ray.end, 0.0, 1.0), 0.0, 0.0, 0.0));
+    imageStore(grid, ivec3(node, 0), vec4(sum, seen ? 0.0 : kUnknown));
+    imageStore(grid, ivec3(node, 1), vec4(clamp(ray.end, 0.0, 1.0), 0.0, 0.0, 0.0));
 }

@@ -20,8 +20,6 @@ layout(push_constant, scalar) uniform Push { GridPush p; };
 
 #include "grid.glsl"
 
-const float kEndDoubt = 0.06; // share that a ray's end may be off the nodes'
-const float kFaint = 3e-3;    // half floats, in grid units: what is darker is not seen
 
 void main() {
     uint batch = p.gate.batch;
@@ -36,14 +34,13 @@ void main() {
     float far = surface.w >= 0.0 ? length(surface.xyz - view.eye_m) : view.far_m;
     GridRay ray = grid_ray(lights[batch], fans[batch], dir, far);
     bool hit = ray.hit && inside;
-    bool behind = ray.end >= 1.0;
     float column = grid_column(ray.h);
     vec2 place = (0.5 + vec2(column, 0.5 * ray.row + 0.5) * (vec2(p.grid.columns, p.grid.rows) - 1.0)) / vec2(kMostGridColumns, kMostGridRows);
-    vec4 value = textureLod(grid, vec3(place, behind ? 0.0 : 1.0), 0.0);
-    float end_there = behind ? ray.end : textureLod(grid, vec3(place, 2.0), 0.0).x;
-    bool ends = abs(end_there - ray.end) <= kEndDoubt * ray.end;
-    value.rgb *= behind ? 1.0 : clamp(ray.end / max(end_there, 1e-3), 1.0 - kEndDoubt, 1.0 + kEndDoubt);
-    bool known = column >= 0.0 && column <= 1.0 && ends && value.a <= p.grid.most_doubt * luminance_of(value.rgb) + kFaint;
+    vec4 value = textureLod(grid, vec3(place, 0.0), 0.0);
+    float end_there = textureLod(grid, vec3(place, 1.0), 0.0).x, end = min(ray.end, 1.0);
+    bool ends = abs(end_there - end) <= kEndDoubt * end;
+    value.rgb *= end < 1.0 ? clamp(end / max(end_there, 1e-3), 1.0 - kEndDoubt, 1.0 + kEndDoubt) : 1.0;
+    bool known = column >= 0.0 && column <= 1.0 && ends && value.a <= p.grid.most_doubt;
     if (hit && known) {
         vec3 sum = value.rgb / kGridScale * lights[batch].intensity_cd *
                    (view.haze.scattering_per_m * 2.0 * ray.half_chord * fans[batch].most / (fans[batch].beam.eye_m * ray.sine));

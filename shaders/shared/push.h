@@ -142,10 +142,10 @@ struct LeftHead {
 };
 SHARED_SIZE(LeftHead, 16);
 
-// Columns and rows of a grid, at most; its layers: rays that end behind the beam, rays that end at their own surface, where those end.
+// Columns and rows of a grid, at most; its layers: what rays see, where they end.
 SHARED_CONST uint kMostGridColumns = 192u;
 SHARED_CONST uint kMostGridRows = 512u;
-SHARED_CONST uint kGridLayers = 3u;
+SHARED_CONST uint kGridLayers = 2u;
 
 struct BouncePush {
     uint light_count; // of the chunk

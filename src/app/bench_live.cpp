@@ -13,6 +13,7 @@
 #include <ctime>
 #include <map>
 #include <optional>
+#include <set>
 
 namespace ghost::app {
 namespace {
@@ -27,8 +28,10 @@ struct Film {
     const char* view;
     int width;
     int height;
+    bool grid; // haze as it is drawn while things move; else every ray, as at rest
 };
-constexpr Film kFilms[] = {{"close", 640, 360}, {"house", 640, 360}, {"high", 640, 360}, {"close", 1280, 720}};
+constexpr Film kFilms[] = {{"close", 640, 360, true},  {"close", 640, 360, false},  {"house", 640, 360, true},
+                            {"high", 640, 360, true}, {"close", 1280, 720, true}, {"close", 1280, 720, false}};
 
 class LiveBench {
 public:
@@ -87,23 +90,13 @@ private:
     std::map<std::string, double> sums_;
 };
 
-const std::vector<std::pair<const char*, std::vector<const char*>>>& columns() {
-    static const std::vector<std::pair<const char*, std::vector<const char*>>> kColumns{
-        {"haze_ms", {"gate", "haze fill", "haze look-up", "haze left"}},
-        {"tables_ms", {"fan", "shade"}},
-        {"surfaces_ms", {"surfaces"}},
-        {"bodies_ms", {"moving", "restore", "gather", "blocks"}},
-        {"sum_ms", {"clear", "fold", "add", "glare", "lenses", "meter", "develop", "read back"}},
-        {"cull_ms", {"cull"}}};
-    return kColumns;
-}
-
 Result<void> film_row(const BenchOptions& options, const Film& film, const BenchSink& sink) {
     TRY(LiveBench bench, LiveBench::open(options, film));
     Session& session = bench.session();
-    use_grid(session, true);
+    use_grid(session, film.grid);
     const auto first = static_cast<long>(kFrom_s * kFps), last = static_cast<long>(kTo_s * kFps);
     Means means;
+    std::set<std::string> spans;
     double db = 1e9;
     for (long frame = first - 2; frame <= last; ++frame) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
@@ -117,24 +110,23 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         means.add("processor_ms", processor_ms);
         means.add("lights_drawn", drawn.drawn);
         means.add("made_share", drawn.made_units / std::max(1.0, static_cast<double>(drawn.surface_tiles)));
-        for (const gpu::Span& span : drawn.spans) means.add(span.name, span.ms);
+        for (const gpu::Span& span : drawn.spans) {
+            means.add(span.name, span.ms);
+            spans.insert(span.name);
+        }
         if ((frame - first) % kCompareEvery != 0) continue;
         const image::ImageF moving = session.relighter->frame();
         use_grid(session, false);
         session.relighter->forget();
         (void)session.draw(static_cast<double>(frame) / kFps);
         db = std::min(db, display_db(moving, session.relighter->frame()));
-        use_grid(session, true);
+        use_grid(session, film.grid);
         session.relighter->forget();
         (void)session.draw(static_cast<double>(frame) / kFps);
     }
-    BenchRow row{"live", std::string(film.view) + " " + std::to_string(film.width) + "x" + std::to_string(film.height), {}, ""};
+    BenchRow row{"live", std::string(film.view) + " " + std::to_string(film.width) + "x" + std::to_string(film.height) + (film.grid ? "" : ", every ray"), {}, ""};
     row.figures = {{"ms", means.of("ms")}, {"processor_ms", means.of("processor_ms")}, {"lights_drawn", means.of("lights_drawn")}};
-    for (const auto& [name, spans] : columns()) {
-        double sum = 0;
-        for (const char* const span : spans) sum += means.of(span);
-        row.figures.emplace_back(name, sum);
-    }
+    for (const std::string& span : spans) row.figures.emplace_back(span + "_ms", means.of(span));
     row.figures.emplace_back("made_share", means.of("made_share"));
     row.figures.emplace_back("least_db", db);
     row.note = "mean of " + std::to_string(means.frames) + " frames; dB against the same moments at rest";
