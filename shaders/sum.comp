@@ -1,6 +1,6 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
-// A sum of kept images: the additions of the light tree (Screen Space Re-Rendering, section 3).
+// A sum of kept images, each with its weight: the additions of the light tree (Screen Space Re-Rendering, section 3).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
@@ -10,6 +10,7 @@ layout(binding = 0, rgba16f) readonly uniform image2DArray base;  // the picture
 layout(binding = 1, rgba16f) readonly uniform image2DArray drawn; // lights drawn just now: layer 0 surfaces, layer 1 haze
 layout(binding = 2, rgba16f) uniform image2DArray images;
 layout(binding = 3, scalar) readonly buffer TileList { uint tile_list[]; };
+layout(binding = 4, scalar) uniform AddendBlock { Addend addends[kMostAddends]; };
 layout(push_constant, scalar) uniform Push { SumPush p; };
 // Haze was sampled at the corners of the pixels, not in their middle.
 layout(constant_id = 0) const bool kCorners = false;
@@ -36,7 +37,8 @@ void main() {
             sum += imageLoad(drawn, ivec3(at, 1));
         }
     }
-    for (uint k = p.accumulate != 0u ? 0u : 1u; k < p.addend_count + 1u; ++k)
-        sum += imageLoad(images, ivec3(at, k == 0u ? p.target : p.addend[k - 1u]));
+    if (p.accumulate != 0u) sum += imageLoad(images, ivec3(at, p.target));
+    for (uint k = 0u; k < p.addend_count; ++k)
+        sum.rgb += addends[k].weight * imageLoad(images, ivec3(at, addends[k].layer)).rgb;
     imageStore(images, ivec3(at, p.target), light_to_store(sum));
 }

@@ -71,18 +71,22 @@ struct FrameWork {
 SHARED_SIZE(FrameWork, 16);
 
 // target = kept images (+ the picture without lights). Layer 0 is the frame.
-SHARED_CONST uint kMaxAddends = 20u; // of one dispatch; the tree needs one per level
+SHARED_CONST uint kMostAddends = 256u; // of one dispatch
+struct Addend {
+    uint layer;
+    vec3 weight; // of an image of one light
+};
+SHARED_SIZE(Addend, 16);
 struct SumPush {
     uint target;
     uint accumulate; // 1: on top of what the target holds
     uint add_base;
     uint add_drawn;
     uint addend_count;
-    uint addend[kMaxAddends];
     uint tiles_x;
     uint listed; // 1: only the tiles of a list
 };
-SHARED_SIZE(SumPush, 108);
+SHARED_SIZE(SumPush, 28);
 
 // drawn += lights, on the tiles of the list. Layer 0: surfaces, layer 1: haze.
 struct RelightPush {

@@ -14,6 +14,7 @@ LightTree::LightTree(int light_count, int slot_count) : light_count_(light_count
     const auto leaves = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(light_count, 1))));
     leaf_base_ = leaves - 1;
     nodes_.resize(static_cast<std::size_t>(leaf_base_ + leaves));
+    changes_.resize(static_cast<std::size_t>(light_count));
     for (int slot = slot_count - 1; slot >= 0; --slot) free_slots_.push_back(slot);
 }
 
@@ -68,12 +69,13 @@ bool LightTree::keep(int index, Plan& plan) {
     if (has_image_below(index)) {
         for (const int child : {tightest(2 * index + 1), tightest(2 * index + 2)}) {
             if (keep(child, plan))
-                sum.addends.push_back(nodes_[static_cast<std::size_t>(child)].slot);
+                sum.addends.push_back(addend_of(child));
             else
                 add_lights_below(child, sum.lights);
         }
     } else {
         add_lights_below(index, sum.lights);
+        sum.at_unit = index >= leaf_base_;
     }
     const int slot = take_slot();
     if (slot < 0) return false;
@@ -83,62 +85,104 @@ bool LightTree::keep(int index, Plan& plan) {
     return true;
 }
 
+// Changes, or did so twice a short while ago.
+bool LightTree::is_moving(int light) const {
+    const Changes& changes = changes_[static_cast<std::size_t>(light)];
+    return changes.last == frame_ ||
+           (changes.last - changes.before <= kSoon && frame_ - changes.last <= kSoon);
+}
+
+Addend LightTree::addend_of(int node) const {
+    return {nodes_[static_cast<std::size_t>(node)].slot, node >= leaf_base_ ? node - leaf_base_ : -1};
+}
+
+void LightTree::add_moving(int light, Plan& plan, ImageSum& frame) {
+    if (!is_changed_[static_cast<std::size_t>(light)] && keep(leaf_base_ + light, plan))
+        frame.addends.push_back(addend_of(leaf_base_ + light));
+    else
+        frame.lights.push_back(light);
+}
+
 void LightTree::visit(int node, const std::vector<bool>& dirty, Plan& plan, ImageSum& frame) {
     node = tightest(node);
     if (!dirty[static_cast<std::size_t>(node)]) {
         if (keep(node, plan))
-            frame.addends.push_back(nodes_[static_cast<std::size_t>(node)].slot);
+            frame.addends.push_back(addend_of(node));
         else
             add_lights_below(node, frame.lights);
         return;
     }
-    if (node >= leaf_base_) {
-        frame.lights.push_back(node - leaf_base_);
-        return;
-    }
+    if (node >= leaf_base_) return; // it moves
     visit(2 * node + 1, dirty, plan, frame);
     visit(2 * node + 2, dirty, plan, frame);
 }
 
-Plan LightTree::plan(std::span<const int> changed) {
-    ++frame_;
-    Plan plan;
-    if (changed.empty() && frame_valid_) return plan;
+void LightTree::add_around_rest(Plan& plan, ImageSum& frame) {
+    frame.addends.push_back({rest_slot(), -1});
+    for (int light = 0; light < light_count_; ++light)
+        if (!changes_[static_cast<std::size_t>(light)].in_rest) add_moving(light, plan, frame);
+}
 
+void LightTree::add_all(Plan& plan, ImageSum& frame) {
     std::vector<bool> dirty(nodes_.size(), false);
-    for (const int light : changed) {
-        CHECK(light >= 0 && light < light_count_);
-        for (int node = leaf_base_ + light;; node = (node - 1) / 2) {
+    bool goes_on = true; // what changes now did so a short while ago
+    for (int light = 0; light < light_count_; ++light) {
+        Changes& changes = changes_[static_cast<std::size_t>(light)];
+        changes.in_rest = !is_moving(light);
+        goes_on = goes_on && (changes.last != frame_ || changes.last - changes.before <= kSoon);
+        for (int node = leaf_base_ + light; !changes.in_rest; node = (node - 1) / 2) {
             dirty[static_cast<std::size_t>(node)] = true;
-            int& slot = nodes_[static_cast<std::size_t>(node)].slot;
-            if (slot >= 0) free_slots_.push_back(std::exchange(slot, -1));
             if (node == 0) break;
         }
     }
-    std::vector<int> sorted(changed.begin(), changed.end());
-    std::sort(sorted.begin(), sorted.end());
-    const bool same_again = sorted == last_changed_;
-    last_changed_ = sorted;
+    frame.base = true;
+    if (light_count_ > 0) visit(0, dirty, plan, frame);
+    // What goes on will go on: what rests is kept as one image, unless there was no room for some of it.
+    if (goes_on && frame.lights.empty() && frame.addends.size() > 1) {
+        ImageSum rest;
+        rest.target = rest_slot();
+        rest.base = true;
+        rest.addends = std::exchange(frame.addends, {{rest_slot(), -1}});
+        frame.base = false;
+        plan.sums.push_back(std::move(rest));
+        rest_valid_ = true;
+    }
+    for (int light = 0; light < light_count_; ++light)
+        if (!changes_[static_cast<std::size_t>(light)].in_rest) add_moving(light, plan, frame);
+}
+
+void LightTree::drop(int node) {
+    int& slot = nodes_[static_cast<std::size_t>(node)].slot;
+    if (slot >= 0) free_slots_.push_back(std::exchange(slot, -1));
+}
+
+Plan LightTree::plan(std::span<const int> changed, std::span<const int> dimmed) {
+    Plan plan;
+    ++frame_;
+    if (changed.empty() && dimmed.empty() && frame_valid_) return plan;
+
+    is_changed_.assign(static_cast<std::size_t>(light_count_), false);
+    const auto change = [&](int light, int node) {
+        CHECK(light >= 0 && light < light_count_);
+        Changes& changes = changes_[static_cast<std::size_t>(light)];
+        changes.before = std::exchange(changes.last, frame_);
+        rest_valid_ = rest_valid_ && !changes.in_rest;
+        for (; node >= 0; node = node > 0 ? (node - 1) / 2 : -1) drop(node);
+    };
+    for (const int light : changed) {
+        change(light, leaf_base_ + light);
+        is_changed_[static_cast<std::size_t>(light)] = true;
+    }
+    for (const int light : dimmed) change(light, leaf_base_ > 0 ? (leaf_base_ + light - 1) / 2 : -1);
+    // Lights that came to rest belong to it again.
+    for (const Changes& changes : changes_)
+        rest_valid_ = rest_valid_ && (changes.in_rest || frame_ - changes.last <= 4 * kSoon);
 
     ImageSum frame;
-    if (same_again && rest_valid_) {
-        frame.lights = std::move(sorted);
-        frame.addends = {rest_slot()};
-    } else {
-        if (light_count_ > 0) visit(0, dirty, plan, frame);
-        frame.base = true;
-        // A pattern that repeats will go on: keep what rests as one image, unless there was no room for some
-        // of it.
-        rest_valid_ = same_again && frame.lights.size() == sorted.size() && frame.addends.size() > 1;
-        if (rest_valid_) {
-            ImageSum rest;
-            rest.target = rest_slot();
-            rest.base = true;
-            rest.addends = std::exchange(frame.addends, {rest_slot()});
-            frame.base = false;
-            plan.sums.push_back(std::move(rest));
-        }
-    }
+    if (rest_valid_)
+        add_around_rest(plan, frame);
+    else
+        add_all(plan, frame);
     plan.sums.push_back(std::move(frame));
     frame_valid_ = true;
 

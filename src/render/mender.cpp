@@ -56,9 +56,9 @@ bool Mender::touch(const std::vector<PixelRect>& rects) {
 void Mender::made(const ImageSum& sum) {
     if (sum.target < 0) return;
     const Fragments& f = g_buffer_.fragments();
-    Kept kept{sum.lights, sum.base, TileSet(static_cast<int>(f.width), static_cast<int>(f.height))};
-    for (const int slot : sum.addends) {
-        const auto part = kept_.find(slot);
+    Kept kept{sum.lights, sum.base, sum.at_unit, TileSet(static_cast<int>(f.width), static_cast<int>(f.height))};
+    for (const Addend& addend : sum.addends) {
+        const auto part = kept_.find(addend.slot);
         CHECK(part != kept_.end() && part->second.stale.empty());
         kept.lights.insert(kept.lights.end(), part->second.lights.begin(), part->second.lights.end());
         kept.base = kept.base || part->second.base;
@@ -76,6 +76,7 @@ ImageSum Mender::mend(int slot, const std::vector<shared::Light>& lights) const 
     ImageSum sum;
     sum.target = slot;
     sum.base = kept.base;
+    sum.at_unit = kept.at_unit;
     const std::vector<PixelRect> rects = kept.stale.rects();
     for (const int index : kept.lights) {
         const shared::Light& light = lights[static_cast<std::size_t>(index)];

@@ -43,6 +43,7 @@ private:
     struct Kept {
         std::vector<int> lights; // all that it shows
         bool base = false;
+        bool at_unit = false;
         TileSet stale;
     };
     const GBuffer& g_buffer_;

@@ -92,12 +92,12 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
                      const Settings& settings)
     : device_(device), settings_(settings), batch_size_(batch_size(device, settings)),
       light_count_(light_count), passes_(std::move(passes)), g_buffer_(g_buffer), distances_(distances),
-      slot_count_(0), tree_(light_count, slot_count_),
+      slot_count_(0), tree_(light_count, slot_count_), units_(passes_.bounces.bytes() > 0),
       cull_(device, shaders::kShader_cull,
             {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage, kStorage, kUniform, kStorage,
              kStorage},
             {0u, g_buffer && distances ? 1u : 0u}),
-      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored, kStorage},
+      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored, kStorage, kUniform},
            {settings.beams.beams == Beams::gate ? 0u : 1u}),
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
       silhouettes_(device, shaders::kShader_silhouettes, {kUniform, kSampled, kStored, kStored}),
@@ -126,6 +126,9 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
     no_pages_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UNORM, true, false});
     nothing_ = gpu::Buffer(device, kChunkAlign, gpu::Access::device);
     lights_ = gpu::Buffer(device, draws * kLightRoom + kChunkBytes, gpu::Access::upload);
+    // Every image is an addend twice at most, of the one above it and of what rests or the frame.
+    const std::uint64_t sums = 2 * static_cast<std::uint64_t>(light_count) + kFixedImages;
+    addends_ = gpu::Buffer(device, 2 * sums * kChunkAlign + kAddendBytes, gpu::Access::upload);
     upload(gobos, batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1);
     make_images();
 }
@@ -191,7 +194,7 @@ void Relighter::forget_images() {
     tree_.invalidate_all();
     if (mender_) mender_->forget();
     wide_prepared_ = silhouettes_known_ = false;
-    last_lights_.clear();
+    units_.forget();
 }
 
 void Relighter::touch() {
@@ -316,11 +319,7 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
     const std::vector<shared::Light>& lights = lit.lights;
     CHECK_EQ(static_cast<int>(lights.size()), light_count_);
     if (!settings_.reuse) forget_images();
-    std::vector<int> changed;
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        if (i >= last_lights_.size() || std::memcmp(&lights[i], &last_lights_[i], sizeof(shared::Light)) != 0)
-            changed.push_back(static_cast<int>(i));
-    last_lights_ = lights;
+    const LightUnits::Changes changes = units_.look(lights);
     if (settings_.lens.on && !same_faces(lit.faces, last_faces_)) {
         tree_.invalidate_frame();
         last_faces_ = lit.faces;
@@ -330,13 +329,14 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
         last_walls_ = lit.walls;
     }
 
-    const Plan plan = tree_.plan(changed);
+    const Plan plan = tree_.plan(changes.changed, changes.dimmed);
     FrameStatistics statistics;
-    statistics.changed = static_cast<int>(changed.size());
+    statistics.dimmed = static_cast<int>(changes.dimmed.size());
+    statistics.changed = static_cast<int>(changes.changed.size()) + statistics.dimmed;
     statistics.drawn = plan.drawn;
     statistics.additions = plan.additions;
     if (!plan.sums.empty()) {
-        lights_used_ = 0;
+        lights_used_ = addends_used_ = 0;
         haze_.begin_frame();
         commands_.begin();
         commands_.write(work_, std::vector<shared::FrameWork>(1));
@@ -346,8 +346,8 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
             commands_.copy(slides_upload_, k * slide_bytes_, slides_, static_cast<std::uint32_t>(k));
         new_slides_.clear();
         for (const ImageSum& sum : plan.sums) {
-            for (const int slot : sum.addends) statistics.mended += mend(slot, lights);
-            draw_sum(sum, lights);
+            for (const Addend& addend : sum.addends) statistics.mended += mend(addend.slot);
+            draw_sum(sum);
             if (mender_) mender_->made(sum);
         }
         develop(lit);
@@ -367,11 +367,11 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
 }
 
 // Draws an image again where it is stale.
-int Relighter::mend(int slot, const std::vector<shared::Light>& lights) {
+int Relighter::mend(int slot) {
     if (!mender_ || !mender_->is_stale(slot)) return 0;
-    const ImageSum sum = mender_->mend(slot, lights);
+    const ImageSum sum = mender_->mend(slot, units_.lights());
     mended_tiles_ = mender_->record(commands_, slot);
-    draw_sum(sum, lights);
+    draw_sum(sum);
     mended_tiles_ = 0;
     return static_cast<int>(sum.lights.size());
 }
@@ -435,7 +435,7 @@ float Relighter::ev100_used() const {
 std::uint64_t Relighter::memory_bytes() const {
     std::uint64_t sum = picture_bytes() + gobos_.bytes() + slides_.bytes() + slides_upload_.bytes();
     if (distances_) sum += distances_->bytes();
-    for (const gpu::Buffer* buffer : {&lights_, &groups_, &work_, &work_read_, &exposure_})
+    for (const gpu::Buffer* buffer : {&lights_, &addends_, &groups_, &work_, &work_read_, &exposure_})
         sum += buffer->bytes();
     return sum;
 }

@@ -18,6 +18,7 @@
 #include "render/led_wall_pass.h"
 #include "render/lens_pass.h"
 #include "render/light_tree.h"
+#include "render/light_units.h"
 #include "render/mender.h"
 #include "render/pass_images.h"
 #include "render/visibility.h"
@@ -61,6 +62,7 @@ struct Settings {
 
 struct FrameStatistics {
     int changed = 0;              // lights that differ from the last frame
+    int dimmed = 0;               // of them, those that do in nothing but their weight
     int drawn = 0;                // lights drawn, the changed ones and those without a kept image
     int mended = 0;               // lights drawn again in the parts of kept images where something moved
     int additions = 0;            // of two images
@@ -126,8 +128,9 @@ private:
     void make_slides(const std::vector<shared::SlidePicture>& slides);
     void make_images();
     void forget_images();
-    void draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights);
-    int mend(int slot, const std::vector<shared::Light>& lights);
+    void draw_sum(const ImageSum& sum);
+    void add_images(const ImageSum& sum);
+    int mend(int slot);
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
     void record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
     void develop(const scene::Lit& lit);
@@ -146,15 +149,17 @@ private:
     bool pages_full_ = false;
     std::unique_ptr<Mender> mender_; // null: from passes, in which nothing moves
     std::uint32_t mended_tiles_ = 0; // above 0: only these tiles, of mender_, are drawn now
-    std::vector<shared::Light> last_lights_;
+    LightUnits units_;
     std::vector<scene::Face> last_faces_;
     std::vector<shared::LedWall> last_walls_;
-    std::uint64_t lights_used_ = 0; // bytes of lights_, in this frame
+    std::uint64_t lights_used_ = 0;  // bytes of lights_, in this frame
+    std::uint64_t addends_used_ = 0; // likewise
 
     static constexpr std::uint64_t kChunkAlign = 256; // offset of a uniform buffer, at most, on every device
     // Room that a light takes where it begins a chunk.
     static constexpr std::uint64_t kLightRoom =
         (sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
+    static constexpr std::uint64_t kAddendBytes = shared::kMostAddends * sizeof(shared::Addend);
     static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
     gpu::Program cull_, sum_, bounce_, silhouettes_, fold_, meter_, develop_;
     std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_;
@@ -168,7 +173,7 @@ private:
     LensPass lens_;
     GlarePass glare_;
     mutable gpu::Commands commands_;
-    gpu::Buffer air_, lights_, masks_, lists_, groups_, work_, work_read_, exposure_, pixels_,
+    gpu::Buffer air_, lights_, addends_, masks_, lists_, groups_, work_, work_read_, exposure_, pixels_,
         nothing_;
     gpu::Texture gobos_, slides_, images_, drawn_, haze_sources_, picture_, no_pages_;
     gpu::Buffer slides_upload_;

@@ -27,19 +27,22 @@ bool may_be_thin(const shared::Light& light, const Fragments& f) {
 
 } // namespace
 
-void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& lights) {
+void Relighter::draw_sum(const ImageSum& sum) {
     if (!sum.lights.empty()) {
         commands_.begin_span("clear");
         commands_.clear(drawn_);
     }
     const Fragments& f = fragments();
+    const auto light_of = [&](int index) {
+        return sum.at_unit ? units_.at_unit(index) : units_.lights()[static_cast<std::size_t>(index)];
+    };
     const auto wide = [&](const shared::Light& light) {
         // What is mended lacks the rays of the tiles beside it.
         return wide_ && wide_step_ > 1 && settings_.air && mended_tiles_ == 0 &&
                is_wide(light, f.eye_m, f.pixels_per_rad);
     };
     const bool any_wide = std::any_of(sum.lights.begin(), sum.lights.end(), [&](int index) {
-        return wide(lights[static_cast<std::size_t>(index)]);
+        return wide(light_of(index));
     });
     if (any_wide && !std::exchange(wide_prepared_, true)) wide_->prepare(commands_, f, wide_step_);
     if (any_wide) commands_.clear(wide_->rays());
@@ -49,7 +52,7 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
         const bool is_wide = kind >= shared::kBeamClasses;
         std::vector<shared::Light> chunk;
         for (const int index : sum.lights) {
-            const shared::Light& light = lights[static_cast<std::size_t>(index)];
+            const shared::Light light = light_of(index);
             if (is_dark(light) || shared::beam_class(light) != beam_class || wide(light) != is_wide) continue;
             chunk.push_back(light);
             if (chunk.size() == shared::kLightsPerChunk) {
@@ -79,22 +82,36 @@ void Relighter::draw_sum(const ImageSum& sum, const std::vector<shared::Light>& 
                            mended_tiles_ > 0 ? mended_tiles_ : gpu::groups(f.edge_count, 64));
         commands_.barrier();
     }
+    add_images(sum);
+}
+
+void Relighter::add_images(const ImageSum& sum) {
+    const Fragments& f = fragments();
+    const gpu::Buffer& tile_list = mender_ ? mender_->tiles() : f.tile_bounds;
     std::size_t added = 0;
+    commands_.begin_span("add");
     for (bool first = true; first || added < sum.addends.size(); first = false) {
         shared::SumPush push{};
         push.target = static_cast<std::uint32_t>(sum.target + 1);
         push.accumulate = first ? 0u : 1u;
         push.add_base = first && sum.base && !settings_.illuminance ? 1u : 0u;
         push.add_drawn = first && !sum.lights.empty() ? 1u : 0u;
-        for (; added < sum.addends.size() && push.addend_count < shared::kMaxAddends; ++added)
-            push.addend[push.addend_count++] = static_cast<std::uint32_t>(sum.addends[added] + 1);
-        commands_.begin_span("add");
         push.tiles_x = f.tiles_x;
         push.listed = mended_tiles_ > 0 ? 1u : 0u;
-        commands_.dispatch(
-            sum_, push,
-            {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(images_), gpu::storage(tile_list)},
-            mended_tiles_ > 0 ? mended_tiles_ : f.tiles_x, mended_tiles_ > 0 ? 1 : f.tiles_y);
+        const std::uint64_t offset = addends_used_;
+        CHECK(offset + kAddendBytes <= addends_.bytes());
+        auto* to = reinterpret_cast<shared::Addend*>(static_cast<std::uint8_t*>(addends_.mapped()) + offset);
+        for (; added < sum.addends.size() && push.addend_count < shared::kMostAddends; ++added) {
+            const Addend& addend = sum.addends[added];
+            const glm::vec3 weight = addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
+            if (weight == glm::vec3(0.0f)) continue;
+            to[push.addend_count++] = {static_cast<std::uint32_t>(addend.slot + 1), weight};
+        }
+        addends_used_ += (push.addend_count * sizeof(shared::Addend) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
+        commands_.dispatch(sum_, push,
+                           {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(images_),
+                            gpu::storage(tile_list), gpu::uniform(addends_, offset)},
+                           mended_tiles_ > 0 ? mended_tiles_ : f.tiles_x, mended_tiles_ > 0 ? 1 : f.tiles_y);
         commands_.barrier();
     }
 }
