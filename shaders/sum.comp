@@ -1,19 +1,40 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
-// A sum of kept images, each with its weight: the additions of the light tree (Screen Space Re-Rendering, section 3).
+// A sum of kept images, each with its weight: the additions of the light tree (Screen Space Re-Rendering, section 3). An invocation is two
+// pixels side by side, which a kept image holds as six halves in one texel: without a GPU a load costs as much for two.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
 
-layout(local_size_x = 16, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, rgba16f) readonly uniform image2DArray base;  // the picture without lights
 layout(binding = 1, rgba16f) readonly uniform image2DArray drawn; // lights drawn just now: layer 0 surfaces, layer 1 haze
-layout(binding = 2, rgba16f) uniform image2DArray images;
+layout(binding = 2, rgba32ui) uniform uimage2DArray kept;
 layout(binding = 3, scalar) readonly buffer TileList { uint tile_list[]; };
 layout(binding = 4, scalar) uniform AddendBlock { Addend addends[kMostAddends]; };
+layout(binding = 5, rgba16f) writeonly uniform image2DArray frame;
 layout(push_constant, scalar) uniform Push { SumPush p; };
 // Haze was sampled at the corners of the pixels, not in their middle.
 layout(constant_id = 0) const bool kCorners = false;
+
+struct Pair {
+    vec3 left, right;
+};
+
+Pair unpack(uvec4 packed_pair) {
+    vec2 a = unpackHalf2x16(packed_pair.x), b = unpackHalf2x16(packed_pair.y), c = unpackHalf2x16(packed_pair.z);
+    return Pair(vec3(a, b.x), vec3(b.y, c));
+}
+
+vec3 new_light(ivec2 at, ivec2 last) {
+    vec3 sum = imageLoad(drawn, ivec3(at, 0)).rgb;
+    if (!kCorners) return sum + imageLoad(drawn, ivec3(at, 1)).rgb;
+    // Every corner of a 2x2 block has its own offset along the ray (interleaved sampling, Keller & Heidrich 2001): the mean of the four
+    // corners has all offsets, everywhere, so hardly any noise is left.
+    ivec2 next = min(at + 1, last);
+    return sum + 0.25 * (imageLoad(drawn, ivec3(at, 1)) + imageLoad(drawn, ivec3(next.x, at.y, 1)) + imageLoad(drawn, ivec3(at.x, next.y, 1)) +
+                         imageLoad(drawn, ivec3(next, 1))).rgb;
+}
 
 void main() {
     uvec2 tile = gl_WorkGroupID.xy;
@@ -21,24 +42,26 @@ void main() {
         uint number = tile_list[gl_WorkGroupID.x];
         tile = uvec2(number % p.tiles_x, number / p.tiles_x);
     }
-    ivec2 at = ivec2(tile * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy);
-    ivec2 last = imageSize(base).xy - 1;
+    ivec2 pair = ivec2(tile * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy);
+    ivec2 at = ivec2(2 * pair.x, pair.y), last = imageSize(base).xy - 1;
     if (any(greaterThan(at, last))) return;
-    vec4 sum = p.add_base != 0u ? imageLoad(base, ivec3(at, 0)) : vec4(0.0);
-    for (uint once = p.add_drawn != 0u ? 0u : 1u; once < 1u; ++once) {
-        sum += imageLoad(drawn, ivec3(at, 0));
-        if (kCorners) {
-            // Every corner of a 2x2 block has its own offset along the ray (interleaved sampling, Keller & Heidrich 2001): the
-            // mean of the four corners has all offsets, everywhere, so hardly any noise is left.
-            ivec2 next = min(at + 1, last);
-            sum += 0.25 * (imageLoad(drawn, ivec3(at, 1)) + imageLoad(drawn, ivec3(next.x, at.y, 1)) +
-                           imageLoad(drawn, ivec3(at.x, next.y, 1)) + imageLoad(drawn, ivec3(next, 1)));
-        } else {
-            sum += imageLoad(drawn, ivec3(at, 1));
-        }
+    ivec2 right = ivec2(min(at.x + 1, last.x), at.y);
+    Pair sum = Pair(vec3(0.0), vec3(0.0));
+    if (p.add_base != 0u) sum = Pair(imageLoad(base, ivec3(at, 0)).rgb, imageLoad(base, ivec3(right, 0)).rgb);
+    if (p.add_drawn != 0u) {
+        sum.left += new_light(at, last);
+        sum.right += new_light(right, last);
     }
-    if (p.accumulate != 0u) sum += imageLoad(images, ivec3(at, p.target));
-    for (uint k = 0u; k < p.addend_count; ++k)
-        sum.rgb += addends[k].weight * imageLoad(images, ivec3(at, addends[k].layer)).rgb;
-    imageStore(images, ivec3(at, p.target), light_to_store(sum));
+    for (uint k = 0u; k < p.addend_count; ++k) {
+        Pair image = unpack(imageLoad(kept, ivec3(pair, addends[k].layer)));
+        sum.left += addends[k].weight * image.left;
+        sum.right += addends[k].weight * image.right;
+    }
+    vec3 a = light_to_store(vec4(sum.left, 0.0)).rgb, b = light_to_store(vec4(sum.right, 0.0)).rgb;
+    if (p.to_frame != 0u) {
+        imageStore(frame, ivec3(at, 0), vec4(a, 0.0));
+        if (right.x > at.x) imageStore(frame, ivec3(right, 0), vec4(b, 0.0));
+    } else {
+        imageStore(kept, ivec3(pair, p.target), uvec4(packHalf2x16(a.rg), packHalf2x16(vec2(a.b, b.r)), packHalf2x16(b.gb), 0u));
+    }
 }

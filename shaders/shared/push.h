@@ -70,16 +70,16 @@ struct FrameWork {
 };
 SHARED_SIZE(FrameWork, 16);
 
-// target = kept images (+ the picture without lights). Layer 0 is the frame.
-SHARED_CONST uint kMostAddends = 256u; // of one dispatch
+// target = kept images (+ the picture without lights).
+SHARED_CONST uint kMostAddends = 2048u; // as many as there can be layers
 struct Addend {
     uint layer;
     vec3 weight; // of an image of one light
 };
 SHARED_SIZE(Addend, 16);
 struct SumPush {
-    uint target;
-    uint accumulate; // 1: on top of what the target holds
+    uint target;     // layer of the kept images
+    uint to_frame;   // 1: the frame instead
     uint add_base;
     uint add_drawn;
     uint addend_count;

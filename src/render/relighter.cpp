@@ -26,13 +26,14 @@
 namespace ghost::render {
 namespace {
 
-constexpr std::uint64_t kImageBytesPerPixel = 8; // four half floats
+constexpr std::uint64_t kImageBytesPerPixel = 8; // six half floats for two pixels, and room
 constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kMaxLayers = 2048; // of an image, on every device
-constexpr std::uint32_t kFixedImages = 2;  // the frame, and all that rests
+constexpr std::uint32_t kFixedImages = 1;  // all that rests
+constexpr std::uint64_t kFrameBytesPerPixel = 8; // four half floats
 
 static_assert(static_cast<std::uint32_t>(image::Tone::agx) == shared::kToneAgx &&
               static_cast<std::uint32_t>(image::Tone::aces) == shared::kToneAces &&
@@ -97,7 +98,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
             {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage, kStorage, kUniform, kStorage,
              kStorage},
             {0u, g_buffer && distances ? 1u : 0u}),
-      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored, kStorage, kUniform},
+      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored, kStorage, kUniform, kStored},
            {settings.beams.beams == Beams::gate ? 0u : 1u}),
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
       silhouettes_(device, shaders::kShader_silhouettes, {kUniform, kSampled, kStored, kStored}),
@@ -284,17 +285,17 @@ void Relighter::set_slides(const std::vector<shared::SlidePicture>& slides) {
 // Last of all, in what memory is left.
 void Relighter::make_images() {
     const Fragments& f = fragments();
-    gpu::TextureShape shape{f.width, f.height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false};
+    frame_ = gpu::Texture(device_, {f.width, f.height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    gpu::TextureShape shape{(f.width + 1) / 2, f.height, 1, 1, VK_FORMAT_R32G32B32A32_UINT, true, false};
     const std::uint64_t one = gpu::texture_bytes(device_, shape);
     const std::uint64_t left = device_.memory_left_bytes();
-    const std::uint64_t spare = left / 8 + kFixedImages * one; // pictures that are read back, uploads
+    const std::uint64_t spare = left / 8 + (kFixedImages + 1) * one; // pictures that are read back, uploads
     const std::uint64_t room = (left - std::min(left, spare)) / one;
     const int wanted = image_slots(settings_.image_memory_bytes, width(), height(), light_count_);
     slot_count_ = static_cast<int>(std::min<std::uint64_t>(room, static_cast<std::uint64_t>(wanted)));
     tree_ = LightTree(light_count_, slot_count_);
-    // Layer 0 is the frame, the others are the slots of the tree and its image of all that rests.
     shape.layers = static_cast<std::uint32_t>(slot_count_) + kFixedImages;
-    images_ = gpu::Texture(device_, shape);
+    kept_ = gpu::Texture(device_, shape);
 
     std::string lowered;
     if (distances_ && distances_->side() < distances_->wanted_side())
@@ -381,17 +382,17 @@ void Relighter::develop(const scene::Lit& lit) {
     // Illuminance is what falls on a surface.
     if (!lit.walls.empty() && !settings_.illuminance) {
         commands_.begin_span("walls");
-        led_walls_.record(commands_, f, lit.walls, gobos_, slides_, images_);
+        led_walls_.record(commands_, f, lit.walls, gobos_, slides_, frame_);
     }
     if (settings_.lens.on) {
         commands_.begin_span("lenses");
-        lens_.record(commands_, f, f.camera, lit.faces, gobos_, slides_, images_);
+        lens_.record(commands_, f, f.camera, lit.faces, gobos_, slides_, frame_);
     }
     if (glare_.on()) {
         commands_.begin_span("glare");
-        glare_.record(commands_, images_, lens_.brightest() + led_walls_.brightest(), f.pixels_per_rad);
+        glare_.record(commands_, frame_, lens_.brightest() + led_walls_.brightest(), f.pixels_per_rad);
     }
-    const gpu::Texture& seen = glare_.seen(images_);
+    const gpu::Texture& seen = glare_.seen(frame_);
     const shared::MeterPush meter{f.width, f.height, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
     commands_.begin_span("meter");
     commands_.dispatch(meter_, meter, {gpu::stored(seen), gpu::storage(exposure_)}, 1);
@@ -414,10 +415,10 @@ image::Image8 Relighter::picture() const {
 image::ImageF Relighter::frame() const {
     image::ImageF result(width(), height(), 3);
     const gpu::Buffer buffer(device_,
-                             std::uint64_t{fragments().width} * fragments().height * kImageBytesPerPixel,
+                             std::uint64_t{fragments().width} * fragments().height * kFrameBytesPerPixel,
                              gpu::Access::readback);
     commands_.begin();
-    commands_.copy(glare_.seen(images_), buffer);
+    commands_.copy(glare_.seen(frame_), buffer);
     commands_.submit_and_wait();
     const auto* halves = static_cast<const std::uint16_t*>(buffer.mapped());
     for (std::size_t i = 0; i < result.samples.size() / 3; ++i) {
@@ -445,7 +446,7 @@ std::uint64_t Relighter::picture_bytes() const {
                         (wide_ ? wide_->memory_bytes() : 0) + (visibility_ ? visibility_->memory_bytes() : 0) +
                         (mender_ ? mender_->memory_bytes() : 0);
     for (const gpu::Buffer* buffer : {&masks_, &lists_, &pixels_}) sum += buffer->bytes();
-    for (const gpu::Texture* texture : {&images_, &drawn_, &haze_sources_, &picture_})
+    for (const gpu::Texture* texture : {&frame_, &kept_, &drawn_, &haze_sources_, &picture_})
         sum += texture->bytes();
     if (g_buffer_) return sum + g_buffer_->memory_bytes();
     const Fragments& f = fragments();

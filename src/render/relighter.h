@@ -175,7 +175,7 @@ private:
     mutable gpu::Commands commands_;
     gpu::Buffer air_, lights_, addends_, masks_, lists_, groups_, work_, work_read_, exposure_, pixels_,
         nothing_;
-    gpu::Texture gobos_, slides_, images_, drawn_, haze_sources_, picture_, no_pages_;
+    gpu::Texture gobos_, slides_, frame_, kept_, drawn_, haze_sources_, picture_, no_pages_;
     gpu::Buffer slides_upload_;
     std::vector<shared::SlidePicture> shown_; // what is in slides_, or on its way there
     std::vector<std::size_t> new_slides_;     // those on their way

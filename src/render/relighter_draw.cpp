@@ -88,32 +88,29 @@ void Relighter::draw_sum(const ImageSum& sum) {
 void Relighter::add_images(const ImageSum& sum) {
     const Fragments& f = fragments();
     const gpu::Buffer& tile_list = mender_ ? mender_->tiles() : f.tile_bounds;
-    std::size_t added = 0;
-    commands_.begin_span("add");
-    for (bool first = true; first || added < sum.addends.size(); first = false) {
-        shared::SumPush push{};
-        push.target = static_cast<std::uint32_t>(sum.target + 1);
-        push.accumulate = first ? 0u : 1u;
-        push.add_base = first && sum.base && !settings_.illuminance ? 1u : 0u;
-        push.add_drawn = first && !sum.lights.empty() ? 1u : 0u;
-        push.tiles_x = f.tiles_x;
-        push.listed = mended_tiles_ > 0 ? 1u : 0u;
-        const std::uint64_t offset = addends_used_;
-        CHECK(offset + kAddendBytes <= addends_.bytes());
-        auto* to = reinterpret_cast<shared::Addend*>(static_cast<std::uint8_t*>(addends_.mapped()) + offset);
-        for (; added < sum.addends.size() && push.addend_count < shared::kMostAddends; ++added) {
-            const Addend& addend = sum.addends[added];
-            const glm::vec3 weight = addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
-            if (weight == glm::vec3(0.0f)) continue;
-            to[push.addend_count++] = {static_cast<std::uint32_t>(addend.slot + 1), weight};
-        }
-        addends_used_ += (push.addend_count * sizeof(shared::Addend) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
-        commands_.dispatch(sum_, push,
-                           {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(images_),
-                            gpu::storage(tile_list), gpu::uniform(addends_, offset)},
-                           mended_tiles_ > 0 ? mended_tiles_ : f.tiles_x, mended_tiles_ > 0 ? 1 : f.tiles_y);
-        commands_.barrier();
+    CHECK(sum.addends.size() <= shared::kMostAddends);
+    shared::SumPush push{};
+    push.target = static_cast<std::uint32_t>(std::max(sum.target, 0));
+    push.to_frame = sum.target < 0 ? 1u : 0u;
+    push.add_base = sum.base && !settings_.illuminance ? 1u : 0u;
+    push.add_drawn = sum.lights.empty() ? 0u : 1u;
+    push.tiles_x = f.tiles_x;
+    push.listed = mended_tiles_ > 0 ? 1u : 0u;
+    const std::uint64_t offset = addends_used_;
+    CHECK(offset + kAddendBytes <= addends_.bytes());
+    auto* to = reinterpret_cast<shared::Addend*>(static_cast<std::uint8_t*>(addends_.mapped()) + offset);
+    for (const Addend& addend : sum.addends) {
+        const glm::vec3 weight = addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
+        if (weight == glm::vec3(0.0f)) continue;
+        to[push.addend_count++] = {static_cast<std::uint32_t>(addend.slot), weight};
     }
+    addends_used_ += (push.addend_count * sizeof(shared::Addend) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
+    commands_.begin_span("add");
+    commands_.dispatch(sum_, push,
+                       {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(kept_), gpu::storage(tile_list),
+                        gpu::uniform(addends_, offset), gpu::stored(frame_)},
+                       mended_tiles_ > 0 ? mended_tiles_ : f.tiles_x, mended_tiles_ > 0 ? 1 : f.tiles_y);
+    commands_.barrier();
 }
 
 void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide) {
