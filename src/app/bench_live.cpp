@@ -118,11 +118,11 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         if ((frame - first) % kCompareEvery != 0) continue;
         const image::ImageF moving = session.relighter->frame();
         use_grid(session, false);
-        session.relighter->forget();
+        session.relighter->draw_anew();
         (void)session.draw(static_cast<double>(frame) / kFps);
         db = std::min(db, display_db(moving, session.relighter->frame()));
         use_grid(session, film.grid);
-        session.relighter->forget();
+        session.relighter->draw_anew();
         (void)session.draw(static_cast<double>(frame) / kFps);
     }
     BenchRow row{"live", std::string(film.view) + " " + std::to_string(film.width) + "x" + std::to_string(film.height) + (film.grid ? "" : ", every ray"), {}, ""};

@@ -19,6 +19,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kListenAgain_s = 3;
+constexpr double kShortestStep_s = 1.0 / 60;
+constexpr double kRestingStep_s = 0.04;
 constexpr int kMostLosses = 20; // of a device, in one window: a driver that breaks each time must end
 
 } // namespace
@@ -28,6 +30,7 @@ Engine::Engine(ui::Link& link, EngineOptions options)
 
 Engine::~Engine() {
     stop_ = true;
+    link_.wake.raise();
     thread_.join();
     if (reopening_.valid()) reopening_.wait();
     forget_baked();
@@ -44,13 +47,24 @@ void Engine::run() {
             } catch (const gpu::DeviceLost& lost) {
                 replace_device(lost.what());
             }
-            const double wait_s = 1.0 / std::clamp(wishes_.quality.fps, 5, 240) - (now_s() - begin_s);
-            std::this_thread::sleep_for(std::chrono::duration<double>(std::clamp(wait_s, 0.0005, 0.04)));
+            wait(begin_s);
         }
     } catch (const std::exception& problem) { // no memory, as a rule
         link_.failed.put({std::string("the picture stopped: ") + problem.what(), wishes_.show});
         link_.on_news();
     }
+}
+
+// Until something changes, or what moves by itself has moved on.
+void Engine::wait(double step_begin_s) {
+    const auto for_s = [](double seconds) {
+        return std::chrono::duration_cast<std::chrono::nanoseconds>(
+            std::chrono::duration<double>(std::max(seconds, 0.0)));
+    };
+    // A desk sends more packets than a display shows pictures.
+    std::this_thread::sleep_for(for_s(kShortestStep_s - (now_s() - step_begin_s)));
+    const bool rests = now_s() - last_change_s_ > kRest_s;
+    (void)link_.wake.wait_for(for_s((rests ? kRestingStep_s : kShortestStep_s) - (now_s() - step_begin_s)));
 }
 
 void Engine::step() {
@@ -107,6 +121,7 @@ void Engine::listen() {
     options_.receiver.on_levels = [this](const dmx::Universes& universes, std::chrono::nanoseconds now) {
         hear(universes, now);
     };
+    options_.receiver.on_change = [this] { link_.wake.raise(); };
     std::vector<scene::Message> said;
     auto receiver = dmx::Receiver::start(options_.receiver);
     if (receiver.ok()) {
@@ -159,6 +174,7 @@ SessionOptions Engine::session_options(const std::string& path) const {
     options.text = text_;
     options.live = true;
     options.maps_in_background = true;
+    options.beams.grid = true; // while things move
     options.keep_hidden = true;
     options.bake = false;
     options.width = 320; // until the window says how large it is

@@ -51,10 +51,11 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
     // Without a change, until the picture is drawn with all its pixels.
-    static constexpr double kRest_s = 0.4;
+    static constexpr double kRest_s = 0.2;
 
     void run();
     void step();
+    void wait(double step_begin_s);
     void replace_device(const std::string& why);
     void begin_inputs();
     void listen();
@@ -88,6 +89,7 @@ private:
     // The camera for this frame: the wanted one, with fewer pixels while the picture moves, and as many as
     // memory holds at most, which is said.
     scene::Camera camera_for(double now_s);
+    bool is_moving(double now_s) const;
     void fit_into_memory();
     // engine_news.cpp
     void publish_picture(const render::FrameStatistics& statistics, double draw_ms);

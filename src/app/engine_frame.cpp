@@ -83,12 +83,15 @@ void Engine::fit_into_memory() {
                  " MB, there are " + std::to_string(room >> 20) + "): it is drawn with " + text(whole));
 }
 
+bool Engine::is_moving(double now_s) const {
+    return now_s - last_change_s_ < kRest_s || (is_uneven(*session_->show) && !wishes_.frozen);
+}
+
 scene::Camera Engine::camera_for(double now_s) {
     fit_into_memory();
     scene::Camera camera = wanted_camera_;
-    const bool moves = now_s - last_change_s_ < kRest_s || (is_uneven(*session_->show) && !wishes_.frozen);
     const double share = wishes_.quality.percent > 0 ? std::sqrt(wishes_.quality.percent / 100.0)
-                         : moves                     ? pace_.share()
+                         : is_moving(now_s)          ? pace_.share()
                                                      : 1.0;
     const auto pixels = [&](int wanted) {
         return std::clamp(static_cast<int>(std::lround(wanted * share)), kLeastPixels, kMostPixels);
@@ -113,7 +116,10 @@ render::FrameStatistics Engine::draw_live(double begin_s, double air_s) {
         live_from_ = camera;
     }
     drawn_from_ = camera;
-    if (was_resized_) session_->relighter->set_quality(haze_);
+    // What rests beside what moves is as coarse until all rests.
+    const bool moves = is_moving(begin_s);
+    if (std::exchange(haze_.grid, moves) && !moves) session_->relighter->draw_anew();
+    session_->relighter->set_quality(haze_);
     return session_->draw(air_s);
 }
 
@@ -137,7 +143,7 @@ void Engine::frame() {
     if (const int segments = std::clamp(wishes_.look.haze_samples.value_or(ui::kHazeSamples), 1, 256);
         segments != std::exchange(haze_.most_segments, segments)) {
         session_->relighter->set_quality(haze_);
-        session_->relighter->forget(); // what rests was drawn with others
+        session_->relighter->draw_anew();
         last_change_s_ = begin_s;
     }
 

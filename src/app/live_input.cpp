@@ -65,9 +65,7 @@ void LiveInput::step(ui::Input wanted, const ui::Transport& transport, double dt
     const bool is_frozen = dt_s <= 0;
     if (receiver_) {
         if (std::optional<dmx::Universes> newest = is_frozen ? std::nullopt : receiver_->take()) {
-            if (newest->revision != desk_.revision)
-                for (const dmx::Universe& universe : newest->list)
-                    arrival_ = std::max(arrival_, universe.arrival);
+            arrival_ = newest->first_change;
             desk_ = std::move(*newest);
         }
         if (std::optional<dmx::Statistics> newest = receiver_->take_statistics()) {

@@ -50,7 +50,7 @@ public:
     void jump(double at_s) { at_s_ = at_s; }
     // Goes on where another one was: its desk, its place in the recording.
     void go_on_from(const LiveInput& before);
-    // Steady time of the newest packet, where the last step brought levels of a desk that changed; else 0.
+    // Steady time of the first packet that changed what the last step brought of a desk; else 0.
     std::chrono::nanoseconds arrival() const { return arrival_; }
     // The newest statistics of the network, each once.
     std::optional<dmx::Statistics> take_statistics();

@@ -10,11 +10,28 @@ constexpr double kTooSlow = 1.25; // of a frame's time: below, a coarser picture
 constexpr double kFarOver = 10;   // likewise
 constexpr double kRoom = 0.8;     // of a frame's time, that the better level may seem to need
 constexpr int kLongestWait = 160;
+constexpr double kHalf = 0.5;
+constexpr double kStillMoves = 2; // frame times that half of the sides may take
+constexpr double kMostFixed = 0.9;
 
 } // namespace
 
 bool Pace::is_far_over(double frame_ms, double frames_per_s) {
     return frame_ms > kFarOver * 1000.0 / frames_per_s;
+}
+
+double Pace::expected_ms(std::size_t level, double usual_ms) const {
+    const double sides = kShares[level] / kShares[level_];
+    const double fixed_ms = std::min(fixed_ms_, kMostFixed * usual_ms);
+    return fixed_ms + (usual_ms - fixed_ms) * sides * sides;
+}
+
+void Pace::learn(double usual_ms) {
+    if (before_ms_ == 0) return;
+    const double sides = kShares[level_before_] / kShares[level_], pixels = sides * sides;
+    const double of_pixels_ms = (before_ms_ - usual_ms) / (pixels - 1); // here
+    fixed_ms_ = std::clamp(usual_ms - of_pixels_ms, 0.0, kMostFixed * usual_ms);
+    before_ms_ = 0;
 }
 
 bool Pace::add(double frame_ms, double frames_per_s) {
@@ -33,21 +50,23 @@ bool Pace::add(double frame_ms, double frames_per_s) {
     std::array<double, 3> sorted = recent_ms_;
     std::sort(sorted.begin(), sorted.end());
     const double usual_ms = is_far ? frame_ms : sorted[1];
-    // Most of a frame's time goes with its pixels.
-    const auto expected_ms = [&](std::size_t level) {
-        const double sides = kShares[level] / kShares[level_];
-        return usual_ms * sides * sides;
-    };
+    learn(usual_ms);
     std::size_t level = level_;
     if (usual_ms > kTooSlow * wanted_ms) {
-        while (level + 1 < kShares.size() && (level == level_ || expected_ms(level) > wanted_ms)) ++level;
+        while (level + 1 < kShares.size() && (level == level_ || expected_ms(level, usual_ms) > wanted_ms)) {
+            const bool is_half = kShares[level] <= kHalf;
+            if (is_half && expected_ms(level, usual_ms) <= kStillMoves * wanted_ms) break;
+            ++level;
+        }
         if (raised_ && level > level_) wait_ = std::min(2 * wait_, kLongestWait);
-    } else if (level_ > 0 && expected_ms(level_ - 1) < kRoom * wanted_ms) {
+    } else if (level_ > 0 && expected_ms(level_ - 1, usual_ms) < kRoom * wanted_ms) {
         if (++calm_ >= wait_) --level;
     } else {
         calm_ = 0;
     }
     if (level == level_) return false;
+    before_ms_ = usual_ms;
+    level_before_ = level_;
     raised_ = level < level_;
     level_ = level;
     seen_ = 0;

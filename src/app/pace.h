@@ -3,7 +3,9 @@
 // Pace: how many pixels a picture that moves may have, so that it is drawn at a wanted rate. Begins with the
 // fewest, for a thousand lights would take half a minute with all of them, and with the first frame goes to
 // where the time seems to be enough; later down likewise after three frames, or one that is far too slow, and
-// up a step at a time after many frames that leave room. Pure: times come in, a share of the sides comes out.
+// up a step at a time after many frames that leave room. How much of a frame goes with its pixels is measured
+// at each change. Below half of the sides only where even half the rate is not held there. Pure: times come
+// in, a share of the sides comes out.
 
 #include <array>
 #include <cstddef>
@@ -29,6 +31,11 @@ private:
     int calm_ = 0;         // in a row with which the better level would have been fast enough
     int wait_ = 10;        // of those before the next try
     bool raised_ = false;  // how this level was reached
+    double expected_ms(std::size_t level, double usual_ms) const;
+    void learn(double usual_ms);
+    double before_ms_ = 0; // median at the level before; 0: it was learnt from, or there was none
+    std::size_t level_before_ = 0;
+    double fixed_ms_ = 0; // of a frame: what does not go with its pixels, as it was seen
 };
 
 } // namespace ghost::app

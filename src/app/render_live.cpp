@@ -24,7 +24,7 @@ void govern(Governor& governor, double frame_ms, double haze_ms, Session& sessio
     if (!governor.add(frame_ms, haze_ms)) return;
     session.relighter->set_quality(governor.quality());
     // Lights that rest show what they were drawn with.
-    if (governor.level() < tally.quality_level) session.relighter->forget();
+    if (governor.level() < tally.quality_level) session.relighter->draw_anew();
     tally.quality_changes += governor.level() != tally.quality_level ? 1 : 0;
     tally.quality_level = governor.level();
     const std::string note = governor.note();
@@ -51,7 +51,7 @@ public:
         }
         if (state_ == State::moving && governor.level() > 0 && now_s - last_drawn_s_ > kCalm_s) {
             relighter.set_quality(full_);
-            relighter.forget();
+            relighter.draw_anew();
             state_ = State::settling;
         }
         return false;

@@ -16,6 +16,13 @@ public:
         const std::lock_guard lock(mutex_);
         newest_ = std::move(value);
     }
+    // carry(unread, next): what of a value that nobody took goes on in the next one.
+    template <class Carry>
+    void put(T value, Carry carry) {
+        const std::lock_guard lock(mutex_);
+        if (newest_) carry(*newest_, value);
+        newest_ = std::move(value);
+    }
     // The newest value since the last take, if there is one.
     std::optional<T> take() {
         const std::lock_guard lock(mutex_);

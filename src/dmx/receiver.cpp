@@ -133,6 +133,7 @@ struct Receiver::Loop {
     nanoseconds next_window{0};
     std::vector<nanoseconds> unpublished; // arrivals of level packets
     nanoseconds published{0};
+    std::uint64_t published_revision = 0;
     bool kept = false;  // for a recording, and not published
     nanoseconds ran{0}; // the last time that we know we did not stand still
     CatchUp catch_up;
@@ -258,9 +259,21 @@ nanoseconds Receiver::Loop::time_to_wait(nanoseconds now) const {
 
 void Receiver::Loop::publish(nanoseconds now) {
     const Universes& newest = intake.merge().universes();
-    owner.levels_.put(catch_up.view(newest, [this](std::uint16_t universe) {
+    Universes levels = catch_up.view(newest, [this](std::uint16_t universe) {
         return intake.merge().all_heard_since(universe, catch_up.since());
-    }));
+    });
+    const bool changed = levels.revision != published_revision;
+    if (changed) {
+        nanoseconds newest_arrival{0};
+        for (const Universe& universe : levels.list)
+            newest_arrival = std::max(newest_arrival, universe.arrival);
+        levels.first_change = newest_arrival;
+    }
+    published_revision = levels.revision;
+    owner.levels_.put(std::move(levels), [](const Universes& unread, Universes& next) {
+        if (unread.first_change.count() > 0) next.first_change = unread.first_change;
+    });
+    if (changed && options.on_change) options.on_change();
     if (options.on_levels) options.on_levels(newest, now);
     published = now;
     kept = false;

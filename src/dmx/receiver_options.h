@@ -42,6 +42,8 @@ struct ReceiverOptions {
     // For recording: gets every publication, on the receiver's thread, and must be quick. A packet never
     // takes the place of levels that it did not get.
     std::function<void(const Universes&, std::chrono::nanoseconds now)> on_levels;
+    // Levels that changed can be taken now; on the receiver's thread, and must be quick.
+    std::function<void()> on_change;
     // Gets every time code, of the MIDI port where one is named, else of Art-Net; on the receiver's thread,
     // and must be quick. arrival: of Art-Net as the kernel stamped it.
     std::function<void(const TimeCode&, std::chrono::nanoseconds arrival)> on_timecode;

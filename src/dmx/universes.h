@@ -31,6 +31,9 @@ struct Universe {
 struct Universes {
     std::vector<Universe> list; // sorted by number, each number once
     std::uint64_t revision = 0; // grows when the levels of any universe change
+    // Steady time of the first packet since the last take of a receiver's levels that changed any; 0: none
+    // did. Of a player: 0.
+    std::chrono::nanoseconds first_change{0};
 
     const Universe* find(std::uint16_t number) const; // nullptr: nothing arrived there yet
     // Level 0..255 of a 1-based address; 0 where nothing arrived or the address is outside 1..512.

@@ -58,7 +58,7 @@ public:
 
 private:
     // Frames in which a light that changes again counts as moving.
-    static constexpr std::uint64_t kSoon = 12;
+    static constexpr std::uint64_t kSoon = 6;
 
     struct Node {
         int slot = -1; // kept image, -1: none

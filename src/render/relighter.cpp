@@ -163,7 +163,7 @@ shared::Air even_air() {
 void Relighter::set_air(const shared::Air& air) {
     if (std::memcmp(&air, air_.mapped(), sizeof air) == 0) return;
     std::memcpy(air_.mapped(), &air, sizeof air);
-    forget_images();
+    draw_anew();
 }
 
 void Relighter::set_exposure(float ev100, bool automatic) {
@@ -187,11 +187,11 @@ void Relighter::set_quality(const HazeQuality& quality) {
 }
 
 void Relighter::forget() {
-    forget_images();
+    draw_anew();
     if (visibility_) visibility_->forget();
 }
 
-void Relighter::forget_images() {
+void Relighter::draw_anew() {
     tree_.invalidate_all();
     if (mender_) mender_->forget();
     wide_prepared_ = silhouettes_known_ = false;
@@ -208,12 +208,12 @@ void Relighter::touch() {
             static_cast<std::uint64_t>(rect.x1 - rect.x0) * static_cast<std::uint64_t>(rect.y1 - rect.y0);
     // Where much of the picture changed, every light is drawn in most of it anyway.
     if (2 * pixels > std::uint64_t{fragments().width} * fragments().height) {
-        forget_images();
+        draw_anew();
         return;
     }
     wide_prepared_ = silhouettes_known_ = false;
     tree_.invalidate_frame();
-    if (!mender_->touch(rects)) forget_images();
+    if (!mender_->touch(rects)) draw_anew();
 }
 
 Relighter::~Relighter() = default;
@@ -319,7 +319,7 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<shared::Light>& lights = lit.lights;
     CHECK_EQ(static_cast<int>(lights.size()), light_count_);
-    if (!settings_.reuse) forget_images();
+    if (!settings_.reuse) draw_anew();
     const LightUnits::Changes changes = units_.look(lights);
     if (settings_.lens.on && !same_faces(lit.faces, last_faces_)) {
         tree_.invalidate_frame();

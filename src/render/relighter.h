@@ -94,6 +94,8 @@ public:
     FrameStatistics draw(const std::vector<shared::Light>& lights);
     // The camera moved, or shadows changed: the G-buffer was drawn again.
     void forget();
+    // Images of resting lights are drawn again, at the quality there is now.
+    void draw_anew();
     // Something moved before the camera (GBuffer::update): kept images are mended where it did.
     void touch();
     // Of haze by gate, from the next frame on; at most HazeSettings::most_wide_step. Images of resting lights
@@ -127,7 +129,6 @@ private:
     void upload(const shared::Gobos& gobos, std::uint64_t batches);
     void make_slides(const std::vector<shared::SlidePicture>& slides);
     void make_images();
-    void forget_images();
     void draw_sum(const ImageSum& sum);
     void add_images(const ImageSum& sum);
     int mend(int slot);

@@ -4,6 +4,7 @@
 // news come out; both are plain values, the newest wins, nobody waits. Metres, degrees, seconds.
 
 #include "base/mailbox.h"
+#include "base/signal.h"
 #include "dmx/receiver.h"
 #include "image/false_colour.h"
 #include "image/image.h"
@@ -199,6 +200,7 @@ struct Saved {
 
 struct Link {
     Mailbox<Wishes> wishes;
+    Signal wake; // of the engine: after wishes were put
 
     Mailbox<Opened> opened;
     Mailbox<Error> not_opened; // the show of the wishes could not be; what was open stays

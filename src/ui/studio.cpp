@@ -332,6 +332,7 @@ std::optional<std::size_t> Studio::current() const {
 void Studio::send() {
     ++wishes_.number;
     link_.wishes.put(wishes_);
+    link_.wake.raise();
     Q_EMIT wishes_changed();
 }
 

@@ -110,6 +110,56 @@ TEST(live_heads, FollowTheDeskAndCostNothingAtRest) {
     EXPECT_EQ(live_device().validation_errors(), 0u);
 }
 
+// A picture that goes on while heads turn, with what it kept, is one that is drawn for the first time; with next to no memory, too.
+TEST(live_heads, WhatIsKeptGoesWithThem) {
+    scene::Show show = demo_show();
+    const scene::Camera camera = camera_of(show);
+    scene::Report report;
+    const auto view = LiveView::open(live_device(), show, camera, {.quiet = true}, report);
+    ASSERT_TRUE(view.ok()) << view.error().text();
+    const scene::GoboStack gobos = scene::build_gobos(show, report);
+    scene::Rig rig(show);
+    rig.step(levels(show, 0), 3600);
+    (*view)->follow(rig);
+    const int count = static_cast<int>(rig.lights(gobos, (*view)->maps()).size());
+    render::Settings little;
+    little.visibility_bytes = 1;
+    render::Relighter kept(live_device(), (*view)->g_buffer(), (*view)->distances(), gobos.images, count, {}),
+        poor(live_device(), (*view)->g_buffer(), (*view)->distances(), gobos.images, count, little);
+    double made = 0, all = 0;
+    for (int frame = 0; frame < 12; ++frame) {
+        rig.step(levels(show, 5 * frame), 3600);
+        if ((*view)->follow(rig)) {
+            kept.touch();
+            poor.touch();
+        }
+        const std::vector<shared::Light> lights = rig.lights(gobos, (*view)->maps());
+        const render::FrameStatistics statistics = kept.draw(lights);
+        (void)poor.draw(lights);
+        if (frame > 2) {
+            made += statistics.made_units;
+            all += statistics.surface_tiles;
+        }
+        const image::ImageF fresh = picture_of(**view, rig, gobos);
+        EXPECT_LT(most_difference(kept.frame(), fresh), 4e-3f) << "frame " << frame;
+        EXPECT_LT(most_difference(poor.frame(), fresh), 4e-3f) << "frame " << frame;
+    }
+    EXPECT_GT(all, 0);
+    EXPECT_LT(made, 0.5 * all) << "one head of ten turns";
+    // Nothing moves but light: nothing is made.
+    std::vector<shared::Light> lights = rig.lights(gobos, (*view)->maps());
+    for (int frame = 0; frame < 3; ++frame) {
+        for (shared::Light& light : lights) light.tan_field *= 0.98f;
+        const render::FrameStatistics statistics = kept.draw(lights);
+        EXPECT_GT(statistics.surface_tiles, 0);
+        if (frame > 0) {
+            EXPECT_EQ(statistics.made_units, 0);
+        }
+    }
+    EXPECT_LT(poor.memory_bytes(), kept.memory_bytes());
+    EXPECT_EQ(live_device().validation_errors(), 0u);
+}
+
 TEST(live_heads, MapsThatComeLaterGiveTheSamePicture) {
     scene::Show show = demo_show();
     const scene::Camera camera = camera_of(show);

@@ -40,8 +40,21 @@ TEST(Pace, what_gets_slow_gets_there_in_one_step) {
     Pace pace = fast();
     EXPECT_EQ(run(pace, 2, 250), 0);
     EXPECT_EQ(run(pace, 1, 250), 1);
-    EXPECT_EQ(pace.share(), 0.35);
+    EXPECT_EQ(pace.share(), 0.5) << "62 ms: below half of the sides nothing can be seen";
     EXPECT_EQ(run(pace, 200, 250), 0);
+    Pace slower = fast();
+    EXPECT_EQ(run(slower, 3, 330), 1);
+    EXPECT_EQ(slower.share(), 0.35) << "at half of the sides it would not move any more";
+}
+
+// Half of a frame does not go with its pixels: from the first change on that is known.
+TEST(Pace, what_does_not_go_with_the_pixels_is_measured) {
+    Pace pace = fast();
+    run(pace, 3, 60, 25); // 85 ms: 36 % are expected at 0.5, there are 40
+    EXPECT_EQ(pace.share(), 0.5);
+    const int changes = run(pace, 400, 60, 25);
+    EXPECT_LE(changes, 2) << "0.7 would take 54 ms, and is not tried again and again";
+    EXPECT_EQ(pace.share(), 0.5);
 }
 
 // A thousand fixtures without a GPU: nobody waits for three frames of half a minute.

@@ -273,13 +273,41 @@ TEST_F(Frames, NothingChangedCostsNothing) {
     }
     lights[4].intensity_cd *= 0.5f;
     for (int frame = 0; frame < 4; ++frame) {
-        lights[4].intensity_cd.x += 1;
+        lights[4].tan_field *= 1.01f;
         const FrameStatistics statistics = relighter.draw(lights);
         EXPECT_EQ(statistics.changed, 1);
         EXPECT_LE(statistics.additions, 4);
         if (frame > 0) {
             EXPECT_EQ(statistics.drawn, 1);
         }
+    }
+}
+
+// Dimmer and colour are weights of kept images: within what a half float holds the picture is that of drawing everything.
+TEST_F(Frames, AFadeDrawsNoLight) {
+    std::mt19937 random(6);
+    scene::Passes passes = edgy_passes(random, 41, 22);
+    std::vector<shared::Light> lights = random_rig(random, passes, 9);
+    Relighter relighter(device(), passes, test_gobos(), 9, Settings{});
+    Settings fresh_settings;
+    fresh_settings.reuse = false;
+    Relighter fresh(device(), passes, test_gobos(), 9, fresh_settings);
+    (void)relighter.draw(lights);
+    std::uniform_real_distribution<float> share(0.05f, 1.0f);
+    const std::vector<shared::Light> full = lights;
+    for (int frame = 0; frame < 12; ++frame) {
+        for (std::size_t k = 0; k < lights.size(); ++k) {
+            const glm::vec3 by(share(random), share(random), share(random));
+            lights[k].intensity_cd = by * full[k].intensity_cd;
+            lights[k].bounce_cd = by * full[k].bounce_cd;
+        }
+        const FrameStatistics statistics = relighter.draw(lights);
+        EXPECT_TRUE(frame == 0 || statistics.drawn == 0) << frame << ": " << statistics.drawn;
+        (void)fresh.draw(lights);
+        const std::vector<float> kept = relighter.frame().samples, drawn = fresh.frame().samples;
+        const float brightest = *std::max_element(drawn.begin(), drawn.end());
+        for (std::size_t i = 0; i < kept.size(); ++i)
+            ASSERT_NEAR(kept[i], drawn[i], 0.002f * brightest) << "frame " << frame << ", sample " << i;
     }
 }
 
