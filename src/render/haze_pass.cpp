@@ -23,6 +23,7 @@ constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Fan);
 constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
+constexpr std::uint32_t kKeptFans = 12;     // 4 MB each
 // From here on shaped beams have plain tables: many lie over each other.
 constexpr std::uint32_t kManyLights = 100;
 constexpr std::uint32_t kOfPlaces = 2; // kFocus of gate.comp, for shaped beams
@@ -96,7 +97,9 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, cons
     fans_ =
         gpu::Buffer(device, (2 * std::uint64_t{light_count} + shared::kBeamClasses) * kAlign + kChunkBytes,
                     gpu::Access::upload);
-    const std::uint32_t layers = std::clamp(light_count, 1u, batch_size);
+    const std::uint32_t layers =
+        batch_size == 1 ? std::clamp(light_count, 1u, kKeptFans) : std::clamp(light_count, 1u, batch_size);
+    if (batch_size == 1) filled_.resize(layers);
     // Sums in 0..1: 16 bits are enough, half floats are not (3 % in the narrowest segments).
     constexpr std::array kFormats{VK_FORMAT_R16G16B16A16_UNORM, VK_FORMAT_R32G32B32A32_SFLOAT};
     const VkFormat format = device.first_format(
@@ -144,6 +147,23 @@ void HazePass::record_samples(gpu::Commands& commands, const LightChunk& chunk) 
     }
 }
 
+std::pair<std::uint32_t, bool> HazePass::layer_for(const shared::Light& light, const shared::Fan& fan) {
+    shared::Light weightless = light;
+    weightless.intensity_cd = weightless.bounce_cd = glm::vec3(0.0f);
+    std::size_t oldest = 0;
+    for (std::size_t k = 0; k < filled_.size(); ++k) {
+        Filled& filled = filled_[k];
+        if (filled.used > 0 && std::memcmp(&filled.light, &weightless, sizeof weightless) == 0 &&
+            std::memcmp(&filled.fan, &fan, sizeof fan) == 0) {
+            filled.used = ++uses_;
+            return {static_cast<std::uint32_t>(k), false};
+        }
+        if (filled.used < filled_[oldest].used) oldest = k;
+    }
+    filled_[oldest] = {weightless, fan, ++uses_};
+    return {static_cast<std::uint32_t>(oldest), true};
+}
+
 float HazePass::reach_m(const shared::Light& light, const Fragments& fragments) const {
     return distances_ ? distances_->reach_m(light) : reach_in(fragments.seen, light);
 }
@@ -155,10 +175,17 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     const bool shaped = shared::is_shaped(chunk.beam_class);
     bool focus = false;
     bool thin = false;
+    std::vector<bool> fills; // of single lights
     for (std::uint32_t k = 0; k < chunk.count(); ++k) {
         const shared::Light& light = chunk.lights[k];
-        const shared::Fan fan = make_fan(light, chunk.fragments.eye_m, chunk.fragments.pixels_per_rad,
-                                         reach_m(light, chunk.fragments), detail_, k % batch_size_);
+        shared::Fan fan = make_fan(light, chunk.fragments.eye_m, chunk.fragments.pixels_per_rad,
+                                   reach_m(light, chunk.fragments), detail_, k % batch_size_);
+        if (!filled_.empty()) {
+            fan.layer = 0;
+            const auto [layer, is_new] = layer_for(light, fan);
+            fan.layer = layer;
+            fills.push_back(is_new);
+        }
         focus = focus || fan.levels > 1;
         thin = thin || fan.thin != 0;
         std::memcpy(fans + k, &fan, sizeof fan);
@@ -182,12 +209,14 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
         const std::uint32_t rows = rows_of(batch_size_ == 1 ? fans[first] : shared::Fan{}, shaped);
         const std::uint32_t shade_rows =
             batch_size_ == 1 ? shared::fan_shade_rows(fans[first]) : 2 * shared::kFinestShade;
+        const bool fill = fills.empty() || fills[first];
         commands.begin_span("fan");
-        commands.dispatch(fill_[chunk.beam_class].get(), shared::FanPush{first},
+        if (fill)
+            commands.dispatch(fill_[chunk.beam_class].get(), shared::FanPush{first},
                           {gpu::sampled(chunk.gobos), gpu::uniform(chunk.light_buffer, chunk.light_offset),
                            gpu::uniform(fans_, offset), gpu::stored(table_), gpu::sampled(chunk.slides)},
                           (rows + kRowsPerGroup - 1) / kRowsPerGroup, lights);
-        if (distances_)
+        if (distances_ && fill)
             commands.dispatch(*shade_fill_, shared::FanPush{first},
                               {gpu::uniform(chunk.light_buffer, chunk.light_offset),
                                gpu::uniform(fans_, offset), gpu::stored(shade_),

@@ -11,8 +11,11 @@
 #include "render/quality.h"
 #include "shared/optics.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace ghost::render {
 
@@ -41,6 +44,8 @@ public:
 
     // Of gate: segments, from the next frame on.
     void set_quality(const HazeQuality& quality);
+    // Shadows changed: no table holds what it did.
+    void forget() { std::fill(filled_.begin(), filled_.end(), Filled{}); }
     // Forgets the fans of the frame before.
     void begin_frame() { fans_used_ = 0; }
     // Adds to layer 1 of the chunk's drawn image, or to the rays of its wide beams.
@@ -68,6 +73,16 @@ private:
     bool uses_grid_ = false;
     const DistanceImages* distances_;
     FanDetail detail_;
+    // What a layer of the tables holds: a light that changed in nothing but its weight finds its own again.
+    struct Filled {
+        shared::Light light{}; // at no weight
+        shared::Fan fan{};     // of layer 0
+        std::uint64_t used = 0;
+    };
+    // The layer for a light, and whether it must be filled.
+    std::pair<std::uint32_t, bool> layer_for(const shared::Light& light, const shared::Fan& fan);
+    std::vector<Filled> filled_; // empty: many lights share a dispatch
+    std::uint64_t uses_ = 0;
     gpu::Buffer fans_;
     std::uint64_t fans_used_ = 0; // bytes
     gpu::Texture table_, shade_;

@@ -189,6 +189,7 @@ void Relighter::set_quality(const HazeQuality& quality) {
 void Relighter::forget() {
     draw_anew();
     if (visibility_) visibility_->forget();
+    haze_.forget();
 }
 
 void Relighter::draw_anew() {

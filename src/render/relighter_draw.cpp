@@ -183,12 +183,12 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
         bindings.insert(bindings.end(), {gpu::uniform(air_), gpu::sampled(slides_)});
     const bool thin = std::any_of(chunk.lights.begin(), chunk.lights.end(),
                                   [&](const shared::Light& light) { return may_be_thin(light, f); });
-    commands_.begin_span("surfaces");
     shared::RelightPush push{chunk.count(), 0, f.tiles_x,
                               chunk.tiles(), f.blocks, 0, visibility_ ? visibility_->units() : 0,
                               visibility_ ? visibility_->page_count() : 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
         if (visibility_) {
+            commands_.begin_span("visibility");
             commands_.dispatch_indirect(
                 visible_.get(), push,
                 {gpu::uniform(f.view), gpu::uniform(lights_, chunk.light_offset), gpu::storage(masks_),
@@ -199,6 +199,7 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
                 groups_, chunk.made_groups(push.batch));
             commands_.barrier();
         }
+        commands_.begin_span("surfaces");
         commands_.dispatch_indirect((thin ? thin_surface_ : surface_)[chunk.beam_class].get(), push, bindings,
                                     groups_, chunk.surface_groups(push.batch));
         commands_.barrier();
