@@ -26,6 +26,6 @@ void main() {
     before = before.a > 0.0 || abs(imageLoad(filled, ivec3(left, 1)).x - end) > kEndDoubt * end ? here : before;
     after = after.a > 0.0 || abs(imageLoad(filled, ivec3(right, 1)).x - end) > kEndDoubt * end ? here : after;
     float doubt = abs(luminance_of(before.rgb + after.rgb - 2.0 * here.rgb)) / (luminance_of(here.rgb) + kFaint);
-    imageStore(grid, ivec3(node, 0), vec4(here.rgb, here.a > 0.0 ? kUnknown : min(doubt, kUnknown)));
-    imageStore(grid, ivec3(node, 1), vec4(end, 0.0, 0.0, 0.0));
+    imageStore(grid, ivec3(node, p.layer), vec4(here.rgb, here.a > 0.0 ? kUnknown : min(doubt, kUnknown)));
+    imageStore(grid, ivec3(node, p.layer + 1u), vec4(end, 0.0, 0.0, 0.0));
 }

@@ -36,8 +36,8 @@ void main() {
     bool hit = ray.hit && inside;
     float column = grid_column(ray.h);
     vec2 place = (0.5 + vec2(column, 0.5 * ray.row + 0.5) * (vec2(p.grid.columns, p.grid.rows) - 1.0)) / vec2(kMostGridColumns, kMostGridRows);
-    vec4 value = textureLod(grid, vec3(place, 0.0), 0.0);
-    float end_there = textureLod(grid, vec3(place, 1.0), 0.0).x, end = min(ray.end, 1.0);
+    vec4 value = textureLod(grid, vec3(place, float(p.layer)), 0.0);
+    float end_there = textureLod(grid, vec3(place, float(p.layer + 1u)), 0.0).x, end = min(ray.end, 1.0);
     bool ends = abs(end_there - end) <= kEndDoubt * end;
     value.rgb *= end < 1.0 ? clamp(end / max(end_there, 1e-3), 1.0 - kEndDoubt, 1.0 + kEndDoubt) : 1.0;
     bool known = column >= 0.0 && column <= 1.0 && ends && value.a <= p.grid.most_doubt;

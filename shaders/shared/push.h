@@ -136,8 +136,9 @@ SHARED_SIZE(HazeGrid, 24);
 struct GridPush {
     GatePush gate;
     HazeGrid grid;
+    uint layer; // the first of the light's
 };
-SHARED_SIZE(GridPush, 60);
+SHARED_SIZE(GridPush, 64);
 
 // Pixels that a light's grid does not know: groups as Vulkan wants them, their number, then y << 16 | x of each.
 struct LeftHead {
@@ -149,7 +150,7 @@ SHARED_SIZE(LeftHead, 16);
 // Columns and rows of a grid, at most; its layers: what rays see, where they end.
 SHARED_CONST uint kMostGridColumns = 192u;
 SHARED_CONST uint kMostGridRows = 512u;
-SHARED_CONST uint kGridLayers = 2u;
+SHARED_CONST uint kGridLayers = 2u; // of a light
 
 struct BouncePush {
     uint light_count; // of the chunk

@@ -85,7 +85,8 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, cons
         if (settings.most_wide_step > 1) (void)wide_gate_[focus].get();
     }
     if (settings.grid && batch_size == 1)
-        grid_ = std::make_unique<GridPass>(device, fragments.width, fragments.height, distances != nullptr,
+        grid_ = std::make_unique<GridPass>(device, fragments.width, fragments.height,
+                                           std::clamp(light_count, 1u, kKeptFans), distances != nullptr,
                                            settings.uneven);
     no_rays_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     no_lonely_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UINT, true, false});
@@ -160,7 +161,7 @@ std::pair<std::uint32_t, bool> HazePass::layer_for(const shared::Light& light, c
         }
         if (filled.used < filled_[oldest].used) oldest = k;
     }
-    filled_[oldest] = {weightless, fan, ++uses_};
+    filled_[oldest] = {weightless, fan, {}, ++uses_};
     return {static_cast<std::uint32_t>(oldest), true};
 }
 
@@ -249,7 +250,12 @@ bool HazePass::record_grid(gpu::Commands& commands, const LightChunk& chunk, con
     const shared::Light& light = chunk.lights[push.batch];
     const auto grid = make_grid(light, fan, f.camera, f.pixels_per_rad, reach_m(light, f));
     if (!grid) return false;
-    grid_->record(commands, chunk, {push, *grid}, focus, fans_, fans_offset, {table_, shade_});
+    // Surfaces that moved since it was filled end rays elsewhere, which the look-up finds out.
+    Filled& filled = filled_[fan.layer];
+    const bool fill = std::memcmp(&filled.grid, &*grid, sizeof *grid) != 0;
+    filled.grid = *grid;
+    grid_->record(commands, chunk, {push, *grid, shared::kGridLayers * fan.layer}, fill, focus, fans_, fans_offset,
+                  {table_, shade_});
     return true;
 }
 

@@ -77,6 +77,7 @@ private:
     struct Filled {
         shared::Light light{}; // at no weight
         shared::Fan fan{};     // of layer 0
+        shared::HazeGrid grid{};
         std::uint64_t used = 0;
     };
     // The layer for a light, and whether it must be filled.
