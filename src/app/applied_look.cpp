@@ -114,6 +114,7 @@ bool AppliedLook::take_air(const scene::Show& edited, Session& session) {
     show.hazers = edited.hazers;
     is_stale_ = true;
     if (is_uneven(show) == was_uneven) return true;
+    session.drop_parked();
     session.relighter.reset(); // its programs are for the one or the other
     session.look_from(scene::Camera(session.live->camera()));
     return true;

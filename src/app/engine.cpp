@@ -175,6 +175,7 @@ SessionOptions Engine::session_options(const std::string& path) const {
     options.live = true;
     options.maps_in_background = true;
     options.beams.grid = true; // while things move
+    options.parks = true;
     options.keep_hidden = true;
     options.bake = false;
     options.width = 320; // until the window says how large it is

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -65,6 +66,7 @@ void Engine::fit_into_memory() {
     const glm::ivec2 wanted(wanted_camera_.width, wanted_camera_.height);
     if (wanted == whole_for_) return;
     whole_for_ = wanted;
+    session_->drop_parked();
     // What there is now goes before the next one is made.
     const std::uint64_t room = session_->device->memory_left_bytes() + session_->relighter->picture_bytes();
     scene::Camera most = wanted_camera_;
@@ -170,6 +172,7 @@ void Engine::frame() {
     const bool drew = !statistics.spans.empty();
     if (drew || wishes_.false_colour != false_colour_ || supply_ != supply_sent_)
         publish_picture(statistics, draw_ms);
+    if (drew) std::fprintf(stderr, "F %.3f %dx%d draw %.1f whole %.1f drawn %d mended %d changed %d dim %d resized %d move %d\n", begin_s, drawn_from_.width, drawn_from_.height, statistics.draw_ms, draw_ms, statistics.drawn, statistics.mended, statistics.changed, statistics.dimmed, was_resized_, is_moving(begin_s));
     if (drew) {
         // A new size costs what no other frame does, but never that much.
         const bool counts = !was_resized_ || Pace::is_far_over(statistics.draw_ms, wishes_.quality.fps);

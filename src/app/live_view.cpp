@@ -178,20 +178,31 @@ bool LiveView::follow(const scene::Rig& rig) {
     return g_buffer_->update(model_);
 }
 
-void LiveView::look_from(const scene::Camera& camera) {
+LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks) {
     camera_ = camera;
     shared::Haze haze = haze_of(show_);
     haze.extinction_per_m *= haze_density_;
     haze.scattering_per_m *= haze_density_;
-    if (const bool fits = g_buffer_ &&
-                          g_buffer_->fragments().width == static_cast<std::uint32_t>(camera.width) &&
-                          g_buffer_->fragments().height == static_cast<std::uint32_t>(camera.height);
-        !fits) {
-        g_buffer_.reset(); // first: memory may not hold both
+    const auto fits = [&](const std::unique_ptr<render::GBuffer>& one) {
+        return one && one->fragments().width == static_cast<std::uint32_t>(camera.width) &&
+               one->fragments().height == static_cast<std::uint32_t>(camera.height);
+    };
+    if (!fits(g_buffer_)) {
+        std::swap(g_buffer_, parked_);
+        if (!parks) parked_.reset();
+    }
+    if (!fits(g_buffer_)) {
+        g_buffer_.reset();
         g_buffer_ = std::make_unique<render::GBuffer>(device_, camera.width, camera.height);
     }
-    g_buffer_->draw(model_, {scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height},
-                    {show_.ambient_colour * show_.ambient_lux, haze});
+    const render::Pose pose{scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height};
+    const render::Surroundings surroundings{show_.ambient_colour * show_.ambient_lux, haze};
+    if (g_buffer_->shows(pose, surroundings)) {
+        g_buffer_->update(model_);
+        return Seen::where_it_changed;
+    }
+    g_buffer_->draw(model_, pose, surroundings);
+    return Seen::anew;
 }
 
 } // namespace ghost::app

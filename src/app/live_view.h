@@ -37,8 +37,13 @@ public:
                                                   const scene::Camera& camera, const LiveOptions& options,
                                                   scene::Report& report);
 
-    // A picture of another size has a new G-buffer.
-    void look_from(const scene::Camera& camera);
+    // What look_from did to the G-buffer.
+    enum class Seen { anew, where_it_changed };
+    // A picture of another size has another G-buffer. parks: the one before is kept, for the next picture of
+    // its size; else it goes first, for memory may not hold both.
+    Seen look_from(const scene::Camera& camera, bool parks = false);
+    // There is none of another size.
+    void drop_parked() { parked_.reset(); }
     const scene::Camera& camera() const { return camera_; }
     // Times the show's density, from the next look_from on.
     void set_haze(float density) { haze_density_ = density; }
@@ -87,7 +92,7 @@ private:
     std::optional<scene::Stage> solid_; // without hidden objects, where there are any
     std::vector<std::size_t> moving_;
     render::StageModel model_;
-    std::unique_ptr<render::GBuffer> g_buffer_;
+    std::unique_ptr<render::GBuffer> g_buffer_, parked_;
     scene::Camera camera_;
     float haze_density_ = 1;
     scene::DistanceMaps maps_;

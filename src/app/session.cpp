@@ -249,17 +249,38 @@ scene::Lit Session::lit() const {
 }
 
 void Session::look_from(const scene::Camera& from) {
-    if (relighter && from.width == relighter->width() && from.height == relighter->height()) {
-        live->look_from(from);
-        relighter->forget();
+    using enum LiveView::Seen;
+    const auto fits = [&](const std::unique_ptr<render::Relighter>& one) {
+        return one && from.width == one->width() && from.height == one->height();
+    };
+    if (fits(relighter)) {
+        if (live->look_from(from, options.parks) == anew)
+            relighter->forget();
+        else
+            relighter->touch();
     } else {
-        relighter.reset(); // it refers to the picture that goes
-        live->look_from(from);
-        relighter = std::make_unique<render::Relighter>(*device, live->g_buffer(), live->distances(),
-                                                        gobos.images, static_cast<int>(lit().lights.size()),
-                                                        draw_settings(*show, from, options));
+        std::swap(relighter, parked);
+        const bool parks = options.parks && parked && device->memory_left_bytes() > parked->picture_bytes();
+        if (!fits(relighter)) relighter.reset();
+        if (!parks) parked.reset(); // it refers to the picture that goes
+        const LiveView::Seen seen = live->look_from(from, parks);
+        if (!relighter)
+            relighter = std::make_unique<render::Relighter>(
+                *device, live->g_buffer(), live->distances(), gobos.images,
+                static_cast<int>(lit().lights.size()), draw_settings(*show, from, options));
+        else if (seen == anew || maps_changed_since_parked)
+            relighter->forget();
+        else
+            relighter->touch();
+        maps_changed_since_parked = false;
+        relighter->set_tone(options.tone);
     }
     relighter->set_exposure(options.ev100.value_or(from.ev100), from.auto_exposure && !options.ev100);
+}
+
+void Session::drop_parked() {
+    parked.reset();
+    live->drop_parked();
 }
 
 void Session::show_media(double time_s) {
@@ -277,7 +298,10 @@ render::FrameStatistics Session::draw(double time_s) {
     std::vector<gpu::Span> spans;
     if (live) {
         const std::size_t printed = report.messages.size();
-        if (live->take_maps(report)) relighter->forget();
+        if (live->take_maps(report)) {
+            relighter->forget();
+            maps_changed_since_parked = true;
+        }
         print_report(report, printed);
         if (live->follow(*rig)) {
             relighter->touch();

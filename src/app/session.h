@@ -45,6 +45,7 @@ struct SessionOptions {
     bool shadows = true;              // live only
     bool maps_in_background = false;  // live only: LiveOptions
     bool keep_hidden = false;         // live only: LiveOptions
+    bool parks = false;               // live only: Session::look_from
     float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
     std::uint64_t memory_limit_bytes = 0; // of the device, see gpu::DeviceOptions
@@ -71,6 +72,8 @@ struct Session {
     std::unique_ptr<gpu::Device> device;
     std::unique_ptr<LiveView> live; // or null: passes
     std::unique_ptr<render::Relighter> relighter;
+    std::unique_ptr<render::Relighter> parked; // that of a picture of another size
+    bool maps_changed_since_parked = false;
     std::map<std::size_t, fixture::Manual> manual; // of options.look, for Rig::step
     float master = 1;                              // share of all light
     bool shadows = true;                           // live only
@@ -84,8 +87,10 @@ struct Session {
     // meanwhile throw their shadows.
     render::FrameStatistics draw(double time_s = 0);
     // Moves a live camera, and shows what the show's even light, haze and attenuation are now. A camera of
-    // another size gets a new picture; stage and distance maps stay on the device.
+    // another size gets another picture; stage and distance maps stay on the device. SessionOptions::parks: the
+    // picture before is kept, where there is memory, and taken up again when its size is asked for.
     void look_from(const scene::Camera& from);
+    void drop_parked();
 };
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);

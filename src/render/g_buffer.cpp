@@ -184,6 +184,12 @@ void GBuffer::draw(const StageModel& model, const Pose& pose, const Surroundings
     warn_of_dropped();
 }
 
+bool GBuffer::shows(const Pose& pose, const Surroundings& surroundings) const {
+    return pose_.width > 0 && pose.camera_to_world == pose_.camera_to_world &&
+           pose.fov_y_deg == pose_.fov_y_deg && surroundings.ambient == surroundings_.ambient &&
+           std::memcmp(&surroundings.haze, &surroundings_.haze, sizeof surroundings.haze) == 0;
+}
+
 bool GBuffer::update(const StageModel& model) {
     CHECK(pose_.width > 0);
     if (model.still_revision() != still_revision_) {

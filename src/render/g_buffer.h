@@ -48,6 +48,8 @@ public:
 
     // Draws and waits: the numbers in fragments() are those of this camera then.
     void draw(const StageModel& model, const Pose& pose, const Surroundings& surroundings);
+    // Drawn from there, and surrounded like that.
+    bool shows(const Pose& pose, const Surroundings& surroundings) const;
     // Draws what moved since then, seen and surrounded as before; the model must be the same. False: nothing
     // did, and nothing was drawn. Where another instance than the moving ones changed, draws everything.
     bool update(const StageModel& model);
