@@ -31,8 +31,9 @@ struct Film {
     int height;
     bool grid; // haze as it is drawn while things move; else every ray, as at rest
 };
-constexpr Film kFilms[] = {{"close", 640, 360, true},  {"close", 640, 360, false},  {"house", 640, 360, true},
-                            {"high", 640, 360, true}, {"close", 1280, 720, true}, {"close", 1280, 720, false}};
+constexpr Film kFilms[] = {{"close", 640, 360, true},  {"close", 640, 360, false},
+                           {"house", 640, 360, true},  {"high", 640, 360, true},
+                           {"close", 1280, 720, true}, {"close", 1280, 720, false}};
 
 class LiveBench {
 public:
@@ -125,8 +126,14 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         session.relighter->draw_anew();
         (void)session.draw(static_cast<double>(frame) / kFps);
     }
-    BenchRow row{"live", std::string(film.view) + " " + std::to_string(film.width) + "x" + std::to_string(film.height) + (film.grid ? "" : ", every ray"), {}, ""};
-    row.figures = {{"ms", means.of("ms")}, {"processor_ms", means.of("processor_ms")}, {"lights_drawn", means.of("lights_drawn")}};
+    BenchRow row{"live",
+                 std::string(film.view) + " " + std::to_string(film.width) + "x" +
+                     std::to_string(film.height) + (film.grid ? "" : ", every ray"),
+                 {},
+                 ""};
+    row.figures = {{"ms", means.of("ms")},
+                   {"processor_ms", means.of("processor_ms")},
+                   {"lights_drawn", means.of("lights_drawn")}};
     for (const std::string& span : spans) row.figures.emplace_back(span + "_ms", means.of(span));
     row.figures.emplace_back("made_share", means.of("made_share"));
     row.figures.emplace_back("least_db", db);

@@ -182,7 +182,8 @@ std::unique_ptr<render::DistanceImages> upload(const gpu::Device& device, scene:
 double fan_bytes(const gpu::Device& device, const render::Settings& settings, std::size_t count,
                  const render::DistanceImages& distances) {
     const std::uint32_t batch = device.is_cpu() ? 1 : shared::kLightsPerChunk;
-    const render::HazePass haze(device, settings.beams, render::Fragments{}, batch, static_cast<std::uint32_t>(count), &distances);
+    const render::HazePass haze(device, settings.beams, render::Fragments{}, batch,
+                                static_cast<std::uint32_t>(count), &distances);
     return static_cast<double>(haze.memory_bytes());
 }
 

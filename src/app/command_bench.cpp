@@ -87,7 +87,8 @@ void add_bench(CLI::App& app, int& exit_code) {
     for (const Table& table : kTables) names.emplace_back(table.name);
     command->add_option("NAME", a->table, "only this table")->check(CLI::IsMember(names));
     command
-        ->add_option("--show", a->options.show, "show of the tables paper, live, bake, quality, window and start")
+        ->add_option("--show", a->options.show,
+                     "show of the tables paper, live, bake, quality, window and start")
         ->capture_default_str();
     command->add_option("--frames", a->options.frames, "frames measured per row")
         ->check(CLI::Range(5, 10000))

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -118,11 +117,14 @@ render::FrameStatistics Engine::draw_live(double begin_s, double air_s) {
         live_from_ = camera;
     }
     drawn_from_ = camera;
-    // What rests beside what moves is as coarse until all rests.
     const bool moves = is_moving(begin_s);
-    if (std::exchange(haze_.grid, moves) && !moves) session_->relighter->draw_anew();
+    haze_.grid = moves;
     session_->relighter->set_quality(haze_);
-    return session_->draw(air_s);
+    const bool plays = wishes_.transport.playing && !wishes_.frozen;
+    const auto stop = [&] {
+        return link_.wake.is_raised() || stop_ || (plays && input_->plays_else_in(now_s() - begin_s));
+    };
+    return session_->draw(air_s, moves ? std::function<bool()>{} : stop);
 }
 
 void Engine::frame() {
@@ -169,22 +171,22 @@ void Engine::frame() {
     if (baked) drawn_from_ = baked_->camera();
     const double draw_ms = 1e3 * (now_s() - begin_s);
     // Spans: of what the device did; a picture that is the same does nothing.
-    const bool drew = !statistics.spans.empty();
+    const bool drew = !statistics.spans.empty() && !statistics.stopped;
     if (drew || wishes_.false_colour != false_colour_ || supply_ != supply_sent_)
         publish_picture(statistics, draw_ms);
-    if (drew) std::fprintf(stderr, "F %.3f %dx%d draw %.1f whole %.1f drawn %d mended %d changed %d dim %d resized %d move %d\n", begin_s, drawn_from_.width, drawn_from_.height, statistics.draw_ms, draw_ms, statistics.drawn, statistics.mended, statistics.changed, statistics.dimmed, was_resized_, is_moving(begin_s));
     if (drew) {
-        // A new size costs what no other frame does, but never that much.
-        const bool counts = !was_resized_ || Pace::is_far_over(statistics.draw_ms, wishes_.quality.fps);
-        if (last_change_s_ == begin_s && counts && !baked)
-            pace_.add(was_resized_ ? statistics.draw_ms : draw_ms, wishes_.quality.fps);
-    } else {
+        // A new size costs what no other frame does.
+        const bool counts = !was_resized_ && last_change_s_ == begin_s;
+        if (counts && !baked) pace_.add(draw_ms, wishes_.quality.fps);
+    } else if (!statistics.stopped) {
         arrival_ = std::chrono::nanoseconds{0}; // they changed nothing that is seen
     }
     publish_rig(begin_s);
     publish_explanation(begin_s);
-    publish_probe(begin_s, drew);
-    save_frame();
+    if (!statistics.stopped) {
+        publish_probe(begin_s, drew);
+        save_frame();
+    }
     if (session_->report.messages.size() != messages_sent_) publish_messages();
     if (std::optional<dmx::Statistics> network = input_->take_statistics()) {
         link_.network.put(std::move(*network));

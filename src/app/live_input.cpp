@@ -91,6 +91,15 @@ void LiveInput::step(ui::Input wanted, const ui::Transport& transport, double dt
     played_ = player_->at(at_s_);
 }
 
+bool LiveInput::plays_else_in(double dt_s) const {
+    if (shows_desk_ || !player_) return false;
+    const dmx::Universes later = player_->at(std::min(at_s_ + dt_s, player_->duration_s()));
+    return !std::equal(later.list.begin(), later.list.end(), played_.list.begin(), played_.list.end(),
+                       [](const dmx::Universe& a, const dmx::Universe& b) {
+                           return a.number == b.number && *a.levels == *b.levels;
+                       });
+}
+
 void LiveInput::go_on_from(const LiveInput& before) {
     desk_ = before.desk_;
     statistics_ = before.statistics_;

@@ -46,6 +46,8 @@ public:
     const dmx::Universes& desk() const { return desk_; } // heard, shown or not
     bool shows_desk() const { return shows_desk_; }
     double at_s() const { return at_s_; }
+    // The recording that plays has other levels so much later.
+    bool plays_else_in(double dt_s) const;
     // A remote control jumps; the transport goes on from there.
     void jump(double at_s) { at_s_ = at_s; }
     // Goes on where another one was: its desk, its place in the recording.

@@ -7,8 +7,8 @@ namespace ghost::app {
 namespace {
 
 constexpr double kTooSlow = 1.5; // of a frame's time: below, a coarser picture is worse than a late one
-constexpr double kFarOver = 10;   // likewise
-constexpr double kRoom = 0.8;     // of a frame's time, that the better level may seem to need
+constexpr double kFarOver = 10;  // likewise
+constexpr double kRoom = 0.8;    // of a frame's time, that the better level may seem to need
 constexpr int kLongestWait = 160;
 constexpr double kHalf = 0.5;
 constexpr double kStillMoves = 2; // frame times that half of the sides may take

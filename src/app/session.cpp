@@ -291,7 +291,7 @@ void Session::show_media(double time_s) {
     relighter->set_slides(gobos.images.slides);
 }
 
-render::FrameStatistics Session::draw(double time_s) {
+render::FrameStatistics Session::draw(double time_s, const std::function<bool()>& stop) {
     relighter->set_air(air_of(*show, is_uneven(*show) ? time_s : 0.0));
     show_media(time_s);
     const double start_s = steady_now_s();
@@ -309,7 +309,7 @@ render::FrameStatistics Session::draw(double time_s) {
         }
     }
     const double before_ms = 1e3 * (steady_now_s() - start_s);
-    render::FrameStatistics statistics = relighter->draw(lit());
+    render::FrameStatistics statistics = relighter->draw(lit(), stop);
     statistics.draw_ms += before_ms;
     statistics.spans.insert(statistics.spans.begin(), spans.begin(), spans.end());
     return statistics;

@@ -13,6 +13,7 @@
 #include "scene/rig.h"
 #include "scene/show.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -85,10 +86,10 @@ struct Session {
     scene::Lit lit() const;
     // One frame of what the rig does now; time_s moves the haze. Live: heads turn, maps that were made
     // meanwhile throw their shadows.
-    render::FrameStatistics draw(double time_s = 0);
+    render::FrameStatistics draw(double time_s = 0, const std::function<bool()>& stop = {});
     // Moves a live camera, and shows what the show's even light, haze and attenuation are now. A camera of
-    // another size gets another picture; stage and distance maps stay on the device. SessionOptions::parks: the
-    // picture before is kept, where there is memory, and taken up again when its size is asked for.
+    // another size gets another picture; stage and distance maps stay on the device. SessionOptions::parks:
+    // the picture before is kept, where there is memory, and taken up again when its size is asked for.
     void look_from(const scene::Camera& from);
     void drop_parked();
 };

@@ -120,7 +120,7 @@ public:
     // Parts of an image of the same shape, every sample of a pixel; from a layer to a layer.
     void copy(const Texture& from, const Texture& to, const std::vector<VkRect2D>& parts,
               std::uint32_t from_layer = 0, std::uint32_t to_layer = 0);
-    void clear(const Texture& texture);       // every layer to zero
+    void clear(const Texture& texture); // every layer to zero
     void fill_zero(const Buffer& buffer);
     void begin_span(const std::string& name); // up to the next begin_span or the end
     void submit_and_wait();

@@ -35,8 +35,8 @@ GridPass::GridPass(const gpu::Device& device, std::uint32_t width, std::uint32_t
       filled_(device, shape_of(1)), grid_(device, shape_of(count)),
       left_(device, sizeof(shared::LeftHead) + std::uint64_t{4} * width * height, gpu::Access::device) {
     for (std::uint32_t focus = 0; focus < fill_.size(); ++focus) {
-        const std::vector<std::uint32_t> constants{focus, 1u, shadows ? 1u : 0u, uneven ? 1u : 0u,
-                                                   0u,    0u, 0u};
+        const std::vector<std::uint32_t> constants{focus, 1u, shadows ? 1u : 0u, uneven ? 1u : 0u, 0u,
+                                                   0u,    0u};
         fill_[focus] = gpu::LateProgram(
             device, shaders::kShader_grid_fill,
             {kUniform, kUniform, kUniform, kStored, kStored, kSampled, kSampled, kUniform}, constants);
@@ -75,9 +75,9 @@ void GridPass::record(gpu::Commands& commands, const LightChunk& chunk, const sh
                                chunk.groups, chunk.haze_groups(push.gate.batch));
     commands.barrier();
     commands.begin_span("haze left");
-    commands.dispatch_indirect(
-        draw_left_[focus].get(), push,
-        {view, lights, fan, places, drawn, table, shade, air, gpu::storage(left_)}, left_, 0);
+    commands.dispatch_indirect(draw_left_[focus].get(), push,
+                               {view, lights, fan, places, drawn, table, shade, air, gpu::storage(left_)},
+                               left_, 0);
     commands.barrier();
 }
 

@@ -25,10 +25,10 @@ public:
     GridPass(const gpu::Device& device, std::uint32_t width, std::uint32_t height, std::uint32_t count,
              bool shadows, bool uneven);
 
-    // fill: else the grid is as it was filled before. focus: kFocus of gate_scatter.glsl. fans: its shared::Fan of each light of the chunk, from the offset
-    // on.
-    void record(gpu::Commands& commands, const LightChunk& chunk, const shared::GridPush& push,
-                bool fill, std::uint32_t focus, const gpu::Buffer& fans, std::uint64_t fans_offset,
+    // fill: else the grid is as it was filled before. focus: kFocus of gate_scatter.glsl. fans: its
+    // shared::Fan of each light of the chunk, from the offset on.
+    void record(gpu::Commands& commands, const LightChunk& chunk, const shared::GridPush& push, bool fill,
+                std::uint32_t focus, const gpu::Buffer& fans, std::uint64_t fans_offset,
                 const GatherTables& tables);
     std::uint64_t memory_bytes() const { return filled_.bytes() + grid_.bytes() + left_.bytes(); }
 

@@ -13,15 +13,15 @@ namespace {
 using glm::dvec3;
 
 constexpr double kHalfTurn = double{shared::kPi};
-constexpr double kColumn_px = 12;     // along the beam, from column to column
-constexpr double kMostBend = 1;       // more would put the last columns far apart
+constexpr double kColumn_px = 12;  // along the beam, from column to column
+constexpr double kMostBend = 1;    // more would put the last columns far apart
 constexpr float kMostDoubt = 0.2f; // share of the light of a place
-constexpr double kLeastGain = 1.5;    // pixels to a node: filling one costs as much as a pixel
+constexpr double kLeastGain = 1.5; // pixels to a node: filling one costs as much as a pixel
 constexpr double kSpareReach = 1.02;
-constexpr int kProbes = 33;           // rows that are looked at
+constexpr int kProbes = 33; // rows that are looked at
 constexpr float kRim = 0.999f;
-constexpr double kMostAngle = 3.1;    // a ray away from the lamp
-constexpr double kBeforeLens = 1.5;   // of its radius
+constexpr double kMostAngle = 3.1;  // a ray away from the lamp
+constexpr double kBeforeLens = 1.5; // of its radius
 
 // Angles of rays from the way to the lamp.
 struct Angles {
@@ -137,8 +137,8 @@ private:
 
     // Nothing is lit before the lens.
     void from_lens(const shared::View& view) {
-        const dvec3 way = dvec3(light_.position_m) + dvec3(light_.axis_w) * double{light_.lens_m} -
-                          dvec3(view.eye_m);
+        const dvec3 way =
+            dvec3(light_.position_m) + dvec3(light_.axis_w) * double{light_.lens_m} - dvec3(view.eye_m);
         const double away_m = std::max(glm::length(way), 1e-3);
         const double angle = std::acos(std::clamp(-glm::dot(way, pole_) / away_m, -1.0, 1.0));
         angles.from = std::max(angles.from, angle - kBeforeLens * double{light_.lens_radius_m} / away_m);
@@ -166,7 +166,8 @@ std::optional<shared::HazeGrid> make_grid(const shared::Light& light, const shar
         static_cast<float>(std::clamp(std::sqrt(far_h / std::max(near_h, far_h / 1000)) - 1, 0.0, kMostBend));
     grid.most_doubt = kMostDoubt;
     const double columns = (seen.angles.to - seen.angles.from) * double{pixels_per_rad} / kColumn_px;
-    grid.columns = std::clamp(static_cast<std::uint32_t>(std::ceil(columns)) + 1, 6u, shared::kMostGridColumns);
+    grid.columns =
+        std::clamp(static_cast<std::uint32_t>(std::ceil(columns)) + 1, 6u, shared::kMostGridColumns);
     const double turn = fan.beam.row_scale > 0 ? 2 * std::asin(1 / double{fan.beam.row_scale}) : kHalfTurn;
     // The fan's own table tells no more rows apart.
     const double rows =

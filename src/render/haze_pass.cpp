@@ -131,10 +131,8 @@ void HazePass::record(gpu::Commands& commands, const LightChunk& chunk) {
 void HazePass::record_samples(gpu::Commands& commands, const LightChunk& chunk) {
     const std::uint32_t march_steps =
         settings_.beams == Beams::march ? static_cast<std::uint32_t>(std::max(settings_.march_steps, 1)) : 0u;
-    shared::RelightPush push{chunk.count(),          0,          chunk.fragments.tiles_x, chunk.tiles(),
-                             chunk.fragments.blocks, march_steps,
-                             0,
-                             0};
+    shared::RelightPush push{
+        chunk.count(), 0, chunk.fragments.tiles_x, chunk.tiles(), chunk.fragments.blocks, march_steps, 0, 0};
     commands.begin_span("haze");
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
         commands.dispatch_indirect(samples_[chunk.beam_class].get(), push,
@@ -214,9 +212,10 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
         commands.begin_span("fan");
         if (fill)
             commands.dispatch(fill_[chunk.beam_class].get(), shared::FanPush{first},
-                          {gpu::sampled(chunk.gobos), gpu::uniform(chunk.light_buffer, chunk.light_offset),
-                           gpu::uniform(fans_, offset), gpu::stored(table_), gpu::sampled(chunk.slides)},
-                          (rows + kRowsPerGroup - 1) / kRowsPerGroup, lights);
+                              {gpu::sampled(chunk.gobos),
+                               gpu::uniform(chunk.light_buffer, chunk.light_offset),
+                               gpu::uniform(fans_, offset), gpu::stored(table_), gpu::sampled(chunk.slides)},
+                              (rows + kRowsPerGroup - 1) / kRowsPerGroup, lights);
         if (distances_ && fill)
             commands.dispatch(*shade_fill_, shared::FanPush{first},
                               {gpu::uniform(chunk.light_buffer, chunk.light_offset),
@@ -254,8 +253,8 @@ bool HazePass::record_grid(gpu::Commands& commands, const LightChunk& chunk, con
     Filled& filled = filled_[fan.layer];
     const bool fill = std::memcmp(&filled.grid, &*grid, sizeof *grid) != 0;
     filled.grid = *grid;
-    grid_->record(commands, chunk, {push, *grid, shared::kGridLayers * fan.layer}, fill, focus, fans_, fans_offset,
-                  {table_, shade_});
+    grid_->record(commands, chunk, {push, *grid, shared::kGridLayers * fan.layer}, fill, focus, fans_,
+                  fans_offset, {table_, shade_});
     return true;
 }
 

@@ -66,7 +66,7 @@ bool LightTree::keep(int index, Plan& plan) {
     if (node.slot >= 0) return true;
 
     ImageSum sum;
-    if (has_image_below(index)) {
+    if (index < leaf_base_ && (one_by_one_ || has_image_below(index))) {
         for (const int child : {tightest(2 * index + 1), tightest(2 * index + 2)}) {
             if (keep(child, plan))
                 sum.addends.push_back(addend_of(child));
@@ -156,8 +156,9 @@ void LightTree::drop(int node) {
     if (slot >= 0) free_slots_.push_back(std::exchange(slot, -1));
 }
 
-Plan LightTree::plan(std::span<const int> changed, std::span<const int> dimmed) {
+Plan LightTree::plan(std::span<const int> changed, std::span<const int> dimmed, bool one_by_one) {
     Plan plan;
+    one_by_one_ = one_by_one;
     ++frame_;
     if (changed.empty() && dimmed.empty() && frame_valid_) return plan;
 
@@ -192,6 +193,15 @@ Plan LightTree::plan(std::span<const int> changed, std::span<const int> dimmed) 
         plan.additions += std::max(images - 1, 0);
     }
     return plan;
+}
+
+void LightTree::unmake(std::span<const ImageSum> sums) {
+    for (const ImageSum& sum : sums) {
+        if (sum.target == rest_slot()) rest_valid_ = false;
+        for (std::size_t node = 0; node < nodes_.size(); ++node)
+            if (sum.target >= 0 && nodes_[node].slot == sum.target) drop(static_cast<int>(node));
+    }
+    frame_valid_ = false;
 }
 
 void LightTree::invalidate_all() {

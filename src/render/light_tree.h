@@ -8,8 +8,8 @@
 // the frame, and the largest clean subtrees beside them are added: one changed light of n costs ceil(log2 n)
 // additions or less. Light is linear: the image of one light holds it at a unit of its own, so a light of
 // which only the intensity changed is that image, added with another weight. While lights go on changing, the
-// sum of all that do not is kept as one more image. A light that rests again gets its images back lazily. Only
-// a limited number of images is kept; past that, the least recently used one goes, and lights without an
+// sum of all that do not is kept as one more image. A light that rests again gets its images back lazily.
+// Only a limited number of images is kept; past that, the least recently used one goes, and lights without an
 // image are drawn into the frame like changed ones.
 
 #include <cstdint>
@@ -48,8 +48,11 @@ public:
     int rest_slot() const { return slot_count_; }
 
     // changed: lights that differ from the last frame; dimmed: those that differ in nothing but their weight.
-    // Any order, each once.
-    Plan plan(std::span<const int> changed, std::span<const int> dimmed = {});
+    // Any order, each once. one_by_one: each light that is made into an image gets one of its own first, so
+    // that little is lost where it is not made to the end.
+    Plan plan(std::span<const int> changed, std::span<const int> dimmed = {}, bool one_by_one = false);
+    // These sums of the last plan, the frame among them, were not made.
+    void unmake(std::span<const ImageSum> sums);
     // The frame must be made again, from the images that are kept.
     void invalidate_frame() { frame_valid_ = false; }
     // Forget every image (haze, camera or steps changed).
@@ -90,6 +93,7 @@ private:
     std::vector<bool> is_changed_; // of lights, in this frame
     std::vector<int> free_slots_;
     std::uint64_t frame_ = 2 * kSoon; // so that nothing seems to have changed before the first one
+    bool one_by_one_ = false;
     bool frame_valid_ = false;
     bool rest_valid_ = false; // the image of all lights that are in_rest
 };

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Light is linear: what a light changes in from frame to frame, and whether that is more than its weight
-// (dimmer, strobe, mixed colour, gel, master). A light's image is drawn at its unit, white and as bright as the
-// light was when its shape last changed; its weight is what it is now of that. Pure.
+// (dimmer, strobe, mixed colour, gel, master). A light's image is drawn at its unit, white and as bright as
+// the light was when its shape last changed; its weight is what it is now of that. Pure.
 
 #include "shared/types.h"
 

@@ -56,7 +56,8 @@ bool Mender::touch(const std::vector<PixelRect>& rects) {
 void Mender::made(const ImageSum& sum) {
     if (sum.target < 0) return;
     const Fragments& f = g_buffer_.fragments();
-    Kept kept{sum.lights, sum.base, sum.at_unit, TileSet(static_cast<int>(f.width), static_cast<int>(f.height))};
+    Kept kept{sum.lights, sum.base, sum.at_unit,
+              TileSet(static_cast<int>(f.width), static_cast<int>(f.height))};
     for (const Addend& addend : sum.addends) {
         const auto part = kept_.find(addend.slot);
         CHECK(part != kept_.end() && part->second.stale.empty());

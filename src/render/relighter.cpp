@@ -31,8 +31,8 @@ constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-constexpr std::uint64_t kMaxLayers = 2048; // of an image, on every device
-constexpr std::uint32_t kFixedImages = 1;  // all that rests
+constexpr std::uint64_t kMaxLayers = 2048;       // of an image, on every device
+constexpr std::uint32_t kFixedImages = 1;        // all that rests
 constexpr std::uint64_t kFrameBytesPerPixel = 8; // four half floats
 
 static_assert(static_cast<std::uint32_t>(image::Tone::agx) == shared::kToneAgx &&
@@ -64,7 +64,7 @@ bool same_walls(const std::vector<shared::LedWall>& a, const std::vector<shared:
 
 double FrameStatistics::haze_ms() const {
     constexpr std::array<std::string_view, 8> kOfHaze{"haze",   "fan",       "gate",         "lonely",
-                                                       "spread", "haze fill", "haze look-up", "haze left"};
+                                                      "spread", "haze fill", "haze look-up", "haze left"};
     double sum = 0;
     for (const gpu::Span& span : spans)
         if (std::find(kOfHaze.begin(), kOfHaze.end(), span.name) != kOfHaze.end()) sum += span.ms;
@@ -107,7 +107,8 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
             {settings.air ? 1u : 0u, settings.beams.beams == Beams::gate ? 0u : 1u}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
       develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
-      haze_(device, settings.beams, fragments(), batch_size_, static_cast<std::uint32_t>(light_count), distances),
+      haze_(device, settings.beams, fragments(), batch_size_, static_cast<std::uint32_t>(light_count),
+            distances),
       led_walls_(device), lens_(device, settings.lens),
       glare_(device, fragments().width, fragments().height, settings.glare), commands_(device) {
     make_surface_programs();
@@ -138,7 +139,8 @@ void Relighter::make_surface_programs() {
     const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
     std::vector bindings{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kStored};
     if (g_buffer_)
-        bindings.insert(bindings.end(), {kSampled, kStored, kStored, kUniform, kSampled, kSampled, kUniform, kStorage, kStored});
+        bindings.insert(bindings.end(), {kSampled, kStored, kStored, kUniform, kSampled, kSampled, kUniform,
+                                         kStorage, kStored});
     else
         bindings.insert(bindings.end(), {kUniform, kSampled});
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
@@ -182,6 +184,7 @@ void Relighter::set_tone(image::Tone tone) {
 void Relighter::set_quality(const HazeQuality& quality) {
     CHECK(quality.wide_beam_step <= settings_.beams.most_wide_step);
     haze_.set_quality(quality);
+    if (std::exchange(uses_grid_, quality.grid) && !quality.grid) draw_anew();
     wide_prepared_ = wide_prepared_ && quality.wide_beam_step == wide_step_;
     wide_step_ = quality.wide_beam_step;
 }
@@ -242,8 +245,12 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
         std::uint64_t{f.places.shape().height - f.height} * f.width / shared::kTilePixels + 1;
     masks_ =
         Buffer(device_, 2 * (tiles + blocks) * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
-    lists_ = Buffer(device_, batches * shared::lists_length(static_cast<std::uint32_t>(tiles), static_cast<std::uint32_t>(blocks)) *
-                        sizeof(std::uint32_t), Access::device);
+    lists_ = Buffer(
+        device_,
+        batches *
+            shared::lists_length(static_cast<std::uint32_t>(tiles), static_cast<std::uint32_t>(blocks)) *
+            sizeof(std::uint32_t),
+        Access::device);
     gobos_ = Texture(device_, {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
                                shared::kGoboLevels, VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, false, true});
     for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
@@ -316,7 +323,7 @@ FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
     return draw(lit);
 }
 
-FrameStatistics Relighter::draw(const scene::Lit& lit) {
+FrameStatistics Relighter::draw(const scene::Lit& lit, const std::function<bool()>& stop) {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<shared::Light>& lights = lit.lights;
     CHECK_EQ(static_cast<int>(lights.size()), light_count_);
@@ -331,7 +338,7 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
         last_walls_ = lit.walls;
     }
 
-    const Plan plan = tree_.plan(changes.changed, changes.dimmed);
+    const Plan plan = tree_.plan(changes.changed, changes.dimmed, stop != nullptr);
     FrameStatistics statistics;
     statistics.dimmed = static_cast<int>(changes.dimmed.size());
     statistics.changed = static_cast<int>(changes.changed.size()) + statistics.dimmed;
@@ -347,15 +354,15 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
         for (const std::size_t k : new_slides_)
             commands_.copy(slides_upload_, k * slide_bytes_, slides_, static_cast<std::uint32_t>(k));
         new_slides_.clear();
-        for (const ImageSum& sum : plan.sums) {
-            for (const Addend& addend : sum.addends) statistics.mended += mend(addend.slot);
-            draw_sum(sum);
-            if (mender_) mender_->made(sum);
+        stop_ = stop;
+        drawing_ = &statistics;
+        if (make_images_of(plan, statistics)) {
+            develop(lit);
+            commands_.copy(work_, work_read_, sizeof(shared::FrameWork));
+            run_commands(statistics);
         }
-        develop(lit);
-        commands_.copy(work_, work_read_, sizeof(shared::FrameWork));
-        commands_.submit_and_wait();
-        statistics.spans = commands_.spans();
+        stop_ = {};
+        drawing_ = nullptr;
         statistics.faces = lens_.drawn();
         const auto* work = static_cast<const shared::FrameWork*>(work_read_.mapped());
         statistics.haze_tiles = static_cast<int>(work->haze_tiles);
@@ -366,6 +373,35 @@ FrameStatistics Relighter::draw(const scene::Lit& lit) {
     statistics.draw_ms =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return statistics;
+}
+
+// False: it was stopped, and nothing is recorded.
+bool Relighter::make_images_of(const Plan& plan, FrameStatistics& statistics) {
+    for (std::size_t k = 0; k < plan.sums.size(); ++k) {
+        const ImageSum& sum = plan.sums[k];
+        for (const Addend& addend : sum.addends) statistics.mended += mend(addend.slot);
+        draw_sum(sum);
+        if (statistics.stopped) {
+            tree_.unmake(std::span(plan.sums).subspan(k));
+            return false;
+        }
+        if (mender_) mender_->made(sum);
+    }
+    return true;
+}
+
+void Relighter::run_commands(FrameStatistics& statistics) {
+    commands_.submit_and_wait();
+    statistics.spans.insert(statistics.spans.end(), commands_.spans().begin(), commands_.spans().end());
+}
+
+// Between two lights: does what was recorded, and asks.
+bool Relighter::wants_stop() {
+    if (!stop_ || mended_tiles_ > 0) return false;
+    run_commands(*drawing_);
+    drawing_->stopped = stop_();
+    if (!drawing_->stopped) commands_.begin();
+    return drawing_->stopped;
 }
 
 // Draws an image again where it is stale.
@@ -444,7 +480,8 @@ std::uint64_t Relighter::memory_bytes() const {
 
 std::uint64_t Relighter::picture_bytes() const {
     std::uint64_t sum = haze_.memory_bytes() + lens_.memory_bytes() + glare_.memory_bytes() +
-                        (wide_ ? wide_->memory_bytes() : 0) + (visibility_ ? visibility_->memory_bytes() : 0) +
+                        (wide_ ? wide_->memory_bytes() : 0) +
+                        (visibility_ ? visibility_->memory_bytes() : 0) +
                         (mender_ ? mender_->memory_bytes() : 0);
     for (const gpu::Buffer* buffer : {&masks_, &lists_, &pixels_}) sum += buffer->bytes();
     for (const gpu::Texture* texture : {&frame_, &kept_, &drawn_, &haze_sources_, &picture_})

@@ -31,6 +31,7 @@
 #include "shared/types.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -70,6 +71,7 @@ struct FrameStatistics {
     int surface_tiles = 0;        // the same for surfaces; blocks of extra fragments count as tiles
     int made_units = 0;           // of surface_tiles: visibility was not kept
     int faces = 0;                // lenses drawn
+    bool stopped = false;         // there is no new picture
     double draw_ms = 0;           // whole draw(), waiting included
     std::vector<gpu::Span> spans; // GPU time
 
@@ -88,8 +90,9 @@ public:
               const shared::Gobos& gobos, int light_count, const Settings& settings);
     ~Relighter();
 
-    // The faces that the camera sees may be other than the lights, and more.
-    FrameStatistics draw(const scene::Lit& lit);
+    // The faces that the camera sees may be other than the lights, and more. stop: asked after each light;
+    // where it says so the picture before stays, and what was made of this one is kept for the next draw.
+    FrameStatistics draw(const scene::Lit& lit, const std::function<bool()>& stop = {});
     // Each light has its own face.
     FrameStatistics draw(const std::vector<shared::Light>& lights);
     // The camera moved, or shadows changed: the G-buffer was drawn again.
@@ -99,7 +102,7 @@ public:
     // Something moved before the camera (GBuffer::update): kept images are mended where it did.
     void touch();
     // Of haze by gate, from the next frame on; at most HazeSettings::most_wide_step. Images of resting lights
-    // stay as they were drawn.
+    // stay as they were drawn, but for those from the grid when it is left.
     void set_quality(const HazeQuality& quality);
     // From the next frame on; automatic: measured, and ev100 is not used.
     void set_exposure(float ev100, bool automatic);
@@ -132,6 +135,9 @@ private:
     void draw_sum(const ImageSum& sum);
     void add_images(const ImageSum& sum);
     int mend(int slot);
+    bool make_images_of(const Plan& plan, FrameStatistics& statistics);
+    void run_commands(FrameStatistics& statistics);
+    bool wants_stop();
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
     void record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
     void develop(const scene::Lit& lit);
@@ -151,6 +157,8 @@ private:
     std::unique_ptr<Mender> mender_; // null: from passes, in which nothing moves
     std::uint32_t mended_tiles_ = 0; // above 0: only these tiles, of mender_, are drawn now
     LightUnits units_;
+    std::function<bool()> stop_;         // of the draw that runs
+    FrameStatistics* drawing_ = nullptr; // likewise
     std::vector<scene::Face> last_faces_;
     std::vector<shared::LedWall> last_walls_;
     std::uint64_t lights_used_ = 0;  // bytes of lights_, in this frame
@@ -168,6 +176,7 @@ private:
     HazePass haze_;
     std::unique_ptr<WideBeams> wide_; // null: HazeSettings::most_wide_step is 1
     std::uint32_t wide_step_ = 1;
+    bool uses_grid_ = false;
     bool wide_prepared_ = false;
     bool silhouettes_known_ = false; // haze_sources_ are those of the picture
     LedWallPass led_walls_;

@@ -41,9 +41,8 @@ void Relighter::draw_sum(const ImageSum& sum) {
         return wide_ && wide_step_ > 1 && settings_.air && mended_tiles_ == 0 &&
                is_wide(light, f.eye_m, f.pixels_per_rad);
     };
-    const bool any_wide = std::any_of(sum.lights.begin(), sum.lights.end(), [&](int index) {
-        return wide(light_of(index));
-    });
+    const bool any_wide =
+        std::any_of(sum.lights.begin(), sum.lights.end(), [&](int index) { return wide(light_of(index)); });
     if (any_wide && !std::exchange(wide_prepared_, true)) wide_->prepare(commands_, f, wide_step_);
     if (any_wide) commands_.clear(wide_->rays());
     // Lights of a class share a shader that has just what is in their gates.
@@ -55,9 +54,10 @@ void Relighter::draw_sum(const ImageSum& sum) {
             const shared::Light light = light_of(index);
             if (is_dark(light) || shared::beam_class(light) != beam_class || wide(light) != is_wide) continue;
             chunk.push_back(light);
-            if (chunk.size() == shared::kLightsPerChunk) {
+            if (chunk.size() == (stop_ ? 1 : shared::kLightsPerChunk)) {
                 draw_lights(chunk, beam_class, is_wide);
                 chunk.clear();
+                if (wants_stop()) return;
             }
         }
         if (!chunk.empty()) draw_lights(chunk, beam_class, is_wide);
@@ -104,7 +104,8 @@ void Relighter::add_images(const ImageSum& sum) {
         if (weight == glm::vec3(0.0f)) continue;
         to[push.addend_count++] = {static_cast<std::uint32_t>(addend.slot), weight};
     }
-    addends_used_ += (push.addend_count * sizeof(shared::Addend) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
+    addends_used_ +=
+        (push.addend_count * sizeof(shared::Addend) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
     commands_.begin_span("add");
     commands_.dispatch(sum_, push,
                        {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(kept_), gpu::storage(tile_list),
@@ -137,7 +138,8 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
                                 visibility_ ? visibility_->page_count() : 0,
                                 visibility_ ? visibility_->units() : 0};
     commands_.begin_span("cull");
-    commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}}));
+    commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(),
+                                                             {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}}));
     commands_.dispatch(cull_, cull,
                        {gpu::uniform(f.view), gpu::uniform(lights_, offset),
                         gpu::storage(mended_tiles_ > 0 ? mender_->bounds() : f.tile_bounds),
@@ -183,9 +185,14 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
         bindings.insert(bindings.end(), {gpu::uniform(air_), gpu::sampled(slides_)});
     const bool thin = std::any_of(chunk.lights.begin(), chunk.lights.end(),
                                   [&](const shared::Light& light) { return may_be_thin(light, f); });
-    shared::RelightPush push{chunk.count(), 0, f.tiles_x,
-                              chunk.tiles(), f.blocks, 0, visibility_ ? visibility_->units() : 0,
-                              visibility_ ? visibility_->page_count() : 0};
+    shared::RelightPush push{chunk.count(),
+                             0,
+                             f.tiles_x,
+                             chunk.tiles(),
+                             f.blocks,
+                             0,
+                             visibility_ ? visibility_->units() : 0,
+                             visibility_ ? visibility_->page_count() : 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
         if (visibility_) {
             commands_.begin_span("visibility");

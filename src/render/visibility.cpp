@@ -14,14 +14,14 @@ constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kKeepBytes = shared::kLightsPerChunk * sizeof(shared::Keep);
 constexpr std::uint64_t kEntryBytes = 2 * sizeof(std::uint32_t);
-constexpr std::uint64_t kHeadBytes = 8; // how many pages are used
+constexpr std::uint64_t kHeadBytes = 8;  // how many pages are used
 constexpr std::uint64_t kTexelBytes = 2; // r16
 constexpr std::uint64_t kPageBytes = kTexelBytes * shared::kTilePixels;
-constexpr std::uint32_t kGroup = 64;           // visibility_touch.comp
-constexpr std::size_t kMostTouched = 16384;    // tiles that can be listed; more: everything is stale
-constexpr std::uint64_t kUsual = 4;            // beams reach about one in so many units of a picture
-constexpr std::uint64_t kFewPlaces = 16;       // of which every page has room
-constexpr std::uint64_t kMostLayers = 2048;    // of an image, on every device
+constexpr std::uint32_t kGroup = 64;        // visibility_touch.comp
+constexpr std::size_t kMostTouched = 16384; // tiles that can be listed; more: everything is stale
+constexpr std::uint64_t kUsual = 4;         // beams reach about one in so many units of a picture
+constexpr std::uint64_t kFewPlaces = 16;    // of which every page has room
+constexpr std::uint64_t kMostLayers = 2048; // of an image, on every device
 
 std::uint32_t units_of(const Fragments& f) {
     const std::uint64_t extras = std::uint64_t{f.places.shape().height - f.height} * f.width;
@@ -32,12 +32,12 @@ std::uint32_t units_of(const Fragments& f) {
 
 Visibility::Visibility(const gpu::Device& device, const GBuffer& g_buffer, std::size_t map_count,
                        std::uint64_t draws, std::uint64_t memory_bytes)
-    : g_buffer_(g_buffer),
-      touch_(device, shaders::kShader_visibility_touch, {kStorage, kStorage, kStorage}),
+    : g_buffer_(g_buffer), touch_(device, shaders::kShader_visibility_touch, {kStorage, kStorage, kStorage}),
       units_(units_of(g_buffer.fragments())),
       touched_(static_cast<int>(g_buffer.fragments().width), static_cast<int>(g_buffer.fragments().height)) {
     // A quarter for entries at most: lights beyond keep nothing.
-    const std::uint64_t entries = std::min<std::uint64_t>(map_count, memory_bytes / 4 / (kEntryBytes * units_));
+    const std::uint64_t entries =
+        std::min<std::uint64_t>(map_count, memory_bytes / 4 / (kEntryBytes * units_));
     places_.resize(entries);
     const std::uint64_t all = entries * units_;
     const std::uint64_t wanted = std::min(all, std::max(kFewPlaces * units_, all / kUsual));

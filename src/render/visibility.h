@@ -24,8 +24,8 @@ class Visibility {
 public:
     // map_count: distance maps; one place each. draws: chunks of a frame, at most. memory_bytes: at most, for
     // pages and entries.
-    Visibility(const gpu::Device& device, const GBuffer& g_buffer, std::size_t map_count,
-               std::uint64_t draws, std::uint64_t memory_bytes);
+    Visibility(const gpu::Device& device, const GBuffer& g_buffer, std::size_t map_count, std::uint64_t draws,
+               std::uint64_t memory_bytes);
 
     // Everything is stale: the camera moved, or shadows changed.
     void forget() { forgotten_ = true; }

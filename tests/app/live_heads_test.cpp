@@ -110,7 +110,8 @@ TEST(live_heads, FollowTheDeskAndCostNothingAtRest) {
     EXPECT_EQ(live_device().validation_errors(), 0u);
 }
 
-// A picture that goes on while heads turn, with what it kept, is one that is drawn for the first time; with next to no memory, too.
+// A picture that goes on while heads turn, with what it kept, is one that is drawn for the first time; with
+// next to no memory, too.
 TEST(live_heads, WhatIsKeptGoesWithThem) {
     scene::Show show = demo_show();
     const scene::Camera camera = camera_of(show);

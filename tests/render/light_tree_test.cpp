@@ -22,13 +22,14 @@ std::vector<int> all_of(int n) {
     return lights;
 }
 
-// Does with whole numbers what the relighter does with images. A slot that was never written is poison. A light is its unit times its
-// weight.
+// Does with whole numbers what the relighter does with images. A slot that was never written is poison. A
+// light is its unit times its weight.
 class Numbers {
 public:
     Numbers(int light_count, int slot_count)
         : tree_(light_count, slot_count), light_(static_cast<std::size_t>(light_count)),
-          weight_(static_cast<std::size_t>(light_count), 1), slot_(static_cast<std::size_t>(slot_count) + 1, kPoison), slot_count_(slot_count) {}
+          weight_(static_cast<std::size_t>(light_count), 1),
+          slot_(static_cast<std::size_t>(slot_count) + 1, kPoison), slot_count_(slot_count) {}
 
     void change(int light, std::int64_t value) { light_[static_cast<std::size_t>(light)] = value; }
     void dim(int light, std::int64_t weight) { weight_[static_cast<std::size_t>(light)] = weight; }
@@ -101,8 +102,8 @@ TEST(light_tree, OneOfNChangingCostsLogN) {
     EXPECT_EQ(most, 9);
 }
 
-// Another light every frame: its resting predecessor gets its images back on the way, and one that changed twice within six frames
-// keeps its way to the root open.
+// Another light every frame: its resting predecessor gets its images back on the way, and one that changed
+// twice within six frames keeps its way to the root open.
 TEST(light_tree, AnotherOfNChangingEveryFrameCostsAFewLogN) {
     std::mt19937 random(1);
     for (const int n : {2, 3, 7, 10, 64, 100, 512}) {

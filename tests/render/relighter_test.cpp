@@ -283,7 +283,8 @@ TEST_F(Frames, NothingChangedCostsNothing) {
     }
 }
 
-// Dimmer and colour are weights of kept images: within what a half float holds the picture is that of drawing everything.
+// Dimmer and colour are weights of kept images: within what a half float holds the picture is that of drawing
+// everything.
 TEST_F(Frames, AFadeDrawsNoLight) {
     std::mt19937 random(6);
     scene::Passes passes = edgy_passes(random, 41, 22);
