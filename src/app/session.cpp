@@ -4,6 +4,7 @@
 #include "app/interrupt.h"
 #include "app/made_session.h"
 #include "app/passes_sources.h"
+#include "app/picture_room.h"
 #include "bake/bake_show.h"
 #include "scene/passes_file.h"
 #include "scene/prism.h"
@@ -23,6 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uint64_t kSpareToPark = std::uint64_t{256} << 20;
 constexpr float kSamePlace_m = 0.05f;
 constexpr int kMostPixelsAcross = 16384; // what every device of today takes
 
@@ -260,7 +262,11 @@ void Session::look_from(const scene::Camera& from) {
             relighter->touch();
     } else {
         std::swap(relighter, parked);
-        const bool parks = options.parks && parked && device->memory_left_bytes() > parked->picture_bytes();
+        // Both, and what a relighter has whatever its picture's size.
+        const std::uint64_t pixels =
+            static_cast<std::uint64_t>(from.width) * static_cast<std::uint64_t>(from.height);
+        const bool parks = options.parks && parked &&
+                           device->memory_left_bytes() > 2 * kPictureBytesPerPixel * pixels + kSpareToPark;
         if (!fits(relighter)) relighter.reset();
         if (!parks) parked.reset(); // it refers to the picture that goes
         const LiveView::Seen seen = live->look_from(from, parks);

@@ -23,7 +23,8 @@ constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Fan);
 constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
-constexpr std::uint32_t kKeptFans = 12;     // 4 MB each
+constexpr std::uint32_t kKeptFans = 12;
+constexpr std::uint64_t kFanBytes = std::uint64_t{6} << 20; // tables and grid
 // From here on shaped beams have plain tables: many lie over each other.
 constexpr std::uint32_t kManyLights = 100;
 constexpr std::uint32_t kOfPlaces = 2; // kFocus of gate.comp, for shaped beams
@@ -35,6 +36,14 @@ std::uint32_t rows_of(const shared::Fan& fan, bool shaped) {
     std::uint32_t rows = 0;
     for (std::uint32_t k = 0; k < fan.levels; ++k) rows += shared::fan_node_side(fan.place[k]);
     return rows;
+}
+
+// Lights whose tables are kept: where memory is short, fewer.
+std::uint32_t kept_fans(const gpu::Device& device, std::uint32_t light_count) {
+    const std::uint64_t room = device.memory_left_bytes() / 16 / kFanBytes;
+    return std::max(std::min({light_count, kKeptFans,
+                              static_cast<std::uint32_t>(std::min<std::uint64_t>(room, kKeptFans))}),
+                    1u);
 }
 
 // A bit more than half a texel of a distance map: what the edge of a shadow may be off. A whole texel costs
@@ -50,6 +59,7 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, cons
     : settings_(settings), batch_size_(batch_size), distances_(distances),
       detail_(light_count < kManyLights ? FanDetail::fine : FanDetail::plain) {
     const std::uint32_t single = batch_size == 1 ? 1 : 0;
+    const std::uint32_t kept = kept_fans(device, light_count); // of single lights
     if (settings.beams != Beams::gate) {
         for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
             samples_[kind] = gpu::LateProgram(device, shaders::kShader_haze,
@@ -85,9 +95,8 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, cons
         if (settings.most_wide_step > 1) (void)wide_gate_[focus].get();
     }
     if (settings.grid && batch_size == 1)
-        grid_ = std::make_unique<GridPass>(device, fragments.width, fragments.height,
-                                           std::clamp(light_count, 1u, kKeptFans), distances != nullptr,
-                                           settings.uneven);
+        grid_ = std::make_unique<GridPass>(device, fragments.width, fragments.height, kept,
+                                           distances != nullptr, settings.uneven);
     no_rays_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     no_lonely_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UINT, true, false});
     if (distances)
@@ -98,8 +107,7 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, cons
     fans_ =
         gpu::Buffer(device, (2 * std::uint64_t{light_count} + shared::kBeamClasses) * kAlign + kChunkBytes,
                     gpu::Access::upload);
-    const std::uint32_t layers =
-        batch_size == 1 ? std::clamp(light_count, 1u, kKeptFans) : std::clamp(light_count, 1u, batch_size);
+    const std::uint32_t layers = batch_size == 1 ? kept : std::clamp(light_count, 1u, batch_size);
     if (batch_size == 1) filled_.resize(layers);
     // Sums in 0..1: 16 bits are enough, half floats are not (3 % in the narrowest segments).
     constexpr std::array kFormats{VK_FORMAT_R16G16B16A16_UNORM, VK_FORMAT_R32G32B32A32_SFLOAT};

@@ -33,6 +33,7 @@ constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kMaxLayers = 2048;       // of an image, on every device
 constexpr std::uint32_t kFixedImages = 1;        // all that rests
+constexpr std::uint64_t kShareOfMemory = 8;      // that is left, for kept visibility
 constexpr std::uint64_t kFrameBytesPerPixel = 8; // four half floats
 
 static_assert(static_cast<std::uint32_t>(image::Tone::agx) == shared::kToneAgx &&
@@ -123,8 +124,9 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
     // begins a chunk.
     const std::uint64_t draws = 2 * static_cast<std::uint64_t>(light_count) + shared::kBeamClasses;
     if (g_buffer && distances)
-        visibility_ = std::make_unique<Visibility>(device, *g_buffer, distances->count(), draws,
-                                                   settings.visibility_bytes);
+        visibility_ = std::make_unique<Visibility>(
+            device, *g_buffer, distances->count(), draws,
+            std::min(settings.visibility_bytes, device.memory_left_bytes() / kShareOfMemory));
     no_pages_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UNORM, true, false});
     nothing_ = gpu::Buffer(device, kChunkAlign, gpu::Access::device);
     lights_ = gpu::Buffer(device, draws * kLightRoom + kChunkBytes, gpu::Access::upload);
@@ -471,7 +473,8 @@ float Relighter::ev100_used() const {
 }
 
 std::uint64_t Relighter::memory_bytes() const {
-    std::uint64_t sum = picture_bytes() + gobos_.bytes() + slides_.bytes() + slides_upload_.bytes();
+    std::uint64_t sum =
+        picture_bytes() + haze_.memory_bytes() + gobos_.bytes() + slides_.bytes() + slides_upload_.bytes();
     if (distances_) sum += distances_->bytes();
     for (const gpu::Buffer* buffer : {&lights_, &addends_, &groups_, &work_, &work_read_, &exposure_})
         sum += buffer->bytes();
@@ -479,8 +482,7 @@ std::uint64_t Relighter::memory_bytes() const {
 }
 
 std::uint64_t Relighter::picture_bytes() const {
-    std::uint64_t sum = haze_.memory_bytes() + lens_.memory_bytes() + glare_.memory_bytes() +
-                        (wide_ ? wide_->memory_bytes() : 0) +
+    std::uint64_t sum = lens_.memory_bytes() + glare_.memory_bytes() + (wide_ ? wide_->memory_bytes() : 0) +
                         (visibility_ ? visibility_->memory_bytes() : 0) +
                         (mender_ ? mender_->memory_bytes() : 0);
     for (const gpu::Buffer* buffer : {&masks_, &lists_, &pixels_}) sum += buffer->bytes();

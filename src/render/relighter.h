@@ -121,7 +121,7 @@ public:
     float ev100_used() const;
     image::Tone tone() const { return settings_.tone; }
     std::uint64_t memory_bytes() const; // on the device
-    // Of that, what goes when the picture gets another size; with the G-buffer.
+    // Of that, what a picture of another size has more or less of; with the G-buffer.
     std::uint64_t picture_bytes() const;
 
 private:
