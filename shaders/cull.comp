@@ -49,17 +49,18 @@ bool is_kept(Keep light, uint unit) {
     if (light.place == 0u) return false;
     uint at = (light.place - 1u) * p.units + unit;
     uvec2 entry = entries[at];
-    uint made = entry.y >> 1;
+    uint made = entry.y >> 2;
     if (entry.x != 0u && made >= max(light.since, changed_at[unit])) {
-        if (made != p.now) entries[at].y = made << 1;
+        if (made != p.now) entries[at].y = made << 2;
         return made != p.now;
     }
+    uint old = entry.x != 0u && made >= light.since ? kHasOld : 0u;
     if (entry.x == 0u && pages_used < p.pages) {
         uint page = atomicAdd(pages_used, 1u) + 1u;
         if (page <= p.pages) atomicCompSwap(entries[at].x, 0u, page);
     }
     if (entries[at].x == 0u) atomicAdd(work.units_without_page, 1u);
-    entries[at].y = p.now << 1 | 1u;
+    entries[at].y = p.now << 2 | old | kMakes;
     return false;
 }
 

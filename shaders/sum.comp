@@ -5,6 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
+#include "shared/coarse.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, rgba16f) readonly uniform image2DArray base;  // the picture without lights
@@ -13,9 +14,12 @@ layout(binding = 2, rgba32ui) uniform uimage2DArray kept;
 layout(binding = 3, scalar) readonly buffer TileList { uint tile_list[]; };
 layout(binding = 4, scalar) uniform AddendBlock { Addend addends[kMostAddends]; };
 layout(binding = 5, rgba16f) writeonly uniform image2DArray frame;
+layout(binding = 6, rgba32ui) uniform uimage2DArray coarse; // instead of the frame (shared/coarse.h)
 layout(push_constant, scalar) uniform Push { SumPush p; };
 // Haze was sampled at the corners of the pixels, not in their middle.
 layout(constant_id = 0) const bool kCorners = false;
+// Light at half the size: a texel is one point, its surface and its haze.
+layout(constant_id = 1) const bool kCoarse = false;
 
 struct Pair {
     vec3 left, right;
@@ -39,16 +43,19 @@ vec3 new_light(ivec2 at, ivec2 last) {
 void main() {
     uvec2 tile = gl_WorkGroupID.xy;
     if (p.listed != 0u) {
-        uint number = tile_list[gl_WorkGroupID.x];
+        uint number = tile_list[kCoarse ? gl_WorkGroupID.x / 2u : gl_WorkGroupID.x];
         tile = uvec2(number % p.tiles_x, number / p.tiles_x);
+        if (kCoarse) tile.x = 2u * tile.x + (gl_WorkGroupID.x & 1u);
     }
     ivec2 pair = ivec2(tile * gl_WorkGroupSize.xy + gl_LocalInvocationID.xy);
-    ivec2 at = ivec2(2 * pair.x, pair.y), last = imageSize(base).xy - 1;
+    ivec2 at = kCoarse ? pair : ivec2(2 * pair.x, pair.y), last = (kCoarse ? imageSize(coarse).xy : imageSize(base).xy) - 1;
     if (any(greaterThan(at, last))) return;
     ivec2 right = ivec2(min(at.x + 1, last.x), at.y);
     Pair sum = Pair(vec3(0.0), vec3(0.0));
-    if (p.add_base != 0u) sum = Pair(imageLoad(base, ivec3(at, 0)).rgb, imageLoad(base, ivec3(right, 0)).rgb);
-    if (p.add_drawn != 0u) {
+    if (p.add_base != 0u && !kCoarse) sum = Pair(imageLoad(base, ivec3(at, 0)).rgb, imageLoad(base, ivec3(right, 0)).rgb);
+    if (p.add_drawn != 0u && kCoarse) {
+        sum = Pair(imageLoad(drawn, ivec3(at, 0)).rgb, imageLoad(drawn, ivec3(at, 1)).rgb);
+    } else if (p.add_drawn != 0u) {
         sum.left += new_light(at, last);
         sum.right += new_light(right, last);
     }
@@ -57,11 +64,15 @@ void main() {
         sum.left += addends[k].weight * image.left;
         sum.right += addends[k].weight * image.right;
     }
+    if (kCoarse && p.to_frame != 0u) sum.left *= uintBitsToFloat(imageLoad(coarse, ivec3(at, kCoarseWhite)).xyz);
     vec3 a = light_to_store(vec4(sum.left, 0.0)).rgb, b = light_to_store(vec4(sum.right, 0.0)).rgb;
-    if (p.to_frame != 0u) {
+    uvec4 packed_sum = uvec4(packHalf2x16(a.rg), packHalf2x16(vec2(a.b, b.r)), packHalf2x16(b.gb), 0u);
+    if (p.to_frame != 0u && kCoarse) {
+        imageStore(coarse, ivec3(at, kCoarseLight), packed_sum);
+    } else if (p.to_frame != 0u) {
         imageStore(frame, ivec3(at, 0), vec4(a, 0.0));
         if (right.x > at.x) imageStore(frame, ivec3(right, 0), vec4(b, 0.0));
     } else {
-        imageStore(kept, ivec3(pair, p.target), uvec4(packHalf2x16(a.rg), packHalf2x16(vec2(a.b, b.r)), packHalf2x16(b.gb), 0u));
+        imageStore(kept, ivec3(pair, p.target), packed_sum);
     }
 }

@@ -28,8 +28,10 @@ void make(Light light, Keep keep, vec3 place_m, vec3 facet, uint unit, bool ther
     Page page = page_of(keep, unit);
     vec3 from_map = place_m - light.position_m + light.off_map_m;
     bool wanted = there && light.map != 0u && page.there && page.make && dot(facet, from_map) < 0.0;
-    float share = lit_share(light, facet, from_map, wanted);
-    if (page.there && page.make) imageStore(pages, page.texel, vec4(wanted ? share : 0.0));
+    float mark = mark_of(place_m, facet);
+    bool same = page.has_old && page.there && abs(imageLoad(pages, page.texel).y - mark) < 0.5 / 65535.0;
+    float share = lit_share(light, facet, from_map, wanted && !same);
+    if (page.there && page.make && !same) imageStore(pages, page.texel, vec4(wanted ? share : 0.0, mark, 0.0, 0.0));
 }
 
 void main() {

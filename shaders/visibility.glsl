@@ -5,12 +5,13 @@
 
 layout(binding = KEEPS, scalar) uniform KeepBlock { Keep keeps[kLightsPerChunk]; };
 layout(binding = KEEPS + 1, scalar) readonly buffer Entries { uint pages_used; uint unused; uvec2 entries[]; };
-layout(binding = KEEPS + 2, r16) uniform image2DArray pages;
+layout(binding = KEEPS + 2, rg16) uniform image2DArray pages;
 
 struct Page {
     ivec3 texel; // of this invocation's fragment
     bool there;  // else there is no room for it
     bool make;
+    bool has_old;
 };
 
 Page page_of(Keep keep, uint unit) {
@@ -19,5 +20,14 @@ Page page_of(Keep keep, uint unit) {
     uint in_layer = page % kPagesOfLayer;
     uvec2 corner = uvec2(in_layer % kPagesAcross, in_layer / kPagesAcross) * uvec2(kTileWidth, kTileHeight);
     uvec2 local = uvec2(gl_LocalInvocationIndex % kTileWidth, gl_LocalInvocationIndex / kTileWidth);
-    return Page(ivec3(corner + local, page / kPagesOfLayer), kSingle || entry.x != 0u, (entry.y & 1u) != 0u || entry.x == 0u);
+    return Page(ivec3(corner + local, page / kPagesOfLayer), kSingle || entry.x != 0u, (entry.y & kMakes) != 0u || entry.x == 0u, entry.x != 0u && (entry.y & kHasOld) != 0u);
+}
+
+// A fragment's mark, 0..1 in steps of 16 bits.
+float mark_of(vec3 place_m, vec3 facet) {
+    uvec3 bits = floatBitsToUint(place_m) ^ (floatBitsToUint(facet) >> 5u);
+    uint h = bits.x * 0x9e3779b1u ^ bits.y * 0x85ebca6bu ^ bits.z * 0xc2b2ae35u;
+    h ^= h >> 15u;
+    h *= 0x2c1b3c6du;
+    return float((h ^ h >> 12u) >> 16u) / 65535.0;
 }

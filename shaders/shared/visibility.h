@@ -2,7 +2,8 @@
 // Kept visibility: what share of its lens a lamp shows to a fragment rests while lamp, stage and camera do (shaders/soft_shadow.glsl),
 // whatever the beam does. It is made when a beam first reaches a tile (or a block of extra fragments) and kept in a page, a texel a
 // fragment. Entry of a place (a distance map, with the size of a lens) and a unit (tile, then block): x: its page + 1, 0: none;
-// y: when it was made * 2, + 1: it is made by the draw that reads this.
+// y: when it was made * 4, + kMakes: it is made by the draw that reads this, + kHasOld: its page holds what fragments saw that are where they
+// were: each texel knows its fragment again, by 16 bits of what it is.
 #ifndef GHOST_SHARED_VISIBILITY_H
 #define GHOST_SHARED_VISIBILITY_H
 #include "shared/push.h"
@@ -15,6 +16,9 @@ struct Keep {
     uint since; // what was made before is stale
 };
 SHARED_SIZE(Keep, 8);
+
+SHARED_CONST uint kMakes = 1u;
+SHARED_CONST uint kHasOld = 2u;
 
 SHARED_CONST uint kPagesAcross = 256u; // of an atlas layer, and down
 SHARED_CONST uint kPagesOfLayer = kPagesAcross * kPagesAcross;

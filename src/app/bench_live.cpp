@@ -30,10 +30,13 @@ struct Film {
     int width;
     int height;
     bool grid; // haze as it is drawn while things move; else every ray, as at rest
+    bool coarse; // light at half the size
 };
-constexpr Film kFilms[] = {{"close", 640, 360, true},  {"close", 640, 360, false},
-                           {"house", 640, 360, true},  {"high", 640, 360, true},
-                           {"close", 1280, 720, true}, {"close", 1280, 720, false}};
+constexpr Film kFilms[] = {{"close", 640, 360, true, false},   {"close", 640, 360, false, false},
+                           {"house", 640, 360, true, false},   {"high", 640, 360, true, false},
+                           {"close", 1280, 720, true, true},   {"house", 1280, 720, true, true},
+                           {"high", 1280, 720, true, true},    {"close", 1280, 720, true, false},
+                           {"close", 1280, 720, false, false}};
 
 class LiveBench {
 public:
@@ -67,9 +70,11 @@ private:
     long frame_ = 0;
 };
 
-void use_grid(Session& session, bool grid) {
+// As things move, or as they rest.
+void use(Session& session, const Film& film, bool moves) {
     render::HazeQuality quality;
-    quality.grid = grid;
+    quality.grid = moves && film.grid;
+    (void)session.use_coarse_light(moves && film.coarse);
     session.relighter->set_quality(quality);
 }
 
@@ -95,7 +100,7 @@ private:
 Result<void> film_row(const BenchOptions& options, const Film& film, const BenchSink& sink) {
     TRY(LiveBench bench, LiveBench::open(options, film));
     Session& session = bench.session();
-    use_grid(session, film.grid);
+    use(session, film, true);
     const auto first = static_cast<long>(kFrom_s * kFps), last = static_cast<long>(kTo_s * kFps);
     Means means;
     std::set<std::string> spans;
@@ -118,17 +123,18 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         }
         if ((frame - first) % kCompareEvery != 0) continue;
         const image::ImageF moving = session.relighter->frame();
-        use_grid(session, false);
+        use(session, film, false);
         session.relighter->draw_anew();
         (void)session.draw(static_cast<double>(frame) / kFps);
         db = std::min(db, display_db(moving, session.relighter->frame()));
-        use_grid(session, film.grid);
+        use(session, film, true);
         session.relighter->draw_anew();
         (void)session.draw(static_cast<double>(frame) / kFps);
     }
     BenchRow row{"live",
                  std::string(film.view) + " " + std::to_string(film.width) + "x" +
-                     std::to_string(film.height) + (film.grid ? "" : ", every ray"),
+                     std::to_string(film.height) + (film.coarse ? ", light at half" : "") +
+                     (film.grid ? "" : ", every ray"),
                  {},
                  ""};
     row.figures = {{"ms", means.of("ms")},

@@ -146,7 +146,8 @@ Result<void> bench_samples(const BenchOptions& options, const BenchSink& sink) {
 }
 
 // cases: name, and how many of the fixtures change.
-Result<void> paper_rows(const BenchOptions& options, render::Beams beams,
+// grid: haze as the window draws it while things move; else every ray, as at rest.
+Result<void> paper_rows(const BenchOptions& options, render::Beams beams, bool grid,
                         const std::vector<std::pair<std::string, std::size_t>>& cases,
                         const BenchSink& sink) {
     SessionOptions opening;
@@ -154,7 +155,11 @@ Result<void> paper_rows(const BenchOptions& options, render::Beams beams,
     opening.device = options.device;
     opening.quiet = true;
     opening.beams.beams = beams;
+    opening.beams.grid = grid;
     TRY(const std::unique_ptr<Session> session, open_session(opening));
+    render::HazeQuality quality;
+    quality.grid = grid;
+    session->relighter->set_quality(quality);
     const std::size_t fixtures = session->show->fixtures.size();
     for (const auto& [name, changing] : cases) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
@@ -207,9 +212,10 @@ Result<void> paper_rows(const BenchOptions& options, render::Beams beams,
 Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink) {
     catch_interrupts();
     constexpr std::size_t kAll = 1u << 20;
-    TRY_VOID(paper_rows(options, render::Beams::gate,
+    TRY_VOID(paper_rows(options, render::Beams::gate, true,
                         {{"all changing", kAll}, {"one changing", 1}, {"none changing", 0}}, sink));
-    return paper_rows(options, render::Beams::cone, {{"all changing, cone", kAll}}, sink);
+    TRY_VOID(paper_rows(options, render::Beams::gate, false, {{"all changing, every ray", kAll}}, sink));
+    return paper_rows(options, render::Beams::cone, false, {{"all changing, cone", kAll}}, sink);
 }
 
 Result<void> bench_tree(const BenchOptions& options, const BenchSink& sink) {

@@ -256,11 +256,17 @@ void Session::look_from(const scene::Camera& from) {
         return one && from.width == one->width() && from.height == one->height();
     };
     if (fits(relighter)) {
-        if (live->look_from(from, options.parks) == anew)
-            relighter->forget();
-        else
-            relighter->touch();
+        const bool is_anew = live->look_from(from, options.parks) == anew;
+        for (const auto& one : {relighter.get(), other_light.get()}) {
+            if (!one) continue;
+            if (is_anew)
+                one->forget();
+            else
+                one->touch();
+        }
     } else {
+        if (relighter && relighter->is_coarse()) std::swap(relighter, other_light);
+        other_light.reset();
         std::swap(relighter, parked);
         // Both, and what a relighter has whatever its picture's size.
         const std::uint64_t pixels =
@@ -282,6 +288,26 @@ void Session::look_from(const scene::Camera& from) {
         relighter->set_tone(options.tone);
     }
     relighter->set_exposure(options.ev100.value_or(from.ev100), from.auto_exposure && !options.ev100);
+}
+
+bool Session::use_coarse_light(bool coarse) {
+    if (!live || relighter->is_coarse() == coarse) return true;
+    const int width = relighter->width(), height = relighter->height();
+    if (coarse && !render::CoarseLight::fits(width, height)) return false;
+    std::swap(relighter, other_light);
+    if (relighter) {
+        relighter->set_tone(options.tone);
+        return true;
+    }
+    // The only one, where memory is short.
+    const std::uint64_t pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    if (device->memory_left_bytes() < kPictureBytesPerPixel * pixels + kSpareToPark) other_light.reset();
+    render::Settings settings = draw_settings(*show, live->camera(), options);
+    settings.coarse = coarse;
+    relighter = std::make_unique<render::Relighter>(*device, live->g_buffer(), live->distances(), gobos.images,
+                                                    static_cast<int>(lit().lights.size()), settings);
+    relighter->set_tone(options.tone);
+    return true;
 }
 
 void Session::drop_parked() {
@@ -306,11 +332,13 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
         const std::size_t printed = report.messages.size();
         if (live->take_maps(report)) {
             relighter->forget();
+            if (other_light) other_light->forget();
             maps_changed_since_parked = true;
         }
         print_report(report, printed);
         if (live->follow(*rig)) {
             relighter->touch();
+            if (other_light) other_light->touch();
             spans = live->g_buffer().spans();
         }
     }

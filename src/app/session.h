@@ -74,6 +74,8 @@ struct Session {
     std::unique_ptr<LiveView> live; // or null: passes
     std::unique_ptr<render::Relighter> relighter;
     std::unique_ptr<render::Relighter> parked; // that of a picture of another size
+    // Of the same picture: with light at half its size where relighter has it at all of it, or the other way.
+    std::unique_ptr<render::Relighter> other_light;
     bool maps_changed_since_parked = false;
     std::map<std::size_t, fixture::Manual> manual; // of options.look, for Rig::step
     float master = 1;                              // share of all light
@@ -92,6 +94,9 @@ struct Session {
     // the picture before is kept, where there is memory, and taken up again when its size is asked for.
     void look_from(const scene::Camera& from);
     void drop_parked();
+    // Live: from the next frame on light is drawn at half the size of the picture (render/coarse_light.h), or
+    // at all of it. Of either what is kept stays, where there is memory. False: this picture cannot have it.
+    bool use_coarse_light(bool coarse);
 };
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);

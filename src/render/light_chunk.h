@@ -16,6 +16,9 @@
 
 namespace ghost::render {
 
+// Of a light in one frame, at most.
+constexpr std::uint64_t kMostDraws = 3;
+
 struct LightChunk {
     const std::vector<shared::Light>& lights; // all of one class
     std::uint32_t beam_class;                 // shared::beam_class

@@ -34,10 +34,10 @@ std::vector<std::uint32_t> bits_of(const TileSet& tiles, std::size_t words) {
 
 } // namespace
 
-Mender::Mender(const gpu::Device& device, const GBuffer& g_buffer)
-    : g_buffer_(g_buffer),
+Mender::Mender(const gpu::Device& device, const Fragments& fragments, const gpu::Buffer& rooms)
+    : fragments_(fragments), rooms_(rooms),
       program_(device, shaders::kShader_changed_bounds, {kStorage, kStorage, kStorage, kStorage}) {
-    const Fragments& f = g_buffer.fragments();
+    const Fragments& f = fragments;
     bounds_ = gpu::Buffer(device, f.tile_bounds.bytes(), gpu::Access::device);
     const std::uint64_t words = (std::uint64_t{f.tiles_x} * f.tiles_y + 31) / 32;
     wanted_ = gpu::Buffer(device, words * sizeof(std::uint32_t), gpu::Access::device);
@@ -55,7 +55,7 @@ bool Mender::touch(const std::vector<PixelRect>& rects) {
 
 void Mender::made(const ImageSum& sum) {
     if (sum.target < 0) return;
-    const Fragments& f = g_buffer_.fragments();
+    const Fragments& f = fragments_;
     Kept kept{sum.lights, sum.base, sum.at_unit,
               TileSet(static_cast<int>(f.width), static_cast<int>(f.height))};
     for (const Addend& addend : sum.addends) {
@@ -78,30 +78,59 @@ ImageSum Mender::mend(int slot, const std::vector<shared::Light>& lights) const 
     sum.target = slot;
     sum.base = kept.base;
     sum.at_unit = kept.at_unit;
-    const std::vector<PixelRect> rects = kept.stale.rects();
-    for (const int index : kept.lights) {
-        const shared::Light& light = lights[static_cast<std::size_t>(index)];
-        if (std::any_of(rects.begin(), rects.end(), [&](const PixelRect& rect) {
-                return may_reach(light, g_buffer_.fragments().camera, grown(rect, kAroundX, kAroundY));
-            }))
-            sum.lights.push_back(index);
-    }
+    add_reaching(kept.lights, lights, kept.stale.rects(), sum.lights);
     return sum;
 }
 
+void Mender::add_reaching(const std::vector<int>& indices, const std::vector<shared::Light>& lights,
+                          const std::vector<PixelRect>& rects, std::vector<int>& to) const {
+    for (const int index : indices) {
+        const shared::Light& light = lights[static_cast<std::size_t>(index)];
+        if (std::any_of(rects.begin(), rects.end(), [&](const PixelRect& rect) {
+                return may_reach(light, fragments_.camera, grown(rect, kAroundX, kAroundY));
+            }))
+            to.push_back(index);
+    }
+}
+
+ImageSum Mender::patch(const ImageSum& sum, const std::vector<shared::Light>& lights, TileSet& tiles) const {
+    tiles = TileSet(static_cast<int>(fragments_.width), static_cast<int>(fragments_.height));
+    for (const Addend& addend : sum.addends)
+        if (is_stale(addend.slot)) tiles.add(kept_.at(addend.slot).stale);
+    const std::vector<PixelRect> rects = tiles.rects();
+    ImageSum patch;
+    patch.target = sum.target;
+    patch.base = sum.base;
+    add_reaching(sum.lights, lights, rects, patch.lights);
+    for (const Addend& addend : sum.addends) {
+        if (!is_stale(addend.slot)) {
+            patch.addends.push_back(addend);
+            continue;
+        }
+        const Kept& kept = kept_.at(addend.slot);
+        patch.base = patch.base || kept.base;
+        add_reaching(kept.lights, lights, rects, patch.lights);
+    }
+    return patch;
+}
+
 std::uint32_t Mender::record(gpu::Commands& commands, int slot) {
-    const Fragments& f = g_buffer_.fragments();
+    const TileSet fresh(static_cast<int>(fragments_.width), static_cast<int>(fragments_.height));
+    return record(commands, std::exchange(kept_.at(slot).stale, fresh));
+}
+
+std::uint32_t Mender::record(gpu::Commands& commands, const TileSet& stale) {
+    const Fragments& f = fragments_;
     const std::uint32_t tiles = f.tiles_x * f.tiles_y;
     const std::size_t words = (tiles + 31) / 32;
     TileSet around(static_cast<int>(f.width), static_cast<int>(f.height));
-    const TileSet stale = std::exchange(kept_.at(slot).stale, around);
     for (const PixelRect& rect : stale.rects()) around.add(grown(rect, kAroundX, kAroundY));
     commands.begin_span("mend");
     for (const bool blocks : {false, true}) {
         commands.write(wanted_, bits_of(blocks ? stale : around, words));
         commands.dispatch(program_, shared::ChangedBoundsPush{tiles, f.blocks, blocks ? 1u : 0u},
                           {gpu::storage(f.tile_bounds), gpu::storage(bounds_),
-                           gpu::storage(g_buffer_.rooms()), gpu::storage(wanted_)},
+                           gpu::storage(rooms_), gpu::storage(wanted_)},
                           (tiles + f.blocks + kGroup - 1) / kGroup);
         commands.barrier();
     }

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Mender: which parts of the kept images of resting lights are stale since something moved in front of the
 // camera, and what it takes to draw these parts again and nothing else. Bounds for cull.comp in which only
-// stale tiles are left; lights that cannot reach them are left out. Main thread; device and G-buffer must
+// stale tiles are left; lights that cannot reach them are left out. Main thread; device and fragments must
 // outlive it.
 
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
-#include "render/g_buffer.h"
+#include "render/fragments.h"
 #include "render/light_tree.h"
 #include "render/screen_area.h"
 #include "shared/types.h"
@@ -19,9 +19,10 @@ namespace ghost::render {
 
 class Mender {
 public:
-    Mender(const gpu::Device& device, const GBuffer& g_buffer);
+    // rooms: shared::TileRoom of each tile.
+    Mender(const gpu::Device& device, const Fragments& fragments, const gpu::Buffer& rooms);
 
-    // The G-buffer changed in these rectangles: every image made so far is stale there. False: in too many
+    // Fragments changed in these rectangles: every image made so far is stale there. False: in too many
     // tiles by now, they must be forgotten.
     bool touch(const std::vector<PixelRect>& rects);
     // An image was made (ImageSum::target >= 0) from lights and other images.
@@ -33,6 +34,11 @@ public:
     ImageSum mend(int slot, const std::vector<shared::Light>& lights) const;
     // Records bounds() and tiles() for this image, which then counts as mended. Returns the number of tiles.
     std::uint32_t record(gpu::Commands& commands, int slot);
+    // A sum of images some of which are stale: what to draw where they are, instead of all of it. They stay
+    // stale. tiles: there.
+    ImageSum patch(const ImageSum& sum, const std::vector<shared::Light>& lights, TileSet& tiles) const;
+    // Records bounds() and tiles() for these.
+    std::uint32_t record(gpu::Commands& commands, const TileSet& stale);
     const gpu::Buffer& bounds() const { return bounds_; }
     const gpu::Buffer& tiles() const { return tiles_; } // a list of the stale ones
     std::uint64_t memory_bytes() const { return bounds_.bytes() + wanted_.bytes() + tiles_.bytes(); }
@@ -40,13 +46,17 @@ public:
     static constexpr std::uint64_t kMostTiles = 16384;
 
 private:
+    void add_reaching(const std::vector<int>& indices, const std::vector<shared::Light>& lights,
+                      const std::vector<PixelRect>& rects, std::vector<int>& to) const;
+
     struct Kept {
         std::vector<int> lights; // all that it shows
         bool base = false;
         bool at_unit = false;
         TileSet stale;
     };
-    const GBuffer& g_buffer_;
+    const Fragments& fragments_;
+    const gpu::Buffer& rooms_;
     gpu::Program program_;
     gpu::Buffer bounds_, wanted_, tiles_;
     std::map<int, Kept> kept_; // by slot

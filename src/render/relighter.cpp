@@ -94,13 +94,14 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
                      const Settings& settings)
     : device_(device), settings_(settings), batch_size_(batch_size(device, settings)),
       light_count_(light_count), passes_(std::move(passes)), g_buffer_(g_buffer), distances_(distances),
-      slot_count_(0), tree_(light_count, slot_count_), units_(passes_.bounces.bytes() > 0),
+      coarse_(settings.coarse ? std::make_unique<CoarseLight>(device, *g_buffer) : nullptr), slot_count_(0),
+      tree_(light_count, slot_count_), units_(passes_.bounces.bytes() > 0),
       cull_(device, shaders::kShader_cull,
             {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage, kStorage, kUniform, kStorage,
              kStorage},
             {0u, g_buffer && distances ? 1u : 0u}),
-      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored, kStorage, kUniform, kStored},
-           {settings.beams.beams == Beams::gate ? 0u : 1u}),
+      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored, kStorage, kUniform, kStored, kStored},
+           {settings.beams.beams == Beams::gate ? 0u : 1u, settings.coarse ? 1u : 0u}),
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
       silhouettes_(device, shaders::kShader_silhouettes, {kUniform, kSampled, kStored, kStored}),
       fold_(device, shaders::kShader_fold,
@@ -111,28 +112,30 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       haze_(device, settings.beams, fragments(), batch_size_, static_cast<std::uint32_t>(light_count),
             distances),
       led_walls_(device), lens_(device, settings.lens),
-      glare_(device, fragments().width, fragments().height, settings.glare), commands_(device) {
+      glare_(device, seen().width, seen().height, settings.glare), commands_(device) {
+    CHECK(!settings.coarse || (settings.beams.beams == Beams::gate && !settings.illuminance));
     make_surface_programs();
     visible_ = gpu::LateProgram(device, shaders::kShader_visibility,
                                 {kUniform, kUniform, kStorage, kStorage, kSampled, kSampled, kStored, kStored,
                                  kUniform, kStorage, kStored},
                                 {0u, batch_size_ == 1 ? 1u : 0u});
-    if (g_buffer) mender_ = std::make_unique<Mender>(device, *g_buffer);
+    if (g_buffer) mender_ = std::make_unique<Mender>(device, fragments(), rooms());
     if (settings.beams.beams == Beams::gate && settings.beams.most_wide_step > 1)
         wide_ = std::make_unique<WideBeams>(device, fragments().width, fragments().height);
-    // In one frame every light is drawn at most twice, into an image to keep and into the frame; each draw
-    // begins a chunk.
-    const std::uint64_t draws = 2 * static_cast<std::uint64_t>(light_count) + shared::kBeamClasses;
+    // In one frame every light is drawn at most three times, into an image to keep, into the frame and where
+    // that is patched; each draw begins a chunk.
+    const std::uint64_t draws = kMostDraws * static_cast<std::uint64_t>(light_count) + shared::kBeamClasses;
     if (g_buffer && distances)
         visibility_ = std::make_unique<Visibility>(
-            device, *g_buffer, distances->count(), draws,
+            device, fragments(), rooms(), distances->count(), draws,
             std::min(settings.visibility_bytes, device.memory_left_bytes() / kShareOfMemory));
-    no_pages_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UNORM, true, false});
+    no_pages_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16_UNORM, true, false});
     nothing_ = gpu::Buffer(device, kChunkAlign, gpu::Access::device);
     lights_ = gpu::Buffer(device, draws * kLightRoom + kChunkBytes, gpu::Access::upload);
-    // Every image is an addend twice at most, of the one above it and of what rests or the frame.
+    // Every image is an addend three times at most, of the one above it, of what rests or the frame, and of
+    // the patch.
     const std::uint64_t sums = 2 * static_cast<std::uint64_t>(light_count) + kFixedImages;
-    addends_ = gpu::Buffer(device, 2 * sums * kChunkAlign + kAddendBytes, gpu::Access::upload);
+    addends_ = gpu::Buffer(device, 3 * sums * kChunkAlign + kAddendBytes, gpu::Access::upload);
     upload(gobos, batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1);
     make_images();
 }
@@ -193,6 +196,7 @@ void Relighter::set_quality(const HazeQuality& quality) {
 
 void Relighter::forget() {
     draw_anew();
+    if (coarse_) coarse_->forget();
     if (visibility_) visibility_->forget();
     haze_.forget();
 }
@@ -206,8 +210,8 @@ void Relighter::draw_anew() {
 
 void Relighter::touch() {
     CHECK(g_buffer_);
-    const std::vector<PixelRect>& rects = g_buffer_->changed();
-    if (visibility_) visibility_->touch(rects);
+    const std::vector<PixelRect> rects = coarse_ ? coarse_->touch(g_buffer_->changed()) : g_buffer_->changed();
+    if (visibility_) visibility_->touch(rects, !coarse_ && g_buffer_->extras_moved());
     std::uint64_t pixels = 0;
     for (const PixelRect& rect : rects)
         pixels +=
@@ -218,6 +222,7 @@ void Relighter::touch() {
         return;
     }
     wide_prepared_ = silhouettes_known_ = false;
+    touched_ = touched_ || !rects.empty();
     tree_.invalidate_frame();
     if (!mender_->touch(rects)) draw_anew();
 }
@@ -235,8 +240,9 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
     work_ = Buffer(device_, sizeof(shared::FrameWork), Access::device);
     work_read_ = Buffer(device_, sizeof(shared::FrameWork), Access::readback);
     exposure_ = Buffer(device_, sizeof(glm::vec4), Access::readback);
-    pixels_ = Buffer(device_, std::uint64_t{4} * f.width * f.height, Access::readback);
-    picture_ = Texture(device_, {f.width, f.height, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
+    const Fragments& whole = seen();
+    pixels_ = Buffer(device_, std::uint64_t{4} * whole.width * whole.height, Access::readback);
+    picture_ = Texture(device_, {whole.width, whole.height, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
     drawn_ = Texture(device_,
                      {f.width, f.places.shape().height, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     haze_sources_ = Texture(
@@ -295,13 +301,16 @@ void Relighter::set_slides(const std::vector<shared::SlidePicture>& slides) {
 // Last of all, in what memory is left.
 void Relighter::make_images() {
     const Fragments& f = fragments();
-    frame_ = gpu::Texture(device_, {f.width, f.height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
-    gpu::TextureShape shape{(f.width + 1) / 2, f.height, 1, 1, VK_FORMAT_R32G32B32A32_UINT, true, false};
+    frame_ = gpu::Texture(device_, {seen().width, seen().height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    // Two pixels a texel, or surface and haze of one point.
+    const std::uint32_t across = coarse_ ? f.width : (f.width + 1) / 2;
+    gpu::TextureShape shape{across, f.height, 1, 1, VK_FORMAT_R32G32B32A32_UINT, true, false};
     const std::uint64_t one = gpu::texture_bytes(device_, shape);
     const std::uint64_t left = device_.memory_left_bytes();
     const std::uint64_t spare = left / 8 + (kFixedImages + 1) * one; // pictures that are read back, uploads
     const std::uint64_t room = (left - std::min(left, spare)) / one;
-    const int wanted = image_slots(settings_.image_memory_bytes, width(), height(), light_count_);
+    const int wanted = image_slots(settings_.image_memory_bytes, static_cast<int>(2 * across),
+                                   static_cast<int>(f.height), light_count_);
     slot_count_ = static_cast<int>(std::min<std::uint64_t>(room, static_cast<std::uint64_t>(wanted)));
     tree_ = LightTree(light_count_, slot_count_);
     shape.layers = static_cast<std::uint32_t>(slot_count_) + kFixedImages;
@@ -351,6 +360,7 @@ FrameStatistics Relighter::draw(const scene::Lit& lit, const std::function<bool(
         haze_.begin_frame();
         commands_.begin();
         commands_.write(work_, std::vector<shared::FrameWork>(1));
+        if (coarse_) coarse_->update(commands_);
         if (visibility_) visibility_->begin_frame(commands_, pages_full_);
         if (!new_slides_.empty()) commands_.begin_span("slides");
         for (const std::size_t k : new_slides_)
@@ -365,6 +375,7 @@ FrameStatistics Relighter::draw(const scene::Lit& lit, const std::function<bool(
         }
         stop_ = {};
         drawing_ = nullptr;
+        touched_ = false;
         statistics.faces = lens_.drawn();
         const auto* work = static_cast<const shared::FrameWork*>(work_read_.mapped());
         statistics.haze_tiles = static_cast<int>(work->haze_tiles);
@@ -381,8 +392,12 @@ FrameStatistics Relighter::draw(const scene::Lit& lit, const std::function<bool(
 bool Relighter::make_images_of(const Plan& plan, FrameStatistics& statistics) {
     for (std::size_t k = 0; k < plan.sums.size(); ++k) {
         const ImageSum& sum = plan.sums[k];
-        for (const Addend& addend : sum.addends) statistics.mended += mend(addend.slot);
+        // While something moves an image that was mended would be stale in the next frame, too.
+        const bool patches = mender_ && touched_ && !stop_ && sum.target < 0;
+        if (!patches)
+            for (const Addend& addend : sum.addends) statistics.mended += mend(addend.slot);
         draw_sum(sum);
+        if (patches) statistics.mended += patch(sum);
         if (statistics.stopped) {
             tree_.unmake(std::span(plan.sums).subspan(k));
             return false;
@@ -416,8 +431,26 @@ int Relighter::mend(int slot) {
     return static_cast<int>(sum.lights.size());
 }
 
+// Draws the frame again where images are stale that it was summed from.
+int Relighter::patch(const ImageSum& sum) {
+    TileSet tiles;
+    const ImageSum patch = mender_->patch(sum, units_.lights(), tiles);
+    if (tiles.empty()) return 0;
+    if (tiles.count() > Mender::kMostTiles) {
+        int mended = 0;
+        for (const Addend& addend : sum.addends) mended += mend(addend.slot);
+        draw_sum(sum);
+        return mended;
+    }
+    mended_tiles_ = mender_->record(commands_, tiles);
+    draw_sum(patch);
+    mended_tiles_ = 0;
+    return static_cast<int>(patch.lights.size() - sum.lights.size());
+}
+
 void Relighter::develop(const scene::Lit& lit) {
-    const Fragments& f = fragments();
+    const Fragments& f = seen();
+    if (coarse_) coarse_->spread(commands_, frame_);
     // Illuminance is what falls on a surface.
     if (!lit.walls.empty() && !settings_.illuminance) {
         commands_.begin_span("walls");
@@ -454,7 +487,7 @@ image::Image8 Relighter::picture() const {
 image::ImageF Relighter::frame() const {
     image::ImageF result(width(), height(), 3);
     const gpu::Buffer buffer(device_,
-                             std::uint64_t{fragments().width} * fragments().height * kFrameBytesPerPixel,
+                             std::uint64_t{seen().width} * seen().height * kFrameBytesPerPixel,
                              gpu::Access::readback);
     commands_.begin();
     commands_.copy(glare_.seen(frame_), buffer);
@@ -484,7 +517,7 @@ std::uint64_t Relighter::memory_bytes() const {
 std::uint64_t Relighter::picture_bytes() const {
     std::uint64_t sum = lens_.memory_bytes() + glare_.memory_bytes() + (wide_ ? wide_->memory_bytes() : 0) +
                         (visibility_ ? visibility_->memory_bytes() : 0) +
-                        (mender_ ? mender_->memory_bytes() : 0);
+                        (mender_ ? mender_->memory_bytes() : 0) + (coarse_ ? coarse_->memory_bytes() : 0);
     for (const gpu::Buffer* buffer : {&masks_, &lists_, &pixels_}) sum += buffer->bytes();
     for (const gpu::Texture* texture : {&frame_, &kept_, &drawn_, &haze_sources_, &picture_})
         sum += texture->bytes();

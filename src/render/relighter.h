@@ -11,6 +11,7 @@
 #include "gpu/texture.h"
 #include "image/image.h"
 #include "image/tone.h"
+#include "render/coarse_light.h"
 #include "render/distance_images.h"
 #include "render/g_buffer.h"
 #include "render/glare_pass.h"
@@ -59,6 +60,7 @@ struct Settings {
     std::uint64_t visibility_bytes = std::uint64_t{256} << 20; // for kept visibility (render/visibility.h)
     std::uint32_t lights_per_dispatch = 0; // 0: what suits the device; 1 or kLightsPerChunk (shared/push.h)
     bool reuse = true;                     // false: every light is drawn in every frame
+    bool coarse = false; // of a G-buffer, gate: lights at half its sides (render/coarse_light.h)
 };
 
 struct FrameStatistics {
@@ -114,8 +116,9 @@ public:
     // The haze moved. Cheap where it is even.
     void set_air(const shared::Air& air);
 
-    int width() const { return static_cast<int>(fragments().width); }
-    int height() const { return static_cast<int>(fragments().height); }
+    int width() const { return static_cast<int>(seen().width); }
+    int height() const { return static_cast<int>(seen().height); }
+    bool is_coarse() const { return coarse_ != nullptr; }
     image::Image8 picture() const; // RGBA, sRGB: the developed frame
     image::ImageF frame() const;   // RGB, linear Rec.2020, cd/m^2, glare included
     float ev100_used() const;
@@ -135,13 +138,18 @@ private:
     void draw_sum(const ImageSum& sum);
     void add_images(const ImageSum& sum);
     int mend(int slot);
+    int patch(const ImageSum& sum);
     bool make_images_of(const Plan& plan, FrameStatistics& statistics);
     void run_commands(FrameStatistics& statistics);
     bool wants_stop();
     void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
     void record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
     void develop(const scene::Lit& lit);
-    const Fragments& fragments() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
+    const Fragments& seen() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
+    const Fragments& fragments() const { return coarse_ ? coarse_->fragments() : seen(); } // lights fall on
+    // Of a G-buffer: where the extra fragments of tiles lie that lights fall on, and normals.
+    const gpu::Buffer& rooms() const { return coarse_ ? coarse_->rooms() : g_buffer_->rooms(); }
+    const gpu::Texture& normals() const { return coarse_ ? coarse_->normals() : g_buffer_->normals(); }
 
     const gpu::Device& device_;
     Settings settings_;
@@ -150,12 +158,14 @@ private:
     PassImages passes_; // one of these two
     const GBuffer* g_buffer_;
     const DistanceImages* distances_;
+    std::unique_ptr<CoarseLight> coarse_; // or null
     int slot_count_;
     LightTree tree_;
     std::unique_ptr<Visibility> visibility_; // null: from passes, or without shadows
     bool pages_full_ = false;
     std::unique_ptr<Mender> mender_; // null: from passes, in which nothing moves
     std::uint32_t mended_tiles_ = 0; // above 0: only these tiles, of mender_, are drawn now
+    bool touched_ = false;           // since the last draw
     LightUnits units_;
     std::function<bool()> stop_;         // of the draw that runs
     FrameStatistics* drawing_ = nullptr; // likewise

@@ -77,7 +77,7 @@ void Relighter::draw_sum(const ImageSum& sum) {
         commands_.dispatch(fold_, shared::FoldPush{f.edge_count, mended_tiles_ > 0 ? 1u : 0u},
                            {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_),
                             gpu::stored(f.places),
-                            gpu::storage(g_buffer_ ? g_buffer_->rooms() : f.tile_bounds),
+                            gpu::storage(g_buffer_ ? rooms() : f.tile_bounds),
                             gpu::storage(tile_list), gpu::stored(haze_sources_)},
                            mended_tiles_ > 0 ? mended_tiles_ : gpu::groups(f.edge_count, 64));
         commands_.barrier();
@@ -109,8 +109,10 @@ void Relighter::add_images(const ImageSum& sum) {
     commands_.begin_span("add");
     commands_.dispatch(sum_, push,
                        {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(kept_), gpu::storage(tile_list),
-                        gpu::uniform(addends_, offset), gpu::stored(frame_)},
-                       mended_tiles_ > 0 ? mended_tiles_ : f.tiles_x, mended_tiles_ > 0 ? 1 : f.tiles_y);
+                        gpu::uniform(addends_, offset), gpu::stored(frame_),
+                        gpu::stored(coarse_ ? coarse_->sums() : kept_)},
+                       (mended_tiles_ > 0 ? mended_tiles_ : f.tiles_x) * (coarse_ ? 2 : 1),
+                       mended_tiles_ > 0 ? 1 : f.tiles_y);
     commands_.barrier();
 }
 
@@ -171,11 +173,11 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
                                        gpu::storage(lists_),
                                        gpu::stored(f.places),
                                        gpu::stored(drawn_),
-                                       gpu::stored(g_buffer_ ? g_buffer_->diffuse() : passes_.radiance)};
+                                       gpu::stored(coarse_ ? coarse_->diffuse() : g_buffer_ ? g_buffer_->diffuse() : passes_.radiance)};
     if (g_buffer_)
         bindings.insert(bindings.end(),
                         {gpu::sampled(distances_ ? distances_->texture() : gobos_),
-                         gpu::stored(g_buffer_->specular()), gpu::stored(g_buffer_->normals()),
+                         gpu::stored(coarse_ ? coarse_->specular() : g_buffer_->specular()), gpu::stored(normals()),
                          gpu::uniform(air_), gpu::sampled(distances_ ? distances_->blockers() : gobos_),
                          gpu::sampled(slides_),
                          gpu::uniform(visibility_ ? visibility_->keeps() : nothing_, keeps_offset),
@@ -201,7 +203,7 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
                 {gpu::uniform(f.view), gpu::uniform(lights_, chunk.light_offset), gpu::storage(masks_),
                  gpu::storage(lists_), gpu::sampled(distances_->texture()),
                  gpu::sampled(distances_->blockers()), gpu::stored(f.places),
-                 gpu::stored(g_buffer_->normals()), gpu::uniform(visibility_->keeps(), keeps_offset),
+                 gpu::stored(normals()), gpu::uniform(visibility_->keeps(), keeps_offset),
                  gpu::storage(visibility_->entries()), gpu::stored(visibility_->pages())},
                 groups_, chunk.made_groups(push.batch));
             commands_.barrier();

@@ -15,7 +15,7 @@ constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on
 constexpr std::uint64_t kKeepBytes = shared::kLightsPerChunk * sizeof(shared::Keep);
 constexpr std::uint64_t kEntryBytes = 2 * sizeof(std::uint32_t);
 constexpr std::uint64_t kHeadBytes = 8;  // how many pages are used
-constexpr std::uint64_t kTexelBytes = 2; // r16
+constexpr std::uint64_t kTexelBytes = 4; // rg16
 constexpr std::uint64_t kPageBytes = kTexelBytes * shared::kTilePixels;
 constexpr std::uint32_t kGroup = 64;        // visibility_touch.comp
 constexpr std::size_t kMostTouched = 16384; // tiles that can be listed; more: everything is stale
@@ -30,11 +30,12 @@ std::uint32_t units_of(const Fragments& f) {
 
 } // namespace
 
-Visibility::Visibility(const gpu::Device& device, const GBuffer& g_buffer, std::size_t map_count,
-                       std::uint64_t draws, std::uint64_t memory_bytes)
-    : g_buffer_(g_buffer), touch_(device, shaders::kShader_visibility_touch, {kStorage, kStorage, kStorage}),
-      units_(units_of(g_buffer.fragments())),
-      touched_(static_cast<int>(g_buffer.fragments().width), static_cast<int>(g_buffer.fragments().height)) {
+Visibility::Visibility(const gpu::Device& device, const Fragments& fragments, const gpu::Buffer& rooms,
+                       std::size_t map_count, std::uint64_t draws, std::uint64_t memory_bytes)
+    : fragments_(fragments), rooms_(rooms),
+      touch_(device, shaders::kShader_visibility_touch, {kStorage, kStorage, kStorage}),
+      units_(units_of(fragments)),
+      touched_(static_cast<int>(fragments.width), static_cast<int>(fragments.height)) {
     // A quarter for entries at most: lights beyond keep nothing.
     const std::uint64_t entries =
         std::min<std::uint64_t>(map_count, memory_bytes / 4 / (kEntryBytes * units_));
@@ -51,16 +52,15 @@ Visibility::Visibility(const gpu::Device& device, const GBuffer& g_buffer, std::
     page_count_ = static_cast<std::uint32_t>(layers * rows_of_layer * shared::kPagesAcross - units_);
     pages_ = gpu::Texture(device, {shared::kPagesAcross * shared::kTileWidth,
                                    static_cast<std::uint32_t>(rows_of_layer) * shared::kTileHeight,
-                                   static_cast<std::uint32_t>(layers), 1, VK_FORMAT_R16_UNORM, true, false});
+                                   static_cast<std::uint32_t>(layers), 1, VK_FORMAT_R16G16_UNORM, true, false});
     entries_ = gpu::Buffer(device, kHeadBytes + all * kEntryBytes, gpu::Access::device);
     changed_at_ = gpu::Buffer(device, std::uint64_t{4} * units_, gpu::Access::device);
     tile_list_ = gpu::Buffer(device, kMostTouched * sizeof(std::uint32_t), gpu::Access::device);
     keeps_ = gpu::Buffer(device, draws * kAlign + kKeepBytes, gpu::Access::upload);
 }
 
-void Visibility::touch(const std::vector<PixelRect>& rects) {
-    // Then extra fragments lie elsewhere.
-    forgotten_ = forgotten_ || g_buffer_.extras_moved();
+void Visibility::touch(const std::vector<PixelRect>& rects, bool extras_moved) {
+    forgotten_ = forgotten_ || extras_moved;
     for (const PixelRect& rect : rects) touched_.add(rect);
 }
 
@@ -68,7 +68,7 @@ void Visibility::begin_frame(gpu::Commands& commands, bool is_full) {
     keeps_used_ = 0;
     ++frames_;
     const bool anew = forgotten_ || touched_.count() > kMostTouched || (is_full && frames_ >= kLeastFrames);
-    const Fragments& f = g_buffer_.fragments();
+    const Fragments& f = fragments_;
     ++now_;
     if (anew) {
         commands.fill_zero(entries_);
@@ -81,7 +81,7 @@ void Visibility::begin_frame(gpu::Commands& commands, bool is_full) {
         commands.write(tile_list_, list);
         commands.dispatch(
             touch_, shared::VisibilityTouchPush{count, f.tiles_x * f.tiles_y, now_},
-            {gpu::storage(tile_list_), gpu::storage(g_buffer_.rooms()), gpu::storage(changed_at_)},
+            {gpu::storage(tile_list_), gpu::storage(rooms_), gpu::storage(changed_at_)},
             gpu::groups(count, kGroup));
         commands.barrier();
     }

@@ -10,7 +10,7 @@
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/texture.h"
-#include "render/g_buffer.h"
+#include "render/fragments.h"
 #include "render/screen_area.h"
 #include "shared/types.h"
 #include "shared/visibility.h"
@@ -22,15 +22,15 @@ namespace ghost::render {
 
 class Visibility {
 public:
-    // map_count: distance maps; one place each. draws: chunks of a frame, at most. memory_bytes: at most, for
-    // pages and entries.
-    Visibility(const gpu::Device& device, const GBuffer& g_buffer, std::size_t map_count, std::uint64_t draws,
-               std::uint64_t memory_bytes);
+    // rooms: shared::TileRoom of each tile. map_count: distance maps; one place each. draws: chunks of a
+    // frame, at most. memory_bytes: at most, for pages and entries.
+    Visibility(const gpu::Device& device, const Fragments& fragments, const gpu::Buffer& rooms,
+               std::size_t map_count, std::uint64_t draws, std::uint64_t memory_bytes);
 
     // Everything is stale: the camera moved, or shadows changed.
     void forget() { forgotten_ = true; }
-    // The fragments in these rectangles are others.
-    void touch(const std::vector<PixelRect>& rects);
+    // The fragments in these rectangles are others; extras_moved: extra fragments lie elsewhere.
+    void touch(const std::vector<PixelRect>& rects, bool extras_moved);
     // is_full: a page was wanted in the frame before, and there was none.
     void begin_frame(gpu::Commands& commands, bool is_full);
     struct Chunk {
@@ -58,7 +58,8 @@ private:
         std::uint32_t since = 0;
         std::uint32_t used = 0; // `now` of the chunk
     };
-    const GBuffer& g_buffer_;
+    const Fragments& fragments_;
+    const gpu::Buffer& rooms_;
     gpu::Program touch_;
     std::vector<Place> places_;
     std::uint32_t units_;
