@@ -20,6 +20,12 @@ layout(push_constant, scalar) uniform Push { SumPush p; };
 layout(constant_id = 0) const bool kCorners = false;
 // Light at half the size: a texel is one point, its surface and its haze.
 layout(constant_id = 1) const bool kCoarse = false;
+// What is added to what: constants, for without a GPU both sides of a branch are run.
+layout(constant_id = 2) const uint kParts = 0u;    // of kSumToFrame ..
+layout(constant_id = 3) const uint kAddends = 0u;  // so many; kManyAddends: as p says
+const bool kToFrame = (kParts & kSumToFrame) != 0u;
+const bool kBase = (kParts & kSumBase) != 0u;
+const bool kDrawn = (kParts & kSumDrawn) != 0u;
 
 struct Pair {
     vec3 left, right;
@@ -28,6 +34,12 @@ struct Pair {
 Pair unpack(uvec4 packed_pair) {
     vec2 a = unpackHalf2x16(packed_pair.x), b = unpackHalf2x16(packed_pair.y), c = unpackHalf2x16(packed_pair.z);
     return Pair(vec3(a, b.x), vec3(b.y, c));
+}
+
+void add(ivec2 pair, Addend addend, inout Pair sum) {
+    Pair image = unpack(imageLoad(kept, ivec3(pair, addend.layer)));
+    sum.left += addend.weight * image.left;
+    sum.right += addend.weight * image.right;
 }
 
 vec3 new_light(ivec2 at, ivec2 last) {
@@ -52,24 +64,30 @@ void main() {
     if (any(greaterThan(at, last))) return;
     ivec2 right = ivec2(min(at.x + 1, last.x), at.y);
     Pair sum = Pair(vec3(0.0), vec3(0.0));
-    if (p.add_base != 0u && !kCoarse) sum = Pair(imageLoad(base, ivec3(at, 0)).rgb, imageLoad(base, ivec3(right, 0)).rgb);
-    if (p.add_drawn != 0u && kCoarse) {
+    if (kBase && !kCoarse) sum = Pair(imageLoad(base, ivec3(at, 0)).rgb, imageLoad(base, ivec3(right, 0)).rgb);
+    if (kDrawn && kCoarse) {
         sum = Pair(imageLoad(drawn, ivec3(at, 0)).rgb, imageLoad(drawn, ivec3(at, 1)).rgb);
-    } else if (p.add_drawn != 0u) {
+    } else if (kDrawn) {
         sum.left += new_light(at, last);
         sum.right += new_light(right, last);
     }
-    for (uint k = 0u; k < p.addend_count; ++k) {
-        Pair image = unpack(imageLoad(kept, ivec3(pair, addends[k].layer)));
-        sum.left += addends[k].weight * image.left;
-        sum.right += addends[k].weight * image.right;
-    }
-    if (kCoarse && p.to_frame != 0u) sum.left *= uintBitsToFloat(imageLoad(coarse, ivec3(at, kCoarseWhite)).xyz);
+    if (kAddends == kManyAddends)
+        for (uint k = 0u; k < p.addend_count; ++k) add(pair, addends[k], sum);
+    // Not in a loop: a value at a constant index is loaded once, not for every lane.
+    if (kAddends > 0u && kAddends < kManyAddends) add(pair, addends[0], sum);
+    if (kAddends > 1u && kAddends < kManyAddends) add(pair, addends[1], sum);
+    if (kAddends > 2u && kAddends < kManyAddends) add(pair, addends[2], sum);
+    if (kAddends > 3u && kAddends < kManyAddends) add(pair, addends[3], sum);
+    if (kAddends > 4u && kAddends < kManyAddends) add(pair, addends[4], sum);
+    if (kAddends > 5u && kAddends < kManyAddends) add(pair, addends[5], sum);
+    if (kAddends > 6u && kAddends < kManyAddends) add(pair, addends[6], sum);
+    if (kAddends > 7u && kAddends < kManyAddends) add(pair, addends[7], sum);
+    if (kCoarse && kToFrame) sum.left *= uintBitsToFloat(imageLoad(coarse, ivec3(at, kCoarseWhite)).xyz);
     vec3 a = light_to_store(vec4(sum.left, 0.0)).rgb, b = light_to_store(vec4(sum.right, 0.0)).rgb;
     uvec4 packed_sum = uvec4(packHalf2x16(a.rg), packHalf2x16(vec2(a.b, b.r)), packHalf2x16(b.gb), 0u);
-    if (p.to_frame != 0u && kCoarse) {
+    if (kToFrame && kCoarse) {
         imageStore(coarse, ivec3(at, kCoarseLight), packed_sum);
-    } else if (p.to_frame != 0u) {
+    } else if (kToFrame) {
         imageStore(frame, ivec3(at, 0), vec4(a, 0.0));
         if (right.x > at.x) imageStore(frame, ivec3(right, 0), vec4(b, 0.0));
     } else {

@@ -77,16 +77,17 @@ struct Addend {
     vec3 weight; // of an image of one light
 };
 SHARED_SIZE(Addend, 16);
+SHARED_CONST uint kSumToFrame = 1u; // else to a kept image
+SHARED_CONST uint kSumBase = 2u;    // with the picture without lights
+SHARED_CONST uint kSumDrawn = 4u;   // and the lights drawn just now
+SHARED_CONST uint kManyAddends = 9u;
 struct SumPush {
-    uint target;     // layer of the kept images
-    uint to_frame;   // 1: the frame instead
-    uint add_base;
-    uint add_drawn;
+    uint target; // layer of the kept images
     uint addend_count;
     uint tiles_x;
     uint listed; // 1: only the tiles of a list
 };
-SHARED_SIZE(SumPush, 28);
+SHARED_SIZE(SumPush, 16);
 
 // drawn += lights, on the tiles of the list. Layer 0: surfaces, layer 1: haze.
 struct RelightPush {

@@ -9,7 +9,6 @@
 #include "shaders/fold.h"
 #include "shaders/meter.h"
 #include "shaders/silhouettes.h"
-#include "shaders/sum.h"
 #include "shaders/surface.h"
 #include "shaders/surface_live.h"
 #include "shaders/visibility.h"
@@ -100,8 +99,6 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
             {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage, kStorage, kUniform, kStorage,
              kStorage},
             {0u, g_buffer && distances ? 1u : 0u}),
-      sum_(device, shaders::kShader_sum, {kStored, kStored, kStored, kStorage, kUniform, kStored, kStored},
-           {settings.beams.beams == Beams::gate ? 0u : 1u, settings.coarse ? 1u : 0u}),
       bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
       silhouettes_(device, shaders::kShader_silhouettes, {kUniform, kSampled, kStored, kStored}),
       fold_(device, shaders::kShader_fold,

@@ -33,8 +33,10 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ghost::render {
@@ -137,6 +139,7 @@ private:
     void make_images();
     void draw_sum(const ImageSum& sum);
     void add_images(const ImageSum& sum);
+    const gpu::Program& sum_of(std::uint32_t parts, std::uint32_t addends);
     int mend(int slot);
     int patch(const ImageSum& sum);
     bool make_images_of(const Plan& plan, FrameStatistics& statistics);
@@ -180,9 +183,10 @@ private:
         (sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
     static constexpr std::uint64_t kAddendBytes = shared::kMostAddends * sizeof(shared::Addend);
     static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
-    gpu::Program cull_, sum_, bounce_, silhouettes_, fold_, meter_, develop_;
+    gpu::Program cull_, bounce_, silhouettes_, fold_, meter_, develop_;
     std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_;
     gpu::LateProgram visible_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<gpu::Program>> sums_; // sum_of
     HazePass haze_;
     std::unique_ptr<WideBeams> wide_; // null: HazeSettings::most_wide_step is 1
     std::uint32_t wide_step_ = 1;

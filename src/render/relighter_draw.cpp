@@ -2,6 +2,7 @@
 // The part of Relighter that draws lights: a sum of the tree, its lights by chunks, their surfaces.
 #include "base/check.h"
 #include "render/relighter.h"
+#include "shaders/sum.h"
 #include "shared/figure.h"
 
 #include <algorithm>
@@ -10,6 +11,10 @@
 
 namespace ghost::render {
 namespace {
+
+constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 
 // Facets of prisms that are not in the beam, and lamps that are out.
 bool is_dark(const shared::Light& light) {
@@ -91,9 +96,9 @@ void Relighter::add_images(const ImageSum& sum) {
     CHECK(sum.addends.size() <= shared::kMostAddends);
     shared::SumPush push{};
     push.target = static_cast<std::uint32_t>(std::max(sum.target, 0));
-    push.to_frame = sum.target < 0 ? 1u : 0u;
-    push.add_base = sum.base && !settings_.illuminance ? 1u : 0u;
-    push.add_drawn = sum.lights.empty() ? 0u : 1u;
+    const std::uint32_t parts = (sum.target < 0 ? shared::kSumToFrame : 0) |
+                                (sum.base && !settings_.illuminance ? shared::kSumBase : 0) |
+                                (sum.lights.empty() ? 0 : shared::kSumDrawn);
     push.tiles_x = f.tiles_x;
     push.listed = mended_tiles_ > 0 ? 1u : 0u;
     const std::uint64_t offset = addends_used_;
@@ -107,13 +112,23 @@ void Relighter::add_images(const ImageSum& sum) {
     addends_used_ +=
         (push.addend_count * sizeof(shared::Addend) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
     commands_.begin_span("add");
-    commands_.dispatch(sum_, push,
+    commands_.dispatch(sum_of(parts, std::min(push.addend_count, shared::kManyAddends)), push,
                        {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(kept_), gpu::storage(tile_list),
                         gpu::uniform(addends_, offset), gpu::stored(frame_),
                         gpu::stored(coarse_ ? coarse_->sums() : kept_)},
                        (mended_tiles_ > 0 ? mended_tiles_ : f.tiles_x) * (coarse_ ? 2 : 1),
                        mended_tiles_ > 0 ? 1 : f.tiles_y);
     commands_.barrier();
+}
+
+const gpu::Program& Relighter::sum_of(std::uint32_t parts, std::uint32_t addends) {
+    std::unique_ptr<gpu::Program>& program = sums_[{parts, addends}];
+    if (!program)
+        program = std::make_unique<gpu::Program>(
+            device_, shaders::kShader_sum,
+            std::vector{kStored, kStored, kStored, kStorage, kUniform, kStored, kStored},
+            std::vector{settings_.beams.beams == Beams::gate ? 0u : 1u, coarse_ ? 1u : 0u, parts, addends});
+    return *program;
 }
 
 void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide) {
