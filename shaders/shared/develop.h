@@ -20,6 +20,7 @@ SHARED_CONST float kAutoBias = 0.7f;    // a lit stage in a dark hall is exposed
 SHARED_CONST uint kToneAgx = 0u;
 SHARED_CONST uint kToneAces = 1u;
 SHARED_CONST uint kToneLinear = 2u;
+SHARED_CONST uint kToneCount = 3u;
 SHARED_CONST float kAcesScale = 0.7232f; // with it 0.18 stays 0.18
 SHARED_CONST float kAgxMinEv = -12.47393f;
 SHARED_CONST float kAgxMaxEv = 4.026069f;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/glare_pass.h"
 
+#include "shaders/glare_develop.h"
 #include "shaders/glare_down.h"
 #include "shaders/glare_tail.h"
 #include "shaders/glare_up.h"
@@ -14,6 +15,7 @@
 namespace ghost::render {
 namespace {
 
+constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint32_t kMostLevels = 8;
 constexpr std::uint32_t kCoarsest = 8; // texels of the coarsest level's shorter side, at least
@@ -72,6 +74,10 @@ GlarePass::GlarePass(const gpu::Device& device, std::uint32_t width, std::uint32
                                          std::vector{kStored, kStored, kStored});
     tail_ =
         std::make_unique<gpu::Program>(device, shaders::kShader_glare_tail, std::vector{kStored, kStored});
+    for (std::uint32_t tone = 0; tone < develop_.size(); ++tone)
+        develop_[tone] =
+            gpu::LateProgram(device, shaders::kShader_glare_develop,
+                             std::vector{kStored, kStored, kUniform, kStored}, std::vector{tone});
     // Every level is exactly half the one before: no light is counted twice at the far border.
     const std::uint32_t count = level_count(width, height);
     const std::uint32_t unit = 1u << (count - 1);
@@ -134,8 +140,26 @@ void GlarePass::record(gpu::Commands& commands, const gpu::Texture& frame, float
     }
     // What is scattered less far than a texel stays in its pixel.
     const float scattered = std::accumulate(weights_.begin(), weights_.end(), 0.0f);
-    up(*coarse, frame, seen_, 1.0f - settings_.strength * scattered,
-       coarse_weight * settings_.strength / scale);
+    last_up_ = {seen_.shape().width, seen_.shape().height, 1.0f - settings_.strength * scattered,
+                coarse_weight * settings_.strength / scale};
+}
+
+void GlarePass::see(gpu::Commands& commands, const gpu::Texture& frame) const {
+    if (!on()) return;
+    commands.dispatch(*up_, last_up_, {gpu::stored(finest()), gpu::stored(frame), gpu::stored(seen_)},
+                      gpu::groups(last_up_.width, 2 * shared::kTileWidth),
+                      gpu::groups(last_up_.height, 2 * shared::kTileHeight));
+    commands.barrier();
+}
+
+void GlarePass::develop(gpu::Commands& commands, const gpu::Texture& frame, const gpu::Buffer& exposure,
+                        const gpu::Texture& picture, std::uint32_t tone) const {
+    commands.dispatch(develop_[tone].get(), last_up_,
+                      {gpu::stored(finest()), gpu::stored(frame), gpu::uniform(exposure),
+                       gpu::stored(picture)},
+                      gpu::groups(last_up_.width, 2 * shared::kTileWidth),
+                      gpu::groups(last_up_.height, 2 * shared::kTileHeight));
+    commands.barrier();
 }
 
 std::uint64_t GlarePass::memory_bytes() const {

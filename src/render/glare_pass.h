@@ -8,6 +8,9 @@
 #include "gpu/commands.h"
 #include "gpu/texture.h"
 
+#include "shared/develop.h"
+#include "shared/glare.h"
+
 #include <array>
 #include <cstdint>
 #include <memory>
@@ -30,23 +33,32 @@ public:
               const GlareSettings& settings);
 
     bool on() const { return settings_.strength > 0; }
-    // frame: layer 0, rgba16f, is the picture (light_of_frame in shared/glare.h). brightest: what its pixels
-    // reach at most, cd/m^2.
+    // The glare of a frame, where it is on. frame: layer 0, rgba16f, is the picture (light_of_frame in
+    // shared/glare.h). brightest: what its pixels reach at most, cd/m^2.
     void record(gpu::Commands& commands, const gpu::Texture& frame, float brightest, float pixels_per_rad);
-    // What is to be developed: the picture with glare, or frame itself where glare is off. Its alpha as the
-    // frame's.
+    // After record: makes seen(). What is to be developed: the picture with glare, or frame itself where
+    // glare is off. Its alpha as the frame's.
+    void see(gpu::Commands& commands, const gpu::Texture& frame) const;
     const gpu::Texture& seen(const gpu::Texture& frame) const { return on() ? seen_ : frame; }
+    // After record, where it is on: develops what see() would make, without making it.
+    void develop(gpu::Commands& commands, const gpu::Texture& frame, const gpu::Buffer& exposure,
+                 const gpu::Texture& picture, std::uint32_t tone) const;
     std::uint64_t memory_bytes() const;
 
 private:
+    // What adds to the picture: of the levels, or the far one where there is but one.
+    const gpu::Texture& finest() const { return levels_.size() > 1 ? levels_.front() : far_; }
+
     GlareSettings settings_;
     std::array<std::unique_ptr<gpu::Program>, 2> down_; // from a level, from the frame
     std::unique_ptr<gpu::Program> tail_, up_;
+    std::array<gpu::LateProgram, shared::kToneCount> develop_;
     std::vector<gpu::Texture> levels_; // half the picture, a quarter, ..
     gpu::Texture far_;                 // the coarsest level, scattered
     gpu::Texture seen_;
     float pixels_per_rad_ = 0; // of weights_ and tail_weight_
     std::vector<float> weights_;
+    shared::GlareUpPush last_up_{}; // from the finest level to the picture
     float tail_weight_ = 0;
 };
 

@@ -66,7 +66,7 @@ bool LightTree::keep(int index, Plan& plan) {
     if (node.slot >= 0) return true;
 
     ImageSum sum;
-    if (index < leaf_base_ && (one_by_one_ || has_image_below(index))) {
+    if (index < leaf_base_ && (making_ == Making::one_by_one || has_image_below(index))) {
         for (const int child : {tightest(2 * index + 1), tightest(2 * index + 2)}) {
             if (keep(child, plan))
                 sum.addends.push_back(addend_of(child));
@@ -156,9 +156,9 @@ void LightTree::drop(int node) {
     if (slot >= 0) free_slots_.push_back(std::exchange(slot, -1));
 }
 
-Plan LightTree::plan(std::span<const int> changed, std::span<const int> dimmed, bool one_by_one) {
+Plan LightTree::plan(std::span<const int> changed, std::span<const int> dimmed, Making making) {
     Plan plan;
-    one_by_one_ = one_by_one;
+    making_ = making;
     ++frame_;
     if (changed.empty() && dimmed.empty() && frame_valid_) return plan;
 
@@ -180,10 +180,15 @@ Plan LightTree::plan(std::span<const int> changed, std::span<const int> dimmed, 
         rest_valid_ = rest_valid_ && (changes.in_rest || frame_ - changes.last <= 4 * kSoon);
 
     ImageSum frame;
-    if (rest_valid_)
+    if (making == Making::by_branches && light_count_ > 0) {
+        rest_valid_ = false;
+        frame.base = true;
+        visit(0, std::vector<bool>(nodes_.size(), false), plan, frame);
+    } else if (rest_valid_) {
         add_around_rest(plan, frame);
-    else
+    } else {
         add_all(plan, frame);
+    }
     plan.sums.push_back(std::move(frame));
     frame_valid_ = true;
 

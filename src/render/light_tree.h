@@ -49,8 +49,11 @@ public:
 
     // changed: lights that differ from the last frame; dimmed: those that differ in nothing but their weight.
     // Any order, each once. one_by_one: each light that is made into an image gets one of its own first, so
-    // that little is lost where it is not made to the end.
-    Plan plan(std::span<const int> changed, std::span<const int> dimmed = {}, bool one_by_one = false);
+    // that little is lost where it is not made to the end. What changes rests for the next frames (LightBudget):
+    // branches of the tree are made into images at once.
+    enum class Making { as_needed, one_by_one, by_branches };
+    Plan plan(std::span<const int> changed, std::span<const int> dimmed = {},
+              Making making = Making::as_needed);
     // These sums of the last plan, the frame among them, were not made.
     void unmake(std::span<const ImageSum> sums);
     // The frame must be made again, from the images that are kept.
@@ -93,7 +96,7 @@ private:
     std::vector<bool> is_changed_; // of lights, in this frame
     std::vector<int> free_slots_;
     std::uint64_t frame_ = 2 * kSoon; // so that nothing seems to have changed before the first one
-    bool one_by_one_ = false;
+    Making making_ = Making::as_needed;
     bool frame_valid_ = false;
     bool rest_valid_ = false; // the image of all lights that are in_rest
 };

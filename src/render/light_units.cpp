@@ -18,7 +18,7 @@ float brightest(const glm::vec3& value) {
 
 } // namespace
 
-bool LightUnits::is_same_shape(const shared::Light& a, const shared::Light& b) const {
+bool same_shape(const shared::Light& a, const shared::Light& b) {
     shared::Light as_b = a;
     as_b.intensity_cd = b.intensity_cd;
     as_b.bounce_cd = b.bounce_cd;
@@ -44,7 +44,7 @@ LightUnits::Changes LightUnits::look(const std::vector<shared::Light>& lights) {
     for (std::size_t i = 0; i < lights.size(); ++i) {
         const shared::Light& light = lights[i];
         if (known && std::memcmp(&light, &lights_[i], sizeof light) == 0) continue;
-        if (known && is_same_shape(light, lights_[i]) && holds(light, units_[i])) {
+        if (known && same_shape(light, lights_[i]) && holds(light, units_[i])) {
             changes.dimmed.push_back(static_cast<int>(i));
             continue;
         }

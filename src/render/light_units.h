@@ -11,6 +11,9 @@
 
 namespace ghost::render {
 
+// They differ in nothing but their weight.
+bool same_shape(const shared::Light& a, const shared::Light& b);
+
 class LightUnits {
 public:
     // bounces: the lights' bounced light is drawn, too, which must then keep its proportion.
@@ -35,7 +38,6 @@ private:
         float intensity_cd = 0;
         glm::vec3 bounce{0}; // bounce_cd of a candela
     };
-    bool is_same_shape(const shared::Light& a, const shared::Light& b) const;
     bool holds(const shared::Light& light, const Unit& unit) const;
 
     bool bounces_;

@@ -105,12 +105,14 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
             {kUniform, kSampled, kStored, kStored, kStorage, kStorage, kStored},
             {settings.air ? 1u : 0u, settings.beams.beams == Beams::gate ? 0u : 1u}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
-      develop_(device, shaders::kShader_develop, {kStored, kUniform, kStored}),
       haze_(device, settings.beams, fragments(), batch_size_, static_cast<std::uint32_t>(light_count),
             distances),
       led_walls_(device), lens_(device, settings.lens),
       glare_(device, seen().width, seen().height, settings.glare), commands_(device) {
     CHECK(!settings.coarse || (settings.beams.beams == Beams::gate && !settings.illuminance));
+    for (std::uint32_t tone = 0; tone < develop_.size(); ++tone)
+        develop_[tone] = gpu::LateProgram(device, shaders::kShader_develop,
+                                          std::vector{kStored, kUniform, kStored}, std::vector{tone});
     make_surface_programs();
     visible_ = gpu::LateProgram(device, shaders::kShader_visibility,
                                 {kUniform, kUniform, kStorage, kStorage, kSampled, kSampled, kStored, kStored,
@@ -336,7 +338,7 @@ FrameStatistics Relighter::draw(const scene::Lit& lit, const std::function<bool(
     const std::vector<shared::Light>& lights = lit.lights;
     CHECK_EQ(static_cast<int>(lights.size()), light_count_);
     if (!settings_.reuse) draw_anew();
-    const LightUnits::Changes changes = units_.look(lights);
+    const LightUnits::Changes changes = units_.look(budget_.choose(lights, most_lights_));
     if (settings_.lens.on && !same_faces(lit.faces, last_faces_)) {
         tree_.invalidate_frame();
         last_faces_ = lit.faces;
@@ -346,11 +348,14 @@ FrameStatistics Relighter::draw(const scene::Lit& lit, const std::function<bool(
         last_walls_ = lit.walls;
     }
 
-    const Plan plan = tree_.plan(changes.changed, changes.dimmed, stop != nullptr);
+    using enum LightTree::Making;
+    const Plan plan = tree_.plan(changes.changed, changes.dimmed,
+                                 stop ? one_by_one : (budget_.is_short() ? by_branches : as_needed));
     FrameStatistics statistics;
     statistics.dimmed = static_cast<int>(changes.dimmed.size());
     statistics.changed = static_cast<int>(changes.changed.size()) + statistics.dimmed;
     statistics.drawn = plan.drawn;
+    statistics.is_short = budget_.is_short();
     statistics.additions = plan.additions;
     if (!plan.sums.empty()) {
         lights_used_ = addends_used_ = 0;
@@ -461,16 +466,25 @@ void Relighter::develop(const scene::Lit& lit) {
         commands_.begin_span("glare");
         glare_.record(commands_, frame_, lens_.brightest() + led_walls_.brightest(), f.pixels_per_rad);
     }
+    // Measured by what is seen; where it is not measured nothing else wants that (frame() makes it).
+    const bool sees = settings_.auto_exposure || !glare_.on();
+    if (sees) glare_.see(commands_, frame_);
+    saw_ = sees;
     const gpu::Texture& seen = glare_.seen(frame_);
     const shared::MeterPush meter{f.width, f.height, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
     commands_.begin_span("meter");
     commands_.dispatch(meter_, meter, {gpu::stored(seen), gpu::storage(exposure_)}, 1);
     commands_.barrier();
     commands_.begin_span("develop");
-    commands_.dispatch(develop_, static_cast<std::uint32_t>(settings_.tone),
-                       {gpu::stored(seen), gpu::uniform(exposure_), gpu::stored(picture_)}, f.tiles_x,
-                       f.tiles_y);
-    commands_.barrier();
+    const auto tone = static_cast<std::uint32_t>(settings_.tone);
+    if (sees) {
+        commands_.dispatch(develop_[tone].get(), 0u,
+                           {gpu::stored(seen), gpu::uniform(exposure_), gpu::stored(picture_)}, f.tiles_x,
+                           f.tiles_y);
+        commands_.barrier();
+    } else {
+        glare_.develop(commands_, frame_, exposure_, picture_, tone);
+    }
     commands_.begin_span("read back");
     commands_.copy(picture_, pixels_);
 }
@@ -487,6 +501,7 @@ image::ImageF Relighter::frame() const {
                              std::uint64_t{seen().width} * seen().height * kFrameBytesPerPixel,
                              gpu::Access::readback);
     commands_.begin();
+    if (!saw_) glare_.see(commands_, frame_);
     commands_.copy(glare_.seen(frame_), buffer);
     commands_.submit_and_wait();
     const auto* halves = static_cast<const std::uint16_t*>(buffer.mapped());

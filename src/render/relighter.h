@@ -18,6 +18,7 @@
 #include "render/haze_pass.h"
 #include "render/led_wall_pass.h"
 #include "render/lens_pass.h"
+#include "render/light_budget.h"
 #include "render/light_tree.h"
 #include "render/light_units.h"
 #include "render/mender.h"
@@ -68,6 +69,7 @@ struct Settings {
 struct FrameStatistics {
     int changed = 0;              // lights that differ from the last frame
     int dimmed = 0;               // of them, those that do in nothing but their weight
+    bool is_short = false;        // of time: some lights are shown as they were (render/light_budget.h)
     int drawn = 0;                // lights drawn, the changed ones and those without a kept image
     int mended = 0;               // lights drawn again in the parts of kept images where something moved
     int additions = 0;            // of two images
@@ -108,6 +110,8 @@ public:
     // Of haze by gate, from the next frame on; at most HazeSettings::most_wide_step. Images of resting lights
     // stay as they were drawn, but for those from the grid when it is left.
     void set_quality(const HazeQuality& quality);
+    // Lights that may turn from a frame to the next one, 0: all (render/light_budget.h).
+    void set_most_lights(int most) { most_lights_ = most; }
     // From the next frame on; automatic: measured, and ev100 is not used.
     void set_exposure(float ev100, bool automatic);
     // Likewise.
@@ -170,6 +174,8 @@ private:
     std::uint32_t mended_tiles_ = 0; // above 0: only these tiles, of mender_, are drawn now
     bool touched_ = false;           // since the last draw
     LightUnits units_;
+    LightBudget budget_;
+    int most_lights_ = 0;
     std::function<bool()> stop_;         // of the draw that runs
     FrameStatistics* drawing_ = nullptr; // likewise
     std::vector<scene::Face> last_faces_;
@@ -183,7 +189,8 @@ private:
         (sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
     static constexpr std::uint64_t kAddendBytes = shared::kMostAddends * sizeof(shared::Addend);
     static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
-    gpu::Program cull_, bounce_, silhouettes_, fold_, meter_, develop_;
+    gpu::Program cull_, bounce_, silhouettes_, fold_, meter_;
+    std::array<gpu::LateProgram, shared::kToneCount> develop_;
     std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_;
     gpu::LateProgram visible_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<gpu::Program>> sums_; // sum_of
@@ -192,6 +199,7 @@ private:
     std::uint32_t wide_step_ = 1;
     bool uses_grid_ = false;
     bool wide_prepared_ = false;
+    bool saw_ = true; // glare_ has made what is seen of the frame
     bool silhouettes_known_ = false; // haze_sources_ are those of the picture
     LedWallPass led_walls_;
     LensPass lens_;

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/light_budget.h"
+
+#include "render/light_units.h"
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+
+namespace ghost::render {
+namespace {
+
+// Branches of the tree: more than parts, for the last ones may have no lights.
+constexpr std::size_t kBranches = 2 * LightBudget::kOldest;
+
+} // namespace
+
+const std::vector<shared::Light>& LightBudget::choose(const std::vector<shared::Light>& wanted, int most) {
+    is_short_ = false;
+    if (most > 0 && shown_.size() == wanted.size()) {
+        int turned = 0;
+        for (std::size_t i = 0; i < wanted.size(); ++i) turned += same_shape(shown_[i], wanted[i]) ? 0 : 1;
+        is_short_ = turned > most;
+    }
+    if (!is_short_) {
+        shown_ = wanted;
+        return shown_;
+    }
+    turn_ = (turn_ + 1) % kOldest;
+    const std::size_t leaves = std::max(std::bit_ceil(wanted.size()), kBranches);
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (static_cast<int>(i * kBranches / leaves) % kOldest == turn_) shown_[i] = wanted[i];
+    return shown_;
+}
+
+} // namespace ghost::render
