@@ -22,6 +22,7 @@ LIBRARIES = {
     "zstd.h": {"dmx"},
     "pugixml.hpp": {"fixture", "scene"},
     "assimp/": {"scene"},
+    "meshoptimizer.h": {"render"},
     "toml++/": {"scene"},
     "nlohmann/": {"fixture", "scene", "bake", "app"},
     "OpenEXR/": {"image"},

@@ -237,7 +237,8 @@ GBuffer::MovingPlan GBuffer::plan_moving(const StageModel& model) {
     MovingPlan plan{TileSet(pose_.width, pose_.height), {}};
     if (!model.has_moving()) return plan;
     const Axes axes = axes_of(pose_);
-    const std::vector<StageModel::MovingDraw> placed = model.visible_moving(axes.eye_m, planes_of(axes));
+    const std::vector<StageModel::MovingDraw> placed =
+        model.visible_moving(axes.eye_m, planes_of(axes), fragments_.pixels_per_rad);
     std::map<std::size_t, Shown> shown;
     for (const StageModel::MovingDraw& one : placed) {
         const PixelRect rect = pixels_of(one.corners_m, to_clip(axes), pose_.width, pose_.height);
@@ -314,7 +315,7 @@ void GBuffer::draw_meshes(const StageModel& model, const std::vector<StageModel:
         for (int k = 0; k < 4; ++k) push.to_clip[k] = mesh_to_clip[k];
         for (int k = 0; k < 3; ++k) push.axis[k] = glm::vec3(draw.to_eye[k]);
         gpu::push_constants(commands_, *raster, &push, sizeof push);
-        gpu::draw_triangles(commands_, model.range(draw.mesh));
+        gpu::draw_triangles(commands_, model.range(draw));
     }
     gpu::end_drawing(commands_);
 }

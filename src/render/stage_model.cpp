@@ -3,17 +3,21 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "render/detail_levels.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <set>
+#include <span>
 #include <string>
 #include <tuple>
 
 namespace ghost::render {
 namespace {
 
+constexpr float kMostError_px = 0.15f; // of a coarser body: less than samples are apart
 constexpr float kLeastVolume = 1e-18f; // below, an instance is flat: the baker leaves it out too
 
 bool finite(const glm::vec3& v) {
@@ -119,6 +123,9 @@ void StageModel::add_surfaces(const scene::Stage& stage) {
 void StageModel::add_meshes(const scene::Stage& stage, scene::Report& report) {
     std::vector<StageVertex> vertices;
     std::vector<std::uint32_t> indices;
+    std::set<int> bodies;
+    for (const scene::Instance& instance : stage.instances)
+        if (instance.part != scene::kNone) bodies.insert(instance.mesh);
     for (const scene::Mesh& mesh : stage.meshes) {
         Mesh& made = meshes_.emplace_back();
         made.surface = std::min(static_cast<std::size_t>(std::max(mesh.material, 0)), surfaces_.size() - 1);
@@ -154,6 +161,8 @@ void StageModel::add_meshes(const scene::Stage& stage, scene::Report& report) {
             indices.insert(indices.end(), {i[0], facing < 0.0f ? i[2] : i[1], facing < 0.0f ? i[1] : i[2]});
         }
         made.range.index_count = static_cast<std::uint32_t>(indices.size()) - made.range.first_index;
+        if (surfaces_[made.surface].textures == 0 && bodies.contains(static_cast<int>(meshes_.size()) - 1))
+            add_levels(mesh, facets, made, indices);
         const bool textured = mesh.uvs.size() == count;
         if (!textured && (surfaces_[made.surface].textures & shared::kNormalTexture) != 0) {
             // Bumps need a direction along the picture.
@@ -183,6 +192,23 @@ void StageModel::add_meshes(const scene::Stage& stage, scene::Report& report) {
     vertices_.write(vertices);
     indices_ = gpu::Buffer(device_, indices.size() * sizeof(std::uint32_t), gpu::Access::device);
     indices_.write(indices);
+}
+
+void StageModel::add_levels(const scene::Mesh& mesh, const std::vector<glm::vec3>& facets, Mesh& made,
+                            std::vector<std::uint32_t>& indices) {
+    std::vector<glm::vec3> positions_m, normals;
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+        positions_m.push_back(sane(mesh.positions[v]));
+        normals.push_back(unit_or(mesh.normals[v], facets[v]));
+    }
+    const std::span whole(indices.data() + made.range.first_index, made.range.index_count);
+    for (const DetailLevel& level : detail_levels(positions_m, normals, whole)) {
+        const auto first = static_cast<std::uint32_t>(indices.size());
+        made.levels.push_back(
+            {{first, static_cast<std::uint32_t>(level.indices.size()), made.range.first_vertex},
+             level.error_m});
+        indices.insert(indices.end(), level.indices.begin(), level.indices.end());
+    }
 }
 
 void StageModel::add_instances(const scene::Stage& stage, scene::Report& report) {
@@ -259,7 +285,7 @@ bool StageModel::place(const Instance& instance, const glm::vec3& eye_m, const s
     if (!instance.shown || !instance.usable) return false;
     const Mesh& mesh = meshes_[instance.mesh];
     if (mesh.range.index_count == 0) return false;
-    placed.draw = {instance.mesh, 0.0f, instance.world};
+    placed.draw = {instance.mesh, 0.0f, 0, instance.world};
     placed.draw.to_eye[3] -= glm::vec4(eye_m, 0.0f);
     std::array<glm::vec3, 8>& corners = placed.corners_m;
     glm::vec3 centre(0.0f);
@@ -278,13 +304,26 @@ bool StageModel::place(const Instance& instance, const glm::vec3& eye_m, const s
     return !outside;
 }
 
+std::size_t StageModel::level_for(const Draw& draw, float pixels_per_rad) const {
+    const glm::mat3 axes(draw.to_eye);
+    const float scale =
+        std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])}) * pixels_per_rad;
+    const std::vector<Level>& levels = meshes_[draw.mesh].levels;
+    std::size_t level = 0;
+    while (level < levels.size() && levels[level].error_m * scale < kMostError_px * draw.near_m) ++level;
+    return level;
+}
+
 std::vector<StageModel::MovingDraw> StageModel::visible_moving(const glm::vec3& eye_m,
-                                                               const std::vector<glm::vec4>& planes) const {
+                                                               const std::vector<glm::vec4>& planes,
+                                                               float pixels_per_rad) const {
     std::vector<MovingDraw> draws;
     for (const std::size_t index : moving_) {
         MovingDraw placed;
         placed.instance = index;
-        if (place(instances_[index], eye_m, planes, placed)) draws.push_back(placed);
+        if (!place(instances_[index], eye_m, planes, placed)) continue;
+        placed.draw.level = level_for(placed.draw, pixels_per_rad);
+        draws.push_back(placed);
     }
     return draws;
 }

@@ -60,6 +60,7 @@ public:
     struct Draw {
         std::size_t mesh = 0;
         float near_m = 0;       // of its nearest corner, about
+        std::size_t level = 0;  // of detail, see range(); 0: all of it
         glm::mat4 to_eye{1.0f}; // from the mesh to the world, moved so that the eye is the origin
     };
     // planes: of the view (normal inwards, offset), with the eye as origin. Without the moving ones. Opaque,
@@ -71,9 +72,10 @@ public:
         Draw draw;
         std::array<glm::vec3, 8> corners_m{}; // of its box, with the eye as origin
     };
-    // The moving ones, in an order that never changes.
-    std::vector<MovingDraw> visible_moving(const glm::vec3& eye_m,
-                                           const std::vector<glm::vec4>& planes) const;
+    // The moving ones, in an order that never changes. Bodies of fixtures at a level of detail that depends
+    // on where they are and on nothing else: at rest it is the same one.
+    std::vector<MovingDraw> visible_moving(const glm::vec3& eye_m, const std::vector<glm::vec4>& planes,
+                                           float pixels_per_rad) const;
 
     struct Surface {
         std::size_t made_from = 0; // Stage::materials
@@ -85,15 +87,23 @@ public:
     };
     const Surface& surface_of(std::size_t mesh) const { return surfaces_[meshes_[mesh].surface]; }
     const gpu::Texture& texture(std::size_t index) const { return textures_[index]; }
-    const gpu::DrawRange& range(std::size_t mesh) const { return meshes_[mesh].range; }
+    const gpu::DrawRange& range(const Draw& draw) const {
+        const Mesh& mesh = meshes_[draw.mesh];
+        return draw.level == 0 ? mesh.range : mesh.levels[draw.level - 1].range;
+    }
     const gpu::Buffer& materials() const { return materials_; }
     const gpu::Buffer& vertices() const { return vertices_; }
     const gpu::Buffer& indices() const { return indices_; }
 
 private:
+    struct Level {
+        gpu::DrawRange range;
+        float error_m = 0;
+    };
     struct Mesh {
         gpu::DrawRange range;
-        glm::vec3 low_m{0}; // of the mesh's own box
+        std::vector<Level> levels; // coarser ones, finest first
+        glm::vec3 low_m{0};        // of the mesh's own box
         glm::vec3 high_m{0};
         std::size_t surface = 0;
         std::vector<std::size_t> instances; // usable ones
@@ -114,6 +124,10 @@ private:
     void add_textures(const scene::Stage& stage, scene::Report& report, std::uint64_t texture_bytes);
     void add_surfaces(const scene::Stage& stage);
     void add_meshes(const scene::Stage& stage, scene::Report& report);
+    // Appends the levels of detail of a mesh that is in the indices; facets: normals for where one is none.
+    static void add_levels(const scene::Mesh& mesh, const std::vector<glm::vec3>& facets, Mesh& made,
+                           std::vector<std::uint32_t>& indices);
+    std::size_t level_for(const Draw& draw, float pixels_per_rad) const;
     void upload_materials();
     void add_instances(const scene::Stage& stage, scene::Report& report);
 

@@ -164,7 +164,7 @@ TEST_F(MovingTest, OnlyWhatAHeadTouchesChanges) {
 TEST_F(MovingTest, WhatStandsStillIsNotDrawn) {
     Scene scene(3, front());
     for (std::size_t k = 0; k < 3; ++k) scene.move(k, at({static_cast<float>(k), 0, 3}));
-    EXPECT_FALSE(scene.model().visible_moving({0, -10, 3}, {}).empty());
+    EXPECT_FALSE(scene.model().visible_moving({0, -10, 3}, {}, 1).empty());
     scene.draw();
     EXPECT_FALSE(scene.update());
     scene.move(1, at({1, 0, 3})); // where it is
