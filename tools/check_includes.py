@@ -47,6 +47,7 @@ PLATFORM_FILES = {
     "src/video/camera_linux.cpp": "video devices",
     "src/bake/tracer.cpp": "SSE mode of Embree",
     "src/app/bench_offline.cpp": "memory and start of another process",
+    "src/app/bench_window.cpp": "start of another process",
 }
 # Headers of shaders/ that C++ reads too, and the headers made from shaders.
 SHADER_HEADERS = {"shared": {"shared", "scene", "bake", "render", "ui", "app"}, "shaders": {"render"}}

@@ -4,6 +4,8 @@
 #include "app/passes_sources.h"
 #include "scene/passes_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -47,6 +49,17 @@ BakedPasses load_baked(const scene::Show& show, const scene::Camera& camera) {
         baked.camera.height = baked.passes.height;
     }
     return baked;
+}
+
+std::string why_too_coarse(const scene::Camera& passes, const glm::ivec2& window) {
+    const double scale =
+        std::min(static_cast<double>(window.x) / passes.width, static_cast<double>(window.y) / passes.height);
+    if (scale <= 1) return "";
+    const auto text = [&](double times) {
+        return std::to_string(std::lround(times * passes.width)) + "x" +
+               std::to_string(std::lround(times * passes.height));
+    };
+    return "its passes have " + text(1) + " pixels, and the window shows it with " + text(scale);
 }
 
 Result<std::unique_ptr<BakedView>> BakedView::create(const Session& session, BakedPasses baked) {

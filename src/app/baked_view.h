@@ -19,6 +19,9 @@ struct BakedPasses {
 };
 BakedPasses load_baked(const scene::Show& show, const scene::Camera& camera);
 
+// Why a live picture of a window of that many pixels is finer; empty: it is not.
+std::string why_too_coarse(const scene::Camera& passes, const glm::ivec2& window);
+
 class BakedView {
 public:
     // Error: the device has no room for them.

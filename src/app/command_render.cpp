@@ -40,6 +40,7 @@ Result<bool> check_usage(RenderArguments& arguments) {
     if (arguments.hold_fps > 0 && arguments.session.beams.beams != render::Beams::gate)
         return Error{"only the haze of --beams gate can be lowered", "--hold-fps"};
     arguments.session.beams.most_wide_step = arguments.hold_fps > 0 ? 4 : 1;
+    arguments.session.beams.grid = arguments.session.parks = arguments.hold_fps > 0 && !arguments.live_input;
     arguments.session.motion = fixture::motion_from(arguments.motion);
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
     arguments.session.shadows = !arguments.no_shadows;
@@ -73,6 +74,11 @@ Result<bool> check_usage(RenderArguments& arguments) {
     if (!arguments.session.look.empty() && arguments.reference.wanted)
         return Error{"the reference draws what a recording does", "--look"};
     const bool film = arguments.live_input || arguments.from_s >= 0 || arguments.to_s >= 0;
+    if (arguments.hold_fps > 0 && !arguments.live_input && !(arguments.session.live && film))
+        return Error{"what is held is a film: --live-input, or --live (or --eye) with --from and --to",
+                     "--hold-fps"};
+    if (arguments.hold_fps > 0 && arguments.session.supersample > 1)
+        return Error{"what is drawn larger takes longer", "--hold-fps/--supersample"};
     if (!arguments.session.travel.empty() && (arguments.live_input || !film))
         return Error{"only the camera of a film of a recording travels: --from and --to", "--travel"};
     if ((arguments.session.supersample > 1 || arguments.session.map_size > 0) && !arguments.session.live)
@@ -226,10 +232,11 @@ void add_render(CLI::App& app, int& exit_code) {
         ->needs("--live-input")
         ->capture_default_str();
     command
-        ->add_option("--hold-fps", a->hold_fps,
-                     "lower the quality of haze where --live-input would be slower; the picture says so")
-        ->check(CLI::Range(1, 240))
-        ->needs("--live-input");
+        ->add_option(
+            "--hold-fps", a->hold_fps,
+            "lower what would be slower on this machine: of --live-input the quality of haze, and the "
+            "picture says so; of a film with --live the pixels that are drawn, and the end says so")
+        ->check(CLI::Range(1, 240));
     command
         ->add_flag("--no-caption", a->no_caption,
                    "the picture says neither that nor which universes are lost")

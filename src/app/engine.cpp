@@ -19,7 +19,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double kListenAgain_s = 3;
-constexpr double kShortestStep_s = 1.0 / 60;
+constexpr double kShortestStep_s = 1.0 / 120; // whatever comes: a display shows no more
+constexpr double kMovingStep_s = 1.0 / 60;
 constexpr double kRestingStep_s = 0.04;
 constexpr int kMostLosses = 20; // of a device, in one window: a driver that breaks each time must end
 
@@ -61,10 +62,9 @@ void Engine::wait(double step_begin_s) {
         return std::chrono::duration_cast<std::chrono::nanoseconds>(
             std::chrono::duration<double>(std::max(seconds, 0.0)));
     };
-    // A desk sends more packets than a display shows pictures.
     std::this_thread::sleep_for(for_s(kShortestStep_s - (now_s() - step_begin_s)));
     const bool rests = now_s() - last_change_s_ > kRest_s;
-    (void)link_.wake.wait_for(for_s((rests ? kRestingStep_s : kShortestStep_s) - (now_s() - step_begin_s)));
+    (void)link_.wake.wait_for(for_s((rests ? kRestingStep_s : kMovingStep_s) - (now_s() - step_begin_s)));
 }
 
 void Engine::step() {
@@ -212,7 +212,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
     drawn_from_ = live_from_ = {};
     whole_for_ = {};
     drawn_ = {};
-    if (opening == Opening::another) pace_ = {};
+    if (opening == Opening::another) pace_ = Pace(session_->show->fixtures.size());
     haze_ = {};
     last_step_s_ = now_s();
     messages_sent_ = 0;

@@ -159,10 +159,11 @@ private:
     RemoteWishes remote_wishes_;         // those that hold
     scene::Camera wanted_camera_;        // of the wishes, turned to the tracker that it follows
     scene::Camera drawn_from_;           // the picture that is shown
+    ui::Framed framed_;                  // likewise
     scene::Camera live_from_;            // the live one, which may not be shown
     glm::ivec2 whole_{0}, whole_for_{0}; // pixels that memory holds of those that are wanted; of which wish
     scene::Lit drawn_;
-    Pace pace_;
+    Pace pace_{0};
     render::HazeQuality haze_;                                 // of the relighter
     fixture::Motion motion_ = fixture::Motion::as_the_machine; // of the show
     std::future<BakedPasses> baked_loading_;

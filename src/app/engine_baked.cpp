@@ -15,7 +15,7 @@ constexpr double kLookEvery_s = 1;
 constexpr std::uintmax_t kMostShowBytes = std::uintmax_t{16} << 20;
 
 bool stands_as(const scene::Camera& a, const scene::Camera& b) {
-    return a.position_m == b.position_m && a.target_m == b.target_m && a.fov_y_deg == b.fov_y_deg;
+    return a.position_m == b.position_m && a.target_m == b.target_m;
 }
 
 // Another one means that it was baked meanwhile.
@@ -52,7 +52,9 @@ bool Engine::choose_baked(double now_s) {
     const std::vector<scene::Camera>& cameras = session_->show->cameras;
     const scene::Camera* stands = nullptr;
     for (std::size_t i = 0; i < cameras.size() && !stands; ++i)
-        if (i != session_->camera && stands_as(cameras[i], wanted_camera_)) stands = &cameras[i];
+        if (i != session_->camera && stands_as(cameras[i], wanted_camera_) &&
+            cameras[i].fov_y_deg == wishes_.camera.fov_y_deg)
+            stands = &cameras[i];
     if (!stands) {
         supply_ = "live: a free camera";
         return false;
@@ -74,7 +76,10 @@ bool Engine::choose_baked(double now_s) {
     take_baked();
     const bool has_passes = baked_ && baked_->camera().name == stands->name;
     const std::string why_live = needs_live();
-    const std::string why_not = !why_live.empty() ? why_live : has_passes ? "" : baked_why_not_;
+    const std::string why_not =
+        !why_live.empty() ? why_live
+        : has_passes      ? why_too_coarse(baked_->camera(), {wanted_camera_.width, wanted_camera_.height})
+                          : baked_why_not_;
     supply_ = why_not.empty()
                   ? "baked: " + stands->name + ", " + std::to_string(baked_->pass_count()) + " passes"
                   : "live: " + stands->name + ", because " + why_not;

@@ -2,6 +2,7 @@
 // One frame of the engine: from wishes and levels to the picture that is published.
 #include "app/engine.h"
 #include "app/picture_room.h"
+#include "scene/camera_moves.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,10 +55,12 @@ bool Engine::apply_controls(double now_s) {
         wanted_camera_.ev100 = *remote_wishes_.ev100;
         wanted_camera_.auto_exposure = false;
     }
-    if (!trackers_) return sees_else;
-    const dmx::Trackers& trackers = trackers_->poll();
-    followers_.apply(*session_, trackers);
-    wanted_camera_ = follow(wanted_camera_, *session_->show, trackers);
+    if (trackers_) {
+        const dmx::Trackers& trackers = trackers_->poll();
+        followers_.apply(*session_, trackers);
+        wanted_camera_ = follow(wanted_camera_, *session_->show, trackers);
+    }
+    wanted_camera_ = scene::with_frame(wanted_camera_, wishes_.frame);
     return sees_else;
 }
 
@@ -97,8 +100,11 @@ scene::Camera Engine::camera_for(double now_s) {
     const auto pixels = [&](int wanted) {
         return std::clamp(static_cast<int>(std::lround(wanted * share)), kLeastPixels, kMostPixels);
     };
-    camera.width = pixels(whole_.x);
     camera.height = pixels(whole_.y);
+    // Of the same height in the window as the whole one, and never narrower.
+    camera.width = share == 1.0 ? whole_.x
+                                : std::clamp((camera.height * whole_.x + whole_.y - 1) / whole_.y,
+                                             kLeastPixels, kMostPixels);
     return camera;
 }
 
@@ -117,6 +123,7 @@ render::FrameStatistics Engine::draw_live(double begin_s, double air_s) {
         live_from_ = camera;
     }
     drawn_from_ = camera;
+    framed_ = {wishes_.frame, scene::share_of_frame(wanted_camera_, wishes_.frame)};
     const bool moves = is_moving(begin_s);
     haze_.grid = moves;
     session_->relighter->set_quality(haze_);
@@ -168,7 +175,10 @@ void Engine::frame() {
     if (switched && baked) baked_->relighter().forget(); // it may rest
     const render::FrameStatistics statistics =
         baked ? baked_->draw(wanted_camera_, air_s_) : draw_live(begin_s, air_s_);
-    if (baked) drawn_from_ = baked_->camera();
+    if (baked) {
+        drawn_from_ = baked_->camera();
+        framed_ = {};
+    }
     const double draw_ms = 1e3 * (now_s() - begin_s);
     // Spans: of what the device did; a picture that is the same does nothing.
     const bool drew = !statistics.spans.empty() && !statistics.stopped;

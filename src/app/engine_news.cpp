@@ -49,6 +49,7 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
                         : false_colours();
     picture.false_colour = false_colour_ = wishes_.false_colour;
     picture.camera = drawn_from_;
+    picture.framed = framed_;
     picture.ev100 = relighter().ev100_used();
     picture.draw_ms = draw_ms;
     picture.lights_drawn = statistics.drawn;
@@ -57,7 +58,9 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
     picture.is_coarse = !shows_baked_ && wishes_.quality.percent == 0 && drawn_from_.width < whole_.x;
     picture.missing_maps = session_->live->missing_maps();
     picture.arrival = std::exchange(arrival_, std::chrono::nanoseconds{0});
-    link_.picture.put(std::move(picture));
+    link_.picture.put(std::move(picture), [](const ui::Picture& unread, ui::Picture& next) {
+        if (unread.arrival.count() > 0) next.arrival = unread.arrival;
+    });
     link_.on_news();
 }
 

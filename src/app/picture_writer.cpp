@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <type_traits>
 #include <utility>
 
 namespace ghost::app {
@@ -33,6 +34,36 @@ image::Image8 developed(const image::ImageF& picture, float ev100, image::Tone t
             texel[3] = 255;
         }
     return shown;
+}
+
+// Bilinear.
+template <class Picture>
+Picture scaled_up(Picture picture, int width, int height) {
+    if (picture.width == width && picture.height == height) return picture;
+    Picture large(width, height, picture.channels);
+    const auto place = [](int at, int to, int from) {
+        return std::clamp(
+            (static_cast<float>(at) + 0.5f) * static_cast<float>(from) / static_cast<float>(to) - 0.5f, 0.0f,
+            static_cast<float>(from - 1));
+    };
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const float u = place(x, width, picture.width), v = place(y, height, picture.height);
+            const int left = static_cast<int>(u), top = static_cast<int>(v);
+            const int right = std::min(left + 1, picture.width - 1),
+                      below = std::min(top + 1, picture.height - 1);
+            const float across = u - static_cast<float>(left), down = v - static_cast<float>(top);
+            for (int c = 0; c < picture.channels; ++c) {
+                const auto value = [&](int i, int k) { return static_cast<float>(picture.at(i, k)[c]); };
+                const float mixed =
+                    std::lerp(std::lerp(value(left, top), value(right, top), across),
+                              std::lerp(value(left, below), value(right, below), across), down);
+                using Sample = std::remove_reference_t<decltype(*large.at(x, y))>;
+                large.at(x, y)[c] = std::is_integral_v<Sample> ? static_cast<Sample>(std::lround(mixed))
+                                                               : static_cast<Sample>(mixed);
+            }
+        }
+    return large;
 }
 
 } // namespace
@@ -65,6 +96,8 @@ Result<std::unique_ptr<PictureWriter>> PictureWriter::create(const std::filesyst
     writer->path_ = path;
     writer->numbered_ = numbered;
     writer->supersample_ = supersample;
+    writer->width_ = width;
+    writer->height_ = height;
     TRY(writer->kind_, output_kind(path));
     if (writer->kind_ == OutputKind::film) {
         TRY(writer->film_, video::FilmWriter::create(path, width, height, fps));
@@ -84,7 +117,7 @@ std::filesystem::path PictureWriter::next_path() {
 Result<void> PictureWriter::add(const render::Relighter& relighter, const std::string& caption) {
     image::Image8 picture;
     if (kind_ != OutputKind::exr) {
-        picture = supersample_ == 1 ? relighter.picture()
+        picture = supersample_ == 1 ? scaled_up(relighter.picture(), width_, height_)
                                     : developed(image::averaged(relighter.frame(), supersample_),
                                                 relighter.ev100_used(), relighter.tone());
         draw_caption(picture, caption);
@@ -95,8 +128,9 @@ Result<void> PictureWriter::add(const render::Relighter& relighter, const std::s
     }
     last_path_ = next_path();
     if (kind_ == OutputKind::png) return image::write_png(last_path_, picture);
-    return write_picture(last_path_, image::averaged(relighter.frame(), supersample_), relighter.ev100_used(),
-                         relighter.tone());
+    return write_picture(last_path_,
+                         scaled_up(image::averaged(relighter.frame(), supersample_), width_, height_),
+                         relighter.ev100_used(), relighter.tone());
 }
 
 Result<void> PictureWriter::repeat(long times) {

@@ -23,7 +23,8 @@ Result<void> write_picture(const std::filesystem::path& path, const image::Image
 class PictureWriter {
 public:
     // width, height: of the file. numbered: PNG and EXR become NAME-00000.png, NAME-00001.png, ...
-    // supersample: the relighter's picture is that many times as large.
+    // supersample: the relighter's picture is that many times as large. One that is smaller is scaled
+    // smoothly.
     static Result<std::unique_ptr<PictureWriter>> create(const std::filesystem::path& path, int width,
                                                          int height, int fps, bool numbered,
                                                          int supersample = 1);
@@ -41,6 +42,7 @@ private:
     OutputKind kind_ = OutputKind::png;
     bool numbered_ = false;
     int supersample_ = 1;
+    int width_ = 0, height_ = 0;
     int count_ = 0;
     std::unique_ptr<video::FilmWriter> film_;
     image::Image8 last_frame_;        // of a film

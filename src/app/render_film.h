@@ -10,7 +10,9 @@
 #include "app/session.h"
 #include "app/timecode_input.h"
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ghost::app {
@@ -52,7 +54,8 @@ struct Tally {
     int additions = 0;
     int drawn = 0;
     int quality_changes = 0;
-    std::size_t quality_level = 0; // 0 is the best
+    std::size_t quality_level = 0;            // 0 is the best
+    std::map<std::pair<int, int>, int> sizes; // frames by the pixels that they were drawn with
 
     void add(const render::FrameStatistics& frame) {
         draw_ms.push_back(frame.draw_ms);

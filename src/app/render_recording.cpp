@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/interrupt.h"
+#include "app/pace.h"
 #include "app/recordings.h"
 #include "app/render_film.h"
 #include "scene/camera_moves.h"
@@ -23,6 +24,16 @@ constexpr double kLeadIn_s = 60; // further on this much: more than the slowest 
 long begin_at(long first, double fps) {
     if (static_cast<double>(first) / fps <= kShort_s) return 0;
     return first - std::lround(kLeadIn_s * fps);
+}
+
+scene::Camera coarser(scene::Camera camera, double share) {
+    constexpr int kLeastPixels = 16;
+    const auto pixels = [&](int side) {
+        return std::min(std::max(static_cast<int>(std::lround(share * side)), kLeastPixels), side);
+    };
+    camera.width = pixels(camera.width);
+    camera.height = pixels(camera.height);
+    return camera;
 }
 
 } // namespace
@@ -58,16 +69,31 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
     Progress progress(
         "rendering",
         arguments.session.quiet || still ? Progress::Style::silent : Progress::style_for_stderr(), now_s());
+    std::optional<Pace> pace;
+    if (arguments.hold_fps > 0) {
+        pace.emplace(session.show->fixtures.size());
+        session.relighter->set_quality({.grid = true});
+    }
     for (long frame = begin_at(first, fps); frame <= last; ++frame) {
         if (interrupted()) break;
         session.rig->step(player ? player->at(static_cast<double>(frame) / fps) : dmx::Universes{}, 1.0 / fps,
                           session.manual);
         if (frame < first) continue;
+        scene::Camera camera = start;
         if (session.travel_to)
-            session.look_from(camera_between(start, *session.travel_to,
-                                             static_cast<float>(frame - first) /
-                                                 static_cast<float>(std::max(last - first, 1L))));
+            camera = camera_between(start, *session.travel_to,
+                                    static_cast<float>(frame - first) /
+                                        static_cast<float>(std::max(last - first, 1L)));
+        if (pace) camera = coarser(camera, pace->share());
+        const bool is_resized =
+            camera.width != session.relighter->width() || camera.height != session.relighter->height();
+        if (session.travel_to || is_resized) session.look_from(camera);
+        if (pace && is_resized) session.relighter->set_quality({.grid = true}); // it is another one
+        const double begin_s = now_s();
         tally.add(session.draw(static_cast<double>(frame) / fps));
+        // Another size costs what no other frame does.
+        if (pace && !is_resized && frame > first) pace->add(1e3 * (now_s() - begin_s), arguments.hold_fps);
+        ++tally.sizes[{session.relighter->width(), session.relighter->height()}];
         TRY_VOID(writer.add(*session.relighter));
         progress.update(static_cast<double>(frame - first + 1) / static_cast<double>(last - first + 1),
                         now_s(), arguments.out);

@@ -10,6 +10,7 @@ namespace {
 constexpr float kPi = 3.14159265f;
 constexpr float kSteepest_rad = 1.5f; // 86 degrees: straight up there is no sideways
 constexpr float kFarthest_m = 10000;  // of what a show file may place
+constexpr float kWidest_deg = 170;
 
 struct Way {
     float around_rad = 0; // 0: along X
@@ -111,6 +112,21 @@ Camera focused(const Camera& camera, const glm::vec3& centre_m, float radius_m) 
     moved.target_m = centre_m;
     moved.position_m = centre_m - vector_of(way);
     return moved;
+}
+
+float share_of_frame(const Camera& camera, const glm::ivec2& frame) {
+    if (frame.x <= 0 || frame.y <= 0 || camera.width <= 0 || camera.height <= 0) return 1;
+    return std::min(static_cast<float>(camera.width) / static_cast<float>(camera.height) *
+                        static_cast<float>(frame.y) / static_cast<float>(frame.x),
+                    1.0f);
+}
+
+Camera with_frame(const Camera& camera, const glm::ivec2& frame) {
+    const float share = share_of_frame(camera, frame);
+    if (share >= 1) return camera; // exactly as it is
+    Camera wide = camera;
+    wide.fov_y_deg = std::min(std::atan(tan_half_height(camera) / share) * 360.0f / kPi, kWidest_deg);
+    return wide;
 }
 
 std::optional<InPicture> project(const Camera& camera, const glm::vec3& point_m) {

@@ -26,6 +26,13 @@ Camera flown(const Camera& camera, const glm::vec3& way_m);
 // The way of looking stays; the ball fills the smaller side of the picture.
 Camera focused(const Camera& camera, const glm::vec3& centre_m, float radius_m);
 
+// With the field of view that shows all of a frame of that shape, which is as high as the camera's own field
+// of view, and more above and below where the picture is less wide than the frame. A frame without pixels:
+// the camera as it is.
+Camera with_frame(const Camera& camera, const glm::ivec2& frame);
+// How much of the picture's height such a frame has.
+float share_of_frame(const Camera& camera, const glm::ivec2& frame);
+
 inline constexpr float kNearest_m = 0.2f;
 
 // Place in the picture: (0, 0) is the top left corner, (1, 1) the bottom right one.

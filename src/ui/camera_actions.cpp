@@ -33,7 +33,7 @@ Result<void> go_to(Studio& studio, const QString& which) {
     bool is_number = false;
     const int number = which.toInt(&is_number);
     if (is_number && number >= 1 && number <= static_cast<int>(cameras.size())) {
-        studio.travel_to(cameras[static_cast<std::size_t>(number - 1)]);
+        studio.travel_to_stored(cameras[static_cast<std::size_t>(number - 1)]);
         return {};
     }
     if (is_number)
@@ -41,7 +41,7 @@ Result<void> go_to(Studio& studio, const QString& which) {
                          which.toStdString(),
                      ""};
     TRY(const std::size_t found, studio.show()->find_camera(which.toStdString()));
-    studio.travel_to(cameras[found]);
+    studio.travel_to_stored(cameras[found]);
     return {};
 }
 
@@ -56,14 +56,13 @@ Result<void> focus(Studio& studio, bool all) {
     }
     if (const auto object = studio.marked(); !all && studio.selection().empty() && object) {
         const Object& one = studio.opened().objects[*object];
-        studio.travel_to(scene::focused(studio.camera(), one.centre_m, kPerson_m + one.radius_m));
+        studio.look_at(one.centre_m, kPerson_m + one.radius_m);
         return {};
     }
     if (all || low_m.x > high_m.x)
-        studio.travel_to(scene::focused(studio.camera(), studio.opened().centre_m, studio.opened().radius_m));
+        studio.look_at(studio.opened().centre_m, studio.opened().radius_m);
     else
-        studio.travel_to(scene::focused(studio.camera(), 0.5f * (low_m + high_m),
-                                        kPerson_m + 0.5f * glm::length(high_m - low_m)));
+        studio.look_at(0.5f * (low_m + high_m), kPerson_m + 0.5f * glm::length(high_m - low_m));
     return {};
 }
 

@@ -73,6 +73,8 @@ struct Wishes {
     std::uint64_t opens = 0;                 // grows when it is to be opened, perhaps once more
     std::shared_ptr<const std::string> text; // of show.toml as it is edited; null: as the file has it
     scene::Camera camera;                    // size: pixels of the window; exposure, too
+    glm::ivec2 frame{0}; // of the camera's field of view, all of which is shown whatever the window's shape;
+                         // 0: the window itself
     Look look;
     bool black_out = false;
     bool frozen = false; // time stands still: nothing turns, strobes or drifts; hands act at once
@@ -131,9 +133,17 @@ struct CameraCall {
     float flight_s = 0; // 0: a cut
 };
 
+// Where a frame lies in a picture: in its middle, with that share of its height. Without pixels: the picture
+// is its own.
+struct Framed {
+    glm::ivec2 frame{0};
+    float share = 1;
+};
+
 struct Picture {
     std::shared_ptr<const image::Image8> image;
     scene::Camera camera; // it was drawn from; its size is that of the image
+    Framed framed;        // what of it the frame of the wishes has
     float ev100 = 0;
     double draw_ms = 0;
     int lights_drawn = 0;
@@ -143,7 +153,7 @@ struct Picture {
     bool is_baked = false;        // from passes; its size is theirs
     std::string supply;           // in words: which passes, or why it is drawn live
     std::chrono::nanoseconds arrival{
-        0}; // steady: of the newest packet that it shows for the first time; 0: none
+        0}; // steady: of the first packet that changed something since the picture before; 0: none did
 };
 
 // A fixture as it shines now.

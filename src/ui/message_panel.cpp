@@ -75,8 +75,7 @@ void MessagePanel::go_to(const QTreeWidgetItem& item) {
     if (!fixtures.empty()) {
         studio_.select(fixtures);
         if (const std::size_t first = *fixtures.begin(); first < studio_.rig().fixtures.size())
-            studio_.travel_to(
-                scene::focused(studio_.camera(), studio_.rig().fixtures[first].light_m, kAround_m));
+            studio_.look_at(studio_.rig().fixtures[first].light_m, kAround_m);
         return;
     }
     static const QRegularExpression kLine(":\\d+$"); // "show.toml:12"

@@ -7,12 +7,14 @@
 #include <QFontMetricsF>
 
 #include <algorithm>
+#include <cmath>
 
 namespace ghost::ui {
 namespace {
 
 constexpr double kReach_px = 22;
 constexpr float kAim_m = 4;
+constexpr double kMuchFiner = 1.5; // pixels of the picture to one of the display
 
 QFont small_font(const QPainter& painter) {
     QFont font = painter.font();
@@ -38,10 +40,54 @@ void paint_label(QPainter& painter, const QPointF& lamp, const QStringList& line
 
 } // namespace
 
-QRectF picture_rect(const QSizeF& widget, const scene::Camera& camera) {
-    const double shape = camera.width / std::max(static_cast<double>(camera.height), 1.0);
-    const double width = widget.height() * shape;
-    return {(widget.width() - width) / 2, 0, width, widget.height()};
+QRectF frame_rect(const QSizeF& widget, const glm::ivec2& frame) {
+    if (frame.x <= 0 || frame.y <= 0) return {QPointF(0, 0), widget};
+    const double scale = std::min(widget.width() / frame.x, widget.height() / frame.y);
+    const QSizeF size(scale * frame.x, scale * frame.y);
+    return {{(widget.width() - size.width()) / 2, (widget.height() - size.height()) / 2}, size};
+}
+
+QRectF picture_rect(const QSizeF& widget, const scene::Camera& camera, const Framed& framed) {
+    const glm::ivec2 size = glm::max(glm::ivec2(camera.width, camera.height), 1);
+    if (framed.frame.x <= 0 || framed.frame.y <= 0) return frame_rect(widget, size);
+    const QRectF frame = frame_rect(widget, framed.frame);
+    const double height = frame.height() / static_cast<double>(framed.share);
+    const QSizeF whole(height * size.x / size.y, height);
+    return {frame.center() - QPointF(whole.width() / 2, whole.height() / 2), whole};
+}
+
+void paint_picture(QPainter& painter, const QRectF& place, const image::Image8& picture) {
+    const QImage image(picture.samples.data(), picture.width, picture.height, 4 * picture.width,
+                       QImage::Format_RGBX8888);
+    const double ratio = painter.device()->devicePixelRatioF();
+    const QSize pixels = (place.size() * ratio).toSize();
+    const bool fits = pixels == image.size();
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, !fits);
+    // The painter's own scaling knows four neighbours and leaves out the others.
+    const bool is_much_finer = !pixels.isEmpty() && image.width() > kMuchFiner * pixels.width();
+    if (is_much_finer)
+        painter.drawImage(place, image.scaled(pixels, Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+    else if (fits)
+        painter.drawImage(QRectF(place.topLeft().toPoint(), place.size()), image);
+    else
+        painter.drawImage(place, image);
+    painter.restore();
+}
+
+void paint_frame(QPainter& painter, const QRectF& picture, const QRectF& frame) {
+    constexpr double kSame_px = 1.5;
+    if (std::abs(picture.width() - frame.width()) < kSame_px &&
+        std::abs(picture.height() - frame.height()) < kSame_px)
+        return;
+    painter.save();
+    painter.setBrush(Qt::NoBrush);
+    // Seen on black and on white.
+    painter.setPen(QPen(QColor(0, 0, 0, 120), 3));
+    painter.drawRect(frame.adjusted(0.5, 0.5, -0.5, -0.5));
+    painter.setPen(QPen(QColor(235, 235, 235, 150), 1));
+    painter.drawRect(frame.adjusted(0.5, 0.5, -0.5, -0.5));
+    painter.restore();
 }
 
 std::optional<QPointF> to_widget(const QRectF& picture, const scene::Camera& camera, const glm::vec3& at_m) {

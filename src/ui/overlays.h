@@ -20,12 +20,19 @@ struct OverlayChoice {
     bool addresses = false;
     bool aims = false;  // a line from each lamp along its beam
     bool marks = true;  // of what is selected
+    bool frame = true;  // of the camera, where the picture shows more
     bool probe = false; // cd/m^2 and lux of what is under the mouse
     bool operator==(const OverlayChoice&) const = default;
 };
 
-// Where the picture lies in the widget: its full height, as wide as it is; what does not fit is cut off.
-QRectF picture_rect(const QSizeF& widget, const scene::Camera& camera);
+// Where a frame lies in the widget: in its middle, as large as all of it fits. Without pixels: all of it.
+QRectF frame_rect(const QSizeF& widget, const glm::ivec2& frame);
+// Where the picture lies in the widget: so that its frame lies there, all of it.
+QRectF picture_rect(const QSizeF& widget, const scene::Camera& camera, const Framed& framed = {});
+// Smoothly scaled to the pixels of the display, whichever has more.
+void paint_picture(QPainter& painter, const QRectF& place, const image::Image8& picture);
+// Nothing where the frame is the picture.
+void paint_frame(QPainter& painter, const QRectF& picture, const QRectF& frame);
 // Nothing: behind the camera.
 std::optional<QPointF> to_widget(const QRectF& picture, const scene::Camera& camera, const glm::vec3& at_m);
 // The fixture whose lamp is nearest to that place, within reach of a finger.

@@ -289,6 +289,10 @@ Result<void> PatchEdit::keep_camera(const QString& name) {
     std::set<std::string> taken;
     for (const scene::Camera& camera : cameras) taken.insert(camera.name);
     scene::Camera camera = studio_.camera();
+    if (studio_.wishes().frame != glm::ivec2(0)) { // what its frame holds
+        camera.width = studio_.wishes().frame.x;
+        camera.height = studio_.wishes().frame.y;
+    }
     camera.name =
         name.isEmpty() ? next_name("Camera " + std::to_string(cameras.size()), taken) : name.toStdString();
     if (camera.name.find_first_of("/\\:*?\"<>|") != std::string::npos || camera.name.front() == '.')

@@ -50,11 +50,7 @@ void PictureWindow::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), Qt::black);
     const Picture& picture = studio_.picture();
     if (!studio_.show() || !picture.image) return;
-    const image::Image8& pixels = *picture.image;
-    const QImage image(pixels.samples.data(), pixels.width, pixels.height, 4 * pixels.width,
-                       QImage::Format_RGBX8888);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.drawImage(picture_rect(size(), picture.camera), image);
+    paint_picture(painter, picture_rect(size(), picture.camera, picture.framed), *picture.image);
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
 }
 

@@ -69,6 +69,13 @@ QJsonObject look_json(const Look& look, const scene::Show& show) {
 
 } // namespace
 
+QJsonObject latency_json(const dmx::Latency& latency) {
+    return {{"count", static_cast<qint64>(latency.count())},
+            {"p50", latency.percentile_ms(0.5)},
+            {"p99", latency.percentile_ms(0.99)},
+            {"max", latency.max_ms()}};
+}
+
 QJsonObject state_json(const Studio& studio, const View& view) {
     if (!studio.show()) return {{"show", QJsonValue()}};
     const scene::Show& show = *studio.show();
@@ -85,9 +92,10 @@ QJsonObject state_json(const Studio& studio, const View& view) {
                         {"position_m", array_of(fixture.position_m)}};
     QJsonObject lamps;
     for (std::size_t i = 0; i < std::min(studio.rig().fixtures.size(), show.fixtures.size()); ++i)
-        if (const auto at = to_widget(picture_rect(view.size(), picture.camera), picture.camera,
-                                      studio.rig().fixtures[i].light_m))
+        if (const auto at = to_widget(picture_rect(view.size(), picture.camera, picture.framed),
+                                      picture.camera, studio.rig().fixtures[i].light_m))
             lamps[QString::fromStdString(show.fixtures[i].name)] = QJsonArray{at->x(), at->y()};
+    const QRectF frame = frame_rect(view.size(), studio.wishes().frame); // in the view
     QJsonArray universes;
     for (const dmx::Universe& universe : studio.rig().universes.list) universes.append(universe.number);
     const QJsonObject of_picture{{"camera", camera_json(picture.camera)},
@@ -101,16 +109,6 @@ QJsonObject state_json(const Studio& studio, const View& view) {
                                  {"supply", QString::fromStdString(picture.supply)},
                                  {"false_colour", static_cast<int>(picture.false_colour.measure)},
                                  {"latency_ms", view.figures().latency_ms()}};
-    const dmx::Latency& latency = studio.latency();
-    const QJsonObject packet_to_window{{"count", static_cast<qint64>(latency.count())},
-                                       {"p50", latency.percentile_ms(0.5)},
-                                       {"p99", latency.percentile_ms(0.99)},
-                                       {"max", latency.max_ms()}};
-    const dmx::Latency& cost = studio.window_cost();
-    const QJsonObject window_cost{{"count", static_cast<qint64>(cost.count())},
-                                  {"p50", cost.percentile_ms(0.5)},
-                                  {"p99", cost.percentile_ms(0.99)},
-                                  {"max", cost.max_ms()}};
     QJsonObject probe;
     if (const std::optional<Probed>& probed = studio.probed();
         probed && studio.wishes().probe == probed->place)
@@ -142,14 +140,15 @@ QJsonObject state_json(const Studio& studio, const View& view) {
             {"from_desk", studio.rig().from_desk},
             {"universes", universes},
             {"view", QJsonArray{corner.x(), corner.y(), view.width(), view.height()}},
+            {"frame", QJsonArray{frame.x(), frame.y(), frame.width(), frame.height()}},
             {"lamps", lamps},
             {"patch", patch},
             {"messages", static_cast<int>(studio.messages().size())},
             {"picture", of_picture},
             {"probe", probe},
             {"saved", static_cast<qint64>(studio.saved())},
-            {"packet_to_window_ms", packet_to_window},
-            {"window_ms", window_cost},
+            {"packet_to_window_ms", latency_json(studio.latency())},
+            {"window_ms", latency_json(studio.window_cost())},
             {"network", diagnosis}};
 }
 

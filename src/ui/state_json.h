@@ -10,6 +10,8 @@
 
 namespace ghost::ui {
 
+QJsonObject latency_json(const dmx::Latency& latency);
+
 QJsonObject state_json(const Studio& studio, const View& view);
 
 } // namespace ghost::ui

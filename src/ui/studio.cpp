@@ -110,13 +110,10 @@ void Studio::read_news() {
         Q_EMIT picture_saved(news->error ? QString::fromStdString(news->error->text()) : QString());
     }
     if (auto news = link_.camera_call.take()) {
-        if (news->flight_s > 0) {
-            travel_to(news->camera, static_cast<int>(1000 * news->flight_s));
-        } else {
-            news->camera.width = wishes_.camera.width;
-            news->camera.height = wishes_.camera.height;
-            set_camera(news->camera);
-        }
+        if (news->flight_s > 0)
+            travel_to_stored(news->camera, static_cast<int>(1000 * news->flight_s));
+        else
+            cut_to(news->camera);
     }
     if (auto news = link_.rig.take()) {
         rig_ = std::move(*news);
@@ -182,6 +179,17 @@ void Studio::set_camera(const scene::Camera& camera) {
     wish([&](Wishes& wishes) { wishes.camera = camera; });
 }
 
+void Studio::cut_to(const scene::Camera& stored) {
+    travel_timer_.stop();
+    wish([&](Wishes& wishes) {
+        wishes.frame = {stored.width, stored.height};
+        const int width = wishes.camera.width, height = wishes.camera.height;
+        wishes.camera = stored;
+        wishes.camera.width = width;
+        wishes.camera.height = height;
+    });
+}
+
 void Studio::set_size(int width, int height) {
     view_size_ = {width, height};
     send_size();
@@ -219,8 +227,24 @@ void Studio::travel_to(const scene::Camera& camera, int travel_ms) {
     travel_to_ = camera;
     travel_to_.width = travel_from_.width;
     travel_to_.height = travel_from_.height;
+    frame_from_ = frame_to_ = wishes_.frame;
     travel_clock_.start();
     travel_timer_.start();
+}
+
+void Studio::travel_to_stored(const scene::Camera& stored, int travel_ms) {
+    travel_to(stored, travel_ms);
+    frame_to_ = {stored.width, stored.height};
+    if (frame_from_ == glm::ivec2(0)) frame_from_ = frame_to_;
+}
+
+void Studio::look_at(const glm::vec3& centre_m, float radius_m) {
+    scene::Camera camera = wishes_.camera;
+    if (wishes_.frame != glm::ivec2(0)) {
+        camera.width = wishes_.frame.x;
+        camera.height = wishes_.frame.y;
+    }
+    travel_to(scene::focused(camera, centre_m, radius_m));
 }
 
 void Studio::step_travel() {
@@ -230,7 +254,10 @@ void Studio::step_travel() {
     camera.width = wishes_.camera.width;
     camera.height = wishes_.camera.height;
     if (share >= 1) travel_timer_.stop();
-    wish([&](Wishes& wishes) { wishes.camera = camera; });
+    wish([&](Wishes& wishes) {
+        wishes.camera = camera;
+        wishes.frame = glm::ivec2(glm::round(glm::mix(glm::vec2(frame_from_), glm::vec2(frame_to_), share)));
+    });
 }
 
 void Studio::set_exposure(float ev100, bool automatic) {

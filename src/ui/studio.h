@@ -22,6 +22,8 @@ namespace ghost::ui {
 class Studio : public QObject {
     Q_OBJECT
 public:
+    static constexpr int kTravel_ms = 900;
+
     // Sets Link::on_news.
     explicit Studio(Link& link);
 
@@ -56,6 +58,8 @@ public:
     const std::optional<Error>& open_error() const { return open_error_; }
     // Ends a travel.
     void set_camera(const scene::Camera& camera);
+    // Likewise, with the frame that camera has of its own.
+    void cut_to(const scene::Camera& stored);
     // Pixels of the picture.
     void set_size(int width, int height);
     // Of a second window, empty: there is none. The picture is drawn for the larger of the two.
@@ -66,7 +70,11 @@ public:
     // Both counts begin anew.
     void reset_figures();
     // Smoothly, in about a second if nothing else is said.
-    void travel_to(const scene::Camera& camera, int travel_ms = 900);
+    void travel_to(const scene::Camera& camera, int travel_ms = kTravel_ms);
+    // Likewise, to the frame that camera has of its own.
+    void travel_to_stored(const scene::Camera& stored, int travel_ms = kTravel_ms);
+    // Likewise: the ball fills the frame.
+    void look_at(const glm::vec3& centre_m, float radius_m);
     bool travels() const { return travel_timer_.isActive(); }
     // Of the camera as it is and, while it travels, of both ends.
     void set_exposure(float ev100, bool automatic);
@@ -172,8 +180,9 @@ private:
 
     QTimer travel_timer_;
     QElapsedTimer travel_clock_;
-    int travel_ms_ = 900;
+    int travel_ms_ = kTravel_ms;
     scene::Camera travel_from_, travel_to_;
+    glm::ivec2 frame_from_{0}, frame_to_{0};
 
     Look look_;
     Look on_the_way_; // without what solo does

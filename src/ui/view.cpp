@@ -20,6 +20,7 @@ constexpr int kFly_ms = 16;
 constexpr float kFly_m_s = 4;
 constexpr float kFastFly = 4;
 constexpr double kClick_px = 4;
+constexpr float kAround_m = 2;
 constexpr float kOrbit_rad_px = 0.006f;
 constexpr float kTurn_rad_px = 0.003f;
 
@@ -68,9 +69,7 @@ View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio), 
     connect(&studio_, &Studio::opened_show, this, [this] {
         if (studio_.opened().is_edit) return;
         // A newer version of what was open: the picture goes on from where it was seen.
-        scene::Camera camera = studio_.opened().again ? studio_.camera() : studio_.show()->cameras.front();
-        camera.width = camera.height = 0;
-        studio_.set_camera(camera);
+        if (!studio_.opened().again) studio_.cut_to(studio_.show()->cameras.front());
         ask_for_size();
     });
     // Marks and aims move with the rig, figures with everything.
@@ -90,7 +89,7 @@ void View::ask_for_size() {
 }
 
 void View::take_picture() {
-    arrival_waits_ = arrival_waits_ || studio_.picture().arrival.count() > 0;
+    if (arrival_.count() == 0) arrival_ = studio_.picture().arrival;
     picture_waits_ = true;
     figures_.count_picture();
     rest_timer_.start(figures_.rest_ms());
@@ -118,16 +117,10 @@ void View::paintEvent(QPaintEvent*) {
         paint_box(painter);
         return;
     }
-    const image::Image8& pixels = *picture.image;
-    const QImage image(pixels.samples.data(), pixels.width, pixels.height, 4 * pixels.width,
-                       QImage::Format_RGBX8888);
     const QRectF place = rect_of_picture();
-    if (place.width() < width() - 1) painter.fillRect(rect(), Qt::black);
-    const double ratio = devicePixelRatioF();
-    const bool fits =
-        pixels.width == std::lround(width() * ratio) && pixels.height == std::lround(height() * ratio);
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, !fits);
-    painter.drawImage(fits ? QRectF(rect()) : place, image);
+    if (!place.adjusted(-1, -1, 1, 1).contains(rect())) painter.fillRect(rect(), Qt::black);
+    paint_picture(painter, place, *picture.image);
+    if (overlays.frame) paint_frame(painter, place, frame_rect(size(), studio_.wishes().frame));
     paint_fixtures(painter, place, picture.camera, *studio_.show(), studio_.rig(), studio_.selection(),
                    overlays);
     if (const auto object = studio_.marked(); object && overlays.marks)
@@ -140,12 +133,12 @@ void View::paintEvent(QPaintEvent*) {
     paint_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     if (std::exchange(picture_waits_, false))
         studio_.count_window(std::chrono::nanoseconds(clock.nsecsElapsed()));
-    if (arrival_waits_ && picture.arrival.count() > 0) {
-        const auto latency = std::chrono::steady_clock::now().time_since_epoch() - picture.arrival;
+    if (arrival_.count() > 0) {
+        const auto latency =
+            std::chrono::steady_clock::now().time_since_epoch() - std::exchange(arrival_, {});
         figures_.take_latency(latency);
         studio_.count_latency(latency);
     }
-    arrival_waits_ = false;
 }
 
 void View::paint_box(QPainter& painter) const {
@@ -155,8 +148,17 @@ void View::paint_box(QPainter& painter) const {
     painter.drawRect(QRectF(drag_from_, drag_at_).normalized());
 }
 
-const scene::Camera& View::camera_of_picture() const {
-    return studio_.picture().image ? studio_.picture().camera : studio_.camera();
+scene::Camera View::camera_of_picture() const {
+    return studio_.picture().image ? studio_.picture().camera
+                                   : scene::with_frame(studio_.camera(), studio_.wishes().frame);
+}
+
+QRectF View::rect_of_picture() const {
+    const Picture& picture = studio_.picture();
+    if (picture.image) return picture_rect(size(), picture.camera, picture.framed);
+    const scene::Camera& camera = studio_.camera();
+    const glm::ivec2& frame = studio_.wishes().frame;
+    return picture_rect(size(), camera, {frame, scene::share_of_frame(camera, frame)});
 }
 
 void View::mousePressEvent(QMouseEvent* event) {
@@ -180,7 +182,8 @@ void View::mouseMoveEvent(QMouseEvent* event) {
     drag_at_ = event->position();
     const auto x = static_cast<float>(moved.x()), y = static_cast<float>(moved.y());
     const scene::Camera& camera = studio_.camera();
-    const float height = static_cast<float>(std::max(this->height(), 1));
+    const auto height =
+        static_cast<float>(std::max(frame_rect(size(), studio_.wishes().frame).height(), 1.0));
     if (drag_ == Drag::orbit)
         studio_.set_camera(scene::orbited(camera, kOrbit_rad_px * x, kOrbit_rad_px * y));
     else if (drag_ == Drag::turn)
@@ -211,7 +214,7 @@ void View::end_probe() {
 void View::mouseReleaseEvent(QMouseEvent* event) {
     const bool adds = event->modifiers() & Qt::ControlModifier;
     std::set<std::size_t> selection = adds ? studio_.selection() : std::set<std::size_t>{};
-    const scene::Camera& camera = camera_of_picture();
+    const scene::Camera camera = camera_of_picture();
     if (drag_ == Drag::undecided) {
         const auto hit = fixture_at(rect_of_picture(), camera, studio_.rig(), event->position());
         if (hit && adds && selection.contains(*hit))
@@ -231,7 +234,7 @@ void View::mouseReleaseEvent(QMouseEvent* event) {
 void View::mouseDoubleClickEvent(QMouseEvent* event) {
     if (!studio_.show()) return;
     const auto hit = fixture_at(rect_of_picture(), camera_of_picture(), studio_.rig(), event->position());
-    if (hit) studio_.travel_to(scene::focused(studio_.camera(), studio_.rig().fixtures[*hit].light_m, 2.0f));
+    if (hit) studio_.look_at(studio_.rig().fixtures[*hit].light_m, kAround_m);
 }
 
 void View::wheelEvent(QWheelEvent* event) {

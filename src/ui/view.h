@@ -46,8 +46,8 @@ private:
     void ask_for_size();
     void fly();
     // Of the picture that is shown; before the first one, that which is asked for.
-    const scene::Camera& camera_of_picture() const;
-    QRectF rect_of_picture() const { return picture_rect(size(), camera_of_picture()); }
+    scene::Camera camera_of_picture() const;
+    QRectF rect_of_picture() const;
     void paint_box(QPainter& painter) const;
 
     Studio& studio_;
@@ -59,8 +59,8 @@ private:
     QTimer fly_timer_;
     QElapsedTimer fly_clock_;
 
-    bool picture_waits_ = false; // a new one, to be painted
-    bool arrival_waits_ = false; // the picture that is painted next has new packets in it
+    bool picture_waits_ = false;          // a new one, to be painted
+    std::chrono::nanoseconds arrival_{0}; // of the first packet that no painted picture shows; 0: none waits
     double paint_ms_ = 0;
     Figures figures_;
     QTimer rest_timer_; // until the figures may say that it rests

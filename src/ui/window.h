@@ -6,6 +6,7 @@
 #include "ui/actions.h"
 #include "ui/exporter.h"
 #include "ui/looks.h"
+#include "ui/loop_watch.h"
 #include "ui/open_window.h"
 #include "ui/reach.h"
 #include "ui/second_display.h"
@@ -62,6 +63,7 @@ private:
     SecondDisplay second_;
     Reach reach_;
     Actions actions_;
+    LoopWatch* const loop_ = new LoopWatch(this);
     View* view_;
     FixturePanel* fixtures_ = nullptr;
     std::vector<QDockWidget*> docks_;

@@ -170,6 +170,7 @@ void Window::add_view_switches() {
                   "",
                   [this](const QStringList&) -> Result<void> {
                       studio_.reset_figures();
+                      loop_->reset();
                       return {};
                   },
                   {}});
@@ -204,6 +205,7 @@ void Window::add_view_switches() {
     add("names", "Names of fixtures", "N", &OverlayChoice::names);
     add("addresses", "Addresses of fixtures", "U", &OverlayChoice::addresses);
     add("aims", "Where fixtures point", "L", &OverlayChoice::aims);
+    add("frame", "Frame of the camera", "G", &OverlayChoice::frame);
     add("marks", "Marks of the selection", "M", &OverlayChoice::marks);
 }
 
@@ -271,7 +273,8 @@ Result<void> Window::save_state(const QStringList& arguments) {
     QJsonArray panels;
     for (const QDockWidget* dock : docks_)
         if (dock->isVisible() && !dock->visibleRegion().isEmpty()) panels.append(dock->objectName());
-    state["panels"] = panels; // that are seen
+    state["panels"] = panels;                             // that are seen
+    state["event_loop_ms"] = latency_json(loop_->busy()); // busy at a stretch
     state["second_display"] = second_.words();
     state["unsaved"] = document_.is_changed();
     state["changes_wait"] = document_.has_draft();

@@ -125,5 +125,28 @@ TEST(CameraMoves, focus_shows_the_whole_ball_and_not_much_more) {
     }
 }
 
+// What is at the edge of the frame's sides is at the edge of a narrower picture, and a wider one has the
+// camera's own height.
+TEST(CameraMoves, a_frame_fits_into_a_picture_of_any_shape) {
+    Camera one = camera();
+    one.width = 400;
+    one.height = 600;
+    const glm::ivec2 frame(1024, 300);
+    const Camera wide = with_frame(one, frame);
+    EXPECT_GT(wide.fov_y_deg, one.fov_y_deg);
+    Camera stored = one;
+    stored.width = frame.x;
+    stored.height = frame.y;
+    const glm::vec3 beside = one.target_m + 3.0f * glm::vec3(camera_to_world(one)[0]);
+    EXPECT_NEAR(project(wide, beside)->at.x, project(stored, beside)->at.x, 1e-5f);
+    EXPECT_NEAR(share_of_frame(one, frame), 400 / (1024.0f / 300 * 600), 1e-6f);
+    one.width = 4000;
+    EXPECT_EQ(with_frame(one, frame).fov_y_deg, one.fov_y_deg);
+    EXPECT_EQ(share_of_frame(one, frame), 1);
+    EXPECT_EQ(with_frame(one, {0, 0}).fov_y_deg, one.fov_y_deg);
+    one.width = 1;
+    EXPECT_LT(with_frame(one, {8192, 16}).fov_y_deg, 175);
+}
+
 } // namespace
 } // namespace ghost::scene

@@ -236,6 +236,20 @@ class Pictures(Case):
         self.works(fly)
         self.assertEqual(json.loads(fly.stdout)["frames"], 6)
 
+    def test_a_film_of_the_free_camera_holds_a_rate(self):
+        out = self.out()
+        for rate in ("1", "10"):
+            done = run("render", WORK / "demo", "--live", "--view", "close", "--size", "320x180", "--from", "20", "--to", "20.5", "--fps", "10",
+                       "--json", "-o", out / "held.png", "--hold-fps", rate)
+            self.works(done)
+            figures = json.loads(done.stdout)
+            self.assertEqual((figures["width"], figures["height"]), (320, 180))
+            self.assertEqual(sum(figures["frames_by_size"].values()), 5)
+        for k in range(5):  # whatever was drawn, the file has its size
+            head = (out / f"held-{k:05}.png").read_bytes()[16:24]
+            self.assertEqual((int.from_bytes(head[:4], "big"), int.from_bytes(head[4:], "big")), (320, 180))
+        self.fails(run("render", WORK / "demo", "-o", out / "a.mp4", "--from", "1", "--to", "2", "--hold-fps", "25"), 2, "--live")
+
     def test_live_and_baked_pictures_agree(self):
         """What is left is silhouettes and shadows in the air: docs/live-accuracy.md."""
         out = self.out()

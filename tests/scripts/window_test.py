@@ -43,6 +43,20 @@ class MouseAndKeys(unittest.TestCase):
             window.xdo("key", "Escape")
             window.until(lambda state: state["selection"] == [])
 
+            # All that the camera frames stays in sight, whatever a panel leaves of the window.
+            fov = window.state()["camera"]["fov_y_deg"]
+            for panel in ("on", "off"):
+                width_before = window.state()["view"][2]
+                window.do(f"panel-network {panel}", f"panel-scene {panel}", "wait 0.3", "wait settled")
+                state = window.state()
+                self.assertNotEqual(state["view"][2], width_before)
+                left, top, wide, high = state["frame"]
+                self.assertAlmostEqual(wide / high, 1024 / 300, places=2)
+                self.assertTrue(-0.01 <= left and -0.01 <= top and left + wide <= state["view"][2] + 0.01 and top + high <= state["view"][3] + 0.01, state["frame"])
+                self.assertEqual(state["camera"]["fov_y_deg"], fov)
+                # As wide as the view, and so the picture has more above and below than the camera's own field of view.
+                self.assertGreater(state["picture"]["camera"]["fov_y_deg"], fov)
+
             before = window.state()["camera"]
             window.xdo("mousemove", x + 100, y + height - 40, "mousedown", 1)
             for step in range(1, 9):

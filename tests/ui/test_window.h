@@ -111,12 +111,13 @@ struct Bench {
         link.on_news();
         settle();
     }
-    void show_picture(const scene::Camera& camera) {
+    void show_picture(const scene::Camera& camera, const Framed& framed = {}) {
         Picture picture;
         auto image = std::make_shared<image::Image8>(camera.width, camera.height, 4);
         for (std::size_t i = 0; i < image->samples.size(); i += 4) image->samples[i] = 200; // red
         picture.image = image;
         picture.camera = camera;
+        picture.framed = framed;
         link.picture.put(std::move(picture));
         link.on_news();
         settle();

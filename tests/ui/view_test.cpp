@@ -166,6 +166,113 @@ TEST(View, a_smaller_picture_fills_the_window) {
         EXPECT_NEAR(qRed(shown.pixel(at)), 200, 2) << at.x() << " " << at.y();
 }
 
+// Where the corners of a camera's own frame, 10 m away, lie in the view.
+std::vector<QPointF> corners_of_frame(Watched& watched) {
+    const scene::Camera& stored = watched.bench.studio.show()->cameras.front();
+    const float up_m = 10 * std::tan(glm::radians(stored.fov_y_deg) / 2);
+    const float right_m = up_m * static_cast<float>(stored.width) / static_cast<float>(stored.height);
+    const Picture& picture = watched.bench.studio.picture();
+    const QRectF place = picture_rect(watched.view.size(), picture.camera, picture.framed);
+    std::vector<QPointF> corners;
+    for (const glm::vec2 side : {glm::vec2(-1, 1), glm::vec2(1, -1)})
+        corners.push_back(*to_widget(place, picture.camera, {side.x * right_m, 0, 2 + side.y * up_m}));
+    return corners;
+}
+
+// The camera of a show is as wide as a stage; the window is not.
+TEST(View, all_that_a_stored_camera_frames_is_seen_in_a_window_of_any_shape) {
+    Watched watched;
+    Opened opened = four_lamps();
+    auto show = std::make_shared<scene::Show>(*opened.show);
+    show->cameras.front().width = 1024;
+    show->cameras.front().height = 300;
+    opened.show = std::move(show);
+    watched.bench.link.opened.put(std::move(opened));
+    watched.bench.link.on_news();
+    settle();
+    const Studio& studio = watched.bench.studio;
+    for (const QSize size : {QSize(280, 336), QSize(800, 160), QSize(320, 180)}) {
+        watched.view.resize(size);
+        wait_ms(300);
+        EXPECT_EQ(studio.wishes().frame, glm::ivec2(1024, 300));
+        const auto show_at = [&](double share) { // as the engine draws it
+            const scene::Camera& whole = studio.camera();
+            scene::Camera camera = scene::with_frame(whole, studio.wishes().frame);
+            camera.height = static_cast<int>(std::lround(share * camera.height));
+            camera.width = (camera.height * whole.width + whole.height - 1) / whole.height;
+            watched.bench.show_picture(
+                camera, {studio.wishes().frame, scene::share_of_frame(whole, studio.wishes().frame)});
+        };
+        const QRectF frame = frame_rect(size, studio.wishes().frame);
+        EXPECT_TRUE(QRectF(QPointF(0, 0), size).adjusted(-1e-6, -1e-6, 1e-6, 1e-6).contains(frame));
+        EXPECT_TRUE(frame.width() > size.width() - 1e-6 || frame.height() > size.height() - 1e-6);
+        for (const double share : {0.25, 0.5, 1.0}) {
+            show_at(share);
+            const auto corners = corners_of_frame(watched);
+            for (const auto& [corner, there] :
+                 {std::pair(frame.topLeft(), corners[0]), std::pair(frame.bottomRight(), corners[1])})
+                EXPECT_LT(QLineF(corner, there).length(), 0.1)
+                    << size.width() << "x" << size.height() << " at " << share << ": " << there.x() << " "
+                    << there.y();
+        }
+    }
+    watched.view.overlays = {.figures = false, .frame = false};
+    const QImage plain = watched.view.grab().toImage();
+    watched.view.overlays = {.figures = false};
+    EXPECT_NE(watched.view.grab().toImage(), plain) << "the frame is a line";
+}
+
+TEST(View, a_picture_of_another_shape_is_shown_whole) {
+    Watched watched;
+    watched.view.overlays = {.figures = false, .marks = false, .frame = false};
+    scene::Camera baked = watched.bench.studio.camera();
+    baked.width = 640;
+    baked.height = 180; // 320x90 of the view
+    watched.bench.show_picture(baked);
+    const QImage shown = watched.view.grab().toImage();
+    for (const QPoint in : {QPoint(2, 90), QPoint(317, 90), QPoint(160, 48), QPoint(160, 131)})
+        EXPECT_NEAR(qRed(shown.pixel(in)), 200, 2) << in.x() << " " << in.y();
+    for (const QPoint beside : {QPoint(160, 40), QPoint(160, 140), QPoint(2, 2)})
+        EXPECT_EQ(qRed(shown.pixel(beside)), 0) << beside.x() << " " << beside.y();
+}
+
+// Three of four pixels would be left out by the painter.
+TEST(View, a_much_finer_picture_is_averaged) {
+    Watched watched;
+    watched.view.overlays = {.figures = false, .marks = false, .frame = false};
+    scene::Camera fine = watched.bench.studio.camera();
+    fine.width = 1280;
+    fine.height = 720;
+    auto stripes = std::make_shared<image::Image8>(fine.width, fine.height, 4);
+    for (std::size_t i = 0; i < stripes->samples.size(); ++i)
+        stripes->samples[i] = i / 4 % 4 == 1 ? 240 : 0; // every fourth column
+    Picture picture;
+    picture.image = stripes;
+    picture.camera = fine;
+    watched.bench.link.picture.put(std::move(picture));
+    watched.bench.link.on_news();
+    settle();
+    const QImage shown = watched.view.grab().toImage();
+    for (int x = 20; x < 300; x += 7) EXPECT_NEAR(qRed(shown.pixel(x, 90)), 60, 8) << x;
+}
+
+TEST(View, latency_counts_from_the_first_change_that_a_picture_shows) {
+    Watched watched;
+    (void)watched.view.grab(); // painted
+    const auto now = std::chrono::steady_clock::now().time_since_epoch();
+    for (const std::chrono::milliseconds age :
+         {std::chrono::milliseconds(800), std::chrono::milliseconds(5)}) {
+        Picture picture = watched.bench.studio.picture();
+        picture.arrival = now - age;
+        watched.bench.link.picture.put(std::move(picture)); // the second before the first is painted
+        watched.bench.link.on_news();
+        QCoreApplication::sendPostedEvents(&watched.bench.studio);
+    }
+    (void)watched.view.grab();
+    EXPECT_GE(watched.view.figures().latency_ms(), 800);
+    EXPECT_EQ(watched.bench.studio.latency().count(), 1u);
+}
+
 TEST(View, overlays_are_seen_and_go_away) {
     Watched watched;
     watched.view.overlays = {.figures = false};
