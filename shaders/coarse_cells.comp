@@ -25,7 +25,7 @@ void main() {
     if (p.listed != 0u) tile = tile_list[gl_WorkGroupID.x];
     uvec2 corner = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight);
     ivec2 cell = ivec2(corner + gl_LocalInvocationID.xy);
-    ivec2 size = ivec2(view.width, view.height), last = size / 2 - 1;
+    ivec2 size = ivec2(view.width, view.height), last = (size + 1) / 2 - 1;
     if (any(greaterThan(cell, last + 1))) return;
     float pixel = 2.0 * length(view.right) / float(size.x);
     Spot points[4];

@@ -27,7 +27,7 @@ void weigh(uint i) {
     uint count = edge.y & 3u;
     if (count == 0u) return; // room for an edge
     ivec2 at = ivec2(edge.x % view.width, edge.x / view.width);
-    ivec2 cell = (at + 1) / 2, last = ivec2(view.width, view.height) / 2 - 1;
+    ivec2 cell = (at + 1) / 2, last = (ivec2(view.width, view.height) + 1) / 2 - 1;
     vec4 near = bilinear(uvec2(at + 1) & 1u);
     float pixel = 2.0 * length(view.right) / float(view.width);
     Spot points[4];

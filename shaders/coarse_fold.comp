@@ -19,7 +19,7 @@ layout(push_constant, scalar) uniform Push { CoarsePush p; };
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
-    ivec2 size = imageSize(frame).xy, last = size / 2 - 1;
+    ivec2 size = imageSize(frame).xy, last = (size + 1) / 2 - 1;
     uint width = uint(size.x);
     if (i >= p.count) return;
     uvec2 edge = texelFetch(edges, ivec3(i % width, i / width, 0), 0).xy;

@@ -36,27 +36,28 @@ void main() {
     bool inside = all(lessThan(point, size));
     ivec2 at = ivec2(min(point, size - 1u));
     bool wants_near = ((at.x + at.y) & 1) == 0;
+    ivec2 whole = ivec2(p.width, p.height); // the last points of an odd one have pixels on one side only
     int chosen = 0;
     float best = wants_near ? 1e30 : -1.0;
     vec4 place = vec4(0.0, 0.0, 0.0, -1.0);
     for (int k = 0; k < 4; ++k) {
-        vec4 one = imageLoad(places, ivec3(2 * at + ivec2(k & 1, k >> 1), 0));
+        vec4 one = imageLoad(places, ivec3(min(2 * at + ivec2(k & 1, k >> 1), whole - 1), 0));
         float away = one.w >= 0.0 ? length(one.xyz - view.eye_m) : view.far_m;
         bool better = wants_near ? away < best : away > best;
         best = better ? away : best;
         chosen = better ? k : chosen;
         place = better ? one : place;
     }
-    ivec3 from = ivec3(2 * at + ivec2(chosen & 1, chosen >> 1), 0);
+    ivec3 from = ivec3(min(2 * at + ivec2(chosen & 1, chosen >> 1), whole - 1), 0);
     vec4 both = imageLoad(normals, from);
     vec4 layer = imageLoad(diffuse, from), mirror = imageLoad(specular, from);
     bool there = place.w >= 0.0;
-    vec2 ndc = vec2(2.0 * (float(at.x) + 0.5) / float(size.x) - 1.0, 1.0 - 2.0 * (float(at.y) + 0.5) / float(size.y));
+    vec2 ndc = vec2(1.0, -1.0) * (vec2(2 * (2 * at + 1)) / vec2(whole) - 1.0);
     vec3 dir = view.forward + view.right * ndc.x + view.up * ndc.y;
     vec3 way = place.xyz - view.eye_m, facet = unpack_normal(both.zw);
     float fall = dot(facet, dir);
     vec3 moved = dir * (dot(facet, way) / (abs(fall) < 1e-6 ? 1e-6 : fall));
-    float pixel = length(view.right) / float(size.x); // of the picture, at 1 m
+    float pixel = 2.0 * length(view.right) / float(whole.x); // of the picture, at 1 m
     float slant = max(abs(fall) / length(dir), 0.05);
     bool near = dot(moved, dir) > 0.0 && length(moved - way) < kMostMove * pixel * length(way) / slant;
     way = near ? moved : way;

@@ -15,7 +15,7 @@ layout(binding = 3, rgba16f) writeonly uniform image2DArray frame;
 #include "coarse_light.glsl"
 
 void main() {
-    ivec2 cell = ivec2(gl_GlobalInvocationID.xy), size = imageSize(base).xy, last = size / 2 - 1;
+    ivec2 cell = ivec2(gl_GlobalInvocationID.xy), size = imageSize(base).xy, last = (size + 1) / 2 - 1;
     if (any(greaterThan(cell, last + 1))) return;
     CoarseLight light[4];
     for (int k = 0; k < 4; ++k) light[k] = coarse_light(clamp(cell - 1 + ivec2(k & 1, k >> 1), ivec2(0), last));

@@ -13,8 +13,10 @@ struct CoarsePush {
     uint tiles_x; // of kTileWidth x kTileHeight points or cells
     uint listed;  // 1: only the tiles of a list
     uint count;   // edges, or tiles that are listed
+    uint width;   // of the picture
+    uint height;
 };
-SHARED_SIZE(CoarsePush, 12);
+SHARED_SIZE(CoarsePush, 20);
 
 // Layers of the image of sums: light on a white surface and haze as six halves; in the other, of each point, what to multiply light with
 // to have it on white (three floats).

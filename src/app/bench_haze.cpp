@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of the integrators: the thesis's scene with its numbers of samples, and thirteen views for gate, cone
-// and march at their defaults, at equal error and at equal time.
+// Tables of the integrators: the thesis's scene with its numbers of samples, and thirteen views for gate,
+// cone and march at their defaults, at equal error and at equal time.
 #include "app/bench_views.h"
 #include "app/interrupt.h"
 

@@ -29,14 +29,13 @@ struct Film {
     const char* view;
     int width;
     int height;
-    bool grid; // haze as it is drawn while things move; else every ray, as at rest
+    bool grid;   // haze as it is drawn while things move; else every ray, as at rest
     bool coarse; // light at half the size
 };
-constexpr Film kFilms[] = {{"close", 640, 360, true, false},   {"close", 640, 360, false, false},
-                           {"house", 640, 360, true, false},   {"high", 640, 360, true, false},
-                           {"close", 1280, 720, true, true},   {"house", 1280, 720, true, true},
-                           {"high", 1280, 720, true, true},    {"close", 1280, 720, true, false},
-                           {"close", 1280, 720, false, false}};
+constexpr Film kFilms[] = {
+    {"close", 640, 360, true, false}, {"close", 640, 360, false, false}, {"house", 640, 360, true, false},
+    {"high", 640, 360, true, false},  {"close", 1280, 720, true, true},  {"house", 1280, 720, true, true},
+    {"high", 1280, 720, true, true},  {"close", 1280, 720, true, false}, {"close", 1280, 720, false, false}};
 
 class LiveBench {
 public:
@@ -74,7 +73,7 @@ private:
 void use(Session& session, const Film& film, bool moves) {
     render::HazeQuality quality;
     quality.grid = moves && film.grid;
-    (void)session.use_coarse_light(moves && film.coarse);
+    session.use_coarse_light(moves && film.coarse);
     session.relighter->set_quality(quality);
 }
 

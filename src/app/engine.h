@@ -105,6 +105,8 @@ private:
         return shows_baked_ ? baked_->relighter() : *session_->relighter;
     }
     render::FrameStatistics draw_live(double begin_s, double air_s);
+    int lights_in(double frame_ms) const;
+    void learn_light_ms(const render::FrameStatistics& statistics, double draw_ms);
     // engine_probe.cpp
     std::shared_ptr<const image::Image8> false_colours();
     const bake::Tracer& tracer();
@@ -173,6 +175,7 @@ private:
     std::string baked_why_not_, supply_, supply_sent_;
     double baked_looked_s_ = 0;
     bool is_unsaved_ = false;
+    double light_ms_ = 0;      // of a light that turns, where many do; 0: not known
     bool sees_else_ = false;   // the live picture, since it was drawn last
     bool was_resized_ = false; // by the frame that is drawn
     double last_step_s_ = 0;

@@ -95,7 +95,7 @@ scene::Camera Engine::camera_for(double now_s) {
     fit_into_memory();
     scene::Camera camera = wanted_camera_;
     const double share = wishes_.quality.percent > 0 ? std::sqrt(wishes_.quality.percent / 100.0)
-                         : is_moving(now_s)          ? pace_.share()
+                         : is_moving(now_s)          ? pace_.level().sides
                                                      : 1.0;
     const auto pixels = [&](int wanted) {
         return std::clamp(static_cast<int>(std::lround(wanted * share)), kLeastPixels, kMostPixels);
@@ -126,12 +126,33 @@ render::FrameStatistics Engine::draw_live(double begin_s, double air_s) {
     framed_ = {wishes_.frame, scene::share_of_frame(wanted_camera_, wishes_.frame)};
     const bool moves = is_moving(begin_s);
     haze_.grid = moves;
+    const bool was_coarse = session_->relighter->is_coarse();
+    session_->use_coarse_light(moves && wishes_.quality.percent == 0 && pace_.level().coarse_light &&
+                               wishes_.false_colour.measure == ui::Measure::none);
+    was_resized_ = was_resized_ || was_coarse != session_->relighter->is_coarse();
     session_->relighter->set_quality(haze_);
+    session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
+    session_->relighter->set_tone(session_->options.tone);
+    session_->relighter->set_most_lights(moves ? lights_in(1000.0 / wishes_.quality.fps) : 0);
     const bool plays = wishes_.transport.playing && !wishes_.frozen;
     const auto stop = [&] {
         return link_.wake.is_raised() || stop_ || (plays && input_->plays_else_in(now_s() - begin_s));
     };
     return session_->draw(air_s, moves ? std::function<bool()>{} : stop);
+}
+
+// How many lights that turn there is time for; 0: all of them.
+int Engine::lights_in(double frame_ms) const {
+    constexpr int kLeast = 8;
+    return light_ms_ > 0 ? std::max(static_cast<int>(frame_ms / light_ms_), kLeast) : 0;
+}
+
+void Engine::learn_light_ms(const render::FrameStatistics& statistics, double draw_ms) {
+    constexpr int kMany = 16; // below, the time is that of the picture and not of its lights
+    constexpr double kOfNew = 0.3;
+    if (statistics.drawn < kMany) return;
+    const double ms = draw_ms / statistics.drawn;
+    light_ms_ = light_ms_ == 0 ? ms : light_ms_ + kOfNew * (ms - light_ms_);
 }
 
 void Engine::frame() {
@@ -173,6 +194,7 @@ void Engine::frame() {
     air_s_ += dt_s;
     was_resized_ = false;
     if (switched && baked) baked_->relighter().forget(); // it may rest
+    if (baked) baked_->use_grid(is_moving(begin_s));
     const render::FrameStatistics statistics =
         baked ? baked_->draw(wanted_camera_, air_s_) : draw_live(begin_s, air_s_);
     if (baked) {
@@ -187,7 +209,10 @@ void Engine::frame() {
     if (drew) {
         // A new size costs what no other frame does.
         const bool counts = !was_resized_ && last_change_s_ == begin_s;
-        if (counts && !baked) pace_.add(draw_ms, wishes_.quality.fps);
+        if (counts && !baked) {
+            pace_.add(draw_ms, wishes_.quality.fps);
+            learn_light_ms(statistics, draw_ms);
+        }
     } else if (!statistics.stopped) {
         arrival_ = std::chrono::nanoseconds{0}; // they changed nothing that is seen
     }

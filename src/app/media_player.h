@@ -32,7 +32,8 @@ private:
     std::vector<std::string> where_; // file:line of each
 };
 
-// Opens each film and picture that is there and says what shows from its start on would say, once. Any thread.
+// Opens each film and picture that is there and says what shows from its start on would say, once. Any
+// thread.
 void check_media(const scene::Show& show, scene::Report& report);
 
 } // namespace ghost::app

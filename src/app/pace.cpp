@@ -18,12 +18,12 @@ constexpr double kStillMoves = 4; // frame times that half of the sides may take
 constexpr int kShortestWait = 40, kLongestWait = 640;
 constexpr double kLeastRatio = 1.02, kMostRatio = 2.2;
 // Until they are measured: three quarters of the smallest picture do not go with its pixels.
-constexpr std::array<double, Pace::kShares.size() - 1> kGuessedRatios{1.75, 1.55, 1.41, 1.24};
+constexpr std::array<double, Pace::kLevels.size() - 1> kGuessedRatios{1.75, 1.55, 1.41, 1.24};
 
 } // namespace
 
 Pace::Pace(std::size_t lights)
-    : level_(lights <= kManyLights ? kHalf : kShares.size() - 1), ratios_(kGuessedRatios),
+    : level_(lights <= kManyLights ? kHalf : kLevels.size() - 1), ratios_(kGuessedRatios),
       wait_(kShortestWait) {}
 
 bool Pace::is_far_over(double frame_ms, double frames_per_s) {
@@ -39,7 +39,7 @@ double Pace::expected_ms(std::size_t level, double usual_ms) const {
 
 std::size_t Pace::best_level(double usual_ms, double wanted_ms) const {
     std::size_t level = 0;
-    while (level + 1 < kShares.size() && expected_ms(level, usual_ms) > wanted_ms) ++level;
+    while (level + 1 < kLevels.size() && expected_ms(level, usual_ms) > wanted_ms) ++level;
     return level;
 }
 
@@ -72,7 +72,7 @@ bool Pace::add(double frame_ms, double frames_per_s) {
     if (!is_far) learn(usual_ms);
     std::size_t level = level_;
     if (usual_ms > kTooSlow * wanted_ms) {
-        while (level + 1 < kShares.size() && (level == level_ || expected_ms(level, usual_ms) > wanted_ms)) {
+        while (level + 1 < kLevels.size() && (level == level_ || expected_ms(level, usual_ms) > wanted_ms)) {
             if (level >= kHalf && expected_ms(level, usual_ms) <= kStillMoves * wanted_ms) break;
             ++level;
         }

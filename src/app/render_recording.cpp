@@ -84,10 +84,14 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
             camera = camera_between(start, *session.travel_to,
                                     static_cast<float>(frame - first) /
                                         static_cast<float>(std::max(last - first, 1L)));
-        if (pace) camera = coarser(camera, pace->share());
-        const bool is_resized =
+        if (pace) camera = coarser(camera, pace->level().sides);
+        bool is_resized =
             camera.width != session.relighter->width() || camera.height != session.relighter->height();
         if (session.travel_to || is_resized) session.look_from(camera);
+        if (pace && pace->level().coarse_light != session.relighter->is_coarse()) {
+            session.use_coarse_light(pace->level().coarse_light);
+            is_resized = true;
+        }
         if (pace && is_resized) session.relighter->set_quality({.grid = true}); // it is another one
         const double begin_s = now_s();
         tally.add(session.draw(static_cast<double>(frame) / fps));

@@ -290,24 +290,23 @@ void Session::look_from(const scene::Camera& from) {
     relighter->set_exposure(options.ev100.value_or(from.ev100), from.auto_exposure && !options.ev100);
 }
 
-bool Session::use_coarse_light(bool coarse) {
-    if (!live || relighter->is_coarse() == coarse) return true;
-    const int width = relighter->width(), height = relighter->height();
-    if (coarse && !render::CoarseLight::fits(width, height)) return false;
+void Session::use_coarse_light(bool coarse) {
+    if (!live || relighter->is_coarse() == coarse) return;
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(relighter->width()) * static_cast<std::uint64_t>(relighter->height());
     std::swap(relighter, other_light);
     if (relighter) {
         relighter->set_tone(options.tone);
-        return true;
+        return;
     }
     // The only one, where memory is short.
-    const std::uint64_t pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     if (device->memory_left_bytes() < kPictureBytesPerPixel * pixels + kSpareToPark) other_light.reset();
     render::Settings settings = draw_settings(*show, live->camera(), options);
     settings.coarse = coarse;
-    relighter = std::make_unique<render::Relighter>(*device, live->g_buffer(), live->distances(), gobos.images,
-                                                    static_cast<int>(lit().lights.size()), settings);
+    relighter =
+        std::make_unique<render::Relighter>(*device, live->g_buffer(), live->distances(), gobos.images,
+                                            static_cast<int>(lit().lights.size()), settings);
     relighter->set_tone(options.tone);
-    return true;
 }
 
 void Session::drop_parked() {

@@ -95,8 +95,8 @@ struct Session {
     void look_from(const scene::Camera& from);
     void drop_parked();
     // Live: from the next frame on light is drawn at half the size of the picture (render/coarse_light.h), or
-    // at all of it. Of either what is kept stays, where there is memory. False: this picture cannot have it.
-    bool use_coarse_light(bool coarse);
+    // at all of it. Of either what is kept stays, where there is memory.
+    void use_coarse_light(bool coarse);
 };
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);

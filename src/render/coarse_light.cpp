@@ -8,7 +8,6 @@
 #include "shaders/coarse_fold.h"
 #include "shaders/coarse_points.h"
 #include "shaders/coarse_spread.h"
-#include "shared/coarse.h"
 #include "shared/g_buffer.h"
 #include "shared/push.h"
 
@@ -24,8 +23,8 @@ constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr VkFormat kHalves = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat kWords = VK_FORMAT_R32G32B32A32_UINT;
-constexpr std::uint32_t kEdgesPerGroup = 64;            // coarse_extras.comp, coarse_fold.comp
-constexpr std::uint32_t kSpreadSide = 8;                // coarse_spread.comp
+constexpr std::uint32_t kEdgesPerGroup = 64;               // coarse_extras.comp, coarse_fold.comp
+constexpr std::uint32_t kSpreadSide = 8;                   // coarse_spread.comp
 constexpr std::uint32_t kPointLayers = 2, kCellLayers = 3; // shared/coarse.h
 
 gpu::Texture stored(const gpu::Device& device, std::uint32_t width, std::uint32_t height, VkFormat format,
@@ -54,17 +53,15 @@ CoarseLight::CoarseLight(const gpu::Device& device, const GBuffer& g_buffer)
     : g_buffer_(g_buffer), make_points_(device, shaders::kShader_coarse_points,
                                         {kUniform, kStored, kStored, kStored, kStored, kStored, kStored,
                                          kStored, kStored, kStored, kStorage, kStorage}),
-      make_cells_(
-          device, shaders::kShader_coarse_cells,
-          {kUniform, kStored, kStored, kStored, kStored, kStored, kStored, kStored, kStorage}),
+      make_cells_(device, shaders::kShader_coarse_cells,
+                  {kUniform, kStored, kStored, kStored, kStored, kStored, kStored, kStored, kStorage}),
       make_extras_(device, shaders::kShader_coarse_extras,
                    {kUniform, kStored, kStored, kStored, kStored, kStored, kStored, kSampled, kStored,
                     kStorage, kStorage}),
       spread_(device, shaders::kShader_coarse_spread, {kStored, kStored, kStored, kStored}),
       fold_(device, shaders::kShader_coarse_fold, {kStored, kStored, kSampled, kStored, kStored}) {
     const Fragments& f = g_buffer.fragments();
-    CHECK(fits(static_cast<int>(f.width), static_cast<int>(f.height)));
-    const std::uint32_t w = f.width / 2, h = f.height / 2;
+    const std::uint32_t w = (f.width + 1) / 2, h = (f.height + 1) / 2;
     points_.width = w;
     points_.height = h;
     points_.tiles_x = gpu::groups(w, shared::kTileWidth);
@@ -134,9 +131,14 @@ void CoarseLight::update(gpu::Commands& commands) {
     stale_points_ = stale_cells_ = stale_tiles_ = {};
 }
 
+shared::CoarsePush CoarseLight::push_of(std::uint32_t tiles_x, bool listed, std::uint32_t count) const {
+    const Fragments& f = g_buffer_.fragments();
+    return {tiles_x, listed ? 1u : 0u, count, f.width, f.height};
+}
+
 void CoarseLight::record_points(gpu::Commands& commands, bool listed) {
     const std::uint32_t count = listed ? write_list(point_list_, stale_points_) : 0;
-    commands.dispatch(make_points_, shared::CoarsePush{points_.tiles_x, listed ? 1u : 0u, count},
+    commands.dispatch(make_points_, push_of(points_.tiles_x, listed, count),
                       {gpu::uniform(points_.view), gpu::stored(g_buffer_.fragments().places),
                        gpu::stored(g_buffer_.diffuse()), gpu::stored(g_buffer_.specular()),
                        gpu::stored(g_buffer_.normals()), gpu::stored(points_.places), gpu::stored(diffuse_),
@@ -150,7 +152,7 @@ void CoarseLight::record_cells(gpu::Commands& commands, bool listed) {
     const std::uint32_t tiles_x = gpu::groups(points_.width + 1, shared::kTileWidth),
                         tiles_y = gpu::groups(points_.height + 1, shared::kTileHeight);
     const std::uint32_t count = listed ? write_list(cell_list_, stale_cells_) : 0;
-    commands.dispatch(make_cells_, shared::CoarsePush{tiles_x, listed ? 1u : 0u, count},
+    commands.dispatch(make_cells_, push_of(tiles_x, listed, count),
                       {gpu::uniform(g_buffer_.fragments().view), gpu::stored(g_buffer_.fragments().places),
                        gpu::stored(g_buffer_.diffuse()), gpu::stored(g_buffer_.specular()),
                        gpu::stored(g_buffer_.normals()), gpu::stored(points_.places), gpu::stored(normals_),
@@ -163,7 +165,7 @@ void CoarseLight::record_extras(gpu::Commands& commands, bool listed) {
     const Fragments& f = g_buffer_.fragments();
     if (f.edge_count == 0) return;
     const std::uint32_t count = listed ? write_list(tile_list_, stale_tiles_) : f.edge_count;
-    commands.dispatch(make_extras_, shared::CoarsePush{f.tiles_x, listed ? 1u : 0u, count},
+    commands.dispatch(make_extras_, push_of(f.tiles_x, listed, count),
                       {gpu::uniform(f.view), gpu::stored(f.places), gpu::stored(g_buffer_.diffuse()),
                        gpu::stored(g_buffer_.specular()), gpu::stored(g_buffer_.normals()),
                        gpu::stored(points_.places), gpu::stored(normals_), gpu::sampled(f.edges),
@@ -175,14 +177,13 @@ void CoarseLight::record_extras(gpu::Commands& commands, bool listed) {
 void CoarseLight::spread(gpu::Commands& commands, const gpu::Texture& frame) const {
     const Fragments& f = g_buffer_.fragments();
     commands.begin_span("light spread");
-    commands.dispatch(spread_, 0u,
-                      {gpu::stored(sums_), gpu::stored(cells_), gpu::stored(f.base), gpu::stored(frame)},
-                      gpu::groups(points_.width + 1, kSpreadSide),
-                      gpu::groups(points_.height + 1, kSpreadSide));
+    commands.dispatch(
+        spread_, 0u, {gpu::stored(sums_), gpu::stored(cells_), gpu::stored(f.base), gpu::stored(frame)},
+        gpu::groups(points_.width + 1, kSpreadSide), gpu::groups(points_.height + 1, kSpreadSide));
     commands.barrier();
     if (f.edge_count == 0) return;
     commands.begin_span("fold");
-    commands.dispatch(fold_, shared::CoarsePush{f.tiles_x, 0, f.edge_count},
+    commands.dispatch(fold_, push_of(f.tiles_x, false, f.edge_count),
                       {gpu::stored(sums_), gpu::stored(cells_), gpu::sampled(f.edges), gpu::stored(extras_),
                        gpu::stored(frame)},
                       gpu::groups(f.edge_count, kEdgesPerGroup));
@@ -191,11 +192,11 @@ void CoarseLight::spread(gpu::Commands& commands, const gpu::Texture& frame) con
 
 std::uint64_t CoarseLight::memory_bytes() const {
     std::uint64_t sum = 0;
-    for (const gpu::Buffer* buffer : {&rooms_, &point_list_, &cell_list_, &tile_list_, &points_.view,
-                                      &points_.tile_bounds})
+    for (const gpu::Buffer* buffer :
+         {&rooms_, &point_list_, &cell_list_, &tile_list_, &points_.view, &points_.tile_bounds})
         sum += buffer->bytes();
-    for (const gpu::Texture* texture : {&diffuse_, &specular_, &normals_, &sums_, &cells_, &extras_,
-                                        &points_.places})
+    for (const gpu::Texture* texture :
+         {&diffuse_, &specular_, &normals_, &sums_, &cells_, &extras_, &points_.places})
         sum += texture->bytes();
     return sum;
 }

@@ -12,6 +12,7 @@
 #include "render/fragments.h"
 #include "render/g_buffer.h"
 #include "render/screen_area.h"
+#include "shared/coarse.h"
 
 #include <cstdint>
 #include <vector>
@@ -20,9 +21,7 @@ namespace ghost::render {
 
 class CoarseLight {
 public:
-    // The width and height of the G-buffer's picture are even.
     CoarseLight(const gpu::Device& device, const GBuffer& g_buffer);
-    static bool fits(int width, int height) { return width % 2 == 0 && height % 2 == 0; }
 
     // The G-buffer was drawn anew.
     void forget();
@@ -42,6 +41,7 @@ public:
     std::uint64_t memory_bytes() const;
 
 private:
+    shared::CoarsePush push_of(std::uint32_t tiles_x, bool listed, std::uint32_t count) const;
     void record_points(gpu::Commands& commands, bool listed);
     void record_cells(gpu::Commands& commands, bool listed);
     void record_extras(gpu::Commands& commands, bool listed);

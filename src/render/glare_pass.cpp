@@ -154,11 +154,11 @@ void GlarePass::see(gpu::Commands& commands, const gpu::Texture& frame) const {
 
 void GlarePass::develop(gpu::Commands& commands, const gpu::Texture& frame, const gpu::Buffer& exposure,
                         const gpu::Texture& picture, std::uint32_t tone) const {
-    commands.dispatch(develop_[tone].get(), last_up_,
-                      {gpu::stored(finest()), gpu::stored(frame), gpu::uniform(exposure),
-                       gpu::stored(picture)},
-                      gpu::groups(last_up_.width, 2 * shared::kTileWidth),
-                      gpu::groups(last_up_.height, 2 * shared::kTileHeight));
+    commands.dispatch(
+        develop_[tone].get(), last_up_,
+        {gpu::stored(finest()), gpu::stored(frame), gpu::uniform(exposure), gpu::stored(picture)},
+        gpu::groups(last_up_.width, 2 * shared::kTileWidth),
+        gpu::groups(last_up_.height, 2 * shared::kTileHeight));
     commands.barrier();
 }
 

@@ -104,9 +104,9 @@ HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, cons
                                                      std::vector{kUniform, kUniform, kStored, kSampled},
                                                      std::vector{0u, single});
     // As many chunks as the relighter may draw in a frame (Relighter::Relighter).
-    fans_ =
-        gpu::Buffer(device, (kMostDraws * std::uint64_t{light_count} + shared::kBeamClasses) * kAlign + kChunkBytes,
-                    gpu::Access::upload);
+    fans_ = gpu::Buffer(
+        device, (kMostDraws * std::uint64_t{light_count} + shared::kBeamClasses) * kAlign + kChunkBytes,
+        gpu::Access::upload);
     const std::uint32_t layers = batch_size == 1 ? kept : std::clamp(light_count, 1u, batch_size);
     if (batch_size == 1) filled_.resize(layers);
     // Sums in 0..1: 16 bits are enough, half floats are not (3 % in the narrowest segments).

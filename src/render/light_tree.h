@@ -49,8 +49,8 @@ public:
 
     // changed: lights that differ from the last frame; dimmed: those that differ in nothing but their weight.
     // Any order, each once. one_by_one: each light that is made into an image gets one of its own first, so
-    // that little is lost where it is not made to the end. What changes rests for the next frames (LightBudget):
-    // branches of the tree are made into images at once.
+    // that little is lost where it is not made to the end. What changes rests for the next frames
+    // (LightBudget): branches of the tree are made into images at once.
     enum class Making { as_needed, one_by_one, by_branches };
     Plan plan(std::span<const int> changed, std::span<const int> dimmed = {},
               Making making = Making::as_needed);

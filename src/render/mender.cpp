@@ -128,10 +128,10 @@ std::uint32_t Mender::record(gpu::Commands& commands, const TileSet& stale) {
     commands.begin_span("mend");
     for (const bool blocks : {false, true}) {
         commands.write(wanted_, bits_of(blocks ? stale : around, words));
-        commands.dispatch(program_, shared::ChangedBoundsPush{tiles, f.blocks, blocks ? 1u : 0u},
-                          {gpu::storage(f.tile_bounds), gpu::storage(bounds_),
-                           gpu::storage(rooms_), gpu::storage(wanted_)},
-                          (tiles + f.blocks + kGroup - 1) / kGroup);
+        commands.dispatch(
+            program_, shared::ChangedBoundsPush{tiles, f.blocks, blocks ? 1u : 0u},
+            {gpu::storage(f.tile_bounds), gpu::storage(bounds_), gpu::storage(rooms_), gpu::storage(wanted_)},
+            (tiles + f.blocks + kGroup - 1) / kGroup);
         commands.barrier();
     }
     commands.write(tiles_, stale.list());

@@ -209,7 +209,8 @@ void Relighter::draw_anew() {
 
 void Relighter::touch() {
     CHECK(g_buffer_);
-    const std::vector<PixelRect> rects = coarse_ ? coarse_->touch(g_buffer_->changed()) : g_buffer_->changed();
+    const std::vector<PixelRect> rects =
+        coarse_ ? coarse_->touch(g_buffer_->changed()) : g_buffer_->changed();
     if (visibility_) visibility_->touch(rects, !coarse_ && g_buffer_->extras_moved());
     std::uint64_t pixels = 0;
     for (const PixelRect& rect : rects)
@@ -300,7 +301,8 @@ void Relighter::set_slides(const std::vector<shared::SlidePicture>& slides) {
 // Last of all, in what memory is left.
 void Relighter::make_images() {
     const Fragments& f = fragments();
-    frame_ = gpu::Texture(device_, {seen().width, seen().height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    frame_ = gpu::Texture(device_,
+                          {seen().width, seen().height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     // Two pixels a texel, or surface and haze of one point.
     const std::uint32_t across = coarse_ ? f.width : (f.width + 1) / 2;
     gpu::TextureShape shape{across, f.height, 1, 1, VK_FORMAT_R32G32B32A32_UINT, true, false};
@@ -497,8 +499,7 @@ image::Image8 Relighter::picture() const {
 
 image::ImageF Relighter::frame() const {
     image::ImageF result(width(), height(), 3);
-    const gpu::Buffer buffer(device_,
-                             std::uint64_t{seen().width} * seen().height * kFrameBytesPerPixel,
+    const gpu::Buffer buffer(device_, std::uint64_t{seen().width} * seen().height * kFrameBytesPerPixel,
                              gpu::Access::readback);
     commands_.begin();
     if (!saw_) glare_.see(commands_, frame_);

@@ -199,7 +199,7 @@ private:
     std::uint32_t wide_step_ = 1;
     bool uses_grid_ = false;
     bool wide_prepared_ = false;
-    bool saw_ = true; // glare_ has made what is seen of the frame
+    bool saw_ = true;                // glare_ has made what is seen of the frame
     bool silhouettes_known_ = false; // haze_sources_ are those of the picture
     LedWallPass led_walls_;
     LensPass lens_;

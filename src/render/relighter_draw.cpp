@@ -81,8 +81,7 @@ void Relighter::draw_sum(const ImageSum& sum) {
         }
         commands_.dispatch(fold_, shared::FoldPush{f.edge_count, mended_tiles_ > 0 ? 1u : 0u},
                            {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_),
-                            gpu::stored(f.places),
-                            gpu::storage(g_buffer_ ? rooms() : f.tile_bounds),
+                            gpu::stored(f.places), gpu::storage(g_buffer_ ? rooms() : f.tile_bounds),
                             gpu::storage(tile_list), gpu::stored(haze_sources_)},
                            mended_tiles_ > 0 ? mended_tiles_ : gpu::groups(f.edge_count, 64));
         commands_.barrier();
@@ -188,13 +187,15 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
                                        gpu::storage(lists_),
                                        gpu::stored(f.places),
                                        gpu::stored(drawn_),
-                                       gpu::stored(coarse_ ? coarse_->diffuse() : g_buffer_ ? g_buffer_->diffuse() : passes_.radiance)};
+                                       gpu::stored(coarse_     ? coarse_->diffuse()
+                                                   : g_buffer_ ? g_buffer_->diffuse()
+                                                               : passes_.radiance)};
     if (g_buffer_)
         bindings.insert(bindings.end(),
                         {gpu::sampled(distances_ ? distances_->texture() : gobos_),
-                         gpu::stored(coarse_ ? coarse_->specular() : g_buffer_->specular()), gpu::stored(normals()),
-                         gpu::uniform(air_), gpu::sampled(distances_ ? distances_->blockers() : gobos_),
-                         gpu::sampled(slides_),
+                         gpu::stored(coarse_ ? coarse_->specular() : g_buffer_->specular()),
+                         gpu::stored(normals()), gpu::uniform(air_),
+                         gpu::sampled(distances_ ? distances_->blockers() : gobos_), gpu::sampled(slides_),
                          gpu::uniform(visibility_ ? visibility_->keeps() : nothing_, keeps_offset),
                          gpu::storage(visibility_ ? visibility_->entries() : nothing_),
                          gpu::stored(visibility_ ? visibility_->pages() : no_pages_)});
@@ -217,9 +218,9 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
                 visible_.get(), push,
                 {gpu::uniform(f.view), gpu::uniform(lights_, chunk.light_offset), gpu::storage(masks_),
                  gpu::storage(lists_), gpu::sampled(distances_->texture()),
-                 gpu::sampled(distances_->blockers()), gpu::stored(f.places),
-                 gpu::stored(normals()), gpu::uniform(visibility_->keeps(), keeps_offset),
-                 gpu::storage(visibility_->entries()), gpu::stored(visibility_->pages())},
+                 gpu::sampled(distances_->blockers()), gpu::stored(f.places), gpu::stored(normals()),
+                 gpu::uniform(visibility_->keeps(), keeps_offset), gpu::storage(visibility_->entries()),
+                 gpu::stored(visibility_->pages())},
                 groups_, chunk.made_groups(push.batch));
             commands_.barrier();
         }

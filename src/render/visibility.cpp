@@ -50,9 +50,10 @@ Visibility::Visibility(const gpu::Device& device, const Fragments& fragments, co
     const std::uint64_t layers = (rows + shared::kPagesAcross - 1) / shared::kPagesAcross;
     const std::uint64_t rows_of_layer = layers > 1 ? shared::kPagesAcross : rows;
     page_count_ = static_cast<std::uint32_t>(layers * rows_of_layer * shared::kPagesAcross - units_);
-    pages_ = gpu::Texture(device, {shared::kPagesAcross * shared::kTileWidth,
-                                   static_cast<std::uint32_t>(rows_of_layer) * shared::kTileHeight,
-                                   static_cast<std::uint32_t>(layers), 1, VK_FORMAT_R16G16_UNORM, true, false});
+    pages_ =
+        gpu::Texture(device, {shared::kPagesAcross * shared::kTileWidth,
+                              static_cast<std::uint32_t>(rows_of_layer) * shared::kTileHeight,
+                              static_cast<std::uint32_t>(layers), 1, VK_FORMAT_R16G16_UNORM, true, false});
     entries_ = gpu::Buffer(device, kHeadBytes + all * kEntryBytes, gpu::Access::device);
     changed_at_ = gpu::Buffer(device, std::uint64_t{4} * units_, gpu::Access::device);
     tile_list_ = gpu::Buffer(device, kMostTouched * sizeof(std::uint32_t), gpu::Access::device);
@@ -79,10 +80,9 @@ void Visibility::begin_frame(gpu::Commands& commands, bool is_full) {
         const std::vector<std::uint32_t> list = touched_.list();
         const auto count = static_cast<std::uint32_t>(list.size());
         commands.write(tile_list_, list);
-        commands.dispatch(
-            touch_, shared::VisibilityTouchPush{count, f.tiles_x * f.tiles_y, now_},
-            {gpu::storage(tile_list_), gpu::storage(rooms_), gpu::storage(changed_at_)},
-            gpu::groups(count, kGroup));
+        commands.dispatch(touch_, shared::VisibilityTouchPush{count, f.tiles_x * f.tiles_y, now_},
+                          {gpu::storage(tile_list_), gpu::storage(rooms_), gpu::storage(changed_at_)},
+                          gpu::groups(count, kGroup));
         commands.barrier();
     }
     forgotten_ = false;

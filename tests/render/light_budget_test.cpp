@@ -68,7 +68,8 @@ TEST(LightBudget, AQuarterOfTheLightsIsDrawnInEachPicture) {
     (void)tree.plan(all, {}, LightTree::Making::by_branches);
     int drawn = 0;
     for (int picture = 1; picture <= 8; ++picture) {
-        const std::vector<shared::Light>& shown = budget.choose(turned(kCount, static_cast<float>(picture)), 50);
+        const std::vector<shared::Light>& shown =
+            budget.choose(turned(kCount, static_cast<float>(picture)), 50);
         std::vector<int> changed;
         for (int i = 0; i < kCount; ++i) {
             const auto k = static_cast<std::size_t>(i);
