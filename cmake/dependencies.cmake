@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-# Everything comes from the system's packages (Debian 12 names are in ./dev).
+# Everything comes from the system's packages (their names in Debian 12 and 13 are in ./dev).
 find_package(Threads REQUIRED)
 find_package(glm REQUIRED)
 find_package(pugixml REQUIRED)
 find_package(assimp REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(Vulkan REQUIRED)
-find_package(embree 3 REQUIRED)
+find_package(embree 4 QUIET) # Debian 13
+if(NOT embree_FOUND)
+    find_package(embree 3 REQUIRED) # Debian 12
+endif()
 find_package(TBB REQUIRED)
 find_package(meshoptimizer REQUIRED)
 find_package(GTest REQUIRED)

@@ -16,6 +16,7 @@ from pathlib import Path
 LIBRARIES = {
     "vulkan/": {"gpu", "render"},
     "embree3/": {"bake"},
+    "embree4/": {"bake"},
     "tbb/": {"bake"},
     "zip.h": {"fixture", "scene"},
     "zlib.h": {"dmx"},

@@ -22,7 +22,7 @@ constexpr float kSkyReach_m = 4.0f;
 constexpr unsigned kFlushAndDenormalsZero = 0x8040;
 
 struct RayContext {
-    RTCIntersectContext base; // first: Embree hands it back to the filter
+    embree::Context base; // first: Embree hands it back to the filter
     float blend = 0.5f;
     float* shares = nullptr; // of the rays of a packet; null: looking for a first hit
 };
@@ -180,7 +180,7 @@ void Tracer::filter(const RTCFilterFunctionNArguments* arguments) {
 
 Surface Tracer::first_hit(const glm::vec3& origin, const glm::vec3& direction, float blend, Sees sees) const {
     RayContext context;
-    rtcInitIntersectContext(&context.base);
+    embree::begin(context.base);
     context.blend = blend;
     RTCRayHit hit{};
     hit.ray = {origin.x,    origin.y,
@@ -191,7 +191,7 @@ Surface Tracer::first_hit(const glm::vec3& origin, const glm::vec3& direction, f
                0,           0};
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    rtcIntersect1(top_, &context.base, &hit);
+    embree::intersect1(top_, context.base, hit);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
     return surface_at(hit, direction);
 }
@@ -300,9 +300,9 @@ void Tracer::occluded8(RTCRay8& rays, int count, float* shares) const {
         rays.tfar[k] = 1.0f;
     }
     RayContext context;
-    rtcInitIntersectContext(&context.base);
+    embree::begin(context.base);
     context.shares = shares;
-    rtcOccluded8(valid, top_, &context.base, &rays);
+    embree::occluded8(valid, top_, context.base, rays);
     for (int k = 0; k < count; ++k)
         if (rays.tfar[k] < 0.0f) shares[k] = 0.0f;
 }
@@ -364,10 +364,9 @@ void Tracer::distances(const glm::vec3& origin, const glm::vec3* directions, int
         hit.hit.instID[0][k] = RTC_INVALID_GEOMETRY_ID;
     }
     RayContext context;
-    rtcInitIntersectContext(&context.base);
-    context.base.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    embree::begin(context.base);
     context.blend = -1.0f;
-    rtcIntersect8(valid, top_, &context.base, &hit);
+    embree::intersect8(valid, top_, context.base, hit);
     for (int k = 0; k < count; ++k) {
         const bool met = hit.hit.geomID[k] != RTC_INVALID_GEOMETRY_ID;
         distances_m[k] = met ? hit.ray.tfar[k] : reach_m;

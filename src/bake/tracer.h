@@ -7,13 +7,13 @@
 // Fixture bodies (Instance::fixture) are seen by cameras and lit, but throw no shadow and no bounce: a
 // fixture that is moved changes its own pass and the pixels that show its body, not the light of all others.
 
+#include "bake/embree.h"
 #include "bake/textures.h"
 #include "scene/stage.h"
 #include "shared/brdf.h"
 
 #include <array>
 #include <cstdint>
-#include <embree3/rtcore.h>
 #include <glm/glm.hpp>
 #include <memory>
 #include <vector>

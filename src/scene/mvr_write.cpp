@@ -92,7 +92,13 @@ public:
         const char* name = zip_get_name(from, entry, ZIP_FL_ENC_RAW);
         if (!name || zip_stat_index(from, entry, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_COMP_METHOD))
             return Error{"an entry of the original cannot be read", path_.string()};
-        return add(name, zip_source_zip(handle_, from, entry, 0, 0, -1), stat.comp_method);
+#ifdef ZIP_LENGTH_TO_END // libzip 1.8; Debian 12 has 1.7
+        zip_source_t* const source =
+            zip_source_zip_file(handle_, from, entry, 0, 0, ZIP_LENGTH_TO_END, nullptr);
+#else
+        zip_source_t* const source = zip_source_zip(handle_, from, entry, 0, 0, -1);
+#endif
+        return add(name, source, stat.comp_method);
     }
 
     // One whose checksum does not fit: packed ones are copied unread; of stored ones libzip would check it,
@@ -130,7 +136,9 @@ public:
     }
 
 private:
-    Error fail() const { return {std::string("cannot write: ") + zip_strerror(handle_), path_.string()}; }
+    Error fail() const {
+        return {std::string("cannot write: ") + zip_strerror(handle_), path_.string()};
+    }
 
     std::filesystem::path path_;
     zip_t* handle_ = nullptr;

@@ -213,7 +213,7 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
         repair_meshes(const_cast<aiScene&>(*scene), extras, name, report);
         // glTF is indexed by nature; joining its vertices again costs half of the loading time.
         const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GenSmoothNormals |
-                               aiProcess_CalcTangentSpace | (is_gltf ? 0u : aiProcess_JoinIdenticalVertices);
+                               (is_gltf ? 0u : aiProcess_JoinIdenticalVertices);
         scene = importer.ApplyPostProcessing(steps);
         if (!scene) return Error{std::string("cannot prepare the model: ") + importer.GetErrorString(), name};
         return convert(*scene, extras, name, folder, read_picture, report);

@@ -4,6 +4,7 @@
 #include <assimp/mesh.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -69,6 +70,45 @@ template <class T>
 void drop(T*& array) {
     delete[] array;
     array = nullptr;
+}
+
+// In the surface's plane, where u grows; w: the side on which the picture's top lies.
+glm::vec4 tangent_of(const glm::vec3& normal, const glm::vec3& along_u, const glm::vec3& against_v) {
+    const glm::vec3 flat = along_u - normal * glm::dot(normal, along_u);
+    const float length2 = glm::dot(flat, flat);
+    if (!(length2 > 1e-12f) || !std::isfinite(length2)) return glm::vec4(1, 0, 0, 1);
+    const float hand = glm::dot(glm::cross(normal, flat), against_v) < 0.0f ? -1.0f : 1.0f;
+    return glm::vec4(flat / std::sqrt(length2), hand);
+}
+
+// The mean over the triangles at a vertex, larger angles for more. Our own, for the bitangents of Assimp 5.2
+// and 5.4 have opposite signs.
+void add_tangents(Mesh& mesh) {
+    std::vector<glm::vec3> along_u(mesh.positions.size(), glm::vec3(0.0f));
+    std::vector<glm::vec3> against_v(mesh.positions.size(), glm::vec3(0.0f));
+    const auto unit = [](const glm::dvec3& v) {
+        const double length = glm::length(v);
+        return length > 0 && std::isfinite(length) ? v / length : glm::dvec3(0.0);
+    };
+    for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+        const std::uint32_t* const corner = &mesh.indices[t];
+        const glm::dvec3 p[3] = {mesh.positions[corner[0]], mesh.positions[corner[1]],
+                                 mesh.positions[corner[2]]};
+        const glm::dvec2 uv1(mesh.uvs[corner[1]] - mesh.uvs[corner[0]]);
+        const glm::dvec2 uv2(mesh.uvs[corner[2]] - mesh.uvs[corner[0]]);
+        const double side = uv1.x * uv2.y - uv1.y * uv2.x < 0 ? -1 : 1;
+        const glm::dvec3 u = unit(side * ((p[1] - p[0]) * uv2.y - (p[2] - p[0]) * uv1.y));
+        const glm::dvec3 v = unit(side * ((p[1] - p[0]) * uv2.x - (p[2] - p[0]) * uv1.x));
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec3 one = unit(p[(k + 1) % 3] - p[k]);
+            const glm::dvec3 other = unit(p[(k + 2) % 3] - p[k]);
+            const double angle_rad = std::acos(std::clamp(glm::dot(one, other), -1.0, 1.0));
+            along_u[corner[k]] += glm::vec3(u * angle_rad);
+            against_v[corner[k]] += glm::vec3(v * angle_rad);
+        }
+    }
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+        mesh.tangents.push_back(tangent_of(mesh.normals[v], along_u[v], against_v[v]));
 }
 
 } // namespace
@@ -156,14 +196,10 @@ Mesh mesh_from(const aiMesh& source) {
         if (has_tangents) {
             const glm::vec3 tangent = vec3_from(source.mTangents[v]);
             const glm::vec3 bitangent = vec3_from(source.mBitangents[v]);
-            const bool usable =
-                std::isfinite(glm::dot(tangent, tangent)) && glm::dot(tangent, tangent) > 1e-12f;
-            const float hand =
-                glm::dot(glm::cross(mesh.normals.back(), tangent), bitangent) < 0.0f ? -1.0f : 1.0f;
-            mesh.tangents.push_back(usable ? glm::vec4(glm::normalize(tangent), hand)
-                                           : glm::vec4(1, 0, 0, 1));
+            mesh.tangents.push_back(tangent_of(mesh.normals.back(), tangent, bitangent));
         }
     }
+    if (has_uvs && !has_tangents) add_tangents(mesh);
     return mesh;
 }
 

@@ -64,7 +64,14 @@ const AVCodec* decoder_of(const AVStream& stream, bool& drops_alpha) {
 // Quarter turns, clockwise, that a player makes: telephones film as they are held.
 int quarter_turns_of(const AVStream& stream) {
     std::size_t bytes = 0;
-    const std::uint8_t* matrix = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &bytes);
+#if LIBAVCODEC_VERSION_INT >= AV_VERSION_INT(60, 31, 102) // FFmpeg 6.1; Debian 12 has 5.1
+    const AVPacketSideData* const data = av_packet_side_data_get(
+        stream.codecpar->coded_side_data, stream.codecpar->nb_coded_side_data, AV_PKT_DATA_DISPLAYMATRIX);
+    const std::uint8_t* const matrix = data ? data->data : nullptr;
+    if (data) bytes = data->size;
+#else
+    const std::uint8_t* const matrix = av_stream_get_side_data(&stream, AV_PKT_DATA_DISPLAYMATRIX, &bytes);
+#endif
     if (!matrix || bytes < 9 * sizeof(std::int32_t)) return 0;
     std::int32_t values[9];
     std::memcpy(values, matrix, sizeof values);

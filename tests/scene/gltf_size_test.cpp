@@ -3,6 +3,8 @@
 #include "scene/model_file.h"
 #include "tiny_glb.h"
 
+#include <algorithm>
+
 namespace ghost::scene {
 namespace {
 

@@ -2,6 +2,7 @@
 #include "mvr_files.h"
 #include "scene/mvr_values.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <fstream>

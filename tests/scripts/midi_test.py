@@ -171,6 +171,12 @@ def main():
     if not PROGRAM.exists():
         print(f"skipped: {PROGRAM} is not built")
         return 77
+    try:
+        for end in os.openpty():
+            os.close(end)
+    except OSError as problem:
+        print(f"skipped: no pseudo-terminals here (/dev/pts): {problem}")
+        return 77
     with tempfile.TemporaryDirectory(prefix="ghost_midi_") as folder:
         play(pathlib.Path(folder))
         monitor(pathlib.Path(folder))

@@ -165,7 +165,7 @@ def set_up():
     ip("-n", DESK, "link", "add", "br0", "type", "bridge", "mcast_snooping", "0")
     ip("-n", DESK, "addr", "add", "10.93.0.1/24", "brd", "10.93.0.255", "dev", "br0")
     ip("-n", DESK, "link", "set", "br0", "up")
-    subprocess.run(inside(VIS, "sysctl", "-qw", "net.ipv4.conf.all.rp_filter=0"), check=True)
+    subprocess.run(inside(VIS, "sysctl", "-qw", "net.ipv4.conf.all.rp_filter=0"), check=True, stderr=subprocess.PIPE, text=True)
 
 
 def links_come_and_go(folder):

@@ -49,7 +49,8 @@ inline int number_of(const image::Pyramid& pyramid) {
     return number;
 }
 
-// A film of the pictures 0, 1, .. at these moments (milliseconds), by FFmpeg itself; of the kind that its name says.
+// A film of the pictures 0, 1, .. at these moments (milliseconds), by FFmpeg itself; of the kind that its
+// name says.
 inline void make_uneven(const std::filesystem::path& path, const std::vector<int>& at_ms, int last_ms) {
     AVFormatContext* file = nullptr;
     ASSERT_GE(avformat_alloc_output_context2(&file, nullptr, nullptr, path.c_str()), 0);
@@ -128,10 +129,18 @@ inline void make_one_off(const std::filesystem::path& path, const OneOff& wanted
     ASSERT_GE(avcodec_open2(codec, encoder, nullptr), 0);
     avcodec_parameters_from_context(stream->codecpar, codec);
     stream->time_base = codec->time_base;
-    if (wanted.clockwise_deg != 0)
-        av_display_rotation_set(reinterpret_cast<std::int32_t*>(av_stream_new_side_data(
-                                    stream, AV_PKT_DATA_DISPLAYMATRIX, 9 * sizeof(std::int32_t))),
-                                wanted.clockwise_deg); // its argument is clockwise
+    if (wanted.clockwise_deg != 0) {
+        constexpr std::size_t kMatrixBytes = 9 * sizeof(std::int32_t);
+#if LIBAVCODEC_VERSION_INT >= AV_VERSION_INT(60, 31, 102) // FFmpeg 6.1
+        void* const matrix =
+            av_packet_side_data_new(&stream->codecpar->coded_side_data, &stream->codecpar->nb_coded_side_data,
+                                    AV_PKT_DATA_DISPLAYMATRIX, kMatrixBytes, 0)
+                ->data;
+#else
+        void* const matrix = av_stream_new_side_data(stream, AV_PKT_DATA_DISPLAYMATRIX, kMatrixBytes);
+#endif
+        av_display_rotation_set(static_cast<std::int32_t*>(matrix), wanted.clockwise_deg); // clockwise
+    }
     ASSERT_GE(avio_open(&file->pb, path.c_str(), AVIO_FLAG_WRITE), 0);
     ASSERT_GE(avformat_write_header(file, nullptr), 0);
     AVPacket* packet = av_packet_alloc();

@@ -1,0 +1,45 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""What ./dev test says in its last line of the tests that did not run. Usage: skipped_test.py SOURCE_FOLDER BUILD_FOLDER."""
+import pathlib
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(sys.argv[1]) / "tools"))
+sys.dont_write_bytecode = True
+import skipped_tests  # noqa: E402
+
+LOG = """
+[ RUN      ] Usb.Comes
+tests/dmx/usb_ports_test.cpp:70: Skipped
+no pseudo-terminals here (/dev/pts)
+[  SKIPPED ] Usb.Comes (0 ms)
+[ RUN      ] Usb.Goes
+tests/dmx/usb_ports_test.cpp:70: Skipped
+no pseudo-terminals here (/dev/pts)
+
+[  SKIPPED ] Usb.Goes (1 ms)
+[ RUN      ] Usb.Mute
+tests/dmx/usb_ports_test.cpp:70: Skipped
+[  SKIPPED ] Usb.Mute (1 ms)
+[==========] 3 tests from 1 test suite ran. (5 ms total)
+[  SKIPPED ] 3 tests, listed below:
+[  SKIPPED ] Usb.Comes
+[  SKIPPED ] Usb.Goes
+[  SKIPPED ] Usb.Mute
+skipped: needs root for network namespaces
+"""
+
+
+class Skipped(unittest.TestCase):
+    def test_each_case_once_the_most_common_reason_first(self):
+        self.assertEqual(skipped_tests.summary(LOG),
+                         "skipped: 4 (2 x no pseudo-terminals here (/dev/pts); 1 x without a reason; "
+                         "1 x needs root for network namespaces)")
+
+    def test_a_whole_run(self):
+        self.assertEqual(skipped_tests.summary("[       OK ] Usb.Comes (3 ms)\nwhich were skipped: none"), "skipped: nothing")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0]])
