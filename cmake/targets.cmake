@@ -39,6 +39,9 @@ function(ghost_test folder)
         target_sources(test_${folder} PRIVATE ${CMAKE_SOURCE_DIR}/tests/sanitize/keep_loaded.cpp)
         set_target_properties(test_${folder} PROPERTIES ENABLE_EXPORTS ON)
     endif()
+    if(folder IN_LIST GHOST_MODEL_TESTS) # its main() stands before that of gtest_main
+        target_sources(test_${folder} PRIVATE ${CMAKE_SOURCE_DIR}/tests/reader_main.cpp)
+    endif()
     target_compile_definitions(test_${folder} PRIVATE GHOST_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
         GHOST_BINARY_DIR="${CMAKE_BINARY_DIR}")
     target_link_libraries(test_${folder} PRIVATE ${ARGN} GTest::gtest_main)

@@ -14,6 +14,7 @@ from pathlib import Path
 
 # Libraries: what the include starts with, and the folders it may stand in.
 LIBRARIES = {
+    "seccomp.h": {"base"},
     "vulkan/": {"gpu", "render"},
     "embree3/": {"bake"},
     "embree4/": {"bake"},
@@ -35,10 +36,11 @@ LIBRARIES = {
     "glm/": {"image", "fixture", "scene", "bake", "render", "ui", "app", "shared"},
 }
 QT = re.compile(r"Q[A-Z]")
-SOCKETS = ("arpa/", "ifaddrs.h", "net/", "netdb.h", "netinet/", "poll.h", "sys/epoll.h", "sys/socket.h")
+SOCKETS = ("arpa/", "ifaddrs.h", "net/", "netdb.h", "netinet/", "sys/epoll.h", "sys/socket.h")
 # Operating system and processor: the only files that a port to another system has to look at.
 PLATFORM_FILES = {
     "src/base/files.cpp": "fsync",
+    "src/base/helper_process.cpp": "another process, a pair of sockets to it, its limits",
     "src/base/disk_sync.cpp": "fdatasync, flock",
     "src/base/memory.cpp": "mallopt",
     "src/base/progress.cpp": "is standard error a terminal",
@@ -97,7 +99,7 @@ def check_angled(folder, file, include):
             return None if folder in folders else f"<{include}>: only {', '.join(sorted(folders))} may"
     if QT.match(include):
         return None if folder == "ui" else f"<{include}>: Qt belongs to ui"
-    if include.startswith(SOCKETS) and folder != "dmx":
+    if include.startswith(SOCKETS) and folder != "dmx" and file not in PLATFORM_FILES:
         return f"<{include}>: sockets belong to dmx"
     if "." not in include and "/" not in include:
         return None  # the C++ library

@@ -3,12 +3,16 @@
 #include "app/number_option.h"
 #include "base/log.h"
 #include "base/progress.h"
+#include "scene/model_reader.h"
 
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string_view>
 
 int main(int argc, char** argv) {
+    if (argc == 2 && std::string_view(argv[1]) == ghost::scene::kReadModels)
+        return ghost::scene::serve_models();
     CLI::App app{
         "Ghostlight: a concert-lighting visualiser. It draws a stage as a real lighting desk drives it.",
         "ghostlight"};
@@ -24,6 +28,7 @@ int main(int argc, char** argv) {
     int exit_code = 0;
     ghost::app::add_bake(app, exit_code);
     ghost::app::add_bench(app, exit_code);
+    ghost::app::add_capture(app, exit_code);
     ghost::app::add_check(app, exit_code);
     ghost::app::add_compare(app, exit_code);
     ghost::app::add_explain(app, exit_code);

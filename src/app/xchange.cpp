@@ -94,11 +94,13 @@ Result<std::unique_ptr<Xchange::Loop>> Xchange::Loop::open(const XchangeOptions&
         loop->known_[peer] = known;
     }
     std::uint32_t address = 0;
+    std::string device;
     if (!own.interface.empty()) {
         TRY(const dmx::NetInterface interface, dmx::find_interface(own.interface));
         address = interface.address;
+        device = interface.name;
     }
-    TRY(loop->listener_, dmx::TcpListener::open(address, own.port));
+    TRY(loop->listener_, dmx::TcpListener::open(address, own.port, device));
     if (!own.finds) return loop;
     constexpr int kReceiveBufferBytes = 256 << 10;
     TRY(loop->mdns_, dmx::UdpSocket::open(0, own.mdns_port, kReceiveBufferBytes));

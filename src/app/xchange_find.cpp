@@ -81,9 +81,9 @@ void Xchange::Loop::hear() {
         if (datagrams.empty()) return;
         for (const dmx::Datagram& datagram : datagrams) {
             const auto packet = dmx::parse_dns(datagram.bytes);
-            if (!packet) continue;
+            if (!packet || !is_neighbour(datagram)) continue;
             for (const scene::XchangeStation& station : scene::xchange_stations(*packet, datagram.from))
-                meet(station, datagram.interface_index);
+                meet(station, datagram);
             if (now_s() - answered_s_ < kAnswerEvery_s) continue;
             const auto interface =
                 std::find_if(interfaces_.begin(), interfaces_.end(), [&](const dmx::NetInterface& one) {
@@ -98,7 +98,13 @@ void Xchange::Loop::hear() {
     }
 }
 
-void Xchange::Loop::meet(const scene::XchangeStation& station, unsigned interface_index) {
+bool Xchange::Loop::is_neighbour(const dmx::Datagram& datagram) const {
+    return std::any_of(interfaces_.begin(), interfaces_.end(), [&](const dmx::NetInterface& one) {
+        return one.index == datagram.interface_index && dmx::is_on_link(one, datagram.from);
+    });
+}
+
+void Xchange::Loop::meet(const scene::XchangeStation& station, const dmx::Datagram& datagram) {
     const auto once = [&](const std::string& what) {
         return spoken_of_.size() < kMostSpokenOf && spoken_of_.insert(what).second;
     };
@@ -113,7 +119,9 @@ void Xchange::Loop::meet(const scene::XchangeStation& station, unsigned interfac
                                 : station.uuid;
     const auto place = known_.find(key);
     if (station.gone) {
-        if (place == known_.end()) return;
+        // Anyone can say it in the name of another, so it counts from where the station was found only.
+        if (place == known_.end() || place->second.fixed || place->second.station.address != datagram.from)
+            return;
         tell(XchangeEvent::Kind::left, place->second.station.name, "left the network");
         known_.erase(place);
         return;
@@ -126,6 +134,7 @@ void Xchange::Loop::meet(const scene::XchangeStation& station, unsigned interfac
     }
     if (place != known_.end()) {
         Known& known = place->second;
+        if (known.fixed) return; // its address is what the user wrote
         known.seen_s = now_s();
         // Started again, or the address that we took is one that we cannot reach. One with two network cards
         // is heard by two addresses, and stays at the first that works.
@@ -145,7 +154,7 @@ void Xchange::Loop::meet(const scene::XchangeStation& station, unsigned interfac
     }
     Known known;
     known.station = station;
-    known.interface_index = interface_index;
+    known.interface_index = datagram.interface_index;
     known.seen_s = known.next_join_s = now_s();
     known_[key] = known;
     tell(XchangeEvent::Kind::found, station.name,

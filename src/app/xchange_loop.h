@@ -53,6 +53,7 @@ private:
         std::filesystem::path temporary;
         std::ofstream out;
         std::uint64_t bytes = 0;
+        bool too_slow = false; // others waited for its place
     };
     struct Connection {
         Purpose purpose = Purpose::serves;
@@ -83,7 +84,8 @@ private:
     // xchange_find.cpp
     void check_interfaces();
     void hear();
-    void meet(const scene::XchangeStation& station, unsigned interface_index);
+    void meet(const scene::XchangeStation& station, const dmx::Datagram& datagram);
+    bool is_neighbour(const dmx::Datagram& datagram) const;
     void ask_and_announce(bool leaving);
     void send_by(const dmx::NetInterface& interface, const dmx::DnsPacket& packet);
     scene::XchangeStation us_at(const dmx::NetInterface& interface) const;
@@ -92,6 +94,7 @@ private:
     void accept();
     void join_known();
     void fetch_wanted();
+    void end_slowest_fetch();
     void turn(Connection& connection);
     void answer(Connection& connection, const Message& message);
     std::string key_of(const std::string& uuid) const; // of known_; empty: none of them
@@ -118,7 +121,8 @@ private:
     std::set<std::string> spoken_of_;          // things that are said once
     std::vector<Shared> shared_;
     std::vector<Wanted> wanted_;
-    std::set<std::string> had_; // file UUIDs that were asked for
+    std::set<std::string> had_;   // file UUIDs that were asked for
+    std::size_t taken_files_ = 0; // or wanted, or being fetched
     std::uint64_t received_bytes_ = 0;
     std::list<Connection> connections_;
     std::mutex mutex_; // of events_

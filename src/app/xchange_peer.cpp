@@ -18,6 +18,8 @@ constexpr int kReadsPerTurn = 64; // of 64 KiB: others have their turn, too
 } // namespace
 
 void XchangePeer::say(const scene::XchangeMessage& message) {
+    overfull_ = overfull_ || waiting_bytes() > kMostUnread;
+    if (overfull_) return;
     const std::string text = scene::xchange_message_text(message);
     const auto header = scene::build_xchange_header(scene::XchangePayload::message, text.size());
     out_.append(header.begin(), header.end());
@@ -57,7 +59,7 @@ Result<void> XchangePeer::refill() {
 
 Result<void> XchangePeer::send_what_goes(double now_s) {
     if (!has_to_send()) sent_s_ = now_s;
-    if (out_.size() - out_sent_ > kMostUnread) return Error{"does not read what it is sent", ""};
+    if (overfull_ || waiting_bytes() > kMostUnread) return Error{"does not read what it is sent", ""};
     for (;;) {
         if (out_sent_ == out_.size()) {
             out_.clear();
@@ -82,6 +84,8 @@ Result<void> XchangePeer::turn(double now_s, const Sink& sink) {
                                                inside_since_s_ = -1;
                                                TRY(const auto message, scene::parse_xchange_message(json));
                                                sink.message(message);
+                                               if (overfull_)
+                                                   return Error{"does not read what it is sent", ""};
                                                return {};
                                            },
                                            [&](Bytes piece, bool last) -> Result<void> {

@@ -36,6 +36,7 @@ public:
     bool has_to_send() const { return !out_.empty() || !files_.empty(); }
     int handle() const { return stream_->handle(); }
     const dmx::IpAddress& address() const { return stream_->peer(); }
+    std::size_t waiting_bytes() const { return out_.size() - out_sent_; }
     const std::string& problem() const { return stream_->problem(); } // of the connection itself
     double heard_s() const { return heard_s_; }                       // the last bytes
 
@@ -49,6 +50,7 @@ private:
     double inside_since_s_ = -1; // of a package; negative: in none
     std::string out_;            // bytes to be sent
     std::size_t out_sent_ = 0;
+    bool overfull_ = false;                   // something was not taken into out_
     std::deque<std::filesystem::path> files_; // behind out_; the first one is open
     std::ifstream file_;
     std::uint64_t file_left_ = 0;

@@ -25,6 +25,8 @@ constexpr double kAgain_s = 5; // after something failed, longer each time
 constexpr double kJoinPatience_s = 10;
 constexpr double kFetchSilence_s = 20;
 constexpr double kLongestFetch_s = 1800;
+constexpr double kFetchAlone_s = 10;          // however slow, while others wait
+constexpr double kLeastFetchRate = 64u << 10; // bytes per second, while others wait
 constexpr double kLeavePatience_s = 0.7;
 constexpr int kMostSameNames = 10'000;
 
@@ -139,12 +141,13 @@ void Xchange::Loop::want(const Commit& commit, const std::string& key) {
     if (options_.save.empty() || had_.contains(commit.file_uuid)) return;
     const auto& stations = commit.for_stations;
     if (!stations.empty() && std::find(stations.begin(), stations.end(), uuid_) == stations.end()) return;
-    if (had_.size() >= kMostFiles || wanted_.size() >= kMostWanted) {
+    if (taken_files_ >= kMostFiles || wanted_.size() >= kMostWanted) {
         if (spoken_of_.insert("plots").second)
             tell(XchangeEvent::Kind::trouble, "", "more plots at once than are taken; some are left out");
         return;
     }
     if (!commit.file_uuid.empty()) had_.insert(commit.file_uuid);
+    ++taken_files_;
     wanted_.push_back({commit, key});
 }
 
@@ -154,7 +157,7 @@ void Xchange::Loop::fetch_wanted() {
         const auto fetching =
             std::count_if(connections_.begin(), connections_.end(),
                           [](const Connection& one) { return one.purpose == Purpose::fetches; });
-        if (static_cast<std::size_t>(fetching) >= kMostFetching) return;
+        if (static_cast<std::size_t>(fetching) >= kMostFetching) return end_slowest_fetch();
         if (now_s() < wanted.not_before_s) {
             ++i;
             continue;
@@ -181,11 +184,24 @@ void Xchange::Loop::fetch_wanted() {
             fetch.station = connection->name;
             connection->fetch = std::move(fetch);
         } else {
+            --taken_files_;
             tell(XchangeEvent::Kind::trouble, "",
                  "a plot was offered by a station that cannot be reached (" + wanted.commit.file_name + ")");
         }
         wanted_.erase(wanted_.begin() + static_cast<std::ptrdiff_t>(i));
     }
+}
+
+// All places are taken and others wait: the one that brings next to nothing gives its place up.
+void Xchange::Loop::end_slowest_fetch() {
+    const auto rate = [this](const Connection& one) {
+        return static_cast<double>(one.fetch->bytes) / std::max(1.0, now_s() - one.begun_s);
+    };
+    Connection* slowest = nullptr;
+    for (Connection& one : connections_)
+        if (one.fetch && (!slowest || rate(one) < rate(*slowest))) slowest = &one;
+    if (slowest && now_s() - slowest->begun_s > kFetchAlone_s && rate(*slowest) < kLeastFetchRate)
+        slowest->fetch->too_slow = true;
 }
 
 void Xchange::Loop::fetch_failed(Connection& connection, const std::string& why) {
@@ -194,6 +210,7 @@ void Xchange::Loop::fetch_failed(Connection& connection, const std::string& why)
     std::error_code ignored;
     if (!connection.fetch->temporary.empty()) std::filesystem::remove(connection.fetch->temporary, ignored);
     had_.erase(connection.fetch->commit.file_uuid); // the next commit may ask again
+    taken_files_ -= taken_files_ > 0 ? 1 : 0;
     tell(XchangeEvent::Kind::trouble, connection.fetch->station, "its plot did not come: " + why);
     connection.fetch.reset();
 }
@@ -219,6 +236,8 @@ void Xchange::Loop::turn(Connection& connection) {
             connection.done = true;
         }
     } else if (connection.purpose == Purpose::fetches) {
+        if (connection.fetch && connection.fetch->too_slow)
+            fetch_failed(connection, "it came too slowly while others waited");
         if (connection.fetch && (silent_s > kFetchSilence_s || age_s > kLongestFetch_s))
             fetch_failed(connection, "nothing came for too long");
         connection.done = !connection.fetch;

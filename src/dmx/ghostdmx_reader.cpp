@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kMaxListedProblems = 100;
 constexpr std::size_t kSearchBytes = 1u << 20;           // read at a time
-constexpr std::uint64_t kSearchEffortBytes = 1ull << 30; // summed for marks that turn out to be none
+constexpr std::uint64_t kSearchEffortBytes = 1ull << 30; // of a file, for marks that turn out to be none
 
 std::string seconds_text(microseconds time) {
     char text[32];
@@ -94,7 +94,6 @@ bool GhostdmxReader::begins_block_at(std::uint64_t offset) {
 std::uint64_t GhostdmxReader::next_block_after(std::uint64_t offset) {
     std::vector<std::uint8_t> mark;
     put_u32(mark, kMark);
-    std::uint64_t effort = 0;
     while (offset + kPieceHeaderBytes <= source_.size()) {
         const std::vector<std::uint8_t> window = bytes_at(offset, kSearchBytes);
         auto found = std::search(window.begin(), window.end(), mark.begin(), mark.end());
@@ -106,8 +105,8 @@ std::uint64_t GhostdmxReader::next_block_after(std::uint64_t offset) {
         offset += static_cast<std::uint64_t>(found - window.begin());
         if (begins_block_at(offset)) return offset;
         const auto piece = decode_piece(bytes_at(offset, kPieceHeaderBytes));
-        effort += kSearchBytes / 64 + (piece ? piece->content_bytes : 0);
-        if (effort > kSearchEffortBytes) break;
+        search_effort_ += kSearchBytes / 64 + (piece ? piece->content_bytes : 0);
+        if (search_effort_ > kSearchEffortBytes) break;
         ++offset;
     }
     return source_.size();

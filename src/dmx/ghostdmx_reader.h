@@ -45,6 +45,7 @@ private:
     ghostdmx::Header header_;
     ghostdmx::Index index_;
     std::uint64_t end_of_blocks_ = 0; // offset
+    std::uint64_t search_effort_ = 0; // bytes, of all searches
     std::vector<Error> problems_;
 };
 

@@ -371,13 +371,24 @@ std::vector<LostUniverse> Merge::lost(std::chrono::nanoseconds now) const {
 }
 
 std::vector<std::uint16_t> Merge::sync_universes() const {
-    std::vector<std::uint16_t> result;
+    // By how many universes name each: those that are asked for, then all. Who forges sources can name as
+    // many as there are numbers, but a desk names one with all of its universes.
+    std::map<std::uint16_t, std::pair<std::size_t, std::size_t>> named;
     for (const auto& [number, input] : inputs_)
         for (const LevelSource& source : input.sources)
-            if (source.key().protocol == Protocol::sacn && source.sync_universe() != 0)
-                result.push_back(source.sync_universe());
-    std::sort(result.begin(), result.end());
-    result.erase(std::unique(result.begin(), result.end()), result.end());
+            if (source.key().protocol == Protocol::sacn && source.sync_universe() != 0) {
+                auto& [asked, all] = named[source.sync_universe()];
+                asked += input.asked ? 1 : 0;
+                ++all;
+            }
+    std::vector<std::uint16_t> result;
+    for (const auto& [universe, times] : named) result.push_back(universe);
+    if (result.size() > kMaxSyncGroups) {
+        std::stable_sort(result.begin(), result.end(),
+                         [&](std::uint16_t a, std::uint16_t b) { return named[a] > named[b]; });
+        result.resize(kMaxSyncGroups);
+        std::sort(result.begin(), result.end());
+    }
     return result;
 }
 

@@ -25,6 +25,7 @@ namespace ghost::dmx {
 inline constexpr std::size_t kMaxSourcesPerUniverse = 16; // more are counted and ignored; Art-Net: 2
 inline constexpr std::size_t kMaxArtnetSources = 2;
 inline constexpr std::size_t kMaxUniverses = 4096;
+inline constexpr std::size_t kMaxSyncGroups = 32; // a group on each interface, 20 of them a descriptor
 // On all universes together that nobody asked for; from there on only the first source of each gets in.
 inline constexpr std::size_t kMaxOtherSources = 8192;
 inline constexpr std::size_t kMaxIgnored = 64; // of sources that are only told of
@@ -107,7 +108,8 @@ public:
     std::vector<SourceStatus> sources(std::chrono::nanoseconds now) const;
     std::vector<IgnoredSource> ignored(std::chrono::nanoseconds now) const;
     std::vector<LostUniverse> lost(std::chrono::nanoseconds now) const;
-    // Universes whose synchronisation packets somebody waits for, sorted: their groups have to be joined.
+    // Universes whose synchronisation packets somebody waits for, sorted: their groups have to be joined. At
+    // most kMaxSyncGroups, those that the most universes name.
     std::vector<std::uint16_t> sync_universes() const;
     const SyncStreams& sync() const { return sync_; }
     const MergeCounters& counters() const { return counters_; }

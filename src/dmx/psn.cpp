@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace ghost::dmx {
 
@@ -85,21 +86,31 @@ std::optional<PsnPacket> parse_psn(Bytes bytes) {
     return packet;
 }
 
-Tracker* Trackers::find_or_add(std::uint16_t id) {
+Tracker* Trackers::find_or_add(std::uint16_t id, std::chrono::nanoseconds now, int& newcomers) {
     const auto found = trackers_.find(id);
-    if (found != trackers_.end()) return &found->second;
-    return trackers_.size() < kMostTrackers ? &trackers_[id] : nullptr;
+    if (found == trackers_.end() && trackers_.size() >= kMostTrackers) {
+        if (newcomers-- <= 0) return nullptr;
+        const auto worth = [&](const Tracker& one) {
+            return std::pair(now - one.seen > kTrackerForgotten ? 0 : one.heard, one.seen);
+        };
+        const auto least = [&](const auto& a, const auto& b) { return worth(a.second) < worth(b.second); };
+        trackers_.erase(std::min_element(trackers_.begin(), trackers_.end(), least));
+    }
+    Tracker& tracker = trackers_[id];
+    tracker.seen = now;
+    ++tracker.heard;
+    return &tracker;
 }
 
 void Trackers::feed(const PsnPacket& packet, std::chrono::nanoseconds now) {
+    int newcomers = 4; // that take a place: each is a search through all
     for (const PsnPosition& position : packet.positions)
-        if (Tracker* tracker = find_or_add(position.id)) {
+        if (Tracker* tracker = find_or_add(position.id, now, newcomers)) {
             tracker->position_m = position.position_m;
-            tracker->seen = now;
             tracker->placed = true;
         }
     for (const auto& [id, name] : packet.names)
-        if (Tracker* tracker = find_or_add(id)) tracker->name = name;
+        if (Tracker* tracker = find_or_add(id, now, newcomers)) tracker->name = name;
 }
 
 const Tracker* Trackers::find(std::uint16_t id) const {

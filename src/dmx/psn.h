@@ -21,6 +21,7 @@ inline constexpr std::uint16_t kPsnPort = 56565;
 inline constexpr std::size_t kMostTrackers = 1024;
 inline constexpr std::size_t kMostTrackerName = 128; // bytes
 inline constexpr std::chrono::milliseconds kTrackerLoss{2000};
+inline constexpr std::chrono::seconds kTrackerForgotten{60}; // where others want its place
 
 struct PsnPosition {
     std::uint16_t id = 0;
@@ -39,9 +40,12 @@ struct Tracker {
     std::array<float, 3> position_m{};
     std::string name; // empty: not told yet
     std::chrono::nanoseconds seen{0};
-    bool placed = false; // a position arrived
+    bool placed = false;     // a position arrived
+    std::uint64_t heard = 0; // packets with it
 };
 
+// At most kMostTrackers: a new one takes the place of one that is silent for kTrackerForgotten, else of the
+// one that was heard of least, so that no number of others drives out those that go on.
 class Trackers {
 public:
     void feed(const PsnPacket& packet, std::chrono::nanoseconds now);
@@ -51,7 +55,7 @@ public:
     const std::map<std::uint16_t, Tracker>& all() const { return trackers_; }
 
 private:
-    Tracker* find_or_add(std::uint16_t id);
+    Tracker* find_or_add(std::uint16_t id, std::chrono::nanoseconds now, int& newcomers);
 
     std::map<std::uint16_t, Tracker> trackers_;
 };

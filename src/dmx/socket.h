@@ -30,6 +30,9 @@ struct NetInterface {
     bool operator==(const NetInterface&) const = default;
 };
 
+// A neighbour on its network: no router is between (RFC 6762, 11).
+bool is_on_link(const NetInterface& interface, const IpAddress& from);
+
 // Interfaces that are up, one entry per IPv4 address; one more for each with IPv6 addresses only.
 std::vector<NetInterface> list_interfaces();
 // By name or by address; an address of a loopback network (127.0.0.2) need not be configured. Error: lists

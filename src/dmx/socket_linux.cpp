@@ -67,6 +67,11 @@ bool set_int(int handle, int level, int option, int value) {
 
 } // namespace
 
+bool is_on_link(const NetInterface& interface, const IpAddress& from) {
+    if (!from.is_ipv4()) return from.bytes[0] == 0xFE && (from.bytes[1] & 0xC0) == 0x80; // fe80::/10
+    return interface.address != 0 && ((from.ipv4() ^ interface.address) & interface.netmask) == 0;
+}
+
 std::vector<NetInterface> list_interfaces() {
     std::vector<NetInterface> result;
     std::map<std::string, NetInterface> ipv6; // by name

@@ -48,8 +48,10 @@ private:
 
 class TcpListener {
 public:
-    // address 0: every IPv4 and IPv6 address. port 0: one that is free.
-    static Result<std::unique_ptr<TcpListener>> open(std::uint32_t address, std::uint16_t port);
+    // address 0: every IPv4 and IPv6 address. port 0: one that is free. interface: the name of the only one
+    // that connections may come through, whatever address they call; empty: all.
+    static Result<std::unique_ptr<TcpListener>> open(std::uint32_t address, std::uint16_t port,
+                                                     const std::string& interface = {});
     ~TcpListener();
     TcpListener(const TcpListener&) = delete;
     TcpListener& operator=(const TcpListener&) = delete;

@@ -82,7 +82,8 @@ std::optional<std::size_t> TcpStream::send(Bytes bytes) {
     return std::nullopt;
 }
 
-Result<std::unique_ptr<TcpListener>> TcpListener::open(std::uint32_t address, std::uint16_t port) {
+Result<std::unique_ptr<TcpListener>> TcpListener::open(std::uint32_t address, std::uint16_t port,
+                                                       const std::string& interface) {
     const IpAddress at = address ? IpAddress(address) : IpAddress();
     const int handle = open_socket();
     if (handle < 0)
@@ -90,6 +91,10 @@ Result<std::unique_ptr<TcpListener>> TcpListener::open(std::uint32_t address, st
     std::unique_ptr<TcpListener> listener(new TcpListener(handle, port));
     const int on = 1;
     (void)setsockopt(handle, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+    if (!interface.empty() && setsockopt(handle, SOL_SOCKET, SO_BINDTODEVICE, interface.c_str(),
+                                         static_cast<socklen_t>(interface.size() + 1)) != 0)
+        return Error{"cannot listen on the interface " + interface + " alone: " + std::strerror(errno),
+                     place(at, port)};
     sockaddr_in6 name = name_of(at, port);
     socklen_t size = sizeof name;
     if (bind(handle, reinterpret_cast<const sockaddr*>(&name), sizeof name) != 0 ||

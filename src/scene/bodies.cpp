@@ -3,7 +3,7 @@
 
 #include "base/check.h"
 #include "fixture/decode.h"
-#include "scene/model_file.h"
+#include "scene/model_reader.h"
 #include "scene/primitives.h"
 
 #include <algorithm>
@@ -75,8 +75,8 @@ public:
 private:
     Parts build(const fixture::Type& type, const fixture::Model& model) {
         if (!model.mesh.empty()) {
-            auto loaded =
-                load_model(model.mesh, model.mesh_extension, type.name + ": " + model.mesh_file, {}, report_);
+            auto loaded = load_model(model.mesh, model.mesh_extension, type.name + ": " + model.mesh_file,
+                                     ModelSource::archive, report_);
             if (loaded.ok()) {
                 const glm::mat4 place = fit(bounds(*loaded), model.size_m);
                 return absorb(std::move(*loaded), place, stage_);
@@ -137,8 +137,8 @@ void add_wall(const PatchedFixture& fixture, Stage& stage) {
 void check_models(const fixture::Type& type, const std::string& file, Report& report) {
     for (const fixture::Model& model : type.models) {
         if (model.mesh.empty()) continue;
-        const auto loaded =
-            load_model(model.mesh, model.mesh_extension, file + ": " + model.mesh_file, {}, report);
+        const auto loaded = load_model(model.mesh, model.mesh_extension, file + ": " + model.mesh_file,
+                                       ModelSource::archive, report);
         if (!loaded.ok())
             report.add(Severity::error, loaded.error().where,
                        loaded.error().what + "; a plain shape stands in for it");

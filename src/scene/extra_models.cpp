@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/extra_models.h"
 
-#include "scene/model_file.h"
+#include "scene/model_reader.h"
 #include "scene/scene_toml.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -51,7 +51,7 @@ void check_models(const Show& show, Report& report) {
 void add_models(const Show& show, Stage& stage, Report& report) {
     for (const Model& model : show.models) {
         if (!is_file(model.file)) continue; // said by check_models
-        auto loaded = load_stage_file(model.file, report);
+        auto loaded = load_stage_file(model.file, show.folder, report);
         if (!loaded.ok()) {
             report.add(Severity::error, loaded.error().where,
                        loaded.error().what + "; the stage is without it");

@@ -1,15 +1,14 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Model files (GLB, glTF, 3DS, OBJ, FBX) into a Stage, through Assimp. Each mesh is stored once, nodes become
+// Model files (GLB, glTF, 3DS, OBJ) into a Stage, through Assimp. Each mesh is stored once, nodes become
 // instances, Y up becomes Z up, Rec.709 becomes Rec.2020. Nothing here is for users of the scene: they call
-// load_stage_file.
+// load_model and load_stage_file, which read in a process apart.
 
 #include "base/byte_reader.h"
 #include "base/result.h"
 #include "scene/report.h"
 #include "scene/stage.h"
 
-#include <filesystem>
 #include <functional>
 #include <map>
 #include <string>
@@ -21,15 +20,15 @@ struct aiScene;
 
 namespace ghost::scene {
 
-// A picture that a model inside an archive refers to, by name; called from one thread at a time.
-using ReadPicture = std::function<Result<std::vector<std::uint8_t>>(const std::string& name)>;
+// A file that a model refers to, by the name that it uses: pictures, buffers, materials. Called from one
+// thread at a time.
+using ReadCompanion = std::function<Result<std::vector<std::uint8_t>>(const std::string& name)>;
 
-// extension: "glb", "3ds", ... without the dot. name: for messages. folder: where external textures are
-// looked for, unless there is read_picture. Error: unreadable, cut short, nothing to draw, over the limits;
-// smaller losses go to the report.
-Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::string& name,
-                         const std::filesystem::path& folder, Report& report,
-                         const ReadPicture& read_picture = {});
+// In this process, which a fault of Assimp's may end. extension: "glb", "3ds", ... without the dot. name: for
+// messages. Opens no file. Error: unreadable, cut short, nothing to draw, over the limits; smaller losses go
+// to the report.
+Result<Stage> read_model(Bytes bytes, const std::string& extension, const std::string& name, Report& report,
+                         const ReadCompanion& read_companion);
 
 // Moves all of a model into the stage; what comes back are its instances there, each placed by `place`, not
 // yet part of the stage.
@@ -83,8 +82,8 @@ void repair_meshes(aiScene& scene, const GltfExtras& extras, const std::string& 
 
 // Materials in the order of the scene's, and the textures they use, each picture once. extras may be shorter.
 void add_materials(const aiScene& scene, const std::vector<GltfMaterialExtras>& extras,
-                   const std::string& name, const std::filesystem::path& folder,
-                   const ReadPicture& read_picture, Stage& stage, Report& report);
+                   const std::string& name, const ReadCompanion& read_companion, Stage& stage,
+                   Report& report);
 
 // "a, b, c and 7 more"
 std::string name_list(const std::vector<std::string>& names);

@@ -99,6 +99,7 @@ public:
 
     void finish(Report& report) {
         types_.finish();
+        unpack_media(show_, report);
         for (std::size_t k = 0; k < walls_.size(); ++k)
             if (!was_used_[k])
                 report.add(Severity::warning, walls_[k].where,

@@ -2,8 +2,7 @@
 #include "scene/plot_stage.h"
 
 #include "fixture/values.h"
-#include "scene/gltf_pack.h"
-#include "scene/model_file.h"
+#include "scene/model_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -100,8 +99,8 @@ private:
     std::map<std::string, int> index_;
 };
 
-// The pictures of an archive by name, wherever in it they lie.
-ReadPicture member_reader(LoadedPlot& loaded) {
+// Pictures and buffers of an archive by name, wherever in it they lie.
+ReadCompanion member_reader(LoadedPlot& loaded) {
     return [&loaded](const std::string& name) -> Result<std::vector<std::uint8_t>> {
         std::string member = loaded.archive.find(name);
         const std::size_t slash = name.find_last_of("/\\");
@@ -185,11 +184,8 @@ private:
         Report of_mesh;
         const auto model = [&]() -> Result<Stage> {
             TRY(const auto bytes, loaded_.archive.read(mesh.member));
-            if (mesh.extension == "gltf") {
-                TRY(const auto glb, glb_from_gltf(bytes, name, member_reader(loaded_)));
-                return load_model(glb, "glb", name, {}, of_mesh, member_reader(loaded_));
-            }
-            return load_model(bytes, mesh.extension, name, {}, of_mesh, member_reader(loaded_));
+            return load_model(bytes, mesh.extension, name, ModelSource::archive, of_mesh,
+                              member_reader(loaded_));
         };
         auto loaded = model();
         if (!loaded.ok())

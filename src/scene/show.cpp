@@ -13,6 +13,7 @@
 #include "fixture/wall_type.h"
 #include "scene/beam_shape.h"
 #include "scene/default_cameras.h"
+#include "scene/model_reader.h"
 #include "scene/plot_show.h"
 #include "scene/plot_types.h"
 #include "scene/show_edit.h"
@@ -414,7 +415,7 @@ Result<ParsedShow> parse_file(const fs::path& path, Report& report) {
 Result<Stage> read_stage(const Show& show, Report& report, const ShowLoading& loading) {
     Stage stage;
     if (!show.stage_file.empty() && is_file(show.stage_file)) {
-        auto loaded = load_stage_file(show.stage_file, report);
+        auto loaded = load_stage_file(show.stage_file, show.folder, report);
         if (loaded.ok())
             stage = std::move(*loaded);
         else

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/files.h"
 #include "fixture/mesh_check.h"
 #include "fixture/xml_encoding.h"
 #include "scene/gltf_pack.h"
 #include "scene/model_file.h"
-#include "scene/show.h"
 #include "scene/stage_checks.h"
 
-#include <assimp/DefaultIOSystem.h>
+#include <assimp/BaseImporter.h>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
+#include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -17,13 +18,14 @@
 #include <cctype>
 #include <cmath>
 #include <exception>
+#include <map>
+#include <memory>
 #include <set>
 #include <utility>
 
 namespace ghost::scene {
 namespace {
 
-constexpr std::uintmax_t kMaxFileBytes = std::uintmax_t{512} << 20;
 constexpr std::size_t kMaxDrawnTriangles = 20'000'000;
 constexpr std::size_t kMaxInstances = 1'000'000;
 
@@ -81,9 +83,9 @@ void add_instances(const aiNode* root, const std::vector<int>& kept, const std::
 }
 
 Result<Stage> convert(const aiScene& scene, const GltfExtras& extras, const std::string& name,
-                      const std::filesystem::path& folder, const ReadPicture& read_picture, Report& report) {
+                      const ReadCompanion& read_companion, Report& report) {
     Stage stage;
-    add_materials(scene, extras.materials, name, folder, read_picture, stage, report);
+    add_materials(scene, extras.materials, name, read_companion, stage, report);
     std::vector<int> kept;
     for (unsigned k = 0; k < scene.mNumMeshes; ++k) {
         Mesh mesh = mesh_from(*scene.mMeshes[k]);
@@ -102,38 +104,59 @@ Result<Stage> convert(const aiScene& scene, const GltfExtras& extras, const std:
     return stage;
 }
 
-// Opens files that a model refers to (materials, buffers), if they are plain ones; remembers the others. A
-// pipe would be waited for without an end.
-class Companions : public Assimp::DefaultIOSystem {
+// What Assimp reads: the model, and what it refers to, by way of read_companion. Never a file of the system.
+class MemoryFiles : public Assimp::IOSystem {
 public:
-    Assimp::IOStream* Open(const char* file, const char* mode) override {
-        std::error_code code;
-        if (std::filesystem::is_regular_file(file, code)) return DefaultIOSystem::Open(file, mode);
-        lost_.insert(file);
-        return nullptr;
+    MemoryFiles(std::string name, Bytes model, const ReadCompanion& read_companion)
+        : name_(std::move(name)), model_(model), read_companion_(read_companion) {}
+
+    Assimp::IOStream* Open(const char* file, const char*) override {
+        if (file == name_) return stream(model_);
+        if (const auto known = companions_.find(file); known != companions_.end())
+            return stream(known->second);
+        auto read = read_companion_(file);
+        if (!read.ok()) {
+            lost_.insert(file);
+            return nullptr;
+        }
+        return stream(companions_.emplace(file, std::move(*read)).first->second);
     }
-    bool Exists(const char* file) const override {
-        std::error_code code;
-        return std::filesystem::is_regular_file(file, code);
-    }
+    bool Exists(const char* file) const override { return file == name_ || companions_.contains(file); }
+    char getOsSeparator() const override { return '/'; }
+    void Close(Assimp::IOStream* file) override { delete file; }
     const std::set<std::string>& lost() const { return lost_; }
 
 private:
+    static Assimp::IOStream* stream(Bytes bytes) {
+        return new Assimp::MemoryIOStream(bytes.data(), bytes.size());
+    }
+
+    std::string name_;
+    Bytes model_;
+    const ReadCompanion& read_companion_;
+    std::map<std::string, std::vector<std::uint8_t>> companions_;
     std::set<std::string> lost_;
 };
 
-// Without Assimp's own name for what it reads from memory.
-std::string plain_words(std::string words) {
-    const std::string own = "$$$___magic___$$$";
-    if (const std::size_t at = words.find(own); at != std::string::npos)
-        words.replace(at, words.find_first_of(" \t\n\"", at + own.size()) - at, "the file");
-    return words;
+// Where a file is none of the format that its name says, Assimp looks through all it has, which are dozens
+// that nobody here has ever looked at.
+void keep_one_loader(Assimp::Importer& importer, const std::string& format) {
+    const std::string kept = format == "3ds"   ? "Discreet 3DS Importer"
+                             : format == "obj" ? "Wavefront Object Importer"
+                                               : "glTF2 Importer";
+    for (std::size_t k = importer.GetImporterCount(); k-- > 0;) {
+        std::unique_ptr<Assimp::BaseImporter> other(importer.GetImporter(k));
+        if (other->GetInfo()->mName == kept)
+            (void)other.release();
+        else
+            importer.UnregisterLoader(other.get());
+    }
 }
 
 // As a glTF binary that Assimp reads without harm; nothing where it already is one. lost: see
 // without_unsafe_faces().
 Result<std::vector<std::uint8_t>> made_safe(Bytes gltf, bool is_binary, const std::string& name,
-                                            const std::filesystem::path& folder, std::size_t& lost) {
+                                            const ReadCompanion& read_companion, std::size_t& lost) {
     const std::string_view json =
         is_binary ? json_of_glb(gltf)
                   : std::string_view(reinterpret_cast<const char*>(gltf.data()), gltf.size());
@@ -143,18 +166,22 @@ Result<std::vector<std::uint8_t>> made_safe(Bytes gltf, bool is_binary, const st
     std::string text(letters.begin(), letters.end());
     TRY_VOID(check_gltf_size(text, name));
     TRY(std::string safe, without_unsafe_faces(text, name, lost));
-    if (safe.empty() && was_utf8) return std::vector<std::uint8_t>{};
+    if (safe.empty() && was_utf8 && is_binary) return std::vector<std::uint8_t>{};
     if (safe.empty()) safe = std::move(text);
     if (is_binary) return glb_with_json(gltf, std::move(safe));
     return glb_from_gltf(Bytes(reinterpret_cast<const std::uint8_t*>(safe.data()), safe.size()), name,
-                         [&](const std::string& file) { return read_file(folder / file, kMaxFileBytes); });
+                         read_companion);
+}
+
+// Materials of an .obj are looked for under its own name, too.
+std::string name_for_assimp(const std::string& format, const std::string& name) {
+    return format == "obj" ? std::filesystem::path(name).stem().string() + ".obj" : "the file." + format;
 }
 
 } // namespace
 
-Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::string& name,
-                         const std::filesystem::path& folder, Report& report,
-                         const ReadPicture& read_picture) {
+Result<Stage> read_model(Bytes bytes, const std::string& extension, const std::string& name, Report& report,
+                         const ReadCompanion& read_companion) {
     std::string format = lower(extension);
     const bool is_gltf = format == "glb" || format == "gltf";
     std::vector<std::uint8_t> repaired;
@@ -169,7 +196,7 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
     }
     if (is_gltf) {
         std::size_t lost = 0;
-        TRY(std::vector<std::uint8_t> safe, made_safe(bytes, format == "glb", name, folder, lost));
+        TRY(std::vector<std::uint8_t> safe, made_safe(bytes, format == "glb", name, read_companion, lost));
         if (lost > 0)
             report.add(
                 Severity::error, name,
@@ -193,20 +220,17 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
     }
     try {
         Assimp::Importer importer;
-        auto* const companions = new Companions; // the importer's from here on
-        importer.SetIOHandler(companions);
+        keep_one_loader(importer, format);
+        const std::string own_name = name_for_assimp(format, name);
+        auto* const files = new MemoryFiles(own_name, bytes, read_companion); // the importer's from here on
+        importer.SetIOHandler(files);
         importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-        // A text format with a second file beside it has to be read by name; everything else from memory.
-        const aiScene* scene =
-            format == "gltf" || format == "obj"
-                ? importer.ReadFile((folder / std::filesystem::path(name).filename()).string(), 0)
-                : importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, format.c_str());
-        for (const std::string& lost : companions->lost())
+        const aiScene* scene = importer.ReadFile(own_name, 0);
+        for (const std::string& lost : files->lost())
             report.add(Severity::error, name,
                        "refers to " + lost + ", which is no plain file: what it says is lost");
         if (!scene || !scene->mRootNode)
-            return Error{"not a readable " + format + " model: " + plain_words(importer.GetErrorString()),
-                         name};
+            return Error{"not a readable " + format + " model: " + importer.GetErrorString(), name};
         const GltfExtras extras = format == "glb" ? gltf_extras(bytes) : GltfExtras{};
         // The importer owns the scene and hands it out const, but post-processing must not see broken
         // numbers.
@@ -216,7 +240,7 @@ Result<Stage> load_model(Bytes bytes, const std::string& extension, const std::s
                                (is_gltf ? 0u : aiProcess_JoinIdenticalVertices);
         scene = importer.ApplyPostProcessing(steps);
         if (!scene) return Error{std::string("cannot prepare the model: ") + importer.GetErrorString(), name};
-        return convert(*scene, extras, name, folder, read_picture, report);
+        return convert(*scene, extras, name, read_companion, report);
     } catch (const std::exception& problem) {
         return Error{std::string("cannot read the model: ") + problem.what(), name};
     }
@@ -245,13 +269,6 @@ std::vector<Instance> absorb(Stage model, const glm::mat4& place, Stage& stage) 
     for (const Instance& instance : model.instances)
         parts.push_back({instance.name, instance.mesh + meshes, place * instance.world, kNone});
     return parts;
-}
-
-Result<Stage> load_stage_file(const std::filesystem::path& path, Report& report) {
-    TRY(const auto bytes, read_file(path, kMaxFileBytes));
-    const std::string extension = path.extension().string();
-    if (extension.size() < 2) return Error{"has no extension, expected a model such as .glb", path.string()};
-    return load_model(bytes, extension.substr(1), path.string(), path.parent_path(), report);
 }
 
 } // namespace ghost::scene

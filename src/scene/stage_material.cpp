@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/files.h"
 #include "image/colour.h"
 #include "image/ldr.h"
 #include "scene/model_file.h"
@@ -21,8 +20,7 @@ namespace {
 
 constexpr std::size_t kMaxTextures = 1024;
 constexpr std::size_t kMaxTextureBytes = std::size_t{2} << 30; // decoded, all together
-constexpr std::uintmax_t kMaxTextureFileBytes = std::uintmax_t{256} << 20;
-constexpr std::size_t kLargeBytes = std::size_t{64} << 20; // larger ones are decoded one after the other
+constexpr std::size_t kLargeBytes = std::size_t{64} << 20;     // larger ones are decoded one after the other
 
 std::string percent_decoded(const std::string& text) {
     const auto digit = [](char c) {
@@ -44,8 +42,8 @@ std::string percent_decoded(const std::string& text) {
 // The textures of one file, each picture of each kind once.
 class TextureTable {
 public:
-    TextureTable(const aiScene& scene, std::filesystem::path folder, const ReadPicture& read_picture)
-        : scene_(scene), folder_(std::move(folder)), read_picture_(read_picture) {}
+    TextureTable(const aiScene& scene, const ReadCompanion& read_companion)
+        : scene_(scene), read_companion_(read_companion) {}
 
     int add(const std::string& path, bool is_colour) {
         const auto [entry, is_new] = index_.try_emplace({path, is_colour}, static_cast<int>(wanted_.size()));
@@ -110,27 +108,21 @@ private:
         return has_room;
     }
 
-    Result<std::vector<std::uint8_t>> read_external(const std::string& path) {
-        if (!read_picture_) return read_file(file_of(path), kMaxTextureFileBytes);
-        const std::lock_guard lock(reading_);
-        auto read = read_picture_(path);
-        return read.ok() ? std::move(read) : read_picture_(percent_decoded(path));
-    }
-
     // As it is written; as glTF 2.0 writes it (percent-encoded); as Windows does.
-    std::filesystem::path file_of(const std::string& path) const {
+    Result<std::vector<std::uint8_t>> read_external(const std::string& path) {
         std::string slashes = path;
         std::replace(slashes.begin(), slashes.end(), '\\', '/');
-        for (const std::string& name : {path, percent_decoded(path), slashes}) {
-            std::error_code code;
-            if (std::filesystem::is_regular_file(folder_ / name, code)) return folder_ / name;
+        const std::lock_guard lock(reading_);
+        auto first = read_companion_(path);
+        for (const std::string& name : {percent_decoded(path), slashes}) {
+            if (first.ok() || name == path) continue;
+            if (auto read = read_companion_(name); read.ok()) return read;
         }
-        return folder_ / path;
+        return first;
     }
 
     const aiScene& scene_;
-    std::filesystem::path folder_;
-    const ReadPicture& read_picture_;
+    const ReadCompanion& read_companion_;
     std::mutex reading_;
     std::mutex decoding_large_;
     std::atomic<std::size_t> next_ = 0; // index of the texture that takes room next
@@ -208,9 +200,9 @@ Material material_from(const aiMaterial& source, TextureTable& table, bool& odd_
 } // namespace
 
 void add_materials(const aiScene& scene, const std::vector<GltfMaterialExtras>& extras,
-                   const std::string& name, const std::filesystem::path& folder,
-                   const ReadPicture& read_picture, Stage& stage, Report& report) {
-    TextureTable table(scene, folder, read_picture);
+                   const std::string& name, const ReadCompanion& read_companion, Stage& stage,
+                   Report& report) {
+    TextureTable table(scene, read_companion);
     std::vector<std::string> oddly_mapped;
     for (unsigned m = 0; m < scene.mNumMaterials; ++m) {
         bool odd_mapping = false;

@@ -7,7 +7,7 @@ namespace ghost::ui {
 namespace {
 
 constexpr double kMost_m = 100000;
-constexpr const char* kModels = "Models (*.glb *.gltf *.obj *.fbx *.dae);;All files (*)";
+constexpr const char* kModels = "Models (*.glb *.gltf *.obj *.3ds);;All files (*)";
 
 Result<glm::vec3> vector_of(const QStringList& words, const char* what, double most) {
     glm::vec3 numbers{0};

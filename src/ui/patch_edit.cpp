@@ -305,7 +305,7 @@ Result<void> PatchEdit::keep_camera(const QString& name) {
 
 bool is_model(const fs::path& file) {
     const std::string ending = fixture::lower(file.extension().string());
-    const auto known = {".glb", ".gltf", ".obj", ".fbx", ".dae", ".3ds", ".stl", ".ply"};
+    const auto known = {".glb", ".gltf", ".obj", ".3ds"};
     return std::find(known.begin(), known.end(), ending) != known.end();
 }
 
@@ -313,7 +313,7 @@ namespace {
 
 Result<void> check_model(const fs::path& file) {
     if (is_model(file)) return {};
-    return Error{"is no model, expected .glb, .gltf, .obj, .fbx, .dae, .3ds, .stl or .ply", file.string()};
+    return Error{"is no model, expected .glb, .gltf, .obj or .3ds", file.string()};
 }
 
 } // namespace

@@ -15,6 +15,8 @@
 #include <string>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <thread>
 #include <unistd.h>
 #include <utility>
@@ -33,6 +35,12 @@ int call(int device, unsigned long request, void* argument) {
     do result = ::ioctl(device, request, argument);
     while (result < 0 && errno == EINTR);
     return result;
+}
+
+// Opening alone does something to many a device: a serial port resets what hangs on it, a tape rewinds.
+bool is_video_device(const struct stat& status) {
+    constexpr unsigned kVideoMajor = 81; // Linux, Documentation/admin-guide/devices.txt
+    return S_ISCHR(status.st_mode) && major(status.st_rdev) == kVideoMajor;
 }
 
 } // namespace
@@ -112,11 +120,16 @@ Result<image::Image8> Camera::Device::decode(const std::uint8_t* bytes, std::siz
 Result<std::unique_ptr<Camera>> Camera::open(const std::filesystem::path& path) {
     auto device = std::make_unique<Device>();
     device->name = path.string();
+    const Error other{"is no video device, expected one such as /dev/video0", path.string()};
+    struct stat status {};
+    if (::stat(path.c_str(), &status) == 0 && !is_video_device(status)) return other;
+    // To write as well, as the interface wants it ("Opening and Closing Devices").
     device->file = ::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
     if (device->file < 0 && errno == EACCES)
         return Error{"you may not open this camera; on most systems members of the group 'video' may",
                      path.string()};
     if (device->file < 0) return device->failed("cannot be opened as a camera");
+    if (::fstat(device->file, &status) != 0 || !is_video_device(status)) return other;
     TRY_VOID(device->choose_format());
     TRY_VOID(device->map_buffers());
     return std::unique_ptr<Camera>(new Camera(std::move(device)));

@@ -3,6 +3,7 @@
 
 #include "image/ldr.h"
 #include "video/camera.h"
+#include "video/capture_consent.h"
 #include "video/movie.h"
 #include "video/test_card.h"
 
@@ -215,7 +216,11 @@ std::string Source::play_camera() {
     std::error_code code;
     if (!std::filesystem::exists(settings_.path, code))
         return settings_.path.string() + ": there is no such camera, nor a film in its place";
-    if (!std::filesystem::is_character_file(settings_.path, code)) return play_file_as_camera();
+    if (std::filesystem::is_regular_file(settings_.path, code)) return play_file_as_camera();
+    if (!may_capture(settings_.path))
+        return settings_.path.string() +
+               ": nobody has allowed on this machine that shows open it; `ghostlight capture " +
+               settings_.path.string() + "` does";
     auto camera = Camera::open(settings_.path);
     if (!camera.ok()) return camera.error().text();
     double seen_s = now_s();

@@ -2,10 +2,13 @@
 // Two stations of MVR-xchange on the loopback interface, and stations that do what none should: no mDNS here,
 // that is tests/scripts/xchange_test.py.
 #include "app/xchange.h"
+#include "app/xchange_peer.h"
 
 #include "../fixture/tiny_gdtf.h"
 
 #include "base/files.h"
+#include "dmx/mdns.h"
+#include "dmx/socket.h"
 #include "dmx/tcp.h"
 #include "scene/xchange.h"
 
@@ -202,17 +205,21 @@ public:
         thread_.join();
     }
     std::uint16_t port() const { return listener_->port(); }
+    // From now on whoever was answered gets a byte more now and then.
+    void trickle() { trickles_ = true; }
 
 private:
     struct Visitor {
         std::unique_ptr<dmx::TcpStream> stream;
         scene::XchangeReader reader;
         std::string out;
+        bool answered = false;
     };
     void run() {
+        int turns = 0;
         std::vector<Visitor> visitors;
         while (!stop_) {
-            while (auto stream = listener_->accept()) visitors.push_back({std::move(stream), {}, {}});
+            while (auto stream = listener_->accept()) visitors.push_back({std::move(stream), {}, {}, false});
             for (Visitor& visitor : visitors) {
                 if (!visitor.stream) continue;
                 const scene::XchangeReader::Sink sink{[&](std::string_view json) -> Result<void> {
@@ -229,14 +236,17 @@ private:
                 const auto sent = visitor.stream->send(
                     {reinterpret_cast<const std::uint8_t*>(visitor.out.data()), visitor.out.size()});
                 if (sent) visitor.out.erase(0, *sent);
+                visitor.answered |= sent && *sent > 0;
+                if (trickles_ && visitor.answered && turns % 500 == 0) visitor.out += '\0';
             }
+            ++turns;
             std::this_thread::sleep_for(1ms);
         }
     }
 
     std::function<std::string(const scene::XchangeMessage&)> answer_;
     std::unique_ptr<dmx::TcpListener> listener_;
-    std::atomic<bool> stop_{false};
+    std::atomic<bool> stop_{false}, trickles_{false};
     std::thread thread_;
 };
 
@@ -339,6 +349,127 @@ TEST(XchangeStations, a_thousand_offers_are_bounded) {
     std::this_thread::sleep_for(1s);
     EXPECT_LE(requests, 300); // at most 256 wait at a time
     EXPECT_LE(b->take().size(), 1000u);
+}
+
+// Somebody who asks and asks, and never reads what he is answered.
+TEST(XchangePeer, answers_that_nobody_reads_have_an_end) {
+    const auto listener = dmx::TcpListener::open(0x7F000001, 0);
+    ASSERT_TRUE(listener.ok());
+    auto visitor = dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), (*listener)->port());
+    ASSERT_TRUE(visitor.ok());
+    std::unique_ptr<dmx::TcpStream> stream;
+    while (!(stream = (*listener)->accept())) std::this_thread::sleep_for(1ms);
+    XchangePeer peer(std::move(stream), 0);
+    scene::XchangeMessage answer;
+    answer.type = "MVR_JOIN_RET";
+    answer.commits.resize(200);
+    for (scene::XchangeCommit& commit : answer.commits) commit.comment = std::string(200, 'x');
+    std::string question = package(R"({"Type":"MVR_JOIN"})"), questions;
+    while (questions.size() < 60'000) questions += question;
+    Result<void> turned;
+    std::size_t most = 0;
+    for (int round = 0; round < 200 && turned.ok(); ++round) {
+        (void)(*visitor)->send({reinterpret_cast<const std::uint8_t*>(questions.data()), questions.size()});
+        turned = peer.turn(0, {[&](const scene::XchangeMessage&) {
+                                   peer.say(answer);
+                                   most = std::max(most, peer.waiting_bytes());
+                               },
+                               [](Bytes, bool) -> Result<void> { return {}; }});
+        std::this_thread::sleep_for(1ms);
+    }
+    EXPECT_FALSE(turned.ok());
+    EXPECT_LT(most, 5u << 20);
+}
+
+// The address of --peer is the user's: what the network says of it changes nothing.
+TEST(XchangeStations, a_forged_goodbye_does_not_erase_a_fixed_peer) {
+    const Forged forged(offering(""));
+    XchangeOptions options = station("B");
+    options.peers = {at(forged.port())};
+    options.finds = true;
+    options.mdns_port = 25'353;
+    const auto b = start(options);
+    ASSERT_TRUE(wait_for(*b, Kind::joined).has_value());
+    scene::XchangeStation gone{"Forged", "", "Default", dmx::IpAddress(0x7F000001), forged.port(), true};
+    const auto bytes = dmx::build_dns(scene::xchange_announcement(gone));
+    const auto out = dmx::UdpSocket::open(0, 0, 1 << 16);
+    ASSERT_TRUE(out.ok());
+    for (int k = 0; k < 10; ++k) {
+        ASSERT_TRUE((*out)->send(bytes, dmx::IpAddress(0x7F000001), options.mdns_port).ok());
+        std::this_thread::sleep_for(100ms);
+    }
+    for (const XchangeEvent& event : b->take()) EXPECT_NE(event.kind, Kind::left) << event.text;
+}
+
+// A commit without a number is a plot like others.
+TEST(XchangeStations, plots_without_a_number_are_counted) {
+    const Folder folder;
+    std::atomic<int> requests{0};
+    const std::string plot = package(std::string("PK\3\4xyz", 7), scene::XchangePayload::file);
+    const Forged forged([&](const scene::XchangeMessage& message) -> std::string {
+        std::string commits;
+        if (message.type == "MVR_REQUEST") {
+            ++requests;
+            return plot;
+        }
+        for (int i = 0; i < 1500 && message.type == "MVR_JOIN"; ++i)
+            commits += package(R"({"Type":"MVR_COMMIT","StationUUID":"f","FileUUID":""})");
+        if (message.type != "MVR_JOIN") return "";
+        return package(R"({"Type":"MVR_JOIN_RET","OK":true,"StationUUID":"f"})") + commits;
+    });
+    XchangeOptions options = station("B");
+    options.save = folder.path / "come";
+    options.peers = {at(forged.port())};
+    const auto b = start(options);
+    int last = -1;
+    for (int k = 0; k < 300 && requests != last; ++k) {
+        last = requests;
+        std::this_thread::sleep_for(2s);
+    }
+    EXPECT_GT(requests, 100);
+    EXPECT_LE(requests, 1000);
+}
+
+// Four stations that bring a byte now and then do not hold the places of others for half an hour.
+TEST(XchangeStations, slow_stations_give_their_places_to_those_that_wait) {
+    const Folder folder;
+    const std::string content = write_plot(folder.path / "tour.mvr", 100'000);
+    std::uint16_t late_port = 0;
+    {
+        const auto reserved = dmx::TcpListener::open(0x7F000001, 0);
+        ASSERT_TRUE(reserved.ok());
+        late_port = (*reserved)->port();
+    }
+    XchangeOptions saving = station("B");
+    saving.save = folder.path / "come";
+    saving.peers = {at(late_port)};
+    const auto header = scene::build_xchange_header(scene::XchangePayload::file, 1u << 20);
+    const std::string begun = std::string(header.begin(), header.end()) + "PK\3\4";
+    std::atomic<int> requests{0};
+    std::vector<std::unique_ptr<Forged>> slow;
+    for (int k = 0; k < 4; ++k) {
+        slow.push_back(std::make_unique<Forged>([&, k](const scene::XchangeMessage& message) -> std::string {
+            if (message.type == "MVR_REQUEST") {
+                ++requests;
+                return begun;
+            }
+            if (message.type != "MVR_JOIN") return "";
+            const std::string number = std::to_string(k);
+            return package(R"({"Type":"MVR_JOIN_RET","OK":true,"StationUUID":"f)" + number +
+                           R"(","Commits":[{"FileUUID":"slow)" + number + R"("}]})");
+        }));
+        slow.back()->trickle();
+        saving.peers.push_back(at(slow.back()->port()));
+    }
+    const auto b = start(saving);
+    while (requests < 4) std::this_thread::sleep_for(10ms);
+    XchangeOptions sharing = station("A");
+    sharing.share = {folder.path / "tour.mvr"};
+    sharing.port = late_port;
+    const auto a = start(sharing);
+    const auto received = wait_for(*b, Kind::received, 90s);
+    ASSERT_TRUE(received.has_value());
+    EXPECT_EQ(content_of(received->file), content);
 }
 
 } // namespace

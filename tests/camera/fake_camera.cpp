@@ -26,6 +26,8 @@
 #include <string>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 #include <vector>
 
@@ -191,6 +193,25 @@ extern "C" int open(const char* path, int flags, ...) {
         device_file = file;
     }
     return file;
+}
+
+// What the driver is: a video device.
+static void pass_for_video(struct stat* status) {
+    status->st_mode = (status->st_mode & ~static_cast<mode_t>(S_IFMT)) | S_IFCHR;
+    status->st_rdev = makedev(81, 0);
+}
+
+extern "C" int stat(const char* path, struct stat* status) {
+    const int result = next_of<int(const char*, struct stat*)>("stat")(path, status);
+    if (result == 0 && setting("FAKE_CAMERA") == path) pass_for_video(status);
+    return result;
+}
+
+extern "C" int fstat(int file, struct stat* status) {
+    const int result = next_of<int(int, struct stat*)>("fstat")(file, status);
+    const std::scoped_lock lock(mutex);
+    if (result == 0 && file == device_file && file >= 0) pass_for_video(status);
+    return result;
 }
 
 extern "C" int close(int file) {

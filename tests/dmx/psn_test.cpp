@@ -111,6 +111,33 @@ TEST(Psn, memory_is_bounded) {
     EXPECT_EQ(trackers.all().size(), kMostTrackers);
 }
 
+// A neighbour who sends a thousand other numbers a second takes nobody's place.
+TEST(Psn, forged_ids_do_not_lock_real_ones_out) {
+    Trackers trackers;
+    std::uint16_t forged = 1000;
+    const auto flood = [&](std::chrono::nanoseconds now) {
+        for (int packets = 0; packets < 40; ++packets) {
+            PsnPacket packet;
+            for (int k = 0; k < 30; ++k) packet.positions.push_back({forged++, {9, 9, 9}});
+            trackers.feed(packet, now);
+        }
+    };
+    for (int frame = 0; frame < 60; ++frame) { // the flood is there first, 72,000 ids a second
+        const auto now = frame * 16ms;
+        flood(now);
+        if (frame < 10) continue;
+        trackers.feed({{{7, {1, 2, 3}}}, {}}, now);
+        trackers.feed({{{7, {1, 2, 3}}}, {{7, "Singer"}}}, now);
+        ASSERT_TRUE(trackers.find(7)) << frame;
+    }
+    flood(2s);
+    ASSERT_TRUE(trackers.find(7)) << "one that is known stays where it was";
+    EXPECT_EQ(trackers.find("Singer"), trackers.find(7));
+    EXPECT_EQ(trackers.all().size(), kMostTrackers);
+    for (auto now = 62s; now < 66s; now += 1s) flood(now);
+    EXPECT_FALSE(trackers.find(7)) << "one that was silent for a minute makes room";
+}
+
 // What the reference encoder sends: four trackers, three seconds.
 TEST(Psn, capture_of_the_reference_encoder) {
     const auto path =

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace ghost::dmx {
 namespace {
 
@@ -53,6 +55,24 @@ TEST(Sync, only_that_source_and_that_universe) {
     merge.feed(a.sync(50), 0s);
     EXPECT_EQ(levels(merge, 1), Ints{10});
     EXPECT_EQ(merge.sync_universes(), std::vector<std::uint16_t>{50});
+}
+
+// Each number costs a group on each interface: of a thousand forged ones few are joined, and the desk's
+// stays.
+TEST(Sync, forged_sync_universes_are_bounded_and_do_not_drive_out_the_desk) {
+    Merge merge;
+    for (std::uint16_t k = 0; k < 1000; ++k) {
+        Desk forged{static_cast<std::uint8_t>(10 + k % 100), 100, static_cast<std::uint16_t>(1 + k / 8)};
+        merge.feed(forged.synchronised(static_cast<std::uint16_t>(1000 + k), {1}), 0s);
+    }
+    for (std::uint16_t universe = 200; universe < 204; ++universe) {
+        Desk desk{1, 100, universe};
+        merge.feed(desk.synchronised(60'000, {1}), 0s);
+    }
+    const std::vector<std::uint16_t> joined = merge.sync_universes();
+    EXPECT_EQ(joined.size(), kMaxSyncGroups);
+    EXPECT_TRUE(std::is_sorted(joined.begin(), joined.end()));
+    EXPECT_TRUE(std::binary_search(joined.begin(), joined.end(), 60'000));
 }
 
 TEST(Sync, a_late_or_repeated_sync_packet_shows_nothing) {

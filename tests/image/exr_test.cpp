@@ -121,6 +121,28 @@ TEST(Exr, EveryTruncationIsAnError) {
     }
 }
 
+// The size stands in the first bytes; a picture of that size with hardly a byte behind it is refused before
+// any memory is taken.
+TEST(Exr, AFewBytesDoNotAskForGigabytes) {
+    ExrFile small;
+    small.pixels = ImageF(16, 16, 4);
+    small.channels = {"R", "G", "B", "A"};
+    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "huge.exr";
+    ASSERT_TRUE(write_exr(path, small, ExrSample::full).ok());
+    auto bytes = *read_file(path, 1u << 20);
+    const std::vector<std::uint8_t> window{0, 0, 0, 0, 0, 0, 0, 0, 15, 0, 0, 0, 15, 0, 0, 0};
+    int found = 0;
+    for (auto at = bytes.begin();
+         (at = std::search(at, bytes.end(), window.begin(), window.end())) != bytes.end(); ++at, ++found)
+        at[9] = at[13] = 0x1F; // 8,208 a side
+    ASSERT_EQ(found, 2);       // data and display
+    ASSERT_TRUE(write_file_atomic(path, bytes).ok());
+    const auto read = read_exr(path);
+    ASSERT_FALSE(read.ok());
+    EXPECT_NE(read.error().text().find("1028 MiB of pixels, but the file has "), std::string::npos)
+        << read.error().text();
+}
+
 TEST(Exr, MissingFileAndFolder) {
     EXPECT_NE(read_exr(scratch("absent.exr")).error().what.find("no such file"), std::string::npos);
     EXPECT_NE(read_exr(scratch("x").parent_path()).error().what.find("not a plain file"), std::string::npos);

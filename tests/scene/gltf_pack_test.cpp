@@ -2,7 +2,7 @@
 // A .gltf with buffers of its own is the same model as the .glb that it was made from.
 #include "scene/gltf_pack.h"
 
-#include "scene/model_file.h"
+#include "scene/model_reader.h"
 #include "tiny_glb.h"
 
 #include <map>
@@ -58,8 +58,8 @@ std::string base64(const std::vector<std::uint8_t>& bytes) {
 
 void expect_same_model(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
     Report report;
-    const auto first = load_model(a, "glb", "a", {}, report);
-    const auto second = load_model(b, "glb", "b", {}, report);
+    const auto first = load_model(a, "glb", "a", ModelSource::archive, report);
+    const auto second = load_model(b, "glb", "b", ModelSource::archive, report);
     ASSERT_TRUE(first.ok() && second.ok()) << (first.ok() ? second.error().text() : first.error().text());
     ASSERT_EQ(first->meshes.size(), second->meshes.size());
     EXPECT_EQ(first->meshes.at(0).positions, second->meshes.at(0).positions);

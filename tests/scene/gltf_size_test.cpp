@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // glTF that asks for far more than it holds is refused before anything is made of it.
-#include "scene/model_file.h"
+#include "scene/model_reader.h"
 #include "tiny_glb.h"
 
 #include <algorithm>
@@ -36,7 +36,8 @@ TEST(GltfSize, lists_in_each_other) {
     EXPECT_EQ(fault_of("{\"a\":\"" + repeated("[", 1000) + "\\\"{\"}"), "") << "within a string";
     // As a whole file: Assimp's reader of JSON would leave the stack.
     Report report;
-    const auto model = load_model(glb_of(repeated("[", 5'000'000), {}), "glb", "deep.glb", {}, report);
+    const auto model =
+        load_model(glb_of(repeated("[", 5'000'000), {}), "glb", "deep.glb", ModelSource::archive, report);
     ASSERT_FALSE(model.ok());
     EXPECT_TRUE(says(model.error().text(), "deep.glb: has lists"));
 }
@@ -50,7 +51,8 @@ TEST(GltfSize, nodes_in_each_other_in_circles_and_doubled) {
     EXPECT_EQ(fault_of(chain(256)), "");
     EXPECT_TRUE(says(fault_of(chain(257)), "more than 256 in each other"));
     Report report;
-    EXPECT_FALSE(load_model(glb_of(chain(100'000), {}), "glb", "deep.glb", {}, report).ok());
+    EXPECT_FALSE(
+        load_model(glb_of(chain(100'000), {}), "glb", "deep.glb", ModelSource::archive, report).ok());
     EXPECT_TRUE(says(fault_of(R"({"nodes":[{"children":[1]},{"children":[0]}]})"), "hold themselves"));
     std::string doubled = R"({"scenes":[{"nodes":[0]}],"nodes":[)";
     for (int k = 1; k <= 18; ++k)
@@ -87,7 +89,7 @@ TEST(GltfFaces, lines_and_fans_with_wrong_indices_are_left_out) {
         json.insert(json.find(R"("attributes")"), mode);
         bytes = glb_with_json(bytes, json);
         Report report;
-        const auto model = load_model(bytes, "glb", "lines.glb", {}, report);
+        const auto model = load_model(bytes, "glb", "lines.glb", ModelSource::archive, report);
         if (model.ok()) {
             for (const Mesh& mesh : model->meshes) EXPECT_TRUE(mesh.indices.size() % 3 == 0);
         }
@@ -136,7 +138,8 @@ TEST(GltfFaces, a_strip_that_loses_triangles_is_said) {
     std::string json(json_of_glb(bytes));
     json.insert(json.find(R"("attributes")"), R"("mode":5,)");
     Report report;
-    const auto model = load_model(glb_with_json(bytes, json), "glb", "strip.glb", {}, report);
+    const auto model =
+        load_model(glb_with_json(bytes, json), "glb", "strip.glb", ModelSource::archive, report);
     ASSERT_TRUE(model.ok()) << model.error().text();
     ASSERT_EQ(report.messages.size(), 1u);
     EXPECT_TRUE(says(report.messages[0].what, "1 faces have vertices that do not exist"));

@@ -286,7 +286,7 @@ TEST(LedWall, ScreensOfAPlotShowFilesOfItsArchiveAndBesideIt) {
         const Show show = opened(folder / "Show.mvr", report);
         ASSERT_EQ(show.media.size(), 3u) << messages_of(report);
         EXPECT_EQ(messages_of(report).find("not in the archive"), std::string::npos) << messages_of(report);
-        EXPECT_EQ(show.media[0].file.parent_path(), show.cache_folder() / "media");
+        EXPECT_EQ(show.media[0].file.parent_path(), folder / ".ghost" / "media");
         std::ifstream unpacked(show.media[0].file);
         EXPECT_EQ(std::string(std::istreambuf_iterator<char>(unpacked), {}), "a film");
         EXPECT_EQ(show.media[1].file, folder / "beside.mp4");

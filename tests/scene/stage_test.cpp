@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/colour.h"
 #include "image/ldr.h"
-#include "scene/model_file.h"
+#include "scene/model_reader.h"
 #include "scene/show.h"
 #include "scene/stage_checks.h"
 #include "tiny_glb.h"
@@ -147,7 +147,8 @@ TEST(StageFile, EveryTruncationIsAnError) {
     const auto bytes = TinyGlb{}.bytes();
     for (std::size_t length = 0; length < bytes.size(); ++length) {
         Report report;
-        const auto stage = load_model(Bytes(bytes).first(length), "glb", "cut.glb", {}, report);
+        const auto stage =
+            load_model(Bytes(bytes).first(length), "glb", "cut.glb", ModelSource::archive, report);
         ASSERT_FALSE(stage.ok()) << length << " of " << bytes.size();
         EXPECT_EQ(stage.error().where, "cut.glb");
         EXPECT_NE(stage.error().what.find("cut short"), std::string::npos) << stage.error().what;
@@ -161,7 +162,7 @@ TEST(StageFile, EveryOneByteChangeLoadsOrFailsCleanly) {
         auto changed = bytes;
         changed[k] ^= 0x15;
         Report report;
-        const auto stage = load_model(changed, "glb", "flip.glb", {}, report);
+        const auto stage = load_model(changed, "glb", "flip.glb", ModelSource::archive, report);
         loaded += stage.ok();
         if (!stage.ok()) continue;
         for (const Mesh& mesh : stage->meshes) {
