@@ -43,7 +43,9 @@ TEST(LightBudget, NoLightIsOlderThanFourPictures) {
             }
             most = std::max(most, fresh);
         }
-        if (count >= 16) EXPECT_LT(most, static_cast<int>(count));
+        if (count >= 16) {
+            EXPECT_LT(most, static_cast<int>(count));
+        }
     }
 }
 

@@ -133,6 +133,24 @@ TEST_F(MenderTest, RestingLightsAreMendedWhereSomethingMoved) {
     EXPECT_EQ(scene.draw(lights).mended, 0);
 }
 
+TEST_F(MenderTest, LightAtHalfTheSizeIsMendedLikewise) {
+    Settings coarse = settings();
+    coarse.coarse = true;
+    Scene scene(3, coarse);
+    std::vector<shared::Light> lights = lights_at(0);
+    scene.draw(lights);
+    for (int step = 0; step < 4; ++step) {
+        SCOPED_TRACE(step);
+        ASSERT_TRUE(scene.move(1, {-1 + 0.2f * static_cast<float>(step + 1), 1, 3}, 0.5f));
+        lights[2] = lights_at(0.1f * static_cast<float>(step + 1))[2];
+        const FrameStatistics frame = scene.draw(lights);
+        if (step > 0) {
+            EXPECT_GT(frame.mended, 0);
+        }
+        scene.expect_as_drawn_anew(lights);
+    }
+}
+
 TEST_F(MenderTest, AMoveAloneMakesAnotherFrame) {
     Scene scene(1);
     std::vector<shared::Light> lights = lights_at(0);
