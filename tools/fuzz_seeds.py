@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Seeds for the fuzz targets, made from real files: those of the project and, where it is beside the checkout, of ../shared/fixtures.
+"""Seeds for the fuzz targets, made from real files: those of the project and, where they are beside the checkout, of ../shared.
 Of each file: itself, some of its beginnings, some with single bytes changed, and of archives some with members swapped. The same
 each time. Usage: fuzz_seeds.py OUT [MOST_BYTES]: OUT/<target>/*; files above MOST_BYTES (1,000,000) are left out."""
 import io
@@ -88,7 +88,8 @@ def main():
     out = pathlib.Path(sys.argv[1])
     most = int(sys.argv[2]) if len(sys.argv) > 2 else 1_000_000
     chance = random.Random(24)
-    folders = [ROOT / "assets", ROOT / "tests", ROOT.parent / "shared" / "fixtures"]
+    shared = ROOT.parent / "shared"
+    folders = [ROOT / "assets", ROOT / "tests", shared / "fixtures", shared / "reference"]
     files = sorted(path for folder in folders if folder.is_dir() for path in folder.rglob("*") if path.is_file() and path.stat().st_size <= most)
     extra = made()
     targets = sorted(path.stem.removesuffix("_fuzz") for path in (ROOT / "tests/fuzz").glob("*_fuzz.cpp"))
