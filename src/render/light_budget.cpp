@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/light_budget.h"
 
+#include "render/light_tree.h"
 #include "render/light_units.h"
 
 #include <algorithm>
@@ -8,13 +9,6 @@
 #include <cstddef>
 
 namespace ghost::render {
-namespace {
-
-// Branches of the tree: more than parts, for the last ones may have no lights.
-constexpr std::size_t kBranches = 2 * LightBudget::kOldest;
-
-} // namespace
-
 const std::vector<shared::Light>& LightBudget::choose(const std::vector<shared::Light>& wanted, int most) {
     is_short_ = false;
     if (most > 0 && shown_.size() == wanted.size()) {
@@ -26,6 +20,9 @@ const std::vector<shared::Light>& LightBudget::choose(const std::vector<shared::
         shown_ = wanted;
         return shown_;
     }
+    // More branches than parts: the last ones may have no lights.
+    constexpr auto kBranches = static_cast<std::size_t>(LightTree::kBranches);
+    static_assert(kBranches == 2 * kOldest);
     turn_ = (turn_ + 1) % kOldest;
     const std::size_t leaves = std::max(std::bit_ceil(wanted.size()), kBranches);
     for (std::size_t i = 0; i < wanted.size(); ++i)

@@ -66,7 +66,9 @@ bool LightTree::keep(int index, Plan& plan) {
     if (node.slot >= 0) return true;
 
     ImageSum sum;
-    if (index < leaf_base_ && (making_ == Making::one_by_one || has_image_below(index))) {
+    const bool is_above_branches = making_ == Making::by_branches && index < kBranches - 1;
+    if (index < leaf_base_ &&
+        (making_ == Making::one_by_one || is_above_branches || has_image_below(index))) {
         for (const int child : {tightest(2 * index + 1), tightest(2 * index + 2)}) {
             if (keep(child, plan))
                 sum.addends.push_back(addend_of(child));

@@ -47,6 +47,8 @@ public:
     // Slot of the image of all lights that rest, beside the slot_count others.
     int rest_slot() const { return slot_count_; }
 
+    static constexpr int kBranches = 8; // of the tree, at most
+
     // changed: lights that differ from the last frame; dimmed: those that differ in nothing but their weight.
     // Any order, each once. one_by_one: each light that is made into an image gets one of its own first, so
     // that little is lost where it is not made to the end. What changes rests for the next frames

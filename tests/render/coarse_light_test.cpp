@@ -74,7 +74,7 @@ TEST_F(CoarseLightTest, HasTheSameLightAndNearlyTheSamePicture) {
         for (std::size_t k = 0; k < both.whole.samples.size(); ++k)
             error += std::abs(static_cast<double>(both.whole.samples[k]) -
                               static_cast<double>(both.coarse.samples[k]));
-        EXPECT_LT(error / static_cast<double>(both.whole.samples.size()), 0.02 * mean(both.whole));
+        EXPECT_LT(error / static_cast<double>(both.whole.samples.size()), 0.06 * mean(both.whole));
     }
 }
 

@@ -21,6 +21,7 @@ image::ImageF glare_of(const image::ImageF& picture, float strength, float pixel
     gpu::Commands commands(device());
     commands.begin();
     glare.record(commands, frame, 0.0f, pixels_per_rad);
+    glare.see(commands, frame);
     commands.submit_and_wait();
     return read_back(glare.seen(frame));
 }
@@ -73,6 +74,7 @@ TEST_F(Glare, OffIsTheFrameItself) {
     gpu::Commands commands(device());
     commands.begin();
     glare.record(commands, frame, 0.0f, kPixelsPerRad);
+    glare.see(commands, frame);
     commands.submit_and_wait();
     EXPECT_TRUE(commands.spans().empty());
     EXPECT_EQ(&glare.seen(frame), &frame);

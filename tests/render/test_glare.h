@@ -78,6 +78,7 @@ public:
         commands.clear(frame_);
         lenses_.record(commands, images_.fragments, view_, faces, gobo_texture(), gobo_texture(), frame_);
         glare_.record(commands, frame_, lenses_.brightest(), pixels_per_rad(view_));
+        glare_.see(commands, frame_);
         commands.submit_and_wait();
     }
     image::ImageF frame() const { return read_back(frame_); }
