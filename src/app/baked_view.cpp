@@ -93,12 +93,6 @@ scene::Lit BakedView::lit() const {
     return lit;
 }
 
-void BakedView::use_grid(bool grid) {
-    render::HazeQuality quality;
-    quality.grid = grid && session_.options.beams.grid;
-    relighter_->set_quality(quality);
-}
-
 render::FrameStatistics BakedView::draw(const scene::Camera& exposure, double air_s) {
     relighter_->set_exposure(exposure.ev100, exposure.auto_exposure);
     relighter_->set_tone(session_.options.tone);

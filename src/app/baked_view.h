@@ -33,8 +33,6 @@ public:
     render::Relighter& relighter() { return *relighter_; }
     // What the rig does now, under the exposure of that camera.
     render::FrameStatistics draw(const scene::Camera& exposure, double air_s);
-    // From the next frame on: haze on a grid, as while things move (render/haze_grid.h).
-    void use_grid(bool grid);
 
 private:
     BakedView(const Session& session, BakedPasses baked);

@@ -146,8 +146,7 @@ Result<void> bench_samples(const BenchOptions& options, const BenchSink& sink) {
 }
 
 // cases: name, and how many of the fixtures change.
-// grid: haze as the window draws it while things move; else every ray, as at rest.
-Result<void> paper_rows(const BenchOptions& options, render::Beams beams, bool grid,
+Result<void> paper_rows(const BenchOptions& options, render::Beams beams,
                         const std::vector<std::pair<std::string, std::size_t>>& cases,
                         const BenchSink& sink) {
     SessionOptions opening;
@@ -155,11 +154,7 @@ Result<void> paper_rows(const BenchOptions& options, render::Beams beams, bool g
     opening.device = options.device;
     opening.quiet = true;
     opening.beams.beams = beams;
-    opening.beams.grid = grid;
     TRY(const std::unique_ptr<Session> session, open_session(opening));
-    render::HazeQuality quality;
-    quality.grid = grid;
-    session->relighter->set_quality(quality);
     const std::size_t fixtures = session->show->fixtures.size();
     for (const auto& [name, changing] : cases) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
@@ -212,10 +207,9 @@ Result<void> paper_rows(const BenchOptions& options, render::Beams beams, bool g
 Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink) {
     catch_interrupts();
     constexpr std::size_t kAll = 1u << 20;
-    TRY_VOID(paper_rows(options, render::Beams::gate, true,
+    TRY_VOID(paper_rows(options, render::Beams::gate,
                         {{"all changing", kAll}, {"one changing", 1}, {"none changing", 0}}, sink));
-    TRY_VOID(paper_rows(options, render::Beams::gate, false, {{"all changing, every ray", kAll}}, sink));
-    return paper_rows(options, render::Beams::cone, false, {{"all changing, cone", kAll}}, sink);
+    return paper_rows(options, render::Beams::cone, {{"all changing, cone", kAll}}, sink);
 }
 
 Result<void> bench_tree(const BenchOptions& options, const BenchSink& sink) {

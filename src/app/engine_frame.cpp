@@ -194,7 +194,6 @@ void Engine::frame() {
     air_s_ += dt_s;
     was_resized_ = false;
     if (switched && baked) baked_->relighter().forget(); // it may rest
-    if (baked) baked_->use_grid(is_moving(begin_s));
     const render::FrameStatistics statistics =
         baked ? baked_->draw(wanted_camera_, air_s_) : draw_live(begin_s, air_s_);
     if (baked) {
