@@ -25,7 +25,7 @@ public:
         bool coarse_light;
     };
     static constexpr std::array<Level, 5> kLevels{
-        {{1.0, 1.0, false}, {0.7, 1.0, true}, {0.5, 0.7, true}, {0.35, 0.5, true}, {0.25, 0.35, true}}};
+        {{1.0, 1.0, false}, {0.7, 1.0, true}, {0.5, 0.7, true}, {0.35, 0.5, true}, {0.25, 0.25, false}}};
 
     explicit Pace(std::size_t lights);
 

@@ -1,26 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/loop_watch.h"
 
-#include <QAbstractEventDispatcher>
-
+#include <algorithm>
 #include <chrono>
 
 namespace ghost::ui {
 
 LoopWatch::LoopWatch(QObject* parent) : QObject(parent) {
-    const auto* dispatcher = QAbstractEventDispatcher::instance();
-    connect(dispatcher, &QAbstractEventDispatcher::awake, this, [this] {
-        count(); // there was more to do, and it did not wait
-        since_.start();
-    });
-    connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, [this] {
-        count();
-        since_.invalidate();
-    });
+    beat_.setInterval(kBeat_ms);
+    beat_.setTimerType(Qt::PreciseTimer);
+    connect(&beat_, &QTimer::timeout, this, &LoopWatch::count);
+    since_.start();
+    beat_.start();
 }
 
 void LoopWatch::count() {
-    if (since_.isValid()) busy_.add(std::chrono::nanoseconds(since_.nsecsElapsed()));
+    constexpr std::chrono::nanoseconds kBeat = std::chrono::milliseconds(kBeat_ms);
+    const std::chrono::nanoseconds late = std::chrono::nanoseconds(since_.nsecsElapsed()) - kBeat;
+    since_.start();
+    busy_.add(std::max(late, std::chrono::nanoseconds(0)));
 }
 
 } // namespace ghost::ui
