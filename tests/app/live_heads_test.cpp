@@ -94,7 +94,8 @@ TEST(live_heads, FollowTheDeskAndCostNothingAtRest) {
     // The same as a stage that was made with its heads turned.
     scene::Stage turned = scene::stage_with_bodies(show, report);
     scene::pose_bodies(show, rig, turned);
-    const render::StageModel model(live_device(), turned, report);
+    render::StageModel model(live_device(), turned, report);
+    for (const std::size_t instance : scene::moving_instances(show, turned)) model.mark_moving(instance);
     render::GBuffer whole(live_device(), camera.width, camera.height);
     whole.draw(model, {scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height},
                {show.ambient_colour * show.ambient_lux, haze_of(show)});
