@@ -190,13 +190,6 @@ std::string Source::follow(Movie& movie) {
             skipped_s = glimpse ? kForever : from_s;
             continue;
         }
-        // Said before its last picture is there: who waited for that one finds the sentence, too.
-        if (!next->has_value() && (any || skipped_s < kForever)) {
-            if (movie.damaged() > 0 && !movie.is_cut_short())
-                say(settings_.path.string() + ": is damaged or cut short; what can be decoded is shown");
-            else if (movie.read_to_s() + std::max(kShortBy * length_s, kShortBy_s) < length_s)
-                say_cut();
-        }
         if (skipped_s < kForever)
             convert(next->has_value() ? Movie::Which::before : Movie::Which::newest,
                     std::exchange(skipped_s, kForever), from_s, true);
@@ -205,6 +198,10 @@ std::string Source::follow(Movie& movie) {
             continue;
         }
         if (!any) return settings_.path.string() + ": no picture in it can be decoded";
+        if (movie.damaged() > 0 && !movie.is_cut_short())
+            say(settings_.path.string() + ": is damaged or cut short; what can be decoded is shown");
+        else if (movie.read_to_s() + std::max(kShortBy * length_s, kShortBy_s) < length_s)
+            say_cut();
         queue_.know_to(settings_.loop ? from_s : kForever);
         if (!settings_.loop) continue;
         base_s += length_s;
