@@ -145,8 +145,6 @@ class AtWork(unittest.TestCase):
             self.assertEqual(window.close(), 0)
 
     def test_bake_and_baked_picture(self):
-        text = (self.show / "show.toml").read_text().replace("size = [1024, 300]", "size = [768, 225]")
-        (self.show / "show.toml").write_text(text)
         window = self.open()
         try:
             window.do("camera house", "wait settled", "resolution 0")
@@ -166,7 +164,7 @@ class AtWork(unittest.TestCase):
             window.do("jump 36", "wait 0.2", "freeze on")  # the show went on meanwhile, perhaps into the dark
             state = window.until(lambda state: state["picture"]["baked"])
             self.assertIn("baked: house", state["picture"]["supply"])
-            self.assertEqual(state["picture"]["camera"]["width"], 768)
+            self.assertEqual(state["picture"]["camera"]["width"], 1024)
             window.do("wait settled")
             window.shoot("baked.png")
             baked = window.picture("baked")
