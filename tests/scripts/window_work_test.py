@@ -114,7 +114,7 @@ class AtWork(unittest.TestCase):
         window = self.open()
         try:
             _, _, width, height = window.place()
-            window.do(f"probe {width // 2} {height * 9 // 10}")
+            window.do(f"probe {width // 2} {height // 2}")
             probe = window.until(lambda state: state["probe"])["probe"]
             self.assertGreater(probe["lux"], 0.1)
             self.assertGreater(probe["cd_m2"], 0.001)
