@@ -53,6 +53,11 @@ vec3 from_octahedral(vec2 at) {
     return normalize(n);
 }
 
+const float kWorkEven = 0.35; // of the work light: that comes from everywhere
+
+// Where the rest of the work light comes from: over the viewer's left shoulder, so that shapes have sides.
+vec3 work_lamp() { return normalize(-normalize(view.forward) + 0.55 * normalize(view.up) - 0.4 * normalize(view.right)); }
+
 // Of the plane whose depth has this slope at a point of the picture, towards the viewer.
 vec3 facet_of(vec2 slope, vec2 pixel) {
     vec2 size = vec2(view.width, view.height);
@@ -213,7 +218,9 @@ void main() {
         float away_m = max(length(way), 1e-6);
         vec3 shown = mean_normal / max(length(mean_normal), 1e-6);
         Brdf brdf = Brdf(mean_diffuse.rgb * share, mean_diffuse.a * share, mean_specular.rgb * share, mean_specular.a * share);
-        vec3 light = p.ambient * brdf_albedo(brdf, abs(dot(shown, way)) / away_m) * (1.0 / kPi) + emission * share;
+        // Of the work light no highlight: it shall show shapes, not itself.
+        vec3 work = p.work_lux * (kWorkEven + (1.0 - kWorkEven) * max(dot(shown, work_lamp()), 0.0)) * brdf.diffuse;
+        vec3 light = (p.ambient * brdf_albedo(brdf, abs(dot(shown, way)) / away_m) + work) * (1.0 / kPi) + emission * share;
         unlit += light * (covered * haze_transmittance(view.haze, away_m));
         uint index = extra + uint(max(k - 1, 0));
         ivec3 to = k == 0 ? ivec3(at, 0) : ivec3(index % size.x, size.y + index / size.x, 0);

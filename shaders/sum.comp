@@ -82,6 +82,14 @@ void main() {
     if (kAddends > 5u && kAddends < kManyAddends) add(pair, addends[5], sum);
     if (kAddends > 6u && kAddends < kManyAddends) add(pair, addends[6], sum);
     if (kAddends > 7u && kAddends < kManyAddends) add(pair, addends[7], sum);
+    if (kAddends > 8u && kAddends < kManyAddends) add(pair, addends[8], sum);
+    if (kAddends > 9u && kAddends < kManyAddends) add(pair, addends[9], sum);
+    if (kAddends > 10u && kAddends < kManyAddends) add(pair, addends[10], sum);
+    if (kAddends > 11u && kAddends < kManyAddends) add(pair, addends[11], sum);
+    if (kAddends > 12u && kAddends < kManyAddends) add(pair, addends[12], sum);
+    if (kAddends > 13u && kAddends < kManyAddends) add(pair, addends[13], sum);
+    if (kAddends > 14u && kAddends < kManyAddends) add(pair, addends[14], sum);
+    if (kAddends > 15u && kAddends < kManyAddends) add(pair, addends[15], sum);
     if (kCoarse && kToFrame) sum.left *= uintBitsToFloat(imageLoad(coarse, ivec3(at, kCoarseWhite)).xyz);
     vec3 a = light_to_store(vec4(sum.left, 0.0)).rgb, b = light_to_store(vec4(sum.right, 0.0)).rgb;
     uvec4 packed_sum = uvec4(packHalf2x16(a.rg), packHalf2x16(vec2(a.b, b.r)), packHalf2x16(b.gb), 0u);

@@ -33,6 +33,7 @@ layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 layout(constant_id = 2) const bool kShadows = true;
 layout(constant_id = 3) const bool kIlluminance = false; // lux on the surface, instead of what the eye sees of it
 layout(constant_id = 4) const bool kThin = false;        // some beam may be narrower than two pixels
+layout(constant_id = 5) const bool kKeeps = true;        // shadows are made before and kept; else here, just where light falls
 
 #include "thin_dot.glsl"
 #include "lit_share.glsl"
@@ -51,6 +52,7 @@ struct Fragment {
 // Made before, or, where many lights share a dispatch and there is no page for it, now.
 float kept_share(Light light, Keep keep, Fragment f, vec3 from_map, bool wanted, uint unit) {
     if (light.map == 0u) return 1.0;
+    if (!kKeeps) return lit_share(light, f.facet, from_map, wanted);
     Page page = page_of(keep, unit);
     if (kSingle) return imageLoad(pages, page.texel).x;
     float share = lit_share(light, f.facet, from_map, wanted && !page.there);

@@ -58,8 +58,9 @@ struct GatherPush {
     uint tiles_x;
     float pixel_m;    // width of a pixel at 1 m along the axis
     uint listed;      // 1: only the tiles of the list, the others stay as they are
+    float work_lux;   // of the work light: some from everywhere, most from over the viewer's shoulder
 };
-SHARED_SIZE(GatherPush, 32);
+SHARED_SIZE(GatherPush, 36);
 
 // Where the extra fragments and the edges of a tile lie. There may be more room than is used: extras without coverage, edges
 // without extras.

@@ -80,7 +80,7 @@ SHARED_SIZE(Addend, 16);
 SHARED_CONST uint kSumToFrame = 1u; // else to a kept image
 SHARED_CONST uint kSumBase = 2u;    // with the picture without lights
 SHARED_CONST uint kSumDrawn = 4u;   // and the lights drawn just now
-SHARED_CONST uint kManyAddends = 9u;
+SHARED_CONST uint kManyAddends = 17u;
 struct SumPush {
     uint target; // layer of the kept images
     uint addend_count;

@@ -7,8 +7,10 @@
 #include "app/recordings.h"
 
 #include "image/metrics.h"
+#include "scene/camera_moves.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <map>
@@ -36,6 +38,9 @@ constexpr Film kFilms[] = {
     {"close", 640, 360, true, false}, {"close", 640, 360, false, false}, {"house", 640, 360, true, false},
     {"high", 640, 360, true, false},  {"close", 1280, 720, true, true},  {"house", 1280, 720, true, true},
     {"high", 1280, 720, true, true},  {"close", 1280, 720, true, false}, {"close", 1280, 720, false, false}};
+
+constexpr Film kFlights[] = {{"house", 320, 180, true, false}, {"house", 640, 360, true, true}};
+constexpr const char* kFlightTo = "close";
 
 class LiveBench {
 public:
@@ -68,6 +73,10 @@ private:
     std::optional<dmx::Player> player_;
     long frame_ = 0;
 };
+
+double steady_now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 // As things move, or as they rest.
 void use(Session& session, const Film& film, bool moves) {
@@ -147,6 +156,49 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
     return {};
 }
 
+// The same while the camera flies, so that nothing that was seen from elsewhere can be kept.
+Result<void> flight_row(const BenchOptions& options, const Film& film, const BenchSink& sink) {
+    TRY(LiveBench bench, LiveBench::open(options, film));
+    Session& session = bench.session();
+    const std::vector<scene::Camera>& cameras = session.show->cameras;
+    const auto to = std::find_if(cameras.begin(), cameras.end(),
+                                 [](const scene::Camera& camera) { return camera.name == kFlightTo; });
+    if (to == cameras.end()) return Error{"there is no such camera to fly to", kFlightTo};
+    const scene::Camera from = session.live->camera();
+    use(session, film, true);
+    const auto first = static_cast<long>(kFrom_s * kFps), last = static_cast<long>(kTo_s * kFps);
+    Means means;
+    std::set<std::string> spans;
+    for (long frame = first - 2; frame <= last; ++frame) {
+        if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
+        bench.step_to(frame);
+        const double begin_s = steady_now_s();
+        const auto share = static_cast<float>(frame - first + 2) / static_cast<float>(last - first + 2);
+        session.look_from(scene::camera_between(from, *to, share), true);
+        std::vector<gpu::Span> of_frame = session.live->g_buffer().spans();
+        const double stage_ms = 1e3 * (steady_now_s() - begin_s);
+        const render::FrameStatistics drawn = session.draw(static_cast<double>(frame) / kFps);
+        if (frame < first) continue;
+        ++means.frames;
+        means.add("ms", 1e3 * (steady_now_s() - begin_s));
+        means.add("stage_ms", stage_ms);
+        of_frame.insert(of_frame.end(), drawn.spans.begin(), drawn.spans.end());
+        for (const gpu::Span& span : of_frame) {
+            means.add(span.name, span.ms);
+            spans.insert(span.name);
+        }
+    }
+    BenchRow row{"live",
+                 "flight " + std::to_string(film.width) + "x" + std::to_string(film.height) +
+                     (film.coarse ? ", light at half" : ""),
+                 {},
+                 "mean of " + std::to_string(means.frames) + " frames; stage: the picture without lights"};
+    row.figures = {{"ms", means.of("ms")}, {"stage_ms", means.of("stage_ms")}};
+    for (const std::string& span : spans) row.figures.emplace_back(span + "_ms", means.of(span));
+    sink(row);
+    return {};
+}
+
 // Ten lights fade, in dimmer and colour, and nothing turns.
 Result<void> fade_row(const BenchOptions& options, const BenchSink& sink) {
     TRY(LiveBench bench, LiveBench::open(options, kFilms[0]));
@@ -182,6 +234,7 @@ Result<void> fade_row(const BenchOptions& options, const BenchSink& sink) {
 
 Result<void> bench_live(const BenchOptions& options, const BenchSink& sink) {
     catch_interrupts();
+    for (const Film& film : kFlights) TRY_VOID(flight_row(options, film, sink));
     for (const Film& film : kFilms) TRY_VOID(film_row(options, film, sink));
     return fade_row(options, sink);
 }

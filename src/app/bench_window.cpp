@@ -71,7 +71,7 @@ struct Work {
 Result<void> measure(const BenchOptions& options, const Work& work, const BenchSink& sink) {
     const fs::path outcome = loaded_window_file(".json"), begun = loaded_window_file("-begun.json");
     LoadedWindow window;
-    window.script = "wait opened\nfigures\nstate \"" + begun.string() + "\"\n" + work.before + "wait " +
+    window.script = "wait opened\nstate \"" + begun.string() + "\"\n" + work.before + "wait " +
                     std::to_string(kWarm_s) + "\nreset-figures\n" +
                     (work.lines.empty() ? "wait " + std::to_string(kSeconds) + "\n" : work.lines) +
                     "state \"" + outcome.string() + "\"\nquit\n";

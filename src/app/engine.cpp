@@ -210,6 +210,8 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
         session_->report.add(scene::Severity::warning, loaded.error().where, loaded.error().what);
     if (opening != Opening::another && before) input_->go_on_from(*before);
     drawn_from_ = live_from_ = {};
+    work_lux_ = 0;
+    flies_ = false;
     whole_for_ = {};
     drawn_ = {};
     if (opening == Opening::another) pace_ = Pace(session_->show->fixtures.size());

@@ -97,6 +97,8 @@ private:
     void publish_explanation(double now_s);
     // engine_baked.cpp
     std::string needs_live() const;
+    bool has_work_light() const;
+    float wanted_work_lux() const;
     bool choose_baked(double now_s);
     void take_baked();
     void forget_baked();
@@ -178,6 +180,9 @@ private:
     double light_ms_ = 0;      // of a light that turns, where many do; 0: not known
     bool sees_else_ = false;   // the live picture, since it was drawn last
     bool was_resized_ = false; // by the frame that is drawn
+    double flew_s_ = -1;       // when its camera moved last
+    bool flies_ = false;       // drawn as Session::look_from says
+    float work_lux_ = 0;       // of the live picture's work light
     double last_step_s_ = 0;
     double air_s_ = 0; // age of the swirls
     double last_change_s_ = 0;

@@ -37,6 +37,7 @@ std::string stamp_of(const scene::Show& show, const scene::Camera& camera) {
 std::string Engine::needs_live() const {
     const ui::Look& look = wishes_.look;
     if (!wishes_.takes_baked) return "baked pictures are turned off";
+    if (has_work_light()) return "the work light is on";
     if (wishes_.quality.percent > 0) return "a share of the pixels is asked for";
     if (wishes_.false_colour.measure == ui::Measure::lux) return "lux are measured on surfaces";
     if (!look.shown.empty()) return "objects are hidden or shown by hand";

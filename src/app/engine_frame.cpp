@@ -15,6 +15,8 @@ namespace {
 constexpr int kLeastPixels = 16; // across
 constexpr int kMostPixels = 8192;
 constexpr double kLongestStep_s = 0.5; // a slow frame must not make the recording jump
+constexpr float kWork_lux = 100;
+constexpr float kWorkAtEv0_lux = 2; // makes a wall that reflects a fifth middle grey
 constexpr double kLongestFilm_s = 1e9; // of time code, which loops where the film does
 
 bool same_view(const scene::Camera& a, const scene::Camera& b) {
@@ -108,17 +110,38 @@ scene::Camera Engine::camera_for(double now_s) {
     return camera;
 }
 
+// What is measured is the light of the show.
+bool Engine::has_work_light() const {
+    if (wishes_.false_colour.measure != ui::Measure::none) return false;
+    if (wishes_.work_light != ui::WorkLight::automatic) return wishes_.work_light == ui::WorkLight::on;
+    return input_->recording_s() == 0 && input_->desk().list.empty();
+}
+
+// As bright as the exposure asks for: it must neither be lost in the dark nor drown everything.
+float Engine::wanted_work_lux() const {
+    if (!has_work_light()) return 0;
+    return wanted_camera_.auto_exposure ? kWork_lux : kWorkAtEv0_lux * std::exp2(wanted_camera_.ev100);
+}
+
 render::FrameStatistics Engine::draw_live(double begin_s, double air_s) {
+    if (const float lux = wanted_work_lux(); lux != std::exchange(work_lux_, lux)) {
+        session_->live->set_work_light(lux);
+        sees_else_ = true;
+        last_change_s_ = begin_s;
+    }
     scene::Camera unsized = wanted_camera_;
     unsized.width = drawn_from_.width;
     unsized.height = drawn_from_.height;
-    if (!same_view(unsized, drawn_from_)) last_change_s_ = begin_s;
+    if (!same_view(unsized, drawn_from_)) last_change_s_ = flew_s_ = begin_s;
+    // What was left out goes into the picture when the camera has come to rest.
+    const bool flies = begin_s - flew_s_ < kRest_s;
+    sees_else_ = sees_else_ || flies != std::exchange(flies_, flies);
     const scene::Camera camera = camera_for(begin_s);
     was_resized_ =
         camera.width != session_->relighter->width() || camera.height != session_->relighter->height();
     if (std::exchange(sees_else_, false) || !same_view(camera, live_from_)) {
         if (was_resized_) meter_.reset();
-        session_->look_from(camera);
+        session_->look_from(camera, flies);
         session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
         live_from_ = camera;
     }

@@ -57,6 +57,7 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
     picture.supply = supply_sent_ = supply_;
     picture.is_coarse = !shows_baked_ && wishes_.quality.percent == 0 && drawn_from_.width < whole_.x;
     picture.missing_maps = session_->live->missing_maps();
+    picture.has_work_light = !shows_baked_ && work_lux_ > 0;
     picture.arrival = std::exchange(arrival_, std::chrono::nanoseconds{0});
     link_.picture.put(std::move(picture), [](const ui::Picture& unread, ui::Picture& next) {
         if (unread.arrival.count() > 0) next.arrival = unread.arrival;

@@ -19,6 +19,8 @@
 namespace ghost::app {
 namespace {
 
+constexpr float kFlightError_px = 1; // of the stage, which is seen from there for a moment
+
 double steady_now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -178,7 +180,7 @@ bool LiveView::follow(const scene::Rig& rig) {
     return g_buffer_->update(model_);
 }
 
-LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks) {
+LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool flies) {
     camera_ = camera;
     shared::Haze haze = haze_of(show_);
     haze.extinction_per_m *= haze_density_;
@@ -195,8 +197,9 @@ LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks) {
         g_buffer_.reset();
         g_buffer_ = std::make_unique<render::GBuffer>(device_, camera.width, camera.height);
     }
-    const render::Pose pose{scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height};
-    const render::Surroundings surroundings{show_.ambient_colour * show_.ambient_lux, haze};
+    const render::Pose pose{scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height,
+                            flies ? kFlightError_px : 0.0f};
+    const render::Surroundings surroundings{show_.ambient_colour * show_.ambient_lux, haze, work_lux_};
     if (g_buffer_->shows(pose, surroundings)) {
         g_buffer_->update(model_);
         return Seen::where_it_changed;

@@ -41,12 +41,15 @@ public:
     enum class Seen { anew, where_it_changed };
     // A picture of another size has another G-buffer. parks: the one before is kept, for the next picture of
     // its size; else it goes first, for memory may not hold both.
-    Seen look_from(const scene::Camera& camera, bool parks = false);
+    // flies: the next one will be from elsewhere, so the stage may be drawn in less detail.
+    Seen look_from(const scene::Camera& camera, bool parks = false, bool flies = false);
     // There is none of another size.
     void drop_parked() { parked_.reset(); }
     const scene::Camera& camera() const { return camera_; }
     // Times the show's density, from the next look_from on.
     void set_haze(float density) { haze_density_ = density; }
+    // Likewise, render::Surroundings::work_lux.
+    void set_work_light(float lux) { work_lux_ = lux; }
     // For the next look_from. The distance maps of the lights that see it are made again in the background.
     void show(std::size_t instance, bool shown);
     void set_material(std::size_t material, const scene::Material& values) {
@@ -95,6 +98,7 @@ private:
     std::unique_ptr<render::GBuffer> g_buffer_, parked_;
     scene::Camera camera_;
     float haze_density_ = 1;
+    float work_lux_ = 0;
     scene::DistanceMaps maps_;
     std::size_t missing_maps_ = 0;
     std::unique_ptr<render::DistanceImages> distances_;

@@ -87,13 +87,13 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
         if (pace) camera = coarser(camera, pace->level().sides);
         bool is_resized =
             camera.width != session.relighter->width() || camera.height != session.relighter->height();
-        if (session.travel_to || is_resized) session.look_from(camera);
+        const double begin_s = now_s();
+        if (session.travel_to || is_resized) session.look_from(camera, pace && session.travel_to);
         if (pace && pace->level().coarse_light != session.relighter->is_coarse()) {
             session.use_coarse_light(pace->level().coarse_light);
             is_resized = true;
         }
         if (pace && is_resized) session.relighter->set_quality({.grid = true}); // it is another one
-        const double begin_s = now_s();
         tally.add(session.draw(static_cast<double>(frame) / fps));
         // Another size costs what no other frame does.
         if (pace && !is_resized && frame > first) pace->add(1e3 * (now_s() - begin_s), arguments.hold_fps);

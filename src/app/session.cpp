@@ -250,13 +250,14 @@ scene::Lit Session::lit() const {
     return lit;
 }
 
-void Session::look_from(const scene::Camera& from) {
+void Session::look_from(const scene::Camera& from, bool goes_on) {
+    flies = goes_on;
     using enum LiveView::Seen;
     const auto fits = [&](const std::unique_ptr<render::Relighter>& one) {
         return one && from.width == one->width() && from.height == one->height();
     };
     if (fits(relighter)) {
-        const bool is_anew = live->look_from(from, options.parks) == anew;
+        const bool is_anew = live->look_from(from, options.parks, flies) == anew;
         for (const auto& one : {relighter.get(), other_light.get()}) {
             if (!one) continue;
             if (is_anew)
@@ -275,7 +276,7 @@ void Session::look_from(const scene::Camera& from) {
                            device->memory_left_bytes() > 2 * kPictureBytesPerPixel * pixels + kSpareToPark;
         if (!fits(relighter)) relighter.reset();
         if (!parks) parked.reset(); // it refers to the picture that goes
-        const LiveView::Seen seen = live->look_from(from, parks);
+        const LiveView::Seen seen = live->look_from(from, parks, flies);
         if (!relighter)
             relighter = std::make_unique<render::Relighter>(
                 *device, live->g_buffer(), live->distances(), gobos.images,
@@ -287,6 +288,8 @@ void Session::look_from(const scene::Camera& from) {
         maps_changed_since_parked = false;
         relighter->set_tone(options.tone);
     }
+    for (const auto& one : {relighter.get(), other_light.get()})
+        if (one) one->set_keeps_visibility(!flies);
     relighter->set_exposure(options.ev100.value_or(from.ev100), from.auto_exposure && !options.ev100);
 }
 
@@ -297,6 +300,7 @@ void Session::use_coarse_light(bool coarse) {
     std::swap(relighter, other_light);
     if (relighter) {
         relighter->set_tone(options.tone);
+        relighter->set_keeps_visibility(!flies);
         return;
     }
     // The only one, where memory is short.
@@ -307,6 +311,7 @@ void Session::use_coarse_light(bool coarse) {
         std::make_unique<render::Relighter>(*device, live->g_buffer(), live->distances(), gobos.images,
                                             static_cast<int>(lit().lights.size()), settings);
     relighter->set_tone(options.tone);
+    relighter->set_keeps_visibility(!flies);
 }
 
 void Session::drop_parked() {

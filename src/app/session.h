@@ -80,6 +80,7 @@ struct Session {
     std::map<std::size_t, fixture::Manual> manual; // of options.look, for Rig::step
     float master = 1;                              // share of all light
     bool shadows = true;                           // live only
+    bool flies = false;                            // look_from
     SessionOptions options;                        // as it was opened
 
     // Moves the moving pictures on to this time, or to media_s; draw does so, too.
@@ -92,7 +93,9 @@ struct Session {
     // Moves a live camera, and shows what the show's even light, haze and attenuation are now. A camera of
     // another size gets another picture; stage and distance maps stay on the device. SessionOptions::parks:
     // the picture before is kept, where there is memory, and taken up again when its size is asked for.
-    void look_from(const scene::Camera& from);
+    // goes_on: soon it looks from elsewhere, so nothing that is seen from there is kept, and the stage has less
+    // detail.
+    void look_from(const scene::Camera& from, bool goes_on = false);
     void drop_parked();
     // Live: from the next frame on light is drawn at half the size of the picture (render/coarse_light.h), or
     // at all of it. Of either what is kept stays, where there is memory.

@@ -39,7 +39,7 @@ constexpr const char* kWork = "camera 1\nwait 3\norbit 30 -5\nwait 2\nselect *\n
 constexpr const char* kSameSize = "resolution 25\nwait 4\n";
 
 std::string script_of(double seconds, const std::string& outcome) {
-    std::string script = "wait opened\nfigures\n";
+    std::string script = "wait opened\n";
     for (double begin_s = 0; begin_s < seconds; begin_s += kMinute_s) {
         const double rest_s = std::min(kMinute_s, seconds - begin_s) - kBusy_s;
         script += "reset-figures\n";

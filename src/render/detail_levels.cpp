@@ -14,14 +14,17 @@ constexpr float kErrors[] = {0.0003f, 0.001f, 0.002f, 0.004f, 0.008f, 0.016f, 0.
 constexpr float kMostOfMean = 3; // quadrics are means over an area; a tube is off by up to 2.5 of them
 constexpr std::size_t kMinTriangles = 64; // fewer are not worth a choice
 
-// Hard edges and seams have several vertices in one place, which would hold the mesh together as it is.
+// Hard edges have several vertices in one place, which would hold the mesh together as it is. Those of a
+// texture's seam stay apart.
 class Places {
 public:
-    explicit Places(const std::vector<glm::vec3>& positions_m) {
-        std::map<std::tuple<float, float, float>, std::uint32_t> known;
-        for (const glm::vec3& at : positions_m) {
+    Places(const std::vector<glm::vec3>& positions_m, const std::vector<glm::vec2>& uvs) {
+        std::map<std::tuple<float, float, float, float, float>, std::uint32_t> known;
+        for (std::size_t v = 0; v < positions_m.size(); ++v) {
+            const glm::vec3& at = positions_m[v];
+            const glm::vec2 uv = uvs.empty() ? glm::vec2(0) : uvs[v];
             const auto next = static_cast<std::uint32_t>(vertices_.size());
-            const auto [found, is_new] = known.try_emplace({at.x, at.y, at.z}, next);
+            const auto [found, is_new] = known.try_emplace({at.x, at.y, at.z, uv.x, uv.y}, next);
             if (is_new) vertices_.emplace_back();
             vertices_[found->second].push_back(static_cast<std::uint32_t>(of_vertex_.size()));
             of_vertex_.push_back(found->second);
@@ -40,10 +43,11 @@ private:
 
 std::vector<DetailLevel> detail_levels(const std::vector<glm::vec3>& positions_m,
                                        const std::vector<glm::vec3>& normals,
+                                       const std::vector<glm::vec2>& uvs,
                                        std::span<const std::uint32_t> indices) {
     std::vector<DetailLevel> levels;
     if (indices.size() < 3 * kMinTriangles) return levels;
-    const Places places(positions_m);
+    const Places places(positions_m, uvs);
     std::vector<glm::vec3> at_m;
     for (std::uint32_t place = 0; place < places.count(); ++place)
         at_m.push_back(positions_m[places.vertices(place)[0]]);

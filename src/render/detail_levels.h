@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Coarser versions of a mesh for where it is small in the picture: the same vertices, fewer triangles. What a
 // level is off by at most comes from its quadrics (Garland, Heckbert 1997), in the mesh's own metres.
-// Surfaces only: corners get the normals that fit, textures would slide. Pure function.
+// Corners get the normals that fit; textures slide a little, but never across their seams. Pure function.
 
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -16,10 +16,12 @@ struct DetailLevel {
     float error_m = 0;
 };
 
-// positions and unit normals: of the vertices, finite; indices: triangles. Each level is coarser than the one
+// positions, unit normals and, where they matter, places in textures: of the vertices, finite; indices:
+// triangles. Each level is coarser than the one
 // before it by a third at least; none where the mesh is as simple as it can be.
 std::vector<DetailLevel> detail_levels(const std::vector<glm::vec3>& positions_m,
                                        const std::vector<glm::vec3>& normals,
+                                       const std::vector<glm::vec2>& uvs,
                                        std::span<const std::uint32_t> indices);
 
 } // namespace ghost::render

@@ -31,12 +31,14 @@ struct Pose {
     float fov_y_deg = 40;
     int width = 0; // of the picture: as the GBuffer was made
     int height = 0;
+    float most_error_px = 0; // that surfaces of the stage may be off by, to be drawn faster
 };
 
 // What is between and around the surfaces.
 struct Surroundings {
     glm::vec3 ambient{0}; // even light: colour times lux
     shared::Haze haze{};
+    float work_lux = 0; // light to work by: from over the viewer's shoulder, no haze glows in it
 };
 
 // The rectangles of some tiles, as Vulkan wants them.

@@ -148,13 +148,16 @@ void Relighter::make_surface_programs() {
     else
         bindings.insert(bindings.end(), {kUniform, kSampled});
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
-        for (const std::uint32_t thin : {0u, 1u})
-            (thin ? thin_surface_ : surface_)[kind] =
-                g_buffer_
-                    ? gpu::LateProgram(
-                          device_, shaders::kShader_surface_live, bindings,
-                          {kind, single, distances_ ? 1u : 0u, settings_.illuminance ? 1u : 0u, thin})
-                    : gpu::LateProgram(device_, shaders::kShader_surface, bindings, {kind, single, thin});
+        const auto program = [&](std::uint32_t thin, std::uint32_t keeps) {
+            return g_buffer_
+                       ? gpu::LateProgram(
+                             device_, shaders::kShader_surface_live, bindings,
+                             {kind, single, distances_ ? 1u : 0u, settings_.illuminance ? 1u : 0u, thin, keeps})
+                       : gpu::LateProgram(device_, shaders::kShader_surface, bindings, {kind, single, thin});
+        };
+        surface_[kind] = program(0, 1);
+        thin_surface_[kind] = program(1, 1);
+        flown_surface_[kind] = program(1, 0);
         if (kind < shared::kPlanesClass) (void)surface_[kind].get();
     }
 }
@@ -191,6 +194,12 @@ void Relighter::set_quality(const HazeQuality& quality) {
     if (std::exchange(uses_grid_, quality.grid) && !quality.grid) draw_anew();
     wide_prepared_ = wide_prepared_ && quality.wide_beam_step == wide_step_;
     wide_step_ = quality.wide_beam_step;
+}
+
+void Relighter::set_keeps_visibility(bool keeps) {
+    // What was handed out meanwhile was not filled.
+    if (visibility_ && keeps && !keeps_visibility_) visibility_->forget();
+    keeps_visibility_ = keeps;
 }
 
 void Relighter::forget() {

@@ -112,6 +112,9 @@ public:
     void set_quality(const HazeQuality& quality);
     // Lights that may turn from a frame to the next one, 0: all (render/light_budget.h).
     void set_most_lights(int most) { most_lights_ = most; }
+    // Whether what surfaces see of lamps is kept (render/visibility.h): not while the camera flies, when each
+    // frame sees others and most of them lie in no beam.
+    void set_keeps_visibility(bool keeps);
     // From the next frame on; automatic: measured, and ev100 is not used.
     void set_exposure(float ev100, bool automatic);
     // Likewise.
@@ -170,6 +173,7 @@ private:
     LightTree tree_;
     std::unique_ptr<Visibility> visibility_; // null: from passes, or without shadows
     bool pages_full_ = false;
+    bool keeps_visibility_ = true;
     std::unique_ptr<Mender> mender_; // null: from passes, in which nothing moves
     std::uint32_t mended_tiles_ = 0; // above 0: only these tiles, of mender_, are drawn now
     bool touched_ = false;           // since the last draw
@@ -191,7 +195,8 @@ private:
     static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
     gpu::Program cull_, bounce_, silhouettes_, fold_, meter_;
     std::array<gpu::LateProgram, shared::kToneCount> develop_;
-    std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_;
+    std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_,
+        flown_surface_; // the last: where no visibility is kept
     gpu::LateProgram visible_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<gpu::Program>> sums_; // sum_of
     HazePass haze_;

@@ -212,7 +212,7 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
                              visibility_ ? visibility_->units() : 0,
                              visibility_ ? visibility_->page_count() : 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
-        if (visibility_) {
+        if (visibility_ && keeps_visibility_) {
             commands_.begin_span("visibility");
             commands_.dispatch_indirect(
                 visible_.get(), push,
@@ -225,7 +225,9 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
             commands_.barrier();
         }
         commands_.begin_span("surfaces");
-        commands_.dispatch_indirect((thin ? thin_surface_ : surface_)[chunk.beam_class].get(), push, bindings,
+        const bool flies = visibility_ && !keeps_visibility_;
+        const auto& programs = flies ? flown_surface_ : thin ? thin_surface_ : surface_;
+        commands_.dispatch_indirect(programs[chunk.beam_class].get(), push, bindings,
                                     groups_, chunk.surface_groups(push.batch));
         commands_.barrier();
     }

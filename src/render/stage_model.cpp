@@ -9,7 +9,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <set>
 #include <span>
 #include <string>
 #include <tuple>
@@ -123,9 +122,6 @@ void StageModel::add_surfaces(const scene::Stage& stage) {
 void StageModel::add_meshes(const scene::Stage& stage, scene::Report& report) {
     std::vector<StageVertex> vertices;
     std::vector<std::uint32_t> indices;
-    std::set<int> bodies;
-    for (const scene::Instance& instance : stage.instances)
-        if (instance.part != scene::kNone) bodies.insert(instance.mesh);
     for (const scene::Mesh& mesh : stage.meshes) {
         Mesh& made = meshes_.emplace_back();
         made.surface = std::min(static_cast<std::size_t>(std::max(mesh.material, 0)), surfaces_.size() - 1);
@@ -161,8 +157,7 @@ void StageModel::add_meshes(const scene::Stage& stage, scene::Report& report) {
             indices.insert(indices.end(), {i[0], facing < 0.0f ? i[2] : i[1], facing < 0.0f ? i[1] : i[2]});
         }
         made.range.index_count = static_cast<std::uint32_t>(indices.size()) - made.range.first_index;
-        if (surfaces_[made.surface].textures == 0 && bodies.contains(static_cast<int>(meshes_.size()) - 1))
-            add_levels(mesh, facets, made, indices);
+        add_levels(mesh, facets, made, indices);
         const bool textured = mesh.uvs.size() == count;
         if (!textured && (surfaces_[made.surface].textures & shared::kNormalTexture) != 0) {
             // Bumps need a direction along the picture.
@@ -195,14 +190,19 @@ void StageModel::add_meshes(const scene::Stage& stage, scene::Report& report) {
 }
 
 void StageModel::add_levels(const scene::Mesh& mesh, const std::vector<glm::vec3>& facets, Mesh& made,
-                            std::vector<std::uint32_t>& indices) {
+                            std::vector<std::uint32_t>& indices) const {
     std::vector<glm::vec3> positions_m, normals;
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
         positions_m.push_back(sane(mesh.positions[v]));
         normals.push_back(unit_or(mesh.normals[v], facets[v]));
     }
+    const bool is_textured =
+        surfaces_[made.surface].textures != 0 && mesh.uvs.size() == mesh.positions.size();
+    std::vector<glm::vec2> uvs;
+    if (is_textured)
+        for (const glm::vec2& uv : mesh.uvs) uvs.emplace_back(sane(uv.x, 0.0f), sane(uv.y, 0.0f));
     const std::span whole(indices.data() + made.range.first_index, made.range.index_count);
-    for (const DetailLevel& level : detail_levels(positions_m, normals, whole)) {
+    for (const DetailLevel& level : detail_levels(positions_m, normals, uvs, whole)) {
         const auto first = static_cast<std::uint32_t>(indices.size());
         made.levels.push_back(
             {{first, static_cast<std::uint32_t>(level.indices.size()), made.range.first_vertex},
@@ -304,13 +304,12 @@ bool StageModel::place(const Instance& instance, const glm::vec3& eye_m, const s
     return !outside;
 }
 
-std::size_t StageModel::level_for(const Draw& draw, float pixels_per_rad) const {
+std::size_t StageModel::level_for(const Draw& draw, float most_error_rad) const {
     const glm::mat3 axes(draw.to_eye);
-    const float scale =
-        std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])}) * pixels_per_rad;
+    const float scale = std::max({glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2])});
     const std::vector<Level>& levels = meshes_[draw.mesh].levels;
     std::size_t level = 0;
-    while (level < levels.size() && levels[level].error_m * scale < kMostError_px * draw.near_m) ++level;
+    while (level < levels.size() && levels[level].error_m * scale < most_error_rad * draw.near_m) ++level;
     return level;
 }
 
@@ -322,21 +321,25 @@ std::vector<StageModel::MovingDraw> StageModel::visible_moving(const glm::vec3& 
         MovingDraw placed;
         placed.instance = index;
         if (!place(instances_[index], eye_m, planes, placed)) continue;
-        placed.draw.level = level_for(placed.draw, pixels_per_rad);
+        // Those whose textures cover them stay as they are: these would slide at rest.
+        if (surface_of(placed.draw.mesh).textures == 0)
+            placed.draw.level = level_for(placed.draw, kMostError_px / pixels_per_rad);
         draws.push_back(placed);
     }
     return draws;
 }
 
 std::vector<StageModel::Draw> StageModel::visible(const glm::vec3& eye_m,
-                                                  const std::vector<glm::vec4>& planes) const {
+                                                  const std::vector<glm::vec4>& planes,
+                                                  float most_error_rad) const {
     std::vector<std::vector<Draw>> groups;
     for (const Mesh& mesh : meshes_) {
         std::vector<Draw> group;
         for (const std::size_t index : mesh.instances) {
             MovingDraw placed;
-            if (!instances_[index].moving && place(instances_[index], eye_m, planes, placed))
-                group.push_back(placed.draw);
+            if (instances_[index].moving || !place(instances_[index], eye_m, planes, placed)) continue;
+            if (most_error_rad > 0) placed.draw.level = level_for(placed.draw, most_error_rad);
+            group.push_back(placed.draw);
         }
         if (group.empty()) continue;
         std::stable_sort(group.begin(), group.end(),

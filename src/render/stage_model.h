@@ -64,8 +64,10 @@ public:
         glm::mat4 to_eye{1.0f}; // from the mesh to the world, moved so that the eye is the origin
     };
     // planes: of the view (normal inwards, offset), with the eye as origin. Without the moving ones. Opaque,
-    // then masked, then blended; mesh after mesh and each nearest first.
-    std::vector<Draw> visible(const glm::vec3& eye_m, const std::vector<glm::vec4>& planes) const;
+    // then masked, then blended; mesh after mesh and each nearest first. most_error_rad: surfaces may be off
+    // by that much as seen from there, at a level of detail.
+    std::vector<Draw> visible(const glm::vec3& eye_m, const std::vector<glm::vec4>& planes,
+                              float most_error_rad = 0) const;
 
     struct MovingDraw {
         std::size_t instance = 0;
@@ -125,9 +127,9 @@ private:
     void add_surfaces(const scene::Stage& stage);
     void add_meshes(const scene::Stage& stage, scene::Report& report);
     // Appends the levels of detail of a mesh that is in the indices; facets: normals for where one is none.
-    static void add_levels(const scene::Mesh& mesh, const std::vector<glm::vec3>& facets, Mesh& made,
-                           std::vector<std::uint32_t>& indices);
-    std::size_t level_for(const Draw& draw, float pixels_per_rad) const;
+    void add_levels(const scene::Mesh& mesh, const std::vector<glm::vec3>& facets, Mesh& made,
+                    std::vector<std::uint32_t>& indices) const;
+    std::size_t level_for(const Draw& draw, float most_error_rad) const;
     void upload_materials();
     void add_instances(const scene::Stage& stage, scene::Report& report);
 

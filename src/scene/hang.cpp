@@ -13,6 +13,8 @@ namespace {
 constexpr float kSlender = 3; // times as long as wide
 constexpr float kWidestTruss_m = 1.3f;
 constexpr float kLeastLength_m = 0.4f;
+constexpr float kLeastHeight_m = 0.03f; // the thinnest pipe that carries a lamp has 38 mm
+constexpr float kLower_m = 0.5f;        // below what hangs, is not what is meant
 constexpr float kGap_m = 0.3f;     // between pieces of one truss
 constexpr float kBeside_m = 0.05f; // that they may lie beside or below each other
 constexpr float kSameWay = 0.999f; // cosine, 2.5 degrees
@@ -97,7 +99,8 @@ std::optional<Bar> bar_of(std::span<const glm::vec3> positions, const glm::mat4&
     const glm::vec2 middle = best_across.middle() * glm::vec2(-best_way.y, best_way.x);
     Bar bar{{best_along.low * best_way + middle, height.low},
             {best_along.high * best_way + middle, height.low},
-            std::max(best_across.length(), height.length())};
+            std::max(best_across.length(), height.length()),
+            height.length()};
     const glm::vec3 run = bar.to_m - bar.from_m;
     if (std::abs(run.x) > 0.01f * bar.length_m() ? run.x < 0 : run.y < 0) std::swap(bar.from_m, bar.to_m);
     return bar;
@@ -105,7 +108,7 @@ std::optional<Bar> bar_of(std::span<const glm::vec3> positions, const glm::mat4&
 
 bool is_slender(const Bar& bar) {
     return bar.length_m() >= kSlender * bar.across_m && bar.across_m <= kWidestTruss_m &&
-           bar.length_m() >= kLeastLength_m;
+           bar.length_m() >= kLeastLength_m && bar.height_m >= kLeastHeight_m;
 }
 
 Bar joined(const Bar& piece, std::span<const Bar> all) {
@@ -130,10 +133,14 @@ Bar joined(const Bar& piece, std::span<const Bar> all) {
 std::optional<std::size_t> nearest_bar(std::span<const Bar> all, const glm::vec3& to_m) {
     std::optional<std::size_t> nearest;
     float nearest_m = std::numeric_limits<float>::max();
+    bool nearest_is_low = true;
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!is_slender(all[i])) continue;
-        const float away_m = glm::distance(places_under(all[i], std::array{to_m}).front(), to_m);
-        if (away_m >= nearest_m) continue;
+        const glm::vec3 place_m = places_under(all[i], std::array{to_m}).front();
+        const bool is_low = place_m.z < to_m.z - kLower_m;
+        const float away_m = glm::distance(place_m, to_m);
+        if (nearest && (is_low != nearest_is_low ? is_low : away_m >= nearest_m)) continue;
+        nearest_is_low = is_low;
         nearest_m = away_m;
         nearest = i;
     }

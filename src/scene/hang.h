@@ -16,7 +16,8 @@ namespace ghost::scene {
 struct Bar {
     glm::vec3 from_m{0};
     glm::vec3 to_m{0};
-    float across_m = 0; // the wider of its two sides
+    float across_m = 0;   // the wider of its two sides
+    float height_m = 0.1f; // from its underside to its top
 
     float length_m() const { return glm::distance(from_m, to_m); }
     bool operator==(const Bar&) const = default;
@@ -25,13 +26,13 @@ struct Bar {
 // Of the corners of a mesh. Nothing: it stands upright rather than lies, or it has no length.
 std::optional<Bar> bar_of(std::span<const glm::vec3> positions, const glm::mat4& world);
 
-// Slender enough for a truss or a pipe; a wall, a curtain or a floor is not.
+// Slender enough for a truss or a pipe; a wall, a curtain or a floor is not, nor a tape on it.
 bool is_slender(const Bar& bar);
 
 // The piece with all those that go on where it ends.
 Bar joined(const Bar& piece, std::span<const Bar> all);
 
-// Of slender ones; nothing: there is none.
+// Of slender ones, those first that are no lower than it; nothing: there is none.
 std::optional<std::size_t> nearest_bar(std::span<const Bar> all, const glm::vec3& to_m);
 
 // One goes to the place nearest to where it is; several spread evenly, each in the middle of its share.

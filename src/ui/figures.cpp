@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/figures.h"
 
-#include "ui/hand.h"
-
 #include <algorithm>
 
 namespace ghost::ui {
@@ -48,10 +46,8 @@ QStringList Figures::lines() const {
     frame += QString(", %1x%2").arg(picture.camera.width).arg(picture.camera.height);
     if (picture.is_coarse) frame += " while it moves";
     lines << frame;
-    QString exposure = QString("EV %1").arg(static_cast<double>(picture.ev100), 0, 'f', 1);
     if (studio_.wishes().tone != image::Tone::agx)
-        exposure += ", tone curve " + QString::fromStdString(image::name_of(studio_.wishes().tone));
-    lines << exposure;
+        lines << "tone curve " + QString::fromStdString(image::name_of(studio_.wishes().tone));
     const dmx::Latency &latency = studio_.latency(), &cost = studio_.window_cost();
     if (latency_ms_ >= 0)
         lines << QString("packet to window %1 ms (half within %2, 99 % within %3)")
@@ -63,12 +59,6 @@ QStringList Figures::lines() const {
                      .arg(cost.percentile_ms(0.5), 0, 'f', 1)
                      .arg(cost.percentile_ms(0.99), 0, 'f', 1);
     if (!picture.supply.empty()) lines << QString::fromStdString(picture.supply);
-    if (picture.missing_maps > 0)
-        lines << QString("%1 lights throw no shadows yet").arg(picture.missing_maps);
-    if (studio_.wishes().black_out) lines << "BLACK-OUT";
-    if (studio_.wishes().frozen) lines << "frozen (Z goes on)";
-    if (!studio_.look().is_empty())
-        lines << "set by hand: " + words_of(studio_.look()) + " (Shift+R releases all)";
     return lines;
 }
 

@@ -60,6 +60,10 @@ struct FalseColour {
     bool operator==(const FalseColour&) const = default;
 };
 
+// Light to see the stage by where no fixture shines. automatic: as long as the show has no recording and no
+// desk was heard.
+enum class WorkLight { automatic, on, off };
+
 // The picture as it is, in linear values, into an .exr, or developed into a .png.
 struct SaveFrame {
     std::uint64_t number = 0; // grows with every request
@@ -87,6 +91,7 @@ struct Wishes {
     std::optional<std::size_t> explained; // fixture
     image::Tone tone = image::Tone::agx;
     FalseColour false_colour;
+    WorkLight work_light = WorkLight::automatic;
     std::optional<glm::vec2> probe; // what is measured there; (0, 0) is the top left corner of the picture
     bool takes_baked = true;        // where the camera stands as one whose passes are fresh
     SaveFrame save_frame;
@@ -150,6 +155,7 @@ struct Picture {
     bool is_coarse = false;       // drawn with fewer pixels than asked for, because it moves
     std::size_t missing_maps = 0; // lights that throw no shadows yet
     FalseColour false_colour;     // what the image shows
+    bool has_work_light = false;
     bool is_baked = false;        // from passes; its size is theirs
     std::string supply;           // in words: which passes, or why it is drawn live
     std::chrono::nanoseconds arrival{

@@ -181,8 +181,8 @@ void paint_object(QPainter& painter, const QRectF& picture, const scene::Camera&
     painter.restore();
 }
 
-void paint_figures(QPainter& painter, const QSizeF& widget, const QStringList& lines) {
-    if (lines.isEmpty()) return;
+double paint_figures(QPainter& painter, const QSizeF& widget, const QStringList& lines) {
+    if (lines.isEmpty()) return 0;
     painter.save();
     painter.setFont(small_font(painter));
     const QFontMetricsF metrics(painter.font());
@@ -197,6 +197,7 @@ void paint_figures(QPainter& painter, const QSizeF& widget, const QStringList& l
     painter.setPen(QColor(215, 215, 215));
     painter.drawText(box.adjusted(8, 5, -8, -5), Qt::AlignLeft | Qt::AlignVCenter, lines.join('\n'));
     painter.restore();
+    return widget.height() - box.top() - 8;
 }
 
 void paint_notice(QPainter& painter, const QSizeF& widget, const QString& title, const QString& text) {

@@ -15,7 +15,8 @@
 namespace ghost::ui {
 
 struct OverlayChoice {
-    bool figures = true; // frame time, latency, what is shown
+    bool chips = true;    // what somebody must know to believe the picture
+    bool figures = false; // frame time, latency, what is shown
     bool names = false;
     bool addresses = false;
     bool aims = false;  // a line from each lamp along its beam
@@ -47,8 +48,8 @@ void paint_fixtures(QPainter& painter, const QRectF& picture, const scene::Camer
 // A ring round an object, and its name.
 void paint_object(QPainter& painter, const QRectF& picture, const scene::Camera& camera,
                   const Object& object);
-// Lines of text on a dark ground, in the lower left corner.
-void paint_figures(QPainter& painter, const QSizeF& widget, const QStringList& lines);
+// Lines of text on a dark ground, in the lower left corner. Returns the height that they take.
+double paint_figures(QPainter& painter, const QSizeF& widget, const QStringList& lines);
 // What the colours of the picture mean, in the lower right corner.
 void paint_legend(QPainter& painter, const QSizeF& widget, const FalseColour& colours);
 // A cross where it was measured, its figures beside it.

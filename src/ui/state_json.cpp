@@ -106,6 +106,7 @@ QJsonObject state_json(const Studio& studio, const View& view) {
                                  {"paint_ms", view.paint_ms()},
                                  {"pictures_per_s", view.figures().pictures_per_s()},
                                  {"baked", picture.is_baked},
+                                 {"work_light", picture.has_work_light},
                                  {"supply", QString::fromStdString(picture.supply)},
                                  {"false_colour", static_cast<int>(picture.false_colour.measure)},
                                  {"latency_ms", view.figures().latency_ms()}};

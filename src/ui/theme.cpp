@@ -9,17 +9,24 @@ namespace ghost::ui {
 void set_theme(QApplication& application) {
     application.setStyle(QStyleFactory::create("Fusion")); // the same on every system
     QPalette palette;
-    const QColor ground(30, 30, 33), deep(22, 22, 24), text(222, 222, 222), grey(125, 125, 128);
+    const QColor ground(30, 30, 33), deep(22, 22, 24), text(222, 222, 222), grey(125, 125, 128),
+        placeholder(150, 150, 154);
     palette.setColor(QPalette::Window, ground);
     palette.setColor(QPalette::WindowText, text);
     palette.setColor(QPalette::Base, deep);
     palette.setColor(QPalette::AlternateBase, QColor(27, 27, 30));
     palette.setColor(QPalette::ToolTipBase, QColor(48, 48, 52));
     palette.setColor(QPalette::ToolTipText, text);
-    palette.setColor(QPalette::PlaceholderText, grey);
+    palette.setColor(QPalette::PlaceholderText, placeholder);
     palette.setColor(QPalette::Text, text);
     palette.setColor(QPalette::Button, QColor(46, 46, 50));
     palette.setColor(QPalette::ButtonText, text);
+    // Fusion derives outlines from these, which shine in a dark room otherwise.
+    palette.setColor(QPalette::Light, QColor(62, 62, 67));
+    palette.setColor(QPalette::Midlight, QColor(54, 54, 58));
+    palette.setColor(QPalette::Mid, QColor(38, 38, 41));
+    palette.setColor(QPalette::Dark, QColor(20, 20, 22));
+    palette.setColor(QPalette::Shadow, QColor(8, 8, 9));
     palette.setColor(QPalette::BrightText, bad());
     palette.setColor(QPalette::Link, accent());
     palette.setColor(QPalette::Highlight, QColor(112, 78, 30));

@@ -2,6 +2,7 @@
 #include "ui/view.h"
 
 #include "scene/camera_moves.h"
+#include "ui/chips.h"
 #include "ui/theme.h"
 
 #include <QKeyEvent>
@@ -126,7 +127,8 @@ void View::paintEvent(QPaintEvent*) {
     if (const auto object = studio_.marked(); object && overlays.marks)
         paint_object(painter, place, picture.camera, studio_.opened().objects[*object]);
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
-    if (overlays.figures) paint_figures(painter, size(), figures_.lines());
+    const double figures_px = overlays.figures ? paint_figures(painter, size(), figures_.lines()) : 0;
+    if (overlays.chips) paint_chips(painter, size(), chips_of(studio_), figures_px);
     if (overlays.probe && studio_.probed()) paint_probe(painter, place, size(), *studio_.probed());
     paint_box(painter);
     painter.end();

@@ -218,7 +218,7 @@ void Window::add_panels() {
     network->hide();
     messages->hide();
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    resizeDocks({docks_.front(), values}, {310, 400}, Qt::Horizontal);
+    resizeDocks({docks_.front(), values}, {250, 290}, Qt::Horizontal);
 }
 
 void Window::make_menus() {

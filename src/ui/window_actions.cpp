@@ -180,6 +180,18 @@ void Window::add_view_switches() {
                       return {};
                   },
                   [this] { return studio_.wishes().black_out; }});
+    actions_.add({"work-light", "View", "Work light: see the stage where nothing shines", "K", "[on|off|auto]",
+                  [this](const QStringList& words) -> Result<void> {
+                      const QString word = words.value(0, studio_.picture().has_work_light ? "off" : "on");
+                      if (word != "on" && word != "off" && word != "auto")
+                          return Error{"'" + word.toStdString() + "' is none of on, off and auto", ""};
+                      const WorkLight wanted = word == "on"    ? WorkLight::on
+                                               : word == "off" ? WorkLight::off
+                                                               : WorkLight::automatic;
+                      studio_.wish([&](Wishes& wishes) { wishes.work_light = wanted; });
+                      return {};
+                  },
+                  [this] { return studio_.picture().has_work_light; }});
     actions_.add({"master",
                   "",
                   "master",
@@ -201,6 +213,7 @@ void Window::add_view_switches() {
                       },
                       [this, one] { return view_->overlays.*one; }});
     };
+    add("chips", "Where levels come from, exposure, what hands hold", "", &OverlayChoice::chips);
     add("figures", "Frame time and latency", "I", &OverlayChoice::figures);
     add("names", "Names of fixtures", "N", &OverlayChoice::names);
     add("addresses", "Addresses of fixtures", "U", &OverlayChoice::addresses);

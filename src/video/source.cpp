@@ -190,9 +190,14 @@ std::string Source::follow(Movie& movie) {
             skipped_s = glimpse ? kForever : from_s;
             continue;
         }
-        if (skipped_s < kForever)
-            convert(next->has_value() ? Movie::Which::before : Movie::Which::newest,
-                    std::exchange(skipped_s, kForever), from_s, true);
+        if (skipped_s < kForever) {
+            const double shown_s = std::exchange(skipped_s, kForever);
+            // Who waits for the end shall find what is to be said of it as well: it is known after that.
+            if (next->has_value())
+                convert(Movie::Which::before, shown_s, from_s, true);
+            else
+                convert(Movie::Which::newest, shown_s, shown_s, true);
+        }
         if (next->has_value()) {
             convert(Movie::Which::newest, from_s, from_s, false);
             continue;

@@ -40,7 +40,7 @@ Shape tube(float radius_m, float length_m, std::uint32_t sides) {
 
 TEST(DetailLevels, TubeKeepsItsShape) {
     const Shape shape = tube(0.2f, 0.5f, 256);
-    const auto levels = detail_levels(shape.positions, shape.normals, shape.indices);
+    const auto levels = detail_levels(shape.positions, shape.normals, {}, shape.indices);
     ASSERT_GE(levels.size(), 2u);
     std::size_t before = shape.indices.size();
     float error_m = 0;
@@ -69,8 +69,8 @@ TEST(DetailLevels, TubeKeepsItsShape) {
 
 TEST(DetailLevels, FewTrianglesStay) {
     const Shape shape = tube(0.2f, 0.5f, 12);
-    EXPECT_TRUE(detail_levels(shape.positions, shape.normals, shape.indices).empty());
-    EXPECT_TRUE(detail_levels({}, {}, {}).empty());
+    EXPECT_TRUE(detail_levels(shape.positions, shape.normals, {}, shape.indices).empty());
+    EXPECT_TRUE(detail_levels({}, {}, {}, {}).empty());
 }
 
 } // namespace

@@ -207,6 +207,29 @@ TEST_F(GBufferTest, MaterialsAreReadAsTheBakerReadsThem) {
         }
 }
 
+// What faces the lamp over the viewer's shoulder is brighter than what turns away, nothing is black, and
+// without it all is.
+TEST_F(GBufferTest, AWorkLightShowsShapes) {
+    scene::Stage stage;
+    stage.materials = {plain({0.5f, 0.5f, 0.5f})};
+    add(stage, quad({-5, 0, 0}, {10, 0, 0}, {0, 0, 5}));   // a wall that faces the camera
+    add(stage, quad({-5, -5, -1}, {10, 0, 0}, {0, 5, 0})); // a floor
+    const scene::Camera camera = camera_at({0, -12, 1}, {0, 0, 0}, 40, 128, 128);
+    Surroundings surroundings;
+    const auto at = [](const Picture& picture, int x, int y) {
+        return picture.base[static_cast<std::size_t>(y * 128 + x)].y;
+    };
+    const Picture dark = drawn(stage, camera, surroundings);
+    EXPECT_EQ(at(dark, 64, 40), 0);
+    surroundings.work_lux = 100;
+    const Picture lit = drawn(stage, camera, surroundings);
+    const float diffuse_cd_m2 = 100 * 0.5f / shared::kPi;
+    EXPECT_GT(at(lit, 64, 40), 0.7f * diffuse_cd_m2);
+    EXPECT_LT(at(lit, 64, 40), diffuse_cd_m2);
+    EXPECT_GT(at(lit, 64, 90), 0.3f * diffuse_cd_m2);
+    EXPECT_LT(at(lit, 64, 90), 0.8f * at(lit, 64, 40)) << "floor and wall look alike";
+}
+
 TEST_F(GBufferTest, BumpsBendTheNormalAlongThePicture) {
     scene::Texture bumps;
     bumps.is_colour = false;

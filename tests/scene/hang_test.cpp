@@ -55,6 +55,15 @@ TEST(Hang, what_stands_or_is_no_truss_is_told_apart) {
     EXPECT_FALSE(bar_of(std::array{glm::vec3(0)}, kUp));
     EXPECT_FALSE(is_slender(*bar_of(box({8, 6, 0.1f}), kUp))) << "a roof";
     EXPECT_FALSE(is_slender(*bar_of(box({7, 0.1f, 3}), kUp))) << "a curtain";
+    EXPECT_FALSE(is_slender(*bar_of(box({3, 0.025f, 0.002f}), kUp))) << "a tape on the floor";
+    EXPECT_TRUE(is_slender(*bar_of(box({3, 0.024f, 0.024f}), kUp))) << "a pipe";
+}
+
+TEST(Hang, what_is_above_is_meant_before_what_is_nearer_and_below) {
+    const std::array all{Bar{{-4, 8, 0.1f}, {4, 8, 0.1f}, 0.4f}, Bar{{-4, 8, 6}, {4, 8, 6}, 0.4f}};
+    EXPECT_EQ(nearest_bar(all, {0, 8, 2}), 1u);
+    EXPECT_EQ(nearest_bar(all, {0, 8, 6.2f}), 1u) << "it hangs there, a hand's width too high";
+    EXPECT_EQ(nearest_bar(std::array{all[0]}, {0, 8, 2}), 0u);
 }
 
 TEST(Hang, pieces_in_a_row_are_one_truss) {

@@ -41,13 +41,13 @@ def plot(path, places_m):
 
 
 class Window:
-    def __init__(self, work, *arguments):
+    def __init__(self, work, *arguments, show="demo", sacn_port=None):
         self.work = work
         path = work / "socket"
         environment = dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_CONFIG_HOME=str(work / "config"), XDG_RUNTIME_DIR=str(work))
         self.log = (work / "window.log").open("w")
-        self.process = subprocess.Popen([str(PROGRAM), "open", str(work / "demo"), "--forget", "--socket", str(path), "--size", "480x320",
-                                         "--sacn-port", str(free_port(socket.SOCK_DGRAM)), "--interface", "127.0.0.1",
+        self.process = subprocess.Popen([str(PROGRAM), "open", str(work / show), "--forget", "--socket", str(path), "--size", "480x320",
+                                         "--sacn-port", str(sacn_port or free_port(socket.SOCK_DGRAM)), "--interface", "127.0.0.1",
                                          *map(str, arguments)], env=environment, stderr=self.log, stdout=self.log)
         self.socket = socket.socket(socket.AF_UNIX)
         self.socket.settimeout(LONG_S)
@@ -99,6 +99,57 @@ def timecode(port, seconds):
         out.sendto(packet, ("127.0.0.1", port))
 
 
+def level(port):
+    """One packet of sACN, universe 1, all slots 0."""
+    data = b"\x02\xa1" + struct.pack(">HHH", 0, 1, 513) + bytes(513)
+    def framed(length, rest):
+        return struct.pack(">H", 0x7000 | length + 2) + rest
+    dmp = framed(len(data), data)
+    frame = struct.pack(">I", 2) + b"a desk".ljust(64, b"\0") + struct.pack(">BHBBH", 100, 0, 0, 0, 1) + dmp
+    frame = framed(len(frame), frame)
+    root = struct.pack(">I", 4) + b"window test desk" + frame
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as out:
+        out.sendto(struct.pack(">HH", 0x10, 0) + b"ASC-E1.17\0\0\0" + framed(len(root), root), ("127.0.0.1", port))
+
+
+def work_light(work):
+    """A show that nobody sends levels to opens into light; a desk that begins puts it out."""
+    from PIL import Image, ImageStat
+    shutil.copytree(work / "demo", work / "dark")
+    text = (work / "dark" / "show.toml").read_text().replace('recording = "demo.show"\n', "")
+    (work / "dark" / "show.toml").write_text(text)
+    port = free_port(socket.SOCK_DGRAM)
+    window = Window(work, show="dark", sacn_port=port)
+    try:
+        def brightness():
+            assert window.ask("wait settled") == "ok"
+            assert window.ask(f'screenshot "{work / "seen.png"}"') == "ok"
+            left, top, width, height = map(round, window.state()["view"])
+            picture = Image.open(work / "seen.png").convert("L")
+            return ImageStat.Stat(picture.crop((left, top, left + width, top + height))).mean[0]
+        assert window.ask("wait opened") == "ok"
+        window.until("the work light", lambda state: state["picture"]["work_light"])
+        lit = brightness()
+        assert lit > 40, lit
+        assert window.ask("work-light off") == "ok"
+        window.until("off", lambda state: not state["picture"]["work_light"])
+        dark = brightness()
+        assert dark < lit / 3, (dark, lit)
+        assert window.ask("work-light auto") == "ok"
+        window.until("by itself", lambda state: state["picture"]["work_light"])
+        end = time.monotonic() + LONG_S
+        while window.state()["picture"]["work_light"]:
+            assert time.monotonic() < end, "a desk sends and the work light is on"
+            level(port)
+            time.sleep(0.1)
+        assert window.ask("work-light on") == "ok"
+        window.until("by hand", lambda state: state["picture"]["work_light"])
+        print(f"ok: without levels the stage is seen ({lit:.0f} of 255), without work light it is not ({dark:.0f}), and a desk puts it out")
+    finally:
+        window.process.kill()
+        window.process.wait()
+
+
 def main():
     if not PROGRAM.exists():
         print(f"skipped: {PROGRAM} is not built")
@@ -108,6 +159,7 @@ def main():
     try:
         shutil.copytree(SOURCE / "assets" / "demo", work / "demo", ignore=shutil.ignore_patterns(".ghost"))
         os.symlink(SOURCE / "assets" / "fixtures", work / "fixtures")
+        work_light(work)
         text = (work / "demo" / "show.toml").read_text().replace('stage = "stage.glb"', 'stage = "stage.glb"\nplot = "tour.mvr"', 1)
         text += '\n[[cue]]\nname = "Walk-in"\nat_s = 3\ncamera = "house"\n[[cue]]\nname = "Solo"\nat_s = 61.5\ncamera = "high"\n'
         (work / "demo" / "show.toml").write_text(text)
