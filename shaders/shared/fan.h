@@ -49,8 +49,9 @@ struct Fan {
     float most;      // share that the table holds as 1
     uint thin;       // 1: may be thinner than a pixel, and rows are even in the sine
     uint plain;      // 1: of a shaped beam: levels have half as many columns as rows, and gobos whole levels of blur
+    uint coarse_shade; // 1: the shade has half as many rows and columns
 };
-SHARED_SIZE(Fan, 320);
+SHARED_SIZE(Fan, 324);
 
 SHARED_CONST float kLeastSine = 1e-4f; // between a ray and the pole
 SHARED_CONST uint kFanLevels = 8u;
@@ -157,7 +158,7 @@ SHARED_FN uint fan_shade_side(Fan fan) {
     float width = 2.0f * sqrt(max(1.0f - fan.shade.cos_cone * fan.shade.cos_cone, 0.0f)) / max(fan.shade.cos_cone, 1e-3f);
     uint texels = uint(clamp(width / ((1.0f + fan.column_bend) * 0.0035f), float(kLeastSharp / 2u), float(kFinestShade / 2u)));
     // An eye within the cone sees rows from end to end.
-    return fan.shade.row_scale < 0.0f ? kFinestShade : 2u << uint(findMSB(texels));
+    return (fan.shade.row_scale < 0.0f ? kFinestShade : 2u << uint(findMSB(texels))) >> fan.coarse_shade;
 }
 
 // Twice as many rows: along one the end of a shadow is told to a column, from one to the next nothing is.

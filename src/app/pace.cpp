@@ -12,6 +12,7 @@ constexpr std::size_t kManyLights = 64;
 constexpr std::size_t kHalf = 2;  // level
 constexpr double kTooSlow = 1.5;  // of a frame's time: below, a coarser picture is worse than a late one
 constexpr double kFarOver = 10;   // likewise
+constexpr double kHopeless_ms = 2000; // a frame that nobody waits for twice
 constexpr double kRoom = 0.8;     // of a frame's time, that a level may seem to need at the beginning,
 constexpr double kMuchRoom = 0.6; // and later, where another size costs time itself
 constexpr double kStillMoves = 4; // frame times that half of the sides may take
@@ -57,6 +58,8 @@ void Pace::learn(double usual_ms) {
 
 bool Pace::add(double frame_ms, double frames_per_s) {
     const double wanted_ms = 1000.0 / frames_per_s;
+    // Shaders are made and caches filled in the first one.
+    if (std::exchange(is_first_, false) && frame_ms < kHopeless_ms) return false;
     if (!knows_) {
         knows_ = true;
         std::size_t best = best_level(frame_ms, kRoom * wanted_ms);
@@ -64,7 +67,10 @@ bool Pace::add(double frame_ms, double frames_per_s) {
         return best != std::exchange(level_, best);
     }
     recent_ms_[seen_++ % recent_ms_.size()] = frame_ms;
-    const bool is_far = is_far_over(frame_ms, frames_per_s);
+    // One may have waited for something else; two have not.
+    const bool is_late = is_far_over(frame_ms, frames_per_s);
+    const bool is_far = is_late && (std::exchange(was_late_, is_late) || frame_ms > kHopeless_ms);
+    was_late_ = is_late;
     if (seen_ < recent_ms_.size() && !is_far) return false;
     auto sorted = recent_ms_;
     std::sort(sorted.begin(), sorted.end());

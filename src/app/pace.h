@@ -4,10 +4,10 @@
 // The first step down leaves silhouettes and materials as they are and halves the sides of the light
 // (render/coarse_light.h); the next ones make both coarser. Begins at the middle, with many lights with the
 // fewest pixels, for a thousand of them would take half a minute otherwise;
-// the first frame goes to where the time seems to be enough. Later down likewise after seven frames, or one
-// that is far too slow, and up after many frames that leave much room: a picture of another size costs what
-// several frames do, and one that comes and goes is worse than a coarse one. What a level costs beside the
-// next is measured at each change. Below half of the sides only where nothing would move there any more.
+// the second frame (the first makes shaders) goes to where the time seems to be enough. Later down likewise
+// after seven frames, or two that are far too slow, and up after many frames that leave much room: a picture
+// of another size costs what several frames do, and one that comes and goes is worse than a coarse one. What
+// a level costs beside the next is measured at each change. Below half of the sides only where nothing would move there any more.
 // Pure: times come in, a level comes out.
 
 #include <array>
@@ -39,6 +39,7 @@ public:
 private:
     std::size_t level_;
     std::array<double, kLevels.size() - 1> ratios_; // time at a level over that at the next one
+    bool is_first_ = true, was_late_ = false;       // frames: the next one, the last one
     bool knows_ = false;                            // how fast it is
     std::array<double, 7> recent_ms_{};
     std::size_t seen_ = 0; // frames at this level

@@ -340,7 +340,9 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
             maps_changed_since_parked = true;
         }
         print_report(report, printed);
-        if (live->follow(*rig)) {
+        // Where there is no time for all lights, heads turn as often as their beams do.
+        behind_ = is_short_ ? (behind_ + 1) % render::LightBudget::kOldest : 0;
+        if (behind_ == 0 && live->follow(*rig)) {
             relighter->touch();
             if (other_light) other_light->touch();
             spans = live->g_buffer().spans();
@@ -348,6 +350,7 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
     }
     const double before_ms = 1e3 * (steady_now_s() - start_s);
     render::FrameStatistics statistics = relighter->draw(lit(), stop);
+    is_short_ = statistics.is_short;
     statistics.draw_ms += before_ms;
     statistics.spans.insert(statistics.spans.begin(), spans.begin(), spans.end());
     return statistics;

@@ -100,6 +100,10 @@ struct Session {
     // Live: from the next frame on light is drawn at half the size of the picture (render/coarse_light.h), or
     // at all of it. Of either what is kept stays, where there is memory.
     void use_coarse_light(bool coarse);
+
+private:
+    bool is_short_ = false; // render/light_budget.h, of the last picture
+    int behind_ = 0;        // pictures since heads turned
 };
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);

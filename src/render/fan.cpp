@@ -118,7 +118,7 @@ shared::Planes planes_of(const glm::dvec3& place_m, const shared::Light& light, 
 } // namespace
 
 shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad, float reach_m,
-                     FanDetail detail, std::uint32_t layer) {
+                     FanDetail detail, std::uint32_t layer, bool coarse_shade) {
     const glm::dvec3 apex_m(light.position_m);
     const double tangent = static_cast<double>(light.tan_field) * static_cast<double>(light.cut_radius);
     shared::Fan fan{};
@@ -139,6 +139,7 @@ shared::Fan make_fan(const shared::Light& light, const glm::vec3& eye_m, float p
     // The brightest colour of a split gate.
     fan.most = std::max({light.colour_b.x, light.colour_b.y, light.colour_b.z, 1.0f});
     fan.layer = layer;
+    fan.coarse_shade = coarse_shade ? 1 : 0;
     fan.size = size_of(light, extent, detail);
     // Detail finer than a column would be cut into steps. The gobos' own levels of blur are used as they are.
     const float finest = std::max(2.0f * light.cut_radius / static_cast<float>(fan.size), light.edge);

@@ -23,7 +23,7 @@ constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Fan);
 constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
-constexpr std::uint32_t kKeptFans = 12;
+constexpr std::uint32_t kKeptFans = 128;
 constexpr std::uint64_t kFanBytes = std::uint64_t{6} << 20; // tables and grid
 // From here on shaped beams have plain tables: many lie over each other.
 constexpr std::uint32_t kManyLights = 100;
@@ -186,7 +186,8 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     for (std::uint32_t k = 0; k < chunk.count(); ++k) {
         const shared::Light& light = chunk.lights[k];
         shared::Fan fan = make_fan(light, chunk.fragments.eye_m, chunk.fragments.pixels_per_rad,
-                                   reach_m(light, chunk.fragments), detail_, k % batch_size_);
+                                   reach_m(light, chunk.fragments), detail_, k % batch_size_,
+                                   uses_grid_ && batch_size_ == 1);
         if (!filled_.empty()) {
             fan.layer = 0;
             const auto [layer, is_new] = layer_for(light, fan);

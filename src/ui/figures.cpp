@@ -2,6 +2,7 @@
 #include "ui/figures.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ghost::ui {
 namespace {
@@ -12,6 +13,7 @@ constexpr double kLate = 2.5; // frames' time without a picture, after which non
 } // namespace
 
 void Figures::count_picture() {
+    draws_.add(std::chrono::nanoseconds(std::llround(1e6 * studio_.picture().draw_ms)));
     // What lay between a rest and this picture is no time that a picture took.
     if (!since_count_.isValid() || since_picture_.elapsed() >= rest_ms()) {
         since_count_.start();

@@ -20,6 +20,10 @@ public:
     // Packet to window, of the newest picture that packets changed.
     void take_latency(std::chrono::nanoseconds latency);
 
+    // What pictures took to be drawn, since the last reset().
+    const dmx::Latency& draws() const { return draws_; }
+    void reset() { draws_ = {}; }
+
     double latency_ms() const { return latency_ms_; } // below 0: no packet came
     double pictures_per_s() const { return rate_hz_; }
     // How long after a picture none is awaited any more.
@@ -29,6 +33,7 @@ public:
 private:
     const Studio& studio_;
     double latency_ms_ = -1;
+    dmx::Latency draws_;
     QElapsedTimer since_picture_, since_count_;
     int count_ = 0;
     double rate_hz_ = 0;

@@ -150,6 +150,7 @@ QJsonObject state_json(const Studio& studio, const View& view) {
             {"saved", static_cast<qint64>(studio.saved())},
             {"packet_to_window_ms", latency_json(studio.latency())},
             {"window_ms", latency_json(studio.window_cost())},
+            {"draws_ms", latency_json(view.figures().draws())},
             {"network", diagnosis}};
 }
 

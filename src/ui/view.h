@@ -22,6 +22,7 @@ public:
     OverlayChoice overlays;
     QString hint; // shown where no show is open
     const Figures& figures() const { return figures_; }
+    void reset_figures() { figures_.reset(); }
     double paint_ms() const { return paint_ms_; }
     // Measures there from now on, until the mouse moves.
     void probe_at(const QPointF& place);

@@ -170,6 +170,7 @@ void Window::add_view_switches() {
                   "",
                   [this](const QStringList&) -> Result<void> {
                       studio_.reset_figures();
+                      view_->reset_figures();
                       loop_->reset();
                       return {};
                   },
