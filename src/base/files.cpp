@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/files.h"
 
+#include "base/own_folder.h"
+
 #include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace ghost {
@@ -121,12 +124,8 @@ Result<void> write_file_atomic(const fs::path& path, Bytes bytes) {
 }
 
 Result<void> make_folders(const fs::path& folder, const fs::path& home) {
-    std::error_code code;
-    if (!fs::is_directory(home.empty() ? fs::path(".") : home, code))
-        return Error{"this folder is gone", home.string()};
-    fs::create_directories(folder, code);
-    return code ? Result<void>(Error{"cannot make the folder: " + code.message(), folder.string()})
-                : Result<void>();
+    TRY_VOID(OwnFolder::open(folder, home, OwnFolder::Missing::is_made));
+    return {};
 }
 
 Result<void> write_file_atomic(const fs::path& path, std::string_view text) {
