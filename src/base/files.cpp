@@ -106,8 +106,11 @@ Result<void> commit_temporary(const fs::path& temporary, const fs::path& path) {
 Result<void> write_file_atomic(const fs::path& path, Bytes bytes) {
     const fs::path temporary = temporary_beside(path);
     {
-        const Descriptor file{::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
+        // Not through what others left under this name.
+        const Descriptor file{::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)};
         if (file.fd < 0) return errno_error("cannot create", path);
+        struct stat old {};
+        if (::lstat(path.c_str(), &old) == 0 && S_ISREG(old.st_mode)) ::fchmod(file.fd, old.st_mode & 0777);
         std::size_t done = 0;
         while (done < bytes.size()) {
             const ssize_t wrote = ::write(file.fd, bytes.data() + done, bytes.size() - done);
