@@ -6,6 +6,7 @@
 #include "fixture/values.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace ghost::scene {
@@ -118,16 +119,18 @@ private:
 
     // "Cluster S2" where the archive has one "Roxx@Cluster S2.gdtf".
     std::string by_fixture_name(const std::string& spec) {
-        if (by_fixture_.empty())
+        if (!by_fixture_) {
+            by_fixture_.emplace();
             for (const std::string& file : reader_.members().gdtf_files()) {
                 const std::string name = fixture_name(file);
                 const std::size_t at = name.find('@');
                 if (at == name.npos) continue;
-                const auto [place, is_new] = by_fixture_.emplace(name.substr(at + 1), file);
+                const auto [place, is_new] = by_fixture_->emplace(name.substr(at + 1), file);
                 if (!is_new) place->second.clear(); // two of that name are none
             }
-        const auto found = by_fixture_.find(fixture_name(spec));
-        return found == by_fixture_.end() ? "" : found->second;
+        }
+        const auto found = by_fixture_->find(fixture_name(spec));
+        return found == by_fixture_->end() ? "" : found->second;
     }
 
     void missing_gdtf() {
@@ -146,10 +149,11 @@ private:
     std::unordered_map<std::string, int> classes_;
     std::unordered_map<std::string, int> positions_;
     std::unordered_map<std::string, int> definitions_;
-    std::unordered_map<std::string, int> by_spec_;            // Plot::gdtf_files
-    std::unordered_map<std::string, int> by_member_;          // the same
-    std::unordered_map<std::string, std::string> by_fixture_; // member, by the name of its fixture
-    std::vector<pugi::xml_node> first_;                       // of each of Plot::gdtf_files
+    std::unordered_map<std::string, int> by_spec_;   // Plot::gdtf_files
+    std::unordered_map<std::string, int> by_member_; // the same
+    std::optional<std::unordered_map<std::string, std::string>>
+        by_fixture_;                    // member, by the name of its fixture
+    std::vector<pugi::xml_node> first_; // of each of Plot::gdtf_files
 };
 
 } // namespace

@@ -297,8 +297,9 @@ TEST(mvr_hostile, many_missing_files_beside_many_others) {
         fixtures += "<Fixture uuid=\"" + std::to_string(k) + "\"><GDTFSpec>" + std::string(48, 'm') +
                     std::to_string(k) + "b.gdtf</GDTFSpec></Fixture>";
     }
+    auto bytes = mvr_bytes(small_xml(fixtures), std::move(members));
     const auto begun = std::chrono::steady_clock::now();
-    const auto loaded = load_description(small_xml(fixtures), std::move(members));
+    const auto loaded = load_mvr(std::move(bytes), "tiny.mvr");
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
     EXPECT_EQ(loaded->plot.gdtf_files.size(), static_cast<std::size_t>(kCount));
