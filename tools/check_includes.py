@@ -26,7 +26,7 @@ LIBRARIES = {
     "assimp/": {"scene"},
     "meshoptimizer.h": {"render"},
     "toml++/": {"scene"},
-    "nlohmann/": {"fixture", "scene", "bake", "app"},
+    "nlohmann/": {"base", "fixture", "scene", "bake", "app"},
     "OpenEXR/": {"image"},
     "Imath": {"image"},
     "stb/": {"image"},
@@ -40,6 +40,9 @@ SOCKETS = ("arpa/", "ifaddrs.h", "net/", "netdb.h", "netinet/", "sys/epoll.h", "
 # Operating system and processor: the only files that a port to another system has to look at.
 PLATFORM_FILES = {
     "src/base/files.cpp": "fsync",
+    "src/base/own_folder.cpp": "folders without following links",
+    "src/base/hold.cpp": "file locks, name of the host",
+    "src/base/user_file.cpp": "put into place without replacing",
     "src/base/helper_process.cpp": "another process, a pair of sockets to it, its limits",
     "src/base/disk_sync.cpp": "fdatasync, flock",
     "src/base/memory.cpp": "mallopt",
@@ -131,6 +134,15 @@ def check_layers(file, lines, folder, visible, layers):
             yield number, message
 
 
+def check_entrances(file, lines):
+    """Breaches of the one entrance for JSON, which has its limits, and of the one exit to a terminal, as (line, message)."""
+    for number, line in enumerate(lines, 1):
+        if not file.startswith("src/base/") and re.search(r"std::(printf|puts|fputs|cout|cerr)\b|fprintf\(std", line):
+            yield number, "what reaches a terminal goes through base/print.h or base/log.h"
+        if file != "src/base/json.cpp" and re.search(r"json::(sax_)?parse\(", line, re.I):
+            yield number, "JSON is read by base/json.h, which has limits"
+
+
 def check_types(file, lines, folder, types):
     """Breaches of one name for two types of a namespace, which no linker sees and which crash; as (line, message). types: of all files so far."""
     hidden = False
@@ -162,6 +174,7 @@ def main():
             found.append((1, f"{folder or top} is not a library of CMakeLists.txt"))
         if top == "src":
             found += check_types(file, lines, folder, types)
+            found += check_entrances(file, lines)
         if (top == "src" and folder in layers) or folder == "shared":
             found += check_layers(file, lines, folder, layers.get(folder, {folder}), layers)
         for number, message in found:

@@ -8,11 +8,11 @@
 #include "scene/show.h"
 
 #include "base/log.h"
+#include "base/print.h"
 #include "base/progress.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -57,18 +57,18 @@ void print_json(const bake::BakeStats& stats, const scene::Report& report) {
                                 {"mrays_per_s", mega_rays(stats.rays, stats.trace_seconds)},
                                 {"passes", passes},
                                 {"messages", messages}};
-    std::printf("%s\n", all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    print_text("%s\n", all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
 void print_table(const bake::BakeStats& stats) {
     for (const bake::BakedPass& pass : stats.passes)
-        std::printf("%-12s %-28s %8.0f ms\n", pass.camera.c_str(), pass.name.c_str(), pass.ms);
-    std::printf("%zu passes baked, %d patched, %d kept, %d cameras, %.2f s", stats.passes.size(),
-                stats.patched, stats.kept, stats.cameras, stats.seconds);
+        print_text("%-12s %-28s %8.0f ms\n", pass.camera.c_str(), pass.name.c_str(), pass.ms);
+    print_text("%zu passes baked, %d patched, %d kept, %d cameras, %.2f s", stats.passes.size(),
+               stats.patched, stats.kept, stats.cameras, stats.seconds);
     if (stats.rays > 0)
-        std::printf(", tracing %.2f s, %.1f Mrays/s", stats.trace_seconds,
-                    mega_rays(stats.rays, stats.trace_seconds));
-    std::printf("\n");
+        print_text(", tracing %.2f s, %.1f Mrays/s", stats.trace_seconds,
+                   mega_rays(stats.rays, stats.trace_seconds));
+    print_text("\n");
 }
 
 int run_bake(const BakeArguments& arguments) {

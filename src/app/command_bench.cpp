@@ -5,6 +5,7 @@
 #include "app/number_option.h"
 
 #include "base/log.h"
+#include "base/print.h"
 
 #include <cmath>
 #include <cstdio>
@@ -51,13 +52,13 @@ void print_row(const BenchRow& row, bool json) {
         nlohmann::ordered_json line{{"table", row.table}, {"name", row.name}};
         for (const auto& [name, value] : row.figures) line[name] = value;
         line["note"] = row.note;
-        std::printf("%s\n", line.dump().c_str());
+        print_text("%s\n", line.dump().c_str());
     } else {
-        std::printf("%-28s", row.name.c_str());
+        print_text("%-28s", row.name.c_str());
         for (const auto& [name, value] : row.figures)
-            std::isnan(value) ? std::printf("  %s -", name.c_str())
-                              : std::printf("  %s %.4g", name.c_str(), value);
-        std::printf("  (%s)\n", row.note.c_str());
+            std::isnan(value) ? print_text("  %s -", name.c_str())
+                              : print_text("  %s %.4g", name.c_str(), value);
+        print_text("  (%s)\n", row.note.c_str());
     }
     std::fflush(stdout);
 }
@@ -68,7 +69,7 @@ int run_bench(const BenchArguments& arguments) {
     for (const Table& table : kTables) {
         if (interrupted()) break;
         if (!arguments.table.empty() && arguments.table != table.name) continue;
-        if (!arguments.json) std::printf("\n%s: %s\n", table.name, table.title);
+        if (!arguments.json) print_text("\n%s: %s\n", table.name, table.title);
         const Result<void> done =
             table.run(arguments.options, [&](const BenchRow& row) { print_row(row, arguments.json); });
         if (done.ok()) continue;

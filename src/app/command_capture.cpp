@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.h"
 #include "base/log.h"
+#include "base/print.h"
 #include "video/capture_consent.h"
 
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,7 +24,7 @@ int run_capture(const CaptureArguments& arguments) {
             log_error(done.error().text());
             return 1;
         }
-        std::cout << (arguments.forget ? "shows may not open " : "shows may open ") << device << '\n';
+        print_text("%s%s\n", arguments.forget ? "shows may not open " : "shows may open ", device.c_str());
     }
     return 0;
 }

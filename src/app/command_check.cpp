@@ -7,10 +7,10 @@
 #include "app/doctor_text.h"
 #include "app/interrupt.h"
 #include "base/log.h"
+#include "base/print.h"
 #include "base/progress.h"
 
 #include <chrono>
-#include <iostream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,13 +53,14 @@ void print(const std::vector<Checked>& all, const Options& options) {
         nlohmann::json list = nlohmann::json::array();
         for (const Checked& checked : all) list.push_back(json_of(checked));
         // A file may say anything in its names; what is no UTF-8 is replaced, not thrown.
-        std::cout << list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
+        print_text("%s\n", list.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
         return;
     }
     const Detail detail = options.quiet ? Detail::losses : options.all ? Detail::all : Detail::grouped;
     if (!options.summary)
-        for (const Checked& checked : all) std::cout << text_of(checked, detail);
-    if (options.summary || (!options.quiet && all.size() > 1)) std::cout << summary_of(all, options.all);
+        for (const Checked& checked : all) print_text("%s", text_of(checked, detail).c_str());
+    if (options.summary || (!options.quiet && all.size() > 1))
+        print_text("%s", summary_of(all, options.all).c_str());
 }
 
 int run(const Options& options) {
@@ -69,7 +70,7 @@ int run(const Options& options) {
     if (found.other_json > 0)
         log_info(std::to_string(found.other_json) + " .json files are no fixtures and are left out");
     if (found.files.empty()) {
-        if (options.json) std::cout << "[]\n";
+        if (options.json) print_text("[]\n");
         log_error(
             options.files.front() +
             ": nothing to check, expected .gdtf, .qxf, .mvr, fixtures in .json or folders with a show.toml");

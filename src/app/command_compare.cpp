@@ -3,6 +3,7 @@
 #include "app/number_option.h"
 
 #include "base/log.h"
+#include "base/print.h"
 #include "base/suggest.h"
 #include "image/colour.h"
 #include "image/exr.h"
@@ -260,19 +261,19 @@ void print_json(const Comparison& comparison, const std::vector<std::string>& fa
         all["flip_exposures"] = {{"first", comparison.exposures->first},
                                  {"last", comparison.exposures->last},
                                  {"count", comparison.exposures->count}};
-    std::printf("%s\n", all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    print_text("%s\n", all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
 void print_table(const Comparison& comparison) {
     for (const Metric& metric : comparison.metrics)
-        std::printf("%-15s %s%s\n", metric.name.c_str(), number(metric.value).c_str(),
-                    metric.name.starts_with("psnr") ? " dB" : "");
+        print_text("%-15s %s%s\n", metric.name.c_str(), number(metric.value).c_str(),
+                   metric.name.starts_with("psnr") ? " dB" : "");
     if (comparison.ev100)
-        std::printf("%-15s %.3g\n", "ev", *comparison.ev100);
+        print_text("%-15s %.3g\n", "ev", *comparison.ev100);
     else
-        std::printf("%-15s display pictures: relative errors and bias need linear ones (.exr)\n", "-");
-    std::printf("%-15s %zu\n", "pixels", comparison.counted);
-    std::printf("%-15s %zu\n", "non_finite", comparison.non_finite);
+        print_text("%-15s display pictures: relative errors and bias need linear ones (.exr)\n", "-");
+    print_text("%-15s %zu\n", "pixels", comparison.counted);
+    print_text("%-15s %zu\n", "non_finite", comparison.non_finite);
 }
 
 Result<std::vector<std::string>> compare(const CompareArguments& arguments, const std::vector<Gate>& gates,

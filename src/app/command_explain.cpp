@@ -12,6 +12,7 @@
 #include "scene/explain_print.h"
 
 #include "base/log.h"
+#include "base/print.h"
 #include "base/suggest.h"
 
 #include <algorithm>
@@ -247,7 +248,7 @@ Result<void> run(const Options& options) {
     } else {
         text = scene::words_of(explanations.front(), moment.reception);
     }
-    std::fputs(text.c_str(), stdout);
+    print_text("%s", text.c_str());
     return {};
 }
 

@@ -4,12 +4,12 @@
 #include "app/commands.h"
 
 #include "base/log.h"
+#include "base/print.h"
 #include "base/progress.h"
 #include "scene/export_plot.h"
 
 #include <chrono>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -49,8 +49,8 @@ int run(const Options& options) {
         log_error(exported.error().text());
         return 1;
     }
-    std::cout << options.output << ": " << exported->objects << " objects, " << exported->files << " files, "
-              << exported->changes << " changes of the show\n";
+    print_text("%s: %zu objects, %zu files, %zu changes of the show\n", options.output.c_str(),
+               exported->objects, exported->files, exported->changes);
     return 0;
 }
 

@@ -6,10 +6,10 @@
 #include "scene/import_plot.h"
 
 #include "base/log.h"
+#include "base/print.h"
 #include "base/progress.h"
 
 #include <chrono>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 namespace ghost::app {
@@ -88,16 +88,16 @@ void print_json(const scene::ImportedPlot& imported, const scene::Report& report
                           {"cameras", imported.cameras},
                           {"messages", messages}};
     if (imported.merge) all["merge"] = json_of(*imported.merge);
-    std::printf("%s\n", all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+    print_text("%s\n", all.dump(2, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
 }
 
 void print_words(const scene::ImportedPlot& imported) {
-    if (imported.merge) std::printf("%s", scene::text_of(*imported.merge).c_str());
-    std::printf("%s: %zu objects, %zu fixtures", imported.show_file.string().c_str(), imported.objects,
-                imported.fixtures);
-    if (imported.dark > 0) std::printf(" (%zu dark)", imported.dark);
-    std::printf(", %zu cameras%s\n", imported.cameras,
-                imported.merge ? "; what you changed in it is kept" : "");
+    if (imported.merge) print_text("%s", scene::text_of(*imported.merge).c_str());
+    print_text("%s: %zu objects, %zu fixtures", imported.show_file.string().c_str(), imported.objects,
+               imported.fixtures);
+    if (imported.dark > 0) print_text(" (%zu dark)", imported.dark);
+    print_text(", %zu cameras%s\n", imported.cameras,
+               imported.merge ? "; what you changed in it is kept" : "");
 }
 
 int run(const Arguments& arguments) {

@@ -7,6 +7,7 @@
 #include "app/number_option.h"
 #include "app/session.h"
 #include "base/log.h"
+#include "base/print.h"
 #include "scene/learn.h"
 
 #include <nlohmann/json.hpp>
@@ -52,7 +53,7 @@ void print_moved(const std::vector<scene::Moved>& moved, const MonitorReport& re
     for (const scene::Moved& one : moved) {
         const std::string text = scene::moved_text(one, report.patch, offset);
         if (!json) {
-            std::printf("%s\n", text.c_str());
+            print_text("%s\n", text.c_str());
             continue;
         }
         Json fixtures = Json::array();
@@ -66,7 +67,7 @@ void print_moved(const std::vector<scene::Moved>& moved, const MonitorReport& re
                         {"source", one.source},
                         {"fixtures", fixtures},
                         {"text", text}};
-        std::printf("%s\n", line.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+        print_text("%s\n", line.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
     }
 }
 
@@ -130,7 +131,7 @@ Result<void> monitor(const MonitorOptions& options, dmx::ReceiverOptions input) 
         if (auto newest = receiver->take()) report.universes = std::move(*newest);
         log_events(report.statistics, triggers, links);
         if (options.json && !options.learn)
-            std::printf("%s\n", monitor_json(report, options.levels).c_str());
+            print_text("%s\n", monitor_json(report, options.levels).c_str());
         else if (!options.learn)
             print_monitor_table(report);
         std::fflush(stdout);

@@ -7,6 +7,7 @@
 #include "app/recordings.h"
 #include "app/timecode_input.h"
 #include "base/log.h"
+#include "base/print.h"
 #include "base/progress.h"
 #include "dmx/receiver.h"
 #include "dmx/sender.h"
@@ -51,7 +52,7 @@ int failed(const Error& error) {
 }
 
 void print(const ordered_json& report) {
-    std::printf("%s\n", report.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+    print_text("%s\n", report.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
 }
 
 std::chrono::microseconds microseconds_of(double time_s) {

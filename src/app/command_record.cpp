@@ -8,6 +8,7 @@
 #include "app/recordings.h"
 #include "app/running_recording.h"
 #include "base/log.h"
+#include "base/print.h"
 #include "dmx/receiver.h"
 
 #include <nlohmann/json.hpp>
@@ -102,7 +103,7 @@ int record(const RecordOptions& options) {
                                             {"kernel_overflow", statistics->overflow},
                                             {"frames_lost", lost},
                                             {"universes_left_out", left_out}};
-        std::printf("%s\n", report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
+        print_text("%s\n", report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
     }
     char text[160];
     std::snprintf(text, sizeof text, ": %.1f s, %zu frames, %.1f kB, %llu packets missed", seconds,

@@ -7,6 +7,7 @@
 #include "app/session.h"
 #include "app/xchange.h"
 #include "base/log.h"
+#include "base/print.h"
 #include "scene/import_plot.h"
 
 #include <nlohmann/json.hpp>
@@ -34,7 +35,7 @@ struct Arguments {
 };
 
 void print(const ordered_json& line) {
-    std::printf("%s\n", line.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
+    print_text("%s\n", line.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
     std::fflush(stdout);
 }
 
@@ -51,8 +52,8 @@ bool take_over(const XchangeEvent& event, const Arguments& arguments) {
     if (arguments.json)
         print({{"event", "merged"}, {"show", imported->show_file.string()}, {"text", merged}});
     else
-        std::printf("%s%s: %zu objects, %zu fixtures\n", merged.c_str(), imported->show_file.string().c_str(),
-                    imported->objects, imported->fixtures);
+        print_text("%s%s: %zu objects, %zu fixtures\n", merged.c_str(), imported->show_file.string().c_str(),
+                   imported->objects, imported->fixtures);
     std::fflush(stdout);
     return true;
 }
@@ -114,8 +115,8 @@ int run(Arguments& arguments) {
                 if (file) line["comment"] = event.comment;
                 print(line);
             } else if (!arguments.quiet || file || event.kind == XchangeEvent::Kind::trouble) {
-                std::printf("%-9s %s%s%s\n", name_of(event.kind), event.station.c_str(),
-                            event.station.empty() ? "" : ": ", event.text.c_str());
+                print_text("%-9s %s%s%s\n", name_of(event.kind), event.station.c_str(),
+                           event.station.empty() ? "" : ": ", event.text.c_str());
                 std::fflush(stdout);
             }
             if (file && !arguments.show.empty()) good = take_over(event, arguments) && good;

@@ -232,8 +232,8 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
 // What programs left that were killed while they wrote.
 void Engine::clean() {
     const scene::Show& show = *session_->show;
-    const std::size_t count = remove_leftovers(show.folder, Below::left_alone) +
-                              remove_leftovers(show.cache_folder(), Below::included);
+    const std::size_t count = remove_leftovers(show.folder, show.folder, Below::left_alone) +
+                              remove_leftovers(show.cache_folder(), show.folder, Below::included);
     if (count > 0)
         log_info("removed " + std::to_string(count) + " unfinished files of programs that were killed in " +
                  show.folder.string());

@@ -3,6 +3,8 @@
 // of the lights that see them.
 #include "app/live_view.h"
 
+#include "base/files.h"
+#include "base/own_folder.h"
 #include "scene/distance_maps_file.h"
 #include "scene/overrides.h"
 
@@ -104,9 +106,13 @@ void LiveView::begin_changed_maps() {
         namespace fs = std::filesystem;
         const fs::path from = scene::distance_folder(show_, maps_.size);
         const fs::path to = scene::distance_folder(changed_show_, maps_.size);
-        std::error_code code;
-        fs::create_directories(to, code);
-        fs::copy(from, to, fs::copy_options::overwrite_existing, code);
+        const auto maps = OwnFolder::open(from, show_.folder);
+        if (maps.ok() && make_folders(to, show_.folder).ok())
+            for (const OwnFolder::File& map : maps->entries().files) {
+                std::error_code code;
+                fs::remove(to / map.name, code); // a link would be written through
+                fs::copy_file(from / map.name, to / map.name, code);
+            }
     }
     if (!changed_stage_ || shown_by_hand_ != mapped_shown_) {
         changed_stage_ = solid_now();

@@ -6,6 +6,7 @@
 #include "ui/open_window.h"
 
 #include "base/files.h"
+#include "base/json.h"
 #include "dmx/player.h"
 #include "dmx/sender.h"
 
@@ -112,9 +113,7 @@ Result<nlohmann::json> take_state(const fs::path& file) {
     TRY(const std::string text, read_text_file(file, kMostStateBytes));
     std::error_code code;
     fs::remove(file, code);
-    nlohmann::json state = nlohmann::json::parse(text, nullptr, false);
-    if (state.is_discarded()) return Error{"the window wrote no state", file.string()};
-    return state;
+    return read_json(text, file.string(), {.bytes = kMostStateBytes, .values = kMostStateBytes});
 }
 
 double state_number(const nlohmann::json& state, const char* group, const char* name) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/monitor_report.h"
 
+#include "base/print.h"
 #include "scene/diagnosis.h"
 #include "scene/diagnosis_parts.h"
 
 #include <nlohmann/json.hpp>
-
-#include <cstdio>
 
 namespace ghost::app {
 
@@ -217,12 +216,12 @@ void print_usb_port(const dmx::UsbPortStatus& port) {
     const std::string place =
         scene::diagnosed::printable(port.path) + ", universe " + std::to_string(port.universe);
     if (!port.open)
-        std::printf("%s: %s\n", place.c_str(), port.problem.c_str());
+        print_text("%s: %s\n", place.c_str(), port.problem.c_str());
     else if (!port.answered)
-        std::printf("%s: nobody answers; is it a DMX USB Pro? (An Open DMX USB cannot receive)\n",
-                    place.c_str());
+        print_text("%s: nobody answers; is it a DMX USB Pro? (An Open DMX USB cannot receive)\n",
+                   place.c_str());
     else
-        std::printf(
+        print_text(
             "%s: DMX USB Pro %s, firmware %s; frames %llu, overruns %llu, not levels %llu, not understood "
             "%llu and %llu bytes\n",
             place.c_str(), port.serial.c_str(), port.firmware.c_str(),
@@ -237,16 +236,16 @@ void print_midi_port(const dmx::MidiStatus& midi) {
     if (midi.path.empty()) return;
     const std::string path = scene::diagnosed::printable(midi.path);
     if (!midi.open)
-        std::printf("%s: %s\n", path.c_str(), midi.problem.c_str());
+        print_text("%s: %s\n", path.c_str(), midi.problem.c_str());
     else if (!midi.time)
-        std::printf("%s: MIDI, %llu bytes and no time code yet\n", path.c_str(),
-                    static_cast<unsigned long long>(midi.counters.bytes));
+        print_text("%s: MIDI, %llu bytes and no time code yet\n", path.c_str(),
+                   static_cast<unsigned long long>(midi.counters.bytes));
     else
-        std::printf("%s: MIDI time code %s; quarter frames %llu, full frames %llu, no times %llu\n",
-                    path.c_str(), dmx::timecode_text(*midi.time).c_str(),
-                    static_cast<unsigned long long>(midi.counters.quarter_frames),
-                    static_cast<unsigned long long>(midi.counters.full_frames),
-                    static_cast<unsigned long long>(midi.counters.malformed));
+        print_text("%s: MIDI time code %s; quarter frames %llu, full frames %llu, no times %llu\n",
+                   path.c_str(), dmx::timecode_text(*midi.time).c_str(),
+                   static_cast<unsigned long long>(midi.counters.quarter_frames),
+                   static_cast<unsigned long long>(midi.counters.full_frames),
+                   static_cast<unsigned long long>(midi.counters.malformed));
 }
 
 } // namespace
@@ -254,10 +253,10 @@ void print_midi_port(const dmx::MidiStatus& midi) {
 void print_monitor_table(const MonitorReport& from) {
     const dmx::Universes& universes = from.universes;
     const dmx::Statistics& statistics = from.statistics;
-    std::printf("%-8s %-7s %-15s %4s %5s %7s %7s %7s %6s  %-14s %s\n", "universe", "from", "address", "prio",
-                "slots", "rate/s", "jitter", "missed", "age s", "is", "source");
+    print_text("%-8s %-7s %-15s %4s %5s %7s %7s %7s %6s  %-14s %s\n", "universe", "from", "address", "prio",
+               "slots", "rate/s", "jitter", "missed", "age s", "is", "source");
     for (const dmx::SourceStatus& source : statistics.sources)
-        std::printf(
+        print_text(
             "%-8d %-7s %-15s %4d %5d %7.1f %7.1f %7llu %6.1f  %-14s %s%s%s\n", source.universe,
             dmx::protocol_name(source.protocol), scene::diagnosed::printable(dmx::place_text(source)).c_str(),
             source.priority, source.slot_count, source.rate_hz, source.jitter_ms,
@@ -269,17 +268,17 @@ void print_monitor_table(const MonitorReport& from) {
             from.has_patch && !from.patch.has(source.universe) ? " (not patched)" : "");
     for (const dmx::Universe& universe : universes.list)
         if (universe.lost)
-            std::printf("%-8d LOST %.1f s ago, %s\n", universe.number, age_s(universe),
-                        universe.black ? "black" : "last look held");
+            print_text("%-8d LOST %.1f s ago, %s\n", universe.number, age_s(universe),
+                       universe.black ? "black" : "last look held");
     for (const dmx::UsbPortStatus& port : statistics.usb) print_usb_port(port);
     print_midi_port(statistics.midi);
-    if (statistics.sampling) std::printf("finding out who sends; levels show after 1.5 s\n");
+    if (statistics.sampling) print_text("finding out who sends; levels show after 1.5 s\n");
     if (statistics.timecode)
-        std::printf("time code %s from %s\n", dmx::timecode_text(statistics.timecode->time).c_str(),
-                    dmx::address_text(statistics.timecode->from).c_str());
+        print_text("time code %s from %s\n", dmx::timecode_text(statistics.timecode->time).c_str(),
+                   dmx::address_text(statistics.timecode->from).c_str());
     std::uint64_t dropped = 0;
     for (const std::uint64_t count : statistics.drops) dropped += count;
-    std::printf(
+    print_text(
         "packets: sACN %llu, Art-Net %llu; not listed %llu, not understood %llu, of wrong length %llu, "
         "preview %llu, late %llu, kernel overflow %llu; polls answered with %llu replies\n",
         static_cast<unsigned long long>(statistics.packets_sacn),
@@ -291,8 +290,8 @@ void print_monitor_table(const MonitorReport& from) {
         static_cast<unsigned long long>(statistics.overflow),
         static_cast<unsigned long long>(statistics.poll_replies_sent));
     for (const scene::Sentence& sentence : scene::diagnose(statistics, from.patch))
-        std::printf("%s %s\n", sentence.is_problem ? "!" : "-", sentence.text.c_str());
-    std::printf("\n");
+        print_text("%s %s\n", sentence.is_problem ? "!" : "-", sentence.text.c_str());
+    print_text("\n");
 }
 
 } // namespace ghost::app

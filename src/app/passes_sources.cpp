@@ -69,7 +69,9 @@ std::string passes_fingerprint(const scene::Show& show) {
 
 Result<void> remember_sources(const scene::Show& show, const std::string& camera,
                               const std::string& fingerprint) {
-    return write_file_atomic(file_beside(show, camera), fingerprint);
+    const fs::path file = file_beside(show, camera);
+    TRY_VOID(make_folders(file.parent_path(), show.folder));
+    return write_file_atomic(file, fingerprint);
 }
 
 bool passes_are_of(const scene::Show& show, const std::string& camera, const std::string& fingerprint) {

@@ -2,6 +2,7 @@
 #include "app/render_film.h"
 
 #include "base/log.h"
+#include "base/print.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -53,7 +54,7 @@ void print_tally(const RenderArguments& arguments, const Session& session, const
             row["quality_level"] = tally.quality_level;
             row["quality_changes"] = tally.quality_changes;
         }
-        std::printf("%s\n", row.dump().c_str());
+        print_text("%s\n", row.dump().c_str());
         return;
     }
     const std::size_t drawn = tally.draw_ms.size();

@@ -3,6 +3,7 @@
 #include "app/xchange_loop.h"
 
 #include "base/files.h"
+#include "base/user_file.h"
 
 #include <algorithm>
 #include <iterator>
@@ -30,17 +31,17 @@ constexpr double kLeastFetchRate = 64u << 10; // bytes per second, while others 
 constexpr double kLeavePatience_s = 0.7;
 constexpr int kMostSameNames = 10'000;
 
-// "name.mvr", or "name (2).mvr" where that is taken.
-std::optional<std::filesystem::path> free_name(const std::filesystem::path& folder, const std::string& name) {
-    std::error_code code;
-    const std::filesystem::path wanted = folder / name;
+// Puts the file into place as "name.mvr", or as "name (2).mvr" where that is taken.
+Result<std::filesystem::path> commit_beside(const std::filesystem::path& temporary,
+                                            const std::filesystem::path& wanted) {
     for (int number = 1; number <= kMostSameNames; ++number) {
         std::filesystem::path path = wanted;
         if (number > 1)
             path.replace_filename(wanted.stem().string() + " (" + std::to_string(number) + ").mvr");
-        if (!std::filesystem::exists(path, code)) return path;
+        TRY(const bool done, commit_new(temporary, path));
+        if (done) return path;
     }
-    return std::nullopt;
+    return Error{"too many files have this name", wanted.string()};
 }
 
 } // namespace
@@ -337,14 +338,12 @@ Result<void> Xchange::Loop::finish_file(Connection& connection) {
         return Error{"what came is no .mvr (no zip archive)", ""};
     const std::string wanted =
         scene::plot_file_name(fetch.commit.file_name.empty() ? fetch.commit.comment : fetch.commit.file_name);
-    const auto path = free_name(options_.save, wanted);
-    if (!path) return Error{"too many files are called " + wanted, options_.save.string()};
-    TRY_VOID(commit_temporary(fetch.temporary, *path));
+    TRY(const std::filesystem::path path, commit_beside(fetch.temporary, options_.save / wanted));
     fetch.temporary.clear();
-    std::string text = path->filename().string() + ", " + std::to_string(fetch.bytes) + " bytes";
+    std::string text = path.filename().string() + ", " + std::to_string(fetch.bytes) + " bytes";
     if (fetch.commit.file_size > 0 && fetch.commit.file_size != fetch.bytes)
         text += " (" + std::to_string(fetch.commit.file_size) + " were announced)";
-    tell(XchangeEvent::Kind::received, fetch.station, text, *path, fetch.commit.comment);
+    tell(XchangeEvent::Kind::received, fetch.station, text, path, fetch.commit.comment);
     connection.fetch.reset();
     return {};
 }

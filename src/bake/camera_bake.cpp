@@ -4,6 +4,7 @@
 #include "bake/pictures.h"
 
 #include "base/files.h"
+#include "base/own_folder.h"
 
 #include <algorithm>
 #include <optional>
@@ -20,6 +21,7 @@ constexpr std::size_t kBatch = 8;
 constexpr double kSurroundingsCost = 5.0;
 
 constexpr char kSurroundings[] = "surroundings";
+constexpr std::size_t kLayoutDigits = 12; // of its key: the name of its folder
 
 std::string pass_name(const scene::ManifestLight& light) {
     return light.fixture + (light.stop > 0 ? " stop " + std::to_string(light.stop) : "");
@@ -63,7 +65,7 @@ CameraBake::CameraBake(const scene::Show& show, const scene::Stage& stage, const
         }
     }
     wanted_.layout_key = layout.hex();
-    wanted_.folder = wanted_.layout_key.substr(0, 12);
+    wanted_.folder = wanted_.layout_key.substr(0, kLayoutDigits);
     done_.assign(wanted_.lights.size(), false);
 }
 
@@ -263,7 +265,7 @@ Result<void> CameraBake::run(const Tracer& tracer, const std::function<void(doub
             TRY_VOID(write_manifest());
         }
         if (all) {
-            remove_leftovers();
+            remove_unwanted();
             return {};
         }
         if (auto table = scene::read_fragments(pictures(), *old_); table.ok())
@@ -278,11 +280,11 @@ Result<void> CameraBake::run(const Tracer& tracer, const std::function<void(doub
         TRY_VOID(trace_batch(tracer, !extra_first_, batch, on_samples, stats));
         if (stopped()) return {};
     }
-    remove_leftovers();
+    remove_unwanted();
     return {};
 }
 
-void CameraBake::remove_leftovers() const {
+void CameraBake::remove_unwanted() const {
     std::set<std::string> files;
     for (const CentrePicture& picture : centre_pictures()) files.insert(std::string(picture.name) + ".exr");
     for (const char* name : {"fragments", "ambient", "ambient.extra", "emission", "emission.extra"})
@@ -292,13 +294,21 @@ void CameraBake::remove_leftovers() const {
         files.insert(light.picture + ".extra.exr");
         if (light.indirect) files.insert(light.picture + "_indirect.exr");
     }
-    std::error_code code;
-    for (const auto& entry : fs::directory_iterator(folder_, code))
-        if (entry.path().filename() != wanted_.folder && entry.path().filename() != "manifest.json")
-            fs::remove_all(entry.path(), code);
-    for (const auto& entry : fs::directory_iterator(pictures(), code))
-        if (!files.contains(entry.path().filename().string()) && !is_temporary_in_use(entry.path()))
-            fs::remove(entry.path(), code);
+    const auto camera = OwnFolder::open(folder_, home_);
+    if (!camera.ok()) return;
+    camera->remove_file("sources.txt"); // the program's word on the passes that were here before
+    for (const std::string& layout : camera->entries().folders) {
+        if (layout.size() != kLayoutDigits ||
+            layout.find_first_not_of("0123456789abcdef") != std::string::npos)
+            continue;
+        const auto pictures = camera->below(layout);
+        if (!pictures.ok()) continue;
+        for (const OwnFolder::File& file : pictures->entries().files)
+            if (file.name.ends_with(".exr") && !is_temporary_in_use(file.name) &&
+                (layout != wanted_.folder || !files.contains(file.name)))
+                pictures->remove_file(file.name);
+        if (layout != wanted_.folder) camera->remove_empty_folder(layout);
+    }
 }
 
 } // namespace ghost::bake

@@ -41,7 +41,7 @@ private:
     Result<void> patch(const Tracer& tracer, const std::function<void(double)>& on_samples, BakeStats& stats);
     Result<void> write_surroundings(const scene::FragmentTable& table, const Frame& frame);
     Result<void> write_manifest();
-    void remove_leftovers() const;
+    void remove_unwanted() const;
     std::filesystem::path pictures() const { return folder_ / wanted_.folder; }
 
     const scene::Camera& camera_;

@@ -5,6 +5,8 @@
 #include "bake/distance_stage.h"
 #include "bake/keys.h"
 #include "bake/tracer.h"
+#include "base/files.h"
+#include "base/own_folder.h"
 #include "scene/distance_maps_file.h"
 #include "scene/passes_file.h"
 
@@ -88,6 +90,7 @@ private:
     std::vector<std::optional<Error>> complaints_; // per map: what was wrong with its file
     std::mutex mutex_;                             // of write_error_ and the callbacks
     std::optional<Error> write_error_;
+    bool writes_ = true; // the folder is there, and is ours
     std::size_t done_ = 0;
     std::atomic<std::uint64_t> rays_{0};
     DistanceMapStats stats_;
@@ -95,6 +98,10 @@ private:
 
 void Update::find_kept() {
     const fs::path folder = scene::distance_folder(show_, options_.size);
+    if (auto made = make_folders(folder, show_.folder); !made.ok()) {
+        writes_ = false;
+        failed_to_write(made.error());
+    }
     std::optional<scene::DistanceStage> old;
     if (auto read = scene::read_distance_stage(folder); read.ok())
         old = std::move(*read);
@@ -136,7 +143,7 @@ void Update::find_kept() {
     keys.erase("");
     wanted_.stage.also_right.assign(keys.begin(), keys.end());
     stats_.kept = static_cast<int>(std::count(right_.begin(), right_.end(), 1));
-    if (!old || *old != wanted_.stage)
+    if (writes_ && (!old || *old != wanted_.stage))
         if (auto written = scene::write_distance_stage(show_, options_.size, wanted_.stage); !written.ok())
             failed_to_write(written.error());
 }
@@ -167,7 +174,8 @@ void Update::make_missing() {
         // Isolated: a thread that waits for the rows of one map must not begin another.
         tbb::this_task_arena::isolate([&] { whole = trace(k, tracer, stored); });
         if (!whole) return;
-        const auto written = scene::write_distance_map(places_[k].file, options_.size, stored);
+        const auto written =
+            writes_ ? scene::write_distance_map(places_[k].file, options_.size, stored) : Result<void>();
         maps_[k].distance = std::move(stored.distance);
         scene::measure(maps_[k]);
         right_[k] = 1;
@@ -269,12 +277,14 @@ void Update::finish(scene::DistanceMaps& maps) {
         maps.maps.push_back(std::move(maps_[k]));
     }
     if (stats_.interrupted) return;
-    // What no light of the show wants any more.
-    std::set<fs::path> names{"stage.json"};
-    for (const scene::DistancePlace& place : places_) names.insert(place.file.filename());
-    std::error_code code;
-    for (const auto& file : fs::directory_iterator(scene::distance_folder(show_, options_.size), code))
-        if (!names.contains(file.path().filename())) fs::remove(file.path(), code);
+    // Maps that no light of the show wants any more.
+    std::set<std::string> names;
+    for (const scene::DistancePlace& place : places_) names.insert(place.file.filename().string());
+    const auto folder = OwnFolder::open(scene::distance_folder(show_, options_.size), show_.folder);
+    if (!folder.ok()) return;
+    for (const OwnFolder::File& file : folder->entries().files)
+        if (file.name.ends_with(".exr") && !names.contains(file.name) && !is_temporary_in_use(file.name))
+            folder->remove_file(file.name);
 }
 
 } // namespace

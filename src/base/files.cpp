@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/files.h"
 
+#include "base/own_folder.h"
+
 #include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace ghost {
@@ -103,8 +106,11 @@ Result<void> commit_temporary(const fs::path& temporary, const fs::path& path) {
 Result<void> write_file_atomic(const fs::path& path, Bytes bytes) {
     const fs::path temporary = temporary_beside(path);
     {
-        const Descriptor file{::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)};
+        // Not through what others left under this name.
+        const Descriptor file{::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644)};
         if (file.fd < 0) return errno_error("cannot create", path);
+        struct stat old {};
+        if (::lstat(path.c_str(), &old) == 0 && S_ISREG(old.st_mode)) ::fchmod(file.fd, old.st_mode & 0777);
         std::size_t done = 0;
         while (done < bytes.size()) {
             const ssize_t wrote = ::write(file.fd, bytes.data() + done, bytes.size() - done);
@@ -121,12 +127,8 @@ Result<void> write_file_atomic(const fs::path& path, Bytes bytes) {
 }
 
 Result<void> make_folders(const fs::path& folder, const fs::path& home) {
-    std::error_code code;
-    if (!fs::is_directory(home.empty() ? fs::path(".") : home, code))
-        return Error{"this folder is gone", home.string()};
-    fs::create_directories(folder, code);
-    return code ? Result<void>(Error{"cannot make the folder: " + code.message(), folder.string()})
-                : Result<void>();
+    TRY_VOID(OwnFolder::open(folder, home, OwnFolder::Missing::is_made));
+    return {};
 }
 
 Result<void> write_file_atomic(const fs::path& path, std::string_view text) {

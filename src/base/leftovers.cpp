@@ -2,8 +2,8 @@
 #include "base/leftovers.h"
 
 #include "base/files.h"
+#include "base/own_folder.h"
 
-#include <algorithm>
 #include <cctype>
 #include <chrono>
 #include <string>
@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto kRest = std::chrono::minutes(1);
+constexpr int kLevels = 8; // .ghost has four; others may nest without end
 
 // ".NAME.partPID_NUMBER", with or without an ending.
 bool is_temporary_name(const std::string& name) {
@@ -30,33 +31,27 @@ bool is_temporary_name(const std::string& name) {
     return after_number > number && (after_number == name.size() || name[after_number] == '.');
 }
 
-bool is_leftover(const fs::directory_entry& entry) {
-    std::error_code code;
-    if (!entry.is_regular_file(code) || entry.is_symlink(code)) return false;
-    if (!is_temporary_name(entry.path().filename().string()) || is_temporary_in_use(entry.path()))
-        return false;
-    const auto written = entry.last_write_time(code);
-    return !code && fs::file_time_type::clock::now() - written > kRest;
+bool is_leftover(const OwnFolder::File& file) {
+    return is_temporary_name(file.name) && !is_temporary_in_use(file.name) &&
+           std::chrono::system_clock::now() - file.written > kRest;
 }
 
-template <class Iterator>
-std::size_t remove_in(const fs::path& folder) {
+std::size_t remove_in(const OwnFolder& folder, int levels) {
     std::size_t removed = 0;
-    std::error_code code;
-    Iterator at(folder, fs::directory_options::skip_permission_denied, code);
-    while (!code && at != Iterator()) {
-        std::error_code unremovable;
-        if (is_leftover(*at) && fs::remove(at->path(), unremovable)) ++removed;
-        at.increment(code);
-    }
+    const OwnFolder::Entries entries = folder.entries();
+    for (const OwnFolder::File& file : entries.files)
+        if (is_leftover(file) && folder.remove_file(file.name)) ++removed;
+    if (levels == 0) return removed;
+    for (const std::string& name : entries.folders)
+        if (const auto below = folder.below(name); below.ok()) removed += remove_in(*below, levels - 1);
     return removed;
 }
 
 } // namespace
 
-std::size_t remove_leftovers(const fs::path& folder, Below below) {
-    return below == Below::included ? remove_in<fs::recursive_directory_iterator>(folder)
-                                    : remove_in<fs::directory_iterator>(folder);
+std::size_t remove_leftovers(const fs::path& folder, const fs::path& home, Below below) {
+    const auto opened = OwnFolder::open(folder, home);
+    return opened.ok() ? remove_in(*opened, below == Below::included ? kLevels : 0) : 0;
 }
 
 } // namespace ghost

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/log.h"
 
+#include "base/print.h"
+
 #include <atomic>
 #include <cstdio>
 
@@ -11,7 +13,8 @@ std::atomic<LogLevel> g_level{LogLevel::info};
 
 void print(LogLevel level, const char* prefix, const std::string& text) {
     if (level < g_level.load(std::memory_order_relaxed)) return;
-    const std::string line = prefix + text + "\n"; // one write, so lines of several threads stay whole
+    const std::string line =
+        prefix + printable(text) + "\n"; // one write, so lines of several threads stay whole
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

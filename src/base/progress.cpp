@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/progress.h"
 
+#include "base/print.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -54,7 +56,7 @@ void Progress::update(double share, double now_s, const std::string& note) {
     if (style_ == Style::silent) return;
     if (now_s - shown_s_ < (style_ == Style::bar ? kBarEvery_s : line_every_s)) return;
     shown_s_ = now_s;
-    std::string line = progress_line(label_, share, now_s - start_s_, note);
+    std::string line = printable(progress_line(label_, share, now_s - start_s_, note));
     if (style_ == Style::lines) {
         std::fprintf(stderr, "%s\n", line.c_str());
         return;

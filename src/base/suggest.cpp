@@ -9,6 +9,8 @@
 namespace ghost {
 namespace {
 
+constexpr std::size_t kLooked = 64; // letters
+
 bool same_letter(char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
@@ -31,11 +33,25 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates) {
-    word = word.substr(0, 64);
+    return Suggestions().did_you_mean(word, candidates);
+}
+
+std::string Suggestions::did_you_mean(std::string_view word, std::span<const std::string> candidates) {
+    word = word.substr(0, kLooked);
     std::size_t best = std::max<std::size_t>(1, word.size() / 3) + 1;
     const std::string* nearest = nullptr;
     for (const std::string& candidate : candidates) {
-        const std::size_t distance = edit_distance(word, std::string_view(candidate).substr(0, 64));
+        const std::string_view other = std::string_view(candidate).substr(0, kLooked);
+        const std::size_t longer = std::max(word.size(), other.size());
+        const bool is_far = longer - std::min(word.size(), other.size()) >= best;
+        const std::size_t cost = is_far ? 1 : (word.size() + 1) * (other.size() + 1);
+        if (cost > left_) {
+            left_ = 0;
+            return "";
+        }
+        left_ -= cost;
+        if (is_far) continue;
+        const std::size_t distance = edit_distance(word, other);
         if (distance < best) {
             best = distance;
             nearest = &candidate;

@@ -12,6 +12,16 @@ namespace ghost {
 // ", did you mean 'x'?" for the candidate nearest to word (at most a third of its letters apart), else "".
 std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
 
+// The same for many words of one file: all of them together take a fraction of a second, however many there
+// are; those after that get no suggestion.
+class Suggestions {
+public:
+    std::string did_you_mean(std::string_view word, std::span<const std::string> candidates);
+
+private:
+    std::size_t left_ = std::size_t{100} << 20; // letters that are compared with one
+};
+
 // Letters to change, add or leave out (Levenshtein); upper and lower case are the same. Time grows with the
 // product of the lengths, so who calls it with words from outside cuts them.
 std::size_t edit_distance(std::string_view a, std::string_view b);

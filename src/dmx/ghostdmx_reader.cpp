@@ -14,7 +14,8 @@ namespace {
 
 constexpr std::size_t kMaxListedProblems = 100;
 constexpr std::size_t kSearchBytes = 1u << 20;           // read at a time
-constexpr std::uint64_t kSearchEffortBytes = 1ull << 30; // of a file, for marks that turn out to be none
+constexpr std::uint64_t kMarkEffortBytes = 8u << 10;     // to look at one mark, however little it says
+constexpr std::uint64_t kSearchEffortBytes = 1ull << 30; // of a file
 
 std::string seconds_text(microseconds time) {
     char text[32];
@@ -90,23 +91,28 @@ bool GhostdmxReader::begins_block_at(std::uint64_t offset) {
     return bytes.size() == kPieceHeaderBytes + piece->content_bytes && piece_crc(bytes, 0) == piece->crc;
 }
 
-// Of a whole piece; size() where there is none.
+// Of a whole piece; size() where there is none. What was read is kept for the next search: damage may stand
+// behind every block.
 std::uint64_t GhostdmxReader::next_block_after(std::uint64_t offset) {
     std::vector<std::uint8_t> mark;
     put_u32(mark, kMark);
-    while (offset + kPieceHeaderBytes <= source_.size()) {
-        const std::vector<std::uint8_t> window = bytes_at(offset, kSearchBytes);
-        auto found = std::search(window.begin(), window.end(), mark.begin(), mark.end());
-        if (found == window.end()) {
-            if (window.size() < kSearchBytes) break;
-            offset += window.size() - (mark.size() - 1);
+    while (offset + kPieceHeaderBytes <= source_.size() && search_effort_ <= kSearchEffortBytes) {
+        if (offset < window_at_ || offset + mark.size() > window_at_ + window_.size()) {
+            window_ = bytes_at(offset, kSearchBytes);
+            window_at_ = offset;
+            search_effort_ += window_.size();
+            if (window_.size() < mark.size()) break;
+        }
+        const auto from = window_.begin() + static_cast<std::ptrdiff_t>(offset - window_at_);
+        const auto found = std::search(from, window_.end(), mark.begin(), mark.end());
+        offset = window_at_ + static_cast<std::uint64_t>(found - window_.begin());
+        if (found == window_.end()) {
+            offset -= mark.size() - 1;
             continue;
         }
-        offset += static_cast<std::uint64_t>(found - window.begin());
-        if (begins_block_at(offset)) return offset;
         const auto piece = decode_piece(bytes_at(offset, kPieceHeaderBytes));
-        search_effort_ += kSearchBytes / 64 + (piece ? piece->content_bytes : 0);
-        if (search_effort_ > kSearchEffortBytes) break;
+        search_effort_ += kMarkEffortBytes + (piece ? piece->content_bytes : 0);
+        if (begins_block_at(offset)) return offset;
         ++offset;
     }
     return source_.size();

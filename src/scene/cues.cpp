@@ -44,11 +44,12 @@ std::vector<Cue> read_cues(TableReader& top, const std::string& file, Report& re
 void check_cues(const Show& show, Report& report) {
     std::vector<std::string> cameras;
     for (const Camera& camera : show.cameras) cameras.push_back(camera.name);
+    Suggestions suggestions;
     for (const Cue& cue : show.cues)
         if (!cue.camera.empty() && std::find(cameras.begin(), cameras.end(), cue.camera) == cameras.end())
             report.add(Severity::error, cue.where,
                        "[[cue]] names camera '" + cue.camera.substr(0, 60) +
-                           "', which the show does not have" + did_you_mean(cue.camera, cameras));
+                           "', which the show does not have" + suggestions.did_you_mean(cue.camera, cameras));
 }
 
 } // namespace ghost::scene

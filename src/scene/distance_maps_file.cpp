@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "base/files.h"
+#include "base/json.h"
 #include "image/exr.h"
 #include "scene/passes_file.h"
 
@@ -155,7 +156,9 @@ Result<DistanceStage> parse_distance_stage(std::string_view text, const std::str
     const auto wrong = [&](const std::string& what) {
         return Error{what + "; all maps are made again", where};
     };
-    const json all = json::parse(text, nullptr, false);
+    const auto read = read_json(text, where, {.bytes = kMaxStageBytes, .values = 10 * kMaxInstances});
+    if (!read.ok()) return wrong(read.error().what);
+    const json& all = *read;
     if (!all.is_object()) return wrong("is not a JSON object");
     const auto entry = [&](const char* name) { return all.contains(name) ? all.at(name) : json(); };
     if (entry("version") != kDistanceMapVersion)

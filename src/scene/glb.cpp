@@ -120,8 +120,9 @@ std::size_t replace_non_numbers(Bytes glb, std::vector<std::uint8_t>& repaired) 
 
 GltfExtras gltf_extras(Bytes glb) {
     const std::string_view text = json_of_glb(glb);
-    const auto json = nlohmann::json::parse(text.begin(), text.end(), nullptr, false);
-    if (!json.is_object()) return {};
+    const auto read = read_json(text, "", kGltfJson);
+    if (!read.ok() || !read->is_object()) return {};
+    const nlohmann::json& json = *read;
     GltfExtras extras;
     for (const auto& material : list_at(json, "materials"))
         extras.materials.push_back(

@@ -44,12 +44,7 @@ std::size_t points_of(const Json& document, const Json& primitive) {
 
 Result<std::string> without_unsafe_faces(std::string_view json, const std::string& name, std::size_t& lost) {
     lost = 0;
-    Json document;
-    try {
-        document = Json::parse(json.begin(), json.end());
-    } catch (const Json::exception& problem) {
-        return Error{std::string("has JSON that cannot be read: ") + problem.what(), name};
-    }
+    TRY(Json document, read_json(json, name, kGltfJson));
     if (!document.is_object() || !document.contains("meshes") || !document["meshes"].is_array())
         return std::string();
     std::size_t modes = 0;

@@ -55,8 +55,9 @@ std::optional<std::size_t> size_at(const json& object, const char* key) {
 Result<std::vector<std::uint8_t>>
 glb_from_gltf(Bytes gltf, const std::string& name,
               const std::function<Result<std::vector<std::uint8_t>>(const std::string& file)>& read) {
-    TRY_VOID(check_gltf_size({reinterpret_cast<const char*>(gltf.data()), gltf.size()}, name));
-    json file = json::parse(gltf.begin(), gltf.end(), nullptr, false);
+    const std::string_view given(reinterpret_cast<const char*>(gltf.data()), gltf.size());
+    TRY_VOID(check_gltf_size(given, name));
+    TRY(json file, read_json(given, name, kGltfJson));
     if (!file.is_object()) return Error{"is no JSON, which a .gltf should be", name};
     const json buffers =
         file.contains("buffers") && file["buffers"].is_array() ? file["buffers"] : json::array();

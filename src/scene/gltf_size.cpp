@@ -15,8 +15,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMaxItems = 4u << 20; // of the JSON: members and elements
-constexpr std::size_t kMaxNesting = 128;
+constexpr std::size_t kMaxItems = 4u << 20; // of the JSON: members and elements, for Assimp's reader
+constexpr std::size_t kMaxNesting = kGltfJson.depth;
 constexpr std::size_t kMaxNodes = 200'000; // of a scene; each is 1.5 kB of Assimp's
 constexpr std::size_t kMaxNodeDepth = 256;
 constexpr std::size_t kMaxUnpackedBytes = std::size_t{1} << 30; // as Assimp keeps it
@@ -213,7 +213,7 @@ private:
 
 Result<void> check_gltf_size(std::string_view text, const std::string& name) {
     if (std::string fault = fault_of_text(text); !fault.empty()) return Error{std::move(fault), name};
-    const Json document = Json::parse(text.begin(), text.end(), nullptr, false);
+    TRY(const Json document, read_json(text, name, kGltfJson));
     if (!document.is_object()) return {}; // the reader says what is wrong with it
     const Json& nodes = member(document, "nodes");
     if (nodes.is_array())

@@ -2,6 +2,7 @@
 #include "scene/import_plot.h"
 
 #include "base/files.h"
+#include "base/user_file.h"
 #include "scene/mvr_load.h"
 #include "scene/plot_stage.h"
 #include "scene/show_toml.h"
@@ -14,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int kMostKept = 99; // older versions of a plot
 constexpr std::uintmax_t kMaxShowBytes = std::uintmax_t{16} << 20;
 
 std::string quoted(const std::string& text) {
@@ -55,7 +57,7 @@ std::string comment(std::string text) {
 Result<void> copy_whole(const fs::path& from, const fs::path& to) {
     const fs::path temporary = temporary_beside(to);
     std::error_code code;
-    fs::copy_file(from, temporary, fs::copy_options::overwrite_existing, code);
+    fs::copy_file(from, temporary, code);
     if (code) {
         std::error_code ignored;
         fs::remove(temporary, ignored);
@@ -66,6 +68,39 @@ Result<void> copy_whole(const fs::path& from, const fs::path& to) {
     return commit_temporary(temporary, to);
 }
 
+// The show's plot that gives way stays beside the new one, as "NAME (before 1).mvr".
+Result<fs::path> keep_older(const fs::path& plot) {
+    const fs::path temporary = temporary_beside(plot);
+    std::error_code code;
+    fs::create_hard_link(plot, temporary, code);
+    if (code) fs::copy_file(plot, temporary, code);
+    if (code) return Error{"cannot be kept beside the new one: " + code.message(), plot.string()};
+    for (int number = 1; number <= kMostKept; ++number) {
+        const fs::path kept = plot.parent_path() / (plot.stem().string() + " (before " +
+                                                    std::to_string(number) + ")" + plot.extension().string());
+        const auto done = commit_new(temporary, kept);
+        if (done.ok() && *done) return kept;
+        if (done.ok()) continue;
+        fs::remove(temporary, code);
+        return done.error();
+    }
+    fs::remove(temporary, code);
+    return Error{std::to_string(kMostKept) + " older versions are kept beside it; move them away",
+                 plot.string()};
+}
+
+// A show from elsewhere may name any file as its plot, or a link to one.
+Result<fs::path> own_plot(const fs::path& plot, const fs::path& show_file) {
+    std::error_code code;
+    const fs::path folder = fs::canonical(show_file.has_parent_path() ? show_file.parent_path() : ".", code);
+    const fs::path target = fs::weakly_canonical(plot, code);
+    const fs::path inside = target.lexically_relative(folder);
+    if (code || inside.empty() || *inside.begin() == "..")
+        return Error{"the plot " + plot.string() + " lies outside of the show's folder and is not replaced",
+                     show_file.string()};
+    return target;
+}
+
 Result<void> merge_into(const fs::path& show_file, const Show& opened, Report& report,
                         ImportedPlot& imported) {
     TRY(const std::string text, read_text_file(show_file, kMaxShowBytes));
@@ -73,7 +108,7 @@ Result<void> merge_into(const fs::path& show_file, const Show& opened, Report& r
     if (parsed.show.plot_file.empty())
         return Error{"is a show without a plot; to add one, write plot = \"name.mvr\" in its [show]",
                      show_file.string()};
-    imported.plot_file = parsed.show.plot_file;
+    TRY(imported.plot_file, own_plot(parsed.show.plot_file, show_file));
     imported.cameras = std::max(parsed.show.cameras.size(), opened.cameras.size());
     if (!parsed.show.cameras.empty()) imported.cameras = parsed.show.cameras.size();
     std::error_code code;
@@ -142,6 +177,11 @@ Result<ImportedPlot> import_plot(const fs::path& plot, const fs::path& folder, R
     if (is_new && !in_place && fs::exists(imported.plot_file, code))
         return Error{"is there already and belongs to no show; move it away, or import it itself",
                      imported.plot_file.string()};
+    if (!is_new && fs::exists(imported.plot_file, code)) {
+        TRY(const fs::path kept, keep_older(imported.plot_file));
+        report.add(Severity::note, imported.plot_file.string(),
+                   "the plot that was here is kept as '" + kept.filename().string() + "'");
+    }
     if (!in_place) {
         TRY_VOID(copy_whole(plot, imported.plot_file));
     }

@@ -3,6 +3,7 @@
 
 #include "base/files.h"
 #include "base/suggest.h"
+#include "base/user_file.h"
 #include "scene/model_file.h"
 #include "scene/toml_reader.h"
 #include "scene/toml_text.h"
@@ -14,7 +15,6 @@
 namespace ghost::scene {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
 constexpr std::size_t kMostFixtures = 65536; // of one look
 constexpr double kMost_deg = 100000;         // as fixture::apply has it
 constexpr double kMostLux = 100000;
@@ -162,7 +162,7 @@ Result<std::vector<StoredLook>> parse_looks(const std::string& text, const std::
 Result<std::vector<StoredLook>> load_looks(const std::filesystem::path& file, Report& report) {
     std::error_code code;
     if (!std::filesystem::exists(file, code)) return std::vector<StoredLook>{};
-    TRY(const std::string text, read_text_file(file, kMostBytes));
+    TRY(const std::string text, read_text_file(file, kMostLooksBytes));
     return parse_looks(text, file.string(), report);
 }
 
@@ -193,6 +193,14 @@ std::string text_of(const std::vector<StoredLook>& looks) {
         }
     }
     return lines.text;
+}
+
+Result<void> write_looks(const std::filesystem::path& file, const std::string& text) {
+    if (text.size() > kMostLooksBytes)
+        return Error{"would be " + std::to_string(text.size() >> 20) + " MiB, at most " +
+                         std::to_string(kMostLooksBytes >> 20) + " are read again; remove a look first",
+                     file.string()};
+    return write_user_file(file, text);
 }
 
 Result<std::size_t> find_look(const std::vector<StoredLook>& looks, const std::string& name) {

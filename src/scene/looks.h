@@ -20,6 +20,7 @@
 namespace ghost::scene {
 
 inline constexpr std::size_t kMostLooks = 1000;
+inline constexpr std::size_t kMostLooksBytes = std::size_t{16} << 20; // of their file
 inline constexpr double kLongestFade_s = 3600;
 
 // Instead of the show's [haze], [ambient], [attenuation] and [shadows].
@@ -50,6 +51,8 @@ Result<std::vector<StoredLook>> parse_looks(const std::string& text, const std::
 // None where there is no such file. Error: as above, or it cannot be read.
 Result<std::vector<StoredLook>> load_looks(const std::filesystem::path& file, Report& report);
 std::string text_of(const std::vector<StoredLook>& looks);
+// Error: more than load_looks takes, or it cannot be written; what was there stays.
+Result<void> write_looks(const std::filesystem::path& file, const std::string& text);
 
 // Error: what a name of a look must be.
 Result<void> check_look_name(const std::string& name);

@@ -5,6 +5,7 @@
 // load_model and load_stage_file, which read in a process apart.
 
 #include "base/byte_reader.h"
+#include "base/json.h"
 #include "base/result.h"
 #include "scene/report.h"
 #include "scene/stage.h"
@@ -40,6 +41,10 @@ Result<void> check_glb(Bytes bytes, const std::string& name);
 
 // Its JSON; empty where the first chunk is none. glb: as check_glb() lets it through.
 std::string_view json_of_glb(Bytes glb);
+
+// Exporters nest what they add of their own deeper than others nest their files.
+inline constexpr JsonLimits kGltfJson{
+    .bytes = std::size_t{1} << 30, .values = 8u << 20, .members = 65536, .depth = 128};
 
 // What a glTF's JSON asks for, before anything is made of it: 4 Mi things 128 deep, 200,000 nodes of a scene
 // 256 deep, 1 GiB of unpacked vertices and triangles, each as often as it is used. Error: over one of these,

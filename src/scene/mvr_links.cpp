@@ -6,6 +6,7 @@
 #include "fixture/values.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace ghost::scene {
@@ -83,14 +84,13 @@ private:
         auto known = by_spec_.find(spec);
         if (known == by_spec_.end()) {
             const std::string member = gdtf_member(spec, node);
-            int index = -1;
-            if (!member.empty())
-                for (std::size_t i = 0; i < files.size(); ++i)
-                    if (files[i].member == member) index = static_cast<int>(i);
+            const auto same = member.empty() ? by_member_.end() : by_member_.find(member);
+            int index = same == by_member_.end() ? -1 : same->second;
             if (index < 0) {
                 files.push_back({spec, member, 0});
                 first_.push_back(node);
                 index = static_cast<int>(files.size()) - 1;
+                by_member_.emplace(member, index);
             }
             known = by_spec_.emplace(spec, index).first;
         }
@@ -112,32 +112,36 @@ private:
         return member;
     }
 
+    static std::string fixture_name(std::string name) {
+        name = fixture::lower(name);
+        return name.ends_with(".gdtf") ? name.substr(0, name.size() - 5) : name;
+    }
+
     // "Cluster S2" where the archive has one "Roxx@Cluster S2.gdtf".
-    std::string by_fixture_name(const std::string& spec) const {
-        const auto base = [](std::string name) {
-            name = fixture::lower(name);
-            return name.ends_with(".gdtf") ? name.substr(0, name.size() - 5) : name;
-        };
-        const std::string wanted = base(spec);
-        std::string result;
-        for (const std::string& file : reader_.members().gdtf_files()) {
-            const std::string name = base(file);
-            const std::size_t at = name.find('@');
-            if (at == name.npos || name.substr(at + 1) != wanted) continue;
-            if (!result.empty()) return "";
-            result = file;
+    std::string by_fixture_name(const std::string& spec) {
+        if (!by_fixture_) {
+            by_fixture_.emplace();
+            for (const std::string& file : reader_.members().gdtf_files()) {
+                const std::string name = fixture_name(file);
+                const std::size_t at = name.find('@');
+                if (at == name.npos) continue;
+                const auto [place, is_new] = by_fixture_->emplace(name.substr(at + 1), file);
+                if (!is_new) place->second.clear(); // two of that name are none
+            }
         }
-        return result;
+        const auto found = by_fixture_->find(fixture_name(spec));
+        return found == by_fixture_->end() ? "" : found->second;
     }
 
     void missing_gdtf() {
         const std::vector<PlotGdtf>& files = reader_.plot().gdtf_files;
+        Suggestions suggestions;
         for (std::size_t i = 0; i < files.size(); ++i)
             if (files[i].member.empty())
                 reader_.say(Severity::error, first_[i],
                             "fixture file '" + files[i].spec + "' is not in the archive" +
-                                did_you_mean(files[i].spec, reader_.members().gdtf_files()) + " (" +
-                                std::to_string(files[i].objects) +
+                                suggestions.did_you_mean(files[i].spec, reader_.members().gdtf_files()) +
+                                " (" + std::to_string(files[i].objects) +
                                 (files[i].objects == 1 ? " fixture needs it)" : " fixtures need it)"));
     }
 
@@ -145,8 +149,11 @@ private:
     std::unordered_map<std::string, int> classes_;
     std::unordered_map<std::string, int> positions_;
     std::unordered_map<std::string, int> definitions_;
-    std::unordered_map<std::string, int> by_spec_; // Plot::gdtf_files
-    std::vector<pugi::xml_node> first_;            // of each of Plot::gdtf_files
+    std::unordered_map<std::string, int> by_spec_;   // Plot::gdtf_files
+    std::unordered_map<std::string, int> by_member_; // the same
+    std::optional<std::unordered_map<std::string, std::string>>
+        by_fixture_;                    // member, by the name of its fixture
+    std::vector<pugi::xml_node> first_; // of each of Plot::gdtf_files
 };
 
 } // namespace

@@ -31,8 +31,7 @@ std::string lower(std::string_view text) {
     return result;
 }
 
-// ", did you mean ...": the name that matches but for capitals, or the nearest.
-std::string near_name(const Stage& stage, const std::string& pattern) {
+std::vector<std::string> names_of(const Stage& stage) {
     std::set<std::string> unique;
     const auto add = [&](const std::string& name) {
         if (unique.size() < kMaxSuggested && !name.empty()) unique.insert(name);
@@ -40,15 +39,21 @@ std::string near_name(const Stage& stage, const std::string& pattern) {
     for (const Material& material : stage.materials) add(material.name);
     for (const Instance& instance : stage.instances) add(instance.name);
     for (const Mesh& mesh : stage.meshes) add(mesh.name);
+    return {unique.begin(), unique.end()};
+}
+
+// ", did you mean ...": the name that matches but for capitals, or the nearest.
+std::string near_name(const std::vector<std::string>& names, const std::string& pattern,
+                      Suggestions& suggestions) {
     const std::string small = lower(pattern);
-    for (const std::string& name : unique)
+    for (const std::string& name : names)
         if (matches(small, lower(name))) return ", did you mean '" + name + "'? (capitals count)";
     std::string letters;
     for (const char c : pattern)
         if (c != '*' && c != '?') letters += c;
-    std::string near = did_you_mean(letters, std::vector<std::string>(unique.begin(), unique.end()));
+    std::string near = suggestions.did_you_mean(letters, names);
     if (!near.empty() || letters.empty()) return near;
-    for (const std::string& name : unique)
+    for (const std::string& name : names)
         if (matches("*" + small + "*", lower(name))) return ", did you mean '" + name + "'?";
     return "";
 }
@@ -219,13 +224,15 @@ float roughness_from_shininess(float shininess) {
 void apply_objects(Stage& stage, const std::vector<ObjectSettings>& objects, Report& report) {
     if (objects.empty()) return;
     Overrides overrides(stage);
+    const std::vector<std::string> names = names_of(stage);
+    Suggestions suggestions;
     for (std::size_t k = 0; k < objects.size(); ++k) {
         const ObjectSettings& settings = objects[k];
         if (!overrides.add(settings, k))
             report.add(Severity::warning, settings.where,
                        "[[object]] name '" + settings.name.substr(0, 80) +
                            "' is that of no object, mesh or material of the stage" +
-                           near_name(stage, settings.name));
+                           near_name(names, settings.name, suggestions));
     }
     overrides.finish();
 }

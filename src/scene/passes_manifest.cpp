@@ -2,6 +2,7 @@
 #include "scene/passes_file.h"
 
 #include "base/files.h"
+#include "base/json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -128,8 +129,9 @@ std::string manifest_text(const PassManifest& m) {
 }
 
 Result<PassManifest> parse_manifest(std::string_view text, const std::string& where) {
-    const json all = json::parse(text, nullptr, false);
-    if (all.is_discarded()) return Error{"is not JSON; run `ghostlight bake` again", where};
+    const auto read = read_json(text, where, {.bytes = kMaxManifestBytes});
+    if (!read.ok()) return Error{read.error().what + "; run `ghostlight bake` again", where};
+    const json& all = *read;
     std::string problem;
     const Fields top{all, "", problem};
     PassManifest m;

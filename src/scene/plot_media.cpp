@@ -2,6 +2,7 @@
 #include "scene/plot_media.h"
 
 #include "base/files.h"
+#include "base/own_folder.h"
 #include "scene/mvr_load.h"
 
 #include <algorithm>
@@ -85,15 +86,10 @@ std::set<std::string> needed_by_others(const Show& show) {
 
 void remove_unneeded(const Show& show, std::set<std::string> needed) {
     needed.merge(needed_by_others(show));
-    std::error_code code;
-    std::vector<fs::path> unneeded;
-    for (fs::directory_iterator entry(media_folder(show), code), end; !code && entry != end;
-         entry.increment(code)) {
-        const std::string name = entry->path().filename().string();
-        if (is_stored_name(name) && !needed.contains(name) && is_plain_file(entry->path()))
-            unneeded.push_back(entry->path());
-    }
-    for (const fs::path& file : unneeded) fs::remove(file, code);
+    const auto folder = OwnFolder::open(media_folder(show), show.folder);
+    if (!folder.ok()) return;
+    for (const OwnFolder::File& file : folder->entries().files)
+        if (is_stored_name(file.name) && !needed.contains(file.name)) folder->remove_file(file.name);
 }
 
 Result<void> unpack(const Show& show, const std::string& member, const fs::path& file,

@@ -354,6 +354,7 @@ void check_hidden(const Show& show, const std::vector<std::string>& hidden, bool
         if (layers) names.push_back(layer.name);
     for (const PlotName& plot_class : show.plot->plot.classes)
         if (!layers) names.push_back(plot_class.name);
+    Suggestions suggestions;
     for (const std::string& name : hidden) {
         const bool known = std::any_of(names.begin(), names.end(), [&](const std::string& other) {
             return fixture::lower(other) == fixture::lower(name);
@@ -362,7 +363,7 @@ void check_hidden(const Show& show, const std::vector<std::string>& hidden, bool
             report.add(Severity::warning, where,
                        std::string(layers ? "[show] hide_layers: the plot has no layer '"
                                           : "[show] hide_classes: the plot has no class '") +
-                           name.substr(0, 60) + "'" + did_you_mean(name, names));
+                           name.substr(0, 60) + "'" + suggestions.did_you_mean(name, names));
     }
 }
 

@@ -85,6 +85,7 @@ Tracking read_tracking(TableReader& top, const std::string& file, Report& report
 
 void check_tracking(const Show& show, Report& report) {
     std::vector<std::string> cameras, fixtures;
+    Suggestions suggestions;
     for (const Camera& camera : show.cameras) cameras.push_back(camera.name);
     for (const PatchedFixture& fixture : show.fixtures) fixtures.push_back(fixture.name);
     const auto check = [&](const TrackerUse& use, const std::string& name,
@@ -92,7 +93,7 @@ void check_tracking(const Show& show, Report& report) {
         if (std::find(known.begin(), known.end(), name) == known.end())
             report.add(Severity::error, use.where,
                        std::string("[[tracker]] names ") + kind + " '" + name.substr(0, 60) +
-                           "', which the show does not have" + did_you_mean(name, known));
+                           "', which the show does not have" + suggestions.did_you_mean(name, known));
     };
     for (const TrackerUse& use : show.tracking.uses) {
         if (!use.camera.empty()) check(use, use.camera, cameras, "camera");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/xchange.h"
 
+#include "base/json.h"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -107,7 +109,9 @@ Json json_of(const XchangeCommit& commit) {
 Result<XchangeMessage> parse_xchange_message(std::string_view text) {
     // A zero at the end is sent by some who write texts as C does.
     while (!text.empty() && text.back() == '\0') text.remove_suffix(1);
-    const Json object = Json::parse(text, nullptr, false);
+    const auto object_or = read_json(text, "", {.bytes = kMaxXchangeMessageBytes});
+    if (!object_or.ok()) return Error{"a message that " + object_or.error().what, ""};
+    const Json& object = *object_or;
     if (!object.is_object()) return Error{"a message that is no JSON object", ""};
     XchangeMessage message;
     message.type = text_of(find(object, {"Type"}));

@@ -3,6 +3,8 @@
 
 #include "base/crc32.h"
 #include "base/files.h"
+#include "base/own_folder.h"
+#include "base/user_file.h"
 
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -11,6 +13,7 @@ namespace ghost::ui {
 namespace {
 
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
+constexpr int kMostAside = 100;
 const std::string kHead = "# Ghostlight: changes that were not saved, of a show.toml with CRC ";
 
 std::string crc_of(const std::string& text) {
@@ -36,26 +39,61 @@ Result<void> Drafts::write(const std::string& text, const std::string& saved) co
         std::filesystem::remove(own_, code);
         return {};
     }
-    std::filesystem::remove(beside_, code);
+    remove_beside();
     std::filesystem::create_directories(own_.parent_path(), code);
     return write_file_atomic(own_, draft).ok() ? Result<void>() : done;
 }
 
+Result<std::filesystem::path> Drafts::write_aside(const std::string& text) const {
+    const std::string name =
+        "draft-" + QDateTime::currentDateTime().toString("yyyyMMdd-hhmmss").toStdString();
+    for (const std::filesystem::path& folder : {beside_.parent_path(), own_.parent_path()}) {
+        const bool is_beside = folder == beside_.parent_path();
+        std::error_code code;
+        if (!is_beside) std::filesystem::create_directories(folder, code);
+        if (is_beside && !make_folders(folder, home_).ok()) continue;
+        const std::filesystem::path temporary = temporary_beside(folder / "draft.toml");
+        if (!write_file_atomic(temporary, text).ok()) continue;
+        for (int number = 1; number <= kMostAside; ++number) {
+            const std::filesystem::path path = folder / (name + "-" + std::to_string(number) + ".toml");
+            if (const auto done = commit_new(temporary, path); done.ok() && *done) return path;
+        }
+        std::filesystem::remove(temporary, code);
+    }
+    return Error{"what is not saved can be kept nowhere", beside_.string()};
+}
+
+Result<Hold> Drafts::hold(Hold::Other other) const {
+    auto beside = Hold::take(beside_.parent_path() / "window.lock", home_, other);
+    if (beside.ok()) return beside;
+    std::error_code code;
+    std::filesystem::create_directories(own_.parent_path(), code);
+    std::filesystem::path file = own_;
+    return Hold::take(file.replace_extension(".lock"), own_.parent_path(), other);
+}
+
 void Drafts::remove() const {
     std::error_code code;
-    for (const std::filesystem::path& file : {beside_, own_}) std::filesystem::remove(file, code);
+    remove_beside();
+    std::filesystem::remove(own_, code);
+}
+
+void Drafts::remove_beside() const {
+    const auto folder = OwnFolder::open(beside_.parent_path(), home_);
+    if (folder.ok()) folder->remove_file(beside_.filename().string());
 }
 
 std::optional<Drafts::Found> Drafts::find(const std::string& saved) const {
+    const bool is_ours_beside = OwnFolder::open(beside_.parent_path(), home_).ok();
     for (const std::filesystem::path& file : {beside_, own_}) {
         std::error_code code;
-        if (!std::filesystem::is_regular_file(file, code)) continue;
+        if ((file == beside_ && !is_ours_beside) || !std::filesystem::is_regular_file(file, code)) continue;
         const auto draft = read_text_file(file, kMostBytes);
         if (!draft.ok()) continue;
         const std::size_t head = draft->find('\n');
         const bool is_ours = draft->starts_with(kHead) && head != std::string::npos;
         if (!is_ours || draft->substr(head + 1) == saved) {
-            std::filesystem::remove(file, code);
+            if (is_ours) std::filesystem::remove(file, code);
             continue;
         }
         return Found{draft->substr(head + 1), QFileInfo(QString::fromStdString(file.string())).lastModified(),

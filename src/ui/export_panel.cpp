@@ -171,6 +171,7 @@ ExportPanel::Row ExportPanel::add_row(const Job& job) {
     auto* layout = new QVBoxLayout(row.widget);
     layout->setContentsMargins(0, 4, 0, 4);
     row.words = new QLabel(row.widget);
+    row.words->setTextFormat(Qt::RichText);
     row.words->setWordWrap(true);
     row.bar = new QProgressBar(row.widget);
     row.bar->setRange(0, 1000);

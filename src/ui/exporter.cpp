@@ -77,7 +77,7 @@ Result<QStringList> Exporter::look_arguments() {
     const std::filesystem::path folder = studio_.show()->cache_folder();
     TRY_VOID(make_folders(folder, studio_.show()->folder));
     const std::filesystem::path file = temporary_beside(folder / kLookFile); // one for each job
-    TRY_VOID(write_file_atomic(file, scene::text_of({stored})));
+    TRY_VOID(scene::write_looks(file, scene::text_of({stored})));
     return QStringList{"--looks", QString::fromStdString(std::filesystem::absolute(file).string()), "--look",
                        kLookName};
 }

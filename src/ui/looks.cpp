@@ -10,10 +10,8 @@
 namespace ghost::ui {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = std::uintmax_t{16} << 20;
-
 std::string text_in(const std::filesystem::path& file) {
-    auto text = read_text_file(file, kMostBytes);
+    auto text = read_text_file(file, scene::kMostLooksBytes);
     return text.ok() ? std::move(*text) : std::string();
 }
 
@@ -34,6 +32,11 @@ public:
 
 private:
     void put(const Looks::List& list) {
+        if (!looks_.damage_.empty()) {
+            Q_EMIT looks_.studio_.failed("Looks stay as the file has them until this is mended: " +
+                                         QString::fromStdString(looks_.damage_));
+            return;
+        }
         if (text_in(looks_.file_) != looks_.known_) {
             Q_EMIT looks_.studio_.failed("Looks were changed by another program, which is not undone: " +
                                          QString::fromStdString(looks_.file_.string()));
@@ -105,7 +108,7 @@ void Looks::load() {
 
 Result<void> Looks::write(const List& looks) {
     const std::string text = scene::text_of(looks);
-    TRY_VOID(write_file_atomic(file_, text));
+    TRY_VOID(scene::write_looks(file_, text));
     known_ = text;
     looks_ = looks;
     Q_EMIT changed();

@@ -21,6 +21,9 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, Studio& studio, Q
     connect(&document_, &ShowDocument::found_gone, this, [this](const QString& words) {
         ask(words, {{"Save it there again", "save"}, {"Save a copy elsewhere...", "save-copy"}});
     });
+    connect(&document_, &ShowDocument::found_held, this, [this](const QString& words) {
+        ask(words, {{"Take it over", "take-over"}});
+    });
     connect(&document_, &ShowDocument::save_failed, this, [this](const QString& words) {
         ask(words, {{"Try again", "save"}, {"Save a copy elsewhere...", "save-copy"}});
     });

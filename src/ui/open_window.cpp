@@ -4,6 +4,7 @@
 #include "base/files.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "ui/plain_labels.h"
 #include "ui/script.h"
 #include "ui/theme.h"
 #include "ui/window.h"
@@ -76,6 +77,8 @@ Result<void> open_window(Link& link, const WindowOptions& options) {
     QApplication::setApplicationName("ghostlight");
     QApplication::setOrganizationName("ghostlight");
     set_theme(application);
+    PlainLabels plain_labels;
+    application.installEventFilter(&plain_labels);
 
     Result<void> outcome;
     Window window(link, options);

@@ -163,6 +163,13 @@ void add_document_actions(Actions& actions, ShowDocument& document) {
                  "",
                  [&document](const QStringList&) { return document.drop_draft(); },
                  {}});
+    actions.add({"take-over",
+                 "Edit",
+                 "Take the show over from another window",
+                 "",
+                 "",
+                 [&document](const QStringList&) { return document.take_over(); },
+                 {}});
 }
 
 } // namespace ghost::ui

@@ -3,6 +3,7 @@
 
 #include "base/files.h"
 #include "base/suggest.h"
+#include "base/user_file.h"
 #include "fixture/free_address.h"
 #include "fixture/load_type.h"
 #include "fixture/values.h"
@@ -269,8 +270,13 @@ Result<std::string> PatchEdit::beside_show(const fs::path& file, std::uintmax_t 
         return Error{"another file of this name lies beside the show already; rename the new one, or put it "
                      "there yourself and the show takes it",
                      (folder / inside).string()};
-    if (!there.ok()) TRY_VOID(write_file_atomic(folder / inside, bytes));
-    return inside.generic_string();
+    if (there.ok()) return inside.generic_string();
+    const fs::path temporary = temporary_beside(folder / inside);
+    TRY_VOID(write_file_atomic(temporary, bytes));
+    const auto done = commit_new(temporary, folder / inside);
+    if (done.ok() && *done) return inside.generic_string();
+    fs::remove(temporary, code);
+    return done.ok() ? there.error() : done.error(); // what is there cannot be read
 }
 
 Result<void> PatchEdit::set_file(const QString& what, const std::string& key, const fs::path& file) {

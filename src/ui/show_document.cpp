@@ -2,6 +2,7 @@
 #include "ui/show_document.h"
 
 #include "base/files.h"
+#include "base/user_file.h"
 #include "scene/show_edit.h"
 #include "ui/undo_ids.h"
 
@@ -49,7 +50,10 @@ ShowDocument::ShowDocument(Studio& studio) : studio_(studio) {
     draft_timer_.setSingleShot(true);
     // No watcher tells of a folder that is renamed, or of a disk that is taken out.
     gone_timer_.start(kLookAgain_ms);
-    connect(&gone_timer_, &QTimer::timeout, this, &ShowDocument::look_whether_gone);
+    connect(&gone_timer_, &QTimer::timeout, this, [this] {
+        look_whether_gone();
+        look_who_holds();
+    });
     connect(&draft_timer_, &QTimer::timeout, this, &ShowDocument::keep_draft);
     for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
         connect(&watcher_, signal, this, &ShowDocument::look_at_file);
@@ -76,6 +80,7 @@ void ShowDocument::watch() {
 
 void ShowDocument::read_opened() {
     if (draft_timer_.isActive()) keep_draft(); // of the show that was open
+    hold_.reset();
     file_ = studio_.show()->file;
     drafts_ = Drafts(*studio_.show());
     text_.clear();
@@ -95,7 +100,48 @@ void ShowDocument::read_opened() {
     }
     saved_ = text_;
     watch();
-    if (!file_.empty()) find_draft();
+    if (!file_.empty()) hold(Hold::Other::keeps);
+    if (is_read_only())
+        Q_EMIT found_held("Another window has this show open: " + QString::fromStdString(hold_->holder()) +
+                          ". Here it is read only.");
+    else if (!file_.empty())
+        find_draft();
+    Q_EMIT changed();
+}
+
+void ShowDocument::hold(Hold::Other other) {
+    if (auto taken = drafts_.hold(other); taken.ok()) hold_ = std::move(*taken);
+    was_ours_ = hold_ && hold_->is_ours();
+}
+
+void ShowDocument::look_who_holds() {
+    notice_loss();
+    if (!is_read_only()) return;
+    hold(Hold::Other::keeps); // the other one may have closed it
+    if (!is_read_only()) begin_editing();
+}
+
+void ShowDocument::begin_editing() {
+    look_at_file();
+    find_draft();
+    Q_EMIT changed();
+}
+
+void ShowDocument::notice_loss() {
+    if (!was_ours_ || !is_read_only()) return;
+    was_ours_ = false;
+    draft_.reset(); // the other window offers it
+    QString kept;
+    if (is_changed()) {
+        // The draft is the other window's now.
+        const auto copy = drafts_.write_aside(text_);
+        is_kept_ = copy.ok();
+        kept = copy.ok()
+                   ? " What was not saved here is kept in " + QString::fromStdString(copy->string()) + "."
+                   : QString(" What is not saved here can be saved as a copy.");
+    }
+    Q_EMIT found_held("Another window took this show over: " + QString::fromStdString(hold_->holder()) +
+                      ". Here it is read only." + kept);
     Q_EMIT changed();
 }
 
@@ -116,6 +162,10 @@ Result<void> ShowDocument::check_editable() const {
             "a plot that is opened as it is cannot be edited; 'ghostlight import' makes a show of it, "
             "whose changes outlive the designer's next version",
             studio_.show()->file.string()};
+    if (is_read_only())
+        return Error{"is open in another window: " + hold_->holder() +
+                         "; close it there, or take it over (in a script: take-over)",
+                     file_.string()};
     if (draft_)
         return Error{"changes of an earlier time wait: take them or drop them first (Edit menu)",
                      file_.string()};
@@ -152,7 +202,13 @@ void ShowDocument::keep_draft() {
 
 Result<void> ShowDocument::keep() {
     draft_timer_.stop();
+    notice_loss();
     if (file_.empty() || draft_) return {};
+    if (is_read_only())
+        return is_kept_ || text_ == copied_
+                   ? Result<void>()
+                   : Error{"another window has the show, and what is not saved here is kept nowhere",
+                           file_.string()};
     Result<void> kept;
     if (is_changed())
         kept = drafts_.write(text_, saved_);
@@ -177,6 +233,12 @@ void ShowDocument::look_at_file() {
     const bool outside = *now != saved_ && *now != text_;
     if (outside ? seen_outside_ == *now : !changed_outside_) {
         if (was_gone) Q_EMIT changed();
+        return;
+    }
+    if (is_read_only() && !is_changed()) { // it follows the other window
+        if (!scene::preview_edit(*studio_.show(), *now).ok()) return;
+        saved_ = *now;
+        put({*now, studio_.look(), studio_.selection()});
         return;
     }
     changed_outside_ = outside;
@@ -212,6 +274,12 @@ void ShowDocument::look_whether_gone() {
 Result<void> ShowDocument::save(bool over) {
     TRY_VOID(check_editable());
     const auto now = read_text_file(file_, kMostBytes);
+    std::error_code code;
+    if (!over && !now.ok() && std::filesystem::exists(std::filesystem::symlink_status(file_, code)))
+        return Error{now.error().what +
+                         ": nobody can say whether another program changed it; save yours over "
+                         "it (in a script: save over), or save a copy",
+                     file_.string()};
     if (!over && now.ok() && *now != saved_ && *now != text_) {
         changed_outside_ = true;
         return Error{
@@ -219,7 +287,7 @@ Result<void> ShowDocument::save(bool over) {
             "over it (in a script: reload, save over)",
             file_.string()};
     }
-    if (const Result<void> written = write_file_atomic(file_, text_); !written.ok()) {
+    if (const Result<void> written = write_user_file(file_, text_); !written.ok()) {
         save_failed_ = true;
         Q_EMIT save_failed("The show is not saved: " + QString::fromStdString(written.error().text()));
         return written;
@@ -234,7 +302,7 @@ Result<void> ShowDocument::save(bool over) {
 }
 
 Result<void> ShowDocument::save_copy(const std::filesystem::path& file) {
-    TRY_VOID(check_editable());
+    if (!is_read_only()) TRY_VOID(check_editable());
     std::error_code code;
     if (std::filesystem::equivalent(file, file_, code))
         return Error{"is the show file itself, which 'save' writes", file.string()};
@@ -270,7 +338,16 @@ Result<void> ShowDocument::take_draft() {
     return edit("Take changes", {std::move(text), studio_.look(), studio_.selection()});
 }
 
+Result<void> ShowDocument::take_over() {
+    if (!is_read_only()) return Error{"no other window has this show open", file_.string()};
+    hold(Hold::Other::gives_way);
+    if (is_read_only()) return check_editable();
+    begin_editing();
+    return {};
+}
+
 Result<void> ShowDocument::drop_draft() {
+    notice_loss();
     if (!draft_) return Error{"there are no changes of an earlier time", ""};
     draft_.reset();
     drafts_.remove();

@@ -6,6 +6,7 @@
 // time it is offered. Errors go to who
 // asked. Window thread.
 
+#include "base/hold.h"
 #include "ui/drafts.h"
 #include "ui/studio.h"
 
@@ -33,10 +34,12 @@ public:
     bool has_draft() const { return draft_.has_value(); }
     // Whether the file says something else now than when it was read or written here.
     bool is_changed_outside() const { return changed_outside_; }
+    // Whether another window has the show, on this machine or another: nothing is edited, saved or kept here.
+    bool is_read_only() const { return hold_ && !hold_->is_ours(); }
     // Whether something waits for a person: a draft, a change outside, a disk that takes
-    // nothing, a show file that is gone.
+    // nothing, a show file that is gone, another window.
     bool waits_for_answer() const {
-        return has_draft() || is_changed_outside() || !is_kept_ || save_failed_ || is_gone_;
+        return has_draft() || is_changed_outside() || !is_kept_ || save_failed_ || is_gone_ || is_read_only();
     }
 
     // Error: no show, an .mvr that was opened as it is, or a draft that waits.
@@ -62,12 +65,15 @@ public:
     Result<void> keep();
     Result<void> take_draft();
     Result<void> drop_draft();
+    // From another window, which keeps what it has not saved in a file of its own and becomes read-only.
+    Result<void> take_over();
 
 Q_SIGNALS:
     void changed(); // any of the above
     void draft_found(const QString& words);
     void found_changed_outside(const QString& words); // and could not be taken
     void found_gone(const QString& words);
+    void found_held(const QString& words); // by another window
     void save_failed(const QString& words);
     void keep_failed(const QString& words); // the next window would not find what is not saved
 
@@ -80,11 +86,17 @@ private:
     void find_draft();
     void look_at_file();
     void look_whether_gone();
+    void look_who_holds();
+    void notice_loss();
+    void hold(Hold::Other other);
+    void begin_editing();
     void watch();
 
     Studio& studio_;
     std::filesystem::path file_; // empty: nothing that can be edited
     Drafts drafts_;
+    std::optional<Hold> hold_; // none: nothing can be written there
+    bool was_ours_ = false;    // at the last look
     std::string text_;
     std::string saved_;  // as the file has it
     std::string copied_; // as it was saved as a copy

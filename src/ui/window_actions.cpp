@@ -292,6 +292,7 @@ Result<void> Window::save_state(const QStringList& arguments) {
     state["second_display"] = second_.words();
     state["unsaved"] = document_.is_changed();
     state["changes_wait"] = document_.has_draft();
+    state["read_only"] = document_.is_read_only();
     const QByteArray text = QJsonDocument(state).toJson();
     return write_file_atomic(arguments.value(0).toStdString(), text.toStdString());
 }

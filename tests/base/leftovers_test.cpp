@@ -41,16 +41,16 @@ TEST_F(Leftovers, those_of_killed_programs_go_and_nothing_else_does) {
                                    ".a.part12_", "a.part999999999_0", ".a.part999999999_0x", ".git"})
         others.push_back(write(name, 5));
     write(alive.filename().string(), 5);
-    EXPECT_EQ(remove_leftovers(root_, Below::left_alone), 2u);
+    EXPECT_EQ(remove_leftovers(root_, root_, Below::left_alone), 2u);
     EXPECT_FALSE(fs::exists(gone));
     EXPECT_FALSE(fs::exists(bare));
     for (const fs::path& path : others) EXPECT_TRUE(fs::exists(path)) << path;
     EXPECT_TRUE(fs::exists(fresh));
     EXPECT_TRUE(fs::exists(alive));
     EXPECT_TRUE(fs::exists(below));
-    EXPECT_EQ(remove_leftovers(root_, Below::included), 1u);
+    EXPECT_EQ(remove_leftovers(root_, root_, Below::included), 1u);
     EXPECT_FALSE(fs::exists(below));
-    EXPECT_EQ(remove_leftovers(root_ / "nowhere", Below::included), 0u);
+    EXPECT_EQ(remove_leftovers(root_ / "nowhere", root_, Below::included), 0u);
 }
 
 } // namespace

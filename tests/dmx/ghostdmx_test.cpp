@@ -176,6 +176,24 @@ TEST(Ghostdmx, a_block_that_is_gone_is_skipped_without_an_index) {
     EXPECT_TRUE(same_look(bad.at(0.0), good.at(0.0)));
 }
 
+// Whole blocks of which each is out of order: the search for the next good one goes on where it stood.
+TEST(Ghostdmx, a_file_of_one_block_over_and_over_is_searched_once) {
+    const TestFolder folder;
+    const auto one = pack({make_frame(0us, 1, {255, 0, 7})}, 1s);
+    ByteReader piece(Bytes(one).subspan(ghostdmx::kHeaderBytes));
+    piece.skip(12);
+    const std::size_t block_bytes = ghostdmx::kPieceHeaderBytes + piece.u32_le();
+    std::vector<std::uint8_t> bytes(one.begin(), one.begin() + ghostdmx::kHeaderBytes);
+    const auto block = Bytes(one).subspan(ghostdmx::kHeaderBytes, block_bytes);
+    while (bytes.size() < (8u << 20)) bytes.insert(bytes.end(), block.begin(), block.end());
+    const auto begun = std::chrono::steady_clock::now();
+    const auto recording = read_recording(write_bytes(folder.path / "again.ghostdmx", bytes));
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    ASSERT_TRUE(recording.ok()) << recording.error().text();
+    EXPECT_FALSE(recording->problems.empty());
+    EXPECT_LT(took.count(), 5.0);
+}
+
 TEST(Ghostdmx, what_is_none_is_refused_with_a_reason) {
     const TestFolder folder;
     const auto error_of = [&](const std::vector<std::uint8_t>& bytes) {

@@ -286,5 +286,25 @@ TEST(mvr_hostile, uuids_links_and_texts) {
     EXPECT_TRUE(says(loaded->report, {"found 'UpScale'; taken as ScaleKeepRatio"}));
 }
 
+// Hours, where every missing name is held against every file of the archive.
+TEST(mvr_hostile, many_missing_files_beside_many_others) {
+    constexpr int kCount = 8000;
+    const std::string long_name(48, 'n');
+    Members members;
+    std::string fixtures;
+    for (int k = 0; k < kCount; ++k) {
+        members.emplace_back(long_name + std::to_string(k) + "a.gdtf", "");
+        fixtures += "<Fixture uuid=\"" + std::to_string(k) + "\"><GDTFSpec>" + std::string(48, 'm') +
+                    std::to_string(k) + "b.gdtf</GDTFSpec></Fixture>";
+    }
+    auto bytes = mvr_bytes(small_xml(fixtures), std::move(members));
+    const auto begun = std::chrono::steady_clock::now();
+    const auto loaded = load_mvr(std::move(bytes), "tiny.mvr");
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+    EXPECT_EQ(loaded->plot.gdtf_files.size(), static_cast<std::size_t>(kCount));
+    EXPECT_LT(took.count(), 10.0);
+}
+
 } // namespace
 } // namespace ghost::scene

@@ -177,6 +177,13 @@ TEST_F(PassesFiles, EveryCutManifestAndEveryCutFragmentFileIsAnError) {
     }
 }
 
+TEST_F(PassesFiles, AManifestNestedWithoutEndIsRefused) {
+    const auto manifest = parse_manifest("{\"lights\": " + std::string(4'000'000, '['), "manifest.json");
+    ASSERT_FALSE(manifest.ok());
+    EXPECT_NE(manifest.error().text().find("manifest.json: is nested deeper than 32"), std::string::npos)
+        << manifest.error().text();
+}
+
 TEST_F(PassesFiles, ManifestNamesStayInTheirFolder) {
     for (const char* name : {"../x", "/etc/passwd", "", ".hidden", "a\\b"}) {
         manifest_.width = manifest_.height = 2;

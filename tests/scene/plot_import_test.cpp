@@ -268,9 +268,31 @@ TEST(ImportPlot, MakesAShowAndKeepsWhatTheUserChanged) {
     EXPECT_EQ(named(merged, "Spot").address, 99);
     expect_near(named(merged, "Spot").position_m, {0.5f, 0, 5});
     EXPECT_EQ(merged.fixtures.size(), 2u);
-    for (const auto& entry : fs::directory_iterator(out))
-        EXPECT_TRUE(entry.path().filename() == "show.toml" || entry.path().filename() == "tour.mvr")
-            << entry.path();
+    // The version that gave way is kept.
+    EXPECT_EQ(read_text(out / "tour (before 1).mvr"), read_text(folder / "tour.mvr"));
+    EXPECT_TRUE(says(report, {"kept as 'tour (before 1).mvr'"})) << messages_of(report);
+    ASSERT_TRUE(import_plot(folder / "tour.mvr", out, report).ok());
+    EXPECT_EQ(read_text(out / "tour (before 2).mvr"), read_text(folder / "tour_2.mvr"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(out), fs::directory_iterator()), 4);
+}
+
+// A show from elsewhere says which file its plot is.
+TEST(ImportPlot, ReplacesNoFileOutsideOfTheShow) {
+    const fs::path folder = scratch("import_outside");
+    write_mvr(folder / "new.mvr", small_xml(fixture_xml(20, "Spot", kIdentity + "{0,0,0}", "")));
+    fs::create_directories(folder / "show");
+    std::ofstream(folder / "letter.mvr") << "dear";
+    fs::create_symlink(folder / "letter.mvr", folder / "show" / "link.mvr");
+    Report report;
+    for (const char* const plot : {"../letter.mvr", "link.mvr"}) {
+        std::ofstream(folder / "show" / "show.toml") << "[show]\nplot = \"" << plot << "\"\n";
+        const auto imported = import_plot(folder / "new.mvr", folder / "show", report);
+        ASSERT_FALSE(imported.ok()) << plot;
+        EXPECT_NE(imported.error().text().find("outside of the show's folder"), std::string::npos)
+            << imported.error().text();
+        EXPECT_EQ(read_text(folder / "letter.mvr"), "dear");
+        EXPECT_TRUE(fs::is_symlink(folder / "show" / "link.mvr"));
+    }
 }
 
 TEST(ExportPlot, WritesWhatTheShowChangesAndNothingElse) {

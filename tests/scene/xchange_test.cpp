@@ -167,6 +167,21 @@ TEST(Xchange, messages_as_the_standard_prints_them) {
     EXPECT_FALSE(parse_xchange_message(R"({"Type":"MVR_REQUEST_RET","OK":"false","Message":"no"})")->ok);
 }
 
+// Before anything is built of it: the stack is no place for a neighbour's brackets.
+TEST(Xchange, a_message_nested_without_end_is_refused) {
+    for (const char* const bracket : {"[", "{\"a\":"}) {
+        std::string text = R"({"Type": "MVR_COMMIT", "Files": )";
+        while (text.size() < kMaxXchangeMessageBytes - 10) text += bracket;
+        const auto message = parse_xchange_message(text);
+        ASSERT_FALSE(message.ok());
+        EXPECT_EQ(message.error().what, "a message that is nested deeper than 32");
+        std::string closed = R"({"Type": "MVR_COMMIT", "Files": )" + std::string(520'000, '[');
+        closed += std::string(520'000, ']') + "}";
+        EXPECT_FALSE(parse_xchange_message(closed).ok());
+    }
+    EXPECT_FALSE(parse_xchange_message(R"({"Type": "MVR_JOIN", "Type": "MVR_LEAVE"})").ok());
+}
+
 TEST(Xchange, a_commit_with_capitals_and_without_a_name_and_how_its_file_is_asked_for) {
     const auto message = parse_xchange_message(
         R"({"Comment":"new truss","FileSize":4711,"FileUUID":"AAB19E5D-66F0-4B1B-98E8-A8C6AC1F2E1F",

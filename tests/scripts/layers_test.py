@@ -32,6 +32,8 @@ BREACHES = [
     ("tests/base/l.cpp", "\n", "no licence line"),
     ("src/base/m.cpp", HEAD + "\n" * 600, "601 lines"),
     ("src/scene/p.cpp", HEAD + "class Twin {\n};\nnamespace {\nstruct Twin {};\n} // namespace\nstruct Twin;\n", "p.cpp:2: Twin: another type of this name stands at src/scene/aa.h:3"),
+    ("src/app/r.cpp", HEAD + 'std::printf("%s", name);\n', "r.cpp:2: what reaches a terminal goes through"),
+    ("src/scene/q.cpp", HEAD + "const auto all = nlohmann::json::parse(text);\n", "q.cpp:2: JSON is read by base/json.h"),
     ("shaders/shared/n.h", HEAD + '#pragma once\n#include "scene/show.h"\n', "shared does not stand on scene"),
 ]
 with tempfile.TemporaryDirectory() as folder:

@@ -116,6 +116,23 @@ TEST(UiLooks, a_file_with_mistakes_is_not_written_over) {
     EXPECT_EQ(bench.looks.all().size(), 2u);
 }
 
+TEST(UiLooks, more_than_can_be_read_again_is_not_written) {
+    LookBench bench;
+    bench.read();
+    bench.set(0, 1);
+    ASSERT_TRUE(bench.looks.store("A").ok());
+    const std::string before = bench.text();
+    Look look = bench.studio.look();
+    for (std::size_t lamp = 0; lamp < 4; ++lamp) look.fixtures[lamp].levels.assign(1'200'000, 200);
+    bench.studio.set_look(look, "levels");
+    const Result<void> stored = bench.looks.store("B");
+    ASSERT_FALSE(stored.ok());
+    EXPECT_NE(stored.error().text().find("at most 16 are read again"), std::string::npos)
+        << stored.error().text();
+    EXPECT_EQ(bench.text(), before);
+    EXPECT_EQ(bench.looks.all().size(), 1u);
+}
+
 TEST(UiLooks, what_another_program_wrote_is_not_written_over) {
     LookBench bench;
     bench.read();

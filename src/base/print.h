@@ -1,0 +1,17 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What reaches a terminal. Names come from files and networks: what a terminal would obey in them (escapes,
+// C0, DEL, C1) is shown instead, written as JSON does, so that this may be JSON, too. Any thread.
+
+#include <string>
+#include <string_view>
+
+namespace ghost {
+
+// Newlines and tabs stay; bytes that are not UTF-8 become U+FFFD.
+std::string printable(std::string_view text);
+
+// printf, printable.
+[[gnu::format(printf, 1, 2)]] void print_text(const char* format, ...);
+
+} // namespace ghost
