@@ -147,9 +147,9 @@ std::array<std::uint8_t, 239> build_poll_reply(const PollReply& reply) {
     put_u16(out, reply.ports.size());
     put_ports(out, [](const PollReply::Port&) { return 0x80; }); // PortTypes: DMX512 output
     out.insert(out.end(), 4, 0);                                 // GoodInput
-    // GoodOutputA: bit 7 levels arrive, bit 1 merges latest-takes-precedence
+    // GoodOutputA: bit 7 levels arrive, bit 3 two sources merge, bit 1 latest-takes-precedence
     put_ports(out, [&](const PollReply::Port& port) {
-        return (port.receiving ? 0x80 : 0) | (reply.ltp ? 0x02 : 0);
+        return (port.receiving ? 0x80 : 0) | (port.merging ? 0x08 : 0) | (reply.ltp ? 0x02 : 0);
     });
     out.insert(out.end(), 4, 0);                                                   // SwIn
     put_ports(out, [](const PollReply::Port& port) { return port.address & 15; }); // SwOut
@@ -158,8 +158,9 @@ std::array<std::uint8_t, 239> build_poll_reply(const PollReply& reply) {
     out.insert(out.end(), 6, 0);     // MAC address not told
     put_u32(out, reply.ipv4);        // BindIp
     out.push_back(reply.bind_index);
-    out.push_back(0x08); // Status2: 15-bit Port-Address
-    CHECK_EQ(out.size(), 213u);
+    out.push_back(0x08);                                         // Status2: 15-bit Port-Address
+    put_ports(out, [](const PollReply::Port&) { return 0x80; }); // GoodOutputB: bit 7 no RDM
+    CHECK_EQ(out.size(), 217u);
     std::array<std::uint8_t, 239> bytes{};
     std::copy(out.begin(), out.end(), bytes.begin());
     return bytes;

@@ -36,6 +36,7 @@ struct PollReply {
     struct Port {
         std::uint16_t address = 0; // all of a reply share all but the last four bits
         bool receiving = false;    // levels arrive for it right now
+        bool merging = false;      // of two Art-Net sources
     };
     std::uint32_t ipv4 = 0;      // ours, host byte order
     std::vector<Port> ports;     // 1 to 4

@@ -14,8 +14,7 @@ void Changes::look_at(const Universe& universe, nanoseconds now, std::vector<Rec
     const bool arrived = !known.any || universe.arrival != known.arrival;
     known.arrival = universe.arrival;
     if (!changed && universe.lost == known.lost) return;
-    std::uint16_t used = kSlots;
-    while (used > known.slots && (*universe.levels)[used - 1u] == 0) --used;
+    const std::uint16_t used = std::max(known.slots, universe.slot_count);
     known = {true, universe.lost, universe.revision, universe.arrival, used};
     out.push_back({std::chrono::floor<microseconds>(arrived ? universe.arrival : now), universe.number, used,
                    universe.lost, universe.levels});

@@ -46,6 +46,7 @@ void Intake::take_levels(Packet& packet, const Arrival& arrival) {
         UnlistedUniverse& entry = place == unlisted_.end() ? unlisted_[key] : place->second;
         entry.universe = packet.universe;
         entry.protocol = packet.protocol;
+        entry.name = packet.source_name;
         entry.from = packet.from;
         entry.age = arrival.time;
         ++entry.packets;
@@ -72,6 +73,9 @@ std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
         ++counted_.drops[static_cast<std::size_t>(*drop)];
     } else if (Packet* packet = std::get_if<Packet>(&parsed)) {
         take_levels(*packet, arrival);
+    } else if (const auto* passing = std::get_if<Passing>(&parsed)) {
+        ++counted_.drops[static_cast<std::size_t>(Drop::bad_start_code)];
+        merge_.pass(*passing);
     } else if (const auto* sync = std::get_if<SyncPacket>(&parsed)) {
         merge_.feed(*sync, arrival.time);
     } else if (const auto* discovery = std::get_if<DiscoveryPacket>(&parsed)) {
@@ -88,10 +92,31 @@ std::optional<PollPacket> Intake::take(Bytes bytes, const Arrival& arrival) {
     return std::nullopt;
 }
 
+void Intake::take_elsewhere(Bytes bytes, const Arrival& arrival) {
+    const bool sacn = arrival.protocol == Protocol::sacn;
+    const Parsed parsed =
+        sacn ? parse_sacn(bytes, arrival.from) : parse_artnet(bytes, arrival.from, options_.artnet_offset);
+    const Packet* const packet = std::get_if<Packet>(&parsed);
+    if (!packet || packet->terminated) return;
+    const auto key = std::make_tuple(arrival.interface_index, packet->universe, packet->protocol);
+    const auto place = elsewhere_.find(key);
+    if (place == elsewhere_.end() && elsewhere_.size() >= kMaxUnlisted) return;
+    ElsewhereUniverse& entry = place == elsewhere_.end() ? elsewhere_[key] : place->second;
+    const std::uint64_t packets = entry.packets + 1;
+    entry = {arrival.interface_index,
+             packet->universe,
+             packet->protocol,
+             packet->source_name,
+             packet->from,
+             packets,
+             arrival.time};
+}
+
 void Intake::tick(std::chrono::nanoseconds now) {
     merge_.tick(now);
     discovery_.tick(now);
     std::erase_if(unlisted_, [&](const auto& entry) { return now - entry.second.age > kUnlistedForgotten; });
+    std::erase_if(elsewhere_, [&](const auto& entry) { return now - entry.second.age > kUnlistedForgotten; });
 }
 
 void Intake::report(Statistics& statistics, std::chrono::nanoseconds now) const {
@@ -116,6 +141,11 @@ void Intake::report(Statistics& statistics, std::chrono::nanoseconds now) const 
     for (const auto& [key, entry] : unlisted_) {
         statistics.unlisted_universes.push_back(entry);
         statistics.unlisted_universes.back().age = now - entry.age;
+    }
+    statistics.elsewhere_universes.clear();
+    for (const auto& [key, entry] : elsewhere_) {
+        statistics.elsewhere_universes.push_back(entry);
+        statistics.elsewhere_universes.back().age = now - entry.age;
     }
 }
 

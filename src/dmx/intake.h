@@ -10,6 +10,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,8 @@ public:
 
     // A poll that asks for an answer, if it is one.
     std::optional<PollPacket> take(Bytes bytes, const Arrival& arrival);
+    // One that came where we were told not to listen: only told of.
+    void take_elsewhere(Bytes bytes, const Arrival& arrival);
     void tick(std::chrono::nanoseconds now);
 
     // Instead of IntakeOptions::universes; what was known of others is forgotten where they are not accepted.
@@ -60,6 +63,7 @@ private:
     Discovery discovery_;
     Statistics counted_;                                                      // the counters of packets
     std::map<std::pair<std::uint16_t, Protocol>, UnlistedUniverse> unlisted_; // age: arrival
+    std::map<std::tuple<unsigned, std::uint16_t, Protocol>, ElsewhereUniverse> elsewhere_; // age: arrival
 };
 
 } // namespace ghost::dmx

@@ -49,8 +49,9 @@ std::string source_id(const SourceKey& key) {
 }
 
 LevelSource::LevelSource(const Packet& first, bool joined, std::chrono::nanoseconds now)
-    : key_(first.source), from_(first.from), interface_index_(first.interface_index), joined_(joined),
-      first_heard_(now), last_levels_(now), last_way_(now), window_start_(now) {}
+    : key_(first.source), from_(first.from), interface_index_(first.interface_index),
+      priority_(first.priority), joined_(joined), first_heard_(now), last_levels_(now), last_way_(now),
+      window_start_(now) {}
 
 std::chrono::nanoseconds LevelSource::expires() const {
     return last_levels_ + loss_after(key_.protocol);
@@ -169,8 +170,16 @@ void LevelSource::resume(std::chrono::nanoseconds pause, std::chrono::nanosecond
 std::uint8_t LevelSource::rank(std::size_t slot) const {
     if (!has_levels_ || slot >= slot_count_) return 0;
     const std::uint8_t priority = per_address_ ? slot_priority_[slot] : priority_;
-    if (per_address_ && (priority == 0 || priority > 200)) return 0;
+    if (per_address_ && (priority == 0 || priority > kMaxPriority)) return 0;
     return static_cast<std::uint8_t>(priority + 1);
+}
+
+std::uint8_t LevelSource::priority() const {
+    if (!per_address_) return priority_;
+    std::uint8_t highest = 0;
+    for (const std::uint8_t one : slot_priority_)
+        if (one <= kMaxPriority) highest = std::max(highest, one);
+    return highest;
 }
 
 SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,

@@ -19,6 +19,7 @@ namespace ghost::dmx {
 inline constexpr std::chrono::milliseconds kSacnLoss{2500};    // E131_NETWORK_DATA_LOSS_TIMEOUT
 inline constexpr std::chrono::milliseconds kArtnetLoss{10000}; // unchanged levels come every 4 s or so
 inline constexpr std::chrono::milliseconds kUsbLoss{2500};     // a widget repeats what it hears
+inline constexpr std::uint8_t kMaxPriority = 200;              // E1.31-2018 6.2.3
 inline constexpr std::chrono::milliseconds kWaySilence{1250};  // unchanged sACN levels come every 0.8 to 1 s
 
 class LevelSource {
@@ -39,6 +40,9 @@ public:
     bool same_way(const Packet& packet, std::chrono::nanoseconds now);
     // Missed packets before this one, nothing where it is late.
     std::optional<unsigned> in_sequence(const Packet& packet);
+    // A packet of the same row of numbers that is none of this source's, and so many before it that were
+    // missed there: none of them is missed here.
+    void pass(std::uint8_t number, unsigned missed = 0) { sequence_.pass(number, missed); }
     // Keeps it; where hold: until release(). True: levels or priorities changed hands now.
     void keep(const Packet& packet, bool hold, std::uint32_t stamp, std::chrono::nanoseconds now);
     // What was held is shown from now on. False: nothing was.
@@ -55,6 +59,8 @@ public:
 
     // Priority + 1 in a slot (0-based), 0 where it does not hold it.
     std::uint8_t rank(std::size_t slot) const;
+    // The highest of its slots: its own, or of its priorities per address.
+    std::uint8_t priority() const;
     std::uint8_t level(std::size_t slot) const { return levels_[slot]; }
     std::size_t slot_count() const { return slot_count_; }
     // When the slot changed last, as the stamp that keep() was given; 0 where that is not recorded (sACN).

@@ -80,7 +80,7 @@ void Listener::announce(const std::vector<std::uint16_t>& universes, std::chrono
     announced_ = universes;
     if (options_.sacn) announced_.push_back(kDiscoveryUniverse);
     std::sort(announced_.begin(), announced_.end());
-    join_groups(sync_universes_);
+    join_groups(more_);
     if (const std::string failed = failed_joins(); !failed.empty()) note(failed, now);
 }
 
@@ -96,6 +96,7 @@ Result<void> Listener::open_all(const std::vector<std::uint16_t>& announced) {
         // The socket that was bound last gets the unicast, so the plain one comes after those for groups.
         groups4_.emplace(false, [this] { return add(Protocol::sacn, 0, true, false); });
         groups6_.emplace(true, [this] { return add(Protocol::sacn, 0, true, true); });
+        elsewhere4_.emplace(false, [this] { return add(Protocol::sacn, 0, true, false); });
         join_groups({});
         TRY_VOID(add(Protocol::sacn, 0, false, false));
         // A machine without IPv6 is none the worse.
@@ -115,15 +116,26 @@ Result<void> Listener::open_all(const std::vector<std::uint16_t>& announced) {
     return {};
 }
 
-void Listener::join_groups(const std::vector<std::uint16_t>& sync_universes) {
-    sync_universes_ = sync_universes;
+// None of loopback: who chose that has no network in mind.
+std::vector<NetInterface> Listener::other_interfaces() const {
+    std::vector<NetInterface> result;
+    if (!chosen_ || chosen_->loopback) return result;
+    for (const NetInterface& one : all_)
+        if (one.index != chosen_->index && !one.loopback && !find_index(result, one.index))
+            result.push_back(one);
+    return result;
+}
+
+void Listener::join_groups(const More& more) {
+    more_ = more;
     if (!groups4_) return;
     std::vector<std::uint16_t> universes = announced_;
-    universes.insert(universes.end(), sync_universes.begin(), sync_universes.end());
+    universes.insert(universes.end(), more.here.begin(), more.here.end());
     std::sort(universes.begin(), universes.end());
     universes.erase(std::unique(universes.begin(), universes.end()), universes.end());
     groups4_->update(universes, interfaces_);
     groups6_->update(universes, interfaces_); // where it has no room or no IPv6, SocketStatus shows no groups
+    elsewhere4_->update(more.elsewhere, other_interfaces()); // only to say what is there
     if (const std::string failed = failed_joins(); !failed.empty() && warnings_.empty())
         warnings_.push_back(failed);
 }
@@ -141,7 +153,7 @@ void Listener::note(const std::string& text, std::chrono::nanoseconds now) {
     link_changes_.push_back({number, text, now});
 }
 
-void Listener::check(const std::vector<std::uint16_t>& sync_universes, std::chrono::nanoseconds now) {
+void Listener::check(const More& more, std::chrono::nanoseconds now) {
     const std::vector<NetInterface> before = all_;
     const std::optional<NetInterface> before_chosen = chosen_;
     if (!options_.interface.empty()) {
@@ -169,7 +181,7 @@ void Listener::check(const std::vector<std::uint16_t>& sync_universes, std::chro
         const auto opened = open_chosen();
         if (!opened.ok()) note(opened.error().text(), now);
     }
-    if (changed || sync_universes != sync_universes_) join_groups(sync_universes);
+    if (changed || more != more_) join_groups(more);
 }
 
 bool Listener::is_own(const IpAddress& address) const {
@@ -186,15 +198,16 @@ bool Listener::is_local_network(std::uint32_t ipv4) const {
 
 // A broadcast reaches every socket of the port, a group those that joined it, unicast the one that was bound
 // to its address or, of several, bound last.
-bool Listener::wanted(const Datagram& datagram, const Role& role) const {
-    if (datagram.to.is_multicast()) return true;
-    const bool unicast = !datagram.to.is_ipv4() || datagram.to == IpAddress(datagram.local_ipv4);
-    if (role.groups && !unicast) return false;
-    if (!chosen_ || datagram.interface_index == chosen_->index) return true;
-    return datagram.to == IpAddress(chosen_->address) || datagram.to.is_loopback();
+Listener::Way Listener::way_of(const Datagram& datagram, const Role& role) const {
+    const bool group = datagram.to.is_multicast();
+    const bool unicast = !group && (!datagram.to.is_ipv4() || datagram.to == IpAddress(datagram.local_ipv4));
+    if (role.groups && !group && !unicast) return Way::twice;
+    if (!chosen_ || datagram.interface_index == chosen_->index) return Way::ours;
+    const bool to_us = !group && (datagram.to == IpAddress(chosen_->address) || datagram.to.is_loopback());
+    return to_us ? Way::ours : Way::elsewhere;
 }
 
-bool Listener::drain(const Take& take) {
+bool Listener::drain(const Take& take, const Take& elsewhere) {
     bool empty = true;
     for (std::size_t i = 0; i < std::min(sockets_.size(), ready_.size()); ++i) {
         if (!ready_[i]) continue;
@@ -202,8 +215,11 @@ bool Listener::drain(const Take& take) {
         for (; turn < kMaxBatchesPerTurn; ++turn) {
             const std::span<const Datagram> batch = sockets_[i]->receive();
             if (batch.empty()) break;
-            for (const Datagram& datagram : batch)
-                if (wanted(datagram, roles_[i])) take(datagram, roles_[i].protocol);
+            for (const Datagram& datagram : batch) {
+                const Way way = way_of(datagram, roles_[i]);
+                if (way == Way::ours) take(datagram, roles_[i].protocol);
+                if (way == Way::elsewhere) elsewhere(datagram, roles_[i].protocol);
+            }
         }
         empty &= turn < kMaxBatchesPerTurn;
     }
@@ -225,9 +241,10 @@ void Listener::report(Statistics& statistics) const {
         const auto& groups = ipv6 ? groups6_ : groups4_;
         const Protocol protocol = roles_[i].protocol;
         const std::uint16_t port = protocol == Protocol::sacn ? options_.sacn_port : options_.artnet_port;
-        statistics.sockets.push_back({roles_[i].name, protocol, port, ipv6,
-                                      groups ? groups->joined_by(&socket) : 0, socket.receive_buffer(),
-                                      socket.packets(), socket.overflow()});
+        statistics.sockets.push_back(
+            {roles_[i].name, protocol, port, ipv6,
+             groups ? groups->joined_by(&socket) + elsewhere4_->joined_by(&socket) : 0,
+             socket.receive_buffer(), socket.packets(), socket.overflow()});
     }
     statistics.link_changes = link_changes_;
     statistics.interfaces = all_;

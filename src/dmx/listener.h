@@ -25,10 +25,17 @@ public:
         ready_ = wait_for_packets(sockets_, handles, timeout);
     }
     // Everything that waited then, at most 4096 packets a socket. False: there is more.
+    // elsewhere: gets what came by another interface than the chosen one.
     using Take = std::function<void(const Datagram&, Protocol)>;
-    bool drain(const Take& take);
-    // Looks at the interfaces again, and joins the groups of these universes, too (synchronisation).
-    void check(const std::vector<std::uint16_t>& sync_universes, std::chrono::nanoseconds now);
+    bool drain(const Take& take, const Take& elsewhere);
+    // Sorted universes whose groups are joined, too: on our interfaces, and on all others where one was
+    // chosen.
+    struct More {
+        std::vector<std::uint16_t> here, elsewhere;
+        bool operator==(const More&) const = default;
+    };
+    // Looks at the interfaces again.
+    void check(const More& more, std::chrono::nanoseconds now);
 
     // Joins the groups of these universes instead, without a gap for those that stay. What cannot be joined
     // is noted with the changes of links.
@@ -59,8 +66,10 @@ private:
     void look_at_interfaces();
     void note(const std::string& text, std::chrono::nanoseconds now);
     std::string failed_joins() const;
-    void join_groups(const std::vector<std::uint16_t>& sync_universes);
-    bool wanted(const Datagram& datagram, const Role& role) const;
+    void join_groups(const More& more);
+    std::vector<NetInterface> other_interfaces() const;
+    enum class Way { ours, elsewhere, twice };
+    Way way_of(const Datagram& datagram, const Role& role) const;
 
     ReceiverOptions options_;
     std::vector<std::uint16_t> announced_;
@@ -72,7 +81,8 @@ private:
     UdpSocket* artnet_plain_ = nullptr;
     UdpSocket* artnet_out_ = nullptr;
     std::optional<Groups> groups4_, groups6_;
-    std::vector<std::uint16_t> sync_universes_;
+    std::optional<Groups> elsewhere4_; // on interfaces that are not ours
+    More more_;
     std::vector<std::string> warnings_;
     std::uint64_t closed_overflow_ = 0;
     std::vector<LinkChange> link_changes_;

@@ -95,16 +95,16 @@ void Merge::forget_silent() {
 std::optional<std::size_t> Merge::place_for(const Input& input, const Packet& packet,
                                             std::chrono::nanoseconds now, bool& full) const {
     const bool artnet = packet.protocol == Protocol::artnet;
-    const auto artnets =
-        std::count_if(input.sources.begin(), input.sources.end(),
-                      [](const LevelSource& one) { return one.key().protocol == Protocol::artnet; });
-    full = artnet && artnets >= static_cast<std::ptrdiff_t>(kMaxArtnetSources);
+    full = artnet && count(packet.universe, Protocol::artnet) >= kMaxArtnetSources;
     if (full) return longest_silent(input.sources, now, Protocol::artnet);
     full = input.sources.size() >= kMaxSourcesPerUniverse ||
            (!input.asked && !input.sources.empty() && other_sources_ >= kMaxOtherSources);
     if (!full) return std::nullopt;
-    const auto silent = longest_silent(input.sources, now);
-    return silent ? silent : heard_once(input.sources, now);
+    if (const auto silent = longest_silent(input.sources, now)) return silent;
+    if (const auto once = heard_once(input.sources, now)) return once;
+    // Not with its first packet: whoever forges ever new sources of the highest priority evicts nobody.
+    const bool known = ignored_.contains({packet.universe, packet.source});
+    return known && packet.start_code == 0 ? lowest_priority(input.sources, packet.priority) : std::nullopt;
 }
 
 LevelSource* Merge::find_or_add(Input& input, const Packet& packet, std::chrono::nanoseconds now) {
@@ -161,8 +161,26 @@ bool Merge::must_hold(const Input& input, const LevelSource& source, const Packe
            }) == 1;
 }
 
+// A source numbers what it sends on a universe in one row: live, for preview, and what we do not use.
+void Merge::pass(const Passing& packet) {
+    const auto place = inputs_.find(packet.universe);
+    if (place == inputs_.end()) return;
+    for (LevelSource& source : place->second.sources)
+        if (source.key().id == packet.source.id && source.key().protocol == packet.source.protocol)
+            source.pass(packet.sequence);
+}
+
+// What it missed is missed once.
+void Merge::pass_to_twin(Input& input, const Packet& packet, unsigned missed) {
+    SourceKey twin = packet.source;
+    twin.preview = !twin.preview;
+    for (LevelSource& source : input.sources)
+        if (packet.protocol == Protocol::sacn && source.key() == twin) source.pass(packet.sequence, missed);
+}
+
 void Merge::feed(const Packet& packet, std::chrono::nanoseconds now) {
     if (packet.source.preview && !shows_preview(packet.universe)) {
+        pass({packet.source, packet.universe, packet.sequence});
         ignore(packet, IgnoredSource::Why::preview, now);
         return;
     }
@@ -187,6 +205,7 @@ void Merge::feed(const Packet& packet, std::chrono::nanoseconds now) {
         return;
     }
     counters_.missed += *missed;
+    if (shows_preview(packet.universe)) pass_to_twin(input, packet, *missed);
     const bool hold = must_hold(input, *source, packet, now);
     if (hold) sync_.wait(packet.source, packet.sync_universe, packet.universe);
     source->keep(packet, hold, ++stamp_, now);
@@ -312,6 +331,7 @@ void Merge::rebuild(std::uint16_t number, Input& input) {
     universe.lost = !live;
     universe.black = !live && input.black_due;
     if (!live && !universe.black) return; // hold the last look
+    if (live) universe.slot_count = slots_sent(input.sources, shows_preview(number));
     const Levels merged =
         live ? merge_levels(input.sources, shows_preview(number), options_.artnet_ltp) : Levels{};
     if (universe.revision != 0 && *universe.levels == merged) return;
@@ -329,6 +349,20 @@ bool Merge::all_heard_since(std::uint16_t universe, std::chrono::nanoseconds sin
     return found == inputs_.end() ||
            std::all_of(found->second.sources.begin(), found->second.sources.end(),
                        [&](const LevelSource& source) { return source.last_levels() > since; });
+}
+
+bool Merge::has_source(std::uint16_t universe) const {
+    const auto found = inputs_.find(universe);
+    return found != inputs_.end() && !found->second.sources.empty();
+}
+
+std::size_t Merge::count(std::uint16_t universe, Protocol protocol) const {
+    const auto found = inputs_.find(universe);
+    if (found == inputs_.end()) return 0;
+    const std::vector<LevelSource>& sources = found->second.sources;
+    return static_cast<std::size_t>(
+        std::count_if(sources.begin(), sources.end(),
+                      [&](const LevelSource& source) { return source.key().protocol == protocol; }));
 }
 
 const Universes& Merge::universes() {
@@ -350,6 +384,10 @@ std::vector<SourceStatus> Merge::sources(std::chrono::nanoseconds now) const {
             result.push_back(source.status(number, options_.slot_status, now));
         const std::vector<std::size_t> held = slots_held(input.sources, shows_preview(number));
         for (std::size_t i = 0; i < held.size(); ++i) result[first + i].slots_held = held[i];
+        const Universe* const shown = held.size() > 1 ? universes_.find(number) : nullptr;
+        if (!shown || input.dirty) continue;
+        const auto overruled = slots_overruled(input.sources, shows_preview(number), *shown->levels);
+        for (std::size_t i = 0; i < held.size(); ++i) result[first + i].slots_overruled = overruled[i];
     }
     return result;
 }

@@ -5,10 +5,11 @@
 // gives each slot its own priority); two Art-Net sources also latest-takes-precedence, by choice. A source
 // leaves after 2.5 s (sACN, USB) or 10 s (Art-Net) of silence, or when it says so. Silence is settled per
 // universe: a source leaves only when every other one was heard since or is silent, too, so a pulled cable
-// shows no intermediate look. When the last one leaves, the universe is marked lost and LossPolicy says what
-// is shown. Preview packets are left out, or, by choice, replace the live ones of their universe. No clock:
-// every call gets the time. One thread at a time. E1.31-2018 6.2 and 6.7, Art-Net 4 merging, ETC's rules for
-// 0xDD.
+// shows no intermediate look. A universe has kMaxSourcesPerUniverse places, for those of the highest priority
+// and, of these, the longest known. When the last one leaves, the universe is marked lost and LossPolicy says
+// what is shown. Preview packets are left out, or, by choice, replace the live ones of their universe. No
+// clock: every call gets the time. One thread at a time. E1.31-2018 6.2 and 6.7, Art-Net 4 merging, ETC's
+// rules for 0xDD.
 
 #include "dmx/level_source.h"
 #include "dmx/sync.h"
@@ -68,7 +69,7 @@ struct MergeCounters {
     std::uint64_t too_many_sources = 0;
     std::uint64_t too_many_universes = 0;
     std::uint64_t universes_forgotten = 0; // nobody had asked for them and nobody sent them any more
-    // Gone for a newcomer where all places were taken: silent, or heard only once.
+    // Gone for a newcomer where all places were taken: silent, heard only once, or of a lower priority.
     std::uint64_t sources_replaced = 0;
     std::uint64_t sources_lost = 0;       // by silence
     std::uint64_t sources_terminated = 0; // by their own word
@@ -82,6 +83,8 @@ public:
     void listen(std::chrono::nanoseconds now);
     void feed(const Packet& packet, std::chrono::nanoseconds now);
     void feed(const SyncPacket& packet, std::chrono::nanoseconds now);
+    // Levels of a start code that we do not use: only their number counts.
+    void pass(const Passing& packet);
     // Lets silent sources go and newcomers in. Call a few times a second.
     void tick(std::chrono::nanoseconds now);
     // We did not listen for this long up to now (the program was stopped): that was no silence of the
@@ -103,6 +106,12 @@ public:
 
     // Whether all sources that a universe has were heard after this.
     bool all_heard_since(std::uint16_t universe, std::chrono::nanoseconds since) const;
+
+    // How many sources of a protocol a universe has.
+    std::size_t count(std::uint16_t universe, Protocol protocol) const;
+
+    // Somebody sends it, and takes part.
+    bool has_source(std::uint16_t universe) const;
 
     bool sampling() const { return sampling_until_.has_value(); }
     std::vector<SourceStatus> sources(std::chrono::nanoseconds now) const;
@@ -126,6 +135,7 @@ private:
         bool dirty = false;
     };
 
+    void pass_to_twin(Input& input, const Packet& packet, unsigned missed);
     void mark(std::uint16_t number, Input& input);
     bool shows_preview(std::uint16_t number) const;
     void ignore(const Packet& packet, IgnoredSource::Why why, std::chrono::nanoseconds now);

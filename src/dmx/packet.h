@@ -51,6 +51,13 @@ struct Packet {
     Levels slots{};                  // 0 beyond slot_count
 };
 
+// Of an sACN source, with a start code that we do not use.
+struct Passing {
+    SourceKey source;
+    std::uint16_t universe = 0;
+    std::uint8_t sequence = 0;
+};
+
 // "Show what you hold": of an sACN source and universe, or of an Art-Net sender (universe 0, Physical 0).
 struct SyncPacket {
     SourceKey source;
@@ -101,14 +108,15 @@ enum class Drop : std::uint8_t {
     bad_vector,     // sACN layer vector or address type that is no level data
     bad_priority,   // above 200
     bad_universe,   // outside 1..63999 after numbering
-    bad_start_code, // neither levels nor per-address priority
+    bad_start_code, // (told of by Passing) neither levels nor per-address priority
     bad_value,      // a field outside its range: page, time
     kCount
 };
 const char* notice_name(Notice notice);
 const char* drop_name(Drop drop);
 
-using Parsed = std::variant<Packet, SyncPacket, DiscoveryPacket, PollPacket, TimeCode, Trigger, Notice, Drop>;
+using Parsed =
+    std::variant<Packet, Passing, SyncPacket, DiscoveryPacket, PollPacket, TimeCode, Trigger, Notice, Drop>;
 // What kind of packet without levels this is.
 std::optional<Notice> notice_of(const Parsed& parsed);
 

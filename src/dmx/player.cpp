@@ -32,17 +32,22 @@ void Player::go_to(microseconds time) const {
     time_ = time;
 }
 
-Universes Player::at(double t_s) const {
-    // Rounded: a frame stamped 40 ms is on at t = 0.04 whatever way that was computed.
+// Rounded: a frame stamped 40 ms is on at t = 0.04 whatever way that was computed.
+void Player::go_to(double t_s) const {
     const double longest_s = std::chrono::duration<double>(kLongestRecording).count();
     const double wanted_s = t_s > 0.0 ? std::min(t_s, longest_s) : 0.0;
     go_to(microseconds(std::llround(wanted_s * 1e6)));
+}
+
+Universes Player::at(double t_s) const {
+    go_to(t_s);
     Universes result;
     result.list.reserve(cursor_.states().size());
     for (const auto& [number, state] : cursor_.states()) {
         Universe universe;
         universe.number = number;
         universe.lost = state.lost;
+        universe.slot_count = state.slot_count;
         universe.levels = state.levels;
         universe.arrival = state.time;
         universe.revision = state.revision;
@@ -50,6 +55,14 @@ Universes Player::at(double t_s) const {
         result.list.push_back(std::move(universe));
     }
     return result;
+}
+
+std::optional<double> Player::next_after(double t_s) const {
+    go_to(t_s);
+    std::optional<microseconds> next = cursor_.next_time();
+    if (!next && *block_ + 1 < recording_.blocks()) next = recording_.block_place(*block_ + 1).start;
+    if (!next) return std::nullopt;
+    return std::chrono::duration<double>(*next).count();
 }
 
 } // namespace ghost::dmx

@@ -16,12 +16,15 @@ public:
     // frame is absent). Before 0 like 0, after the end the last look. Where the recording is damaged, the
     // look before the damage.
     Universes at(double t_s) const;
+    // When the first frame after t_s comes; nothing: none does.
+    std::optional<double> next_after(double t_s) const;
     double duration_s() const;
     const Recording& recording() const { return recording_; }
     // Damage that at() came across since the last call.
     std::vector<Error> take_damage() const { return recording_.take_damage(); }
 
 private:
+    void go_to(double t_s) const;
     void go_to(std::chrono::microseconds time) const;
     void load(std::size_t block) const;
 

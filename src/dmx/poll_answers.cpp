@@ -4,6 +4,7 @@
 #include "dmx/build.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ghost::dmx {
 
@@ -47,16 +48,34 @@ void PollAnswers::hello(std::uint32_t broadcast, std::uint32_t our_ipv4, std::ch
 
 bool PollAnswers::asked(const PollPacket& poll, std::uint32_t from_ipv4, std::uint32_t our_ipv4,
                         std::chrono::nanoseconds now) {
+    wake(now);
     std::erase_if(runs_, [&](const Run& run) { return !waits(run) && run.rests <= now; });
     const auto same = [&](const Run& run) { return run.to_ipv4 == from_ipv4; };
-    if (runs_.size() >= kMaxPollers || std::any_of(runs_.begin(), runs_.end(), same)) return false;
+    if (const auto known = std::find_if(runs_.begin(), runs_.end(), same); known != runs_.end()) {
+        // What either of them means.
+        known->range.first = std::min(known->range.first, poll.first);
+        known->range.last = std::max(known->range.last, poll.last);
+        return !std::exchange(known->once_more, true);
+    }
+    if (runs_.size() >= kMaxPollers) return false;
     // Nodes spread their answers over time; ours depends on our address, so that it is the same every time.
     const auto delay = std::chrono::milliseconds(our_ipv4 & 0xFF);
     runs_.push_back({from_ipv4, our_ipv4, poll, 0, now + delay, now + kPollerRest, true});
     return true;
 }
 
+void PollAnswers::wake(std::chrono::nanoseconds now) {
+    for (Run& run : runs_) {
+        if (!run.once_more || waits(run) || run.rests > now) continue;
+        run.once_more = false;
+        run.next = 0;
+        run.start = now;
+        run.rests = now + kPollerRest;
+    }
+}
+
 std::optional<PollAnswers::Reply> PollAnswers::next(std::chrono::nanoseconds now) {
+    wake(now);
     if (now >= slice_ + kReplyEvery) {
         slice_ = now;
         sent_in_slice_ = 0;
@@ -72,7 +91,7 @@ std::optional<PollAnswers::Reply> PollAnswers::next(std::chrono::nanoseconds now
             reply = {run.to_ipv4, run.our_ipv4, ports,
                      static_cast<std::uint8_t>(std::min(run.next, kMaxBindIndex)), run.asked};
         }
-        if (waits(run) || run.rests > now) runs_.push_back(run);
+        if (waits(run) || run.once_more || run.rests > now) runs_.push_back(run);
         if (!reply) continue;
         ++sent_in_slice_;
         return reply;
@@ -83,7 +102,10 @@ std::optional<PollAnswers::Reply> PollAnswers::next(std::chrono::nanoseconds now
 std::optional<std::chrono::nanoseconds> PollAnswers::wait(std::chrono::nanoseconds now) const {
     std::optional<std::chrono::nanoseconds> first;
     for (const Run& run : runs_)
-        if (waits(run)) first = std::min(first.value_or(run.start), run.start);
+        if (waits(run) || run.once_more) {
+            const auto then = waits(run) ? run.start : run.rests;
+            first = std::min(first.value_or(then), then);
+        }
     if (!first) return std::nullopt;
     if (sent_in_slice_ >= kRepliesAtOnce) first = std::max(*first, slice_ + kReplyEvery);
     return std::max(*first - now, std::chrono::nanoseconds(0));

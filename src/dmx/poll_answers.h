@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // PollAnswers: who gets which ArtPollReply when. A poll of 14 bytes asks for a reply of 239 bytes per
 // universe, so whoever forges its sender could have us flood somebody: an address is answered once in
-// kPollerRest, replies to all together are paced (2000 a second, 0.5 MB), at most kMaxPollers wait, and only
-// addresses of local networks are answered. Art-Net 4 has one port per reply, and the bind index, which tells
-// the replies of one address apart, ends at 255; where that does not do, neighbours share a reply as Art-Net
-// 3 has it, up to four. No clock, no sockets.
+// kPollerRest, whoever asks meanwhile at its end (of two programs on one machine both get theirs within the 3
+// s of Art-Net 4), replies to all together are paced (2000 a second, 0.5 MB), at most kMaxPollers wait, and
+// only addresses of local networks are answered. Art-Net 4 has one port per reply, and the bind index, which
+// tells the replies of one address apart, ends at 255; where that does not do, neighbours share a reply as
+// Art-Net 3 has it, up to four. No clock, no sockets.
 
 #include "dmx/packet.h"
 #include "dmx/socket.h"
@@ -44,7 +45,7 @@ public:
 
     // A node says hello when it comes up, so that controllers need not wait for their next poll.
     void hello(std::uint32_t broadcast, std::uint32_t our_ipv4, std::chrono::nanoseconds now);
-    // False: not answered, because it asks too often or too many ask.
+    // False: not answered, because too many ask, or it did so meanwhile already.
     bool asked(const PollPacket& poll, std::uint32_t from_ipv4, std::uint32_t our_ipv4,
                std::chrono::nanoseconds now);
     // The next reply to send at this time. Call until there is none.
@@ -62,7 +63,9 @@ private:
         std::chrono::nanoseconds start{0}; // of the first
         std::chrono::nanoseconds rests{0}; // until it may ask again
         bool asked = false;
+        bool once_more = false; // at the end of its rest
     };
+    void wake(std::chrono::nanoseconds now);
     bool waits(const Run& run) const { return run.next < replies_.size(); }
 
     std::vector<std::vector<std::uint16_t>> replies_; // the ports of each

@@ -6,6 +6,7 @@
 #include "dmx/intake.h"
 #include "dmx/listener.h"
 #include "dmx/poll_answers.h"
+#include "dmx/wider.h"
 
 #include <algorithm>
 #include <atomic>
@@ -93,8 +94,14 @@ struct Receiver::Loop {
         : owner(receiver), options(wanted), listener(std::move(opened)), intake(with_recording(wanted)),
           usb(wanted.usb, wanted.usb_by_id), midi(wanted.midi),
           answers(port_addresses(wanted.universes, wanted.artnet_offset)), port_watch(ports_of(wanted)) {
-        statistics.listening = {wanted.sacn,          wanted.artnet,       wanted.interface,
-                                wanted.artnet_offset, wanted.show_preview, steady_now()};
+        statistics.listening = {wanted.sacn,
+                                wanted.artnet,
+                                wanted.interface,
+                                wanted.artnet_offset,
+                                wanted.show_preview,
+                                steady_now(),
+                                "",
+                                wanted.artnet_ltp};
     }
 
     IntakeOptions with_recording(const ReceiverOptions& wanted) {
@@ -119,6 +126,7 @@ struct Receiver::Loop {
     void publish(nanoseconds now);
     void publish_statistics(nanoseconds now);
     nanoseconds time_to_wait(nanoseconds now) const;
+    Listener::More more_groups(nanoseconds now);
 
     Receiver& owner;
     ReceiverOptions options;
@@ -128,6 +136,7 @@ struct Receiver::Loop {
     MidiInput midi;
     PollAnswers answers;
     PortWatch port_watch;
+    Wider wider;
     Statistics statistics;
     RecentLoss before, at_last; // totals when the window of Statistics::recent begins, and half way
     nanoseconds next_window{0};
@@ -163,9 +172,10 @@ void Receiver::Loop::send_replies(nanoseconds now) {
         PollReply reply;
         reply.ipv4 = due->our_ipv4;
         for (const std::uint16_t port_address : due->ports) {
-            const int universe = port_address + options.artnet_offset;
-            const Universe* live = intake.merge().current().find(static_cast<std::uint16_t>(universe));
-            reply.ports.push_back({port_address, live && !live->lost});
+            const auto universe = static_cast<std::uint16_t>(port_address + options.artnet_offset);
+            const Universe* live = intake.merge().current().find(universe);
+            reply.ports.push_back(
+                {port_address, live && !live->lost, intake.merge().count(universe, Protocol::artnet) > 1});
         }
         reply.bind_index = due->bind_index;
         reply.ltp = options.artnet_ltp;
@@ -216,7 +226,12 @@ bool Receiver::Loop::was_paused() {
 }
 
 bool Receiver::Loop::take_all() {
-    return listener->drain([this](const Datagram& datagram, Protocol protocol) { take(datagram, protocol); });
+    return listener->drain([this](const Datagram& datagram, Protocol protocol) { take(datagram, protocol); },
+                           [this](const Datagram& datagram, Protocol protocol) {
+                               intake.take_elsewhere(datagram.bytes,
+                                                     {protocol, datagram.from, datagram.to,
+                                                      datagram.interface_index, false, datagram.time});
+                           });
 }
 
 void Receiver::Loop::take_usb(nanoseconds now) {
@@ -299,6 +314,27 @@ void Receiver::Loop::publish_statistics(nanoseconds now) {
     owner.statistics_.put(statistics);
 }
 
+Listener::More Receiver::Loop::more_groups(nanoseconds now) {
+    Listener::More more{intake.merge().sync_universes(), {}};
+    if (!options.listen_wider || !options.sacn || options.universes.empty()) return more;
+    std::vector<std::uint16_t> silent;
+    for (const std::uint16_t universe : options.universes)
+        if (!intake.merge().has_source(universe)) silent.push_back(universe);
+    wider.update(silent, statistics.discovered, now);
+    const std::vector<std::uint16_t>& universes = wider.universes();
+    statistics.listening.wider = universes.size();
+    if (universes.empty()) return more;
+    more.elsewhere = universes;
+    silent.resize(std::min(silent.size(), kMostWider));
+    more.elsewhere.insert(more.elsewhere.end(), silent.begin(), silent.end());
+    more.here.insert(more.here.end(), universes.begin(), universes.end());
+    for (std::vector<std::uint16_t>* list : {&more.here, &more.elsewhere}) {
+        std::sort(list->begin(), list->end());
+        list->erase(std::unique(list->begin(), list->end()), list->end());
+    }
+    return more;
+}
+
 void Receiver::Loop::run() {
     const nanoseconds start = steady_now();
     nanoseconds next_tick{0}, next_statistics{0}, next_interfaces = start + kInterfacesEvery;
@@ -335,7 +371,7 @@ void Receiver::Loop::run() {
             next_statistics = now + kStatisticsEvery;
         }
         if (now >= next_interfaces) {
-            listener->check(intake.merge().sync_universes(), now);
+            listener->check(more_groups(now), now);
             next_interfaces = now + kInterfacesEvery;
         }
         send_replies(now);

@@ -25,6 +25,9 @@ struct ReceiverOptions {
     // Universes to join, to announce and to accept. Empty: 1 to 64 are joined and announced, whatever arrives
     // is accepted.
     std::vector<std::uint16_t> universes;
+    // While one of them is silent others are listened for, too, to say what comes instead (wider.h), and on
+    // other interfaces than the chosen one.
+    bool listen_wider = false;
     bool accept_others = false; // whatever else arrives is accepted, too
     int artnet_offset = 1;      // Ghostlight universe = Port-Address + this; -32768 to 63999
     bool show_preview = false;

@@ -78,7 +78,8 @@ Parsed parse_data(ByteReader reader, const SourceKey& source, const IpAddress& f
     if (dmp_vector != 2 || address_type != 0xA1 || first != 0 || increment != 1) return Drop::bad_vector;
     if (packet.priority > 200) return Drop::bad_priority;
     if (packet.universe < 1 || packet.universe > kMaxUniverse) return Drop::bad_universe;
-    if (packet.start_code != 0x00 && packet.start_code != 0xDD) return Drop::bad_start_code;
+    if (packet.start_code != 0x00 && packet.start_code != 0xDD)
+        return Passing{source, packet.universe, packet.sequence};
 
     packet.source_name = name_of(name);
     packet.source.preview = (options & 0x80) != 0;

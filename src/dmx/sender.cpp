@@ -11,6 +11,7 @@ namespace ghost::dmx {
 namespace {
 
 constexpr std::chrono::seconds kLookAgain{1};
+constexpr int kBufferBytes = 64 << 10;
 
 } // namespace
 
@@ -35,7 +36,14 @@ Result<Sender> Sender::open(const SenderOptions& options) {
     const bool ipv6 = target && !target->is_ipv4();
     if (ipv6 && options.protocol == Protocol::artnet)
         return Error{"Art-Net knows no IPv6, expected an IPv4 address", options.destination};
-    TRY(auto socket, ipv6 ? UdpSocket::open_ipv6(0, 64 << 10) : UdpSocket::open(0, 0, 64 << 10));
+    std::unique_ptr<UdpSocket> socket;
+    if (options.protocol == Protocol::artnet) {
+        auto own = UdpSocket::open_if_free(options.port == 0 ? kArtnetPort : options.port, kBufferBytes);
+        if (own.ok()) socket = std::move(*own);
+    }
+    if (!socket) {
+        TRY(socket, ipv6 ? UdpSocket::open_ipv6(0, kBufferBytes) : UdpSocket::open(0, 0, kBufferBytes));
+    }
     Sender sender(options, std::move(socket));
     sender.target_ = target;
     TRY_VOID(sender.choose_interface());
@@ -74,10 +82,11 @@ Result<void> Sender::send(const Universes& universes) {
     for (const Universe& universe : universes.list) {
         std::uint8_t& sequence = sequence_[universe.number];
         ++sequence;
+        const Bytes levels = Bytes(*universe.levels).first(universe.slot_count);
         std::vector<std::uint8_t> bytes;
         if (options_.protocol == Protocol::sacn) {
-            bytes = build_sacn(universe.number, *universe.levels, sequence, options_.priority, cid_,
-                               options_.source_name);
+            bytes =
+                build_sacn(universe.number, levels, sequence, options_.priority, cid_, options_.source_name);
         } else {
             const int port_address = universe.number - options_.artnet_offset;
             if (port_address < 0 || port_address > 0x7FFF)
@@ -86,7 +95,7 @@ Result<void> Sender::send(const Universes& universes) {
                                  std::to_string(port_address) + ", no Port-Address, expected 0 to 32767",
                              ""};
             if (sequence == 0) sequence = 1; // 0 would mean "not numbered"
-            bytes = build_artdmx(static_cast<std::uint16_t>(port_address), *universe.levels, sequence);
+            bytes = build_artdmx(static_cast<std::uint16_t>(port_address), levels, sequence);
         }
         ++(put(bytes, universe.number) ? packets_ : refused_);
     }

@@ -1,7 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Sender: sends levels as sACN or Art-Net, for `play` and tests. Unicast to one address, else sACN multicast
-// and Art-Net broadcast through the chosen interface. The caller paces: send() sends every universe once.
+// and Art-Net broadcast through the chosen interface. The caller paces: send() sends each universe that it
+// is given once, with as many slots as it has.
+// ArtDmx leaves from its own port where no other program has that, as Art-Net 4 wants.
 // What the system refuses (no cable, no route, an interface that is gone) is counted and left out; the
 // interface is looked for again once a second, so that sending goes on when the link comes back. One thread.
 

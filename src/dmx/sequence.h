@@ -4,6 +4,7 @@
 // late (E1.31-2018 6.7.2); any other is newer, and what lies between was missed. Both ends of the count
 // differ (255 to 0 or to 1), so a gap of one across the wrap is no loss. Pure.
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -18,16 +19,27 @@ public:
             const auto step = static_cast<std::int8_t>(static_cast<std::uint8_t>(number - *newest_));
             if (step <= 0 && step > -20) return std::nullopt;
             const int gap = step - 1 - (number < *newest_ ? 1 : 0);
-            if (gap > 0) missed = static_cast<unsigned>(gap);
+            if (gap > 0) missed = static_cast<unsigned>(gap) - std::min(static_cast<unsigned>(gap), passed_);
         }
+        passed_ = 0;
         newest_ = number;
         return missed;
     }
+    // A number of the same row that somebody else takes: it is not missed. No more than that, for there are
+    // senders with a row for each.
+    void pass(std::uint8_t number, unsigned missed = 0) {
+        if (newest_ && static_cast<std::int8_t>(static_cast<std::uint8_t>(number - *newest_)) > 0)
+            passed_ += 1 + missed;
+    }
     // The next number counts, whatever it is.
-    void forget() { newest_.reset(); }
+    void forget() {
+        newest_.reset();
+        passed_ = 0;
+    }
 
 private:
     std::optional<std::uint8_t> newest_;
+    unsigned passed_ = 0; // since then
 };
 
 } // namespace ghost::dmx

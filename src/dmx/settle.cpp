@@ -41,6 +41,18 @@ std::optional<std::size_t> heard_once(std::span<const LevelSource> sources, std:
     return oldest;
 }
 
+std::optional<std::size_t> lowest_priority(std::span<const LevelSource> sources, std::uint8_t newcomer) {
+    std::optional<std::size_t> lowest;
+    const auto rank = [&](std::size_t i) {
+        return std::make_pair(sources[i].priority(), -sources[i].first_heard());
+    };
+    for (std::size_t i = 0; i < sources.size(); ++i) {
+        if (sources[i].key().protocol == Protocol::usb) continue;
+        if (sources[i].priority() < newcomer && (!lowest || rank(i) < rank(*lowest))) lowest = i;
+    }
+    return lowest;
+}
+
 namespace {
 
 // Which sources count: those for preview or those that are live, and of these the ones that joined.
@@ -58,7 +70,11 @@ std::vector<bool> taking_part(std::span<const LevelSource> sources, bool show_pr
 
 } // namespace
 
-std::vector<std::size_t> slots_held(std::span<const LevelSource> sources, bool show_preview) {
+namespace {
+
+// Of each source the number of slots that it holds and for which this is true.
+template <class Counts>
+std::vector<std::size_t> count_held(std::span<const LevelSource> sources, bool show_preview, Counts counts) {
     const std::vector<bool> takes_part = taking_part(sources, show_preview);
     Levels best{};
     for (std::size_t i = 0; i < sources.size(); ++i)
@@ -67,8 +83,30 @@ std::vector<std::size_t> slots_held(std::span<const LevelSource> sources, bool s
     std::vector<std::size_t> result(sources.size());
     for (std::size_t i = 0; i < sources.size(); ++i)
         for (std::size_t slot = 0; takes_part[i] && slot < sources[i].slot_count(); ++slot)
-            result[i] += best[slot] > 0 && sources[i].rank(slot) == best[slot] ? 1 : 0;
+            if (best[slot] > 0 && sources[i].rank(slot) == best[slot])
+                result[i] += counts(sources[i], slot) ? 1 : 0;
     return result;
+}
+
+} // namespace
+
+std::vector<std::size_t> slots_held(std::span<const LevelSource> sources, bool show_preview) {
+    return count_held(sources, show_preview, [](const LevelSource&, std::size_t) { return true; });
+}
+
+std::vector<std::size_t> slots_overruled(std::span<const LevelSource> sources, bool show_preview,
+                                         const Levels& merged) {
+    return count_held(sources, show_preview, [&](const LevelSource& source, std::size_t slot) {
+        return source.level(slot) != merged[slot];
+    });
+}
+
+std::uint16_t slots_sent(std::span<const LevelSource> sources, bool show_preview) {
+    const std::vector<bool> takes_part = taking_part(sources, show_preview);
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < sources.size(); ++i)
+        if (takes_part[i]) most = std::max(most, sources[i].slot_count());
+    return static_cast<std::uint16_t>(most);
 }
 
 Levels merge_levels(std::span<const LevelSource> sources, bool show_preview, bool artnet_ltp) {

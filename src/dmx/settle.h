@@ -24,9 +24,20 @@ std::optional<std::size_t> longest_silent(std::span<const LevelSource> sources, 
 // find places among each other's, never that of a real one.
 std::optional<std::size_t> heard_once(std::span<const LevelSource> sources, std::chrono::nanoseconds now);
 
+// Else one of the lowest priority, where that is below the newcomer's; of several the one that came last.
+// Never a widget.
+std::optional<std::size_t> lowest_priority(std::span<const LevelSource> sources, std::uint8_t newcomer);
+
 // Of each source the number of slots that it holds, alone or together with others: where nobody that takes
 // part ranks higher.
 std::vector<std::size_t> slots_held(std::span<const LevelSource> sources, bool show_preview);
+
+// Of each source the number of slots that it holds and where something else shows. merged: of these sources.
+std::vector<std::size_t> slots_overruled(std::span<const LevelSource> sources, bool show_preview,
+                                         const Levels& merged);
+
+// The most slots that one of those that take part sends.
+std::uint16_t slots_sent(std::span<const LevelSource> sources, bool show_preview);
 
 // One level per slot of those sources that take part; where none does, of all that have levels. show_preview:
 // where a source for preview is among them, only these.

@@ -60,6 +60,9 @@ public:
     // address 0: every address. receive_buffer_bytes: asked for; receive_buffer() says what was granted.
     static Result<std::unique_ptr<UdpSocket>> open(std::uint32_t address, std::uint16_t port,
                                                    int receive_buffer_bytes);
+    // Every address and this port, to send from, where no other program has it; those that come later share
+    // it, and get its unicast.
+    static Result<std::unique_ptr<UdpSocket>> open_if_free(std::uint16_t port, int receive_buffer_bytes);
     // Every IPv6 address, and no IPv4.
     static Result<std::unique_ptr<UdpSocket>> open_ipv6(std::uint16_t port, int receive_buffer_bytes);
     ~UdpSocket();
@@ -82,7 +85,8 @@ private:
     struct Batch;
     UdpSocket(int handle, IpVersion version);
     static Result<std::unique_ptr<UdpSocket>> open_bound(IpVersion version, std::uint32_t address,
-                                                         std::uint16_t port, int receive_buffer_bytes);
+                                                         std::uint16_t port, int receive_buffer_bytes,
+                                                         bool shared = true);
     friend std::vector<bool> wait_for_packets(std::span<const std::unique_ptr<UdpSocket>> sockets,
                                               std::span<const int> handles, std::chrono::nanoseconds timeout);
 

@@ -167,12 +167,17 @@ Result<std::unique_ptr<UdpSocket>> UdpSocket::open(std::uint32_t address, std::u
     return open_bound(IpVersion::v4, address, port, receive_buffer_bytes);
 }
 
+Result<std::unique_ptr<UdpSocket>> UdpSocket::open_if_free(std::uint16_t port, int receive_buffer_bytes) {
+    return open_bound(IpVersion::v4, 0, port, receive_buffer_bytes, false);
+}
+
 Result<std::unique_ptr<UdpSocket>> UdpSocket::open_ipv6(std::uint16_t port, int receive_buffer_bytes) {
     return open_bound(IpVersion::v6, 0, port, receive_buffer_bytes);
 }
 
 Result<std::unique_ptr<UdpSocket>> UdpSocket::open_bound(IpVersion version, std::uint32_t address,
-                                                         std::uint16_t port, int receive_buffer_bytes) {
+                                                         std::uint16_t port, int receive_buffer_bytes,
+                                                         bool shared) {
     const bool v6 = version == IpVersion::v6;
     const std::string place = "UDP port " + std::to_string(port) +
                               (v6        ? " of IPv6"
@@ -183,7 +188,7 @@ Result<std::unique_ptr<UdpSocket>> UdpSocket::open_bound(IpVersion version, std:
     std::unique_ptr<UdpSocket> result(new UdpSocket(handle, version));
     if (!set_int(handle, SOL_SOCKET, SO_RCVBUFFORCE, receive_buffer_bytes))
         (void)set_int(handle, SOL_SOCKET, SO_RCVBUF, receive_buffer_bytes);
-    const bool common = set_int(handle, SOL_SOCKET, SO_REUSEADDR, 1) &&
+    const bool common = set_int(handle, SOL_SOCKET, SO_REUSEADDR, shared) &&
                         set_int(handle, SOL_SOCKET, SO_RXQ_OVFL, 1) &&
                         set_int(handle, SOL_SOCKET, SO_TIMESTAMPNS, 1);
     const bool set = common && (v6 ? set_int(handle, IPPROTO_IPV6, IPV6_V6ONLY, 1) &&
@@ -207,6 +212,7 @@ Result<std::unique_ptr<UdpSocket>> UdpSocket::open_bound(IpVersion version, std:
         }
         return Error{"cannot listen: " + reason(), place};
     }
+    if (!shared) (void)set_int(handle, SOL_SOCKET, SO_REUSEADDR, 1);
     return result;
 }
 

@@ -70,7 +70,8 @@ struct SourceStatus {
     double rate_hz = 0.0;              // level packets per second over about the last second
     double jitter_ms = 0.0;            // how far its packets come from an even beat, in the mean
     std::size_t slots_held = 0;        // of slot_count: where nobody on its universe ranks higher
-    std::chrono::nanoseconds age{0};   // since its last level packet, without time in which we did not listen
+    std::size_t slots_overruled = 0; // of slots_held: where another of its rank has another level that shows
+    std::chrono::nanoseconds age{0}; // since its last level packet, without time in which we did not listen
     std::shared_ptr<const SourceSlots> slots; // where MergeOptions::slot_status asks for it, else null
 };
 

@@ -39,6 +39,18 @@ struct UnlistedUniverse {
     IpAddress from; // of the newest packet
     std::uint64_t packets = 0;
     std::chrono::nanoseconds age{0};
+    std::string name; // of sACN
+};
+
+// A universe that comes in by an interface that we were told not to listen to.
+struct ElsewhereUniverse {
+    unsigned interface_index = 0;
+    std::uint16_t universe = 0;
+    Protocol protocol = Protocol::sacn;
+    std::string name; // of sACN
+    IpAddress from;   // of the newest packet
+    std::uint64_t packets = 0;
+    std::chrono::nanoseconds age{0};
 };
 
 // What we listen to, and how: what a person may have chosen wrongly.
@@ -50,6 +62,8 @@ struct Listening {
     bool show_preview = false;
     std::chrono::nanoseconds since{0}; // steady time of its beginning
     std::string problem;               // why we do not listen at all: a port that is taken, as a rule
+    bool artnet_ltp = false;           // of two Art-Net sources; else HTP
+    std::size_t wider = 0;             // universes that are listened for besides (wider.h)
 };
 
 // What got lost in the last ten to twenty seconds, in packets.
@@ -105,7 +119,8 @@ struct Statistics {
     std::vector<LostUniverse> lost;
     std::vector<SyncStatus> sync;
     std::vector<DiscoveredSource> discovered;
-    std::vector<UnlistedUniverse> unlisted_universes; // at most kMaxUnlisted
+    std::vector<UnlistedUniverse> unlisted_universes;   // at most kMaxUnlisted
+    std::vector<ElsewhereUniverse> elsewhere_universes; // at most kMaxUnlisted
     std::vector<SocketStatus> sockets;
     std::vector<UsbPortStatus> usb;
     MidiStatus midi;

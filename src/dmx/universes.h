@@ -22,6 +22,7 @@ struct Universe {
     std::uint16_t number = 0;
     bool lost = false;                    // no live source: the last look is held, or
     bool black = false;                   // lost, and the look was taken away (LossPolicy)
+    std::uint16_t slot_count = kSlots;    // somebody sends or sent so many; from there on levels are 0
     std::shared_ptr<const Levels> levels; // never null in a list; address 1 is element 0
     std::chrono::nanoseconds arrival{
         0};                     // steady time of the newest packet merged in; of a player: the show time

@@ -265,6 +265,44 @@ TEST(Merge, preview_is_left_out_unless_asked_for) {
     EXPECT_EQ(levels(curious, 1), Ints{9});
 }
 
+// A desk in blind numbers live and preview packets in one row.
+TEST(Merge, preview_in_one_row_of_numbers_is_no_loss) {
+    for (const bool shown : {false, true}) {
+        MergeOptions options;
+        options.show_preview = shown;
+        Merge merge(options);
+        Desk desk{1};
+        for (int i = 0; i < 1000; ++i) {
+            Packet packet = desk.packet({i & 255});
+            packet.source.preview = i % 3 == 1;
+            if (i % 3 == 2) {
+                merge.pass({packet.source, 1, packet.sequence}); // a start code that we do not use
+                continue;
+            }
+            if (i == 300 || i == 601) continue; // lost: one live, one preview
+            merge.feed(packet, std::chrono::milliseconds(10 * i));
+        }
+        EXPECT_EQ(merge.counters().out_of_sequence, 0u);
+        EXPECT_EQ(merge.counters().missed, 2u) << "and each is told once";
+    }
+}
+
+// There are programs with a row for each.
+TEST(Merge, preview_with_a_row_of_its_own_drops_nothing) {
+    Merge merge;
+    Desk live{1}, preview{1};
+    preview.sequence = 3;
+    for (int i = 0; i < 500; ++i) {
+        Packet blind = preview.packet({1});
+        blind.source.preview = true;
+        merge.feed(blind, std::chrono::milliseconds(20 * i));
+        merge.feed(live.packet({i & 255}), std::chrono::milliseconds(20 * i));
+        EXPECT_EQ(merge.universes().level(1, 1), i & 255);
+    }
+    EXPECT_EQ(merge.counters().out_of_sequence, 0u);
+    EXPECT_EQ(merge.counters().missed, 0u);
+}
+
 TEST(Merge, preview_by_universe) {
     Merge merge(MergeOptions{.show_preview = true, .preview_universes = {2, 5}});
     Desk a;
@@ -452,6 +490,19 @@ TEST(Merge, jitter_is_the_mean_way_from_an_even_beat) {
     for (int i = 0; i < 400; ++i) // every 25 ms, each other one 5 ms late
         merge.feed(a.packet({1}), std::chrono::milliseconds(25 * i + (i % 2) * 5));
     EXPECT_NEAR(merge.sources(10s).at(0).jitter_ms, 5.0, 0.5);
+}
+
+TEST(Merge, slots_where_another_of_equal_rank_has_its_way) {
+    Merge merge;
+    Desk a{1}, b{2}, low{3, 50};
+    merge.feed(a.packet({10, 200, 5, 7}), 0s);
+    merge.feed(b.packet({20, 100, 5}), 0s);
+    merge.feed(low.packet({99, 99, 99, 99}), 0s);
+    (void)merge.universes();
+    const std::vector<SourceStatus> sources = merge.sources(0s);
+    EXPECT_EQ(sources[0].slots_overruled, 1u);
+    EXPECT_EQ(sources[1].slots_overruled, 1u);
+    EXPECT_EQ(sources[2].slots_overruled, 0u);
 }
 
 TEST(Merge, slots_that_a_source_holds) {

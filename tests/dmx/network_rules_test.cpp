@@ -6,10 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace ghost::dmx {
 namespace {
 
 using namespace std::chrono_literals;
+using std::chrono::nanoseconds;
 
 MergeOptions as_the_receiver() {
     MergeOptions options;
@@ -393,6 +396,57 @@ TEST(Forged, a_full_universe_has_a_place_where_one_is_silent) {
     EXPECT_EQ(levels(merge, 1), Ints{200});
     EXPECT_EQ(merge.sources(2550ms).size(), kMaxSourcesPerUniverse);
     EXPECT_EQ(merge.counters().sources_replaced, 1u);
+}
+
+// Sixteen places: for the highest priority, and of equal ones for those that are there.
+TEST(Places, the_highest_priority_has_one) {
+    Merge merge;
+    std::vector<Desk> many;
+    for (int id = 1; id <= 16; ++id) many.push_back({static_cast<std::uint8_t>(id), 1});
+    Desk desk{200, 200}, equal{201, 1}, last{202, 150};
+    const auto ids = [&](nanoseconds now) {
+        std::set<int> result;
+        for (const SourceStatus& source : merge.sources(now))
+            result.insert(static_cast<int>(std::stoul(source.id.substr(0, 2), nullptr, 16)));
+        return result;
+    };
+    for (int i = 0; i < 100; ++i) {
+        const auto now = std::chrono::milliseconds(25 * i);
+        for (Desk& one : many) merge.feed(one.packet({10}), now + std::chrono::microseconds(one.id));
+        merge.feed(equal.packet({99}), now + 1ms);
+        if (i >= 10) merge.feed(desk.packet({200}), now + 1ms);
+        if (i >= 20) merge.feed(last.packet({255}), now + 1ms);
+        if (i % 4 == 0) merge.tick(now + 2ms);
+        const std::set<int> there = ids(now + 2ms);
+        EXPECT_EQ(there.size(), kMaxSourcesPerUniverse);
+        EXPECT_FALSE(there.contains(201)) << "of equal priority: who was there first stays";
+        EXPECT_TRUE(there.contains(1)) << "the longest known of the lowest priority goes last";
+        EXPECT_EQ(there.contains(200) && !there.contains(16), i >= 11) << i;
+        EXPECT_EQ(there.contains(202) && !there.contains(15), i >= 21) << i;
+        EXPECT_EQ(merge.universes().level(1, 1), i < 11 ? 10 : 200) << i;
+    }
+    EXPECT_EQ(merge.counters().sources_replaced, 2u);
+}
+
+TEST(Places, forged_sources_of_the_highest_priority_evict_nobody) {
+    Merge merge(as_the_receiver());
+    std::vector<Desk> many;
+    for (int id = 1; id <= 16; ++id) many.push_back({static_cast<std::uint8_t>(id)});
+    Packet forged;
+    forged.priority = 200;
+    forged.universe = 1;
+    forged.slot_count = 1;
+    for (int i = 0; i < 2000; ++i) {
+        const auto now = std::chrono::milliseconds(i);
+        if (i % 25 == 0)
+            for (Desk& one : many) merge.feed(one.packet({7}), now);
+        forged.source.id[9] = static_cast<std::uint8_t>(i);
+        forged.source.id[10] = static_cast<std::uint8_t>(1 + (i >> 8));
+        merge.feed(forged, now);
+        if (i % 100 == 0) merge.tick(now);
+    }
+    EXPECT_EQ(merge.counters().sources_replaced, 0u);
+    EXPECT_EQ(levels(merge, 1), Ints{7});
 }
 
 // Art-Net merges two. A place is free after the time-out, also where the other one was heard since the first

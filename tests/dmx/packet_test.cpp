@@ -96,7 +96,10 @@ TEST(Sacn, options_and_start_codes) {
     bytes[125] = 0xDD;
     EXPECT_EQ(packet_of(parse_sacn(bytes)).start_code, 0xDD);
     bytes[125] = 0x17;
-    EXPECT_EQ(drop_of(parse_sacn(bytes)), Drop::bad_start_code);
+    const Parsed parsed = parse_sacn(bytes);
+    ASSERT_TRUE(std::holds_alternative<Passing>(parsed));
+    EXPECT_EQ(std::get<Passing>(parsed).universe, 1);
+    EXPECT_EQ(std::get<Passing>(parsed).sequence, bytes[111]);
 }
 
 TEST(Sacn, no_slots_at_all_is_a_packet) {
@@ -376,7 +379,7 @@ TEST(Build, artdmx_bytes) {
 TEST(Build, poll_reply_fields) {
     PollReply reply;
     reply.ipv4 = 0x7F010002;
-    reply.ports = {{0x0423, true}};
+    reply.ports = {{0x0423, true, true}};
     reply.bind_index = 3;
     reply.short_name = "a name that is longer than 17";
     reply.long_name = "long";
@@ -395,12 +398,14 @@ TEST(Build, poll_reply_fields) {
     EXPECT_EQ(bytes[44], 'l');
     EXPECT_EQ(bytes[173], 1);    // one port
     EXPECT_EQ(bytes[174], 0x80); // that puts out DMX
-    EXPECT_EQ(bytes[182], 0x80);
-    EXPECT_EQ(bytes[190], 3); // universe
+    EXPECT_EQ(bytes[182], 0x88); // levels arrive, of two sources
+    EXPECT_EQ(bytes[190], 3);    // universe
     EXPECT_EQ(bytes[200], 0);
     EXPECT_EQ(bytes[207], 127);
     EXPECT_EQ(bytes[211], 3);
     EXPECT_EQ(bytes[212], 0x08);
+    EXPECT_EQ(bytes[213], 0x80); // no RDM
+    EXPECT_EQ(bytes[214], 0);
     EXPECT_EQ(notice_of(parse_artnet(bytes)), Notice::poll_reply);
 }
 

@@ -99,6 +99,21 @@ TEST(PollAnswers, an_address_is_answered_once_in_two_seconds) {
     EXPECT_EQ(replies, 5 * 4u);
 }
 
+// Two programs of one address, which ask in turn, a second apart.
+TEST(PollAnswers, whoever_asks_while_the_address_rests_is_answered_at_its_end) {
+    PollAnswers answers(ports(4));
+    EXPECT_TRUE(answers.asked({}, kDesk, kOurs, 0s));
+    EXPECT_EQ(run(answers, 0s, 1s).size(), 4u);
+    EXPECT_TRUE(answers.asked({}, kDesk, kOurs, 1s));
+    EXPECT_FALSE(answers.asked({}, kDesk, kOurs, 1100ms)) << "one answer is for both";
+    EXPECT_EQ(answers.wait(1100ms), nanoseconds(900ms));
+    EXPECT_TRUE(run(answers, 1100ms, 2s).empty());
+    EXPECT_EQ(run(answers, 2s, 3s).size(), 4u);
+    EXPECT_TRUE(answers.asked({}, kDesk, kOurs, 3s));
+    EXPECT_EQ(run(answers, 3s, 5s).size(), 4u);
+    EXPECT_FALSE(answers.wait(5s).has_value());
+}
+
 // Whoever sends polls in the name of others gets no more out of us than one honest asker, and the others are
 // served in turn.
 TEST(PollAnswers, a_flood_of_askers_is_bounded) {

@@ -19,6 +19,7 @@ Universes look(std::uint16_t number, std::uint64_t revision, std::initializer_li
     Universes result;
     Universe& universe = result.at(number);
     universe.levels = make_frame(0us, number, levels).levels;
+    universe.slot_count = static_cast<std::uint16_t>(levels.size());
     universe.arrival = arrival;
     universe.lost = lost;
     universe.revision = result.revision = revision;
