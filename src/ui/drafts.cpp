@@ -66,10 +66,10 @@ Result<std::filesystem::path> Drafts::write_aside(const std::string& text) const
 Result<Hold> Drafts::hold(Hold::Other other) const {
     auto beside = Hold::take(beside_.parent_path() / "window.lock", home_, other);
     if (beside.ok()) return beside;
+    const std::filesystem::path folder = own_.parent_path().parent_path() / "locks";
     std::error_code code;
-    std::filesystem::create_directories(own_.parent_path(), code);
-    std::filesystem::path file = own_;
-    return Hold::take(file.replace_extension(".lock"), own_.parent_path(), other);
+    std::filesystem::create_directories(folder, code);
+    return Hold::take(folder / own_.stem(), folder, other);
 }
 
 void Drafts::remove() const {
