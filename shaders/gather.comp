@@ -53,7 +53,7 @@ vec3 from_octahedral(vec2 at) {
     return normalize(n);
 }
 
-const float kWorkEven = 0.35; // of the work light: that comes from everywhere
+const float kWorkEven = 0.25; // of the work light: that comes from everywhere
 
 // Where the rest of the work light comes from: over the viewer's left shoulder, so that shapes have sides.
 vec3 work_lamp() { return normalize(-normalize(view.forward) + 0.55 * normalize(view.up) - 0.4 * normalize(view.right)); }

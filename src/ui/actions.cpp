@@ -3,6 +3,7 @@
 
 #include "base/suggest.h"
 
+#include <QApplication>
 #include <QFileDialog>
 
 #include <cmath>
@@ -18,7 +19,10 @@ void Actions::add(Action action) {
     item->setCheckable(static_cast<bool>(action.is_on));
     items_[action.name] = item;
     window_.addAction(item);
-    QObject::connect(item, &QAction::triggered, &window_, [this, name = action.name] { choose(name); });
+    QObject::connect(item, &QAction::triggered, &window_, [this, name = action.name] {
+        // A key that closes a list is not also one of ours.
+        if (!QApplication::activePopupWidget()) choose(name);
+    });
     actions_.push_back(std::move(action));
 }
 

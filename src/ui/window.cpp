@@ -21,7 +21,9 @@
 #include "ui/tone_actions.h"
 #include "ui/transport_panel.h"
 #include "ui/value_panel.h"
+#include "ui/wheel_guard.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QMenuBar>
@@ -49,6 +51,7 @@ Window::Window(Link& link, const WindowOptions& options)
       status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)), status_device_(new QLabel(this)) {
     setWindowTitle("Ghostlight");
     setAcceptDrops(true);
+    qApp->installEventFilter(new WheelGuard(this));
     setDockNestingEnabled(true);
     setCentralWidget(view_);
     view_->hint = kHint;
