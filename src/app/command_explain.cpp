@@ -30,6 +30,7 @@ using Clock = std::chrono::steady_clock;
 using scene::Reception;
 
 constexpr double kSilence_s = 7; // where something is missing: shorter, silence proves nothing
+constexpr double kSettled_s = 1; // until it is known who sends what came late
 constexpr double kSteps_hz = 30; // as render steps, so that a strobe is where the picture has it
 
 struct Options {
@@ -156,6 +157,7 @@ Result<Moment> listen(const Options& options, const scene::PatchMap& patch, scen
     dmx::Statistics statistics;
     const Clock::time_point start = Clock::now();
     Clock::time_point before = start;
+    double silent_s = 0; // the last time that something was missing
     for (bool running = true; running;) {
         std::this_thread::sleep_for(std::chrono::duration<double>(1.0 / kSteps_hz));
         const Clock::time_point now = Clock::now();
@@ -164,9 +166,9 @@ Result<Moment> listen(const Options& options, const scene::PatchMap& patch, scen
         rig.step(moment.universes, std::chrono::duration<double>(now - before).count());
         before = now;
         const double passed_s = std::chrono::duration<double>(now - start).count();
-        running = !interrupted() &&
-                  passed_s < (all_arrive(patch, moment.universes) ? options.for_s
-                                                                  : std::max(options.for_s, kSilence_s));
+        if (!all_arrive(patch, moment.universes)) silent_s = passed_s;
+        const double enough_s = silent_s >= passed_s ? kSilence_s : silent_s > 0 ? silent_s + kSettled_s : 0;
+        running = !interrupted() && passed_s < std::max(options.for_s, enough_s);
     }
     moment.now_s = seconds_of(before.time_since_epoch());
     moment.reception =

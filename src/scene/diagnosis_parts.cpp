@@ -100,7 +100,7 @@ std::string addresses_text(const dmx::Statistics& statistics) {
     for (const dmx::NetInterface& one : statistics.interfaces)
         if (is_ours(one, statistics.listening))
             text += (text.empty() ? "" : ", ") + one.name + " (" + dmx::ipv4_text(one.address) + "/" +
-                    std::to_string(std::popcount(one.netmask)) + ")";
+                    std::to_string(std::popcount(one.netmask)) + (one.running ? ")" : ", no cable)");
     if (!text.empty()) return text;
     return statistics.listening.interface.empty() ? "no network but this machine's own"
                                                   : statistics.listening.interface;
