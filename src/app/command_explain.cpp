@@ -30,6 +30,8 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using scene::Reception;
 
+constexpr double kSilence_s = 7; // where something is missing: shorter, silence proves nothing
+constexpr double kSettled_s = 1; // until it is known who sends what came late
 constexpr double kSteps_hz = 30; // as render steps, so that a strobe is where the picture has it
 
 struct Options {
@@ -135,10 +137,16 @@ Result<Moment> run_recording(const fs::path& file, const Options& options, scene
     return moment;
 }
 
+bool all_arrive(const scene::PatchMap& patch, const dmx::Universes& universes) {
+    return std::all_of(patch.universes().begin(), patch.universes().end(),
+                       [&](const scene::PatchedUniverse& one) { return universes.find(one.universe); });
+}
+
 Result<Moment> listen(const Options& options, const scene::PatchMap& patch, scene::Rig& rig) {
     TRY(dmx::ReceiverOptions receiver_wants, receiver_options(options.input));
     receiver_wants.slot_status = true;
     receiver_wants.universes = joined_universes(receiver_wants.universes, patch);
+    receiver_wants.listen_wider = true;
     TRY(const auto receiver, dmx::Receiver::start(receiver_wants));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
     wait_for_sources(*receiver);
@@ -150,6 +158,7 @@ Result<Moment> listen(const Options& options, const scene::PatchMap& patch, scen
     dmx::Statistics statistics;
     const Clock::time_point start = Clock::now();
     Clock::time_point before = start;
+    double silent_s = 0; // the last time that something was missing
     for (bool running = true; running;) {
         std::this_thread::sleep_for(std::chrono::duration<double>(1.0 / kSteps_hz));
         const Clock::time_point now = Clock::now();
@@ -157,19 +166,14 @@ Result<Moment> listen(const Options& options, const scene::PatchMap& patch, scen
         if (auto newest = receiver->take_statistics()) statistics = std::move(*newest);
         rig.step(moment.universes, std::chrono::duration<double>(now - before).count());
         before = now;
-        running = !interrupted() && std::chrono::duration<double>(now - start).count() < options.for_s;
+        const double passed_s = std::chrono::duration<double>(now - start).count();
+        if (!all_arrive(patch, moment.universes)) silent_s = passed_s;
+        const double enough_s = silent_s >= passed_s ? kSilence_s : silent_s > 0 ? silent_s + kSettled_s : 0;
+        running = !interrupted() && passed_s < std::max(options.for_s, enough_s);
     }
     moment.now_s = seconds_of(before.time_since_epoch());
-    Reception& reception = moment.reception;
-    reception.kind = Reception::Kind::desk;
-    reception.listened_s = std::chrono::duration<double>(before - start).count();
-    reception.sources = statistics.sources;
-    reception.packets = statistics.packets_sacn + statistics.packets_artnet;
-    reception.preview = statistics.merge.preview;
-    reception.unlisted = statistics.unlisted;
-    for (const dmx::UnlistedUniverse& one : statistics.unlisted_universes)
-        reception.elsewhere.push_back(one.universe);
-    for (const std::uint64_t count : statistics.drops) reception.not_understood += count;
+    moment.reception =
+        scene::reception_of(statistics, patch, std::chrono::duration<double>(before - start).count());
     return moment;
 }
 
@@ -283,7 +287,9 @@ void add_explain(CLI::App& app, int& exit_code) {
                                        "listen to what a desk sends now, by sACN or Art-Net")
                             ->excludes(replay)
                             ->excludes(at);
-    command->add_option("--for", options->for_s, "seconds to listen for --live-input")
+    command
+        ->add_option("--for", options->for_s,
+                     "seconds to listen for --live-input; where a patched universe is silent at least 7")
         ->check(number_in(0.1, 3600.0))
         ->needs(live)
         ->capture_default_str();

@@ -95,7 +95,7 @@ Result<void> read_patch(const MonitorOptions& options, dmx::ReceiverOptions& inp
     report.has_patch = true;
     report.patch = scene::PatchMap(show);
     input.universes = joined_universes(input.universes, report.patch);
-    input.accept_others = true; // to say that it comes
+    input.accept_others = input.listen_wider = true; // to say that it comes
     return {};
 }
 

@@ -30,6 +30,7 @@ struct OpenArguments {
 
 Result<void> check_usage(OpenArguments& arguments) {
     TRY(arguments.engine.receiver, receiver_options(arguments.input));
+    arguments.engine.receiver.listen_wider = true;
     arguments.engine.receiver.slot_status = true; // for the panel that explains
     arguments.engine.listens = arguments.window.takes_desk = !arguments.no_desk;
     arguments.engine.session.quiet = arguments.quiet;

@@ -4,6 +4,7 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/number_option.h"
+#include "app/outlet.h"
 #include "app/recordings.h"
 #include "app/timecode_input.h"
 #include "base/log.h"
@@ -18,13 +19,14 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
-#include <thread>
 
 namespace ghost::app {
 
 namespace {
 
 using nlohmann::ordered_json;
+
+using Clock = std::chrono::steady_clock;
 
 constexpr double kSlowest = 0.001, kFastest = 1000.0;
 
@@ -89,35 +91,6 @@ int write(const PlayOptions& options) {
     return 0;
 }
 
-// Says once that the network takes nothing, and once that it does again.
-class LinkNote {
-public:
-    explicit LinkNote(const dmx::Sender& sender) : sender_(sender) {}
-
-    void look() {
-        if (sender_.trouble() && !down_)
-            log_warning(sender_.trouble()->text() + "; it goes on, and sends again when the network is back");
-        if (!sender_.trouble() && down_)
-            log_info("the network is back; " + std::to_string(sender_.refused()) +
-                     " packets could not be sent");
-        down_ = sender_.trouble().has_value();
-    }
-
-private:
-    const dmx::Sender& sender_;
-    bool down_ = false;
-};
-
-// Goodbye, and whether anything went out at all.
-Result<void> end_sending(const PlayOptions& options, dmx::Sender& sender, bool damaged) {
-    sender.terminate();
-    if (sender.refused() > 0) log_warning(std::to_string(sender.refused()) + " packets could not be sent");
-    if (sender.packets() > 0) return {};
-    if (sender.refused() > 0) return Error{"nothing could be sent", options.file};
-    if (damaged) return Error{"nothing of it can be read: it is damaged as a whole", options.file};
-    return {};
-}
-
 // Sends what the time code wants until Ctrl-C: what it stands at, again and again.
 Result<void> follow_timecode(const PlayOptions& options, const dmx::Player& player, dmx::Sender& sender) {
     TRY(const std::unique_ptr<TimeCodeInput> timecode, open_timecode(options.timecode));
@@ -133,23 +106,17 @@ Result<void> follow_timecode(const PlayOptions& options, const dmx::Player& play
     TRY(const auto receiver, dmx::Receiver::start(listen));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
     log_info("following the time code; Ctrl-C ends it");
-    using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    const std::chrono::duration<double> step(1.0 / options.rate_hz);
-    LinkNote link(sender);
-    bool damaged = false;
-    for (std::uint64_t tick = 0; !interrupted(); ++tick) {
-        const auto passed = step * static_cast<double>(tick);
-        if (options.seconds > 0.0 && passed.count() >= options.seconds) break;
-        std::this_thread::sleep_until(start + std::chrono::duration_cast<Clock::duration>(passed));
-        const auto at_s = timecode->at_s(player.duration_s());
-        if (!at_s) continue;
-        TRY_VOID(sender.send(player.at(*at_s)));
-        link.look();
-        damaged |= log_damage(player);
+    const double end_s = player.duration_s();
+    Outlet outlet(sender, player, options.rate_hz);
+    for (auto now = start; !interrupted(); now = Clock::now()) {
+        if (options.seconds > 0.0 && now - start >= std::chrono::duration<double>(options.seconds)) break;
+        const auto at_s = timecode->at_s(end_s);
+        if (at_s) TRY_VOID(outlet.send(*at_s));
+        outlet.wait(now, at_s.value_or(end_s), end_s);
     }
     if (!timecode->at_s(0.0)) log_warning("no time code arrived; ghostlight monitor shows what does");
-    return end_sending(options, sender, damaged);
+    return outlet.end(options.file);
 }
 
 int send(PlayOptions options) {
@@ -177,30 +144,30 @@ int send(PlayOptions options) {
         return 0;
     }
 
-    using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     const double length_s = end_s - options.from_s; // of the recording; playing it takes that by the speed
-    const double step_s = options.speed / options.rate_hz;
     const bool bar = !options.quiet && !options.loop && Progress::style_for_stderr() == Progress::Style::bar;
-    LinkNote link(*sender);
-    bool damaged = false;
+    Outlet outlet(*sender, player, options.rate_hz, options.speed);
     Progress progress("playing", bar ? Progress::Style::bar : Progress::Style::silent, 0.0);
-    for (std::uint64_t tick = 0; !interrupted(); ++tick) {
-        const double passed_s = static_cast<double>(tick) / options.rate_hz;
-        const double played_s = passed_s * options.speed;
-        if (!options.loop && played_s > length_s) break;
-        std::this_thread::sleep_until(
-            start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(passed_s)));
-        const double t_s = options.from_s + (length_s > 0.0 ? std::fmod(played_s, length_s) : 0.0);
-        const bool last = !options.loop && played_s + step_s > length_s;
-        const auto sent = sender->send(player.at(last ? end_s : t_s));
+    double before_s = 0.0; // of the recording, in rounds that are over
+    for (auto now = start; !interrupted(); now = Clock::now()) {
+        const double passed_s = std::chrono::duration<double>(now - start).count();
+        const double played_s = passed_s * options.speed - before_s;
+        const double t_s = options.from_s + std::min(played_s, length_s);
+        const bool over = played_s >= length_s;
+        const auto sent = outlet.send(t_s);
         if (!sent.ok()) return failed(sent.error());
-        link.look();
-        damaged |= log_damage(player);
-        progress.update(length_s > 0.0 ? played_s / length_s : 1.0, passed_s, clock_text(t_s));
+        progress.update(length_s > 0.0 ? (t_s - options.from_s) / length_s : 1.0, passed_s, clock_text(t_s));
+        if (over && !options.loop) break;
+        if (over && length_s > 0.0) {
+            before_s += length_s * std::floor(played_s / length_s);
+            outlet.rewind();
+        } else {
+            outlet.wait(now, t_s, end_s);
+        }
     }
     progress.finish();
-    const auto ended = end_sending(options, *sender, damaged);
+    const auto ended = outlet.end(options.file);
     if (!ended.ok()) return failed(ended.error());
     if (options.json)
         print({{"file", options.file},
@@ -253,7 +220,11 @@ void add_play(CLI::App& app, int& exit_code) {
     sending(command->add_option("--priority", options->send.priority, "sACN priority")
                 ->check(CLI::Range(0, 200))
                 ->capture_default_str());
-    sending(command->add_option("--rate", options->rate_hz, "refreshes per second of every universe")
+    sending(command
+                ->add_option("--rate", options->rate_hz,
+                             "a universe that rests is repeated so many times a second; every look goes out "
+                             "at its own time (faster "
+                             "than it was recorded: no more than so many a second)")
                 ->check(number_in(1.0, 200.0))
                 ->capture_default_str());
     sending(command->add_flag("--loop", options->loop, "again and again until Ctrl-C"));

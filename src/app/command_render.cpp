@@ -132,7 +132,7 @@ Result<void> run(RenderArguments& arguments, bool film) {
         return Error{"interrupted: nothing is written but the pictures that were finished", arguments.out};
     TRY_VOID(writer->finish());
     if (interrupted()) return Error{"interrupted: it ends early", arguments.out};
-    print_tally(arguments, *session, tally);
+    print_tally(arguments, *session, *writer, tally);
     if (session->report.lost_anything())
         return Error{"drawn, but something that the show asks for is missing (see above)",
                      session->show->file.string()};

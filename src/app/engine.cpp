@@ -148,8 +148,8 @@ void Engine::listen() {
 }
 
 void Engine::listen_to_patch() {
-    if (receiver_ && session_)
-        receiver_->listen_to(joined_universes(options_.receiver.universes, scene::PatchMap(*session_->show)));
+    patch_ = session_ ? scene::PatchMap(*session_->show) : scene::PatchMap();
+    if (receiver_ && session_) receiver_->listen_to(joined_universes(options_.receiver.universes, patch_));
 }
 
 void Engine::open(const std::string& path) {

@@ -133,6 +133,7 @@ private:
     std::string played_;                          // of the wishes: what is played instead of the show's own
     std::unique_ptr<TimeCodeInput> timecode_;     // the receiver feeds it, and goes first
     std::unique_ptr<dmx::Receiver> receiver_;
+    scene::PatchMap patch_; // of the session's show
     std::vector<scene::Message> of_receiver_;
     std::vector<scene::Message> news_; // of what else belongs to no show
     double listens_again_s_ = 0;       // where a port was taken

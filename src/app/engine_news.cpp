@@ -117,7 +117,7 @@ void Engine::publish_explanation(double now_s) {
     explained_s_ = now_s;
     const bake::DenormalsOff mode;
     const scene::Stage& stage = tracer().stage();
-    const scene::Reception reception = input_->reception();
+    const scene::Reception reception = input_->reception(patch_);
     const scene::ExplainInput input{
         .show = *session_->show,
         .report = session_->report,

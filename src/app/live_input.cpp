@@ -113,20 +113,9 @@ std::optional<dmx::Statistics> LiveInput::take_statistics() {
     return statistics_;
 }
 
-scene::Reception LiveInput::reception() const {
+scene::Reception LiveInput::reception(const scene::PatchMap& patch) const {
     scene::Reception reception;
-    if (shows_desk_) {
-        reception.kind = receiver_ ? scene::Reception::Kind::desk : scene::Reception::Kind::none;
-        reception.listened_s = listened_s_;
-        reception.sources = statistics_.sources;
-        reception.packets = statistics_.packets_sacn + statistics_.packets_artnet;
-        reception.preview = statistics_.merge.preview;
-        reception.unlisted = statistics_.unlisted;
-        for (const dmx::UnlistedUniverse& one : statistics_.unlisted_universes)
-            reception.elsewhere.push_back(one.universe);
-        for (const std::uint64_t count : statistics_.drops) reception.not_understood += count;
-        return reception;
-    }
+    if (shows_desk_) return receiver_ ? scene::reception_of(statistics_, patch, listened_s_) : reception;
     if (!player_) return reception;
     reception.kind = scene::Reception::Kind::recording;
     reception.recording = file_.string();

@@ -58,7 +58,7 @@ public:
     std::optional<dmx::Statistics> take_statistics();
 
     // For scene::Explainer: how the levels came here, and the clock of their arrivals.
-    scene::Reception reception() const;
+    scene::Reception reception(const scene::PatchMap& patch) const;
     double now_s() const;
 
 private:

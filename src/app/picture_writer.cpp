@@ -105,13 +105,19 @@ Result<std::unique_ptr<PictureWriter>> PictureWriter::create(const std::filesyst
     return writer;
 }
 
-std::filesystem::path PictureWriter::next_path() {
-    if (!numbered_) return path_;
-    char number[16];
-    std::snprintf(number, sizeof number, "-%05d", count_++);
+std::filesystem::path PictureWriter::numbered_path(int number) const {
+    if (!numbered_ || kind_ == OutputKind::film) return path_;
+    char text[16];
+    std::snprintf(text, sizeof text, "-%05d", number);
     std::filesystem::path path = path_;
-    path.replace_filename(path_.stem().string() + number + path_.extension().string());
+    path.replace_filename(path_.stem().string() + text + path_.extension().string());
     return path;
+}
+
+std::string PictureWriter::written() const {
+    const std::string first = first_path().string();
+    if (!numbered_ || kind_ == OutputKind::film || count_ <= 1) return first;
+    return first + " to " + numbered_path(count_ - 1).filename().string();
 }
 
 Result<void> PictureWriter::add(const render::Relighter& relighter, const std::string& caption) {

@@ -33,10 +33,15 @@ public:
     // The last picture again, so often.
     Result<void> repeat(long times);
     Result<void> finish();
+    // The files that were written: "a.png", "a-00000.png to a-00019.png".
+    std::string written() const;
+    // The first of them.
+    std::filesystem::path first_path() const { return numbered_path(0); }
 
 private:
     PictureWriter() = default;
-    std::filesystem::path next_path();
+    std::filesystem::path next_path() { return numbered_path(count_++); }
+    std::filesystem::path numbered_path(int number) const;
 
     std::filesystem::path path_;
     OutputKind kind_ = OutputKind::png;

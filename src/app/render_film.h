@@ -64,7 +64,8 @@ struct Tally {
     }
 };
 
-void print_tally(const RenderArguments& arguments, const Session& session, const Tally& tally);
+void print_tally(const RenderArguments& arguments, const Session& session, const PictureWriter& writer,
+                 const Tally& tally);
 
 // The rig is run from the start of the recording, because wheels and gobos turn: a frame is the same wherever
 // it is asked from. Where that is more than ten minutes, from a minute before: only what turns without end

@@ -73,6 +73,7 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
                          Tally& tally) {
     TRY(dmx::ReceiverOptions options, receiver_options(arguments.input));
     options.universes = joined_universes(options.universes, scene::PatchMap(*session.show));
+    options.listen_wider = true;
     TRY(const std::unique_ptr<TimeCodeInput> timecode, open_timecode(arguments.timecode));
     std::optional<dmx::Player> player;
     if (timecode) {

@@ -29,12 +29,14 @@ std::string size_text(const std::pair<int, int>& size) {
 
 } // namespace
 
-void print_tally(const RenderArguments& arguments, const Session& session, const Tally& tally) {
+void print_tally(const RenderArguments& arguments, const Session& session, const PictureWriter& writer,
+                 const Tally& tally) {
     const double median = percentile(tally.draw_ms, 0.5);
     const double p99 = percentile(tally.draw_ms, 0.99);
     if (arguments.json) {
         nlohmann::json row{
-            {"out", arguments.out},
+            {"out", writer.first_path().string()},
+            {"written", writer.written()},
             {"device", session.device->name()},
             {"width", session.show->cameras[session.camera].width / arguments.session.supersample},
             {"height", session.show->cameras[session.camera].height / arguments.session.supersample},
@@ -59,13 +61,14 @@ void print_tally(const RenderArguments& arguments, const Session& session, const
     }
     const std::size_t drawn = tally.draw_ms.size();
     const std::string frames = std::to_string(drawn + static_cast<std::size_t>(tally.late)) + " frames";
-    log_info(arguments.out + ": " + frames + (tally.late > 0 ? ", " + std::to_string(drawn) + " drawn" : "") +
-             ", " + in_ms(median) + " a drawing (median), " + in_ms(p99) + " (99 %)");
+    log_info(writer.written() + ": " + frames +
+             (tally.late > 0 ? ", " + std::to_string(drawn) + " drawn" : "") + ", " + in_ms(median) +
+             " a drawing (median), " + in_ms(p99) + " (99 %)");
     if (arguments.hold_fps > 0 && !tally.sizes.empty()) {
         std::string sizes;
         for (const auto& [size, count] : tally.sizes)
             sizes += (sizes.empty() ? "" : ", ") + std::to_string(count) + " with " + size_text(size);
-        log_info(arguments.out + ": to hold " + std::to_string(arguments.hold_fps) +
+        log_info(writer.written() + ": to hold " + std::to_string(arguments.hold_fps) +
                  " frames a second on this machine, frames were drawn: " + sizes);
     }
     if (arguments.live_input && tally.latency.count() > 0)

@@ -178,7 +178,9 @@ void Xchange::Loop::fetch_wanted() {
             Message request;
             request.type = "MVR_REQUEST";
             request.file_uuid = wanted.commit.asked_as;
-            request.station_uuid = known_.at(wanted.key).station.uuid;
+            const std::string& station = known_.at(wanted.key).station.uuid;
+            request.station_uuid =
+                wanted.commit.station_uuid == station ? wanted.commit.station_asked_as : station;
             connection->peer->say(request);
             Fetch fetch;
             fetch.commit = wanted.commit;
@@ -305,6 +307,8 @@ void Xchange::Loop::answer(Connection& connection, const Message& message) {
         reply(true, "");
     } else if (message.type == "MVR_NEW_SESSION_HOST") {
         reply(false, "Ghostlight takes part in TCP mode only, in the group that it was told");
+    } else if (!message.is_answer()) {
+        reply(false, "Ghostlight does not know this message");
     }
 }
 

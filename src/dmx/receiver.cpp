@@ -318,8 +318,14 @@ Listener::More Receiver::Loop::more_groups(nanoseconds now) {
     Listener::More more{intake.merge().sync_universes(), {}};
     if (!options.listen_wider || !options.sacn || options.universes.empty()) return more;
     std::vector<std::uint16_t> silent;
+    // One that comes by another's group is heard only as long as we listen wider.
+    const auto astray = [&](std::uint16_t universe) {
+        return std::any_of(
+            statistics.sources.begin(), statistics.sources.end(),
+            [&](const SourceStatus& one) { return one.universe == universe && one.wrong_group; });
+    };
     for (const std::uint16_t universe : options.universes)
-        if (!intake.merge().has_source(universe)) silent.push_back(universe);
+        if (!intake.merge().has_source(universe) || astray(universe)) silent.push_back(universe);
     wider.update(silent, statistics.discovered, now);
     const std::vector<std::uint16_t>& universes = wider.universes();
     statistics.listening.wider = universes.size();

@@ -7,6 +7,7 @@
 #include "dmx/statistics.h"
 #include "scene/patch_map.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,12 +20,15 @@ enum class Trouble {
     nothing_arrives, // of no source at all
     port_shared,     // another program has the port open
     same_host,       // a desk on this machine, whose multicast does not come back
+    wrong_interface, // it comes by one that we were told not to listen on
+    held_back,       // announced by sACN, and none of it arrives
     off_by_one,      // universes arrive one beside those of the patch
     not_received,    // fixtures, and nothing arrives
     not_patched,     // levels arrive, and no fixture
     lost,            // the last source of a universe is gone
     preview,         // levels are marked for blind
     low_priority,    // another source ranks higher everywhere
+    two_desks,       // of equal priority, that differ
     too_many,        // of sources on a universe
     too_many_universes,
     waits_for_sync, // levels wait for a synchronisation packet
@@ -39,6 +43,7 @@ struct Sentence {
     Trouble trouble = Trouble::nothing_arrives;
     bool is_problem = true; // else worth knowing: a backup desk in waiting
     std::string text;
+    std::set<int> universes; // that it is about; none: all
 };
 
 // What is wrong, the most telling first. Without a patch nothing is said of fixtures. The first seconds of

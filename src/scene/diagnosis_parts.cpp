@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/diagnosis_parts.h"
 
-#include "scene/diagnosis.h"
-
 #include <algorithm>
 #include <bit>
 
@@ -35,17 +33,19 @@ Arriving::Arriving(const dmx::Statistics& statistics) {
             add(source.universe, source.protocol,
                 source_text(source.name, dmx::place_text(source), source.protocol));
     for (const dmx::UnlistedUniverse& one : statistics.unlisted_universes)
-        add(one.universe, one.protocol, source_text("", dmx::address_text(one.from), one.protocol));
+        add(one.universe, one.protocol, source_text(one.name, dmx::address_text(one.from), one.protocol));
     for (const dmx::IgnoredSource& one : statistics.ignored)
         add(one.universe, one.protocol, source_text(one.name, dmx::address_text(one.from), one.protocol));
     for (const dmx::DiscoveredSource& one : statistics.discovered)
-        listed.insert(one.universes->begin(), one.universes->end());
+        for (const int universe : *one.universes)
+            listed.emplace(universe, source_text(one.name, dmx::address_text(one.from), dmx::Protocol::sacn));
 }
 
 std::set<int> Arriving::announced(dmx::Protocol protocol) const {
     const auto found = by_protocol.find(protocol);
     std::set<int> result = found == by_protocol.end() ? std::set<int>() : found->second;
-    if (protocol == dmx::Protocol::sacn) result.insert(listed.begin(), listed.end());
+    if (protocol == dmx::Protocol::sacn)
+        for (const auto& [universe, from] : listed) result.insert(universe);
     return result;
 }
 
@@ -76,6 +76,12 @@ std::string universes_text(const std::set<int>& universes) {
     return ranges.size() > kMostRanges ? text + ", ..." : text;
 }
 
+std::set<int> numbers_of(const PatchMap& patch) {
+    std::set<int> numbers;
+    for (const PatchedUniverse& one : patch.universes()) numbers.insert(one.universe);
+    return numbers;
+}
+
 std::string seconds_text(std::chrono::nanoseconds time) {
     return std::to_string(std::chrono::duration_cast<std::chrono::seconds>(time).count()) + " s";
 }
@@ -85,22 +91,47 @@ std::string source_text(const std::string& name, const std::string& place, dmx::
     return printable(place) + " (" + dmx::protocol_name(protocol) + ")";
 }
 
+std::string source_text(const dmx::SourceStatus& source) {
+    return source_text(source.name, dmx::place_text(source), source.protocol);
+}
+
 std::string addresses_text(const dmx::Statistics& statistics) {
     std::string text;
     for (const dmx::NetInterface& one : statistics.interfaces)
         if (is_ours(one, statistics.listening))
             text += (text.empty() ? "" : ", ") + one.name + " (" + dmx::ipv4_text(one.address) + "/" +
-                    std::to_string(std::popcount(one.netmask)) + ")";
+                    std::to_string(std::popcount(one.netmask)) + (one.running ? ")" : ", no cable)");
     if (!text.empty()) return text;
     return statistics.listening.interface.empty() ? "no network but this machine's own"
                                                   : statistics.listening.interface;
 }
 
-bool has_artnet_address(const dmx::Statistics& statistics) {
-    return std::any_of(
-        statistics.interfaces.begin(), statistics.interfaces.end(), [&](const dmx::NetInterface& one) {
-            return is_ours(one, statistics.listening) && (one.address >> 24 == 2 || one.address >> 24 == 10);
-        });
+std::string broadcasts_text(const dmx::Statistics& statistics) {
+    struct Usual {
+        std::uint32_t broadcast;
+        const char* text;
+        const char* network;
+    };
+    static constexpr Usual kUsual[] = {{0x02FFFFFF, "2.255.255.255", "2.x.x.x"},
+                                       {0x0AFFFFFF, "10.255.255.255", "10.x.x.x"}};
+    std::string deaf, networks, taken;
+    for (const Usual& usual : kUsual) {
+        const bool arrives = std::any_of(
+            statistics.interfaces.begin(), statistics.interfaces.end(), [&](const dmx::NetInterface& one) {
+                return is_ours(one, statistics.listening) && (one.address | ~one.netmask) == usual.broadcast;
+            });
+        if (arrives) continue;
+        deaf += (deaf.empty() ? "" : " and ") + std::string(usual.text);
+        networks += (networks.empty() ? "" : " or ") + std::string(usual.network);
+    }
+    if (deaf.empty()) return "";
+    for (const dmx::NetInterface& one : statistics.interfaces)
+        if (is_ours(one, statistics.listening))
+            taken += (taken.empty() ? "" : ", ") + dmx::ipv4_text(one.address | ~one.netmask);
+    return "Art-Net that a desk broadcasts to " + deaf + " (one in " + networks +
+           " with the mask 255.0.0.0) does not arrive at our address and mask" +
+           (taken.empty() ? std::string() : ", which take " + taken + " and 255.255.255.255") +
+           ": give both machines one network and one mask";
 }
 
 bool is_foreign(const dmx::IpAddress& address, const dmx::Statistics& statistics) {
@@ -125,6 +156,14 @@ std::string port_addresses_hint(const std::set<int>& universes, const dmx::Liste
                                  ? port_address_text(*universes.begin(), listening.artnet_offset)
                                  : std::string();
     return text.empty() || !listening.artnet ? "" : " (in Art-Net: Port-Address " + text + ")";
+}
+
+Sentence problem(Trouble trouble, std::string text, std::set<int> universes) {
+    return {trouble, true, std::move(text), std::move(universes)};
+}
+
+Sentence note(Trouble trouble, std::string text, std::set<int> universes) {
+    return {trouble, false, std::move(text), std::move(universes)};
 }
 
 } // namespace diagnosed

@@ -185,10 +185,10 @@ Reason several(const BeamFacts& beam) {
 
 const char* cause_name(Cause cause) {
     static constexpr const char* kNames[] = {
-        "none",       "no_type",      "no_mode", "not_patched", "no_input", "never_received", "lost",
-        "overridden", "same_address", "overlap", "dimmer",      "shutter",  "strobe",         "iris",
-        "blades",     "colour",       "gobo",    "animation",   "picture",  "zoom",           "emitters",
-        "lamp",       "no_beam",      "several", "hidden",      "away",     "faint"};
+        "none",       "no_type",   "no_mode",      "not_patched", "no_input",  "never_received", "lost",
+        "overridden", "two_desks", "same_address", "overlap",     "dimmer",    "shutter",        "strobe",
+        "iris",       "blades",    "colour",       "gobo",        "animation", "picture",        "zoom",
+        "emitters",   "lamp",      "no_beam",      "several",     "hidden",    "away",           "faint"};
     static_assert(std::size(kNames) == static_cast<std::size_t>(Cause::faint) + 1);
     return kNames[static_cast<std::size_t>(cause)];
 }

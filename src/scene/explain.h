@@ -6,7 +6,7 @@
 // without haze, degrees. Pure; refers to its input, which must outlive it. What DMX channel means what: GDTF
 // (DIN SPEC 15800).
 
-#include "dmx/merge.h"
+#include "scene/diagnosis.h"
 #include "scene/report.h"
 #include "scene/rig.h"
 
@@ -26,6 +26,7 @@ enum class Cause {
     never_received, // no packet of the universe
     lost,           // nobody sends the universe any more; its last look is held
     overridden,     // a source of higher priority sends something else
+    two_desks,      // sources of equal priority send different things
     same_address,   // another fixture has the address
     overlap,        // a fixture begins inside of another one: a mode of the wrong length
     dimmer,
@@ -70,8 +71,9 @@ struct Reception {
     double listened_s = 0;
     std::vector<dmx::SourceStatus> sources; // with slots
     std::uint64_t packets = 0, preview = 0, unlisted = 0, not_understood = 0;
-    std::vector<int> elsewhere; // universes that come and that nobody asked for
+    std::vector<Sentence> diagnosis; // of a desk: what is wrong between it and the patch
 };
+Reception reception_of(const dmx::Statistics& statistics, const PatchMap& patch, double listened_s);
 
 struct UniverseFacts {
     int universe = 0;
@@ -141,7 +143,7 @@ struct BeamFacts {
     float shutter = 1;
     float strobe = 1; // at this moment
     float strobe_hz = 0;
-    float mix = 1;        // HSB, CIE, RGB, colour macro
+    float mix = 1; // HSB, CIE, RGB, colour macro
     float emitters = 1;
     float correction = 1; // CTO, CTC, CTB, tint
     float colour = 1;     // flags and wheels

@@ -48,12 +48,18 @@ Json input_json(const Reception& reception) {
     case Reception::Kind::desk:
         break;
     }
+    Json diagnosis = Json::array();
+    for (const Sentence& sentence : reception.diagnosis)
+        diagnosis.push_back({{"trouble", trouble_name(sentence.trouble)},
+                             {"problem", sentence.is_problem},
+                             {"text", sentence.text}});
     return {{"kind", "desk"},
             {"listened_s", rounded(reception.listened_s)},
             {"packets", reception.packets},
             {"preview", reception.preview},
             {"unlisted", reception.unlisted},
-            {"not_understood", reception.not_understood}};
+            {"not_understood", reception.not_understood},
+            {"diagnosis", diagnosis}};
 }
 
 Json universe_json(const UniverseFacts& facts) {

@@ -11,17 +11,6 @@ namespace {
 
 using fixture::Address;
 
-std::string sender_text(const dmx::SourceStatus& source) {
-    const std::string from = dmx::place_text(source);
-    return (source.name.empty() ? from : "'" + source.name + "'") + " (" +
-           dmx::protocol_name(source.protocol) + (source.name.empty() ? "" : ", " + from) + ", priority ";
-}
-
-std::string ranked_text(const dmx::SourceStatus& source, std::size_t slot) {
-    return sender_text(source) + std::to_string(source.slots->rank[slot] - 1) +
-           (source.per_address_priority ? " for this address" : "") + ")";
-}
-
 // Numbers of universes: "1, 2 and 4".
 std::string list_text(const std::vector<int>& universes) {
     constexpr std::size_t kMost = 8;
@@ -30,6 +19,21 @@ std::string list_text(const std::vector<int>& universes) {
         names.push_back(std::to_string(universes[i]));
     if (universes.size() > kMost) names.push_back(std::to_string(universes.size() - kMost) + " more");
     return joined(names);
+}
+
+// Whether a sentence about everything says why a universe does not come.
+bool tells_silence(Trouble trouble) {
+    switch (trouble) {
+    case Trouble::not_listening:
+    case Trouble::no_interface:
+    case Trouble::cable:
+    case Trouble::nothing_arrives:
+    case Trouble::port_shared:
+    case Trouble::same_host:
+        return true;
+    default:
+        return false;
+    }
 }
 
 std::string never_text(const ExplainInput& input, const UniverseFacts& facts) {
@@ -44,23 +48,19 @@ std::string never_text(const ExplainInput& input, const UniverseFacts& facts) {
         return universe + " is not in the recording, which has " + list_text(others);
     }
     std::string text = universe + " never arrived in " + number(reception.listened_s, 1) + " s";
+    bool said = false;
+    for (const Sentence& sentence : reception.diagnosis) {
+        const bool ours = sentence.universes.contains(facts.universe);
+        if (!sentence.is_problem ||
+            !(ours || (sentence.universes.empty() && tells_silence(sentence.trouble))))
+            continue;
+        text += (said ? "; " : ": ") + sentence.text;
+        said = true;
+    }
+    if (said) return text;
     for (const dmx::Universe& seen : input.universes.list) others.push_back(seen.number);
-    others.insert(others.end(), reception.elsewhere.begin(), reception.elsewhere.end());
-    if (reception.packets == 0)
-        text += ", nor did any packet: is the desk sending, to this network, and no firewall on UDP 5568 and "
-                "6454 "
-                "in the way?";
-    else if (reception.preview > 0)
-        text += "; " + std::to_string(reception.preview) +
-                " packets are marked preview (blind) and left out (--show-preview)";
-    else if (others.empty())
-        text += ", though " + std::to_string(reception.packets) +
-                " packets did: " + std::to_string(reception.unlisted) +
-                " of universes that were not asked for, " + std::to_string(reception.not_understood) +
-                " not understood";
-    else
-        text += "; what arrives is " + list_text(others);
-    return text;
+    if (!others.empty()) return text + "; what arrives is " + list_text(others);
+    return text + (reception.packets == 0 ? ", nor did any packet" : "");
 }
 
 bool missing(const Explanation& explanation, const Reason* direct, int universe) {
@@ -86,99 +86,27 @@ std::string so(const Reason* direct) {
     return direct ? ", and " + direct->text : "";
 }
 
-// A slot of the fixture where a source does not have its way.
-struct Beaten {
-    std::size_t slot = 0;
-    const dmx::SourceStatus* holder = nullptr; // who has; null: nobody, by per-address priority 0
-    const ChannelFacts* channel = nullptr;
-};
-
-std::vector<Beaten> slots_lost(const ExplainInput& input, const Explanation& explanation,
-                               const dmx::SourceStatus& loser) {
-    std::vector<Beaten> lost;
-    for (const ChannelFacts& channel : explanation.channels)
-        for (const Address& place : channel.places) {
-            if (place.universe != loser.universe) continue;
-            const auto slot = static_cast<std::size_t>(place.channel - 1);
-            const dmx::SourceStatus* holder = nullptr;
-            for (const dmx::SourceStatus& other : input.reception.sources)
-                if (other.universe == loser.universe && other.slots &&
-                    (!holder || other.slots->rank[slot] > holder->slots->rank[slot]))
-                    holder = &other;
-            if (slot >= loser.slot_count || !holder) continue;
-            const int best = holder->slots->rank[slot];
-            if (best == 0 && loser.slots->levels[slot] > 0) // nobody has it
-                lost.push_back({slot, nullptr, &channel});
-            if (best > loser.slots->rank[slot] && holder->slots->levels[slot] != loser.slots->levels[slot])
-                lost.push_back({slot, holder, &channel});
-        }
-    return lost;
-}
-
-// Whether the fixture would shine had this source its way.
-bool would_shine(const ExplainInput& input, const fixture::Patch& patch, const fixture::State& state,
-                 const dmx::SourceStatus& loser, const std::vector<Beaten>& lost) {
-    fixture::Levels levels;
-    dmx::Levels own{};
-    for (const dmx::Universe& universe : input.universes.list) {
-        levels.set(universe.number, *universe.levels);
-        if (universe.number == loser.universe) own = *universe.levels;
-    }
-    for (const Beaten& beaten : lost) own[beaten.slot] = loser.slots->levels[beaten.slot];
-    levels.set(loser.universe, own);
-    const fixture::Targets targets = fixture::decode(patch, levels);
-    for (std::size_t b = 0; b < state.beams.size() && b < targets.beams.size(); ++b) {
-        fixture::BeamState beam = state.beams[b];
-        beam.optics = targets.beams[b];
-        beam.optics.shutter = beam.optics.shutter_position;
-        if (share_of(*patch.type, beam, input.gobos) > kNearlyDark) return true;
-    }
-    return false;
-}
-
-void add_overrides(const ExplainInput& input, const fixture::Patch& patch, const Explanation& explanation,
-                   const fixture::State& state, const Reason* direct, std::vector<Reason>& findings) {
-    for (const dmx::SourceStatus& loser : input.reception.sources) {
-        if (!loser.slots) continue;
-        const std::vector<Beaten> lost = slots_lost(input, explanation, loser);
-        if (lost.empty()) continue;
-        // The channel that is to blame, if it is one of these.
-        const Beaten* shown = &lost.front();
-        for (const Beaten& beaten : lost)
-            for (const int index : direct ? direct->channels : std::vector<int>{})
-                if (shown == &lost.front() &&
-                    beaten.channel == &explanation.channels[static_cast<std::size_t>(index)])
-                    shown = &beaten;
-        const bool blocks = direct && would_shine(input, patch, state, loser, lost);
-        const auto level = [&](const dmx::SourceStatus& source) {
-            return std::to_string(source.slots->levels[shown->slot]);
-        };
-        const std::string rank = loser.slots->rank[shown->slot] > 0
-                                     ? ranked_text(loser, shown->slot)
-                                     : sender_text(loser) + "none for this address)";
-        if (!shown->holder) {
-            findings.push_back({Cause::overridden,
-                                blocks,
-                                sender_text(loser) + "0 for this address) sends " + level(loser) + " on " +
-                                    place_text(*shown->channel) +
-                                    " but says by its priority per address that the channel is not its own; "
-                                    "nobody holds it",
-                                "nobody holds their channels",
-                                {}});
-            continue;
-        }
-        findings.push_back({Cause::overridden,
-                            blocks,
-                            ranked_text(*shown->holder, shown->slot) + " overrides " + rank +
-                                (blocks ? ", which would light it" : "") + ": on " +
-                                place_text(*shown->channel) + " it sends " + level(*shown->holder) +
-                                " instead of " + level(loser),
-                            "a source of higher priority overrides another",
-                            {}});
-    }
-}
-
 } // namespace
+} // namespace ghost::scene::explained
+
+namespace ghost::scene {
+
+Reception reception_of(const dmx::Statistics& statistics, const PatchMap& patch, double listened_s) {
+    Reception reception;
+    reception.kind = Reception::Kind::desk;
+    reception.listened_s = listened_s;
+    reception.sources = statistics.sources;
+    reception.packets = statistics.packets_sacn + statistics.packets_artnet;
+    reception.preview = statistics.merge.preview;
+    reception.unlisted = statistics.unlisted;
+    for (const std::uint64_t count : statistics.drops) reception.not_understood += count;
+    reception.diagnosis = diagnose(statistics, patch);
+    return reception;
+}
+
+} // namespace ghost::scene
+
+namespace ghost::scene::explained {
 
 std::vector<UniverseFacts> universe_facts(const ExplainInput& input,
                                           const std::vector<ChannelFacts>& channels) {
@@ -275,6 +203,7 @@ std::vector<Reason> causes_in_network(const ExplainInput& input, const fixture::
         }
     }
     add_overrides(input, patch, explanation, state, direct, findings);
+    add_two_desks(input, patch, explanation, state, direct, findings);
     return findings;
 }
 

@@ -81,4 +81,10 @@ std::vector<Reason> causes_in_network(const ExplainInput& input, const fixture::
                                       const Explanation& explanation, const fixture::State& state,
                                       const Reason* direct);
 
+// Of several sources of a universe: what a higher priority keeps out, and what equal ones make of each other.
+void add_overrides(const ExplainInput& input, const fixture::Patch& patch, const Explanation& explanation,
+                   const fixture::State& state, const Reason* direct, std::vector<Reason>& findings);
+void add_two_desks(const ExplainInput& input, const fixture::Patch& patch, const Explanation& explanation,
+                   const fixture::State& state, const Reason* direct, std::vector<Reason>& findings);
+
 } // namespace ghost::scene::explained

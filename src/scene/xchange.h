@@ -67,6 +67,7 @@ struct XchangeCommit {
     std::string comment;
     std::uint64_t file_size = 0;           // bytes; 0: not told
     std::vector<std::string> for_stations; // UUIDs; empty: for all
+    std::string station_asked_as;          // station_uuid as its station writes it
 };
 
 struct XchangeMessage {
@@ -75,7 +76,7 @@ struct XchangeMessage {
     std::string text; // what went wrong
     std::string provider;
     std::string station_name;
-    std::string station_uuid;           // who speaks, where it says so
+    std::string station_uuid;           // who speaks, where it says so; of a request, whom is asked
     std::string file_uuid;              // of a request
     std::vector<XchangeCommit> commits; // of a commit: the one
 

@@ -79,7 +79,8 @@ XchangeCommit commit_from(const Json& object) {
     XchangeCommit commit;
     commit.asked_as = text_of(find(object, {"FileUUID"}));
     commit.file_uuid = uuid_from(commit.asked_as);
-    commit.station_uuid = uuid_from(text_of(find(object, {"StationUUID"})));
+    commit.station_asked_as = text_of(find(object, {"StationUUID"}));
+    commit.station_uuid = uuid_from(commit.station_asked_as);
     commit.file_name = text_of(find(object, {"FileName"}));
     commit.comment = text_of(find(object, {"Comment"}));
     commit.file_size = size_of(find(object, {"FileSize"}));
@@ -122,9 +123,10 @@ Result<XchangeMessage> parse_xchange_message(std::string_view text) {
     message.text = text_of(find(object, {"Message"}));
     message.provider = text_of(find(object, {"Provider"}));
     message.station_name = text_of(find(object, {"StationName"}));
-    message.station_uuid =
-        uuid_from(text_of(message.type == "MVR_LEAVE" ? find(object, {"FromStationUUID", "StationUUID"})
-                                                      : find(object, {"StationUUID"})));
+    const std::string station =
+        text_of(message.type == "MVR_LEAVE" ? find(object, {"FromStationUUID", "StationUUID"})
+                                            : find(object, {"StationUUID"}));
+    message.station_uuid = uuid_from(station);
     message.file_uuid = uuid_from(text_of(find(object, {"FileUUID"})));
     if (message.type == "MVR_COMMIT") message.commits.push_back(commit_from(object));
     const Json* const commits = find(object, {"Commits", "Files"});
@@ -135,7 +137,10 @@ Result<XchangeMessage> parse_xchange_message(std::string_view text) {
             if ((*commits)[i].is_object()) message.commits.push_back(commit_from((*commits)[i]));
     }
     for (XchangeCommit& commit : message.commits)
-        if (commit.station_uuid.empty()) commit.station_uuid = message.station_uuid;
+        if (commit.station_uuid.empty()) {
+            commit.station_uuid = message.station_uuid;
+            commit.station_asked_as = station;
+        }
     return message;
 }
 

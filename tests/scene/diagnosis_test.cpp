@@ -104,8 +104,16 @@ TEST(diagnosis, NothingArrives) {
     EXPECT_EQ(silent.troubles(), Troubles{Trouble::nothing_arrives});
     expect_words(silent.text(Trouble::nothing_arrives),
                  {"firewall on UDP 5568 and 6454", "eth0 (192.168.1.5/24)", "2.x.x.x or 10.x.x.x"});
-    silent.statistics.interfaces[1].address = 0x02000005;
-    EXPECT_EQ(silent.text(Trouble::nothing_arrives).find("10.x.x.x"), std::string::npos);
+    silent.statistics.interfaces[1].address = 0x02000005; // with a mask of 24 bits
+    expect_words(silent.text(Trouble::nothing_arrives), {"2.255.255.255 and 10.255.255.255", "2.0.0.255"});
+    silent.statistics.interfaces[1].netmask = 0xFF000000;
+    expect_words(silent.text(Trouble::nothing_arrives), {"broadcasts to 10.255.255.255 (one in 10.x.x.x"});
+    silent.statistics.interfaces.push_back(interface("eth1", 0x0A000005));
+    silent.statistics.interfaces[2].netmask = 0xFF000000;
+    EXPECT_EQ(silent.text(Trouble::nothing_arrives).find("broadcasts to"), std::string::npos);
+    silent.statistics.interfaces.pop_back();
+    silent.statistics.notices[static_cast<std::size_t>(dmx::Notice::poll)] = 3;
+    expect_words(silent.text(Trouble::nothing_arrives), {"no levels arrive, though 3 other packets did (3 "});
     silent.statistics.drops[static_cast<std::size_t>(dmx::Drop::too_short)] = 260;
     EXPECT_EQ(silent.troubles(), Troubles{Trouble::nothing_arrives});
     expect_words(silent.text(Trouble::nothing_arrives),
@@ -234,11 +242,96 @@ TEST(diagnosis, ALowerPriority) {
     network.statistics.sources.push_back(backup);
     ASSERT_EQ(network.troubles(), Troubles{Trouble::low_priority});
     EXPECT_FALSE(network.sentences()[0].is_problem);
-    expect_words(network.text(Trouble::low_priority),
-                 {"'Backup' (192.168.1.7) (priority 90)", "higher priority"});
+    expect_words(network.text(Trouble::low_priority), {"'Backup' (192.168.1.7) (priority 90)",
+                                                       "'Desk' (192.168.1.7) (priority 100) has a higher"});
     const auto& all = network.statistics.sources;
     EXPECT_EQ(role_text(all[0], all), "shown");
     EXPECT_EQ(role_text(all[1], all), "lower priority");
+}
+
+TEST(diagnosis, TwoDesksThatFight) {
+    Network network({1});
+    network.sends({1}).sends({1});
+    dmx::SourceStatus& other = network.statistics.sources[1];
+    other.id[0] = '2';
+    other.name = "Other";
+    other.rate_hz = 44;
+    EXPECT_EQ(network.troubles(), Troubles{}) << "a backup that sends the same";
+    other.slots_overruled = 12;
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::two_desks});
+    expect_words(network.text(Trouble::two_desks),
+                 {"universe 1 comes", "'Desk' (192.168.1.7) with 512 slots", "'Other' (192.168.1.7)",
+                  "at 44 Hz", "up to 12 channels", "HTP"});
+    for (dmx::SourceStatus& one : network.statistics.sources) one.protocol = dmx::Protocol::artnet;
+    network.statistics.listening.artnet_ltp = true;
+    expect_words(network.text(Trouble::two_desks), {"LTP"});
+}
+
+TEST(diagnosis, TheWrongInterface) {
+    Network network({1, 2});
+    network.statistics.listening.interface = "eth0";
+    network.statistics.interfaces.push_back(interface("eth1", 0x0A000005));
+    network.statistics.interfaces[2].index = 3;
+    network.statistics.elsewhere_universes = {
+        {3, 1, dmx::Protocol::sacn, "FOH", dmx::IpAddress(0x0A000007), 9, 0s},
+        {3, 2, dmx::Protocol::sacn, "FOH", dmx::IpAddress(0x0A000007), 9, 0s},
+        {3, 9, dmx::Protocol::sacn, "FOH", dmx::IpAddress(0x0A000007), 9, 0s}};
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::wrong_interface});
+    expect_words(network.text(Trouble::wrong_interface),
+                 {"'FOH' (10.0.0.7)", "universes 1-2", "eth1", "we listen on eth0 (192.168.1.5/24) only",
+                  "--interface eth1"});
+    network.sends({1, 2});
+    EXPECT_EQ(network.troubles(), Troubles{}) << "it comes by both";
+}
+
+TEST(diagnosis, WhatASourceAnnouncesAndDoesNotArrive) {
+    Network network({1});
+    dmx::DiscoveredSource desk;
+    desk.name = "FOH";
+    desk.from = dmx::IpAddress(0xC0A80107);
+    desk.universes = std::make_shared<const std::vector<std::uint16_t>>(std::vector<std::uint16_t>{1, 2});
+    network.statistics.discovered = {desk};
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::held_back});
+    expect_words(network.text(Trouble::held_back),
+                 {"'FOH' (192.168.1.7) announces universe 1", "unicast", "IGMP snooping"});
+    desk.universes = std::make_shared<const std::vector<std::uint16_t>>(std::vector<std::uint16_t>{7, 8});
+    network.statistics.discovered = {desk};
+    EXPECT_EQ(network.troubles(), Troubles{Trouble::not_patched});
+    expect_words(network.text(Trouble::not_patched),
+                 {"announces universes 7-8", "the show wants universe 1"});
+    Network open;
+    open.statistics.discovered = {desk};
+    expect_words(open.text(Trouble::nothing_arrives), {"announces universes 7-8", "--universes"});
+}
+
+TEST(diagnosis, NetSubNetAndUniverseInAnotherOrder) {
+    Network network({17});                       // 0:1:0
+    network.sends({257}, dmx::Protocol::artnet); // 1:0:0
+    expect_words(network.text(Trouble::not_patched),
+                 {"1:0:0", "0:1:0", "another order", "wants universe 17"});
+    Network other({3});
+    other.sends({300}, dmx::Protocol::artnet);
+    EXPECT_EQ(other.text(Trouble::not_patched).find("another order"), std::string::npos);
+}
+
+TEST(diagnosis, BlindBesideLive) {
+    Network network({1});
+    network.sends({1});
+    network.statistics.ignored = {{1, dmx::Protocol::sacn, dmx::IgnoredSource::Why::preview, "Desk",
+                                   dmx::IpAddress(0xC0A80107), 4, 0s}};
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::preview});
+    EXPECT_FALSE(network.sentences()[0].is_problem) << "its live look is shown";
+}
+
+TEST(diagnosis, MoreSacnSourcesThanPlaces) {
+    Network network({1});
+    network.sends({1});
+    for (int i = 0; i < 3; ++i)
+        network.statistics.ignored.push_back({1, dmx::Protocol::sacn, dmx::IgnoredSource::Why::too_many,
+                                              "S" + std::to_string(i), dmx::IpAddress(kOurs), 4, 0s});
+    ASSERT_EQ(network.troubles(), Troubles{Trouble::too_many}) << "one sentence for all";
+    expect_words(network.text(Trouble::too_many), {"'S0'", "'S2'", "16 are merged", "highest priority"});
+    EXPECT_EQ(network.text(Trouble::too_many).find("Art-Net"), std::string::npos);
 }
 
 TEST(diagnosis, RolesOfSources) {

@@ -64,11 +64,18 @@ TEST(explain, UniverseNeverReceived) {
            {"universe 3 begins in the recording at 40.5 s, this is 36 s"});
     trial.reception = {.kind = Reception::Kind::desk, .listened_s = 5, .packets = 0};
     expect(trial.explain(), Visibility::dark, Cause::never_received,
-           {"universe 3 never arrived in 5 s, nor did any packet", "firewall"});
-    trial.reception.packets = 20;
-    expect(trial.explain(), Visibility::dark, Cause::never_received, {"what arrives is 1 and 2"});
-    trial.reception.preview = 20;
-    expect(trial.explain(), Visibility::dark, Cause::never_received, {"marked preview", "--show-preview"});
+           {"universe 3 never arrived in 5 s; what arrives is 1 and 2"});
+    // What the monitor says of this universe, or of everything.
+    trial.reception.diagnosis = {{Trouble::packets_lost, true, "packets got lost", {}},
+                                 {Trouble::preview, true, "marked as preview", {3}},
+                                 {Trouble::off_by_one, true, "off by one?", {1}}};
+    expect(trial.explain(), Visibility::dark, Cause::never_received,
+           {"universe 3 never arrived in 5 s: marked as preview"});
+    EXPECT_EQ(trial.explain().verdict.find("off by one"), std::string::npos);
+    EXPECT_EQ(trial.explain().verdict.find("got lost"), std::string::npos);
+    trial.reception.diagnosis = {{Trouble::nothing_arrives, true, "nothing arrives: firewall?", {}}};
+    expect(trial.explain(), Visibility::dark, Cause::never_received,
+           {"universe 3 never arrived in 5 s: nothing arrives: firewall?"});
 }
 
 // Levels as the network's merge makes them.
@@ -105,6 +112,23 @@ TEST(explain, UniverseLostAndHeld) {
     expect(trial.explain(), Visibility::dark, Cause::lost,
            {"universe 1 is lost: its last packet came 9 s ago", "last look is held",
             "the dimmer on channel 1 (1.1) is at 0"});
+}
+
+// Flags of colour at HTP: each desk alone would light it, both together do not.
+TEST(explain, TwoDesksOfEqualPriority) {
+    Trial trial(type_of(kDimmer + simple("2", "ColorSub_C", 0, 1) + simple("3", "ColorSub_M", 0, 1) +
+                        simple("4", "ColorSub_Y", 0, 1)));
+    Desks desks;
+    desks.merge.feed(desks.packet(1, 100, {255, 255, 0, 0}), 1s);
+    desks.merge.feed(desks.packet(2, 100, {255, 0, 255, 255}), 1s);
+    desks.into(trial, 1s);
+    expect(trial.explain(), Visibility::nearly_dark, Cause::two_desks,
+           {"'Desk 1'", "'Desk 2'", "priority 100", "have the same say", "alone would light it"});
+    Desks alike;
+    alike.merge.feed(alike.packet(1, 100, {255, 0, 0, 0}), 1s);
+    alike.merge.feed(alike.packet(2, 100, {255, 0, 0, 0}), 1s);
+    alike.into(trial, 1s);
+    for (const Reason& reason : trial.explain().findings) EXPECT_NE(reason.cause, Cause::two_desks);
 }
 
 TEST(explain, HigherPriorityOverrides) {

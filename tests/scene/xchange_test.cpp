@@ -193,6 +193,8 @@ TEST(Xchange, a_commit_with_capitals_and_without_a_name_and_how_its_file_is_aske
     EXPECT_EQ(commit.file_uuid, "aab19e5d-66f0-4b1b-98e8-a8c6ac1f2e1f");
     EXPECT_EQ(commit.asked_as, "AAB19E5D-66F0-4B1B-98E8-A8C6AC1F2E1F") << "stations may compare letters";
     EXPECT_EQ(commit.for_stations, std::vector<std::string>{"4aa291a1-1a62-45fe-aabc-e90e5e2399a8"});
+    EXPECT_EQ(commit.station_uuid, "a7669ff9-bd61-4486-aea6-c190f8ba6b8c");
+    EXPECT_EQ(commit.station_asked_as, "A7669FF9-BD61-4486-AEA6-C190F8BA6B8C");
     EXPECT_EQ(commit.file_name, "");
 }
 
@@ -201,7 +203,7 @@ TEST(Xchange, our_messages_have_every_attribute_that_is_not_optional) {
     XchangeMessage message;
     message.station_uuid = "a7669ff9-bd61-4486-aea6-c190f8ba6b8c";
     message.commits.push_back(
-        {"aab19e5d-66f0-4b1b-98e8-a8c6ac1f2e1f", "", message.station_uuid, "n.mvr", "", 7, {}});
+        {"aab19e5d-66f0-4b1b-98e8-a8c6ac1f2e1f", "", message.station_uuid, "n.mvr", "", 7, {}, ""});
     const auto has = [&](const char* type, std::initializer_list<const char*> parts) {
         message.type = type;
         const std::string text = xchange_message_text(message);

@@ -113,6 +113,8 @@ def visit(to):
             say(file=len(receive(out)))
         send(out, {"Type": "MVR_REQUEST", "FileUUID": "no such file", "FromStationUUID": joined["StationUUID"]})
         say(no_file=receive(out))
+        send(out, {"Type": "MVR_OF_TOMORROW", "StationUUID": uuid})
+        say(unknown=receive(out))
 
 met, last = set(), 0.0
 connections = []
@@ -234,8 +236,12 @@ def test_against_the_standard(work):
         assert desk.wait("our plot", lambda line: "file" in line)["file"] == (work / "ours.mvr").stat().st_size
         assert desk.wait("a refusal", lambda line: "no_file" in line)["no_file"]["OK"] is False
         assert desk.wait("its commit is answered", lambda line: "commit_answer" in line)["commit_answer"]["Type"] == "MVR_COMMIT_RET"
+        unknown = desk.wait("an unknown type is answered", lambda line: "unknown" in line)["unknown"]
+        assert unknown["Type"] == "MVR_OF_TOMORROW_RET" and unknown["OK"] is False, unknown
         heard = desk.wait("we join the desk", lambda line: line.get("heard", {}).get("Type") == "MVR_JOIN")["heard"]
         assert heard["Provider"] == "Ghostlight", heard
+        asked = desk.wait("we ask for its plot", lambda line: line.get("heard", {}).get("Type") == "MVR_REQUEST")["heard"]
+        assert asked["FromStationUUID"] == ["AAAAAAAA-0000-4000-8000-000000000001"], asked
         received = vis.wait("its plot comes", lambda line: line["event"] == "received")
         assert received["station"] == "Desk" and received["comment"] == "from the standard", received
         assert Path(received["file"]).read_bytes() == (work / "desk.mvr").read_bytes()

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The table of mistakes: what somebody got wrong between a desk and a picture, how that is staged, and what must be said. Used by
+mistakes_test.py.
+
+A row: (name, what was done wrong, set-up, what must be named, words that its sentence must have). Named is a finding of `monitor`
+(scene/diagnosis.h) or, with "explain:", a cause of `explain` (scene/explain.h); "error:" is an exit with a message.
+Set-up: keys of STANDARD below that differ."""
+OPEN = {1: 255, 2: 128, 4: 128, 12: 255, 17: 255}  # a VL2500 Spot at address 1: full, straight down, wide, iris open
+
+STANDARD = {
+    "fixtures": [("Spot", 1, 1)],  # name, universe, address; another kind than the VL2500 Spot
+    "toml": "",  # at the end of show.toml
+    "send": None,  # senders; None: one sACN source of universe 1, all open
+    "options": [],  # of ghostlight
+    "desk": [],  # commands (ip) in the desk's namespace
+    "vis": [],  # and in ours
+    "other": None,  # another program on our machine: (port, shares it)
+    "show": None,  # None: live; else frames of a recording, explained only
+    "gdtf": None,  # another file of the fixtures
+    "firewall": False,
+    "once": False,  # it happens while somebody looks: who comes later sees something else
+}
+
+
+def sacn(universe=1, levels=None, **more):
+    return {"protocol": "sacn", "universe": universe, "levels": OPEN if levels is None else levels, **more}
+
+
+def artnet(port_address=0, levels=None, **more):
+    return {"protocol": "artnet", "universe": port_address, "levels": OPEN if levels is None else levels, **more}
+
+
+def with_levels(**changes):
+    return {"send": [sacn(levels={**OPEN, **{int(key[1:]): value for key, value in changes.items()}})]}
+
+
+SILENT = []
+MISTAKES = [
+    # The cable and the network.
+    ("cable", "the cable is pulled, or the switch is off", {"desk": ["link set to_net0 down"], "options": ["--interface", "net0"]}, "cable",
+     ["net0 has no cable"]),
+    ("cable_of_two", "the cable of one of two cards is pulled, and the desk is there", {"desk": ["link set to_net0 down"]}, "nothing_arrives",
+     ["net0 (10.93.0.2/24, no cable)"]),
+    ("output_off", "the desk's output is off", {"send": SILENT}, "nothing_arrives", ["desk's output", "firewall"]),
+    ("firewall", "a firewall drops UDP 5568 and 6454", {"firewall": True}, "nothing_arrives", ["firewall on UDP 5568 and 6454"]),
+    ("vlan", "the desk's port of the switch is tagged for another VLAN", {"desk": ["link set to_net0 nomaster"]}, "nothing_arrives", ["is it in this network"]),
+    ("mask_of_ours", "our mask is 255.255.255.0, the desk broadcasts Art-Net to 10.255.255.255", {"desk": ["addr add 10.93.0.9/8 brd + dev br0"], "send": [artnet(to="10.255.255.255")]},
+     "nothing_arrives", ["10.255.255.255", "10.93.0.255", "mask"]),
+    ("desk_in_2", "the desk is in 2.x.x.x and broadcasts there, we are in 10.x.x.x with the mask 255.0.0.0",
+     {"vis": ["addr del 10.93.0.2/24 dev net0", "addr add 10.93.0.2/8 brd + dev net0"], "desk": ["addr add 2.0.0.1/8 brd + dev br0"],
+      "send": [artnet(to="2.255.255.255")]}, "nothing_arrives", ["broadcasts to 2.255.255.255", "mask"]),
+    ("other_network", "the desk sends Art-Net from a network that ours cannot answer",
+     {"desk": ["addr add 10.77.0.1/24 dev br0"], "send": [artnet(to="10.93.0.2", bind="10.77.0.1")]}, "other_network", ["10.77.0.1", "another network"]),
+    ("wrong_interface", "--interface names the wrong network card", {"options": ["--interface", "net1"]}, "wrong_interface",
+     ["'Test desk' (10.93.0.1)", "net0", "--interface net0"]),
+    ("no_such_interface", "--interface is misspelt", {"options": ["--interface", "nte0"]}, "error:", ["no network interface 'nte0'", "net0"]),
+    ("igmp", "a switch with IGMP snooping and no querier holds the universe's multicast back, its lists still come",
+     {"send": [sacn(levels={}, announces=[1], silent=True)]}, "held_back", ["announces universe 1", "IGMP snooping", "unicast"]),
+    ("other_group", "sACN of universe 1 to the multicast group of universe 2", {"send": [sacn(to="239.255.0.2")]}, "wrong_group", ["multicast group"]),
+    # Universes.
+    ("sacn_one_off", "sACN, universe one too high", {"send": [sacn(2)]}, "off_by_one", ["sACN comes for universe 2", "universe 1"]),
+    ("sacn_elsewhere", "sACN on universe 7", {"send": [sacn(7)]}, "not_patched", ["universe 7 arrive", "the show wants universe 1"]),
+    ("sacn_far", "sACN on universe 300, announced", {"send": [sacn(300, announces=[300])]}, "not_patched", ["universe 300", "the show wants universe 1"]),
+    ("announced_elsewhere", "sACN of universe 300 by unicast to another machine", {"send": [sacn(300, announces=[300], silent=True)]}, "not_patched",
+     ["announces universe 300", "the show wants universe 1"]),
+    ("artnet_one_off", "Art-Net counted from 1", {"send": [artnet(1)]}, "off_by_one", ["Art-Net comes for universe 2", "--artnet-offset 0"]),
+    ("artnet_swapped", "Sub-Net and Universe exchanged", {"fixtures": [("Spot", 17, 1)], "send": [artnet(256)]}, "not_patched",
+     ["1:0:0", "0:1:0", "another order"]),
+    ("artnet_net", "Art-Net on Net 3", {"send": [artnet(0x300)]}, "not_patched", ["universe 769", "the show wants universe 1"]),
+    ("one_of_two", "only the first of two universes is sent", {"fixtures": [("Spot", 4, 1), ("Far", 9, 1)], "send": [sacn(9)]}, "not_received",
+     ["1 fixture on universe 4", "'Spot'"]),
+    # What the desk says.
+    ("blind", "the desk is in blind: all packets are marked preview", {"send": [sacn(options=0x80)]}, "preview", ["'Test desk'", "leave blind", "--show-preview"]),
+    ("low_priority", "the backup has the lower priority, and somebody waits for it",
+     {"send": [sacn(), sacn(priority=90, name="Backup", cid=2)]}, "low_priority", ["'Backup'", "priority 90", "'Test desk'", "priority 100"]),
+    ("two_desks", "two desks of equal priority send different looks",
+     {"send": [sacn(), sacn(levels={1: 10, 6: 255}, name="Second", cid=2)]}, "two_desks", ["'Test desk'", "'Second'", "HTP"]),
+    ("three_artnet", "a third Art-Net desk on one universe", {"send": [artnet(), artnet(bind="10.93.0.11"), artnet(bind="10.93.0.12")],
+                                                               "desk": ["addr add 10.93.0.11/24 dev br0", "addr add 10.93.0.12/24 dev br0"]},
+     "too_many", ["Art-Net merges two"]),
+    ("seventeen", "more sACN sources on a universe than are merged", {"send": [sacn(cid=i, name=f"Desk {i}") for i in range(1, 18)]}, "too_many",
+     ["16 are merged"]),
+    ("sync_stops", "synchronisation packets stop", {"once": True, "send": [sacn(sync=10, sync_stops_s=6)]}, "waits_for_sync", ["wait for a synchronisation packet"]),
+    ("crash", "the desk crashes", {"once": True, "send": [sacn(stops_s=6)]}, "lost", ["nobody sends universe 1 any more"]),
+    ("goodbye", "the desk switches its output off while we look", {"once": True, "send": [sacn(stops_s=6, goodbye=True)]}, "lost", ["nobody sends universe 1 any more"]),
+    ("priority_250", "a sender with a priority that does not exist", {"send": [sacn(priority=250)]}, "nothing_arrives", ["bad_priority"]),
+    ("old_artnet", "a sender of an Art-Net version that is none", {"send": [artnet(version=13)]}, "nothing_arrives", ["bad_version"]),
+    ("garbage", "another protocol on the port of sACN", {"send": [sacn(garbage=True)]}, "nothing_arrives", ["not_ours"]),
+    ("cut", "packets that are cut on the way", {"send": [sacn(cut=100)]}, "wrong_length", ["more levels", "universe 1"]),
+    ("loss", "every tenth packet gets lost: a bad cable, Wi-Fi", {"send": [sacn(loses=10)]}, "packets_lost", ["got lost on the way"]),
+    ("port_shared", "another program of ours has the port of Art-Net, and the desk sends sACN elsewhere",
+     {"send": SILENT, "other": (6454, True)}, "port_shared", ["6454", "only the one started last"]),
+    ("same_host", "the desk runs on this machine and its multicast does not come back", {"send": SILENT, "other": (5568, True)}, "same_host",
+     ["unicast to 127.0.0.1"]),
+    ("port_taken", "another program keeps the port to itself", {"other": (6454, False)}, "error:", ["UDP port 6454", "taken by"]),
+    # The patch and the fixture.
+    ("not_patched", "the fixture has no address", {"fixtures": [("Spot", 1, 0)]}, "explain:not_patched", ["it is not patched"]),
+    ("same_address", "two fixtures at one address, and the desk means the other", {"fixtures": [("Spot", 1, 1), ("Wash", 1, 1, "Wash")], **with_levels(a1=0)},
+     "explain:same_address", ["'Wash'"]),
+    ("overlap", "a fixture begins inside of another one", {"fixtures": [("Front", 1, 1), ("Spot", 1, 20)], "send": [sacn(levels=OPEN)]},
+     "explain:overlap", ["'Front'"]),
+    ("mode", "the show names a mode that the fixture does not have", {"toml": 'mode = "Standard 23 channels"\n', "send": [sacn(levels={})]}, "explain:no_mode",
+     ["Standard 23 channels"]),
+    ("no_file", "the fixture's file is missing", {"toml": "", "gdtf": "Missing.gdtf"}, "explain:no_type", ["Missing.gdtf"]),
+    ("dimmer", "the blackout or the grand master is down: the dimmer is at 0", with_levels(a1=0), "explain:dimmer", ["channel 1 (1.1) is at 0"]),
+    ("dimmer_low", "the fader is at the foot of the dimmer curve", with_levels(a1=2), "explain:dimmer", ["channel 1 (1.1) is at 2"]),
+    ("shutter", "the shutter is closed", with_levels(a11=4), "explain:shutter", ["'Closed'", "channel 11 (1.11)"]),
+    ("parked", "cyan, magenta and yellow are parked at full", with_levels(a6=255, a7=255, a8=255), "explain:colour", ["cyan 100 %", "magenta 100 %"]),
+    ("one_address_off", "the desk's patch is one address off", {"send": [sacn(levels={key + 1: value for key, value in OPEN.items()})]}, "explain:dimmer",
+     ["channel 1 (1.1) is at 0"]),
+    ("overridden", "another desk of higher priority sends black", {"send": [sacn(), sacn(levels={}, priority=150, name="House", cid=2)]},
+     "explain:overridden", ["'House'", "priority 150"]),
+    ("colour_fight", "two desks of equal priority: together their colour flags close", {
+        "send": [sacn(levels={**OPEN, 6: 255}), sacn(levels={**OPEN, 7: 255, 8: 255}, name="Second", cid=2)]}, "explain:two_desks",
+     ["'Test desk'", "'Second'", "have the same say"]),
+    ("per_address_0", "the desk gives its channels away by priority per address", {"send": [sacn(per_address=0)]}, "explain:overridden", ["priority per address"]),
+    ("no_recording", "there is neither a desk nor a recording", {"show": []}, "explain:no_input", ["there is no DMX"]),
+    ("not_in_recording", "the recording does not have the universe", {"show": [(2, OPEN)]}, "explain:never_received", ["universe 1 is not in the recording"]),
+    ("begins_later", "the recording has the universe later", {"show": [(2, OPEN)] * 4 + [(1, OPEN)]}, "explain:never_received", ["begins in the recording at 2 s"]),
+]
+
+# All is well: nothing may be said to be wrong.
+WELL = [
+    ("sACN multicast", {}),
+    ("sACN unicast", {"send": [sacn(to="10.93.0.2")]}),
+    ("sACN of 22 slots, announced", {"send": [sacn(slots=22, announces=[1])]}),
+    ("Art-Net unicast", {"send": [artnet(to="10.93.0.2")]}),
+    ("Art-Net broadcast", {"send": [artnet(to="10.93.0.255")]}),
+    ("a backup that sends the same", {"send": [sacn(), sacn(name="Backup", cid=2)]}),
+    ("live and preview in one row of numbers", {"send": [sacn(blind_every=3)]}),
+    ("other start codes in one row of numbers", {"send": [sacn(text_every=3)]}),
+    ("synchronised", {"send": [sacn(sync=10)]}),
+    ("priority per address", {"send": [sacn(per_address=100)]}),
+    ("a desk that sends more than is patched", {"send": [sacn(), sacn(9), sacn(30)]}),
+    ("the right one of two interfaces", {"options": ["--interface", "net0"]}),
+]

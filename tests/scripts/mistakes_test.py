@@ -1,0 +1,285 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""The table of mistakes (lib/mistakes.py): each is made, in network namespaces of its own, with a desk of a few lines; `monitor` and
+`explain` must name it, in the same words, and name nothing where all is well. Arguments: source folder, build folder; then, if wanted,
+--write FILE for the table and the confusion matrix (docs/mistakes.md), or names of rows. Exit 77: skipped, with the reason."""
+import concurrent.futures
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+SOURCE = pathlib.Path(sys.argv[1]).resolve()
+GHOSTLIGHT = str(pathlib.Path(sys.argv[2]).resolve() / "ghostlight")
+sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
+from mistakes import MISTAKES, STANDARD, WELL, sacn  # noqa: E402
+
+LANES = 4
+LIMIT_S = 40  # for a sentence to come, on a machine that does other things, too
+WELL_S = 9  # in which nothing may be said; silence is told after 5
+OTHER = """
+import socket, sys, time
+s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+s.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, int(sys.argv[2]))
+s.bind(("0.0.0.0", int(sys.argv[1])))
+print("bound", flush=True)
+time.sleep(600)
+"""
+LAMP = '[[fixture]]\nname = "{}"\ngdtf = "{}"\nuniverse = {}\naddress = {}\nposition_m = [0, 4, 6]\n'
+
+
+def ip(*words):
+    subprocess.run(["ip", *words], check=True, capture_output=True, text=True, timeout=20)
+
+
+class Stage:
+    """A desk and our machine, each in a namespace, a cable between them, and a second card of ours with a cable to nowhere."""
+
+    def __init__(self, folder, number, setup):
+        self.folder, self.setup = pathlib.Path(folder), {**STANDARD, **setup}
+        self.desk, self.vis = f"gl_d{os.getpid()}_{number}", f"gl_v{os.getpid()}_{number}"
+        self.processes = []
+        for namespace in (self.desk, self.vis):
+            ip("netns", "add", namespace)
+            ip("-n", namespace, "link", "set", "lo", "up")
+        ip("-n", self.desk, "link", "add", "br0", "type", "bridge", "mcast_snooping", "0")
+        for name, address in (("net0", "10.93.0.2"), ("net1", "10.94.0.2")):
+            ip("-n", self.desk, "link", "add", f"to_{name}", "type", "veth", "peer", "name", name, "netns", self.vis)
+            ip("-n", self.desk, "link", "set", f"to_{name}", "up")
+            self.command(self.vis, "sysctl", "-qw", f"net.ipv4.conf.{name}.rp_filter=0")
+            ip("-n", self.vis, "addr", "add", f"{address}/24", "brd", "+", "dev", name)
+            ip("-n", self.vis, "link", "set", name, "up")
+        ip("-n", self.desk, "link", "set", "to_net0", "master", "br0")
+        self.command(self.vis, "sysctl", "-qw", "net.ipv4.conf.all.rp_filter=0")
+        ip("-n", self.desk, "link", "set", "br0", "up")
+        ip("-n", self.desk, "addr", "add", "10.93.0.1/24", "brd", "+", "dev", "br0")
+        for words in self.setup["desk"]:
+            ip("-n", self.desk, *words.split())
+        for words in self.setup["vis"]:
+            ip("-n", self.vis, *words.split())
+        if self.setup["firewall"] and shutil.which("nft"):
+            self.command(self.vis, "nft", "add table ip f; add chain ip f c { type filter hook input priority 0; }; "
+                         "add rule ip f c udp dport { 5568, 6454 } drop")
+        self.write_show()
+
+    def command(self, namespace, *words):
+        subprocess.run(["ip", "netns", "exec", namespace, *words], check=True, capture_output=True, text=True, timeout=20)
+
+    def write_show(self):
+        self.show = self.folder / "show"
+        self.show.mkdir()
+        toml = '[show]\nname = "mistake"\n[[camera]]\nposition_m = [0, -12, 3]\ntarget_m = [0, 2, 2]\n'
+        frames = self.setup["show"]
+        if frames:
+            toml = toml.replace("[[camera]]", 'recording = "a.show"\n[[camera]]', 1)
+            row = lambda values: ",".join(str(values.get(i + 1, 0)) for i in range(512))
+            (self.show / "a.show").write_text("OLA Show\n" + "".join(f"{universe} {row(values)}\n500\n" for universe, values in frames))
+        for name, universe, address, *kind in self.setup["fixtures"]:
+            gdtf = self.setup["gdtf"] or SOURCE / f"assets/fixtures/Vari-Lite@VL2500_{kind[0] if kind else 'Spot'}.gdtf"
+            toml += LAMP.format(name, gdtf, universe, address)
+        (self.show / "show.toml").write_text(toml + self.setup["toml"])
+
+    def start(self, namespace, *words, **more):
+        process = subprocess.Popen(["ip", "netns", "exec", namespace, *map(str, words)], text=True, **more)
+        self.processes.append(process)
+        return process
+
+    def send(self):
+        senders = self.setup["send"]
+        senders = [sacn()] if senders is None else senders
+        if self.setup["firewall"] and not shutil.which("nft"):
+            senders = []  # on our side of it the same
+        if not senders:
+            return
+        desk = self.start(self.desk, sys.executable, SOURCE / "tests/scripts/lib/mistaken_desk.py", json.dumps(senders), "10.93.0.1",
+                          stdout=subprocess.PIPE)
+        assert desk.stdout.readline() == "sending\n"
+
+    def share_port(self):
+        if self.setup["other"]:
+            port, shares = self.setup["other"]
+            other = self.start(self.vis, sys.executable, "-c", OTHER, port, int(shares), stdout=subprocess.PIPE)
+            assert other.stdout.readline() == "bound\n"
+
+    def monitor(self):
+        self.log, self.errors = self.folder / "monitor.jsonl", self.folder / "monitor.txt"
+        self.running = self.start(self.vis, GHOSTLIGHT, "monitor", "--show", self.show, "--json", "--every", "0.4", *self.setup["options"],
+                                  stdout=self.log.open("w"), stderr=self.errors.open("w"))
+
+    def reports(self):
+        return [json.loads(line) for line in self.log.read_text().split("\n")[:-1]]
+
+    def explain(self):
+        options = ["--live-input", "--for", "1.5", *self.setup["options"]] if self.setup["show"] is None else ["--at", "0.1"]
+        done = subprocess.run(["ip", "netns", "exec", self.vis, GHOSTLIGHT, "explain", str(self.show), "Spot", "--json", "--quiet", *map(str, options)],
+                              capture_output=True, text=True, timeout=LIMIT_S)
+        assert done.returncode == 0, done.stderr
+        return json.loads(done.stdout)
+
+    def end(self):
+        for process in self.processes:
+            process.kill()
+            process.wait()
+        for namespace in (self.desk, self.vis):
+            subprocess.run(["ip", "netns", "del", namespace], capture_output=True)
+
+
+def problems(report):
+    return [sentence["trouble"] for sentence in report["diagnosis"] if sentence["problem"]]
+
+
+def wanting(text, words):
+    return [word for word in words if word not in text]
+
+
+class Outcome:
+    def __init__(self, name, what, wanted):
+        self.name, self.what, self.wanted = name, what, wanted
+        self.named, self.also, self.text, self.faults = "", [], "", []
+
+
+def by_error(stage, outcome, words):
+    stage.monitor()
+    stage.running.wait(LIMIT_S)
+    outcome.text = stage.errors.read_text().strip()
+    outcome.named = "error:" if stage.running.returncode not in (0, -9) else "no error"
+    outcome.faults = wanting(outcome.text, words)
+
+
+def by_explain(stage, outcome, words):
+    live = stage.setup["show"] is None
+    if live:
+        stage.monitor()
+        stage.send()
+    facts = stage.explain()
+    outcome.named, outcome.text = "explain:" + facts["cause"], facts["verdict"]
+    outcome.faults = wanting(outcome.text, words)
+    if not live:
+        return
+    time.sleep(max(0.0, 6.5 - 0.4 * len(stage.reports())))
+    outcome.also = problems(stage.reports()[-1])
+
+
+def by_monitor(stage, outcome, words):
+    stage.monitor()
+    stage.send()
+    end, found, report = time.monotonic() + LIMIT_S, None, None
+    while not found and time.monotonic() < end:
+        time.sleep(0.2)
+        assert stage.running.poll() is None, stage.errors.read_text()
+        for report in stage.reports()[-1:]:
+            found = next((s for s in report["diagnosis"] if s["trouble"] == outcome.wanted), None)
+    if not found:
+        outcome.named = ", ".join(problems(report)) if report else "nothing"
+        outcome.text = "; ".join(sentence["text"] for sentence in report["diagnosis"]) if report else ""
+        return
+    outcome.named, outcome.text = outcome.wanted, found["text"]
+    outcome.also = [trouble for trouble in problems(report) if trouble != outcome.wanted]
+    outcome.faults = wanting(outcome.text, words)
+    if stage.setup["once"]:
+        return
+    facts = stage.explain()
+    same = [sentence for sentence in facts["input"]["diagnosis"] if sentence["trouble"] == outcome.wanted]
+    outcome.faults += [f"explain says: {word}" for word in wanting(same[0]["text"] if same else "", words)]
+    if facts["cause"] == "never_received":
+        outcome.faults += [f"explain's verdict says: {word}" for word in wanting(facts["verdict"], words)]
+
+
+def make(number, name, what, setup, wanted, words):
+    outcome = Outcome(name, what, wanted)
+    with tempfile.TemporaryDirectory() as folder:
+        stage = None
+        try:
+            stage = Stage(folder, number, setup)
+            stage.share_port()
+            how = by_error if wanted == "error:" else by_explain if wanted.startswith("explain:") else by_monitor
+            how(stage, outcome, words)
+        except (AssertionError, OSError, subprocess.SubprocessError, json.JSONDecodeError, KeyError) as error:
+            outcome.faults.append(f"{type(error).__name__}: {error}")
+        finally:
+            if stage:
+                stage.end()
+    good = outcome.named == wanted and not outcome.faults
+    print(f"{'ok' if good else 'FAILED'}: {name}: {outcome.named}" + (f" (also {', '.join(outcome.also)})" if outcome.also else ""), flush=True)
+    if not good:
+        print(f"   wanted {wanted}, wanting {outcome.faults}\n   {outcome.text}", flush=True)
+    return outcome
+
+
+def be_well(number, name, setup):
+    """All that is said to be wrong meanwhile."""
+    with tempfile.TemporaryDirectory() as folder:
+        stage = Stage(folder, number, setup)
+        try:
+            stage.monitor()
+            stage.send()
+            end = time.monotonic() + LIMIT_S
+            while len(stage.reports()) < WELL_S / 0.4 and time.monotonic() < end:
+                time.sleep(0.3)
+            said = sorted({trouble for report in stage.reports() for trouble in problems(report)})
+            facts = stage.explain()
+            if facts["cause"] != "none":
+                said.append("explain:" + facts["cause"])
+        finally:
+            stage.end()
+    print(f"{'FAILED' if said else 'ok'}: all is well: {name}: {said or 'nothing said'}", flush=True)
+    return said
+
+
+def write(path, outcomes, well):
+    true = sum(o.named == o.wanted and not o.faults for o in outcomes)
+    lines = ["# Mistakes, and what is said of them", "",
+             "Written by `tests/scripts/mistakes_test.py SOURCE BUILD --write docs/mistakes.md` from what `monitor` and `explain` said; the same sentences",
+             "stand in the window and in the JSON of both. Each mistake was made in network namespaces of its own, with a desk that sends real packets.", "",
+             f"**{true} of {len(outcomes)} named truly. Of {len(well)} set-ups where all is well, {sum(not said for _, said in well)} without a word of trouble.**", "",
+             "## The table", "", "| what was done wrong | named | in words |", "|---|---|---|"]
+    for o in outcomes:
+        words = o.text.split("\n")[-1].replace("|", "\\|")
+        words = words if len(words) < 340 else words[:337] + "..."
+        lines.append(f"| {o.what} | `{o.named}`{'' if o.named == o.wanted else ' (wrong)'} | {words} |")
+    lines += ["", "## Confusion matrix", "", "Each finding, how many mistakes it is the right one of, how many of these it named, and what else was said beside it.", "",
+              "| finding | mistakes | named | missed | said of another mistake instead | said beside the right one |", "|---|---|---|---|---|---|"]
+    for finding in sorted({o.wanted for o in outcomes}):
+        mine = [o for o in outcomes if o.wanted == finding]
+        named = sum(o.named == finding for o in mine)
+        wrong = sum(o.named == finding and o.wanted != finding for o in outcomes)
+        beside = sorted({f"`{also}`" for o in mine for also in o.also})
+        lines.append(f"| `{finding}` | {len(mine)} | {named} | {len(mine) - named} | {wrong} | {', '.join(beside) or 'nothing'} |")
+    lines += ["", "## All is well", "", "| set-up | said to be wrong |", "|---|---|"]
+    lines += [f"| {name} | {', '.join(said) or 'nothing'} |" for name, said in well]
+    pathlib.Path(path).write_text("\n".join(lines) + "\n")
+
+
+def main():
+    if not os.access(GHOSTLIGHT, os.X_OK):
+        print("skipped:", GHOSTLIGHT, "is not built")
+        sys.exit(77)
+    if os.geteuid() != 0 or not shutil.which("ip"):
+        print("skipped: needs root and iproute2, for network namespaces")
+        sys.exit(77)
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            Stage(folder, "try", {}).end()
+    except subprocess.SubprocessError as error:
+        print("skipped: no network namespaces or veth here:", error)
+        sys.exit(77)
+    more = sys.argv[3:]
+    path = more[more.index("--write") + 1] if "--write" in more else None
+    names = [] if path else more
+    rows = [row for row in MISTAKES if not names or row[0] in names]
+    with concurrent.futures.ThreadPoolExecutor(LANES) as pool:
+        outcomes = list(pool.map(lambda entry: make(entry[0], *entry[1]), enumerate(rows)))
+        well = [] if names else list(zip([name for name, _ in WELL], pool.map(lambda entry: be_well(f"w{entry[0]}", *entry[1]), enumerate(WELL))))
+    true = sum(o.named == o.wanted and not o.faults for o in outcomes)
+    print(f"{true} of {len(outcomes)} mistakes named truly; {sum(bool(said) for _, said in well)} of {len(well)} set-ups that are well called wrong")
+    if path:
+        write(path, outcomes, well)
+    sys.exit(0 if true == len(outcomes) and not any(said for _, said in well) else 1)
+
+
+if __name__ == "__main__":
+    main()
