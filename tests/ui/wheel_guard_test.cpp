@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The wheel over what has a value, with and without the focus.
-#include "ui/wheel_guard.h"
-
 #include "test_window.h"
+
+#include "ui/wheel_guard.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
