@@ -22,7 +22,8 @@ Universes Playout::take_due(std::chrono::nanoseconds now) {
         const bool changed = added || sent.slot_count != universe.slot_count ||
                              (sent.levels != universe.levels && *sent.levels != *universe.levels);
         if (!changed && now < sent.again) return true;
-        const auto again = changed ? now + 2 * period_ : std::max(sent.again + period_, now + period_ / 2);
+        const auto again = changed ? now + (every_look_ ? 2 : 1) * period_
+                                   : std::max(sent.again + period_, now + period_ / 2);
         sent = {universe.levels, universe.slot_count, again};
         return false;
     });
@@ -30,7 +31,6 @@ Universes Playout::take_due(std::chrono::nanoseconds now) {
 }
 
 Universes Playout::due(double t_s, std::chrono::nanoseconds now) {
-    if (at_s_ && *at_s_ > t_s && *at_s_ - t_s < kJitter_s) t_s = *at_s_;
     for (;;) {
         const bool more = step(t_s);
         Universes universes = take_due(now);

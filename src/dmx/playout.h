@@ -14,7 +14,6 @@
 namespace ghost::dmx {
 
 inline constexpr double kMostCaughtUp_s = 1.0; // of looks that the caller is late for; from there on it jumps
-inline constexpr double kJitter_s = 0.05;      // so far back is no jump of a time code
 
 class Playout {
 public:
