@@ -71,6 +71,8 @@ def made():
         "sacn": [behind_sizes([sacn, sacn[:126]])], "artnet": [behind_sizes([artnet])],
         "psn": [bytes.fromhex("556714800000040001000000010008800300048000000400") + bytes(12)],
         "osc": [b"/ghost/cue\0\0,s\0\0next\0\0\0\0", b"#bundle\0" + bytes(8) + struct.pack(">I", 8) + b"/a\0\0,\0\0\0"],
+        "rdm": [bytes.fromhex("4172742d4e6574000083000e01000000000000000000000001187ff0000000017a700000000107010000002000600003c8"),
+                bytes.fromhex("4172742d4e6574000080000e00000000000000000000000100")],
         "mdns": [bytes.fromhex("000084000000000100000000") + b"\x04_mvr\x04_tcp\x05local\0" + bytes.fromhex("000c000100000078000461616161")],
         "midi": [bytes.fromhex("0ff100f110f120f130f140f150f160f170f07f7f01010203040506f7")],
         "usb_pro": [b"\x7e\x05\x03\x00\x00\x01\x02\xe7"],

@@ -5,9 +5,11 @@
 #include "app/interrupt.h"
 #include "app/monitor_report.h"
 #include "app/number_option.h"
+#include "app/rdm_desk.h"
 #include "app/session.h"
 #include "base/log.h"
 #include "base/print.h"
+#include "scene/diagnosis_parts.h"
 #include "scene/learn.h"
 
 #include <nlohmann/json.hpp>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <optional>
 #include <thread>
 
 namespace ghost::app {
@@ -29,6 +32,7 @@ struct MonitorOptions {
     double seconds = 0.0;
     double every_s = 1.0;
     std::string show;
+    std::string rdm = "off";
     bool learn = false;
     bool levels = false;
     bool json = false;
@@ -87,10 +91,19 @@ private:
     scene::Learner learner_;
 };
 
-Result<void> read_patch(const MonitorOptions& options, dmx::ReceiverOptions& input, MonitorReport& report) {
+// What a desk wants of the fixtures by RDM: said, for nothing is edited here.
+void log_rdm(RdmDesk& desk, const scene::Show& show) {
+    for (const RdmDesk::Wanted& one : desk.take())
+        log_info("RDM: " + scene::diagnosed::printable(one.name) + ": " +
+                 scene::diagnosed::printable(change_text(one.change, show.fixtures[one.fixture])));
+}
+
+Result<void> read_patch(const MonitorOptions& options, dmx::ReceiverOptions& input, MonitorReport& report,
+                        std::optional<scene::Show>& opened) {
     if (options.show.empty()) return {};
     scene::Report said;
-    TRY(const scene::Show show, open_show(options.show, false, options.quiet, said));
+    TRY(opened, open_show(options.show, false, options.quiet, said));
+    const scene::Show& show = *opened;
     print_report(said);
     report.has_patch = true;
     report.patch = scene::PatchMap(show);
@@ -101,7 +114,15 @@ Result<void> read_patch(const MonitorOptions& options, dmx::ReceiverOptions& inp
 
 Result<void> monitor(const MonitorOptions& options, dmx::ReceiverOptions input) {
     MonitorReport report;
-    TRY_VOID(read_patch(options, input, report));
+    std::optional<scene::Show> show;
+    TRY_VOID(read_patch(options, input, report, show));
+    std::optional<RdmDesk> rdm;
+    if (show && options.rdm != "off") {
+        rdm.emplace(input.artnet_offset, false);
+        rdm->update(*show);
+        rdm->listen(input);
+        log_info("RDM: " + std::to_string(rdm->devices()) + " fixtures answer");
+    }
     input.slot_status = options.learn;
     TRY(const auto receiver, dmx::Receiver::start(input));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
@@ -130,6 +151,7 @@ Result<void> monitor(const MonitorOptions& options, dmx::ReceiverOptions input) 
             std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
         if (auto newest = receiver->take()) report.universes = std::move(*newest);
         log_events(report.statistics, triggers, links);
+        if (rdm) log_rdm(*rdm, *show);
         if (options.json && !options.learn)
             print_text("%s\n", monitor_json(report, options.levels).c_str());
         else if (!options.learn)
@@ -173,6 +195,13 @@ void add_monitor(CLI::App& app, int& exit_code) {
             "folder with show.toml, or an .mvr: joins its universes, says what is patched and what is "
             "missing")
         ->type_name("SHOW");
+    command
+        ->add_flag(
+            "--rdm", [options](std::int64_t) { options->rdm = "read"; },
+            "answer RDM by Art-Net for every fixture of --show: a desk finds them, reads what they are and "
+            "may "
+            "identify them, which is said; nothing is changed")
+        ->needs(command->get_option("--show"));
     command->add_flag("--learn", options->learn,
                       "move one fader: says which address of which source it is, and what --show has there");
     command->add_flag("--levels", options->levels, "with --json: all 512 levels of each universe");

@@ -139,8 +139,8 @@ std::array<std::uint8_t, 239> build_poll_reply(const PollReply& reply) {
     out.push_back((first >> 4) & 15);                     // SubSwitch
     put_u16(out, 0x00FF);                                 // OEM code: unknown
     out.push_back(0);                                     // no UBEA
-    out.push_back(0xE0);                                  // Status1: indicators normal, set from the network
-    put_u16(out, 0);                                      // no ESTA manufacturer code
+    out.push_back(reply.rdm ? 0xE2 : 0xE0); // Status1: indicators normal, set from the network; RDM
+    put_u16(out, 0);                        // no ESTA manufacturer code
     put_text(out, reply.short_name, 18);
     put_text(out, reply.long_name, 64);
     put_text(out, reply.report, 64);
@@ -158,8 +158,8 @@ std::array<std::uint8_t, 239> build_poll_reply(const PollReply& reply) {
     out.insert(out.end(), 6, 0);     // MAC address not told
     put_u32(out, reply.ipv4);        // BindIp
     out.push_back(reply.bind_index);
-    out.push_back(0x08);                                         // Status2: 15-bit Port-Address
-    put_ports(out, [](const PollReply::Port&) { return 0x80; }); // GoodOutputB: bit 7 no RDM
+    out.push_back(0x08); // Status2: 15-bit Port-Address
+    put_ports(out, [&](const PollReply::Port&) { return reply.rdm ? 0 : 0x80; }); // GoodOutputB: bit 7 no RDM
     CHECK_EQ(out.size(), 217u);
     std::array<std::uint8_t, 239> bytes{};
     std::copy(out.begin(), out.end(), bytes.begin());

@@ -39,6 +39,7 @@ struct PollReply {
         bool merging = false;      // of two Art-Net sources
     };
     std::uint32_t ipv4 = 0;      // ours, host byte order
+    bool rdm = false;            // devices behind the ports answer RDM
     std::vector<Port> ports;     // 1 to 4
     std::uint8_t bind_index = 1; // 1-based
     bool ltp = false;            // two sources merge latest-takes-precedence

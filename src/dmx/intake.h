@@ -51,6 +51,8 @@ public:
 
     Merge& merge() { return merge_; }
     const Merge& merge() const { return merge_; }
+    // Packets that are none of ours, so far.
+    std::uint64_t others() const { return counted_.notices[static_cast<std::size_t>(Notice::other)]; }
     // All that it knows; what belongs to sockets is left as it is.
     void report(Statistics& statistics, std::chrono::nanoseconds now) const;
 

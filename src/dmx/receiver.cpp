@@ -122,6 +122,7 @@ struct Receiver::Loop {
     void take(const Datagram& datagram, Protocol protocol);
     void announce(nanoseconds now);
     void answer(const PollPacket& poll, const Datagram& datagram);
+    void answer_others(const Datagram& datagram);
     void send_replies(nanoseconds now);
     void publish(nanoseconds now);
     void publish_statistics(nanoseconds now);
@@ -143,8 +144,10 @@ struct Receiver::Loop {
     std::vector<nanoseconds> unpublished; // arrivals of level packets
     nanoseconds published{0};
     std::uint64_t published_revision = 0;
-    bool kept = false;  // for a recording, and not published
-    nanoseconds ran{0}; // the last time that we know we did not stand still
+    nanoseconds answers_since{0};
+    std::size_t answers_sent = 0; // since then
+    bool kept = false;            // for a recording, and not published
+    nanoseconds ran{0};           // the last time that we know we did not stand still
     CatchUp catch_up;
     std::uint64_t calm_overflow = 0; // packets that had found no room when no pause was in sight
     std::atomic<bool> stop{false};
@@ -167,6 +170,20 @@ void Receiver::Loop::answer(const PollPacket& poll, const Datagram& datagram) {
         ++statistics.polls_refused;
 }
 
+void Receiver::Loop::answer_others(const Datagram& datagram) {
+    if (!options.answer_artnet || !listener->artnet_out() ||
+        !listener->is_local_network(datagram.from.ipv4()))
+        return;
+    if (datagram.time >= answers_since + kAnswersEvery) {
+        answers_since = datagram.time;
+        answers_sent = 0;
+    }
+    for (const std::vector<std::uint8_t>& packet : options.answer_artnet(datagram.bytes)) {
+        if (answers_sent++ >= kMaxAnswers) return;
+        (void)listener->artnet_out()->send(packet, datagram.from, options.artnet_port);
+    }
+}
+
 void Receiver::Loop::send_replies(nanoseconds now) {
     while (const std::optional<PollAnswers::Reply> due = answers.next(now)) {
         PollReply reply;
@@ -178,6 +195,7 @@ void Receiver::Loop::send_replies(nanoseconds now) {
                 {port_address, live && !live->lost, intake.merge().count(universe, Protocol::artnet) > 1});
         }
         reply.bind_index = due->bind_index;
+        reply.rdm = static_cast<bool>(options.answer_artnet);
         reply.ltp = options.artnet_ltp;
         reply.short_name = "Ghostlight";
         reply.long_name =
@@ -197,7 +215,9 @@ void Receiver::Loop::take(const Datagram& datagram, Protocol protocol) {
     // its levels from the very same address and port.
     arrival.own = protocol == Protocol::artnet && options.answer_polls &&
                   datagram.from_port == options.artnet_port && listener->is_own(datagram.from);
+    const std::uint64_t others = protocol == Protocol::artnet ? intake.others() : 0;
     if (const auto poll = intake.take(datagram.bytes, arrival)) answer(*poll, datagram);
+    if (protocol == Protocol::artnet && intake.others() != others) answer_others(datagram);
     if (intake.merge().pending() && unpublished.size() < 8192) unpublished.push_back(datagram.time);
 }
 

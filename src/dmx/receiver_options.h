@@ -16,6 +16,9 @@ inline constexpr std::uint16_t kSacnPort = 5568;
 inline constexpr std::uint16_t kArtnetPort = 6454;
 inline constexpr int kMaxPortAddress = 0x7FFF;
 
+inline constexpr std::size_t kMaxAnswers = 200;
+inline constexpr std::chrono::milliseconds kAnswersEvery{50};
+
 struct ReceiverOptions {
     std::string interface; // name ("eth0") or IPv4 address of ours; empty: every interface
     bool sacn = true;
@@ -47,6 +50,10 @@ struct ReceiverOptions {
     std::function<void(const Universes&, std::chrono::nanoseconds now)> on_levels;
     // Levels that changed can be taken now; on the receiver's thread, and must be quick.
     std::function<void()> on_change;
+    // Gets every Art-Net packet of a local network that is none of ours (packet.h), RDM for one; what it
+    // returns goes back to who sent it, at most kMaxAnswers in kAnswersEvery. On the receiver's thread, and
+    // must be quick. Nodes that have it say in their ArtPollReply that they know RDM.
+    std::function<std::vector<std::vector<std::uint8_t>>(Bytes packet)> answer_artnet;
     // Gets every time code, of the MIDI port where one is named, else of Art-Net; on the receiver's thread,
     // and must be quick. arrival: of Art-Net as the kernel stamped it.
     std::function<void(const TimeCode&, std::chrono::nanoseconds arrival)> on_timecode;

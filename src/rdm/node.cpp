@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "rdm/node.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ghost::rdm {
+
+bool Node::update(std::vector<Device> devices) {
+    if (devices.size() > kMaxDevices) devices.resize(kMaxDevices);
+    std::map<int, std::set<Uid>> by_universe;
+    for (const Device& device : devices)
+        if (device.universe > 0) by_universe[device.universe].insert(device.uid);
+    std::erase_if(responders_, [&](const auto& one) {
+        return std::none_of(devices.begin(), devices.end(),
+                            [&](const Device& device) { return device.uid == one.first; });
+    });
+    for (Device& device : devices) {
+        const auto known = responders_.find(device.uid);
+        if (known != responders_.end())
+            known->second.update(std::move(device));
+        else
+            responders_.emplace(device.uid, Responder(std::move(device)));
+    }
+    return std::exchange(by_universe_, by_universe) != by_universe;
+}
+
+const Device* Node::find(const Uid& uid) const {
+    const auto found = responders_.find(uid);
+    return found == responders_.end() ? nullptr : &found->second.device();
+}
+
+void Node::add_table(std::uint16_t port_address, Packets& out) const {
+    const auto found = by_universe_.find(universe_of(port_address));
+    if (found == by_universe_.end()) return;
+    const std::vector<Uid> all(found->second.begin(), found->second.end());
+    for (std::size_t first = 0, block = 0; first < all.size(); first += kMaxUidsPerPacket, ++block) {
+        TodData data;
+        data.port_address = port_address;
+        data.total = static_cast<std::uint16_t>(all.size());
+        data.block = static_cast<std::uint8_t>(block);
+        const std::size_t count = std::min(kMaxUidsPerPacket, all.size() - first);
+        data.uids.assign(all.begin() + static_cast<std::ptrdiff_t>(first),
+                         all.begin() + static_cast<std::ptrdiff_t>(first + count));
+        out.push_back(build_tod_data(data));
+    }
+}
+
+Node::Packets Node::tables() const {
+    Packets out;
+    for (const auto& [universe, uids] : by_universe_) {
+        const int port_address = universe - artnet_offset_;
+        if (port_address >= 0 && port_address <= 0x7FFF)
+            add_table(static_cast<std::uint16_t>(port_address), out);
+    }
+    return out;
+}
+
+Node::Packets Node::take(Bytes packet, const Responder::Wants& wants) {
+    Packets out;
+    const ArtPacket parsed = parse_artnet(packet);
+    if (const auto* request = std::get_if<TodRequest>(&parsed)) {
+        for (const std::uint16_t address : request->port_addresses) add_table(address, out);
+    } else if (const auto* control = std::get_if<TodControl>(&parsed)) {
+        add_table(control->port_address, out);
+    } else if (const auto* rdm = std::get_if<ArtRdm>(&parsed)) {
+        const Message* const message = std::get_if<Message>(&rdm->message);
+        if (!message) {
+            ++faults_;
+            return out;
+        }
+        const auto there = by_universe_.find(universe_of(rdm->port_address));
+        if (there == by_universe_.end() || message->is_response) return out;
+        ++messages_;
+        for (const Uid& uid : there->second) {
+            if (!message->to.means(uid)) continue;
+            const Responder::Reply reply = responders_.at(uid).take(*message, wants);
+            if (reply.message) out.push_back(build_art_rdm(rdm->port_address, *reply.message));
+        }
+    }
+    return out;
+}
+
+} // namespace ghost::rdm

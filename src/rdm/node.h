@@ -1,0 +1,47 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Node: all devices of a show behind their Art-Net ports: who is there, and messages to them. A node of
+// Art-Net finds its devices itself, so a controller gets the table at once, in as many packets as it needs.
+// No sockets, no clock, one thread.
+
+#include "rdm/artnet.h"
+#include "rdm/responder.h"
+
+#include <map>
+#include <set>
+
+namespace ghost::rdm {
+
+inline constexpr std::size_t kMaxDevices = 16384;
+
+class Node {
+public:
+    // artnet_offset: universe = Port-Address + this.
+    explicit Node(int artnet_offset = 1) : artnet_offset_(artnet_offset) {}
+
+    // Those of the show, as they are now; the first kMaxDevices. Those that were known keep their mutes and
+    // queues. True: some came, went or moved to another universe.
+    bool update(std::vector<Device> devices);
+
+    // What goes back to who sent it; nothing where it is not ours.
+    using Packets = std::vector<std::vector<std::uint8_t>>;
+    Packets take(Bytes packet, const Responder::Wants& wants);
+    // The tables of these universes, unasked.
+    Packets tables() const;
+
+    std::size_t devices() const { return responders_.size(); }
+    const Device* find(const Uid& uid) const;
+    std::uint64_t messages() const { return messages_; }
+    std::uint64_t faults() const { return faults_; } // messages that are none
+
+private:
+    void add_table(std::uint16_t port_address, Packets& out) const;
+    int universe_of(std::uint16_t port_address) const { return port_address + artnet_offset_; }
+
+    int artnet_offset_;
+    std::map<Uid, Responder> responders_;
+    std::map<int, std::set<Uid>> by_universe_;
+    std::uint64_t messages_ = 0, faults_ = 0;
+};
+
+} // namespace ghost::rdm

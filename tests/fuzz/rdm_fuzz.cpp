@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as an Art-Net packet of RDM to a node whose devices live as long as the run, and as a message and
+// as a discovery answer.
+#include "rdm/node.h"
+
+#include <cstddef>
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace ghost::rdm;
+    static Node node = [] {
+        Node made;
+        std::vector<Device> devices(3);
+        for (std::uint32_t i = 0; i < devices.size(); ++i) {
+            devices[i].uid = {kMaker, i + 1};
+            devices[i].universe = 1;
+            devices[i].personalities = {{"short", 4}, {"long", 400}};
+            devices[i].slots.resize(200);
+            devices[i].sensors.resize(2);
+        }
+        made.update(devices);
+        return made;
+    }();
+    const auto allow = [](const Change& change) -> std::optional<Nack> {
+        if (change.label.size() > kMaxLabelBytes) std::abort();
+        if (change.what == Change::What::start_address && (change.number < 1 || change.number > 512))
+            std::abort();
+        return std::nullopt;
+    };
+    for (const auto& packet : node.take({data, size}, allow))
+        if (!is_rdm(packet)) std::abort();
+    const auto parsed = parse({data, size});
+    if (const Message* message = std::get_if<Message>(&parsed))
+        if (message->data.size() > kMaxDataBytes || !std::holds_alternative<Message>(parse(build(*message))))
+            std::abort();
+    (void)parse_discovery_answer({data, size});
+    return 0;
+}
