@@ -66,7 +66,7 @@ void LiveControls::fly(Session& session, const RemoteWishes& wishes, double now_
         flight_.reset();
     }
     exposed_ = camera;
-    session.look_from(camera, flight_.has_value());
+    session.look_from(camera);
 }
 
 void LiveControls::before_frame(Session& session, double now_s) {

@@ -23,7 +23,7 @@ constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Fan);
 constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
-constexpr std::uint32_t kKeptFans = 128;
+constexpr std::uint32_t kKeptFans = 64;
 constexpr std::uint64_t kFanBytes = std::uint64_t{6} << 20; // tables and grid
 // From here on shaped beams have plain tables: many lie over each other.
 constexpr std::uint32_t kManyLights = 100;

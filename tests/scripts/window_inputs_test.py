@@ -130,7 +130,7 @@ def work_light(work):
         assert window.ask("wait opened") == "ok"
         window.until("the work light", lambda state: state["picture"]["work_light"])
         lit = brightness()
-        assert lit > 40, lit
+        assert lit > 25, lit
         assert window.ask("work-light off") == "ok"
         window.until("off", lambda state: not state["picture"]["work_light"])
         dark = brightness()
