@@ -16,7 +16,7 @@ constexpr int kLeastPixels = 16; // across
 constexpr int kMostPixels = 8192;
 constexpr double kLongestStep_s = 0.5; // a slow frame must not make the recording jump
 constexpr float kWork_lux = 100;
-constexpr float kWorkAtEv0_lux = 5; // stages are dark: makes what reflects a twelfth middle grey
+constexpr float kWorkAtEv0_lux = 5;    // stages are dark: makes what reflects a twelfth middle grey
 constexpr double kLongestFilm_s = 1e9; // of time code, which loops where the film does
 
 bool same_view(const scene::Camera& a, const scene::Camera& b) {

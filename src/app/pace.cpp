@@ -9,13 +9,13 @@ namespace ghost::app {
 namespace {
 
 constexpr std::size_t kManyLights = 64;
-constexpr std::size_t kHalf = 2;  // level
-constexpr double kTooSlow = 1.5;  // of a frame's time: below, a coarser picture is worse than a late one
-constexpr double kFarOver = 10;   // likewise
+constexpr std::size_t kHalf = 2;      // level
+constexpr double kTooSlow = 1.5;      // of a frame's time: below, a coarser picture is worse than a late one
+constexpr double kFarOver = 10;       // likewise
 constexpr double kHopeless_ms = 2000; // a frame that nobody waits for twice
-constexpr double kRoom = 0.8;     // of a frame's time, that a level may seem to need at the beginning,
-constexpr double kMuchRoom = 0.6; // and later, where another size costs time itself
-constexpr double kStillMoves = 4; // frame times that half of the sides may take
+constexpr double kRoom = 0.8;         // of a frame's time, that a level may seem to need at the beginning,
+constexpr double kMuchRoom = 0.6;     // and later, where another size costs time itself
+constexpr double kStillMoves = 4;     // frame times that half of the sides may take
 constexpr int kShortestWait = 40, kLongestWait = 640;
 constexpr double kLeastRatio = 1.02, kMostRatio = 2.2;
 // Until they are measured: three quarters of the smallest picture do not go with its pixels.
@@ -69,7 +69,7 @@ bool Pace::add(double frame_ms, double frames_per_s) {
     recent_ms_[seen_++ % recent_ms_.size()] = frame_ms;
     // One may have waited for something else; two have not.
     const bool is_late = is_far_over(frame_ms, frames_per_s);
-    const bool is_far = is_late && (std::exchange(was_late_, is_late) || frame_ms > kHopeless_ms);
+    const bool is_far = is_late && (was_late_ || frame_ms > kHopeless_ms);
     was_late_ = is_late;
     if (seen_ < recent_ms_.size() && !is_far) return false;
     auto sorted = recent_ms_;

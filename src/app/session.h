@@ -93,8 +93,8 @@ struct Session {
     // Moves a live camera, and shows what the show's even light, haze and attenuation are now. A camera of
     // another size gets another picture; stage and distance maps stay on the device. SessionOptions::parks:
     // the picture before is kept, where there is memory, and taken up again when its size is asked for.
-    // goes_on: soon it looks from elsewhere, so nothing that is seen from there is kept, and the stage has less
-    // detail.
+    // goes_on: soon it looks from elsewhere, so nothing that is seen from there is kept, and the stage has
+    // less detail.
     void look_from(const scene::Camera& from, bool goes_on = false);
     void drop_parked();
     // Live: from the next frame on light is drawn at half the size of the picture (render/coarse_light.h), or

@@ -44,8 +44,8 @@ private:
     std::string name_;
     ghostdmx::Header header_;
     ghostdmx::Index index_;
-    std::uint64_t end_of_blocks_ = 0; // offset
-    std::uint64_t search_effort_ = 0; // bytes, of all searches
+    std::uint64_t end_of_blocks_ = 0;  // offset
+    std::uint64_t search_effort_ = 0;  // bytes, of all searches
     std::vector<std::uint8_t> window_; // of the search before
     std::uint64_t window_at_ = 0;
     std::vector<Error> problems_;

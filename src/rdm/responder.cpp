@@ -142,39 +142,35 @@ void Responder::update(Device device) {
     if (device_.identifies != before.identifies) queue(Pid::identify_device);
 }
 
-Message Responder::acknowledge(const Message& to, Data data) {
+Message Responder::respond(const Message& to, Answer answer) const {
     Message response;
     response.to = to.from;
     response.from = device_.uid;
     response.transaction = to.transaction;
-    response.port_or_answer = static_cast<std::uint8_t>(Answer::ack);
+    response.port_or_answer = static_cast<std::uint8_t>(answer);
     response.queued = static_cast<std::uint8_t>(queue_.size());
     response.sub_device = to.sub_device;
     response.command = to.command;
     response.is_response = true;
     response.pid = to.pid;
+    return response;
+}
+
+Message Responder::acknowledge(const Message& to, Data data) {
+    const bool goes_on = data.size() > kMaxDataBytes; // the next GET of it brings the next part (6.3.2)
     rest_.clear();
-    if (data.size() > kMaxDataBytes) { // the next GET of it brings the next part (6.3.2)
+    if (goes_on) {
         rest_.assign(data.begin() + kMaxDataBytes, data.end());
         rest_pid_ = to.pid;
         data.resize(kMaxDataBytes);
-        response.port_or_answer = static_cast<std::uint8_t>(Answer::ack_overflow);
     }
+    Message response = respond(to, goes_on ? Answer::ack_overflow : Answer::ack);
     response.data = std::move(data);
     return response;
 }
 
 Message Responder::refuse(const Message& to, Nack why) const {
-    Message response;
-    response.to = to.from;
-    response.from = device_.uid;
-    response.transaction = to.transaction;
-    response.port_or_answer = static_cast<std::uint8_t>(Answer::nack);
-    response.queued = static_cast<std::uint8_t>(queue_.size());
-    response.sub_device = to.sub_device;
-    response.command = to.command;
-    response.is_response = true;
-    response.pid = to.pid;
+    Message response = respond(to, Answer::nack);
     put_u16(response.data, static_cast<int>(why));
     return response;
 }

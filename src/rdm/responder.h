@@ -61,6 +61,7 @@ private:
     static const Parameter* find(std::uint16_t pid);
     Reply discover(const Message& message);
     Message handle(const Message& message, const Wants& wants);
+    Message respond(const Message& to, Answer answer) const;
     Message acknowledge(const Message& to, std::vector<std::uint8_t> data);
     Message refuse(const Message& to, Nack why) const;
     Message queued(const Message& message);

@@ -176,7 +176,9 @@ void GBuffer::draw(const StageModel& model, const Pose& pose, const Surroundings
     const Axes axes = axes_of(pose);
     commands_.begin();
     commands_.begin_span("raster");
-    draw_meshes(model, model.visible(axes.eye_m, planes_of(axes), pose.most_error_px / fragments_.pixels_per_rad), gpu::Before::cleared);
+    draw_meshes(model,
+                model.visible(axes.eye_m, planes_of(axes), pose.most_error_px / fragments_.pixels_per_rad),
+                gpu::Before::cleared);
     draw_moving(model, moving);
     gather(nullptr);
     submit();
@@ -187,8 +189,7 @@ void GBuffer::draw(const StageModel& model, const Pose& pose, const Surroundings
 bool GBuffer::shows(const Pose& pose, const Surroundings& surroundings) const {
     return pose_.width > 0 && pose.camera_to_world == pose_.camera_to_world &&
            pose.fov_y_deg == pose_.fov_y_deg && pose.most_error_px == pose_.most_error_px &&
-           surroundings.ambient == surroundings_.ambient &&
-           surroundings.work_lux == surroundings_.work_lux &&
+           surroundings.ambient == surroundings_.ambient && surroundings.work_lux == surroundings_.work_lux &&
            std::memcmp(&surroundings.haze, &surroundings_.haze, sizeof surroundings.haze) == 0;
 }
 
@@ -326,8 +327,8 @@ void GBuffer::gather(const TileSet* tiles) {
     const shared::View& view = fragments_.camera;
     const std::uint32_t tile_count = fragments_.tiles_x * fragments_.tiles_y;
     const float pixel_m = 2.0f * glm::length(view.up) / static_cast<float>(view.height);
-    const shared::GatherPush push{surroundings_.ambient, capacity_,       tile_count,
-                                  fragments_.tiles_x,    pixel_m,         tiles ? 1u : 0u,
+    const shared::GatherPush push{surroundings_.ambient, capacity_, tile_count,
+                                  fragments_.tiles_x,    pixel_m,   tiles ? 1u : 0u,
                                   surroundings_.work_lux};
     commands_.begin_span("gather");
     std::uint32_t groups_x = fragments_.tiles_x, groups_y = fragments_.tiles_y;

@@ -150,9 +150,9 @@ void Relighter::make_surface_programs() {
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
         const auto program = [&](std::uint32_t thin, std::uint32_t keeps) {
             return g_buffer_
-                       ? gpu::LateProgram(
-                             device_, shaders::kShader_surface_live, bindings,
-                             {kind, single, distances_ ? 1u : 0u, settings_.illuminance ? 1u : 0u, thin, keeps})
+                       ? gpu::LateProgram(device_, shaders::kShader_surface_live, bindings,
+                                          {kind, single, distances_ ? 1u : 0u,
+                                           settings_.illuminance ? 1u : 0u, thin, keeps})
                        : gpu::LateProgram(device_, shaders::kShader_surface, bindings, {kind, single, thin});
         };
         surface_[kind] = program(0, 1);

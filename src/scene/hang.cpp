@@ -15,9 +15,9 @@ constexpr float kWidestTruss_m = 1.3f;
 constexpr float kLeastLength_m = 0.4f;
 constexpr float kLeastHeight_m = 0.03f; // the thinnest pipe that carries a lamp has 38 mm
 constexpr float kLower_m = 0.5f;        // below what hangs, is not what is meant
-constexpr float kGap_m = 0.3f;     // between pieces of one truss
-constexpr float kBeside_m = 0.05f; // that they may lie beside or below each other
-constexpr float kSameWay = 0.999f; // cosine, 2.5 degrees
+constexpr float kGap_m = 0.3f;          // between pieces of one truss
+constexpr float kBeside_m = 0.05f;      // that they may lie beside or below each other
+constexpr float kSameWay = 0.999f;      // cosine, 2.5 degrees
 
 struct Extent {
     float low = std::numeric_limits<float>::max();

@@ -16,7 +16,7 @@ namespace ghost::scene {
 struct Bar {
     glm::vec3 from_m{0};
     glm::vec3 to_m{0};
-    float across_m = 0;   // the wider of its two sides
+    float across_m = 0;    // the wider of its two sides
     float height_m = 0.1f; // from its underside to its top
 
     float length_m() const { return glm::distance(from_m, to_m); }

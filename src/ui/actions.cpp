@@ -20,8 +20,11 @@ void Actions::add(Action action) {
     items_[action.name] = item;
     window_.addAction(item);
     QObject::connect(item, &QAction::triggered, &window_, [this, name = action.name] {
-        // A key that closes a list is not also one of ours.
-        if (!QApplication::activePopupWidget()) choose(name);
+        // A key that closes a list is not also one of ours; Qt has changed the mark of the item already.
+        if (QApplication::activePopupWidget())
+            refresh();
+        else
+            choose(name);
     });
     actions_.push_back(std::move(action));
 }

@@ -36,7 +36,8 @@ std::vector<Chip> chips_of(const Studio& studio) {
     if (wishes.black_out) chips.push_back({"BLACK-OUT", bad(), true});
     if (wishes.frozen) chips.push_back({"FROZEN", QColor(110, 190, 255), true});
     chips.push_back(of_input(studio));
-    if (studio.rig().recorded_s >= 0) chips.push_back({"RECORDING " + clock_of(studio.rig().recorded_s), bad()});
+    if (studio.rig().recorded_s >= 0)
+        chips.push_back({"RECORDING " + clock_of(studio.rig().recorded_s), bad()});
     if (picture.has_work_light) chips.push_back({"WORK LIGHT", QColor(255, 236, 190)});
     chips.push_back({QString("EV %1").arg(static_cast<double>(picture.ev100), 0, 'f', 1), {}});
     if (wishes.master < 1)

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Chips: over the picture, in one row, what somebody who looks at it must know to believe it: where the levels
-// come from, the exposure, what is set by hand, and what keeps light away or adds some. Window thread.
+// Chips: over the picture, in one row, what somebody who looks at it must know to believe it: where the
+// levels come from, the exposure, what is set by hand, and what keeps light away or adds some. Window thread.
 
 #include "ui/studio.h"
 
@@ -14,7 +14,7 @@ namespace ghost::ui {
 
 struct Chip {
     QString text;
-    QColor ground;       // with dark letters; invalid: light letters on a dark ground
+    QColor ground;        // with dark letters; invalid: light letters on a dark ground
     bool is_loud = false; // larger: the show itself is not what is seen
 };
 

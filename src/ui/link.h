@@ -156,8 +156,8 @@ struct Picture {
     std::size_t missing_maps = 0; // lights that throw no shadows yet
     FalseColour false_colour;     // what the image shows
     bool has_work_light = false;
-    bool is_baked = false;        // from passes; its size is theirs
-    std::string supply;           // in words: which passes, or why it is drawn live
+    bool is_baked = false; // from passes; its size is theirs
+    std::string supply;    // in words: which passes, or why it is drawn live
     std::chrono::nanoseconds arrival{
         0}; // steady: of the first packet that changed something since the picture before; 0: none did
 };

@@ -181,7 +181,8 @@ void Window::add_view_switches() {
                       return {};
                   },
                   [this] { return studio_.wishes().black_out; }});
-    actions_.add({"work-light", "View", "Work light: see the stage where nothing shines", "K", "[on|off|auto]",
+    actions_.add({"work-light", "View", "Work light: see the stage where nothing shines", "K",
+                  "[on|off|auto]",
                   [this](const QStringList& words) -> Result<void> {
                       const QString word = words.value(0, studio_.picture().has_work_light ? "off" : "on");
                       if (word != "on" && word != "off" && word != "auto")

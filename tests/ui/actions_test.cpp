@@ -7,9 +7,12 @@
 #include "ui/shortened.h"
 #include "ui/window.h"
 
+#include <QApplication>
 #include <QDockWidget>
 #include <QDropEvent>
+#include <QKeyEvent>
 #include <QLocalSocket>
+#include <QMenuBar>
 #include <QMimeData>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -229,6 +232,30 @@ TEST(Actions, switches_take_on_and_off_and_nothing_else_is_taken_silently) {
         EXPECT_FALSE(is_on(name));
     }
     EXPECT_EQ(opened.error_of("see-all 7"), "see-all: takes no arguments, so what is '7'?");
+}
+
+// A popup that is open keeps our keys away, but not what is chosen in a menu.
+TEST(Actions, a_menu_does_what_is_chosen_in_it_and_keys_wait_while_one_is_open) {
+    Opened4 opened;
+    QAction* const item = opened.window->actions().item("names");
+    QMenu* menu = nullptr;
+    for (QAction* const title : opened.window->menuBar()->actions())
+        if (title->menu() && title->menu()->actions().contains(item)) menu = title->menu();
+    ASSERT_TRUE(menu);
+    opened.window->show();
+    const auto is_on = [&] { return opened.window->actions().item("names")->isChecked(); };
+    const bool was_on = is_on();
+    menu->popup({10, 10});
+    settle();
+    ASSERT_EQ(QApplication::activePopupWidget(), menu);
+    opened.window->actions().item("addresses")->trigger(); // as its key would
+    EXPECT_FALSE(opened.window->actions().item("addresses")->isChecked());
+    menu->setActiveAction(item);
+    QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+    QApplication::sendEvent(menu, &enter);
+    settle();
+    EXPECT_NE(is_on(), was_on);
+    EXPECT_FALSE(QApplication::activePopupWidget());
 }
 
 TEST(Actions, a_script_waits_and_goes_on) {

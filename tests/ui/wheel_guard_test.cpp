@@ -46,7 +46,7 @@ TEST(WheelGuard, what_has_no_focus_keeps_its_value) {
     EXPECT_EQ(slider->value(), 50);
     EXPECT_EQ(number->value(), 50);
     EXPECT_EQ(list->currentIndex(), 1);
-    if (!panel.isActiveWindow()) GTEST_SKIP() << "this platform gives no window the focus";
+    ASSERT_TRUE(panel.isActiveWindow());
     slider->setFocus();
     EXPECT_TRUE(turn_wheel(*slider));
     EXPECT_NE(slider->value(), 50);
