@@ -93,12 +93,14 @@ scene::Lit BakedView::lit() const {
     return lit;
 }
 
-render::FrameStatistics BakedView::draw(const scene::Camera& exposure, double air_s) {
+render::FrameStatistics BakedView::draw(const scene::Camera& exposure, double air_s,
+                                        const render::HazeQuality& haze, const std::function<bool()>& stop) {
+    relighter_->set_quality(haze);
     relighter_->set_exposure(exposure.ev100, exposure.auto_exposure);
     relighter_->set_tone(session_.options.tone);
     relighter_->set_air(air_of(*session_.show, is_uneven(*session_.show) ? air_s : 0.0));
     relighter_->set_slides(session_.gobos.images.slides);
-    return relighter_->draw(lit());
+    return relighter_->draw(lit(), stop);
 }
 
 } // namespace ghost::app

@@ -7,6 +7,7 @@
 #include "app/session.h"
 #include "scene/passes.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -31,8 +32,10 @@ public:
     const scene::Camera& camera() const { return camera_; }
     std::size_t pass_count() const { return passes_.lights.size(); }
     render::Relighter& relighter() { return *relighter_; }
-    // What the rig does now, under the exposure of that camera.
-    render::FrameStatistics draw(const scene::Camera& exposure, double air_s);
+    // What the rig does now, under the exposure of that camera. haze: from the grid (render/haze_grid.h)
+    // while things move. stop: as Relighter::draw has it.
+    render::FrameStatistics draw(const scene::Camera& exposure, double air_s, const render::HazeQuality& haze,
+                                 const std::function<bool()>& stop);
 
 private:
     BakedView(const Session& session, BakedPasses baked);

@@ -183,7 +183,7 @@ double fan_bytes(const gpu::Device& device, const render::Settings& settings, st
                  const render::DistanceImages& distances) {
     const std::uint32_t batch = device.is_cpu() ? 1 : shared::kLightsPerChunk;
     const render::HazePass haze(device, settings.beams, render::Fragments{}, batch,
-                                static_cast<std::uint32_t>(count), &distances);
+                                static_cast<std::uint32_t>(count), &distances, render::FanDetail::fine);
     return static_cast<double>(haze.memory_bytes());
 }
 

@@ -20,6 +20,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <future>
 #include <memory>
 #include <mutex>
@@ -107,6 +108,8 @@ private:
         return shows_baked_ ? baked_->relighter() : *session_->relighter;
     }
     render::FrameStatistics draw_live(double begin_s, double air_s);
+    render::FrameStatistics draw_baked(double begin_s, double air_s);
+    std::function<bool()> stop_of(double begin_s);
     int lights_in(double frame_ms) const;
     void learn_light_ms(const render::FrameStatistics& statistics, double draw_ms);
     // engine_probe.cpp

@@ -137,31 +137,45 @@ render::FrameStatistics Engine::draw_live(double begin_s, double air_s) {
     const bool flies = begin_s - flew_s_ < kRest_s;
     sees_else_ = sees_else_ || flies != std::exchange(flies_, flies);
     const scene::Camera camera = camera_for(begin_s);
-    was_resized_ =
+    const bool moves = is_moving(begin_s);
+    if (!moves && !session_->prepare(camera, stop_of(begin_s))) {
+        render::FrameStatistics nothing;
+        nothing.stopped = true;
+        return nothing;
+    }
+    const bool uses_coarse = moves && wishes_.quality.percent == 0 && pace_.level().coarse_light &&
+                             wishes_.false_colour.measure == ui::Measure::none;
+    const bool is_other_size =
         camera.width != session_->relighter->width() || camera.height != session_->relighter->height();
+    was_resized_ = is_other_size || uses_coarse != session_->relighter->is_coarse();
     if (std::exchange(sees_else_, false) || !same_view(camera, live_from_)) {
-        if (was_resized_) meter_.reset();
-        session_->look_from(camera, flies);
+        if (is_other_size) meter_.reset();
+        session_->look_from(camera, flies, uses_coarse);
         session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
         live_from_ = camera;
     }
     drawn_from_ = camera;
     framed_ = {wishes_.frame, scene::share_of_frame(wanted_camera_, wishes_.frame)};
-    const bool moves = is_moving(begin_s);
     haze_.grid = moves;
-    const bool was_coarse = session_->relighter->is_coarse();
-    session_->use_coarse_light(moves && wishes_.quality.percent == 0 && pace_.level().coarse_light &&
-                               wishes_.false_colour.measure == ui::Measure::none);
-    was_resized_ = was_resized_ || was_coarse != session_->relighter->is_coarse();
+    session_->use_coarse_light(uses_coarse);
     session_->relighter->set_quality(haze_);
     session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
     session_->relighter->set_tone(session_->options.tone);
     session_->relighter->set_most_lights(moves ? lights_in(1000.0 / wishes_.quality.fps) : 0);
-    const bool plays = wishes_.transport.playing && !wishes_.frozen;
-    const auto stop = [&] {
+    return session_->draw(air_s, moves ? std::function<bool()>{} : stop_of(begin_s));
+}
+
+render::FrameStatistics Engine::draw_baked(double begin_s, double air_s) {
+    haze_.grid = is_moving(begin_s);
+    return baked_->draw(wanted_camera_, air_s, haze_,
+                        haze_.grid ? std::function<bool()>{} : stop_of(begin_s));
+}
+
+// Ends a picture of what rests as soon as something else is to be shown.
+std::function<bool()> Engine::stop_of(double begin_s) {
+    return [this, begin_s, plays = wishes_.transport.playing && !wishes_.frozen] {
         return link_.wake.is_raised() || stop_ || (plays && input_->plays_else_in(now_s() - begin_s));
     };
-    return session_->draw(air_s, moves ? std::function<bool()>{} : stop);
 }
 
 // How many lights that turn there is time for; 0: all of them.
@@ -218,7 +232,7 @@ void Engine::frame() {
     was_resized_ = false;
     if (switched && baked) baked_->relighter().forget(); // it may rest
     const render::FrameStatistics statistics =
-        baked ? baked_->draw(wanted_camera_, air_s_) : draw_live(begin_s, air_s_);
+        baked ? draw_baked(begin_s, air_s_) : draw_live(begin_s, air_s_);
     if (baked) {
         drawn_from_ = baked_->camera();
         framed_ = {};

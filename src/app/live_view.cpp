@@ -7,6 +7,7 @@
 #include "scene/bodies.h"
 #include "scene/distance_maps_file.h"
 
+#include "base/check.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/progress.h"
@@ -76,6 +77,11 @@ Result<scene::DistanceMaps> make_maps(const scene::Show& show, const scene::Stag
     if (stats->interrupted)
         return Error{"interrupted while making distance maps; finished ones are kept", ""};
     return maps;
+}
+
+bool fits(const std::unique_ptr<render::GBuffer>& one, const scene::Camera& camera) {
+    return one && one->fragments().width == static_cast<std::uint32_t>(camera.width) &&
+           one->fragments().height == static_cast<std::uint32_t>(camera.height);
 }
 
 } // namespace
@@ -180,32 +186,47 @@ bool LiveView::follow(const scene::Rig& rig) {
     return g_buffer_->update(model_);
 }
 
-LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool flies) {
-    camera_ = camera;
+render::Pose LiveView::pose_of(const scene::Camera& camera, bool flies) const {
+    return {scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height,
+            flies ? kFlightError_px : 0.0f};
+}
+
+render::Surroundings LiveView::surroundings() const {
     shared::Haze haze = haze_of(show_);
     haze.extinction_per_m *= haze_density_;
     haze.scattering_per_m *= haze_density_;
-    const auto fits = [&](const std::unique_ptr<render::GBuffer>& one) {
-        return one && one->fragments().width == static_cast<std::uint32_t>(camera.width) &&
-               one->fragments().height == static_cast<std::uint32_t>(camera.height);
-    };
-    if (!fits(g_buffer_)) {
+    return {show_.ambient_colour * show_.ambient_lux, haze, work_lux_};
+}
+
+LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool flies) {
+    camera_ = camera;
+    bool is_anew = false;
+    if (!fits(g_buffer_, camera)) {
         std::swap(g_buffer_, parked_);
         if (!parks) parked_.reset();
+        is_anew = std::exchange(parked_is_anew_, false);
     }
-    if (!fits(g_buffer_)) {
+    if (!fits(g_buffer_, camera)) {
         g_buffer_.reset();
         g_buffer_ = std::make_unique<render::GBuffer>(device_, camera.width, camera.height);
     }
-    const render::Pose pose{scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height,
-                            flies ? kFlightError_px : 0.0f};
-    const render::Surroundings surroundings{show_.ambient_colour * show_.ambient_lux, haze, work_lux_};
-    if (g_buffer_->shows(pose, surroundings)) {
+    if (g_buffer_->shows(pose_of(camera, flies), surroundings())) {
         g_buffer_->update(model_);
-        return Seen::where_it_changed;
+        return is_anew ? Seen::anew : Seen::where_it_changed;
     }
-    g_buffer_->draw(model_, pose, surroundings);
+    g_buffer_->draw(model_, pose_of(camera, flies), surroundings());
     return Seen::anew;
+}
+
+bool LiveView::prepare(const scene::Camera& camera, const std::function<bool()>& stop) {
+    CHECK(!fits(g_buffer_, camera));
+    if (!fits(parked_, camera)) {
+        parked_.reset();
+        parked_ = std::make_unique<render::GBuffer>(device_, camera.width, camera.height);
+    }
+    if (parked_->shows(pose_of(camera, false), surroundings())) return true;
+    parked_is_anew_ = true;
+    return parked_->draw(model_, pose_of(camera, false), surroundings(), stop);
 }
 
 } // namespace ghost::app

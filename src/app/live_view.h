@@ -14,6 +14,7 @@
 #include "scene/show.h"
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -43,6 +44,10 @@ public:
     // its size; else it goes first, for memory may not hold both.
     // flies: the next one will be from elsewhere, so the stage may be drawn in less detail.
     Seen look_from(const scene::Camera& camera, bool parks = false, bool flies = false);
+    // Draws the G-buffer of a picture of another size, which takes the place of the parked one, so that
+    // look_from need not; what is shown stays. False: stop ended it (GBuffer::draw), and the next one goes
+    // on.
+    bool prepare(const scene::Camera& camera, const std::function<bool()>& stop);
     // There is none of another size.
     void drop_parked() { parked_.reset(); }
     const scene::Camera& camera() const { return camera_; }
@@ -95,7 +100,10 @@ private:
     std::optional<scene::Stage> solid_; // without hidden objects, where there are any
     std::vector<std::size_t> moving_;
     render::StageModel model_;
+    render::Pose pose_of(const scene::Camera& camera, bool flies) const;
+    render::Surroundings surroundings() const;
     std::unique_ptr<render::GBuffer> g_buffer_, parked_;
+    bool parked_is_anew_ = false; // since it was looked from last
     scene::Camera camera_;
     float haze_density_ = 1;
     float work_lux_ = 0;

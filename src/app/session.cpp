@@ -142,6 +142,10 @@ Result<scene::Passes> get_passes(scene::Show& show, const scene::Camera& camera,
     return passes;
 }
 
+bool has_size(const std::unique_ptr<render::Relighter>& one, const scene::Camera& camera) {
+    return one && one->width() == camera.width && one->height() == camera.height;
+}
+
 } // namespace
 
 Result<scene::Show> open_show(const std::string& path, bool load_stage, bool quiet, scene::Report& report,
@@ -250,72 +254,84 @@ scene::Lit Session::lit() const {
     return lit;
 }
 
-void Session::look_from(const scene::Camera& from, bool goes_on) {
-    flies = goes_on;
-    using enum LiveView::Seen;
-    const auto fits = [&](const std::unique_ptr<render::Relighter>& one) {
-        return one && from.width == one->width() && from.height == one->height();
-    };
-    if (fits(relighter)) {
-        const bool is_anew = live->look_from(from, options.parks, flies) == anew;
-        for (const auto& one : {relighter.get(), other_light.get()}) {
-            if (!one) continue;
-            if (is_anew)
-                one->forget();
-            else
-                one->touch();
-        }
-    } else {
-        if (relighter && relighter->is_coarse()) std::swap(relighter, other_light);
-        other_light.reset();
-        std::swap(relighter, parked);
-        // Both, and what a relighter has whatever its picture's size.
-        const std::uint64_t pixels =
-            static_cast<std::uint64_t>(from.width) * static_cast<std::uint64_t>(from.height);
-        const bool parks = options.parks && parked &&
-                           device->memory_left_bytes() > 2 * kPictureBytesPerPixel * pixels + kSpareToPark;
-        if (!fits(relighter)) relighter.reset();
-        if (!parks) parked.reset(); // it refers to the picture that goes
-        const LiveView::Seen seen = live->look_from(from, parks, flies);
-        if (!relighter)
-            relighter = std::make_unique<render::Relighter>(
-                *device, live->g_buffer(), live->distances(), gobos.images,
-                static_cast<int>(lit().lights.size()), draw_settings(*show, from, options));
-        else if (seen == anew || maps_changed_since_parked)
-            relighter->forget();
-        else
-            relighter->touch();
-        maps_changed_since_parked = false;
-        relighter->set_tone(options.tone);
+std::unique_ptr<render::Relighter> Session::make_relighter(const scene::Camera& from, bool coarse) const {
+    render::Settings settings = draw_settings(*show, from, options);
+    settings.coarse = coarse;
+    auto made =
+        std::make_unique<render::Relighter>(*device, live->g_buffer(), live->distances(), gobos.images,
+                                            static_cast<int>(lit().lights.size()), settings);
+    made->set_tone(options.tone);
+    return made;
+}
+
+// Memory holds both pictures, and what a relighter has whatever its picture's size.
+bool Session::parks(const scene::Camera& from) const {
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(from.width) * static_cast<std::uint64_t>(from.height);
+    return options.parks && device->memory_left_bytes() > 2 * kPictureBytesPerPixel * pixels + kSpareToPark;
+}
+
+bool Session::prepare(const scene::Camera& from, const std::function<bool()>& stop) {
+    if (!live || !relighter || has_size(relighter, from)) return true;
+    if (!has_size(parked, from)) {
+        parked.reset();
+        parked_other_light.reset();
+        if (!parks(from)) return true;
     }
-    for (const auto& one : {relighter.get(), other_light.get()})
-        if (one) one->set_keeps_visibility(!flies);
+    return live->prepare(from, stop);
+}
+
+void Session::look_from(const scene::Camera& from, bool goes_on, std::optional<bool> coarse) {
+    flies = goes_on;
+    const bool is_coarse = coarse.value_or(relighter && relighter->is_coarse());
+    const bool stays = has_size(relighter, from);
+    bool keeps = options.parks;
+    if (!stays) {
+        std::swap(relighter, parked);
+        std::swap(other_light, parked_other_light);
+        keeps = parked && parks(from);
+        if (!has_size(relighter, from)) {
+            relighter.reset();
+            other_light.reset();
+        }
+        if (!keeps) { // they refer to the picture that goes
+            parked.reset();
+            parked_other_light.reset();
+        }
+    }
+    const bool has_other_maps = !stays && std::exchange(maps_changed_since_parked, false);
+    const bool is_anew = live->look_from(from, keeps, flies) == LiveView::Seen::anew || has_other_maps;
+    if (!relighter) relighter = make_relighter(from, is_coarse);
+    for (const auto& one : {relighter.get(), other_light.get()}) {
+        if (!one) continue;
+        if (is_anew)
+            one->forget();
+        else
+            one->touch();
+        one->set_keeps_visibility(!flies);
+    }
+    use_coarse_light(is_coarse);
+    relighter->set_tone(options.tone);
     relighter->set_exposure(options.ev100.value_or(from.ev100), from.auto_exposure && !options.ev100);
 }
 
 void Session::use_coarse_light(bool coarse) {
     if (!live || relighter->is_coarse() == coarse) return;
-    const std::uint64_t pixels =
-        static_cast<std::uint64_t>(relighter->width()) * static_cast<std::uint64_t>(relighter->height());
     std::swap(relighter, other_light);
-    if (relighter) {
-        relighter->set_tone(options.tone);
-        relighter->set_keeps_visibility(!flies);
-        return;
+    if (!relighter) {
+        // The only one, where memory is short.
+        const std::uint64_t pixels = static_cast<std::uint64_t>(other_light->width()) *
+                                     static_cast<std::uint64_t>(other_light->height());
+        if (device->memory_left_bytes() < kPictureBytesPerPixel * pixels + kSpareToPark) other_light.reset();
+        relighter = make_relighter(live->camera(), coarse);
     }
-    // The only one, where memory is short.
-    if (device->memory_left_bytes() < kPictureBytesPerPixel * pixels + kSpareToPark) other_light.reset();
-    render::Settings settings = draw_settings(*show, live->camera(), options);
-    settings.coarse = coarse;
-    relighter =
-        std::make_unique<render::Relighter>(*device, live->g_buffer(), live->distances(), gobos.images,
-                                            static_cast<int>(lit().lights.size()), settings);
     relighter->set_tone(options.tone);
     relighter->set_keeps_visibility(!flies);
 }
 
 void Session::drop_parked() {
     parked.reset();
+    parked_other_light.reset();
     live->drop_parked();
 }
 

@@ -73,9 +73,9 @@ struct Session {
     std::unique_ptr<gpu::Device> device;
     std::unique_ptr<LiveView> live; // or null: passes
     std::unique_ptr<render::Relighter> relighter;
-    std::unique_ptr<render::Relighter> parked; // that of a picture of another size
     // Of the same picture: with light at half its size where relighter has it at all of it, or the other way.
     std::unique_ptr<render::Relighter> other_light;
+    std::unique_ptr<render::Relighter> parked, parked_other_light; // those of a picture of another size
     bool maps_changed_since_parked = false;
     std::map<std::size_t, fixture::Manual> manual; // of options.look, for Rig::step
     float master = 1;                              // share of all light
@@ -94,14 +94,20 @@ struct Session {
     // another size gets another picture; stage and distance maps stay on the device. SessionOptions::parks:
     // the picture before is kept, where there is memory, and taken up again when its size is asked for.
     // goes_on: soon it looks from elsewhere, so nothing that is seen from there is kept, and the stage has
-    // less detail.
-    void look_from(const scene::Camera& from, bool goes_on = false);
+    // less detail. coarse: use_coarse_light, too; nothing: as it is.
+    void look_from(const scene::Camera& from, bool goes_on = false, std::optional<bool> coarse = {});
+    // Before a look_from that does not go on, where the picture before is parked: does what takes long, for
+    // as long as stop is false. False: it was stopped; what is shown stays, and the next one goes on from
+    // there.
+    bool prepare(const scene::Camera& from, const std::function<bool()>& stop);
     void drop_parked();
     // Live: from the next frame on light is drawn at half the size of the picture (render/coarse_light.h), or
     // at all of it. Of either what is kept stays, where there is memory.
     void use_coarse_light(bool coarse);
 
 private:
+    bool parks(const scene::Camera& from) const;
+    std::unique_ptr<render::Relighter> make_relighter(const scene::Camera& from, bool coarse) const;
     bool is_short_ = false; // render/light_budget.h, of the last picture
     int behind_ = 0;        // pictures since heads turned
 };

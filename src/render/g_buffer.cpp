@@ -13,6 +13,7 @@
 #include "shared/push.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -29,6 +30,9 @@ constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr VkFormat kHalves = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat kFloats = VK_FORMAT_R32G32B32A32_SFLOAT;
+// What is drawn between two looks whether something more urgent waits.
+constexpr double kPiece_ms = 8;
+constexpr std::size_t kFirstPiece_indices = 6000;
 
 gpu::Texture attachment(const gpu::Device& device, std::uint32_t width, std::uint32_t height,
                         VkFormat format) {
@@ -158,43 +162,78 @@ GBuffer::Samples GBuffer::make_samples() const {
             attachment(device_, w, h, VK_FORMAT_R8_UNORM)};
 }
 
-void GBuffer::draw(const StageModel& model, const Pose& pose, const Surroundings& surroundings) {
+bool GBuffer::draw(const StageModel& model, const Pose& pose, const Surroundings& surroundings,
+                   const std::function<bool()>& stop) {
     CHECK_EQ(static_cast<std::uint32_t>(pose.width), fragments_.width);
     CHECK_EQ(static_cast<std::uint32_t>(pose.height), fragments_.height);
     CHECK(finite(pose));
-    pose_ = pose;
-    surroundings_ = surroundings;
-    still_revision_ = model.still_revision();
-    fragments_.camera =
-        make_view(pose.camera_to_world, pose.fov_y_deg, pose.width, pose.height, surroundings.haze);
-    fragments_.eye_m = fragments_.camera.eye_m;
-    fragments_.pixels_per_rad = pixels_per_rad(fragments_.camera);
+    const bool goes_on = !is_whole_ && drawn_count_ > 0 && stands_at(pose, surroundings) &&
+                         still_revision_ == model.still_revision();
+    is_whole_ = false;
+    if (!goes_on) {
+        pose_ = pose;
+        surroundings_ = surroundings;
+        still_revision_ = model.still_revision();
+        fragments_.camera =
+            make_view(pose.camera_to_world, pose.fov_y_deg, pose.width, pose.height, surroundings.haze);
+        fragments_.eye_m = fragments_.camera.eye_m;
+        fragments_.pixels_per_rad = pixels_per_rad(fragments_.camera);
+        const Axes axes = axes_of(pose);
+        to_draw_ = model.visible(axes.eye_m, planes_of(axes), pose.most_error_px / fragments_.pixels_per_rad);
+        drawn_count_ = 0;
+    }
+    if (!draw_still(model, stop)) return false;
     changed_ = {{0, 0, pose.width, pose.height}};
     saved_ = TileSet(pose.width, pose.height);
     shown_.clear();
-    const MovingPlan moving = plan_moving(model);
-    const Axes axes = axes_of(pose);
-    commands_.begin();
-    commands_.begin_span("raster");
-    draw_meshes(model,
-                model.visible(axes.eye_m, planes_of(axes), pose.most_error_px / fragments_.pixels_per_rad),
-                gpu::Before::cleared);
-    draw_moving(model, moving);
+    draw_moving(model, plan_moving(model));
     gather(nullptr);
     submit();
-    extras_moved_ = true;
+    extras_moved_ = is_whole_ = true;
     warn_of_dropped();
+    return true;
 }
 
-bool GBuffer::shows(const Pose& pose, const Surroundings& surroundings) const {
+// Leaves the last piece to be submitted with what follows.
+bool GBuffer::draw_still(const StageModel& model, const std::function<bool()>& stop) {
+    std::size_t piece_indices = kFirstPiece_indices;
+    for (;;) {
+        const std::size_t first = drawn_count_;
+        std::size_t indices = 0;
+        while (drawn_count_ < to_draw_.size() && (!stop || indices < piece_indices))
+            indices += model.range(to_draw_[drawn_count_++]).index_count;
+        commands_.begin();
+        commands_.begin_span("raster");
+        draw_meshes(model, std::span(to_draw_).subspan(first, drawn_count_ - first),
+                    first == 0 ? gpu::Before::cleared : gpu::Before::kept);
+        if (drawn_count_ == to_draw_.size()) {
+            to_draw_ = {};
+            drawn_count_ = 0;
+            return true;
+        }
+        const auto begin = std::chrono::steady_clock::now();
+        commands_.submit_and_wait();
+        const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - begin;
+        piece_indices = static_cast<std::size_t>(static_cast<double>(piece_indices) *
+                                                 std::clamp(kPiece_ms / took.count(), 0.5, 2.0)) +
+                        1;
+        if (stop()) return false;
+    }
+}
+
+bool GBuffer::stands_at(const Pose& pose, const Surroundings& surroundings) const {
     return pose_.width > 0 && pose.camera_to_world == pose_.camera_to_world &&
            pose.fov_y_deg == pose_.fov_y_deg && pose.most_error_px == pose_.most_error_px &&
            surroundings.ambient == surroundings_.ambient && surroundings.work_lux == surroundings_.work_lux &&
            std::memcmp(&surroundings.haze, &surroundings_.haze, sizeof surroundings.haze) == 0;
 }
 
+bool GBuffer::shows(const Pose& pose, const Surroundings& surroundings) const {
+    return is_whole_ && stands_at(pose, surroundings);
+}
+
 bool GBuffer::update(const StageModel& model) {
-    CHECK(pose_.width > 0);
+    CHECK(is_whole_);
     if (model.still_revision() != still_revision_) {
         draw(model, pose_, surroundings_);
         return true;
@@ -292,7 +331,7 @@ const gpu::Raster& GBuffer::raster_for(const StageModel::Surface& surface) {
     return *raster;
 }
 
-void GBuffer::draw_meshes(const StageModel& model, const std::vector<StageModel::Draw>& draws,
+void GBuffer::draw_meshes(const StageModel& model, std::span<const StageModel::Draw> draws,
                           gpu::Before before) {
     const glm::mat4 eye_to_clip = to_clip(axes_of(pose_));
     gpu::begin_drawing(commands_, {&samples_.base, &samples_.normal, &samples_.emission, &samples_.metalness},

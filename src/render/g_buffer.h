@@ -18,9 +18,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace ghost::render {
@@ -48,8 +50,11 @@ class GBuffer {
 public:
     GBuffer(const gpu::Device& device, int width, int height);
 
-    // Draws and waits: the numbers in fragments() are those of this camera then.
-    void draw(const StageModel& model, const Pose& pose, const Surroundings& surroundings);
+    // Draws and waits: the numbers in fragments() are those of this camera then. stop: asked every few
+    // milliseconds; true ends it, draw is false, and nothing but draw may be called until it was true. From
+    // the same pose it goes on where it was stopped.
+    bool draw(const StageModel& model, const Pose& pose, const Surroundings& surroundings,
+              const std::function<bool()>& stop = {});
     // Drawn from there, and surrounded like that.
     bool shows(const Pose& pose, const Surroundings& surroundings) const;
     // Draws what moved since then, seen and surrounded as before; the model must be the same. False: nothing
@@ -93,7 +98,8 @@ private:
     };
     Samples make_samples() const;
     const gpu::Raster& raster_for(const StageModel::Surface& surface);
-    void draw_meshes(const StageModel& model, const std::vector<StageModel::Draw>& draws, gpu::Before before);
+    bool draw_still(const StageModel& model, const std::function<bool()>& stop); // false: stopped
+    void draw_meshes(const StageModel& model, std::span<const StageModel::Draw> draws, gpu::Before before);
     struct MovingPlan {
         TileSet tiles; // to be made anew
         std::vector<StageModel::Draw> draws;
@@ -101,6 +107,7 @@ private:
     // What has to be drawn for the moving instances, which then count as shown.
     MovingPlan plan_moving(const StageModel& model);
     void draw_moving(const StageModel& model, const MovingPlan& plan);
+    bool stands_at(const Pose& pose, const Surroundings& surroundings) const;
     void gather(const TileSet* tiles); // null: all of them
     void submit();
     void warn_of_dropped();
@@ -119,6 +126,9 @@ private:
     Pose pose_;
     Surroundings surroundings_;
     std::uint64_t still_revision_ = 0;
+    std::vector<StageModel::Draw> to_draw_; // what does not move, of a draw that was stopped
+    std::size_t drawn_count_ = 0;           // of these
+    bool is_whole_ = false;
     std::vector<PixelRect> changed_;
     gpu::Buffer counts_, counts_read_, rooms_, tile_list_, block_list_;
     std::vector<gpu::Span> spans_;

@@ -57,9 +57,10 @@ float shade_doubt_rad(std::uint32_t map_side) {
 } // namespace
 
 HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, const Fragments& fragments,
-                   std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances)
+                   std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances,
+                   FanDetail detail)
     : settings_(settings), batch_size_(batch_size), distances_(distances),
-      detail_(light_count < kManyLights ? FanDetail::fine : FanDetail::plain) {
+      detail_(light_count < kManyLights ? detail : FanDetail::plain) {
     const std::uint32_t single = batch_size == 1 ? 1 : 0;
     const std::uint32_t kept = kept_fans(device, light_count); // of single lights
     if (settings.beams != Beams::gate) {

@@ -38,9 +38,10 @@ struct HazeSettings {
 class HazePass {
 public:
     // light_count: of the show; at most so many fans are needed at a time. distances: null: nothing throws
-    // shadows into haze; gate only. Must outlive this.
+    // shadows into haze; gate only. Must outlive this. detail: of its tables; those of many lights are plain.
     HazePass(const gpu::Device& device, const HazeSettings& settings, const Fragments& fragments,
-             std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances);
+             std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances,
+             FanDetail detail);
 
     // Of gate: segments, from the next frame on.
     void set_quality(const HazeQuality& quality);

@@ -106,7 +106,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
             {settings.air ? 1u : 0u, settings.beams.beams == Beams::gate ? 0u : 1u}),
       meter_(device, shaders::kShader_meter, {kStored, kStorage}),
       haze_(device, settings.beams, fragments(), batch_size_, static_cast<std::uint32_t>(light_count),
-            distances),
+            distances, settings.coarse ? FanDetail::plain : FanDetail::fine),
       led_walls_(device), lens_(device, settings.lens),
       glare_(device, seen().width, seen().height, settings.glare), commands_(device) {
     CHECK(!settings.coarse || (settings.beams.beams == Beams::gate && !settings.illuminance));

@@ -152,8 +152,9 @@ private:
     bool make_images_of(const Plan& plan, FrameStatistics& statistics);
     void run_commands(FrameStatistics& statistics);
     bool wants_stop();
-    void draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
-    void record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
+    // Both: false where it was stopped.
+    bool draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
+    bool record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
     void develop(const scene::Lit& lit);
     const Fragments& seen() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
     const Fragments& fragments() const { return coarse_ ? coarse_->fragments() : seen(); } // lights fall on

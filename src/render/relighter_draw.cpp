@@ -60,9 +60,8 @@ void Relighter::draw_sum(const ImageSum& sum) {
             if (is_dark(light) || shared::beam_class(light) != beam_class || wide(light) != is_wide) continue;
             chunk.push_back(light);
             if (chunk.size() == (stop_ ? 1 : shared::kLightsPerChunk)) {
-                draw_lights(chunk, beam_class, is_wide);
+                if (!draw_lights(chunk, beam_class, is_wide) || wants_stop()) return;
                 chunk.clear();
-                if (wants_stop()) return;
             }
         }
         if (!chunk.empty()) draw_lights(chunk, beam_class, is_wide);
@@ -130,7 +129,7 @@ const gpu::Program& Relighter::sum_of(std::uint32_t parts, std::uint32_t addends
     return *program;
 }
 
-void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide) {
+bool Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide) {
     const std::uint64_t offset = lights_used_;
     const std::uint64_t bytes = lights.size() * sizeof(shared::Light);
     CHECK(offset + kChunkBytes <= lights_.bytes());
@@ -167,10 +166,10 @@ void Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
                        gpu::groups(chunk.tiles() + f.blocks, 64), chunk.batches());
     commands_.barrier();
     if (settings_.air) haze_.record(commands_, chunk);
-    if (settings_.surfaces) record_surfaces(chunk, kept.offset);
+    return !settings_.surfaces || (!wants_stop() && record_surfaces(chunk, kept.offset));
 }
 
-void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset) {
+bool Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset) {
     const Fragments& f = fragments();
     if (passes_.bounces.bytes() > 0) {
         commands_.begin_span("bounces");
@@ -223,6 +222,7 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
                  gpu::stored(visibility_->pages())},
                 groups_, chunk.made_groups(push.batch));
             commands_.barrier();
+            if (wants_stop()) return false;
         }
         commands_.begin_span("surfaces");
         const bool flies = visibility_ && !keeps_visibility_;
@@ -231,6 +231,7 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
                                     chunk.surface_groups(push.batch));
         commands_.barrier();
     }
+    return true;
 }
 
 } // namespace ghost::render

@@ -361,6 +361,37 @@ TEST_F(GBufferTest, InstancesAreHiddenAndMoved) {
     EXPECT_EQ(middle_y(), 99.0f);
 }
 
+// Stopped after every piece, with another pose begun in between: the bits of one that was never stopped.
+TEST_F(GBufferTest, AStoppedOneGoesOnWhereItWas) {
+    scene::Stage stage = room();
+    for (int row = 0; row < 40; ++row)
+        for (int k = 0; k < 60; ++k) {
+            stage.instances.push_back(stage.instances[0]);
+            stage.instances.back().to_world[3] +=
+                glm::vec4(0.1f * static_cast<float>(k), 0, 0.1f * static_cast<float>(row), 0);
+        }
+    scene::Report report;
+    StageModel model(device(), stage, report);
+    const Pose pose = pose_of(camera_at({0, -10, 3}, {0, 10, 3}, 40, 100, 75));
+    GBuffer whole(device(), 100, 75), stopped(device(), 100, 75);
+    EXPECT_TRUE(whole.draw(model, pose, {}));
+    int stops = 0;
+    const auto stop = [] { return true; };
+    EXPECT_FALSE(stopped.draw(model, pose_of(camera_at({3, -10, 3}, {0, 10, 3}, 40, 100, 75)), {}, stop));
+    while (!stopped.draw(model, pose, {}, stop)) {
+        EXPECT_FALSE(stopped.shows(pose, {}));
+        ASSERT_LT(++stops, 1000);
+    }
+    EXPECT_GT(stops, 0);
+    EXPECT_TRUE(stopped.shows(pose, {}));
+    const Picture a = read(whole), b = read(stopped);
+    EXPECT_EQ(a.extras, b.extras);
+    for (std::size_t pixel = 0; pixel < a.pixels(); ++pixel) {
+        ASSERT_EQ(a.places[pixel], b.places[pixel]) << pixel;
+        ASSERT_EQ(a.base[pixel], b.base[pixel]) << pixel;
+    }
+}
+
 TEST_F(GBufferTest, TheSameCameraGivesTheSameBits) {
     scene::Stage stage = room();
     add(stage, quad({-2, 2, -1}, {2.013f, 0, 0.3f}, {0, 0, 9}, 1));
