@@ -116,6 +116,7 @@ private:
     std::shared_ptr<const image::Image8> false_colours();
     const bake::Tracer& tracer();
     void publish_probe(double now_s, bool drew);
+    void publish_picked();
     void save_frame();
     void publish_messages();
     void publish_opened(Opening opening);
@@ -162,6 +163,7 @@ private:
     std::optional<glm::vec2> probed_place_;
     double probed_s_ = 0;
     std::uint64_t saved_frame_ = 0; // number
+    std::uint64_t picked_ = 0;      // likewise
     std::unique_ptr<RemoteInput> remote_;
     Followers followers_;
     RemoteWishes remote_wishes_;         // those that hold

@@ -254,6 +254,7 @@ void Engine::frame() {
     }
     publish_rig(begin_s);
     publish_explanation(begin_s);
+    publish_picked();
     if (!statistics.stopped) {
         publish_probe(begin_s, drew);
         save_frame();

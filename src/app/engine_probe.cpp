@@ -68,6 +68,26 @@ void Engine::publish_probe(double now_s, bool drew) {
     link_.on_news();
 }
 
+void Engine::publish_picked() {
+    const ui::Pick& pick = wishes_.pick;
+    if (pick.number == picked_) return;
+    picked_ = pick.number;
+    ui::Picked picked;
+    picked.number = pick.number;
+    const bake::DenormalsOff mode;
+    const bake::Surface surface = surface_on(pick.from_m, pick.way, tracer());
+    if (surface.instance >= 0) {
+        const scene::Instance& instance =
+            tracer().stage().instances[static_cast<std::size_t>(surface.instance)];
+        picked.hit = true;
+        picked.at_m = surface.position;
+        picked.object = instance.name;
+        if (instance.fixture >= 0) picked.fixture = static_cast<std::size_t>(instance.fixture);
+    }
+    link_.picked.put(std::move(picked));
+    link_.on_news();
+}
+
 void Engine::save_frame() {
     if (wishes_.save_frame.number == saved_frame_) return;
     saved_frame_ = wishes_.save_frame.number;

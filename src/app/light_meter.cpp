@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/light_meter.h"
 
+#include "scene/camera_moves.h"
 #include "scene/illuminance.h"
 #include "shared/develop.h"
 
@@ -50,14 +51,13 @@ image::ImageF luminance_of(const image::ImageF& frame) {
     return luminance;
 }
 
-bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, const bake::Tracer& tracer) {
-    const glm::mat4 to_world = scene::camera_to_world(camera);
-    const float tan_y = std::tan(glm::radians(camera.fov_y_deg) * 0.5f);
-    const float tan_x = tan_y * static_cast<float>(camera.width) / static_cast<float>(camera.height);
-    const glm::vec3 way = -glm::vec3(to_world[2]) + glm::vec3(to_world[0]) * (tan_x * (2 * place.x - 1)) +
-                          glm::vec3(to_world[1]) * (tan_y * (1 - 2 * place.y));
+bake::Surface surface_on(const glm::vec3& from_m, const glm::vec3& way, const bake::Tracer& tracer) {
     // Half of what blended surfaces cover is seen.
-    return tracer.first_hit(camera.position_m, glm::normalize(way), 0.5f, bake::Sees::everything);
+    return tracer.first_hit(from_m, way, 0.5f, bake::Sees::everything);
+}
+
+bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, const bake::Tracer& tracer) {
+    return surface_on(camera.position_m, scene::way_through(camera, place), tracer);
 }
 
 float lux_at(const bake::Surface& surface, const scene::Lit& lit, const Session& session,

@@ -142,4 +142,12 @@ std::optional<InPicture> project(const Camera& camera, const glm::vec3& point_m)
     return InPicture{{0.5f + 0.5f * at.x, 0.5f - 0.5f * at.y}, depth_m};
 }
 
+glm::vec3 way_through(const Camera& camera, const glm::vec2& place) {
+    const glm::mat4 to_world = camera_to_world(camera);
+    const float tan_y = std::tan(glm::radians(camera.fov_y_deg) * 0.5f);
+    const float tan_x = tan_y * static_cast<float>(camera.width) / static_cast<float>(camera.height);
+    return glm::normalize(-glm::vec3(to_world[2]) + glm::vec3(to_world[0]) * (tan_x * (2 * place.x - 1)) +
+                          glm::vec3(to_world[1]) * (tan_y * (1 - 2 * place.y)));
+}
+
 } // namespace ghost::scene

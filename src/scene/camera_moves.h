@@ -42,5 +42,7 @@ struct InPicture {
 };
 // Nothing behind the camera. The picture has the shape of camera.width and height.
 std::optional<InPicture> project(const Camera& camera, const glm::vec3& point_m);
+// Unit vector: the way from the eye through that place of the picture.
+glm::vec3 way_through(const Camera& camera, const glm::vec2& place);
 
 } // namespace ghost::scene

@@ -70,6 +70,13 @@ struct SaveFrame {
     std::string file;
 };
 
+// What is met first on the way of a line of sight.
+struct Pick {
+    std::uint64_t number = 0; // grows with every request; 0: none yet
+    glm::vec3 from_m{0};
+    glm::vec3 way{0, 1, 0}; // unit vector
+};
+
 // What the window wants to see, whole.
 struct Wishes {
     std::uint64_t number = 0;                // grows with every change
@@ -93,6 +100,7 @@ struct Wishes {
     FalseColour false_colour;
     WorkLight work_light = WorkLight::automatic;
     std::optional<glm::vec2> probe; // what is measured there; (0, 0) is the top left corner of the picture
+    Pick pick;
     bool takes_baked = true;        // where the camera stands as one whose passes are fresh
     SaveFrame save_frame;
     std::uint64_t take_plot = 0; // number of the received plot to be merged into the show; 0: none
@@ -202,6 +210,14 @@ struct Probed {
     std::string object;
 };
 
+struct Picked {
+    std::uint64_t number = 0; // of the request
+    bool hit = false;         // a surface; what follows is of it
+    glm::vec3 at_m{0};
+    std::optional<std::size_t> fixture; // whose body it is
+    std::string object;
+};
+
 // A recording that was made, or could not be.
 struct Recorded {
     std::string file;
@@ -233,6 +249,7 @@ struct Link {
     // How much changes in equal parts of the recording: 0 nothing .. 1 most. Comes some time after the show.
     Mailbox<std::vector<float>> activity_of_recording;
     Mailbox<Probed> probed;
+    Mailbox<Picked> picked;
     Mailbox<Saved> saved;
     Mailbox<Recorded> recorded;
     Mailbox<CameraCall> camera_call;

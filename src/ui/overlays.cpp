@@ -2,19 +2,22 @@
 #include "ui/overlays.h"
 
 #include "scene/camera_moves.h"
+#include "ui/fixture_labels.h"
 #include "ui/theme.h"
 
 #include <QFontMetricsF>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ghost::ui {
 namespace {
 
 constexpr double kReach_px = 22;
 constexpr float kAim_m = 4;
-constexpr double kMuchFiner = 1.5; // pixels of the picture to one of the display
+constexpr std::size_t kMostNamed = 40; // selected ones: of more there are rings alone
+constexpr double kMuchFiner = 1.5;     // pixels of the picture to one of the display
 
 QFont small_font(const QPainter& painter) {
     QFont font = painter.font();
@@ -27,16 +30,44 @@ QString address_of(const scene::PatchedFixture& fixture) {
                                : QString("no address");
 }
 
-void paint_label(QPainter& painter, const QPointF& lamp, const QStringList& lines, const QColor& colour) {
-    const QFontMetricsF metrics(painter.font());
-    double width = 0;
-    for (const QString& line : lines) width = std::max(width, metrics.horizontalAdvance(line));
-    const double height = metrics.height() * static_cast<double>(lines.size());
-    const QRectF box(lamp.x() - width / 2 - 4, lamp.y() - 12 - height - 2, width + 8, height + 2);
-    painter.fillRect(box, QColor(0, 0, 0, 150));
-    painter.setPen(colour);
-    painter.drawText(box, Qt::AlignCenter, lines.join('\n'));
+// What there is to be known of a fixture at a glance.
+QStringList words_about(const scene::PatchedFixture& fixture, const FixtureNow& now) {
+    QStringList lines{QString::fromStdString(fixture.name)};
+    const QString type = fixture.type ? QString::fromStdString(fixture.type->name) : QString("no type");
+    lines << type + ", " + address_of(fixture);
+    lines << (now.candela > 0 ? QString("%1 cd").arg(static_cast<double>(now.candela), 0, 'f', 0)
+                              : QString("dark"));
+    return lines;
 }
+
+void paint_ring(QPainter& painter, const QPointF& lamp, const QColor& colour) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0, 0, 0, 160), 4));
+    painter.drawEllipse(lamp, 10, 10);
+    painter.setPen(QPen(colour, 2));
+    painter.drawEllipse(lamp, 10, 10);
+}
+
+void paint_aim(QPainter& painter, const QRectF& picture, const scene::Camera& camera, const FixtureNow& now,
+               bool selected) {
+    const auto lamp = to_widget(picture, camera, now.light_m),
+               end = to_widget(picture, camera, now.light_m + kAim_m * now.direction);
+    if (!lamp || !end) return;
+    QColor colour =
+        now.candela > 0 ? QColor::fromRgbF(now.colour.x, now.colour.y, now.colour.z) : QColor(130, 130, 130);
+    colour.setAlpha(selected ? 230 : 150);
+    painter.setPen(QPen(colour, selected ? 2.0 : 1.2, Qt::DashLine));
+    painter.drawLine(*lamp, *end);
+}
+
+// A lamp that has words beside it.
+struct Marked {
+    int rank = 0; // the least first
+    float away_m = 0;
+    QPointF lamp;
+    QStringList lines;
+    QColor colour;
+};
 
 } // namespace
 
@@ -123,38 +154,59 @@ std::set<std::size_t> fixtures_in(const QRectF& picture, const scene::Camera& ca
 
 void paint_fixtures(QPainter& painter, const QRectF& picture, const scene::Camera& camera,
                     const scene::Show& show, const RigNow& rig, const std::set<std::size_t>& selection,
-                    const OverlayChoice& choice) {
+                    std::optional<std::size_t> hovered, const OverlayChoice& choice) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(small_font(painter));
     const std::size_t count = std::min(rig.fixtures.size(), show.fixtures.size());
+    const bool names_selection = choice.marks && selection.size() <= kMostNamed;
+    std::vector<Marked> marked;
     for (std::size_t i = 0; i < count; ++i) {
         const FixtureNow& now = rig.fixtures[i];
         const bool selected = selection.contains(i);
         const auto lamp = to_widget(picture, camera, now.light_m);
         if (!lamp) continue;
-        if (choice.aims || (selected && choice.marks)) {
-            const auto end = to_widget(picture, camera, now.light_m + kAim_m * now.direction);
-            QColor colour = now.candela > 0 ? QColor::fromRgbF(now.colour.x, now.colour.y, now.colour.z)
-                                            : QColor(130, 130, 130);
-            colour.setAlpha(selected ? 230 : 150);
-            if (end) {
-                painter.setPen(QPen(colour, selected ? 2.0 : 1.2, Qt::DashLine));
-                painter.drawLine(*lamp, *end);
-            }
-        }
-        if (selected && choice.marks) {
-            painter.setPen(QPen(QColor(0, 0, 0, 160), 4));
-            painter.drawEllipse(*lamp, 10, 10);
-            painter.setPen(QPen(accent(), 2));
-            painter.drawEllipse(*lamp, 10, 10);
-        }
+        if (choice.aims || (selected && names_selection)) paint_aim(painter, picture, camera, now, selected);
+        if (selected && choice.marks)
+            paint_ring(painter, *lamp, accent());
+        else if (hovered == i)
+            paint_ring(painter, *lamp, QColor(225, 225, 225));
         QStringList lines;
-        if (choice.names || (selected && choice.marks))
+        if (hovered == i)
+            lines = words_about(show.fixtures[i], now);
+        else if (choice.names || (selected && names_selection))
             lines << QString::fromStdString(show.fixtures[i].name);
-        if (choice.addresses) lines << address_of(show.fixtures[i]);
-        if (!lines.isEmpty()) paint_label(painter, *lamp, lines, selected ? accent() : QColor(225, 225, 225));
+        if (choice.addresses && hovered != i) lines << address_of(show.fixtures[i]);
+        if (lines.isEmpty()) continue;
+        const int rank = hovered == i ? 0 : selected ? 1 : 2;
+        marked.push_back({rank, glm::distance(now.light_m, camera.position_m), *lamp, lines,
+                          selected ? accent() : QColor(225, 225, 225)});
     }
+    std::stable_sort(marked.begin(), marked.end(), [](const Marked& a, const Marked& b) {
+        return a.rank != b.rank ? a.rank < b.rank : a.away_m < b.away_m;
+    });
+    FixtureLabels labels(painter, painter.window());
+    for (const Marked& one : marked) labels.paint(one.lamp, one.lines, one.colour);
+    painter.restore();
+}
+
+void paint_moved(QPainter& painter, const QRectF& picture, const scene::Camera& camera, const RigNow& rig,
+                 const std::set<std::size_t>& selection, const glm::vec3& by_m, const QPointF& mouse,
+                 const QString& words) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(small_font(painter));
+    for (const std::size_t index : selection) {
+        if (index >= rig.fixtures.size()) continue;
+        const glm::vec3& at_m = rig.fixtures[index].light_m;
+        const auto from = to_widget(picture, camera, at_m), to = to_widget(picture, camera, at_m + by_m);
+        if (!from || !to) continue;
+        painter.setPen(QPen(accent(), 1, Qt::DotLine));
+        painter.drawLine(*from, *to);
+        paint_ring(painter, *to, accent());
+    }
+    FixtureLabels labels(painter, painter.window());
+    labels.paint(mouse, {words}, accent());
     painter.restore();
 }
 
@@ -177,7 +229,7 @@ void paint_object(QPainter& painter, const QRectF& picture, const scene::Camera&
     painter.drawEllipse(*middle, radius, radius);
     painter.setPen(QPen(accent(), 2, Qt::DashLine));
     painter.drawEllipse(*middle, radius, radius);
-    paint_label(painter, *middle, {QString::fromStdString(object.name)}, accent());
+    FixtureLabels(painter, painter.window()).paint(*middle, {QString::fromStdString(object.name)}, accent());
     painter.restore();
 }
 

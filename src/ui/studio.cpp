@@ -100,6 +100,10 @@ void Studio::read_news() {
         probed_ = std::move(*news);
         Q_EMIT probe_came();
     }
+    if (auto news = link_.picked.take(); news && news->number == wishes_.pick.number) {
+        picked_ = std::move(*news);
+        Q_EMIT picked_came();
+    }
     if (auto news = link_.recorded.take()) {
         recorded_ = std::move(*news);
         if (wishes_.record_to == recorded_.file) wish([](Wishes& wishes) { wishes.record_to.clear(); });
@@ -132,6 +136,12 @@ void Studio::read_news() {
         Q_EMIT explanation_came();
     }
     news_cost_ += std::chrono::steady_clock::now() - begin;
+}
+
+std::uint64_t Studio::pick(const glm::vec3& from_m, const glm::vec3& way) {
+    const std::uint64_t number = wishes_.pick.number + 1;
+    wish([&](Wishes& wishes) { wishes.pick = {number, from_m, way}; });
+    return number;
 }
 
 void Studio::take_opened(Opened opened) {

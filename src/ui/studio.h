@@ -56,6 +56,10 @@ public:
     bool is_opening() const { return answered_opens_ < wishes_.opens; }
     // Why the one that was asked for last is not open; the one before may still be.
     const std::optional<Error>& open_error() const { return open_error_; }
+    // Asks what is met first on that way; picked_came says it, most often within a frame. Returns the number
+    // of the request: a newer one takes its place.
+    std::uint64_t pick(const glm::vec3& from_m, const glm::vec3& way);
+    const Picked& picked() const { return picked_; }
     // Ends a travel.
     void set_camera(const scene::Camera& camera);
     // Likewise, with the frame that camera has of its own.
@@ -128,6 +132,7 @@ Q_SIGNALS:
     void messages_came();
     void activity_came();
     void probe_came();
+    void picked_came();
     void waveform_came();
     void recording_ended();
     void picture_saved(const QString& error); // empty: it is there
@@ -165,6 +170,7 @@ private:
     std::string activity_;
     ReceivedPlot plot_;
     std::optional<Probed> probed_;
+    Picked picked_;
     std::vector<float> waveform_;
     std::uint64_t saved_ = 0;
     Recorded recorded_;

@@ -20,10 +20,6 @@ constexpr int kRest_ms = 150; // of a window that is being resized
 constexpr int kFly_ms = 16;
 constexpr float kFly_m_s = 4;
 constexpr float kFastFly = 4;
-constexpr double kClick_px = 4;
-constexpr float kAround_m = 2;
-constexpr float kOrbit_rad_px = 0.006f;
-constexpr float kTurn_rad_px = 0.003f;
 
 // Right, forward, up of a key that flies.
 glm::vec3 way_of(int key) {
@@ -75,7 +71,13 @@ View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio), 
     });
     // Marks and aims move with the rig, figures with everything.
     connect(&studio_, &Studio::rig_came, this, [this] {
-        if (overlays.aims || overlays.names || overlays.addresses || !studio_.selection().empty()) update();
+        if (overlays.aims || overlays.names || overlays.addresses || hovered_ || !studio_.selection().empty())
+            update();
+    });
+    connect(&studio_, &Studio::picked_came, this, &View::select_picked);
+    connect(&studio_, &Studio::opened_show, this, [this] {
+        hovered_.reset();
+        if (drag_ == Drag::lamp) drag_ = Drag::none;
     });
     for (const auto signal : {&Studio::selection_changed, &Studio::marked_changed, &Studio::activity_came,
                               &Studio::opened_show, &Studio::probe_came})
@@ -123,7 +125,10 @@ void View::paintEvent(QPaintEvent*) {
     paint_picture(painter, place, *picture.image);
     if (overlays.frame) paint_frame(painter, place, frame_rect(size(), studio_.wishes().frame));
     paint_fixtures(painter, place, picture.camera, *studio_.show(), studio_.rig(), studio_.selection(),
-                   overlays);
+                   hovered_, overlays);
+    if (drag_ == Drag::lamp)
+        paint_moved(painter, place, picture.camera, studio_.rig(), studio_.selection(), moved_by_m_, drag_at_,
+                    lamp_->words(moved_by_m_));
     if (const auto object = studio_.marked(); object && overlays.marks)
         paint_object(painter, place, picture.camera, studio_.opened().objects[*object]);
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
@@ -161,87 +166,6 @@ QRectF View::rect_of_picture() const {
     const scene::Camera& camera = studio_.camera();
     const glm::ivec2& frame = studio_.wishes().frame;
     return picture_rect(size(), camera, {frame, scene::share_of_frame(camera, frame)});
-}
-
-void View::mousePressEvent(QMouseEvent* event) {
-    drag_from_ = drag_at_ = event->position();
-    const bool shift = event->modifiers() & Qt::ShiftModifier,
-               control = event->modifiers() & Qt::ControlModifier;
-    if (event->button() == Qt::MiddleButton || (event->button() == Qt::LeftButton && shift && !control))
-        drag_ = Drag::pan;
-    else if (event->button() == Qt::RightButton)
-        drag_ = Drag::turn;
-    else if (event->button() == Qt::LeftButton)
-        drag_ = Drag::undecided;
-}
-
-void View::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF moved = event->position() - drag_at_;
-    if (drag_ == Drag::undecided && QLineF(drag_from_, event->position()).length() > kClick_px)
-        drag_ = event->modifiers() & Qt::ControlModifier ? Drag::box : Drag::orbit;
-    if (drag_ == Drag::none && overlays.probe) probe_at(event->position());
-    if (drag_ == Drag::none || drag_ == Drag::undecided) return;
-    drag_at_ = event->position();
-    const auto x = static_cast<float>(moved.x()), y = static_cast<float>(moved.y());
-    const scene::Camera& camera = studio_.camera();
-    const auto height =
-        static_cast<float>(std::max(frame_rect(size(), studio_.wishes().frame).height(), 1.0));
-    if (drag_ == Drag::orbit)
-        studio_.set_camera(scene::orbited(camera, kOrbit_rad_px * x, kOrbit_rad_px * y));
-    else if (drag_ == Drag::turn)
-        studio_.set_camera(scene::turned(camera, -kTurn_rad_px * x, -kTurn_rad_px * y));
-    else if (drag_ == Drag::pan)
-        studio_.set_camera(scene::panned(camera, -x / height, y / height));
-    else
-        update();
-}
-
-void View::probe_at(const QPointF& place) {
-    const QRectF picture = rect_of_picture();
-    if (!studio_.show() || picture.isEmpty()) return;
-    overlays.probe = true;
-    studio_.wish([&](Wishes& wishes) {
-        wishes.probe = glm::clamp(glm::vec2((place.x() - picture.left()) / picture.width(),
-                                            (place.y() - picture.top()) / picture.height()),
-                                  0.0f, 1.0f);
-    });
-}
-
-void View::end_probe() {
-    overlays.probe = false;
-    studio_.wish([](Wishes& wishes) { wishes.probe.reset(); });
-    update();
-}
-
-void View::mouseReleaseEvent(QMouseEvent* event) {
-    const bool adds = event->modifiers() & Qt::ControlModifier;
-    std::set<std::size_t> selection = adds ? studio_.selection() : std::set<std::size_t>{};
-    const scene::Camera camera = camera_of_picture();
-    if (drag_ == Drag::undecided) {
-        const auto hit = fixture_at(rect_of_picture(), camera, studio_.rig(), event->position());
-        if (hit && adds && selection.contains(*hit))
-            selection.erase(*hit);
-        else if (hit)
-            selection.insert(*hit);
-        studio_.select(std::move(selection));
-    } else if (drag_ == Drag::box) {
-        selection.merge(fixtures_in(rect_of_picture(), camera, studio_.rig(),
-                                    QRectF(drag_from_, event->position()).normalized()));
-        studio_.select(std::move(selection));
-        update();
-    }
-    drag_ = Drag::none;
-}
-
-void View::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (!studio_.show()) return;
-    const auto hit = fixture_at(rect_of_picture(), camera_of_picture(), studio_.rig(), event->position());
-    if (hit) studio_.look_at(studio_.rig().fixtures[*hit].light_m, kAround_m);
-}
-
-void View::wheelEvent(QWheelEvent* event) {
-    const float notches = static_cast<float>(event->angleDelta().y()) / 120.0f;
-    studio_.set_camera(scene::dollied(studio_.camera(), std::pow(0.88f, notches)));
 }
 
 void View::keyPressEvent(QKeyEvent* event) {

@@ -4,6 +4,7 @@
 // newest picture to its size at once; the engine draws the new size when the window rests. Window thread.
 
 #include "ui/figures.h"
+#include "ui/lamp_drag.h"
 #include "ui/overlays.h"
 #include "ui/studio.h"
 
@@ -21,6 +22,11 @@ public:
 
     OverlayChoice overlays;
     QString hint; // shown where no show is open
+    // The selected fixtures were dragged so far, in metres of the world; none: they cannot be.
+    std::function<void(const glm::vec3& by_m)> on_move;
+    // Shift and a click: the selected heads shall point at what the picture shows there, (0, 0) its top left
+    // corner.
+    std::function<void(const glm::vec2& place)> on_aim;
     const Figures& figures() const { return figures_; }
     void reset_figures() { figures_.reset(); }
     double paint_ms() const { return paint_ms_; }
@@ -39,9 +45,10 @@ protected:
     void keyPressEvent(QKeyEvent*) override;
     void keyReleaseEvent(QKeyEvent*) override;
     void focusOutEvent(QFocusEvent*) override;
+    void leaveEvent(QEvent*) override;
 
 private:
-    enum class Drag { none, undecided, orbit, turn, pan, box };
+    enum class Drag { none, undecided, orbit, turn, pan, box, lamp };
 
     void take_picture();
     void ask_for_size();
@@ -50,12 +57,25 @@ private:
     scene::Camera camera_of_picture() const;
     QRectF rect_of_picture() const;
     void paint_box(QPainter& painter) const;
+    glm::vec3 way_of_mouse(const QPointF& place) const; // unit vector, from the eye
+    std::optional<std::size_t> lamp_at(const QPointF& place) const;
+    Drag drag_of_left(Qt::KeyboardModifiers keys);
+    void drag_lamp(bool upright);
+    void hover_at(const QPointF& place);
+    void click(const QPointF& place, Qt::KeyboardModifiers keys);
+    void select_one(std::size_t fixture, bool adds);
+    void select_picked();
 
     Studio& studio_;
     QTimer resize_timer_;
     double asked_ratio_ = 0; // pixels of the display to one of the window, when the size was asked for
     Drag drag_ = Drag::none;
     QPointF drag_from_, drag_at_;
+    std::optional<LampDrag> lamp_; // that is dragged
+    glm::vec3 moved_by_m_{0};
+    std::optional<std::size_t> hovered_; // fixture
+    std::uint64_t picked_ = 0;           // number of the pick that a click waits for; 0: none
+    bool adds_picked_ = false;
     QSet<int> held_; // keys that fly
     QTimer fly_timer_;
     QElapsedTimer fly_clock_;

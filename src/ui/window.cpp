@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window.h"
 
+#include "ui/aiming.h"
 #include "ui/air_panel.h"
 #include "ui/export_actions.h"
 #include "ui/export_panel.h"
@@ -72,6 +73,15 @@ Window::Window(Link& link, const WindowOptions& options)
     add_export_actions(actions_, studio_, exporter_);
     add_patch_actions(actions_, studio_, document_);
     add_hang_action(actions_, studio_, document_);
+    auto* aiming = new Aiming(studio_, actions_, this);
+    add_aim_actions(actions_, studio_, *aiming);
+    view_->on_aim = [this, aiming](const glm::vec2& place) {
+        if (const auto done = aiming->aim_through(place); !done.ok()) actions_.complain(done.error());
+    };
+    view_->on_move = [this](const glm::vec3& by_m) {
+        if (const auto done = PatchEdit(studio_, document_).move_by(by_m); !done.ok())
+            actions_.complain(done.error());
+    };
     add_air_actions(actions_, studio_, document_);
     add_document_actions(actions_, document_);
     make_menus();
