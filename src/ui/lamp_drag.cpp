@@ -52,6 +52,14 @@ LampDrag::LampDrag(const glm::vec3& place_m, const std::vector<Object>& objects)
     }
 }
 
+void LampDrag::take_along(const LampDrag& other) {
+    constexpr float kParallel = 0.999f;
+    const float cosine = glm::dot(along_, other.along_); // 0 where one of them hangs under nothing
+    if (std::abs(cosine) < kParallel) return;
+    low_m_ = std::max(low_m_, cosine > 0 ? other.low_m_ : -other.high_m_);
+    high_m_ = std::min(high_m_, cosine > 0 ? other.high_m_ : -other.low_m_);
+}
+
 glm::vec3 LampDrag::by_m(const glm::vec3& eye_m, const glm::vec3& way, bool upright) const {
     const glm::vec3 eye = eye_m - place_m_;
     glm::vec3 by(0);

@@ -14,6 +14,8 @@ public:
     // place_m: of the fixture that is dragged.
     LampDrag(const glm::vec3& place_m, const std::vector<Object>& objects);
 
+    // That one goes with it: where both hang alike, neither leaves its truss.
+    void take_along(const LampDrag& other);
     // How far it goes, in whole centimetres, when the mouse stands on that line of sight (way: unit vector).
     // Nothing that the line does not meet: not at all.
     glm::vec3 by_m(const glm::vec3& eye_m, const glm::vec3& way, bool upright) const;

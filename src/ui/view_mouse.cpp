@@ -46,7 +46,12 @@ View::Drag View::drag_of_left(Qt::KeyboardModifiers keys) {
     if (keys & Qt::ControlModifier) return Drag::box;
     const auto hit = lamp_at(drag_from_);
     if (hit && on_move && studio_.selection().contains(*hit)) {
-        lamp_.emplace(studio_.rig().fixtures[*hit].light_m, studio_.opened().objects);
+        const auto drag_of = [&](std::size_t index) {
+            return LampDrag(studio_.rig().fixtures[index].light_m, studio_.opened().objects);
+        };
+        lamp_ = drag_of(*hit);
+        for (const std::size_t index : studio_.selection())
+            if (index < studio_.rig().fixtures.size()) lamp_->take_along(drag_of(index));
         moved_by_m_ = glm::vec3(0);
         return Drag::lamp;
     }
@@ -57,6 +62,7 @@ void View::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = event->position() - drag_at_;
     if (drag_ == Drag::undecided && QLineF(drag_from_, event->position()).length() > kClick_px)
         drag_ = drag_of_left(event->modifiers());
+    if (drag_ != Drag::none) hovered_.reset();
     if (drag_ == Drag::none) {
         if (overlays.probe) probe_at(event->position());
         hover_at(event->position());

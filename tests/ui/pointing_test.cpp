@@ -137,6 +137,15 @@ TEST(LampDrag, goes_along_its_truss_to_its_end_and_on_the_level_without_one) {
     EXPECT_LE(glm::length(free.by_m(eye, glm::normalize(glm::vec3(0, 1, 0.021f)), false)), 100.1f);
 }
 
+TEST(LampDrag, takes_others_along_as_far_as_all_of_them_hang) {
+    LampDrag drag({-1, 0, 4}, truss());
+    drag.take_along(LampDrag({2.5f, 0, 4}, truss()));
+    drag.take_along(LampDrag({3, 7, 4}, truss())); // hangs under nothing
+    const glm::vec3 eye(0, -10, 2);
+    EXPECT_EQ(drag.by_m(eye, glm::normalize(glm::vec3(90, 0, 4) - eye), false), glm::vec3(1.5f, 0, 0));
+    EXPECT_EQ(drag.by_m(eye, glm::normalize(glm::vec3(-90, 0, 4) - eye), false), glm::vec3(-3, 0, 0));
+}
+
 struct Seen {
     Seen() {
         view.resize(320, 180);
