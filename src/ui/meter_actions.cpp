@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The actions that measure light: false colours and the probe.
+// The actions that measure and compare: false colours, the probe, the wipe.
 #include "ui/meter_actions.h"
 
 #include <QCursor>
@@ -56,6 +56,20 @@ Result<void> set_probe(View& view, const QStringList& words) {
 } // namespace
 
 void add_meter_actions(Actions& actions, Studio& studio, View& view) {
+    actions.add({"wipe", "View", "Wipe between what is seen now and what comes", "Ctrl+B", "[on|off|SHARE]",
+                 [&view](const QStringList& words) -> Result<void> {
+                     const QString word = words.value(0, view.wipe().is_on() ? "off" : "on");
+                     if (word == "off") {
+                         view.end_wipe();
+                         return {};
+                     }
+                     double share = view.wipe().share();
+                     if (word != "on") {
+                         TRY(share, number_of({word}, 0, "share of the width, on or off", 0, 1));
+                     }
+                     return view.begin_wipe(share);
+                 },
+                 [&view] { return view.wipe().is_on(); }});
     actions.add({"false-colour",
                  "",
                  "false-colour",

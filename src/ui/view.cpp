@@ -77,6 +77,7 @@ View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio), 
     connect(&studio_, &Studio::picked_came, this, &View::select_picked);
     connect(&studio_, &Studio::opened_show, this, [this] {
         hovered_.reset();
+        if (!studio_.opened().is_edit && !studio_.opened().again) wipe_.end();
         if (drag_ == Drag::lamp) drag_ = Drag::none;
     });
     for (const auto signal : {&Studio::selection_changed, &Studio::marked_changed, &Studio::activity_came,
@@ -123,6 +124,7 @@ void View::paintEvent(QPaintEvent*) {
     const QRectF place = rect_of_picture();
     if (!place.adjusted(-1, -1, 1, 1).contains(rect())) painter.fillRect(rect(), Qt::black);
     paint_picture(painter, place, *picture.image);
+    wipe_.paint(painter, size());
     if (overlays.frame) paint_frame(painter, place, frame_rect(size(), studio_.wishes().frame));
     paint_fixtures(painter, place, picture.camera, *studio_.show(), studio_.rig(), studio_.selection(),
                    hovered_, overlays);
@@ -146,6 +148,19 @@ void View::paintEvent(QPaintEvent*) {
         figures_.take_latency(latency);
         studio_.count_latency(latency);
     }
+}
+
+Result<void> View::begin_wipe(double share) {
+    if (!studio_.picture().image) return Error{"there is no picture yet", ""};
+    if (!wipe_.is_on()) wipe_.keep(studio_.picture());
+    wipe_.set_share(share);
+    update();
+    return {};
+}
+
+void View::end_wipe() {
+    wipe_.end();
+    update();
 }
 
 void View::paint_box(QPainter& painter) const {

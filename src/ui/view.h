@@ -7,6 +7,7 @@
 #include "ui/lamp_drag.h"
 #include "ui/overlays.h"
 #include "ui/studio.h"
+#include "ui/wipe.h"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -27,6 +28,10 @@ public:
     // Shift and a click: the selected heads shall point at what the picture shows there, (0, 0) its top left
     // corner.
     std::function<void(const glm::vec2& place)> on_aim;
+    // What is seen now stays left of a line that the mouse drags; Error: there is no picture.
+    Result<void> begin_wipe(double share);
+    void end_wipe();
+    const Wipe& wipe() const { return wipe_; }
     const Figures& figures() const { return figures_; }
     void reset_figures() { figures_.reset(); }
     double paint_ms() const { return paint_ms_; }
@@ -48,7 +53,7 @@ protected:
     void leaveEvent(QEvent*) override;
 
 private:
-    enum class Drag { none, undecided, orbit, turn, pan, box, lamp };
+    enum class Drag { none, undecided, orbit, turn, pan, box, lamp, wipe };
 
     void take_picture();
     void ask_for_size();
@@ -71,6 +76,7 @@ private:
     double asked_ratio_ = 0; // pixels of the display to one of the window, when the size was asked for
     Drag drag_ = Drag::none;
     QPointF drag_from_, drag_at_;
+    Wipe wipe_;
     std::optional<LampDrag> lamp_; // that is dragged
     glm::vec3 moved_by_m_{0};
     std::optional<std::size_t> hovered_; // fixture

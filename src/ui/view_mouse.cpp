@@ -38,7 +38,7 @@ void View::mousePressEvent(QMouseEvent* event) {
     else if (event->button() == Qt::RightButton)
         drag_ = Drag::turn;
     else if (event->button() == Qt::LeftButton)
-        drag_ = Drag::undecided;
+        drag_ = wipe_.is_near(size(), event->position().x()) ? Drag::wipe : Drag::undecided;
 }
 
 // What a drag with the left button is that has begun: of a selected lamp, of a box, of the camera.
@@ -81,7 +81,9 @@ void View::mouseMoveEvent(QMouseEvent* event) {
         studio_.set_camera(scene::panned(camera, -x / height, y / height));
     else if (drag_ == Drag::lamp)
         drag_lamp(event->modifiers() & Qt::ShiftModifier);
-    if (drag_ == Drag::lamp || drag_ == Drag::box) update();
+    else if (drag_ == Drag::wipe)
+        wipe_.set_share(drag_at_.x() / std::max(width(), 1));
+    if (drag_ == Drag::lamp || drag_ == Drag::box || drag_ == Drag::wipe) update();
 }
 
 // The place that was taken hold of stays under the mouse.
@@ -93,10 +95,11 @@ void View::drag_lamp(bool upright) {
 
 void View::hover_at(const QPointF& place) {
     const auto hit = studio_.show() ? lamp_at(place) : std::nullopt;
-    if (hit == std::exchange(hovered_, hit)) return;
     const bool moves = hit && on_move && studio_.selection().contains(*hit);
-    setCursor(moves ? Qt::SizeAllCursor : Qt::ArrowCursor);
-    update();
+    setCursor(wipe_.is_near(size(), place.x()) ? Qt::SplitHCursor
+              : moves                          ? Qt::SizeAllCursor
+                                               : Qt::ArrowCursor);
+    if (hit != std::exchange(hovered_, hit)) update();
 }
 
 void View::leaveEvent(QEvent*) {

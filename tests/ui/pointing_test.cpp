@@ -227,6 +227,30 @@ TEST(Pointing, shift_and_a_click_aims_and_selects_nothing) {
     EXPECT_EQ(seen.bench.studio.selection(), std::set<std::size_t>{1});
 }
 
+TEST(Wipe, keeps_what_was_seen_left_of_a_line_that_is_dragged) {
+    Seen seen;
+    ASSERT_TRUE(seen.view.begin_wipe(0.5).ok());
+    scene::Camera camera = seen.bench.studio.picture().camera;
+    Picture green;
+    auto image = std::make_shared<image::Image8>(camera.width, camera.height, 4);
+    for (std::size_t i = 0; i < image->samples.size(); i += 4) image->samples[i + 1] = 200;
+    green.image = image;
+    green.camera = camera;
+    seen.bench.link.picture.put(std::move(green));
+    seen.bench.link.on_news();
+    settle();
+    const auto colour_at = [&](int x) { return seen.view.grab().toImage().pixelColor(x, 120); };
+    EXPECT_GT(colour_at(100).red(), 150);
+    EXPECT_GT(colour_at(220).green(), 150);
+    const scene::Camera before = seen.bench.studio.camera();
+    seen.drag({161, 90}, {260, 90});
+    EXPECT_EQ(seen.bench.studio.camera().position_m, before.position_m);
+    EXPECT_NEAR(seen.view.wipe().share(), 260.0 / 320, 0.01);
+    EXPECT_GT(colour_at(220).red(), 150);
+    seen.view.end_wipe();
+    EXPECT_GT(colour_at(100).green(), 150);
+}
+
 TEST(Labels, lie_beside_each_other_or_are_left_out) {
     QImage image(400, 300, QImage::Format_RGB32);
     QPainter painter(&image);
