@@ -198,6 +198,26 @@ void add_render(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 4096))
         ->needs(reference)
         ->capture_default_str();
+    CLI::Option* const bounces =
+        command
+            ->add_option("--bounces", a->reference.bounces,
+                         "of --reference: light that bounces so often is added, by particles")
+            ->check(CLI::Range(0, 31))
+            ->needs(reference);
+    command
+        ->add_option("--order", a->reference.order,
+                     "of --reference: only the light that bounced so often; 0: direct light")
+        ->check(CLI::Range(0, 31))
+        ->needs(reference);
+    command->add_option("--particles", a->reference.particles_m, "of --bounces and --order: millions")
+        ->check(number_in(0.001, 1e6))
+        ->needs(reference)
+        ->capture_default_str();
+    command
+        ->add_option("--error-out", a->reference.error_out,
+                     "of --bounces: standard deviation of its pixels, an .exr")
+        ->type_name("FILE")
+        ->needs(bounces);
     command
         ->add_option(
             "--motion", a->motion,

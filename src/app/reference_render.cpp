@@ -5,8 +5,10 @@
 #include "app/media_player.h"
 #include "app/picture_writer.h"
 #include "app/recordings.h"
+#include "bake/light_walk.h"
 #include "bake/reference.h"
 #include "scene/bodies.h"
+#include "scene/bounce_box.h"
 #include "scene/prism.h"
 
 #include "base/log.h"
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 namespace ghost::app {
 namespace {
@@ -41,12 +44,54 @@ Result<void> step_to(scene::Rig& rig, const scene::Show& show, const std::string
     return {};
 }
 
+// Bounced light by particles, added to the picture.
+Result<void> add_bounces(const ReferenceArguments& arguments, const bake::Tracer& tracer,
+                         const scene::Camera& camera, const std::vector<shared::Light>& lights,
+                         const shared::Gobos& gobos, const shared::Haze& haze, Progress& progress,
+                         image::ImageF& picture) {
+    bake::WalkOptions walk;
+    walk.particles = static_cast<std::int64_t>(arguments.particles_m * 1e6);
+    walk.camera = &camera;
+    walk.first_order = std::max(arguments.order, 1);
+    walk.last_order = arguments.order > 0 ? arguments.order : arguments.bounces;
+    const scene::BounceBox room = scene::bounce_box(tracer.stage(), lights);
+    walk.air_low_m = room.low_m;
+    walk.air_high_m = room.high_m;
+    walk.stop = interrupted;
+    walk.progress = [&](double share) { progress.update(share, steady_now_s(), "bounced light"); };
+    TRY(const bake::Walk walked, bake::walk_light(tracer, lights, gobos, haze, walk));
+    double sum = 0, error2 = 0;
+    for (std::size_t i = 0; i < picture.samples.size(); ++i) {
+        picture.samples[i] += walked.picture.samples[i];
+        sum += static_cast<double>(walked.picture.samples[i]);
+        error2 += std::pow(static_cast<double>(walked.error.samples[i]), 2);
+    }
+    if (sum > 0) {
+        const auto count = static_cast<double>(picture.samples.size());
+        char line[160];
+        std::snprintf(line, sizeof line,
+                      "bounced light by %.3g million particles: error of a pixel %.2g %% of the mean, of the "
+                      "mean %.2g %%",
+                      arguments.particles_m, 100 * std::sqrt(error2 / count) / (sum / count),
+                      100 * std::sqrt(error2) / sum);
+        log_info(line);
+    }
+    if (!arguments.error_out.empty())
+        TRY_VOID(write_picture(arguments.error_out, walked.error, camera.ev100, image::Tone::linear));
+    return {};
+}
+
 } // namespace
 
 Result<void> render_reference(const SessionOptions& options, const ReferenceArguments& arguments,
                               const std::string& replay, double at_s, int fps, const std::string& out) {
     TRY(const OutputKind kind, output_kind(out));
     if (kind == OutputKind::film) return Error{"a reference is one picture: .png or .exr", out};
+    if (!arguments.error_out.empty()) {
+        TRY(const OutputKind error_kind, output_kind(arguments.error_out));
+        if (error_kind != OutputKind::exr)
+            return Error{"errors are cd/m^2 of each pixel: an .exr", arguments.error_out};
+    }
     scene::Report report;
     TRY(scene::Show show, open_show(options.show, false, options.quiet, report));
     show.motion = options.motion.value_or(show.motion);
@@ -90,9 +135,17 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     reference.progress = [&](double share) { progress.update(share, steady_now_s(), out); };
     const bake::Tracer tracer(stage);
     const double start_s = steady_now_s();
-    const Result<image::ImageF> picture = bake::reference_picture(
-        &tracer, camera, rig.lit(gobos, scene::DistanceMaps{}, scene::Cells::apart).lights, gobos.images,
-        haze_of(show), show.ambient_lux, reference);
+    const std::vector<shared::Light> lights =
+        rig.lit(gobos, scene::DistanceMaps{}, scene::Cells::apart).lights;
+    Result<image::ImageF> picture = image::ImageF(camera.width, camera.height, 3);
+    if (arguments.order <= 0)
+        picture = bake::reference_picture(&tracer, camera, lights, gobos.images, haze_of(show),
+                                          show.ambient_lux, reference);
+    if (picture.ok() && (arguments.order > 0 || (arguments.order < 0 && arguments.bounces > 0))) {
+        const Result<void> added =
+            add_bounces(arguments, tracer, camera, lights, gobos.images, haze_of(show), progress, *picture);
+        if (!added.ok()) picture = added.error();
+    }
     progress.finish();
     if (interrupted()) return Error{"interrupted: nothing was written", out};
     if (!picture.ok()) return picture.error();
