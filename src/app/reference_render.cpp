@@ -2,14 +2,11 @@
 #include "app/reference_render.h"
 
 #include "app/interrupt.h"
-#include "app/media_player.h"
 #include "app/picture_writer.h"
-#include "app/recordings.h"
+#include "app/show_moment.h"
 #include "bake/light_walk.h"
 #include "bake/reference.h"
-#include "scene/bodies.h"
 #include "scene/bounce_box.h"
-#include "scene/prism.h"
 
 #include "base/log.h"
 #include "base/progress.h"
@@ -24,24 +21,6 @@ namespace {
 
 double steady_now_s() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-// What the rig does at a moment of a recording, stepped as a film is, because wheels and gobos turn.
-Result<void> step_to(scene::Rig& rig, const scene::Show& show, const std::string& replay, double at_s,
-                     int fps, const dmx::CaptureOptions& capture, bool quiet) {
-    const std::filesystem::path file = replay.empty() ? show.recording : std::filesystem::path(replay);
-    if (file.empty()) return Error{"has no recording; name one with --replay FILE", show.file.string()};
-    TRY(dmx::Recording recording, open_recording(file, capture, quiet));
-    const dmx::Player player(std::move(recording));
-    if (at_s > player.duration_s())
-        log_warning("the recording ends at " + std::to_string(player.duration_s()) +
-                    " s; what is drawn is its last look");
-    const double rate = fps;
-    const long last = std::lround(std::max(at_s, 0.0) * rate);
-    for (long frame = 0; frame <= last; ++frame)
-        rig.step(player.at(static_cast<double>(frame) / rate), 1.0 / rate);
-    log_damage(player);
-    return {};
 }
 
 // Bounced light by particles, added to the picture.
@@ -93,9 +72,8 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
             return Error{"errors are cd/m^2 of each pixel: an .exr", arguments.error_out};
     }
     scene::Report report;
-    TRY(scene::Show show, open_show(options.show, false, options.quiet, report));
-    show.motion = options.motion.value_or(show.motion);
-    load_stage(show, report);
+    TRY(const auto moment, ShowMoment::open(options, replay, arguments.capture, report));
+    const scene::Show& show = moment->show();
     TRY(const std::size_t view, show.find_camera(options.view));
     scene::Camera camera = options.eye.value_or(show.cameras[view]);
     if (options.width > 0) {
@@ -107,14 +85,8 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
             scene::Severity::warning, show.file.string(),
             "camera '" + camera.name +
                 "' measures its exposure; the reference is developed at its ev100, or name one with --ev");
-    scene::GoboStack gobos = scene::build_gobos(show, report);
-    scene::check_prisms(show, report);
-    if (!show.media.empty()) MediaPlayer(show, gobos).show(std::max(at_s, 0.0), true, gobos, report);
-    scene::Stage stage = scene::stage_with_bodies(show, report);
+    moment->step_to(at_s, fps, report);
     print_report(report);
-    scene::Rig rig(show);
-    TRY_VOID(step_to(rig, show, replay, at_s, fps, arguments.capture, options.quiet));
-    scene::pose_bodies(show, rig, stage);
 
     catch_interrupts();
     Progress progress("reference", options.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
@@ -133,17 +105,16 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     }
     reference.stop = interrupted;
     reference.progress = [&](double share) { progress.update(share, steady_now_s(), out); };
-    const bake::Tracer tracer(stage);
+    const bake::Tracer tracer(moment->stage());
     const double start_s = steady_now_s();
-    const std::vector<shared::Light> lights =
-        rig.lit(gobos, scene::DistanceMaps{}, scene::Cells::apart).lights;
+    const std::vector<shared::Light> lights = moment->lights();
     Result<image::ImageF> picture = image::ImageF(camera.width, camera.height, 3);
     if (arguments.order <= 0)
-        picture = bake::reference_picture(&tracer, camera, lights, gobos.images, haze_of(show),
+        picture = bake::reference_picture(&tracer, camera, lights, moment->gobos().images, haze_of(show),
                                           show.ambient_lux, reference);
     if (picture.ok() && (arguments.order > 0 || (arguments.order < 0 && arguments.bounces > 0))) {
-        const Result<void> added =
-            add_bounces(arguments, tracer, camera, lights, gobos.images, haze_of(show), progress, *picture);
+        const Result<void> added = add_bounces(arguments, tracer, camera, lights, moment->gobos().images,
+                                               haze_of(show), progress, *picture);
         if (!added.ok()) picture = added.error();
     }
     progress.finish();
