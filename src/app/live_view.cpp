@@ -180,11 +180,17 @@ bool LiveView::follow(const scene::Rig& rig) {
     return g_buffer_->update(model_);
 }
 
-LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool flies) {
-    camera_ = camera;
+shared::Haze LiveView::haze() const {
     shared::Haze haze = haze_of(show_);
     haze.extinction_per_m *= haze_density_;
     haze.scattering_per_m *= haze_density_;
+    return haze;
+}
+
+LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool flies) {
+    camera_ = camera;
+    shared::Haze seen_haze = haze();
+    seen_haze.extinction_per_m -= forward_per_m_;
     const auto fits = [&](const std::unique_ptr<render::GBuffer>& one) {
         return one && one->fragments().width == static_cast<std::uint32_t>(camera.width) &&
                one->fragments().height == static_cast<std::uint32_t>(camera.height);
@@ -199,7 +205,7 @@ LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool
     }
     const render::Pose pose{scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height,
                             flies ? kFlightError_px : 0.0f};
-    const render::Surroundings surroundings{show_.ambient_colour * show_.ambient_lux, haze, work_lux_};
+    const render::Surroundings surroundings{show_.ambient_colour * show_.ambient_lux, seen_haze, work_lux_};
     if (g_buffer_->shows(pose, surroundings)) {
         g_buffer_->update(model_);
         return Seen::where_it_changed;

@@ -287,6 +287,7 @@ void Session::look_from(const scene::Camera& from, bool goes_on) {
             relighter->touch();
         maps_changed_since_parked = false;
         relighter->set_tone(options.tone);
+        if (bounced) relighter->set_room_light(bounced.get());
     }
     for (const auto& one : {relighter.get(), other_light.get()})
         if (one) one->set_keeps_visibility(!flies);
@@ -312,6 +313,7 @@ void Session::use_coarse_light(bool coarse) {
                                             static_cast<int>(lit().lights.size()), settings);
     relighter->set_tone(options.tone);
     relighter->set_keeps_visibility(!flies);
+    if (bounced) relighter->set_room_light(bounced.get());
 }
 
 void Session::drop_parked() {
@@ -325,6 +327,36 @@ void Session::show_media(double time_s) {
     media->show(media_s.value_or(time_s), media_waits, gobos, report);
     print_report(report, before);
     relighter->set_slides(gobos.images.slides);
+}
+
+void Session::set_bounce(scene::BounceDetail level) {
+    if (!live || level == bounce_detail_) return;
+    bounce_detail_ = level;
+    bounce.reset();
+    bounced.reset();
+    if (level != scene::BounceDetail::off)
+        bounce = std::make_unique<BounceLight>(*show, live->solid(), level, lit().lights, gobos.images);
+    relighter->set_room_light(nullptr);
+    if (other_light) other_light->set_room_light(nullptr);
+    if (live->set_forward_per_m(0)) look_from(live->camera(), flies);
+}
+
+void Session::update_bounce(const scene::Lit& lit) {
+    if (!bounce) return;
+    const shared::Haze haze = live->haze();
+    const auto solved = bounce->update(lit.lights, gobos.images, haze, live->camera().position_m,
+                                       !options.maps_in_background);
+    if (const auto failure = bounce->take_failure()) {
+        const std::size_t before = report.messages.size();
+        report.add(scene::Severity::warning, failure->where, failure->what);
+        print_report(report, before);
+    }
+    if (!solved) return;
+    bounced = solved;
+    relighter->set_room_light(bounced.get());
+    if (other_light) other_light->set_room_light(bounced.get());
+    if (live->set_forward_per_m(haze.extinction_per_m - bounced->extinction_per_m))
+        look_from(live->camera(), flies);
 }
 
 render::FrameStatistics Session::draw(double time_s, const std::function<bool()>& stop) {
@@ -348,8 +380,10 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
             spans = live->g_buffer().spans();
         }
     }
+    const scene::Lit shining = lit();
+    update_bounce(shining);
     const double before_ms = 1e3 * (steady_now_s() - start_s);
-    render::FrameStatistics statistics = relighter->draw(lit(), stop);
+    render::FrameStatistics statistics = relighter->draw(shining, stop);
     is_short_ = statistics.is_short;
     statistics.draw_ms += before_ms;
     statistics.spans.insert(statistics.spans.begin(), spans.begin(), spans.end());
@@ -448,6 +482,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options, sce
         pass.radiance = {};
         pass.indirect = {};
     }
+    session->set_bounce(options.bounce);
     return session;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows by rays: every node looks about itself, cosine-weighted from surfels, everywhere from cells, and what
 // its rays cross and meet becomes its links. So each row sums to what the node sees, without any factor.
+#include "bake/bounce_balance.h"
 #include "bake/bounce_nodes.h"
 
 #include "scene/passes_file.h"
@@ -43,12 +44,6 @@ glm::vec3 cosine_about(const glm::vec3& n, float u, float v) {
            n * std::sqrt(std::max(0.0f, 1 - u));
 }
 
-struct Found {              // of one receiver
-    std::uint32_t receiver; // slot
-    std::uint32_t emitter;  // slot
-    float weight, distance_m;
-};
-
 // Sums of what the rays of one node meet; kept by each thread.
 struct Sums {
     struct Sum {
@@ -70,7 +65,7 @@ public:
     bool make(bool is_coarse) {
         const scene::BounceLevel& level = is_coarse ? bounce_.coarse : bounce_.fine;
         const std::size_t count = level.cells.size() + level.surfels.size();
-        std::vector<std::vector<Found>> rows(count);
+        std::vector<std::vector<FoundLink>> rows(count);
         tbb::enumerable_thread_specific<Sums> sums;
         std::atomic<std::size_t> done{0};
         tbb::parallel_for(std::size_t{0}, (count + kBand - 1) / kBand, [&](std::size_t band) {
@@ -81,6 +76,7 @@ public:
             done += kBand;
         });
         if (options_.stop && options_.stop()) return false;
+        make_reciprocal(level, rows);
         scene::BounceRows& out = is_coarse ? bounce_.far : bounce_.near;
         out = {};
         out.start.assign(level.slots() + 1, 0);
@@ -89,7 +85,7 @@ public:
         out.links.reserve(total);
         // Nodes stand in the order of their slots, links of a node in that of its bins.
         for (const auto& row : rows)
-            for (const Found& found : row) {
+            for (const FoundLink& found : row) {
                 ++out.start[found.receiver + 1];
                 out.links.push_back(
                     {found.emitter, scene::to_half(found.weight), scene::to_half(found.distance_m)});
@@ -116,7 +112,7 @@ private:
         return sees(tracer_, centre, place) ? place : centre;
     }
 
-    void row(bool is_coarse, std::size_t node, Sums& sums, std::vector<Found>& found) const {
+    void row(bool is_coarse, std::size_t node, Sums& sums, std::vector<FoundLink>& found) const {
         const scene::BounceLevel& level = is_coarse ? bounce_.coarse : bounce_.fine;
         const bool is_cell = node < level.cells.size();
         const std::size_t surfel = is_cell ? 0 : node - level.cells.size();
@@ -153,7 +149,7 @@ private:
                                                                 : level.surfel_slot(surfel)),
                              slot_of(level, sum.node, bin), sum.weight, sum.weight_m / sum.weight});
         }
-        std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+        std::sort(found.begin(), found.end(), [](const FoundLink& a, const FoundLink& b) {
             return a.receiver != b.receiver ? a.receiver < b.receiver : a.emitter < b.emitter;
         });
     }
