@@ -28,7 +28,8 @@ struct BenchOptions {
     double row_seconds = 20; // of the table scale: rows that would take longer are skipped, by name
     std::string program;     // our own file, for the start-up table
     double soak_seconds =
-        0; // of the tables network and window: an even load for so long, instead of the table
+        0;              // of the tables network and window: an even load for so long, instead of the table
+    bool power = false; // of the table bounce: light by order, against particles, instead of the table
 };
 
 using BenchSink = std::function<void(const BenchRow&)>;
@@ -68,6 +69,8 @@ Result<void> bench_window(const BenchOptions& options, const BenchSink& sink);
 // The window open for so long instead, with a person at work, one row a minute. Error: memory grew, or no
 // packet was seen.
 Result<void> window_soak(const BenchOptions& options, const BenchSink& sink);
+// Bounced light: what it takes, and how near it is to particles.
+Result<void> bench_bounce(const BenchOptions& options, const BenchSink& sink);
 // From nothing to the first picture, and the memory it takes.
 Result<void> bench_start(const BenchOptions& options, const BenchSink& sink);
 

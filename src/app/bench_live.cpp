@@ -6,6 +6,7 @@
 #include "app/interrupt.h"
 #include "app/recordings.h"
 
+#include "base/steady_time.h"
 #include "image/metrics.h"
 #include "scene/camera_moves.h"
 
@@ -73,10 +74,6 @@ private:
     std::optional<dmx::Player> player_;
     long frame_ = 0;
 };
-
-double steady_now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 // As things move, or as they rest.
 void use(Session& session, const Film& film, bool moves) {

@@ -4,6 +4,7 @@
 
 #include "bake/bake_show.h"
 #include "bake/trace_lit.h"
+#include "base/steady_time.h"
 #include "dmx/player.h"
 #include "image/colour.h"
 #include "image/metrics.h"
@@ -23,10 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-double steady_now_s() {
-    return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
-}
 
 // A folder that goes with its owner.
 struct TemporaryFolder {

@@ -10,6 +10,7 @@
 #include "base/log.h"
 #include "base/print.h"
 #include "base/progress.h"
+#include "base/steady_time.h"
 
 #include <algorithm>
 #include <chrono>
@@ -29,10 +30,6 @@ struct BakeArguments {
     bool quiet = false;
     bool json = false;
 };
-
-double steady_now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 double mega_rays(std::uint64_t rays, double seconds) {
     return seconds > 0 ? static_cast<double>(rays) / seconds * 1e-6 : 0.0;

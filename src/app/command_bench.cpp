@@ -39,6 +39,7 @@ constexpr Table kTables[] = {
     {"recording", "Recordings: bytes for an hour of a universe, time to seek", bench_recording},
     {"window", "The window with a desk at 44 Hz", bench_window},
     {"start", "Start-up", bench_start},
+    {"bounce", "Light that bounces", bench_bounce},
 };
 
 struct BenchArguments {
@@ -104,6 +105,8 @@ void add_bench(CLI::App& app, int& exit_code) {
                      "with network or window: an even load for so many seconds, one row a minute, instead of "
                      "the table; an error unless memory stayed flat and, with network, every packet came")
         ->check(number_in(1.0, 86400.0 * 7));
+    command->add_flag("--power", a->options.power,
+                      "with bounce: light by order, solved and by particles, instead of the table");
     command->add_option("--device", a->options.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
     command->add_flag("--json", a->json, "one line of JSON per row");
@@ -114,6 +117,11 @@ void add_bench(CLI::App& app, int& exit_code) {
         if (a->options.soak_seconds > 0 && a->table != "network" && a->table != "window") {
             log_error(
                 "--soak: belongs to the tables network and window: ghostlight bench network --soak 3600");
+            exit_code = 2;
+            return;
+        }
+        if (a->options.power && a->table != "bounce") {
+            log_error("--power: belongs to the table bounce: ghostlight bench bounce --power");
             exit_code = 2;
             return;
         }

@@ -9,6 +9,7 @@
 #include "base/log.h"
 #include "base/print.h"
 #include "base/progress.h"
+#include "base/steady_time.h"
 
 #include <chrono>
 #include <memory>
@@ -28,10 +29,6 @@ struct Options {
     bool summary = false;
     bool all = false;
 };
-
-double steady_now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::vector<Checked> check(const std::vector<std::string>& files, const Options& options) {
     Progress progress("checking", options.quiet ? Progress::Style::silent : Progress::style_for_stderr(),

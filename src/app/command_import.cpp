@@ -8,6 +8,7 @@
 #include "base/log.h"
 #include "base/print.h"
 #include "base/progress.h"
+#include "base/steady_time.h"
 
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -21,10 +22,6 @@ struct Arguments {
     bool json = false;
     bool quiet = false;
 };
-
-double steady_now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 nlohmann::json json_of(const std::vector<scene::MergeEntry>& entries) {
     nlohmann::json list = nlohmann::json::array();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // ghostlight open: the window. A show, live, from anywhere.
+#include "app/bounce_option.h"
 #include "app/commands.h"
 #include "app/doctor_files.h"
 #include "app/engine.h"
@@ -103,6 +104,7 @@ void add_open(CLI::App& app, int& exit_code) {
         ->add_flag("--take-plots", a->engine.takes_plots,
                    "merge them into the show as they come, without asking")
         ->needs(save);
+    add_bounce_option(*command, a->engine.session.bounce);
     add_live_control_options(*command, a->engine.controls);
     add_midi_option(*command, a->input.midi)->needs(add_timecode_option(*command, a->engine.timecode));
     add_input_options(*command, a->input);

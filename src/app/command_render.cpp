@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "app/bounce_option.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/number_option.h"
@@ -45,8 +46,9 @@ Result<bool> check_usage(RenderArguments& arguments) {
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
     arguments.session.shadows = !arguments.no_shadows;
     arguments.session.maps_in_background = arguments.live_input;
-    arguments.session.live =
-        arguments.session.live || !arguments.eye_m.empty() || !arguments.session.travel.empty();
+    arguments.session.live = arguments.session.live || !arguments.eye_m.empty() ||
+                             !arguments.session.travel.empty() ||
+                             arguments.session.bounce != scene::BounceDetail::off;
     if (arguments.eye_m.empty() != arguments.target_m.empty())
         return Error{"a free camera needs both", "--eye/--target"};
     if (!arguments.eye_m.empty()) {
@@ -179,6 +181,7 @@ void add_render(CLI::App& app, int& exit_code) {
                      "share of the light that the camera scatters; 0: neither glare nor shining lenses")
         ->check(number_in(0.0, 1.0))
         ->capture_default_str();
+    CLI::Option* const bounce = add_bounce_option(*command, a->session.bounce);
     command->add_flag("--no-shadows", a->no_shadows, "light passes through everything; with --live");
     CLI::Option* reference =
         command->add_flag("--reference", a->reference.wanted,
@@ -198,6 +201,26 @@ void add_render(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(1, 4096))
         ->needs(reference)
         ->capture_default_str();
+    CLI::Option* const bounces =
+        command
+            ->add_option("--bounces", a->reference.bounces,
+                         "of --reference: light that bounces so often is added, by particles")
+            ->check(CLI::Range(0, 31))
+            ->needs(reference);
+    command
+        ->add_option("--order", a->reference.order,
+                     "of --reference: only the light that bounced so often; 0: direct light")
+        ->check(CLI::Range(0, 31))
+        ->needs(reference);
+    command->add_option("--particles", a->reference.particles_m, "of --bounces and --order: millions")
+        ->check(number_in(0.001, 1e6))
+        ->needs(reference)
+        ->capture_default_str();
+    command
+        ->add_option("--error-out", a->reference.error_out,
+                     "of --bounces: standard deviation of its pixels, an .exr")
+        ->type_name("FILE")
+        ->needs(bounces);
     command
         ->add_option(
             "--motion", a->motion,
@@ -265,6 +288,7 @@ void add_render(CLI::App& app, int& exit_code) {
     for (const char* name :
          {"--beams", "--steps", "--glare", "--device", "--image-memory", "--validation", "--json"})
         reference->excludes(command->get_option(name));
+    reference->excludes(bounce);
     command->footer(
         "Example: ghostlight render assets/demo -o demo.mp4 --from 10 --to 20\n"
         "         ghostlight render assets/demo -o now.mp4 --live-input --seconds 20\n"

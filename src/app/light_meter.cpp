@@ -60,23 +60,27 @@ bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, co
     return surface_on(camera.position_m, scene::way_through(camera, place), tracer);
 }
 
-float lux_at(const bake::Surface& surface, const scene::Lit& lit, const Session& session,
-             const bake::Tracer& tracer) {
-    const scene::LitAir air{haze_of(*session.show),
-                            {session.show->attenuation.constant, session.show->attenuation.linear,
-                             session.show->attenuation.quadratic}};
+float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const scene::Show& show,
+             const scene::GoboStack& gobos, const bake::Tracer* tracer) {
+    const scene::LitAir air{haze_of(show),
+                            {show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic}};
     glm::vec3 sum(0);
-    for (const shared::Light& light : lit.lights) {
+    for (const shared::Light& light : lights) {
         const glm::vec3 arrives =
-            scene::illuminance(light, surface.position, surface.facet_normal, session.gobos.images, air);
+            scene::illuminance(light, surface.position, surface.facet_normal, gobos.images, air);
         if (arrives == glm::vec3(0)) continue;
         float share = 1;
         const bake::Surface* const one = &surface;
         // The light's own shadow begins where its distance map was made.
-        if (session.shadows) tracer.visibility(&one, 1, light.position_m - light.off_map_m, &share);
+        if (tracer) tracer->visibility(&one, 1, light.position_m - light.off_map_m, &share);
         sum += arrives * share;
     }
-    return shared::luminance_of(sum) + even_lux(*session.show);
+    return shared::luminance_of(sum) + even_lux(show);
+}
+
+float lux_at(const bake::Surface& surface, const scene::Lit& lit, const Session& session,
+             const bake::Tracer& tracer) {
+    return lux_at(surface, lit.lights, *session.show, session.gobos, session.shadows ? &tracer : nullptr);
 }
 
 } // namespace ghost::app

@@ -11,6 +11,7 @@
 
 #include <glm/glm.hpp>
 #include <memory>
+#include <span>
 
 namespace ghost::app {
 
@@ -30,10 +31,13 @@ private:
 // cd/m^2 of each pixel, from what Relighter::frame gives; one channel.
 image::ImageF luminance_of(const image::ImageF& frame);
 
-// What an eye sees on its way (a unit vector), or a camera through a point of its picture, (0, 0) its top left
-// corner; instance -1: nothing but air.
+// What an eye sees on its way (a unit vector), or a camera through a point of its picture, (0, 0) its top
+// left corner; instance -1: nothing but air.
 bake::Surface surface_on(const glm::vec3& from_m, const glm::vec3& way, const bake::Tracer& tracer);
 bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, const bake::Tracer& tracer);
+// tracer: null: nothing throws a shadow.
+float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const scene::Show& show,
+             const scene::GoboStack& gobos, const bake::Tracer* tracer);
 float lux_at(const bake::Surface& surface, const scene::Lit& lit, const Session& session,
              const bake::Tracer& tracer);
 

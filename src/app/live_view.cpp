@@ -11,6 +11,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/progress.h"
+#include "base/steady_time.h"
 
 #include <chrono>
 #include <cmath>
@@ -21,10 +22,6 @@ namespace ghost::app {
 namespace {
 
 constexpr float kFlightError_px = 1; // of the stage, which is seen from there for a moment
-
-double steady_now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 // 2 MB a light, and from kManyLights on half a megabyte: shadows get coarser, not fewer. The same where the
 // machine's memory does not hold what the show asks for.
@@ -191,11 +188,17 @@ render::Pose LiveView::pose_of(const scene::Camera& camera, bool flies) const {
             flies ? kFlightError_px : 0.0f};
 }
 
-render::Surroundings LiveView::surroundings() const {
+shared::Haze LiveView::haze() const {
     shared::Haze haze = haze_of(show_);
     haze.extinction_per_m *= haze_density_;
     haze.scattering_per_m *= haze_density_;
-    return {show_.ambient_colour * show_.ambient_lux, haze, work_lux_};
+    return haze;
+}
+
+render::Surroundings LiveView::surroundings() const {
+    shared::Haze seen = haze();
+    seen.extinction_per_m -= forward_per_m_;
+    return {show_.ambient_colour * show_.ambient_lux, seen, work_lux_};
 }
 
 LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool flies) {

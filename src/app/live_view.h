@@ -18,6 +18,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace ghost::app {
@@ -53,6 +54,11 @@ public:
     const scene::Camera& camera() const { return camera_; }
     // Times the show's density, from the next look_from on.
     void set_haze(float density) { haze_density_ = density; }
+    // The show's, times that.
+    shared::Haze haze() const;
+    // Light that haze bends so little that it counts as not weakened (scene/bounce_air.h), from the next
+    // look_from on. False: it was that before.
+    bool set_forward_per_m(float per_m) { return std::exchange(forward_per_m_, per_m) != per_m; }
     // Likewise, render::Surroundings::work_lux.
     void set_work_light(float lux) { work_lux_ = lux; }
     // For the next look_from. The distance maps of the lights that see it are made again in the background.
@@ -106,6 +112,7 @@ private:
     bool parked_is_anew_ = false; // since it was looked from last
     scene::Camera camera_;
     float haze_density_ = 1;
+    float forward_per_m_ = 0;
     float work_lux_ = 0;
     scene::DistanceMaps maps_;
     std::size_t missing_maps_ = 0;

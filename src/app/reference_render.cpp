@@ -2,42 +2,58 @@
 #include "app/reference_render.h"
 
 #include "app/interrupt.h"
-#include "app/media_player.h"
 #include "app/picture_writer.h"
-#include "app/recordings.h"
+#include "app/show_moment.h"
+#include "bake/light_walk.h"
 #include "bake/reference.h"
-#include "scene/bodies.h"
-#include "scene/prism.h"
+#include "scene/bounce_box.h"
 
 #include "base/log.h"
 #include "base/progress.h"
+#include "base/steady_time.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 
 namespace ghost::app {
 namespace {
 
-double steady_now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-// What the rig does at a moment of a recording, stepped as a film is, because wheels and gobos turn.
-Result<void> step_to(scene::Rig& rig, const scene::Show& show, const std::string& replay, double at_s,
-                     int fps, const dmx::CaptureOptions& capture, bool quiet) {
-    const std::filesystem::path file = replay.empty() ? show.recording : std::filesystem::path(replay);
-    if (file.empty()) return Error{"has no recording; name one with --replay FILE", show.file.string()};
-    TRY(dmx::Recording recording, open_recording(file, capture, quiet));
-    const dmx::Player player(std::move(recording));
-    if (at_s > player.duration_s())
-        log_warning("the recording ends at " + std::to_string(player.duration_s()) +
-                    " s; what is drawn is its last look");
-    const double rate = fps;
-    const long last = std::lround(std::max(at_s, 0.0) * rate);
-    for (long frame = 0; frame <= last; ++frame)
-        rig.step(player.at(static_cast<double>(frame) / rate), 1.0 / rate);
-    log_damage(player);
+// Bounced light by particles, added to the picture.
+Result<void> add_bounces(const ReferenceArguments& arguments, const bake::Tracer& tracer,
+                         const scene::Camera& camera, const std::vector<shared::Light>& lights,
+                         const shared::Gobos& gobos, const shared::Haze& haze, Progress& progress,
+                         image::ImageF& picture) {
+    bake::WalkOptions walk;
+    walk.particles = static_cast<std::int64_t>(arguments.particles_m * 1e6);
+    walk.camera = &camera;
+    walk.first_order = std::max(arguments.order, 1);
+    walk.last_order = arguments.order > 0 ? arguments.order : arguments.bounces;
+    const scene::BounceBox room = scene::bounce_box(tracer.stage(), lights);
+    walk.air_low_m = room.low_m;
+    walk.air_high_m = room.high_m;
+    walk.stop = interrupted;
+    walk.progress = [&](double share) { progress.update(share, steady_now_s(), "bounced light"); };
+    TRY(const bake::Walk walked, bake::walk_light(tracer, lights, gobos, haze, walk));
+    double sum = 0, error2 = 0;
+    for (std::size_t i = 0; i < picture.samples.size(); ++i) {
+        picture.samples[i] += walked.picture.samples[i];
+        sum += static_cast<double>(walked.picture.samples[i]);
+        error2 += std::pow(static_cast<double>(walked.error.samples[i]), 2);
+    }
+    if (sum > 0) {
+        const auto count = static_cast<double>(picture.samples.size());
+        char line[160];
+        std::snprintf(line, sizeof line,
+                      "bounced light by %.3g million particles: error of a pixel %.2g %% of the mean, of the "
+                      "mean %.2g %%",
+                      arguments.particles_m, 100 * std::sqrt(error2 / count) / (sum / count),
+                      100 * std::sqrt(error2) / sum);
+        log_info(line);
+    }
+    if (!arguments.error_out.empty())
+        TRY_VOID(write_picture(arguments.error_out, walked.error, camera.ev100, image::Tone::linear));
     return {};
 }
 
@@ -47,10 +63,14 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
                               const std::string& replay, double at_s, int fps, const std::string& out) {
     TRY(const OutputKind kind, output_kind(out));
     if (kind == OutputKind::film) return Error{"a reference is one picture: .png or .exr", out};
+    if (!arguments.error_out.empty()) {
+        TRY(const OutputKind error_kind, output_kind(arguments.error_out));
+        if (error_kind != OutputKind::exr)
+            return Error{"errors are cd/m^2 of each pixel: an .exr", arguments.error_out};
+    }
     scene::Report report;
-    TRY(scene::Show show, open_show(options.show, false, options.quiet, report));
-    show.motion = options.motion.value_or(show.motion);
-    load_stage(show, report);
+    TRY(const auto moment, ShowMoment::open(options, replay, arguments.capture, report));
+    const scene::Show& show = moment->show();
     TRY(const std::size_t view, show.find_camera(options.view));
     scene::Camera camera = options.eye.value_or(show.cameras[view]);
     if (options.width > 0) {
@@ -62,14 +82,8 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
             scene::Severity::warning, show.file.string(),
             "camera '" + camera.name +
                 "' measures its exposure; the reference is developed at its ev100, or name one with --ev");
-    scene::GoboStack gobos = scene::build_gobos(show, report);
-    scene::check_prisms(show, report);
-    if (!show.media.empty()) MediaPlayer(show, gobos).show(std::max(at_s, 0.0), true, gobos, report);
-    scene::Stage stage = scene::stage_with_bodies(show, report);
+    moment->step_to(at_s, fps, report);
     print_report(report);
-    scene::Rig rig(show);
-    TRY_VOID(step_to(rig, show, replay, at_s, fps, arguments.capture, options.quiet));
-    scene::pose_bodies(show, rig, stage);
 
     catch_interrupts();
     Progress progress("reference", options.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
@@ -88,11 +102,18 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     }
     reference.stop = interrupted;
     reference.progress = [&](double share) { progress.update(share, steady_now_s(), out); };
-    const bake::Tracer tracer(stage);
+    const bake::Tracer tracer(moment->stage());
     const double start_s = steady_now_s();
-    const Result<image::ImageF> picture = bake::reference_picture(
-        &tracer, camera, rig.lit(gobos, scene::DistanceMaps{}, scene::Cells::apart).lights, gobos.images,
-        haze_of(show), show.ambient_lux, reference);
+    const std::vector<shared::Light> lights = moment->lights();
+    Result<image::ImageF> picture = image::ImageF(camera.width, camera.height, 3);
+    if (arguments.order <= 0)
+        picture = bake::reference_picture(&tracer, camera, lights, moment->gobos().images, haze_of(show),
+                                          show.ambient_lux, reference);
+    if (picture.ok() && (arguments.order > 0 || (arguments.order < 0 && arguments.bounces > 0))) {
+        const Result<void> added = add_bounces(arguments, tracer, camera, lights, moment->gobos().images,
+                                               haze_of(show), progress, *picture);
+        if (!added.ok()) picture = added.error();
+    }
     progress.finish();
     if (interrupted()) return Error{"interrupted: nothing was written", out};
     if (!picture.ok()) return picture.error();

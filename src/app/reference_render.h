@@ -18,6 +18,10 @@ struct ReferenceArguments {
     int samples = 4096;          // along each camera ray, per light
     int pixel_samples = 4;       // per axis of a pixel
     int lens_samples = 1;        // of the lens that throws the shadows; 1: a point
+    int bounces = 0;             // orders of bounced light beside the direct one (bake/light_walk.h)
+    int order = -1;              // that order alone, 0: direct light; below 0: all of them
+    double particles_m = 20;     // millions, for bounced light
+    std::string error_out;       // .exr: standard deviation of each pixel's bounced light; empty: none
     dmx::CaptureOptions capture; // how replay is read where it is a capture
 };
 

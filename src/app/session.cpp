@@ -14,6 +14,7 @@
 #include "base/check.h"
 #include "base/log.h"
 #include "base/progress.h"
+#include "base/steady_time.h"
 
 #include <algorithm>
 #include <chrono>
@@ -27,10 +28,6 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kSpareToPark = std::uint64_t{256} << 20;
 constexpr float kSamePlace_m = 0.05f;
 constexpr int kMostPixelsAcross = 16384; // what every device of today takes
-
-double steady_now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 Result<void> bake_view(const scene::Show& show, const std::string& view, const fs::path& folder, bool quiet,
                        scene::Report& report) {
@@ -309,6 +306,7 @@ void Session::look_from(const scene::Camera& from, bool goes_on, std::optional<b
         else
             one->touch();
         one->set_keeps_visibility(!flies);
+        if (!stays) one->set_room_light(bounced.get());
     }
     use_coarse_light(is_coarse);
     relighter->set_tone(options.tone);
@@ -327,6 +325,7 @@ void Session::use_coarse_light(bool coarse) {
     }
     relighter->set_tone(options.tone);
     relighter->set_keeps_visibility(!flies);
+    if (bounced) relighter->set_room_light(bounced.get());
 }
 
 void Session::drop_parked() {
@@ -341,6 +340,36 @@ void Session::show_media(double time_s) {
     media->show(media_s.value_or(time_s), media_waits, gobos, report);
     print_report(report, before);
     relighter->set_slides(gobos.images.slides);
+}
+
+void Session::set_bounce(scene::BounceDetail level) {
+    if (!live || level == bounce_detail_) return;
+    bounce_detail_ = level;
+    bounce.reset();
+    bounced.reset();
+    if (level != scene::BounceDetail::off)
+        bounce = std::make_unique<BounceLight>(*show, live->solid(), level, lit().lights, gobos.images);
+    relighter->set_room_light(nullptr);
+    if (other_light) other_light->set_room_light(nullptr);
+    if (live->set_forward_per_m(0)) look_from(live->camera(), flies);
+}
+
+void Session::update_bounce(const scene::Lit& lit) {
+    if (!bounce) return;
+    const shared::Haze haze = live->haze();
+    const auto solved = bounce->update(lit.lights, gobos.images, haze, live->camera().position_m,
+                                       !options.maps_in_background);
+    if (const auto failure = bounce->take_failure()) {
+        const std::size_t before = report.messages.size();
+        report.add(scene::Severity::warning, failure->where, failure->what);
+        print_report(report, before);
+    }
+    if (!solved) return;
+    bounced = solved;
+    relighter->set_room_light(bounced.get());
+    if (other_light) other_light->set_room_light(bounced.get());
+    if (live->set_forward_per_m(haze.extinction_per_m - bounced->extinction_per_m))
+        look_from(live->camera(), flies);
 }
 
 render::FrameStatistics Session::draw(double time_s, const std::function<bool()>& stop) {
@@ -364,8 +393,10 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
             spans = live->g_buffer().spans();
         }
     }
+    const scene::Lit shining = lit();
+    update_bounce(shining);
     const double before_ms = 1e3 * (steady_now_s() - start_s);
-    render::FrameStatistics statistics = relighter->draw(lit(), stop);
+    render::FrameStatistics statistics = relighter->draw(shining, stop);
     is_short_ = statistics.is_short;
     statistics.draw_ms += before_ms;
     statistics.spans.insert(statistics.spans.begin(), spans.begin(), spans.end());
@@ -464,6 +495,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options, sce
         pass.radiance = {};
         pass.indirect = {};
     }
+    session->set_bounce(options.bounce);
     return session;
 }
 

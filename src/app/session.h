@@ -3,6 +3,7 @@
 // Session: a show opened for drawing: fixtures, passes of one camera (baked where they are missing or older
 // than what they show), device and relighter. What render, bench and the window share. Main thread.
 
+#include "app/bounce_light.h"
 #include "app/live_view.h"
 #include "app/media_player.h"
 #include "gpu/device.h"
@@ -47,6 +48,8 @@ struct SessionOptions {
     bool maps_in_background = false;  // live only: LiveOptions
     bool keep_hidden = false;         // live only: LiveOptions
     bool parks = false;               // live only: Session::look_from
+    // live only
+    scene::BounceDetail bounce = scene::BounceDetail::off;
     float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
     std::uint64_t memory_limit_bytes = 0; // of the device, see gpu::DeviceOptions
@@ -71,7 +74,9 @@ struct Session {
     std::optional<double> media_s;
     bool media_waits = false;
     std::unique_ptr<gpu::Device> device;
-    std::unique_ptr<LiveView> live; // or null: passes
+    std::unique_ptr<LiveView> live;                      // or null: passes
+    std::unique_ptr<BounceLight> bounce;                 // reads live; null: no light bounces
+    std::shared_ptr<const scene::BounceVolumes> bounced; // as the relighter has it, or null
     std::unique_ptr<render::Relighter> relighter;
     // Of the same picture: with light at half its size where relighter has it at all of it, or the other way.
     std::unique_ptr<render::Relighter> other_light;
@@ -101,6 +106,10 @@ struct Session {
     // there.
     bool prepare(const scene::Camera& from, const std::function<bool()>& stop);
     void drop_parked();
+    // Live: light bounces from the next frame on, or no more. Links are made in the background, or draw waits
+    // for them, as SessionOptions::maps_in_background says.
+    void set_bounce(scene::BounceDetail level);
+    scene::BounceDetail bounce_detail() const { return bounce_detail_; }
     // Live: from the next frame on light is drawn at half the size of the picture (render/coarse_light.h), or
     // at all of it. Of either what is kept stays, where there is memory.
     void use_coarse_light(bool coarse);
@@ -108,6 +117,8 @@ struct Session {
 private:
     bool parks(const scene::Camera& from) const;
     std::unique_ptr<render::Relighter> make_relighter(const scene::Camera& from, bool coarse) const;
+    void update_bounce(const scene::Lit& lit);
+    scene::BounceDetail bounce_detail_ = scene::BounceDetail::off;
     bool is_short_ = false; // render/light_budget.h, of the last picture
     int behind_ = 0;        // pictures since heads turned
 };

@@ -196,6 +196,27 @@ Surface Tracer::first_hit(const glm::vec3& origin, const glm::vec3& direction, f
     return surface_at(hit, direction);
 }
 
+Tracer::Meeting Tracer::meet(const glm::vec3& origin, const glm::vec3& direction, float reach_m) const {
+    RayContext context;
+    embree::begin(context.base);
+    context.blend = -1.0f;
+    RTCRayHit hit{};
+    hit.ray = {origin.x,    origin.y, origin.z, 0.0f,       direction.x, direction.y,
+               direction.z, 0.0f,     reach_m,  kStageMask, 0,           0};
+    hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+    embree::intersect1(top_, context.base, hit);
+    if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {reach_m, glm::vec3(0), -1};
+    Meeting meeting;
+    meeting.distance_m = hit.ray.tfar;
+    meeting.instance = static_cast<int>(hit.hit.instID[0]);
+    meeting.normal = unit_or(normal_matrices_[static_cast<std::size_t>(meeting.instance)] *
+                                 glm::vec3(hit.hit.Ng_x, hit.hit.Ng_y, hit.hit.Ng_z),
+                             -direction);
+    if (glm::dot(meeting.normal, direction) > 0.0f) meeting.normal = -meeting.normal;
+    return meeting;
+}
+
 Surface Tracer::surface_at(const RTCRayHit& hit, const glm::vec3& direction) const {
     Surface s;
     s.instance = static_cast<int>(hit.hit.instID[0]);

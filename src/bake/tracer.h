@@ -58,6 +58,15 @@ public:
     // surfaces; sequences of it over the samples of a pixel give each surface its share.
     Surface first_hit(const glm::vec3& origin, const glm::vec3& direction, float blend, Sees sees) const;
 
+    // The same without its material and without fixture bodies: how far, and the normal of the facet towards
+    // the origin. Nothing within reach_m: instance -1. What is half opaque is there.
+    struct Meeting {
+        float distance_m = 0;
+        glm::vec3 normal{0};
+        int instance = -1;
+    };
+    Meeting meet(const glm::vec3& origin, const glm::vec3& direction, float reach_m) const;
+
     // Share of light that passes from each surface (its shadow_origin) to the point, for count <= 8 surfaces.
     void visibility(const Surface* const* surfaces, int count, const glm::vec3& point, float* shares) const;
 

@@ -175,6 +175,17 @@ void Relighter::set_air(const shared::Air& air) {
     draw_anew();
 }
 
+void Relighter::set_room_light(const scene::BounceVolumes* volumes) {
+    if (!g_buffer_ || (!volumes && !room_light_)) return;
+    if (!volumes)
+        room_light_.reset();
+    else {
+        if (!room_light_) room_light_ = std::make_unique<RoomLight>(device_);
+        room_light_->set(*volumes);
+    }
+    tree_.invalidate_frame(); // kept images know nothing of it
+}
+
 void Relighter::set_exposure(float ev100, bool automatic) {
     if (ev100 == settings_.ev100 && automatic == settings_.auto_exposure) return;
     settings_.ev100 = ev100;
@@ -464,6 +475,7 @@ int Relighter::patch(const ImageSum& sum) {
 void Relighter::develop(const scene::Lit& lit) {
     const Fragments& f = seen();
     if (coarse_) coarse_->spread(commands_, frame_);
+    if (room_light_) room_light_->record(commands_, *g_buffer_, settings_.illuminance, frame_);
     // Illuminance is what falls on a surface.
     if (!lit.walls.empty() && !settings_.illuminance) {
         commands_.begin_span("walls");
@@ -537,9 +549,10 @@ std::uint64_t Relighter::memory_bytes() const {
 }
 
 std::uint64_t Relighter::picture_bytes() const {
-    std::uint64_t sum = lens_.memory_bytes() + glare_.memory_bytes() + (wide_ ? wide_->memory_bytes() : 0) +
-                        (visibility_ ? visibility_->memory_bytes() : 0) +
-                        (mender_ ? mender_->memory_bytes() : 0) + (coarse_ ? coarse_->memory_bytes() : 0);
+    std::uint64_t sum =
+        lens_.memory_bytes() + glare_.memory_bytes() + (wide_ ? wide_->memory_bytes() : 0) +
+        (visibility_ ? visibility_->memory_bytes() : 0) + (mender_ ? mender_->memory_bytes() : 0) +
+        (room_light_ ? room_light_->memory_bytes() : 0) + (coarse_ ? coarse_->memory_bytes() : 0);
     for (const gpu::Buffer* buffer : {&masks_, &lists_, &pixels_}) sum += buffer->bytes();
     for (const gpu::Texture* texture : {&frame_, &kept_, &drawn_, &haze_sources_, &picture_})
         sum += texture->bytes();

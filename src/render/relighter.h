@@ -23,6 +23,7 @@
 #include "render/light_units.h"
 #include "render/mender.h"
 #include "render/pass_images.h"
+#include "render/room_light.h"
 #include "render/visibility.h"
 #include "scene/lit.h"
 #include "scene/passes.h"
@@ -122,6 +123,8 @@ public:
     // The moving pictures now, as many and as large as those of the gobos that this was made with. Lights
     // that show another one have another Slide::moment.
     void set_slides(const std::vector<shared::SlidePicture>& slides);
+    // Bounced light of a free camera, from the next frame on; null: none. Its glow is of an eye.
+    void set_room_light(const scene::BounceVolumes* volumes);
     // The haze moved. Cheap where it is even.
     void set_air(const shared::Air& air);
 
@@ -205,8 +208,9 @@ private:
     std::uint32_t wide_step_ = 1;
     bool uses_grid_ = false;
     bool wide_prepared_ = false;
-    bool saw_ = true;                // glare_ has made what is seen of the frame
-    bool silhouettes_known_ = false; // haze_sources_ are those of the picture
+    bool saw_ = true;                       // glare_ has made what is seen of the frame
+    bool silhouettes_known_ = false;        // haze_sources_ are those of the picture
+    std::unique_ptr<RoomLight> room_light_; // null: none
     LedWallPass led_walls_;
     LensPass lens_;
     GlarePass glare_;
