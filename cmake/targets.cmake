@@ -4,7 +4,8 @@
 function(ghost_options target)
     target_compile_options(${target} PRIVATE -Wall -Wextra -Wconversion -Wshadow -Wnon-virtual-dtor
         -Wno-missing-field-initializers -Werror)
-    target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR}/src ${CMAKE_SOURCE_DIR}/shaders)
+    target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>
+        $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/shaders> $<INSTALL_INTERFACE:include/ghostlight>)
     if(GHOST_FUZZ) # without counters in the libraries the fuzzer is blind to them
         target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
     endif()

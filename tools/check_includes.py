@@ -45,6 +45,8 @@ PLATFORM_FILES = {
     "src/base/user_file.cpp": "put into place without replacing",
     "src/base/helper_process.cpp": "another process, a pair of sockets to it, its limits",
     "src/base/disk_sync.cpp": "fdatasync, flock",
+    "src/base/child.cpp": "other programs",
+    "src/base/user_cache.cpp": "may this user write there",
     "src/base/memory.cpp": "mallopt",
     "src/base/progress.cpp": "is standard error a terminal",
     "src/dmx/socket_linux.cpp": "sockets",

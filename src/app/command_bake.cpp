@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/commands.h"
+#include "app/farm.h"
 #include "app/interrupt.h"
 #include "app/passes_sources.h"
 #include "app/session.h"
@@ -14,8 +15,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +31,10 @@ struct BakeArguments {
     std::vector<std::string> views;
     int spp = 16;
     int bounces = 0;
+    int threads = 0;
+    FarmOptions farm;
+    std::string lights;
+    bool surroundings = false;
     bool quiet = false;
     bool json = false;
 };
@@ -68,6 +76,38 @@ void print_table(const bake::BakeStats& stats) {
     print_text("\n");
 }
 
+// For each camera its surroundings, then its lights by as many as are traced together. Nothing: all is there.
+Result<std::optional<int>> run_on_farm(const BakeArguments& arguments, const scene::Show& show,
+                                       const bake::BakeOptions& options) {
+    namespace fs = std::filesystem;
+    scene::Report report; // the tasks say the same
+    TRY(const std::vector<bake::CameraWork> works, bake::plan_bake(show, options, report));
+    std::error_code code;
+    FarmPlan plan;
+    TRY(plan.build, farm_build());
+    plan.from = fs::current_path(code);
+    plan.show = fs::absolute(arguments.show, code);
+    plan.inputs = farm_inputs(show, {});
+    plan.words = words_without({{"--view", 1}, {"--json", 0}, {"--quiet", 0}});
+    plan.words.push_back("--quiet");
+    // All of a camera, done or not: the same command is the same plan, however far it is.
+    for (const bake::CameraWork& work : works) {
+        const auto add = [&](const std::string& what, int stage, std::vector<std::string> words) {
+            words.insert(words.begin(), {"--view", work.camera});
+            plan.tasks.push_back({what + " of " + work.camera, stage, std::move(words)});
+        };
+        add("surroundings", 0, {"--surroundings"});
+        for (std::size_t first = 0; first < work.lights; first += bake::kBatch) {
+            const std::string range =
+                std::to_string(first) + "-" + std::to_string(std::min(first + bake::kBatch, work.lights) - 1);
+            add("lights " + range, 1, {"--lights", range});
+        }
+    }
+    if (std::all_of(works.begin(), works.end(), [](const auto& work) { return work.is_done; }))
+        return std::optional<int>();
+    return std::optional(start_farm(std::move(plan), show, arguments.farm, arguments.quiet));
+}
+
 int run_bake(const BakeArguments& arguments) {
     if (arguments.quiet) set_log_level(LogLevel::warning);
     scene::Report report;
@@ -91,6 +131,28 @@ int run_bake(const BakeArguments& arguments) {
     options.views = arguments.views;
     options.spp = arguments.spp;
     options.bounces = arguments.bounces;
+    options.threads = arguments.threads;
+    if (arguments.surroundings) options.part.emplace();
+    if (!arguments.lights.empty()) {
+        std::size_t first = 0, last = 0;
+        char end = 0;
+        if (std::sscanf(arguments.lights.c_str(), "%4zu-%4zu%c", &first, &last, &end) != 2 || last < first) {
+            log_error("--lights: '" + arguments.lights +
+                      "' is not FIRST-LAST, two numbers of lights from 0 on");
+            return 2;
+        }
+        options.part = bake::BakePart{std::pair(first, last)};
+    }
+    if (!arguments.farm.engine.empty()) {
+        if (options.part) {
+            log_error("--farm: a part is what a farm's task does");
+            return 2;
+        }
+        const auto done = run_on_farm(arguments, *show, options);
+        if (!done.ok()) log_error(done.error().text());
+        if (!done.ok()) return 1;
+        if (*done) return **done;
+    }
     options.stop = interrupted;
     options.now_s = steady_now_s;
     options.progress = [&](double share, const std::string& note) {
@@ -104,7 +166,7 @@ int run_bake(const BakeArguments& arguments) {
         return 1;
     }
     // So that renders and windows need not ask the bake again.
-    if (!stats->interrupted && !report.lost_anything()) {
+    if (!stats->interrupted && !report.lost_anything() && !options.part) {
         const std::string sources = passes_fingerprint(*show);
         for (const scene::Camera& camera : show->cameras) {
             const bool is_meant = arguments.views.empty() ||
@@ -144,6 +206,18 @@ void add_bake(CLI::App& app, int& exit_code) {
                      "bounces of indirect light, kept in pictures of their own")
         ->check(CLI::Range(0, bake::kMaxBounces))
         ->capture_default_str();
+    command->add_option("--threads", arguments->threads, "processor threads (0: one per core)")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
+    CLI::Option* const surroundings =
+        command->add_flag("--surroundings", arguments->surroundings,
+                          "a part: what a camera's pictures share; a bake afterwards finds it");
+    command
+        ->add_option("--lights", arguments->lights,
+                     "a part: these of a camera's lights, whose surroundings are there; the first is 0")
+        ->type_name("FIRST-LAST")
+        ->excludes(surroundings);
+    add_farm_options(*command, arguments->farm);
     command->add_flag("--quiet", arguments->quiet, "print warnings and errors only");
     command->add_flag("--json", arguments->json, "print the figures as JSON");
     command->footer("Example: ghostlight bake assets/demo --view house");

@@ -7,11 +7,13 @@
 #include "app/render_film.h"
 #include "app/tone_option.h"
 
+#include "bake/bake_show.h"
 #include "base/log.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -98,23 +100,43 @@ Result<bool> check_usage(RenderArguments& arguments) {
     if (!arguments.session.travel.empty() && arguments.session.travel == arguments.session.view)
         return Error{"the camera is there already", "--travel"};
     TRY(const OutputKind kind, output_kind(arguments.out));
+    if (!arguments.frames.empty()) {
+        char end = 0;
+        if (std::sscanf(arguments.frames.c_str(), "%9ld-%9ld%c", &arguments.first_frame,
+                        &arguments.last_frame, &end) != 2 ||
+            arguments.first_frame < 0 || arguments.last_frame < arguments.first_frame)
+            return Error{"'" + arguments.frames + "' is not FIRST-LAST, two numbers of frames", "--frames"};
+        if (!film || arguments.live_input || kind == OutputKind::film || arguments.hold_fps > 0)
+            return Error{"pictures of a film of a recording: --from, --to and -o NAME.png or .exr",
+                         "--frames"};
+    }
     if (arguments.reference.wanted && (film || kind == OutputKind::film || !arguments.session.travel.empty()))
         return Error{"a reference is one picture: .png or .exr, with --at", "--reference"};
     if (kind == OutputKind::film && !film)
         return Error{"a film needs a range: --from and --to in seconds, or --live-input", arguments.out};
+    if (!arguments.farm.engine.empty() && (!film || arguments.live_input || arguments.to_s < 0 ||
+                                           arguments.hold_fps > 0 || !arguments.frames.empty()))
+        return Error{
+            "a farm draws a film of a recording whose end is given, in full quality: --from and --to",
+            "--farm"};
     if (arguments.to_s >= 0 && arguments.to_s <= std::max(arguments.from_s, 0.0))
         return Error{"the range is empty: --to must be later than --from", "--from/--to"};
     return film;
 }
 
-Result<void> run(RenderArguments& arguments, bool film) {
-    // What would only come out after a bake of minutes.
+// What would only come out after a bake of minutes.
+Result<void> check_output(const RenderArguments& arguments) {
     std::error_code code;
     const std::filesystem::path folder = std::filesystem::path(arguments.out).parent_path();
     if (!folder.empty() && !std::filesystem::is_directory(folder, code))
         return Error{"no such folder", folder.string()};
     if (std::filesystem::is_directory(arguments.out, code))
         return Error{"is a folder, expected the name of a picture or film", arguments.out};
+    return {};
+}
+
+Result<void> run(RenderArguments& arguments, bool film) {
+    TRY_VOID(check_output(arguments));
     if (!arguments.replay.empty())
         TRY_VOID(check_recording(arguments.replay, capture_options(arguments.input)));
     arguments.reference.capture = capture_options(arguments.input);
@@ -126,6 +148,7 @@ Result<void> run(RenderArguments& arguments, bool film) {
         PictureWriter::create(arguments.out, session->relighter->width() / arguments.session.supersample,
                               session->relighter->height() / arguments.session.supersample, arguments.fps,
                               film, arguments.session.supersample));
+    if (arguments.first_frame >= 0) writer->number_from(static_cast<int>(arguments.first_frame));
     Tally tally;
     TRY_VOID(arguments.live_input ? render_live(arguments, *session, *writer, tally)
                                   : render_recording(arguments, *session, *writer, tally));
@@ -139,6 +162,45 @@ Result<void> run(RenderArguments& arguments, bool film) {
         return Error{"drawn, but something that the show asks for is missing (see above)",
                      session->show->file.string()};
     return {};
+}
+
+// Cut at the frames at which nothing is kept. Before all others one frame is drawn, which bakes or makes
+// maps.
+Result<int> run_on_farm(const RenderArguments& arguments) {
+    TRY_VOID(check_output(arguments));
+    scene::Report report;
+    TRY(const scene::Show show, open_show(arguments.session.show, false, arguments.session.quiet, report));
+    TRY_VOID(show.find_camera(arguments.session.view));
+    namespace fs = std::filesystem;
+    std::error_code code;
+    FarmPlan plan;
+    TRY(plan.build, farm_build());
+    plan.from = fs::current_path(code);
+    plan.show = fs::absolute(arguments.session.show, code);
+    plan.out = fs::absolute(arguments.out, code);
+    plan.fps = arguments.fps;
+    const fs::path recording = arguments.replay.empty() ? show.recording : fs::path(arguments.replay);
+    if (arguments.session.plays_recording && recording.empty())
+        return Error{"has no recording; name one with --replay FILE", show.file.string()};
+    if (!recording.empty() && !fs::exists(recording, code)) return Error{"no such file", recording.string()};
+    for (const fs::path& file : {recording, fs::path(arguments.session.looks_file)})
+        if (!file.empty()) plan.also.push_back(fs::absolute(file, code));
+    plan.inputs = farm_inputs(show, plan.also);
+    plan.words = words_without({{"-o", 1}, {"--out", 1}, {"--json", 0}, {"--quiet", 0}});
+    plan.words.push_back("--quiet");
+    const auto [first, last] = film_frames(arguments.from_s, arguments.to_s, arguments.fps);
+    if (last < first) return Error{"the range is empty: --to must be later than --from", "--from/--to"};
+    const auto words = [](long from, long to) {
+        return std::vector<std::string>{"--frames", std::to_string(from) + "-" + std::to_string(to)};
+    };
+    plan.tasks.push_back({"the first frame, with what all need", 0, words(first, first)});
+    for (long from = first; from <= last;) {
+        const long to = std::min((from / kBlockFrames + 1) * kBlockFrames - 1, last);
+        plan.tasks.push_back(
+            {"frames " + std::to_string(from) + " to " + std::to_string(to), 1, words(from, to), from, to});
+        from = to + 1;
+    }
+    return start_farm(std::move(plan), show, arguments.farm, arguments.session.quiet);
 }
 
 } // namespace
@@ -235,6 +297,16 @@ void add_render(CLI::App& app, int& exit_code) {
         ->check(number_in(0.0, kLongest_s))
         ->excludes("--at");
     command->add_option("--fps", a->fps, "frames a second")->check(CLI::Range(1, 240))->capture_default_str();
+    command
+        ->add_option(
+            "--frames", a->frames,
+            "only these pictures of the film, numbered as they are from second 0 on; drawn in parts that "
+            "begin at multiples of " +
+                std::to_string(kBlockFrames) + " it has the bytes of the whole")
+        ->type_name("FIRST-LAST");
+    command->add_option("--threads", a->threads, "processor threads (0: one per core)")
+        ->check(CLI::Range(0, 1024))
+        ->capture_default_str();
     command->add_flag("--live-input", a->live_input, "draw what a desk sends now, by sACN or Art-Net")
         ->excludes("--at");
     CLI::Option* look =
@@ -278,6 +350,7 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_option("--image-memory", a->image_memory_mb, "megabytes for kept images of resting lights")
         ->check(CLI::Range(0, 65536))
         ->capture_default_str();
+    add_farm_options(*command, a->farm);
     command->add_flag("--validation", a->session.validation, "check our use of Vulkan");
     command->add_flag("--quiet", a->session.quiet, "print warnings and errors only");
     command->add_flag("--json", a->json, "print the figures as JSON");
@@ -301,6 +374,16 @@ void add_render(CLI::App& app, int& exit_code) {
         if (!film.ok()) {
             log_error(film.error().text());
             exit_code = 2;
+            return;
+        }
+        if (a->threads > 0) { // for lavapipe, too
+            bake::limit_threads(a->threads);
+            ::setenv("LP_NUM_THREADS", std::to_string(a->threads).c_str(), 1);
+        }
+        if (!a->farm.engine.empty()) {
+            const Result<int> done = run_on_farm(*a);
+            if (!done.ok()) log_error(done.error().text());
+            exit_code = done.ok() ? *done : 1;
             return;
         }
         const Result<void> done = run(*a, *film);

@@ -14,6 +14,7 @@ void add_check(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
 void add_export(CLI::App& app, int& exit_code);
+void add_farm(CLI::App& app, int& exit_code);
 void add_import(CLI::App& app, int& exit_code);
 void add_measure(CLI::App& app, int& exit_code);
 void add_monitor(CLI::App& app, int& exit_code);

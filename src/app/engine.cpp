@@ -233,7 +233,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
 void Engine::clean() {
     const scene::Show& show = *session_->show;
     const std::size_t count = remove_leftovers(show.folder, show.folder, Below::left_alone) +
-                              remove_leftovers(show.cache_folder(), show.folder, Below::included);
+                              remove_leftovers(show.cache_folder(), show.cache_home(), Below::included);
     if (count > 0)
         log_info("removed " + std::to_string(count) + " unfinished files of programs that were killed in " +
                  show.folder.string());

@@ -106,8 +106,8 @@ void LiveView::begin_changed_maps() {
         namespace fs = std::filesystem;
         const fs::path from = scene::distance_folder(show_, maps_.size);
         const fs::path to = scene::distance_folder(changed_show_, maps_.size);
-        const auto maps = OwnFolder::open(from, show_.folder);
-        if (maps.ok() && make_folders(to, show_.folder).ok())
+        const auto maps = OwnFolder::open(from, show_.cache_home());
+        if (maps.ok() && make_folders(to, show_.cache_home()).ok())
             for (const OwnFolder::File& map : maps->entries().files) {
                 std::error_code code;
                 fs::remove(to / map.name, code); // a link would be written through

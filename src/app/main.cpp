@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
     ghost::app::add_compare(app, exit_code);
     ghost::app::add_explain(app, exit_code);
     ghost::app::add_export(app, exit_code);
+    ghost::app::add_farm(app, exit_code);
     ghost::app::add_import(app, exit_code);
     ghost::app::add_measure(app, exit_code);
     ghost::app::add_monitor(app, exit_code);

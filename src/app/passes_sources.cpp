@@ -70,7 +70,7 @@ std::string passes_fingerprint(const scene::Show& show) {
 Result<void> remember_sources(const scene::Show& show, const std::string& camera,
                               const std::string& fingerprint) {
     const fs::path file = file_beside(show, camera);
-    TRY_VOID(make_folders(file.parent_path(), show.folder));
+    TRY_VOID(make_folders(file.parent_path(), show.cache_home()));
     return write_file_atomic(file, fingerprint);
 }
 

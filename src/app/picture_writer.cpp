@@ -116,7 +116,7 @@ std::filesystem::path PictureWriter::numbered_path(int number) const {
 
 std::string PictureWriter::written() const {
     const std::string first = first_path().string();
-    if (!numbered_ || kind_ == OutputKind::film || count_ <= 1) return first;
+    if (!numbered_ || kind_ == OutputKind::film || count_ - first_ <= 1) return first;
     return first + " to " + numbered_path(count_ - 1).filename().string();
 }
 

@@ -30,13 +30,15 @@ public:
                                                          int supersample = 1);
     // caption: burnt into the picture, but not into EXR.
     Result<void> add(const render::Relighter& relighter, const std::string& caption = {});
+    // The number of the next picture, instead of one more than that of the last.
+    void number_from(int number) { first_ = count_ = number; }
     // The last picture again, so often.
     Result<void> repeat(long times);
     Result<void> finish();
     // The files that were written: "a.png", "a-00000.png to a-00019.png".
     std::string written() const;
     // The first of them.
-    std::filesystem::path first_path() const { return numbered_path(0); }
+    std::filesystem::path first_path() const { return numbered_path(first_); }
 
 private:
     PictureWriter() = default;
@@ -48,7 +50,7 @@ private:
     bool numbered_ = false;
     int supersample_ = 1;
     int width_ = 0, height_ = 0;
-    int count_ = 0;
+    int first_ = 0, count_ = 0; // numbers
     std::unique_ptr<video::FilmWriter> film_;
     image::Image8 last_frame_;        // of a film
     std::filesystem::path last_path_; // of a picture

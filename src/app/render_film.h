@@ -3,6 +3,7 @@
 // What the command render does once a show is open: pictures of a recording, or of what a desk sends now.
 // Film time is seconds from its first frame. Errors: what cannot be read or written. Main thread.
 
+#include "app/farm.h"
 #include "app/input_options.h"
 #include "app/live_controls.h"
 #include "app/picture_writer.h"
@@ -17,12 +18,24 @@
 
 namespace ghost::app {
 
+// What is kept of resting lights is forgotten at frames that this divides, so that a film that is drawn in
+// parts, which begin at such frames, has the bytes of the whole.
+inline constexpr long kBlockFrames = 240;
+
+// First and last frame of the range, which is given in seconds.
+std::pair<long, long> film_frames(double from_s, double to_s, int fps);
+
 struct RenderArguments {
     SessionOptions session;
     InputOptions input;
     LiveControlOptions controls;
     std::string out;
     std::string size;
+    std::string frames;    // "240-479": only these of a film, which numbers them; "": all
+    long first_frame = -1; // of them
+    long last_frame = -1;
+    int threads = 0; // 0: one per core
+    FarmOptions farm;
     std::string beams = "gate";
     std::string replay;
     std::string timecode; // live: the recording by time code instead of a desk

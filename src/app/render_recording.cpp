@@ -38,6 +38,10 @@ scene::Camera coarser(scene::Camera camera, double share) {
 
 } // namespace
 
+std::pair<long, long> film_frames(double from_s, double to_s, int fps) {
+    return {std::lround(std::max(from_s, 0.0) * fps), std::lround(to_s * fps) - 1};
+}
+
 Result<void> render_recording(const RenderArguments& arguments, Session& session, PictureWriter& writer,
                               Tally& tally) {
     const std::filesystem::path file =
@@ -54,9 +58,16 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
     const double fps = arguments.fps;
     const bool still = arguments.from_s < 0 && arguments.to_s < 0;
     const double at_s = arguments.at_s >= 0 ? arguments.at_s : 0.0;
-    const auto first = static_cast<long>(std::lround((still ? at_s : std::max(arguments.from_s, 0.0)) * fps));
-    const long last = still ? first : std::lround((arguments.to_s >= 0 ? arguments.to_s : end_s) * fps) - 1;
+    auto [first, last] =
+        film_frames(arguments.from_s, arguments.to_s >= 0 ? arguments.to_s : end_s, arguments.fps);
+    if (still) first = last = std::lround(at_s * fps);
     if (last < first) return Error{"the range is empty: --to must be later than --from", "--from/--to"};
+    const bool is_part = arguments.first_frame >= 0;
+    const long draws_from = is_part ? arguments.first_frame : first;
+    const long draws_to = is_part ? arguments.last_frame : last;
+    if (draws_from < first || draws_to > last)
+        return Error{"the film has the frames " + std::to_string(first) + " to " + std::to_string(last),
+                     "--frames"};
 
     if (player && static_cast<double>(first) / fps > end_s)
         log_warning("the recording ends at " + std::to_string(end_s) + " s; what is drawn is its last look");
@@ -74,11 +85,12 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
         pace.emplace(session.show->fixtures.size());
         session.relighter->set_quality({.grid = true});
     }
-    for (long frame = begin_at(first, fps); frame <= last; ++frame) {
+    for (long frame = begin_at(first, fps); frame <= draws_to; ++frame) {
         if (interrupted()) break;
         session.rig->step(player ? player->at(static_cast<double>(frame) / fps) : dmx::Universes{}, 1.0 / fps,
                           session.manual);
-        if (frame < first) continue;
+        if (frame < draws_from) continue;
+        if (!pace && frame % kBlockFrames == 0) session.relighter->forget();
         scene::Camera camera = start;
         if (session.travel_to)
             camera = camera_between(start, *session.travel_to,
@@ -99,7 +111,8 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
         if (pace && !is_resized && frame > first) pace->add(1e3 * (now_s() - begin_s), arguments.hold_fps);
         ++tally.sizes[{session.relighter->width(), session.relighter->height()}];
         TRY_VOID(writer.add(*session.relighter));
-        progress.update(static_cast<double>(frame - first + 1) / static_cast<double>(last - first + 1),
+        progress.update(static_cast<double>(frame - draws_from + 1) /
+                            static_cast<double>(draws_to - draws_from + 1),
                         now_s(), arguments.out);
     }
     progress.finish();

@@ -13,16 +13,25 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ghost::bake {
+
+// What a task of a farm bakes of its one camera: pictures only, never the manifest. A bake afterwards finds
+// them, and writes it.
+struct BakePart {
+    std::optional<std::pair<std::size_t, std::size_t>> lights; // first and last; none: the surroundings
+};
 
 struct BakeOptions {
     std::vector<std::string> views; // names of cameras; empty: all
     int spp = 16;                   // samples per pixel, 1..1024
     int bounces = 0;                // 0..16
     int threads = 0;                // 0: one per core
+    std::optional<BakePart> part;   // of a single camera in views; else all
     std::function<bool()> stop;     // asked from any thread; true: keep what is finished and return
     std::function<double()> now_s;  // clock of the figures; none: they stay 0
     // Share of the work done and what is being done; never two calls at once.
@@ -51,5 +60,21 @@ struct BakeStats {
 // Errors: an unknown camera, a file that cannot be written. What was lost on the way (a fixture without a
 // type) is in report.
 Result<BakeStats> bake_show(const scene::Show& show, const BakeOptions& options, scene::Report& report);
+
+// What bake_show would have to do.
+struct CameraWork {
+    std::string camera;
+    std::size_t lights = 0; // all of them
+    bool is_done = false;
+};
+Result<std::vector<CameraWork>> plan_bake(const scene::Show& show, const BakeOptions& options,
+                                          scene::Report& report);
+
+// From here on this many threads bake and make maps, whatever a call asks for, while the program lives.
+// 0: one per core.
+void limit_threads(int threads);
+
+// Lights traced together share the camera rays. More would save little and lose more work when interrupted.
+inline constexpr std::size_t kBatch = 8;
 
 } // namespace ghost::bake

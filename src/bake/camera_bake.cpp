@@ -15,12 +15,12 @@ namespace ghost::bake {
 namespace fs = std::filesystem;
 namespace {
 
-// Lights traced together share the camera rays. More would save little and lose more work when interrupted.
-constexpr std::size_t kBatch = 8;
 // Rays per sample of the surroundings: the camera's, and those to the sky.
 constexpr double kSurroundingsCost = 5.0;
 
 constexpr char kSurroundings[] = "surroundings";
+constexpr char kPartFile[] = "surroundings.json"; // beside pictures that no manifest names yet
+constexpr std::uintmax_t kMostPartBytes = 16u << 20;
 constexpr std::size_t kLayoutDigits = 12; // of its key: the name of its folder
 
 std::string pass_name(const scene::ManifestLight& light) {
@@ -31,7 +31,7 @@ std::string pass_name(const scene::ManifestLight& light) {
 
 CameraBake::CameraBake(const scene::Show& show, const scene::Stage& stage, const StageKeys& keys,
                        const scene::Camera& camera, const BakeOptions& options)
-    : camera_(camera), options_(options), home_(show.folder),
+    : camera_(camera), options_(options), home_(show.cache_home()),
       folder_(scene::passes_folder(show, camera.name)) {
     wanted_.camera = camera.name;
     wanted_.camera_to_world = scene::camera_to_world(camera);
@@ -90,6 +90,11 @@ bool CameraBake::surroundings_complete(const scene::FragmentTable& table) const 
 double CameraBake::plan() {
     // A manifest that cannot be read is no manifest: everything is baked.
     if (auto manifest = scene::read_manifest(folder_); manifest.ok()) old_ = std::move(*manifest);
+    adopt_part();
+    const auto same_light = [](const scene::ManifestLight& a, const scene::ManifestLight& b) {
+        return a.key == b.key && a.picture == b.picture;
+    };
+    manifest_is_right_ = old_ && std::ranges::equal(old_->lights, wanted_.lights, same_light);
     const double pixels = static_cast<double>(camera_.width) * camera_.height;
     double patch_pixels = 0;
     std::optional<scene::FragmentTable> table;
@@ -121,11 +126,8 @@ double CameraBake::plan() {
     if (layout_ != Layout::traced) {
         std::vector<char> whole(wanted_.lights.size(), 0); // no vector<bool>: written from several threads
         tbb::parallel_for(std::size_t{0}, whole.size(), [&](std::size_t k) {
-            const auto found =
-                std::find_if(old_->lights.begin(), old_->lights.end(), [&](const scene::ManifestLight& l) {
-                    return l.key == wanted_.lights[k].key && l.picture == wanted_.lights[k].picture;
-                });
-            whole[k] = found != old_->lights.end() && complete(*found, *table) ? 1 : 0;
+            // Whatever the manifest says: parts do not write into it.
+            whole[k] = complete(wanted_.lights[k], *table) ? 1 : 0;
         });
         done_.assign(whole.begin(), whole.end());
     }
@@ -136,8 +138,13 @@ double CameraBake::plan() {
     if (layout_ == Layout::traced) work += pixels * kSurroundingsCost;
     if (layout_ == Layout::patched)
         work += std::max(1.0, patch_pixels) * (kSurroundingsCost + static_cast<double>(kept) * per_light);
-    // A fixture that went away leaves an entry behind.
-    if (work == 0 && old_ && old_->lights.size() != wanted_.lights.size()) work = 1;
+    // A fixture that went away leaves an entry behind; parts leave pictures without one.
+    if (work == 0 && !manifest_is_right_) work = 1;
+    if (options_.part) {
+        work = options_.part->lights ? static_cast<double>(missing_of_part().size()) * pixels * per_light
+                                     : pixels * kSurroundingsCost;
+        if (!options_.part->lights && layout_ == Layout::kept) work = 0;
+    }
     return work * options_.spp;
 }
 
@@ -160,6 +167,10 @@ Frame CameraBake::trace(const Tracer& tracer, FrameRequest request, std::size_t 
 }
 
 Result<void> CameraBake::write_manifest() {
+    if (options_.part) {
+        if (options_.part->lights) return {};
+        return write_file_atomic(pictures() / kPartFile, scene::manifest_text(written_));
+    }
     return write_file_atomic(folder_ / "manifest.json", scene::manifest_text(written_));
 }
 
@@ -256,7 +267,7 @@ Result<void> CameraBake::run(const Tracer& tracer, const std::function<void(doub
         wanted_.has_emission = old_->has_emission;
         stats.kept += kept;
         const bool all = kept == static_cast<int>(wanted_.lights.size());
-        if (!all || old_->lights.size() != wanted_.lights.size()) {
+        if (!all || !manifest_is_right_) {
             // Entries whose files are about to be replaced leave the manifest first.
             written_ = wanted_;
             written_.lights.clear();
@@ -284,6 +295,49 @@ Result<void> CameraBake::run(const Tracer& tracer, const std::function<void(doub
     return {};
 }
 
+void CameraBake::adopt_part() {
+    if (old_ && old_->layout_key == wanted_.layout_key) return;
+    const fs::path file = pictures() / kPartFile;
+    const auto text = read_text_file(file, kMostPartBytes);
+    if (!text.ok()) return;
+    if (auto part = scene::parse_manifest(*text, file.string());
+        part.ok() && part->layout_key == wanted_.layout_key && part->folder == wanted_.folder)
+        old_ = std::move(*part);
+}
+
+std::vector<std::size_t> CameraBake::missing_of_part() const {
+    std::vector<std::size_t> missing;
+    const auto [first, last] = *options_.part->lights;
+    for (std::size_t k = first; k <= last && k < done_.size(); ++k)
+        if (layout_ != Layout::kept || !done_[k]) missing.push_back(k);
+    return missing;
+}
+
+Result<void> CameraBake::run_part(const Tracer& tracer, const std::function<void(double)>& on_samples,
+                                  BakeStats& stats) {
+    TRY_VOID(make_folders(pictures(), home_));
+    if (!options_.part->lights) return trace_batch(tracer, true, {}, on_samples, stats);
+    if (layout_ != Layout::kept)
+        return Error{"the surroundings of camera '" + camera_.name + "' are not baked yet", folder_.string()};
+    wanted_.extra_count = old_->extra_count;
+    TRY(scene::FragmentTable table, scene::read_fragments(pictures(), *old_));
+    extra_first_ = std::move(table.extra_first);
+    const std::vector<std::size_t> missing = missing_of_part();
+    for (std::size_t k = 0; k < missing.size() && !stopped(); k += kBatch) {
+        const auto begin = missing.begin() + static_cast<std::ptrdiff_t>(k);
+        const std::vector<std::size_t> batch(
+            begin, begin + static_cast<std::ptrdiff_t>(std::min(kBatch, missing.size() - k)));
+        TRY_VOID(trace_batch(tracer, false, batch, on_samples, stats));
+        if (!extra_first_)
+            return Error{
+                "the surroundings of camera '" + camera_.name +
+                    "' were traced by another kind of processor, which rounds in another way; let one "
+                    "kind bake",
+                folder_.string()};
+    }
+    return {};
+}
+
 void CameraBake::remove_unwanted() const {
     std::set<std::string> files;
     for (const CentrePicture& picture : centre_pictures()) files.insert(std::string(picture.name) + ".exr");
@@ -304,7 +358,7 @@ void CameraBake::remove_unwanted() const {
         const auto pictures = camera->below(layout);
         if (!pictures.ok()) continue;
         for (const OwnFolder::File& file : pictures->entries().files)
-            if (file.name.ends_with(".exr") && !is_temporary_in_use(file.name) &&
+            if ((file.name.ends_with(".exr") || file.name == kPartFile) && !is_temporary_in_use(file.name) &&
                 (layout != wanted_.folder || !files.contains(file.name)))
                 pictures->remove_file(file.name);
         if (layout != wanted_.folder) camera->remove_empty_folder(layout);

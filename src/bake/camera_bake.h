@@ -21,10 +21,14 @@ public:
 
     // Compares with the disk; the work ahead in samples, 0 where nothing is to be done.
     double plan();
-    int light_count() const { return static_cast<int>(wanted_.lights.size()); }
+    std::size_t light_count() const { return wanted_.lights.size(); }
     // on_samples: samples traced since the last call, from any thread.
     Result<void> run(const Tracer& tracer, const std::function<void(double samples)>& on_samples,
                      BakeStats& stats);
+    // Instead: BakeOptions::part. Error: the surroundings are not there, or were traced by another kind of
+    // processor.
+    Result<void> run_part(const Tracer& tracer, const std::function<void(double samples)>& on_samples,
+                          BakeStats& stats);
 
 private:
     enum class Layout { kept, patched, traced };
@@ -42,6 +46,9 @@ private:
     Result<void> write_surroundings(const scene::FragmentTable& table, const Frame& frame);
     Result<void> write_manifest();
     void remove_unwanted() const;
+    // Surroundings that a part baked, as a manifest without lights.
+    void adopt_part();
+    std::vector<std::size_t> missing_of_part() const;
     std::filesystem::path pictures() const { return folder_ / wanted_.folder; }
 
     const scene::Camera& camera_;
@@ -54,6 +61,7 @@ private:
     std::vector<bool> done_;                                // per wanted light
     std::vector<Rect> dirty_;                               // of a patch
     std::optional<std::vector<std::uint32_t>> extra_first_; // of the pictures on disk, to check against
+    bool manifest_is_right_ = false;                        // it names what is wanted
     Layout layout_ = Layout::traced;
 };
 

@@ -98,7 +98,7 @@ private:
 
 void Update::find_kept() {
     const fs::path folder = scene::distance_folder(show_, options_.size);
-    if (auto made = make_folders(folder, show_.folder); !made.ok()) {
+    if (auto made = make_folders(folder, show_.cache_home()); !made.ok()) {
         writes_ = false;
         failed_to_write(made.error());
     }
@@ -280,7 +280,7 @@ void Update::finish(scene::DistanceMaps& maps) {
     // Maps that no light of the show wants any more.
     std::set<std::string> names;
     for (const scene::DistancePlace& place : places_) names.insert(place.file.filename().string());
-    const auto folder = OwnFolder::open(scene::distance_folder(show_, options_.size), show_.folder);
+    const auto folder = OwnFolder::open(scene::distance_folder(show_, options_.size), show_.cache_home());
     if (!folder.ok()) return;
     for (const OwnFolder::File& file : folder->entries().files)
         if (file.name.ends_with(".exr") && !names.contains(file.name) && !is_temporary_in_use(file.name))

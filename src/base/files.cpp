@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/files.h"
 
+#include "base/crc32.h"
 #include "base/own_folder.h"
+#include "base/temporary.h"
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <random>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -27,6 +31,12 @@ struct Descriptor {
         if (fd >= 0) ::close(fd);
     }
 };
+
+// Two machines may have processes of the same number.
+std::uint32_t host_code() {
+    const std::string name = host_name();
+    return crc32(Bytes(reinterpret_cast<const std::uint8_t*>(name.data()), name.size()));
+}
 
 template <class Container>
 Result<Container> read_into(const fs::path& path, std::uintmax_t limit_bytes) {
@@ -64,25 +74,41 @@ Result<std::string> read_text_file(const fs::path& path, std::uintmax_t limit_by
     return read_into<std::string>(path, limit_bytes);
 }
 
+std::string host_name() {
+    std::array<char, 256> name{};
+    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
 fs::path temporary_beside(const fs::path& path) {
-    static std::atomic<unsigned> counter{0};
+    static std::atomic<std::uint32_t> counter{std::random_device{}()};
+    const std::uint64_t number = std::uint64_t{host_code()} << 32 | counter++;
     fs::path result = path;
     // The extension stays last: writers choose their format by it.
     result.replace_filename("." + path.stem().string() + ".part" + std::to_string(::getpid()) + "_" +
-                            std::to_string(counter++) + path.extension().string());
+                            std::to_string(number) + path.extension().string());
     return result;
 }
 
-bool is_temporary_in_use(const fs::path& path) {
+Writer writer_of(const fs::path& path) {
     const std::string name = path.filename().string();
     const std::size_t part = name.rfind(".part");
-    if (part == std::string::npos || name[0] != '.') return false;
+    if (part == std::string::npos || name[0] != '.') return Writer::none;
     int pid = 0;
     const char* const digits = name.c_str() + part + 5;
-    const auto [end, error] = std::from_chars(digits, name.c_str() + name.size(), pid);
-    if (error != std::errc() || pid <= 0 || *end != '_') return false;
+    const char* const name_end = name.c_str() + name.size();
+    const auto [end, error] = std::from_chars(digits, name_end, pid);
+    if (error != std::errc() || pid <= 0 || *end != '_') return Writer::none;
+    std::uint64_t number = 0;
+    if (std::from_chars(end + 1, name_end, number).ec == std::errc() && number >> 32 != 0 &&
+        number >> 32 != host_code())
+        return Writer::elsewhere;
     const auto owner = static_cast<pid_t>(pid);
-    return ::kill(owner, 0) == 0 || errno == EPERM;
+    return ::kill(owner, 0) == 0 || errno == EPERM ? Writer::here : Writer::gone;
+}
+
+bool is_temporary_in_use(const fs::path& path) {
+    const Writer writer = writer_of(path);
+    return writer == Writer::here || writer == Writer::elsewhere;
 }
 
 Result<void> commit_temporary(const fs::path& temporary, const fs::path& path) {

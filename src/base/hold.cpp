@@ -2,6 +2,7 @@
 #include "base/hold.h"
 
 #include "base/files.h"
+#include "base/temporary.h"
 
 #include <array>
 #include <cerrno>
@@ -23,11 +24,6 @@ namespace {
 constexpr std::uintmax_t kMostBytes = 1024;
 constexpr std::size_t kShownBytes = 64;
 constexpr int kTries = 3; // where others take and give back at the same time
-
-std::string host_name() {
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
 
 struct Holder {
     std::string host, since;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/leftovers.h"
 
-#include "base/files.h"
 #include "base/own_folder.h"
+#include "base/temporary.h"
 
 #include <cctype>
 #include <chrono>
@@ -32,7 +32,7 @@ bool is_temporary_name(const std::string& name) {
 }
 
 bool is_leftover(const OwnFolder::File& file) {
-    return is_temporary_name(file.name) && !is_temporary_in_use(file.name) &&
+    return is_temporary_name(file.name) && writer_of(file.name) != Writer::here &&
            std::chrono::system_clock::now() - file.written > kRest;
 }
 

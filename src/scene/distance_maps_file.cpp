@@ -198,7 +198,7 @@ Result<std::optional<DistanceStage>> read_distance_stage(const fs::path& folder)
 
 Result<void> write_distance_stage(const Show& show, int size, const DistanceStage& stage) {
     const fs::path folder = distance_folder(show, size);
-    TRY_VOID(make_folders(folder, show.folder));
+    TRY_VOID(make_folders(folder, show.cache_home()));
     return write_file_atomic(folder / kStageFile, distance_stage_text(stage));
 }
 

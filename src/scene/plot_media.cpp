@@ -42,7 +42,7 @@ namespace fs = std::filesystem;
 // FFmpeg reads files by their names: films of archives are unpacked beside what is baked. Named by their
 // content, so that all versions of a plot share them.
 fs::path media_folder(const Show& show) {
-    return show.folder / ".ghost" / "media";
+    return show.cache_root() / "media";
 }
 
 std::string stored_name(const LoadedPlot& plot, const std::string& member) {
@@ -75,7 +75,7 @@ std::set<std::string> listed(const fs::path& file) {
 
 // Of all shows of the folder that are still there.
 std::set<std::string> needed_by_others(const Show& show) {
-    const fs::path home = show.folder / ".ghost";
+    const fs::path home = show.cache_root();
     std::set<std::string> needed = listed(home / kListName);
     std::error_code code;
     for (fs::directory_iterator entry(home, code), end; !code && entry != end; entry.increment(code))
@@ -86,7 +86,7 @@ std::set<std::string> needed_by_others(const Show& show) {
 
 void remove_unneeded(const Show& show, std::set<std::string> needed) {
     needed.merge(needed_by_others(show));
-    const auto folder = OwnFolder::open(media_folder(show), show.folder);
+    const auto folder = OwnFolder::open(media_folder(show), show.cache_home());
     if (!folder.ok()) return;
     for (const OwnFolder::File& file : folder->entries().files)
         if (is_stored_name(file.name) && !needed.contains(file.name)) folder->remove_file(file.name);
@@ -97,7 +97,7 @@ Result<void> unpack(const Show& show, const std::string& member, const fs::path&
     std::error_code code;
     if (!is_plain_file(file)) {
         TRY(const std::vector<std::uint8_t> bytes, show.plot->archive.read(member, left_bytes));
-        TRY_VOID(make_folders(media_folder(show), show.folder));
+        TRY_VOID(make_folders(media_folder(show), show.cache_home()));
         TRY_VOID(write_file_atomic(file, bytes));
     }
     left_bytes -= std::min<std::uint64_t>(left_bytes, fs::file_size(file, code));
@@ -162,7 +162,7 @@ void unpack_media(const Show& show, Report& report) {
     if (list.empty() && !is_plain_file(list_file)) return;
     // First the list: from then on no other show takes away what is needed here.
     if (const auto had = read_text_file(list_file, kMaxListBytes); !had.ok() || *had != list) {
-        auto written = make_folders(show.cache_folder(), show.folder);
+        auto written = make_folders(show.cache_folder(), show.cache_home());
         if (written.ok()) written = write_file_atomic(list_file, list);
         if (!written.ok()) report.add(Severity::warning, written.error().where, written.error().what);
     }

@@ -4,6 +4,7 @@
 
 #include "base/files.h"
 #include "base/suggest.h"
+#include "base/user_cache.h"
 #include "fixture/laser_type.h"
 #include "fixture/load_type.h"
 #include "fixture/patch.h"
@@ -436,6 +437,7 @@ namespace {
 
 Result<Show> load_parsed(ParsedShow parsed, bool load_stage, Report& report, const ShowLoading& loading) {
     Show& show = parsed.show;
+    show.user_cache = user_cache_for(show.folder);
     const std::string file = show.file.string();
     load_types(parsed, file, report);
     if (is_file(show.plot_file)) {

@@ -121,9 +121,10 @@ struct PatchedFixture {
 };
 
 struct Show {
-    std::filesystem::path file;   // show.toml, or the .mvr that was opened as it is
-    std::filesystem::path folder; // where relative names start
-    std::string cache_name;       // its folder in .ghost; "": .ghost itself
+    std::filesystem::path file;       // show.toml, or the .mvr that was opened as it is
+    std::filesystem::path folder;     // where relative names start
+    std::string cache_name;           // its folder in .ghost; "": .ghost itself
+    std::filesystem::path user_cache; // stands for .ghost where that cannot be made (base/user_cache.h)
     std::string name;
     std::filesystem::path stage_file;
     std::vector<Model> models;
@@ -153,8 +154,14 @@ struct Show {
 
     // Index of the camera of this name (the first one where name is empty); the error suggests a near name.
     Result<std::size_t> find_camera(const std::string& camera_name) const;
+    // What is kept for all shows of the folder, for this one, and the folder from which both are reached
+    // without following a link (base/own_folder.h).
+    std::filesystem::path cache_root() const { return user_cache.empty() ? folder / ".ghost" : user_cache; }
     std::filesystem::path cache_folder() const {
-        return cache_name.empty() ? folder / ".ghost" : folder / ".ghost" / cache_name;
+        return cache_name.empty() ? cache_root() : cache_root() / cache_name;
+    }
+    std::filesystem::path cache_home() const {
+        return user_cache.empty() ? folder : user_cache.parent_path().parent_path();
     }
 };
 

@@ -75,7 +75,7 @@ Result<QStringList> Exporter::look_arguments() {
             stored.fixtures[studio_.show()->fixtures[index].name] = manual;
     if (stored.fixtures.empty() && stored.scene == SceneLook{}) return QStringList{};
     const std::filesystem::path folder = studio_.show()->cache_folder();
-    TRY_VOID(make_folders(folder, studio_.show()->folder));
+    TRY_VOID(make_folders(folder, studio_.show()->cache_home()));
     const std::filesystem::path file = temporary_beside(folder / kLookFile); // one for each job
     TRY_VOID(scene::write_looks(file, scene::text_of({stored})));
     return QStringList{"--looks", QString::fromStdString(std::filesystem::absolute(file).string()), "--look",

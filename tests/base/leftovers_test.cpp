@@ -34,6 +34,7 @@ TEST_F(Leftovers, those_of_killed_programs_go_and_nothing_else_does) {
     const fs::path gone = write(std::string(".show.part") + kGone + "_0.toml", 5),
                    bare = write(std::string(".looks.part") + kGone + "_12", 5),
                    fresh = write(std::string(".fresh.part") + kGone + "_0.toml", 0),
+                   elsewhere = write(std::string(".far.part") + kGone + "_4294967303.exr", 5),
                    below = write(std::string("sub/.a.part") + kGone + "_1.png", 5),
                    alive = temporary_beside(root_ / "mine.toml");
     std::vector<fs::path> others;
@@ -41,9 +42,10 @@ TEST_F(Leftovers, those_of_killed_programs_go_and_nothing_else_does) {
                                    ".a.part12_", "a.part999999999_0", ".a.part999999999_0x", ".git"})
         others.push_back(write(name, 5));
     write(alive.filename().string(), 5);
-    EXPECT_EQ(remove_leftovers(root_, root_, Below::left_alone), 2u);
+    EXPECT_EQ(remove_leftovers(root_, root_, Below::left_alone), 3u);
     EXPECT_FALSE(fs::exists(gone));
     EXPECT_FALSE(fs::exists(bare));
+    EXPECT_FALSE(fs::exists(elsewhere)); // rested long enough
     for (const fs::path& path : others) EXPECT_TRUE(fs::exists(path)) << path;
     EXPECT_TRUE(fs::exists(fresh));
     EXPECT_TRUE(fs::exists(alive));

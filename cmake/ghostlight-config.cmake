@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: Apache-2.0
+# find_package(ghostlight): ghostlight::base, image, dmx, rdm, fixture, scene. The libraries are static, so what they use must be found, too.
+include(CMakeFindDependencyMacro)
+find_dependency(Threads)
+find_dependency(glm)
+find_dependency(pugixml)
+find_dependency(assimp)
+find_dependency(tomlplusplus)
+find_dependency(PkgConfig)
+pkg_check_modules(OPENEXR REQUIRED QUIET IMPORTED_TARGET OpenEXR)
+pkg_check_modules(LIBZIP REQUIRED QUIET IMPORTED_TARGET libzip)
+pkg_check_modules(SECCOMP REQUIRED QUIET IMPORTED_TARGET libseccomp)
+pkg_check_modules(ZSTD REQUIRED QUIET IMPORTED_TARGET libzstd)
+pkg_check_modules(ZLIB REQUIRED QUIET IMPORTED_TARGET zlib)
+if(NOT TARGET glm::glm)
+    add_library(glm::glm INTERFACE IMPORTED)
+endif()
+include(${CMAKE_CURRENT_LIST_DIR}/ghostlight.cmake)

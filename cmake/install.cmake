@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+# What `cmake --install` puts where, in two components: program, and dev for other projects (find_package(ghostlight)). No header is stable
+# before 1.0. Man pages and completions are there when tools/package_files.sh has made them.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+set(CMAKE_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+install(TARGETS ghostlight RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(DIRECTORY assets/demo assets/fixtures DESTINATION ${CMAKE_INSTALL_DATADIR}/ghostlight COMPONENT program
+    PATTERN .ghost EXCLUDE PATTERN src EXCLUDE)
+install(FILES packaging/ghostlight.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
+install(FILES packaging/ghostlight.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT program)
+install(FILES packaging/ghostlight.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT program)
+install(FILES packaging/ghostlight.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT program)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/package_files/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program OPTIONAL)
+install(FILES ${CMAKE_BINARY_DIR}/package_files/ghostlight.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+    RENAME ghostlight COMPONENT program OPTIONAL)
+foreach(package program:ghostlight dev:libghostlight-dev)
+    string(REPLACE ":" ";" package ${package})
+    list(GET package 0 component)
+    list(GET package 1 name)
+    install(FILES ${CMAKE_BINARY_DIR}/package_files/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name}
+        COMPONENT ${component} OPTIONAL)
+endforeach()
+
+# The libraries that need neither a GPU, a window nor a ray tracer.
+foreach(name base image dmx rdm fixture scene)
+    set_target_properties(ghost_${name} PROPERTIES EXPORT_NAME ${name})
+    install(TARGETS ghost_${name} EXPORT ghostlight ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
+    install(DIRECTORY src/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ghostlight COMPONENT dev FILES_MATCHING PATTERN *.h)
+endforeach()
+install(DIRECTORY shaders/shared DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ghostlight COMPONENT dev FILES_MATCHING PATTERN *.h)
+set_target_properties(ghost_stb PROPERTIES EXPORT_NAME stb)
+install(TARGETS ghost_stb EXPORT ghostlight)
+set(ghost_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ghostlight)
+install(EXPORT ghostlight NAMESPACE ghostlight:: DESTINATION ${ghost_config_dir} COMPONENT dev)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/ghostlight-config-version.cmake COMPATIBILITY ExactVersion)
+install(FILES cmake/ghostlight-config.cmake ${CMAKE_BINARY_DIR}/ghostlight-config-version.cmake DESTINATION ${ghost_config_dir} COMPONENT dev)

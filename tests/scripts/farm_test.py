@@ -1,0 +1,143 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: Apache-2.0
+"""A bake and films cut into tasks on this machine: the bytes of what is not cut, whoever is interrupted, and one sentence where it cannot be.
+Usage: farm_test.py SOURCE_FOLDER BUILD_FOLDER."""
+import os
+import pathlib
+import resource
+import shutil
+import signal
+import sys
+import tempfile
+
+SOURCE, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
+from farm import FILM, Ghostlight, files_of, numbered, plan_of, small_show  # noqa: E402  (the folder is known only now)
+
+work = pathlib.Path(tempfile.mkdtemp(prefix="ghost-farm-"))
+ghost = Ghostlight(BUILD / "ghostlight", dict(os.environ), work)
+
+
+def bakes():
+    one, cut = small_show(SOURCE, work / "one"), small_show(SOURCE, work / "cut")
+    ghost.run("bake", one, "--spp", "4")
+    said = ghost.run("bake", cut, "--spp", "4", "--farm", "local", "--farm-jobs", "2")
+    assert "9 tasks" in said, said  # three cameras: surroundings, and ten lights by eight
+    expected, found = files_of(one / ".ghost/passes"), files_of(cut / ".ghost/passes")
+    assert expected.keys() == found.keys(), (expected.keys() ^ found.keys())
+    other = [name for name in expected if expected[name] != found[name]]
+    assert not other, other
+    ghost.run("bake", cut, "--spp", "4", "--farm", "local", says="0 passes baked")
+    print(f"a bake of 9 tasks: {len(expected)} files, the same bytes")
+    return one
+
+
+def films(show):
+    ghost.run("render", show, "-o", "whole.png", *FILM)
+    ghost.run("render", show, "-o", "whole.mp4", *FILM)
+    whole = numbered(work, "whole")
+    assert len(whole) == 480, len(whole)
+    # A part, numbered as in the film from its first second on.
+    ghost.run("render", show, "-o", "part.png", *FILM, "--frames", "480-500")
+    assert (work / "part-00480.png").exists() and numbered(work, "part") == whole[300:321]
+    ghost.run("render", show, "-o", "cut.png", *FILM, "--farm", "local", "--farm-jobs", "2", says="4 tasks")
+    assert numbered(work, "cut") == whole
+    ghost.run("render", show, "-o", "cut.mp4", *FILM, "--farm", "local")
+    assert (work / "cut.mp4").read_bytes() == (work / "whole.mp4").read_bytes()
+    plan = plan_of(show)
+    assert not list((plan / "frames").iterdir())
+    ghost.run("render", show, "-o", "cut.mp4", *FILM, "--farm", "local", says="is done already")
+    ghost.run("farm", "status", show, says="4 of 4 tasks done, all put together")
+    assert ghost.run("farm", "tasks", show) == ""
+    (work / "cut.mp4").unlink()  # then it is to be made again
+    ghost.run("farm", "status", show, code=1)
+    ghost.run("farm", "retry", show)
+    assert (work / "cut.mp4").read_bytes() == (work / "whole.mp4").read_bytes()
+    print("a film of 4 tasks: 480 pictures and the film, the same bytes")
+
+
+def free_cameras(show):
+    for name, words in {"free": ["--live", "--view", "close"], "fly": ["--view", "house", "--travel", "close"]}.items():
+        # Smaller ones have more edges than room for them, and which are left out is chance.
+        words = [*words, "--from", "7.6", "--to", "8.4", "--size", "192x108", "--map-size", "64"]
+        ghost.run("render", show, "-o", name + ".png", *words)
+        ghost.run("render", show, "-o", name + "cut.png", *words, "--farm", "local", says="3 tasks")
+        assert numbered(work, name + "cut") == numbered(work, name) and len(numbered(work, name)) == 24, name
+    print("films of a free camera, standing and flying: the same bytes")
+
+
+def tasks_by_hand(show):
+    """As GNU parallel does, on an engine that is none; with what may go wrong in between."""
+    words = ["render", show, "-o", "hand.mp4", *FILM]
+    first = ghost.start(*words, "--farm", "local")
+    second = ghost.start(*words, "--farm", "local")
+    said = first.communicate()[0], second.communicate()[0]
+    assert first.returncode == 0 and second.returncode == 0, said
+    assert (work / "hand.mp4").read_bytes() == (work / "whole.mp4").read_bytes()
+    print("two submissions at once: one film, both end well")
+    (work / "hand.mp4").unlink()
+    plan = plan_of(show)
+    (plan / "done/result.json").unlink()
+    assert ghost.run("farm", "tasks", plan).split() == ["1", "2", "3"]  # pictures are gone, maps and passes are not
+    limits = {"preexec_fn": lambda: (signal.signal(signal.SIGXFSZ, signal.SIG_IGN),
+                                     resource.setrlimit(resource.RLIMIT_FSIZE, (500, 500)))}
+    said = ghost.run("farm", "run", plan, "1", code=1, **limits)  # as a full disk
+    assert "File too large" in said, said
+    assert "1" in ghost.run("farm", "tasks", plan).split() and not list((plan / "frames").iterdir())
+    for task in "231":
+        ghost.run("farm", "run", plan, task)
+    ghost.run("farm", "run", plan, "1", says="is done already")
+    damaged = next(path for path in (plan / "frames").iterdir() if path.name.startswith("2.")) / "f-00300.png"
+    bytes_before = damaged.read_bytes()
+    damaged.write_bytes(bytes_before[:-1] + bytes([bytes_before[-1] ^ 1]))
+    ghost.run("farm", "assemble", plan, code=1, says="is not what its task wrote")
+    assert not (work / "hand.mp4").exists()
+    assert ghost.run("farm", "tasks", plan).split() == ["2"]
+    ghost.run("farm", "assemble", plan, code=1, says="frames 240 to 479")
+    ghost.run("farm", "run", plan, "2")
+    ghost.run("farm", "assemble", plan)
+    assert (work / "hand.mp4").read_bytes() == (work / "whole.mp4").read_bytes()
+    print("tasks by hand, a full disk and a damaged picture: never a mixed or half film")
+
+
+def what_cannot_be(show):
+    (work / "hand.mp4").unlink()
+    plan = plan_of(show)
+    (plan / "done/result.json").unlink()
+    other = work / "other"
+    shutil.copy2(BUILD / "ghostlight", other)
+    with other.open("ab") as file:
+        file.write(b"x")
+    Ghostlight(other, ghost.environment, work).run("farm", "run", plan, "1", code=1, says="is another build")
+    recording = show / "demo.show"
+    before = recording.stat()
+    os.utime(recording, ns=(before.st_atime_ns, before.st_mtime_ns + 1))
+    ghost.run("farm", "run", plan, "1", code=1, says="was changed since the plan was made")
+    ghost.run("farm", "assemble", plan, code=1, says="was changed since the plan was made")
+    os.utime(recording, ns=(before.st_atime_ns, before.st_mtime_ns))
+    ghost.run("farm", "run", plan, "4", code=1, says="has 4 tasks")
+    ghost.run("farm", "status", work / "nowhere", code=1, says="no such show")
+    ghost.run("farm", "status", small_show(SOURCE, work / "fresh"), code=1, says="nothing of it was given to a farm")
+    shutil.rmtree(plan / "frames")
+    (plan / "frames").symlink_to(work / "fresh")
+    ghost.run("farm", "run", plan, "1", code=1, says="is a link")
+    for words in (["--at", "6"], ["--from", "6"], ["--live-input", "--seconds", "1"], [*FILM, "--hold-fps", "10", "--live"]):
+        ghost.run("render", show, "-o", "no.png", *words, "--farm", "local", code=2, says="--farm: a farm draws a film")
+    ghost.run("render", show, "-o", "no.png", *FILM, "--frames", "0-100", code=1, says="the film has the frames 180 to 659")
+    ghost.run("render", show, "-o", "no.png", *FILM, "--frames", "9-x", code=2, says="--frames")
+    ghost.run("bake", show, "--view", "house", "--lights", "0-7", "--spp", "3", code=1, says="surroundings of camera 'house' are not baked")
+    bare = Ghostlight(ghost.program, {**ghost.environment, "PATH": str(work / "fresh")}, work)
+    bare.run("render", show, "-o", "no.mp4", *FILM, "--farm", "slurm", code=1, says="Slurm is not here")
+    (plan / "plan.json").write_text('{"version": 1, "words": 7}')
+    ghost.run("farm", "run", plan, "1", code=1, says="is no plan")
+    print("another build, an edited show, links, wrong words: a sentence and an exit code each")
+
+
+try:
+    baked = bakes()
+    films(baked)
+    free_cameras(baked)
+    tasks_by_hand(baked)
+    what_cannot_be(baked)
+finally:
+    shutil.rmtree(work)

@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What tests of the farm share: a small show, and the bytes of what was made of it."""
+import pathlib
+import re
+import shutil
+import subprocess
+
+FILM = ["--view", "house", "--from", "6", "--to", "22"]  # frames 180 to 659: cut at 240 and 480
+
+
+def small_show(source, folder):
+    """A copy of the demo whose cameras are small, beside its fixtures."""
+    shutil.copytree(source / "assets/demo", folder, ignore=shutil.ignore_patterns(".ghost"))
+    if not (folder.parent / "fixtures").exists():
+        shutil.copytree(source / "assets/fixtures", folder.parent / "fixtures")
+    toml = folder / "show.toml"
+    text = toml.read_text(encoding="utf-8")
+    toml.write_text(re.sub(r"^size = .*$", "size = [64, 20]", text, flags=re.M), encoding="utf-8")
+    return folder
+
+
+def files_of(folder, pattern="**/*"):
+    return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.glob(pattern) if path.is_file()}
+
+
+class Ghostlight:
+    def __init__(self, program, environment, folder):
+        self.program, self.environment, self.folder = program, environment, folder
+
+    def run(self, *words, code=0, says="", **more):
+        done = subprocess.run([str(self.program), *map(str, words)], env=self.environment, cwd=self.folder, capture_output=True, text=True,
+                              timeout=600, **more)
+        said = done.stdout + done.stderr
+        assert done.returncode == code, (words, done.returncode, said)
+        assert says in said, (words, says, said)
+        return said
+
+    def start(self, *words):
+        return subprocess.Popen([str(self.program), *map(str, words)], env=self.environment, cwd=self.folder, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, text=True)
+
+
+def plan_of(show):
+    return max((show / ".ghost/farm").iterdir(), key=lambda plan: (plan / "plan.json").stat().st_mtime_ns)
+
+
+def wait_until(holds, seconds, what):
+    import time
+    end = time.monotonic() + seconds
+    while not holds():
+        assert time.monotonic() < end, f"not within {seconds} s: {what}"
+        time.sleep(0.2)
+
+
+def numbered(folder, stem):
+    """Pictures of a film in their order."""
+    return [path.read_bytes() for path in sorted(pathlib.Path(folder).glob(stem + "-*.png"))]
