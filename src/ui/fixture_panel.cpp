@@ -223,7 +223,8 @@ bool FixtureFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
 FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* parent)
     : QWidget(parent), studio_(studio) {
     search_ = new QLineEdit(this);
-    search_->setPlaceholderText("Search name, patch, type, mode");
+    search_->setPlaceholderText("Search");
+    search_->setToolTip("In names, addresses, types and modes");
     search_->setClearButtonEnabled(true);
     search_->setAccessibleName("Search fixtures");
     title_ = new QLabel(this);
@@ -232,7 +233,7 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     group_->setAccessibleName("Group of fixtures");
     group_->setToolTip("One type, layer or truss alone; Enter in the search selects what is listed");
     group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    group_->setMinimumContentsLength(8);
+    group_->setMinimumContentsLength(5);
     dark_ = new QToolButton(this);
     dark_->setText("Dark");
     dark_->setCheckable(true);
@@ -273,10 +274,10 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     auto* choice = new QHBoxLayout;
-    choice->addWidget(group_, 1);
+    choice->addWidget(search_, 3);
+    choice->addWidget(group_, 2);
     choice->addWidget(dark_);
     layout->addWidget(title_);
-    layout->addWidget(search_);
     layout->addLayout(choice);
     layout->addWidget(table_);
     connect(&studio_, &Studio::opened_show, this, &FixturePanel::list_groups);

@@ -30,7 +30,7 @@ HandPanel::HandPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_
     title_->setWordWrap(true);
     auto* const inside = new QWidget(this);
     column_ = new QVBoxLayout(inside);
-    column_->setContentsMargins(0, 0, 4, 0);
+    column_->setContentsMargins(0, 0, 2, 0);
     add_row("Intensity", {0, 100, 0, " %"}, static_cast<int>(Hand::intensity), &fixture::Manual::intensity,
             &FixtureNow::dimmer, 0.01);
     zoom_ = add_row("Zoom", range_of(kZoom), static_cast<int>(Hand::zoom), &fixture::Manual::zoom_deg,
@@ -73,6 +73,7 @@ HandPanel::HandPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 4, 6);
     layout->addWidget(title_);
     layout->addWidget(scroll, 1);
     layout->addWidget(release_);

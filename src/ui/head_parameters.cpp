@@ -110,7 +110,7 @@ QString group_of(Role role) {
 // What desks call it; else the attribute with its words apart: "Gobo1PosRotate" -> "Gobo 1 Pos Rotate".
 QString words_of(const std::string& attribute) {
     static const std::pair<QRegularExpression, const char*> kWords[] = {
-        {QRegularExpression("^Shutter(\\d+)(Strobe.*)?$"), "Shutter, strobe"},
+        {QRegularExpression("^Shutter(\\d+)(Strobe.*)?$"), "Shutter"},
         {QRegularExpression("^Gobo(\\d+)$"), "Gobo wheel \\1"},
         {QRegularExpression("^Gobo(\\d+)Pos(Rotate)?$"), "Gobo \\1 turn"},
         {QRegularExpression("^Prism(\\d+)$"), "Prism \\1"},

@@ -43,7 +43,8 @@ void set_theme(QApplication& application) {
         "QMainWindow::separator { background: #141416; width: 4px; height: 4px; }"
         "QHeaderView::section { background: #28282b; color: #b4b4b8; border: 0; padding: 4px 6px; }"
         "QTableView, QTreeView, QPlainTextEdit, QTextBrowser { border: 0; }"
-        "QTabBar::tab { padding: 6px 12px; }"
+        "QTabBar::tab { padding: 6px 7px; }"
+        "QTabBar { qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true; }"
         "QStatusBar { background: #18181a; color: #b4b4b8; }");
 }
 

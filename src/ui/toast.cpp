@@ -15,8 +15,8 @@ constexpr int kAbove_px = 48; // the chips
 Toast::Toast(QWidget* over) : QWidget(over), words_(new QLabel(this)), undo_(new QToolButton(this)) {
     setObjectName("toast");
     setAttribute(Qt::WA_StyledBackground);
-    setStyleSheet(
-        "#toast { background: rgba(20, 20, 22, 225); border: 1px solid #55555a; border-radius: 5px; }");
+    setStyleSheet("#toast { background: rgba(20, 20, 22, 225); border: 1px solid #55555a; border-radius: "
+                  "5px; } #toast QLabel { color: #dedede; }");
     undo_->setText("Undo");
     undo_->setFocusPolicy(Qt::NoFocus);
     auto* layout = new QHBoxLayout(this);

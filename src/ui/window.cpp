@@ -255,7 +255,7 @@ void Window::add_panels() {
 
 // The picture first: of a window of 1366x768, 1920x1080 and 2560x1440 it has 60, 70 and 75 %.
 void Window::lay_out() {
-    const int column_px = std::clamp(width() / 5, 240, 300);
+    const int column_px = std::clamp(width() * 22 / 100, 240, 330);
     QDockWidget* const list = docks_.front();
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
     if (width() < kTwoColumnsFrom_px) {
@@ -264,7 +264,7 @@ void Window::lay_out() {
             tabifyDockWidget(dock("values"), dock(name));
         dock("hand")->raise();
         resizeDocks({list}, {column_px}, Qt::Horizontal);
-        resizeDocks({list, dock("hand")}, {height() * 3 / 10, height() * 6 / 10}, Qt::Vertical);
+        resizeDocks({list, dock("hand")}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
     } else {
         resizeDocks({list, dock("hand")}, {240, 260}, Qt::Horizontal);
     }
