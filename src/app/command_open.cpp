@@ -66,6 +66,8 @@ Result<void> run(OpenArguments& arguments) {
     arguments.window.begin = [&] { return std::make_shared<Engine>(link, arguments.engine); };
     arguments.window.should_close = interrupted;
     arguments.window.demo = own_folder("demo").string();
+    arguments.window.fixtures = own_folder("fixtures").string();
+    arguments.window.docs = own_folder("../docs/guide").string();
     return ui::open_window(link, arguments.window);
 }
 

@@ -194,6 +194,7 @@ private:
     double last_change_s_ = 0;
     double rig_sent_s_ = 0;
     double explained_s_ = 0;
+    double verdicts_s_ = 0;
     std::size_t messages_sent_ = 0;
     std::uint64_t settled_ = 0;           // number of wishes
     std::chrono::nanoseconds arrival_{0}; // of packets that no picture shows yet

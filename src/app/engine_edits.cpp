@@ -12,13 +12,12 @@ namespace {
 
 constexpr std::uintmax_t kMostShowBytes = std::uintmax_t{16} << 20;
 
-bool differs_in_fixtures_and_air_only(const Session& session,
-                                      const std::shared_ptr<const std::string>& before,
-                                      const std::string& now) {
+bool differs_in_quick_things_only(const Session& session, const std::shared_ptr<const std::string>& before,
+                                  const std::string& now) {
     const Result<std::string> text =
         before ? Result<std::string>(*before) : read_text_file(session.show->file, kMostShowBytes);
     // The same text is taken because the files that it names are others.
-    return text.ok() && *text != now && scene::differ_in_fixtures_and_air_only(*text, now);
+    return text.ok() && *text != now && scene::differ_in_fixtures_air_and_cues_only(*text, now);
 }
 
 } // namespace
@@ -27,7 +26,7 @@ void Engine::take_edit() {
     if (reopening_.valid()) return; // later
     forget_baked();
     const std::string& path = session_->options.show;
-    const bool is_quick = differs_in_fixtures_and_air_only(*session_, text_, *wishes_.text);
+    const bool is_quick = differs_in_quick_things_only(*session_, text_, *wishes_.text);
     text_ = wishes_.text;
     if (is_quick) {
         scene::Report report;
@@ -35,6 +34,7 @@ void Engine::take_edit() {
         if (edited.ok() && take_patch(*session_, *edited, report)) {
             listen_to_patch();
             take_air(*edited);
+            if (remote_) begin_controls(); // it knows other cues now
             drawn_ = {};
             publish_opened(Opening::edit);
             return;

@@ -14,6 +14,19 @@ namespace {
 
 constexpr double kRigEvery_s = 0.05;
 constexpr double kExplainEvery_s = 0.25;
+constexpr double kVerdictsEvery_s = 3;
+
+std::vector<ui::Verdict> verdicts_of(const scene::Explainer& explainer, std::size_t fixtures) {
+    std::vector<ui::Verdict> verdicts;
+    for (std::size_t i = 0; i < fixtures; ++i) {
+        const scene::Explanation explanation = explainer.explain(i);
+        const auto why = std::find_if(explanation.findings.begin(), explanation.findings.end(),
+                                      [](const scene::Reason& reason) { return reason.blocks; });
+        verdicts.push_back({explanation.visibility, explanation.cause,
+                            why == explanation.findings.end() ? explanation.verdict : why->group});
+    }
+    return verdicts;
+}
 
 } // namespace
 
@@ -112,9 +125,10 @@ void Engine::publish_rig(double now_s) {
 }
 
 void Engine::publish_explanation(double now_s) {
-    if (!wishes_.explained || *wishes_.explained >= session_->show->fixtures.size()) return;
-    if (now_s - explained_s_ < kExplainEvery_s) return;
-    explained_s_ = now_s;
+    const bool explains_one = wishes_.explained && *wishes_.explained < session_->show->fixtures.size() &&
+                              now_s - explained_s_ >= kExplainEvery_s;
+    const bool explains_all = wishes_.explains_all && now_s - verdicts_s_ >= kVerdictsEvery_s;
+    if (!explains_one && !explains_all) return;
     const bake::DenormalsOff mode;
     const scene::Stage& stage = tracer().stage();
     const scene::Reception reception = input_->reception(patch_);
@@ -133,11 +147,19 @@ void Engine::publish_explanation(double now_s) {
                 return scene::ExplainInput::Seen{hit.instance, hit.distance_m, hit.facet_normal};
             },
     };
-    ui::Explained explained;
-    explained.fixture = *wishes_.explained;
-    explained.explanation = scene::Explainer(input).explain(explained.fixture);
-    explained.words = scene::words_of(explained.explanation, reception);
-    link_.explained.put(std::move(explained));
+    const scene::Explainer explainer(input);
+    if (explains_one) {
+        explained_s_ = now_s;
+        ui::Explained explained;
+        explained.fixture = *wishes_.explained;
+        explained.explanation = explainer.explain(explained.fixture);
+        explained.words = scene::words_of(explained.explanation, reception);
+        link_.explained.put(std::move(explained));
+    }
+    if (explains_all) {
+        verdicts_s_ = now_s;
+        link_.verdicts.put(verdicts_of(explainer, session_->show->fixtures.size()));
+    }
     link_.on_news();
 }
 

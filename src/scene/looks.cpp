@@ -5,6 +5,7 @@
 #include "base/suggest.h"
 #include "base/user_file.h"
 #include "scene/model_file.h"
+#include "scene/toml_problem.h"
 #include "scene/toml_reader.h"
 #include "scene/toml_text.h"
 
@@ -23,6 +24,7 @@ constexpr double kMostLamp = 1000;
 constexpr double kLeastLamp_k = 1000, kMostLamp_k = 25000;
 constexpr std::size_t kLongestName = 100;
 constexpr std::size_t kMostLevels = 65536;
+constexpr std::size_t kMostChannels = 4096;
 
 void put(std::optional<float>& target, const std::optional<double>& value) {
     if (value) target = static_cast<float>(*value);
@@ -34,6 +36,21 @@ std::optional<glm::vec3> light_colour(TableReader& reader, const std::string& ke
     if (!colour || std::min({colour->x, colour->y, colour->z}) >= 0) return colour;
     reader.problem(Severity::error, key, "has a component below 0, expected three shares of light");
     return std::nullopt;
+}
+
+// channels = { "Head_Iris" = 0.5 }
+void read_channels(TableReader& reader, const std::string& file, fixture::Manual& manual, Report& report) {
+    const toml::table* const table = reader.table("channels");
+    if (table == nullptr) return;
+    if (table->size() > kMostChannels) {
+        reader.problem(Severity::error, "channels",
+                       "has more than " + std::to_string(kMostChannels) + " entries; all are left out");
+        return;
+    }
+    TableReader channels(*table, "[[look.fixture]] channels", file, report);
+    for (const auto& [key, value] : *table)
+        if (const auto share = channels.number(std::string(key.str()), 0, 1))
+            manual.channels[std::string(key.str())] = static_cast<float>(*share);
 }
 
 std::optional<std::pair<std::string, fixture::Manual>> read_fixture(const toml::table& table,
@@ -52,6 +69,7 @@ std::optional<std::pair<std::string, fixture::Manual>> read_fixture(const toml::
     put(manual.lamp, reader.number("lamp", 0, kMostLamp));
     put(manual.lamp_k, reader.number("lamp_k", kLeastLamp_k, kMostLamp_k));
     manual.levels = reader.bytes("levels", kMostLevels).value_or(std::vector<std::uint8_t>{});
+    read_channels(reader, file, manual, report);
     reader.finish();
     if (!name || manual.is_empty()) return std::nullopt;
     return std::pair{*name, manual};
@@ -108,6 +126,13 @@ public:
         for (std::size_t k = 0; k < bytes.size(); ++k) text += (k > 0 ? ", " : "") + std::to_string(bytes[k]);
         text += "]\n";
     }
+    void add(const char* key, const std::map<std::string, float>& shares) {
+        if (shares.empty()) return;
+        text += std::string(key) + " = {";
+        for (const auto& [name, share] : shares)
+            text += (text.back() == '{' ? " " : ", ") + toml_text(name) + " = " + toml_text(share);
+        text += " }\n";
+    }
     std::string text;
 };
 
@@ -140,8 +165,8 @@ Result<std::vector<StoredLook>> parse_looks(const std::string& text, const std::
     try {
         root = toml::parse(text, file);
     } catch (const toml::parse_error& problem) {
-        return Error{"is not TOML: " + std::string(problem.description()),
-                     file_line(file, static_cast<int>(problem.source().begin.line))};
+        const TomlProblem found = toml_problem(problem);
+        return Error{found.what, file_line(file, found.line)};
     }
     std::vector<StoredLook> looks;
     std::set<std::string> names;
@@ -190,6 +215,7 @@ std::string text_of(const std::vector<StoredLook>& looks) {
             lines.add("lamp", manual.lamp);
             lines.add("lamp_k", manual.lamp_k);
             lines.add("levels", manual.levels);
+            lines.add("channels", manual.channels);
         }
     }
     return lines.text;

@@ -179,8 +179,11 @@ void Rig::step(const dmx::Universes& universes, double dt_s,
         if (aims_[i]) follow(i, targets);
         if (const auto found = manual.find(i); found != manual.end()) {
             asked_[i] = fixture::asked_for(targets, patches_[i]);
-            if (!found->second.levels.empty())
-                targets = fixture::decode_levels(patches_[i], found->second.levels);
+            if (found->second.sets_levels()) {
+                targets = fixture::decode_levels(patches_[i],
+                                                 fixture::levels_by_hand(found->second, patches_[i], levels));
+                if (aims_[i] && found->second.levels.empty()) follow(i, targets);
+            }
             fixture::apply(found->second, patches_[i], targets);
         }
         fixture::step(states_[i], patches_[i], targets, dt_s, show_.motion,

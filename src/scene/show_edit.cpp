@@ -149,6 +149,7 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
     show.fixtures = std::move(parsed.show.fixtures);
     if (!parsed.show.cameras.empty())
         show.cameras = std::move(parsed.show.cameras); // else those that were made
+    show.cues = std::move(parsed.show.cues);
     show.haze = parsed.show.haze;
     show.hazers = std::move(parsed.show.hazers);
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
@@ -193,11 +194,11 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
     return show;
 }
 
-bool differ_in_fixtures_and_air_only(const std::string& a, const std::string& b) {
+bool differ_in_fixtures_air_and_cues_only(const std::string& a, const std::string& b) {
     const auto rest = [](const std::string& text) -> Result<toml::table> {
         TRY(const TomlText document, TomlText::parse(text));
         toml::table root = document.root();
-        for (const char* const name : {"fixture", "change", "haze", "hazer"}) root.erase(name);
+        for (const char* const name : {"fixture", "change", "haze", "hazer", "cue"}) root.erase(name);
         return root;
     };
     const auto first = rest(a);

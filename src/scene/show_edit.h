@@ -65,9 +65,9 @@ Result<std::string> add_model(const std::string& text, const std::string& file, 
 // A text of [show]: its stage, its plot.
 Result<std::string> set_of_show(const std::string& text, const std::string& key, const std::string& value);
 
-// Whether two show files say the same but for [[fixture]], [[change]], [haze] and [[hazer]]. False where one
-// is no TOML.
-bool differ_in_fixtures_and_air_only(const std::string& a, const std::string& b);
+// Whether two show files say the same but for [[fixture]], [[change]], [[cue]], [haze] and [[hazer]]. False
+// where one is no TOML.
+bool differ_in_fixtures_air_and_cues_only(const std::string& a, const std::string& b);
 
 // The show that was open, with fixtures, cameras and air as the text has them, for who must show an edit at
 // once: only fixture files that were not read before are opened. What an object of a plot was before its

@@ -6,6 +6,7 @@
 #include "scene/laser_toml.h"
 #include "scene/media_toml.h"
 #include "scene/scene_toml.h"
+#include "scene/toml_problem.h"
 #include "scene/toml_reader.h"
 
 #include <algorithm>
@@ -304,11 +305,13 @@ Result<ParsedShow> parse_show(std::string_view text, const std::filesystem::path
         const toml::table root = toml::parse(text, file.string());
         read_sections(root, file.string(), parsed, report);
     } catch (const toml::parse_error& problem) {
-        return Error{"is not TOML: " + std::string(problem.description()),
-                     file_line(file.string(), static_cast<int>(problem.source().begin.line))};
+        const TomlProblem found = toml_problem(problem);
+        return Error{found.what, file_line(file.string(), found.line)};
     }
     if (parsed.show.cameras.empty() && parsed.show.plot_file.empty())
-        return Error{"has no [[camera]], expected at least one", file.string()};
+        report.add(Severity::warning, file.string(),
+                   "has no [[camera]]: three are made from where the fixtures hang; a camera that is kept in "
+                   "the window (Ctrl+K), or written here, takes their place");
     return parsed;
 }
 

@@ -43,8 +43,7 @@ struct ParsedShow {
     std::vector<int> passes_lines; // one per camera
 };
 
-// Error: not TOML (with line), no camera and no plot that could give some. Everything else goes to the report
-// and the rest is kept.
+// Error: not TOML (with line). Everything else goes to the report and the rest is kept; cameras may be none.
 Result<ParsedShow> parse_show(std::string_view text, const std::filesystem::path& file, Report& report);
 
 } // namespace ghost::scene

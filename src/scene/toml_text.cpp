@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/toml_text.h"
 
+#include "scene/toml_problem.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -40,8 +42,8 @@ Result<TomlText> TomlText::parse(std::string text) {
     try {
         document.root_ = toml::parse(text);
     } catch (const toml::parse_error& problem) {
-        return Error{"is not TOML: " + std::string(problem.description()),
-                     "line " + std::to_string(problem.source().begin.line)};
+        const TomlProblem found = toml_problem(problem);
+        return Error{found.what, "line " + std::to_string(found.line)};
     }
     document.text_ = std::move(text);
     if (document.text_.find("\r\n") != std::string::npos) document.line_end_ = "\r\n";

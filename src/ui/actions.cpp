@@ -97,7 +97,10 @@ Result<void> Actions::run(const Action& action, const QStringList& arguments) {
                               : *turned      ? action.run(arguments)
                                              : Result<void>();
     refresh();
-    if (done.ok()) return {};
+    if (done.ok()) {
+        if (on_done) on_done(action);
+        return {};
+    }
     return Error{done.error().text(), action.name.toStdString()};
 }
 

@@ -55,6 +55,8 @@ public:
 
     // Where what went wrong is said when a person did it, not a script.
     std::function<void(const Error&)> complain;
+    // After each action that was done, whoever asked for it.
+    std::function<void(const Action&)> on_done;
 
 private:
     // Null: the line is empty. Error: no such action.

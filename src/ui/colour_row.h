@@ -1,40 +1,41 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// ColourRow: one colour under the hand: its name, a button in that colour that opens a palette beside the
-// work, and a button that gives it back. The palette stays open while other things are done. Window thread.
+// ColourRow: one colour under the hand: its name, a button in that colour that unfolds a field to choose in
+// below it, and a button that gives it back. Window thread.
 
 #include <QColor>
-#include <QColorDialog>
 #include <QLabel>
-#include <QPointer>
 #include <QPushButton>
 #include <QString>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QWidget>
 
 #include <functional>
 
 namespace ghost::ui {
 
+class ColourField;
+
 class ColourRow : public QWidget {
     Q_OBJECT
 public:
     ColourRow(const QString& name, QWidget* parent);
-    ~ColourRow() override; // with its palette
 
-    // by_hand: it is set by a person; else it is only shown. Does not call back.
-    void show_colour(const QColor& colour, bool by_hand);
+    // by_hand: it is set by a person; else it is only shown. mixed: others have other colours. Does not call
+    // back.
+    void show_colour(const QColor& colour, bool by_hand, bool mixed = false);
     std::function<void(const QColor&)> on_change; // a person chose it
     std::function<void()> on_release;
 
 private:
-    void open_palette();
+    void unfold(bool on);
 
-    QString name_;
     QLabel* label_;
     QPushButton* button_;
     QToolButton* release_;
-    QPointer<QColorDialog> palette_;
+    ColourField* field_ = nullptr; // made when it is first wanted
+    QVBoxLayout* column_;
     QColor colour_;
 };
 

@@ -8,6 +8,7 @@
 #include "ui/theme.h"
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPainter>
 #include <QStyledItemDelegate>
@@ -208,13 +209,37 @@ Result<void> FixtureModel::edit(int column, const QString& words) {
     }
 }
 
+void FixtureFilter::show_only(std::optional<std::set<std::size_t>> fixtures) {
+    if (fixtures == only_) return;
+    only_ = std::move(fixtures);
+    invalidateFilter();
+}
+
+bool FixtureFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+    if (only_ && !only_->contains(static_cast<std::size_t>(row))) return false;
+    return QSortFilterProxyModel::filterAcceptsRow(row, parent);
+}
+
 FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* parent)
     : QWidget(parent), studio_(studio) {
     search_ = new QLineEdit(this);
-    search_->setPlaceholderText("Search name, patch, type, mode");
+    search_->setPlaceholderText("Search");
+    search_->setToolTip("In names, addresses, types and modes");
     search_->setClearButtonEnabled(true);
+    search_->setAccessibleName("Search fixtures");
+    title_ = new QLabel(this);
+    title_->setWordWrap(true);
+    group_ = new QComboBox(this);
+    group_->setAccessibleName("Group of fixtures");
+    group_->setToolTip("One type, layer or truss alone; Enter in the search selects what is listed");
+    group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    group_->setMinimumContentsLength(5);
+    dark_ = new QToolButton(this);
+    dark_->setText("Dark");
+    dark_->setCheckable(true);
+    dark_->setToolTip("Only fixtures that do not shine, by reasons");
     model_ = new FixtureModel(studio, document, this);
-    sorted_ = new QSortFilterProxyModel(this);
+    sorted_ = new FixtureFilter(this);
     sorted_->setSourceModel(model_);
     sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
     sorted_->setFilterKeyColumn(-1);
@@ -233,9 +258,10 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     table_->setItemDelegateForColumn(FixtureModel::colour, new SwatchPainter(table_));
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
-    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->horizontalHeader()->setMinimumSectionSize(2 * table_->fontMetrics().averageCharWidth());
+    table_->setAccessibleName("Fixtures");
     const int letter = table_->fontMetrics().averageCharWidth();
-    for (const auto& [column, letters] : {std::pair{FixtureModel::name, 14},
+    for (const auto& [column, letters] : {std::pair{FixtureModel::name, 18},
                                           {FixtureModel::patch, 9},
                                           {FixtureModel::level, 8},
                                           {FixtureModel::colour, 4},
@@ -247,8 +273,24 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
         table_->setColumnWidth(column, letters * letter);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
-    layout->addWidget(search_);
+    auto* choice = new QHBoxLayout;
+    choice->addWidget(search_, 3);
+    choice->addWidget(group_, 2);
+    choice->addWidget(dark_);
+    layout->addWidget(title_);
+    layout->addLayout(choice);
     layout->addWidget(table_);
+    connect(&studio_, &Studio::opened_show, this, &FixturePanel::list_groups);
+    connect(&studio_, &Studio::verdicts_came, this, [this] {
+        if (dark_->isChecked()) list_groups();
+    });
+    connect(dark_, &QToolButton::toggled, this, [this](bool on) {
+        studio_.wish([on](Wishes& wishes) { wishes.explains_all = on; });
+        list_groups();
+    });
+    connect(group_, &QComboBox::activated, this, &FixturePanel::show_group);
+    connect(&studio_, &Studio::selection_changed, this, &FixturePanel::count);
+    count();
     // What is searched away stays selected, and rows that go say nothing: each would be a selection.
     connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
         {
@@ -267,6 +309,48 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     connect(&studio_, &Studio::selection_changed, this, &FixturePanel::show_selection);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &FixturePanel::take_selection);
+}
+
+// The chosen group stays chosen where it is still there.
+void FixturePanel::list_groups() {
+    const QString before = group_->currentData().toString();
+    groups_ = !studio_.show()      ? std::vector<FixtureGroup>{}
+              : dark_->isChecked() ? dark_groups_of(studio_.verdicts())
+                                   : groups_of(*studio_.show(), studio_.opened().objects);
+    group_->clear();
+    std::size_t dark = 0;
+    for (const FixtureGroup& group : groups_) dark += group.fixtures.size();
+    group_->addItem(!dark_->isChecked()          ? QString("All fixtures")
+                    : studio_.verdicts().empty() ? QString("Asking why ...")
+                                                 : QString("All %1 that are dark").arg(dark));
+    for (const FixtureGroup& group : groups_)
+        group_->addItem(QString("%1 (%2)").arg(group.title).arg(group.fixtures.size()), group.title);
+    group_->setCurrentIndex(before.isEmpty() ? 0 : std::max(group_->findData(before), 0));
+    show_group();
+    count();
+}
+
+void FixturePanel::show_group() {
+    std::optional<std::set<std::size_t>> only;
+    const int index = group_->currentIndex() - 1;
+    if (index >= 0 && static_cast<std::size_t>(index) < groups_.size()) {
+        only = groups_[static_cast<std::size_t>(index)].fixtures;
+    } else if (dark_->isChecked() && !studio_.verdicts().empty()) {
+        only.emplace();
+        for (const FixtureGroup& group : groups_) only->insert(group.fixtures.begin(), group.fixtures.end());
+    }
+    {
+        const Following following(follows_);
+        sorted_->show_only(std::move(only));
+    }
+    show_selection();
+}
+
+void FixturePanel::count() {
+    const std::size_t all = studio_.show() ? studio_.show()->fixtures.size() : 0;
+    QString words = QString("%1 %2").arg(all).arg(all == 1 ? "fixture" : "fixtures");
+    if (!studio_.selection().empty()) words += QString(", %1 selected").arg(studio_.selection().size());
+    title_->setText(words);
 }
 
 void FixturePanel::show_selection() {

@@ -4,12 +4,16 @@
 // the same as in the picture. Cells of the patch are edited where they stand; what is typed goes to all that
 // are selected. Window thread.
 
+#include "ui/fixture_groups.h"
 #include "ui/patch_edit.h"
 
 #include <QAbstractTableModel>
+#include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSortFilterProxyModel>
 #include <QTableView>
+#include <QToolButton>
 #include <QWidget>
 
 namespace ghost::ui {
@@ -41,22 +45,44 @@ private:
     std::set<std::size_t> shared_; // fixtures that read a channel of another one
 };
 
+// The rows of the list, sorted; of them those of one group, if one is chosen.
+class FixtureFilter : public QSortFilterProxyModel {
+    Q_OBJECT
+public:
+    using QSortFilterProxyModel::QSortFilterProxyModel;
+    void show_only(std::optional<std::set<std::size_t>> fixtures);
+
+protected:
+    bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+private:
+    std::optional<std::set<std::size_t>> only_;
+};
+
 class FixturePanel : public QWidget {
     Q_OBJECT
 public:
     FixturePanel(Studio& studio, ShowDocument& document, QWidget* parent);
     void find() { search_->setFocus(); }
     FixtureModel& model() { return *model_; }
+    QTableView* table() { return table_; }
 
 private:
     void show_selection();
     void take_selection();
+    void list_groups();
+    void show_group();
+    void count();
 
     Studio& studio_;
+    QLabel* title_;
     QLineEdit* search_;
+    QComboBox* group_;
+    QToolButton* dark_;
+    std::vector<FixtureGroup> groups_;
     QTableView* table_;
     FixtureModel* model_;
-    QSortFilterProxyModel* sorted_;
+    FixtureFilter* sorted_;
     bool follows_ = false; // the table is being changed by the studio
 };
 

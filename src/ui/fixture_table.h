@@ -4,7 +4,10 @@
 // click alone would have left one of them. Window thread.
 
 #include <QMouseEvent>
+#include <QResizeEvent>
 #include <QTableView>
+
+#include <algorithm>
 
 namespace ghost::ui {
 
@@ -21,6 +24,16 @@ protected:
         if (event->modifiers() == Qt::NoModifier && before_.contains(indexAt(event->position().toPoint())))
             selectionModel()->select(before_, QItemSelectionModel::ClearAndSelect);
         QTableView::mouseDoubleClickEvent(event);
+    }
+
+    // Name, patch and light are seen whole, the name with all the room that is left.
+    void resizeEvent(QResizeEvent* event) override {
+        constexpr int kSeen = 4; // columns; the swatch is the last of them
+        QTableView::resizeEvent(event);
+        if (model() == nullptr || model()->columnCount() < kSeen) return;
+        int others_px = 0;
+        for (int column = 1; column < kSeen; ++column) others_px += columnWidth(column);
+        setColumnWidth(0, std::max(viewport()->width() - others_px, 12 * fontMetrics().averageCharWidth()));
     }
 
 private:

@@ -23,7 +23,8 @@ enum class Hand : int {
     lamp,
     scene,
     surface,
-    samples
+    samples,
+    first_parameter = 100 // and on: those of HeadParameter, by their place in the panel
 };
 
 // Changes the manual values of all selected fixtures; f gets each fixture's.

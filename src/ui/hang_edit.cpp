@@ -35,7 +35,8 @@ Result<void> hang_under(Studio& studio, ShowDocument& document, std::size_t obje
         if (one.bar && scene::is_slender(*one.bar)) pieces.push_back(*one.bar);
     std::vector<glm::vec3> places = scene::places_under(scene::joined(*objects[object].bar, pieces), are_m);
     for (glm::vec3& place_m : places) place_m = in_millimetres(place_m);
-    return PatchEdit(studio, document).set_positions("Hang", places);
+    return PatchEdit(studio, document)
+        .set_positions("Hang under '" + QString::fromStdString(objects[object].name) + "'", places);
 }
 
 Result<void> hang(Studio& studio, ShowDocument& document, const QString& pattern) {

@@ -96,6 +96,7 @@ struct Wishes {
     std::string record_to; // what the desk sends is recorded there; empty: it is not
     Quality quality;
     std::optional<std::size_t> explained; // fixture
+    bool explains_all = false;            // all of them, in short, every few seconds
     image::Tone tone = image::Tone::agx;
     FalseColour false_colour;
     WorkLight work_light = WorkLight::automatic;
@@ -199,6 +200,13 @@ struct Explained {
     std::string words;
 };
 
+// Why a fixture shines or does not, in short.
+struct Verdict {
+    scene::Visibility visibility = scene::Visibility::lit;
+    scene::Cause cause = scene::Cause::none;
+    std::string group; // the reason, in words that are the same for all fixtures with that trouble
+};
+
 // What the probe meets.
 struct Probed {
     glm::vec2 place{0}; // as in the wishes
@@ -241,6 +249,7 @@ struct Link {
     Mailbox<RigNow> rig;
     Mailbox<dmx::Statistics> network;
     Mailbox<Explained> explained;
+    Mailbox<std::vector<Verdict>> verdicts;        // of all fixtures, where the wishes want them
     Mailbox<std::vector<scene::Message>> messages; // all of the show that is open
     // Number of the wishes whose picture is there, at rest: nothing moves, all pixels, all shadows.
     Mailbox<std::uint64_t> settled;

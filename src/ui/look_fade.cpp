@@ -37,26 +37,23 @@ struct Faded {
 
 // What a side asks for where its hands do not: what its levels say, else the desk.
 Manual asked_by(const Manual& side, const Faded& faded) {
-    if (side.levels.empty() || !faded.fixture || !faded.fixture->type) return faded.now.asked;
+    if (!side.sets_levels() || !faded.fixture || !faded.fixture->type) return faded.now.asked;
     const fixture::Patch patch = faded.fixture->patch();
-    return fixture::asked_for(fixture::decode_levels(patch, side.levels), patch);
+    return fixture::asked_for(fixture::decode_levels(patch, fixture::levels_by_hand(side, patch, faded.desk)),
+                              patch);
 }
 
 std::vector<std::uint8_t> mixed_levels(const Manual& from, const Manual& to, const Faded& faded,
                                        float share) {
-    if ((from.levels.empty() && to.levels.empty()) || !faded.fixture || !faded.fixture->type) return {};
+    if ((!from.sets_levels() && !to.sets_levels()) || !faded.fixture || !faded.fixture->type) return {};
     const fixture::Patch patch = faded.fixture->patch();
-    const auto levels = [&](const Manual& side) {
-        return side.levels.size() == fixture::level_count(patch.mode_of())
-                   ? side.levels
-                   : fixture::levels_of(patch, faded.desk);
-    };
-    return fixture::mixed_levels(patch, levels(from), levels(to), share);
+    return fixture::mixed_levels(patch, fixture::levels_by_hand(from, patch, faded.desk),
+                                 fixture::levels_by_hand(to, patch, faded.desk), share);
 }
 
 Manual mixed(const Manual& from, const Manual& to, const Faded& faded, float share) {
     const auto colour = [&](const Manual& side) -> std::optional<glm::vec3> {
-        if (!side.levels.empty() || faded.now.colour == glm::vec3(0)) return std::nullopt;
+        if (side.sets_levels() || faded.now.colour == glm::vec3(0)) return std::nullopt;
         return faded.now.colour;
     };
     const Manual a = asked_by(from, faded), b = asked_by(to, faded);
@@ -131,6 +128,7 @@ void keep_changes(Look& from, const Look& before, const Look& after) {
         keep(manual.lamp, was.lamp, is.lamp);
         keep(manual.lamp_k, was.lamp_k, is.lamp_k);
         if (was.levels != is.levels) manual.levels = is.levels;
+        if (was.channels != is.channels) manual.channels = is.channels;
     }
     const SceneLook &was = before.scene, &is = after.scene;
     keep(from.scene.smoke, was.smoke, is.smoke);

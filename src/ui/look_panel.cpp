@@ -169,8 +169,9 @@ void LookPanel::refresh() {
     solo_->setText(studio_.look().solo.empty() ? "Solo"
                                                : QString("Solo: %1 shine").arg(studio_.look().solo.size()));
     solo_->setEnabled(count > 0 || !studio_.look().solo.empty());
-    what_if_->setText(count == 0 ? "What if: select fixtures to try another gel or lamp"
-                                 : QString("What if %1 fixtures had").arg(count));
+    what_if_->setText(count == 0   ? "What if: select fixtures to try another gel or lamp"
+                      : count == 1 ? QString("What if this fixture had")
+                                   : QString("What if %1 fixtures had").arg(count));
     for (QWidget* widget : std::initializer_list<QWidget*>{gel_, lamp_, lamp_k_})
         widget->setEnabled(count > 0);
     fixture::Manual manual;

@@ -43,6 +43,7 @@ private:
 MessagePanel::MessagePanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     list_ = new QTreeWidget(this);
     list_->setHeaderLabels({"", "What", "Where", "What to do"});
+    list_->setAccessibleName("Messages");
     list_->setRootIsDecorated(false);
     list_->setAlternatingRowColors(true);
     list_->setWordWrap(true);
@@ -57,20 +58,20 @@ MessagePanel::MessagePanel(Studio& studio, QWidget* parent) : QWidget(parent), s
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(list_);
-    connect(&studio_, &Studio::messages_came, this, &MessagePanel::refresh);
+    for (const auto signal : {&Studio::messages_came, &Studio::not_opened, &Studio::opened_show})
+        connect(&studio_, signal, this, &MessagePanel::refresh);
     connect(list_, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) { go_to(*item); });
     list_->setToolTip("Double click or Enter: the fixtures that it is about, else the file.");
 }
 
 // What it names in quotes is selected and looked at; where that is no fixture, the file is opened.
 void MessagePanel::go_to(const QTreeWidgetItem& item) {
-    if (!studio_.show()) return;
     static const QRegularExpression kQuoted("'([^']+)'");
     std::set<std::string> names;
     for (auto found = kQuoted.globalMatch(item.text(1) + " " + item.text(2)); found.hasNext();)
         names.insert(found.next().captured(1).toStdString());
     std::set<std::size_t> fixtures;
-    for (std::size_t i = 0; i < studio_.show()->fixtures.size(); ++i)
+    for (std::size_t i = 0; studio_.show() && i < studio_.show()->fixtures.size(); ++i)
         if (names.contains(studio_.show()->fixtures[i].name)) fixtures.insert(i);
     if (!fixtures.empty()) {
         studio_.select(fixtures);
@@ -85,6 +86,13 @@ void MessagePanel::go_to(const QTreeWidgetItem& item) {
 
 void MessagePanel::refresh() {
     std::vector<scene::Finding> findings;
+    // Of a show that could not be opened, however long ago: the newest thing first.
+    if (const auto& error = studio_.open_error())
+        findings.push_back({.severity = scene::Severity::error,
+                            .kind = "not_opened",
+                            .where = error->where,
+                            .what = "Not opened: " + error->what,
+                            .advice = "mend the file and open it again"});
     for (const scene::Message& message : studio_.messages()) findings.push_back(scene::finding_of(message));
     list_->clear();
     for (const scene::FindingGroup& group : scene::grouped(findings)) {

@@ -138,6 +138,7 @@ NetworkPanel::NetworkPanel(Studio& studio, QWidget* parent) : QWidget(parent), s
     summary_ = new QLabel("Nothing has come from the network yet.", this);
     summary_->setWordWrap(true);
     sources_ = new QTableWidget(0, kColumns, this);
+    sources_->setAccessibleName("Sources");
     sources_->setHorizontalHeaderLabels(
         {"Universe", "Source", "Is", "Priority", "Rate", "Jitter", "Missed", "From", "Protocol", "Patched"});
     sources_->verticalHeader()->hide();

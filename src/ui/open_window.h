@@ -14,6 +14,8 @@ namespace ghost::ui {
 struct WindowOptions {
     std::string show;      // empty: the window waits for one
     std::string demo;      // folder of the show that comes with the program; empty: it is not there
+    std::string docs;      // folder of the guide; empty: it is not there
+    std::string fixtures;  // folder of fixture files that come with the program, or empty
     std::string script;    // file with lines of actions, run when the show is open; empty: none
     std::string socket;    // name of a local socket that takes the same lines; empty: none
     bool remembers = true; // layout from the last time, and for the next

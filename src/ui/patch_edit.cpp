@@ -279,6 +279,10 @@ Result<std::string> PatchEdit::beside_show(const fs::path& file, std::uintmax_t 
     return done.ok() ? there.error() : done.error(); // what is there cannot be read
 }
 
+Result<std::string> PatchEdit::fixture_beside_show(const fs::path& file) const {
+    return beside_show(file, kMostFixtureBytes);
+}
+
 Result<void> PatchEdit::set_file(const QString& what, const std::string& key, const fs::path& file) {
     TRY_VOID(document_.check_editable());
     TRY(const std::string inside, beside_show(file, kMostModelBytes));
@@ -306,7 +310,8 @@ Result<void> PatchEdit::keep_camera(const QString& name) {
     if (!name.isEmpty() && taken.contains(camera.name))
         return Error{"another camera is called '" + camera.name + "'", ""};
     TRY(std::string text, scene::add_camera(document_.text(), camera));
-    return document_.edit("Keep camera", {std::move(text), studio_.look(), studio_.selection()});
+    return document_.edit("Keep camera '" + QString::fromStdString(camera.name) + "'",
+                          {std::move(text), studio_.look(), studio_.selection()});
 }
 
 bool is_model(const fs::path& file) {

@@ -47,6 +47,9 @@ public:
     // A model beside the stage, its origin there; copied likewise.
     Result<void> add_model(const std::filesystem::path& file, const glm::vec3& position_m);
 
+    // How the show writes a fixture file; one from elsewhere is copied beside the show.
+    Result<std::string> fixture_beside_show(const std::filesystem::path& file) const;
+
 private:
     using Fixtures = std::vector<scene::PatchedFixture>;
     Result<void> check() const; // something is selected that can be edited

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/script.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QLocalSocket>
 
 namespace ghost::ui {
@@ -83,6 +85,12 @@ RemoteControl::RemoteControl(Actions& actions, Studio& studio, QObject* parent)
 
 Result<void> RemoteControl::listen(const QString& name) {
     server_.setSocketOptions(QLocalServer::UserAccessOption);
+    // A name without a folder is one among the temporary files.
+    const QString place = QDir::isAbsolutePath(name) ? name : QDir::tempPath() + "/" + name;
+    if (QFileInfo(place).isDir())
+        return Error{"is a folder; expected the name of a socket that is made there, like " +
+                         name.toStdString() + "/window",
+                     place.toStdString()};
     if (server_.listen(name)) return {};
     return Error{server_.errorString().toStdString(), name.toStdString()};
 }

@@ -36,6 +36,7 @@ std::string without_number(const std::string& name) {
 
 StageTree::StageTree(Studio& studio, QWidget* parent)
     : QWidget(parent), studio_(studio), search_(new QLineEdit(this)), tree_(new QTreeWidget(this)) {
+    search_->setAccessibleName("Search objects and materials");
     search_->setPlaceholderText("Search objects and materials");
     search_->setClearButtonEnabled(true);
     connect(search_, &QLineEdit::textChanged, this, &StageTree::search);

@@ -49,6 +49,10 @@ QJsonObject look_json(const Look& look, const scene::Show& show) {
         put(one, "lamp", manual.lamp);
         put(one, "lamp_k", manual.lamp_k);
         if (!manual.levels.empty()) one["levels"] = static_cast<int>(manual.levels.size());
+        QJsonObject channels;
+        for (const auto& [name, share] : manual.channels)
+            channels[QString::fromStdString(name)] = static_cast<double>(share);
+        if (!channels.isEmpty()) one["channels"] = channels;
         fixtures[QString::fromStdString(show.fixtures[index].name)] = one;
     }
     QJsonObject scene;

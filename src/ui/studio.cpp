@@ -81,6 +81,7 @@ void Studio::read_news() {
         answered_opens_ = wishes_.opens;
         open_error_ = *news;
         Q_EMIT failed(QString::fromStdString(news->text()));
+        Q_EMIT not_opened();
     }
     if (auto news = link_.failed.take()) Q_EMIT failed(QString::fromStdString(news->text()));
     if (auto news = link_.opened.take()) take_opened(std::move(*news));
@@ -131,6 +132,10 @@ void Studio::read_news() {
         network_ = std::move(*news);
         Q_EMIT network_came();
     }
+    if (auto news = link_.verdicts.take(); news && wishes_.explains_all) {
+        verdicts_ = std::move(*news);
+        Q_EMIT verdicts_came();
+    }
     if (auto news = link_.explained.take()) {
         explained_ = std::move(*news);
         Q_EMIT explanation_came();
@@ -161,12 +166,14 @@ void Studio::take_opened(Opened opened) {
     selection_.clear();
     rig_ = opened_.show ? rig_at_home(*opened_.show) : RigNow{};
     explained_ = {};
+    verdicts_.clear();
     fade_timer_.stop();
     look_ = on_the_way_ = wishes_.look = {};
     wishes_.explained.reset();
     if (!opened_.again) {
         wishes_.transport = {};
         wishes_.recording.clear();
+        wishes_.input = Input::automatic; // what was chosen for a show before says nothing of this one
         wishes_.black_out = wishes_.frozen = false;
     }
     Q_EMIT opened_show(); // the view says how large it is, and from where it looks

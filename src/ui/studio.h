@@ -37,6 +37,8 @@ public:
     std::vector<scene::Sentence> diagnosis() const { return scene::diagnose(network_, patch_); }
     const scene::PatchMap& patch() const { return patch_; }
     const Explained& explained() const { return explained_; }
+    // Of all fixtures; empty: nobody wants them, or they come. Some seconds old.
+    const std::vector<Verdict>& verdicts() const { return verdicts_; }
     const std::vector<scene::Message>& messages() const { return messages_; }
     const std::string& activity() const { return activity_; }
     const std::vector<float>& waveform() const { return waveform_; } // of the recording; empty: not known
@@ -125,10 +127,12 @@ public:
 Q_SIGNALS:
     void opened_show();
     void failed(const QString& what);
+    void not_opened(); // open_error says why; failed says it, too
     void picture_came();
     void rig_came();
     void network_came();
     void explanation_came();
+    void verdicts_came();
     void messages_came();
     void activity_came();
     void probe_came();
@@ -166,6 +170,7 @@ private:
     std::chrono::nanoseconds news_cost_{0}; // since the last picture was painted
     QSize view_size_, second_size_;
     Explained explained_;
+    std::vector<Verdict> verdicts_;
     std::vector<scene::Message> messages_;
     std::string activity_;
     ReceivedPlot plot_;

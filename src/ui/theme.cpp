@@ -9,8 +9,8 @@ namespace ghost::ui {
 void set_theme(QApplication& application) {
     application.setStyle(QStyleFactory::create("Fusion")); // the same on every system
     QPalette palette;
-    const QColor ground(30, 30, 33), deep(22, 22, 24), text(222, 222, 222), grey(125, 125, 128),
-        placeholder(150, 150, 154);
+    const QColor ground(30, 30, 33), deep(22, 22, 24), text(222, 222, 222), grey(142, 142, 145),
+        placeholder(164, 164, 168);
     palette.setColor(QPalette::Window, ground);
     palette.setColor(QPalette::WindowText, text);
     palette.setColor(QPalette::Base, deep);
@@ -33,6 +33,9 @@ void set_theme(QApplication& application) {
     palette.setColor(QPalette::HighlightedText, QColor(255, 240, 220));
     for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
         palette.setColor(QPalette::Disabled, role, grey);
+    // What cannot be typed into has no ground of its own, so that it looks other than an empty line.
+    palette.setColor(QPalette::Disabled, QPalette::Base, ground);
+    palette.setColor(QPalette::Disabled, QPalette::Button, QColor(36, 36, 39));
     application.setPalette(palette);
     application.setStyleSheet(
         "QToolTip { color: #dedede; background: #303034; border: 1px solid #55555a; padding: 3px; }"
@@ -40,7 +43,8 @@ void set_theme(QApplication& application) {
         "QMainWindow::separator { background: #141416; width: 4px; height: 4px; }"
         "QHeaderView::section { background: #28282b; color: #b4b4b8; border: 0; padding: 4px 6px; }"
         "QTableView, QTreeView, QPlainTextEdit, QTextBrowser { border: 0; }"
-        "QTabBar::tab { padding: 6px 12px; }"
+        "QTabBar::tab { padding: 6px 7px; }"
+        "QTabBar { qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true; }"
         "QStatusBar { background: #18181a; color: #b4b4b8; }");
 }
 

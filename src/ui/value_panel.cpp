@@ -5,6 +5,7 @@
 
 #include <QHeaderView>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QSplitter>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
@@ -43,12 +44,60 @@ QString attribute_of(const scene::ChannelFacts& channel) {
     return QString::fromStdString(channel.attribute.empty() ? channel.name : channel.attribute);
 }
 
+// As the list of fixtures has it: "1.023".
+QString padded(QString addresses) {
+    static const QRegularExpression kAddress("(\\d+)\\.(\\d{1,2})(?!\\d)");
+    for (auto found = kAddress.match(addresses); found.hasMatch(); found = kAddress.match(addresses))
+        addresses.replace(found.capturedStart(2), found.capturedLength(2),
+                          found.captured(2).rightJustified(3, '0'));
+    return addresses;
+}
+
+// What a hand sets in this channel's place.
+QString words_by_hand(const scene::ChannelFacts& channel, const fixture::Manual& manual) {
+    using fixture::Role;
+    const auto degrees = [](const std::optional<float>& value) {
+        return value ? QString("%1\u00b0").arg(static_cast<double>(*value), 0, 'f', 1) : QString();
+    };
+    const auto share = manual.channels.find(channel.name);
+    if (share != manual.channels.end())
+        return QString("%1 %").arg(100 * static_cast<double>(share->second), 0, 'f', 0);
+    switch (channel.role) {
+    case Role::dimmer:
+        return manual.intensity ? QString("%1 %").arg(100 * static_cast<double>(*manual.intensity), 0, 'f', 0)
+                                : QString();
+    case Role::shutter:
+    case Role::strobe:
+    case Role::strobe_random:
+    case Role::strobe_pulse:
+        return manual.intensity ? QString("open") : QString();
+    case Role::zoom:
+        return degrees(manual.zoom_deg);
+    case Role::pan:
+        return degrees(manual.pan_deg);
+    case Role::tilt:
+        return degrees(manual.tilt_deg);
+    case Role::gobo_wheel:
+        return manual.gobo ? QString("slot %1").arg(*manual.gobo) : QString();
+    case Role::color_add:
+    case Role::color_sub_c:
+    case Role::color_sub_m:
+    case Role::color_sub_y:
+    case Role::color_wheel:
+    case Role::color_rgb:
+        return manual.colour ? QString("colour") : QString();
+    default:
+        return {};
+    }
+}
+
 } // namespace
 
-void ChannelModel::show(const scene::Explanation& explanation) {
+void ChannelModel::show(const scene::Explanation& explanation, const fixture::Manual& manual) {
     const bool same = channels_.size() == explanation.channels.size();
     if (!same) beginResetModel();
     channels_ = explanation.channels;
+    manual_ = manual;
     if (!same)
         endResetModel();
     else if (!channels_.empty())
@@ -69,24 +118,27 @@ QVariant ChannelModel::data(const QModelIndex& index, int role) const {
     const scene::ChannelFacts& channel = channels_[row];
     if (role == kShare) return share_of(channel);
     if (role == Qt::ToolTipRole) return QString::fromStdString(channel.name + ": " + channel.function);
+    if (role == Qt::ForegroundRole && index.column() == by_hand) return accent();
     if (role == Qt::ForegroundRole && !channel.reading.received) return faint();
     if (role != Qt::DisplayRole) return {};
     switch (index.column()) {
     case address:
-        return QString::fromStdString(channel.addresses);
+        return padded(QString::fromStdString(channel.addresses));
     case attribute:
         return attribute_of(channel);
     case value:
         return QString::fromStdString(channel.value);
     case meaning:
         return QString::fromStdString(channel.meaning);
+    case by_hand:
+        return words_by_hand(channel, manual_);
     default:
         return {};
     }
 }
 
 QVariant ChannelModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    static const char* const kTitles[kColumns] = {"Address", "Attribute", "DMX", "Means"};
+    static const char* const kTitles[kColumns] = {"Address", "Attribute", "DMX", "Means", "By hand"};
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     return kTitles[section];
 }
@@ -101,6 +153,7 @@ ValuePanel::ValuePanel(Studio& studio, QWidget* parent) : QWidget(parent), studi
     model_ = new ChannelModel(this);
     table_ = new QTableView(this);
     table_->setModel(model_);
+    table_->setAccessibleName("Channels");
     table_->setItemDelegateForColumn(ChannelModel::value, new BarPainter(this));
     table_->setShowGrid(false);
     table_->setAlternatingRowColors(true);
@@ -129,7 +182,8 @@ ValuePanel::ValuePanel(Studio& studio, QWidget* parent) : QWidget(parent), studi
     layout->addWidget(title_);
     layout->addWidget(verdict_);
     layout->addWidget(splitter, 1);
-    for (const auto signal : {&Studio::explanation_came, &Studio::selection_changed, &Studio::opened_show})
+    for (const auto signal :
+         {&Studio::explanation_came, &Studio::selection_changed, &Studio::opened_show, &Studio::look_changed})
         connect(&studio_, signal, this, &ValuePanel::refresh);
     refresh();
 }
@@ -139,7 +193,7 @@ void ValuePanel::refresh() {
     if (!studio_.show() || !current) {
         title_->setText("No fixture is selected");
         verdict_->setText("Click a lamp in the picture or a row of the list.");
-        model_->show({});
+        model_->show({}, {});
         words_->clear();
         return;
     }
@@ -152,7 +206,10 @@ void ValuePanel::refresh() {
     verdict_->setStyleSheet(
         QString("color: %1")
             .arg((explained.explanation.visibility == scene::Visibility::lit ? good() : bad()).name()));
-    model_->show(explained.explanation);
+    const auto by_hand = studio_.look().fixtures.find(*current);
+    model_->show(explained.explanation,
+                 by_hand == studio_.look().fixtures.end() ? fixture::Manual{} : by_hand->second);
+    table_->setColumnHidden(ChannelModel::by_hand, by_hand == studio_.look().fixtures.end());
     const QString words = QString::fromStdString(explained.words);
     if (words != words_->toPlainText() && !words_->textCursor().hasSelection()) words_->setPlainText(words);
 }

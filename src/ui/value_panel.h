@@ -16,11 +16,12 @@ namespace ghost::ui {
 class ChannelModel : public QAbstractTableModel {
     Q_OBJECT
 public:
-    enum Column { address, attribute, value, meaning, kColumns };
+    enum Column { address, attribute, value, meaning, by_hand, kColumns };
     static constexpr int kShare = Qt::UserRole; // of the bar behind the value, 0..1
 
     explicit ChannelModel(QObject* parent) : QAbstractTableModel(parent) {}
-    void show(const scene::Explanation& explanation);
+    // manual: what hands set of the fixture.
+    void show(const scene::Explanation& explanation, const fixture::Manual& manual);
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -28,6 +29,7 @@ public:
 
 private:
     std::vector<scene::ChannelFacts> channels_;
+    fixture::Manual manual_;
 };
 
 class ValuePanel : public QWidget {

@@ -5,9 +5,11 @@
 #include "ui/theme.h"
 
 #include <QHBoxLayout>
+#include <QLineEdit>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -16,9 +18,36 @@ constexpr int kSteps = 1000; // of the slider
 
 } // namespace
 
+MixedSpinBox::MixedSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+        if (std::exchange(is_mixed_, false)) is_typed_over_ = true;
+    });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        if (std::exchange(is_typed_over_, false) && on_typed_over) on_typed_over(value());
+    });
+}
+
+void MixedSpinBox::set_mixed(bool mixed) {
+    if (mixed == is_mixed_) return;
+    is_mixed_ = mixed;
+    lineEdit()->setText(prefix() + textFromValue(value()) + (mixed ? QString() : suffix()));
+}
+
+QString MixedSpinBox::textFromValue(double value) const {
+    return is_mixed_ ? QString("mixed") : QDoubleSpinBox::textFromValue(value);
+}
+
+double MixedSpinBox::valueFromText(const QString& text) const {
+    return text.contains("mixed") ? value() : QDoubleSpinBox::valueFromText(text);
+}
+
+QValidator::State MixedSpinBox::validate(QString& text, int& place) const {
+    return text.contains("mixed") ? QValidator::Acceptable : QDoubleSpinBox::validate(text, place);
+}
+
 ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent)
     : QWidget(parent), range_(range), label_(new QLabel(name, this)),
-      slider_(new QSlider(Qt::Horizontal, this)), field_(new QDoubleSpinBox(this)),
+      slider_(new QSlider(Qt::Horizontal, this)), field_(new MixedSpinBox(this)),
       release_(new QToolButton(this)) {
     label_->setFixedWidth(label_width(*this));
     slider_->setRange(0, kSteps);
@@ -45,6 +74,9 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
     connect(field_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
         if (!follows_ && on_change) on_change(value);
     });
+    field_->on_typed_over = [this](double value) {
+        if (on_change) on_change(value);
+    };
     connect(release_, &QToolButton::clicked, this, [this] {
         if (on_release) on_release();
     });
@@ -76,11 +108,14 @@ void ValueRow::set_reach(double low, double high) {
     field_->setSingleStep((high - low) / 100);
 }
 
-void ValueRow::show_value(double value, bool by_hand) {
+void ValueRow::show_value(double value, bool by_hand, bool mixed) {
     {
         const Following following(follows_);
         if (!slider_->isSliderDown()) slider_->setValue(to_slider(value));
-        if (!field_->hasFocus() || by_hand || !on_release) field_->setValue(value);
+        if (!field_->is_typed_over() && (!field_->hasFocus() || by_hand || !on_release)) {
+            field_->set_mixed(mixed);
+            field_->setValue(value);
+        }
     }
     release_->setVisible(on_release != nullptr);
     release_->setEnabled(by_hand);

@@ -8,6 +8,7 @@
 #include <QSlider>
 #include <QString>
 #include <QToolButton>
+#include <QValidator>
 #include <QWidget>
 
 #include <functional>
@@ -22,6 +23,25 @@ struct ValueRange {
     bool by_ratio = false; // the slider's steps are ratios: for what spans decades; low above 0
 };
 
+// Says "mixed" instead of its number where it is told to.
+class MixedSpinBox : public QDoubleSpinBox {
+    Q_OBJECT
+public:
+    explicit MixedSpinBox(QWidget* parent);
+    bool is_mixed() const { return is_mixed_; }
+    void set_mixed(bool mixed);
+    bool is_typed_over() const { return is_typed_over_; }
+    // A number was typed in the place of the word, be it that of the first.
+    std::function<void(double)> on_typed_over;
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& place) const override;
+
+private:
+    bool is_mixed_ = false;
+    bool is_typed_over_ = false; // and not finished
+};
+
 class ValueRow : public QWidget {
     Q_OBJECT
 public:
@@ -29,8 +49,9 @@ public:
     static int label_width(const QWidget& widget);
     ValueRow(const QString& name, const ValueRange& range, QWidget* parent);
 
-    // by_hand: it is set by a person; else it is only shown. Does not call back.
-    void show_value(double value, bool by_hand);
+    // by_hand: it is set by a person; else it is only shown. mixed: others have other values; the word stands
+    // there until one is given to all. Does not call back.
+    void show_value(double value, bool by_hand, bool mixed = false);
     // Does not call back.
     void set_reach(double low, double high);
     std::function<void(double)> on_change; // a person moved it
@@ -43,7 +64,7 @@ private:
     ValueRange range_;
     QLabel* label_;
     QSlider* slider_;
-    QDoubleSpinBox* field_;
+    MixedSpinBox* field_;
     QToolButton* release_;
     bool follows_ = false; // it is being set, not moved
 };

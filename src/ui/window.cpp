@@ -3,9 +3,11 @@
 
 #include "ui/aiming.h"
 #include "ui/air_panel.h"
+#include "ui/cue_panel.h"
 #include "ui/export_actions.h"
 #include "ui/export_panel.h"
 #include "ui/fixture_panel.h"
+#include "ui/focus_guide.h"
 #include "ui/hand.h"
 #include "ui/hand_panel.h"
 #include "ui/hang_edit.h"
@@ -19,9 +21,13 @@
 #include "ui/patch_edit.h"
 #include "ui/scene_panel.h"
 #include "ui/shortened.h"
+#include "ui/show_actions.h"
+#include "ui/substitute.h"
 #include "ui/tone_actions.h"
 #include "ui/transport_panel.h"
 #include "ui/value_panel.h"
+#include "ui/view_bar.h"
+#include "ui/welcome.h"
 #include "ui/wheel_guard.h"
 
 #include <QApplication>
@@ -29,38 +35,41 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 
 #include <algorithm>
+#include <filesystem>
+#include <set>
 
 namespace ghost::ui {
 namespace {
 
-constexpr int kLayoutVersion = 2; // another number: a layout of an older program is not taken
-
-const char* const kHint =
-    "Drop a show folder, a show.toml or an .mvr here, or press Ctrl+O.\n"
-    "Ctrl+Shift+O opens the demo. A desk is heard as soon as it sends sACN or Art-Net;\n"
-    "Network (Ctrl+5) says what arrives. Press ? for all keys.";
+constexpr int kLayoutVersion = 3;        // another number: a layout of an older program is not taken
+constexpr int kTwoColumnsFrom_px = 2200; // of the window; a narrower one has all panels at its left
+constexpr double kDemoBegins_s = 55;     // its first eight seconds are dark
 
 } // namespace
 
 Window::Window(Link& link, const WindowOptions& options)
-    : options_(options), studio_(link), document_(studio_), looks_(studio_), exporter_(studio_, document_),
-      second_(studio_), actions_(*this), view_(new View(studio_, this)), status_input_(new QLabel(this)),
-      status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)), status_device_(new QLabel(this)) {
+    : options_(options), studio_(link), document_(studio_), looks_(studio_),
+      cues_(studio_, document_, looks_), exporter_(studio_, document_), second_(studio_), actions_(*this),
+      view_(new View(studio_, this)), recent_(studio_, options.remembers),
+      menus_(actions_, studio_, document_, recent_), toast_(new Toast(view_)),
+      status_input_(new QLabel(this)), status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)),
+      status_device_(new QLabel(this)) {
     setWindowTitle("Ghostlight");
     setAcceptDrops(true);
     qApp->installEventFilter(new WheelGuard(this));
     setDockNestingEnabled(true);
     setCentralWidget(view_);
-    view_->hint = kHint;
     statusBar()->addWidget(status_input_, 1);
     statusBar()->addPermanentWidget(status_jobs_);
     statusBar()->addPermanentWidget(status_supply_);
     statusBar()->addPermanentWidget(status_device_);
     actions_.complain = [this](const Error& error) { say(QString::fromStdString(error.text()), 8000); };
+    cues_.complain = actions_.complain;
     add_panels();
     add_window_actions();
     add_view_switches();
@@ -70,6 +79,7 @@ Window::Window(Link& link, const WindowOptions& options)
     add_tone_actions(actions_, studio_);
     add_play_actions(actions_, studio_);
     add_look_actions(actions_, studio_, looks_);
+    add_cue_actions(actions_, cues_);
     add_export_actions(actions_, studio_, exporter_);
     add_patch_actions(actions_, studio_, document_);
     add_hang_action(actions_, studio_, document_);
@@ -84,7 +94,16 @@ Window::Window(Link& link, const WindowOptions& options)
     };
     add_air_actions(actions_, studio_, document_);
     add_document_actions(actions_, document_);
-    make_menus();
+    add_show_actions(actions_, studio_, document_, options_.docs, *this);
+    add_selection_actions(actions_, studio_);
+    add_substitute_action(actions_, studio_, document_, options_.fixtures, *this);
+    new FocusGuide(view_);
+    menus_.fill(*menuBar());
+    menuBar()->setCornerWidget(new ViewBar(studio_, actions_, menuBar()), Qt::TopRightCorner);
+    auto* context_menus = new ContextMenus(menus_, studio_, view_);
+    context_menus->serve(fixtures_->table());
+    actions_.on_done = [this](const Action& action) { say_done(action); };
+    connect(&studio_, &Studio::look_changed, this, &Window::say_hand_taken);
     transport_ = new QToolBar("Transport", this);
     transport_->setObjectName("transport");
     transport_->setMovable(false);
@@ -99,17 +118,17 @@ Window::Window(Link& link, const WindowOptions& options)
                                                                            : studio_.show()->name) +
                        "[*] - Ghostlight");
         if (studio_.opened().is_edit) return;
+        end_waiting();
+        begin_where_there_is_light();
         view_->setFocus();
         if (!options_.remembers || !QSettings().contains("layout version"))
             say(QString("Press ? for all keys.") +
-                    (options_.takes_desk ? " A desk that sends sACN or Art-Net takes over by itself." : ""),
+                    (options_.takes_desk && studio_.wishes().input == Input::automatic
+                         ? " A desk that sends sACN or Art-Net takes over by itself."
+                         : ""),
                 20000);
     });
-    connect(&studio_, &Studio::failed, this, [this](const QString& what) {
-        view_->hint = what + "\n\n" + kHint;
-        say(what, 15000);
-        view_->update();
-    });
+    connect(&studio_, &Studio::failed, this, [this](const QString& what) { say(what, 15000); });
     connect(&studio_, &Studio::plot_came, this, [this] {
         const ReceivedPlot& plot = studio_.plot();
         say(QString::fromStdString(plot.from + " sent a plot (" +
@@ -145,7 +164,9 @@ Window::Window(Link& link, const WindowOptions& options)
         if (job.state == Job::State::failed) words += ". " + job.last_said;
         say(words, 15000);
     });
-    resize(1280, 760);
+    const QSize room = screen()->availableSize();
+    resize(room.isEmpty() ? QSize(1280, 760) : room);
+    if (options_.width == 0) setWindowState(Qt::WindowMaximized);
     QSettings settings;
     if (const auto tone = image::tone_from(settings.value("tone").toString().toStdString());
         options_.remembers && tone.ok())
@@ -153,8 +174,13 @@ Window::Window(Link& link, const WindowOptions& options)
     if (options_.remembers && settings.value("layout version").toInt() == kLayoutVersion) {
         restoreGeometry(settings.value("geometry").toByteArray());
         restoreState(settings.value("docks").toByteArray(), kLayoutVersion);
+        if (options_.width > 0) resize(options_.width, options_.height);
+    } else {
+        if (options_.width > 0) resize(options_.width, options_.height);
+        lay_out();
     }
-    if (options_.width > 0) resize(options_.width, options_.height);
+    new Welcome(actions_, studio_, recent_, !options_.demo.empty(), view_);
+    if (options_.show.empty()) wait_for_show();
     actions_.refresh();
 }
 
@@ -225,26 +251,82 @@ void Window::add_panels() {
         if (const Result<void> done = hang_under(studio_, document_, object); !done.ok())
             actions_.complain(done.error());
     });
+    QDockWidget* cues = add_panel("cues", "Cues", new CuePanel(studio_, cues_, looks_, actions_, this),
+                                  Qt::RightDockWidgetArea);
+    tabifyDockWidget(looks, cues);
     exports->hide();
     air->hide();
+    cues->hide();
     hand->raise();
     network->hide();
     messages->hide();
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    resizeDocks({docks_.front(), values}, {250, 290}, Qt::Horizontal);
 }
 
-void Window::make_menus() {
-    const QString kLast = "quit"; // of the first menu, as everywhere
-    // Panels come first in the table, for their docks do; people look for the show first.
-    for (const char* const title : {"Show", "Edit", "View", "Camera", "Play", "Quality", "Panels", "Help"}) {
-        QMenu* menu = menuBar()->addMenu(title);
-        for (const Action& action : actions_.all())
-            if (action.menu == title && action.name != kLast) menu->addAction(actions_.item(action.name));
+// The picture first: of a window of 1366x768, 1920x1080 and 2560x1440 it has 60, 70 and 75 %.
+void Window::lay_out() {
+    const int column_px = std::clamp(width() * 22 / 100, 240, 330);
+    QDockWidget* const list = docks_.front();
+    const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
+    if (width() < kTwoColumnsFrom_px) {
+        splitDockWidget(list, dock("values"), Qt::Vertical);
+        for (const char* const name : {"hand", "scene", "looks", "cues", "export", "air"})
+            tabifyDockWidget(dock("values"), dock(name));
+        dock("hand")->raise();
+        resizeDocks({list}, {column_px}, Qt::Horizontal);
+        resizeDocks({list, dock("hand")}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
+    } else {
+        resizeDocks({list, dock("hand")}, {240, 260}, Qt::Horizontal);
     }
-    QMenu* show = menuBar()->actions().first()->menu();
-    show->addSeparator();
-    show->addAction(actions_.item(kLast));
+}
+
+// Panels round a picture that is not there help nobody.
+void Window::wait_for_show() {
+    for (QDockWidget* const one : docks_) {
+        if (one->isHidden()) continue;
+        docks_waiting_.push_back(one);
+        one->hide();
+    }
+    transport_->hide();
+}
+
+void Window::end_waiting() {
+    for (QDockWidget* const one : docks_waiting_) one->show();
+    for (QDockWidget* const one : docks_waiting_)
+        if (one->objectName() == "hand") one->raise();
+    docks_waiting_.clear();
+    if (!isFullScreen()) transport_->show();
+}
+
+void Window::begin_where_there_is_light() {
+    std::error_code code;
+    if (!studio_.opened().again && !options_.demo.empty() &&
+        std::filesystem::equivalent(studio_.show()->folder, options_.demo, code))
+        studio_.wish([](Wishes& wishes) {
+            ++wishes.transport.seeks;
+            wishes.transport.at_s = kDemoBegins_s;
+        });
+}
+
+// What else would show nothing.
+void Window::say_done(const Action& action) {
+    static const std::set<QString> kSays{"keep-camera", "hang",       "duplicate",   "remove",
+                                         "unpatch",     "distribute", "add-fixture", "add-model",
+                                         "set-stage",   "substitute"};
+    if (action.name == "save")
+        toast_->say("Saved: " + QString::fromStdString(studio_.show()->file.filename().string()));
+    else if (kSays.contains(action.name))
+        toast_->say(studio_.undo_stack().undoText(), [this] { actions_.choose("undo"); });
+}
+
+void Window::say_hand_taken() {
+    const std::size_t count = studio_.look().fixtures.size();
+    const bool has_hand = count > 0;
+    if (has_hand && !had_hand_ && !studio_.fades())
+        toast_->say(QString("By hand now: %1. R gives back what is selected, Shift+R all")
+                        .arg(words_of(studio_.look())),
+                    [this] { actions_.choose("undo"); });
+    had_hand_ = has_hand;
 }
 
 void Window::name_cameras() {
@@ -268,6 +350,11 @@ void Window::show_status() {
                    : QString("A desk: %1 %2")
                          .arg(rig.universes.list.size())
                          .arg(rig.universes.list.size() == 1 ? "universe" : "universes");
+    else if (rig.recording_s <= 0)
+        text = studio_.wishes().input == Input::recording
+                   ? "No recording: the show has none; a desk is not taken (Play menu)"
+               : listens ? "No recording; a desk that sends sACN or Art-Net takes over by itself"
+                         : "No recording, and no desk: started with --no-desk";
     else
         text = QString("Recording, %1 of %2 s").arg(rig.at_s, 0, 'f', 1).arg(rig.recording_s, 0, 'f', 1);
     if (rig.recorded_s >= 0) text += QString("; RECORDING, %1 s").arg(rig.recorded_s, 0, 'f', 1);
@@ -299,6 +386,7 @@ void Window::closeEvent(QCloseEvent* event) {
     if (options_.remembers)
         QSettings().setValue("tone", QString::fromStdString(image::name_of(studio_.wishes().tone)));
     if (options_.remembers && !isFullScreen()) {
+        end_waiting(); // panels that waited are part of the layout
         QSettings settings;
         settings.setValue("layout version", kLayoutVersion);
         settings.setValue("geometry", saveGeometry());

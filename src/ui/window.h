@@ -4,14 +4,19 @@
 // layout. Window thread.
 
 #include "ui/actions.h"
+#include "ui/context_menus.h"
+#include "ui/cue_list.h"
 #include "ui/exporter.h"
 #include "ui/looks.h"
 #include "ui/loop_watch.h"
+#include "ui/menus.h"
 #include "ui/open_window.h"
 #include "ui/reach.h"
+#include "ui/recent_shows.h"
 #include "ui/second_display.h"
 #include "ui/show_document.h"
 #include "ui/studio.h"
+#include "ui/toast.h"
 #include "ui/view.h"
 
 #include <QDockWidget>
@@ -44,7 +49,12 @@ private:
     void add_panels();
     void add_window_actions();
     void add_view_switches();
-    void make_menus();
+    void lay_out();
+    void wait_for_show();
+    void end_waiting();
+    void begin_where_there_is_light();
+    void say_done(const Action& action);
+    void say_hand_taken();
     void name_cameras();
     void show_status();
     void show_jobs();
@@ -59,16 +69,22 @@ private:
     Studio studio_;
     ShowDocument document_;
     Looks looks_;
+    CueList cues_;
     Exporter exporter_;
     SecondDisplay second_;
     Reach reach_;
     Actions actions_;
     LoopWatch* const loop_ = new LoopWatch(this);
     View* view_;
+    RecentShows recent_;
+    Menus menus_;
+    Toast* toast_;
+    bool had_hand_ = false; // something was set by hand when it was last looked at
     FixturePanel* fixtures_ = nullptr;
     std::vector<QDockWidget*> docks_;
-    std::vector<bool> docks_shown_;      // before full screen
-    std::vector<QDockWidget*> in_front_; // likewise, of those behind one another
+    std::vector<QDockWidget*> docks_waiting_; // shown with the first show
+    std::vector<bool> docks_shown_;           // before full screen
+    std::vector<QDockWidget*> in_front_;      // likewise, of those behind one another
     QToolBar* transport_ = nullptr;
     bool transport_shown_ = true; // likewise
     bool closes_anyway_ = false;  // with changes that can be written nowhere

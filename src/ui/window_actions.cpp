@@ -8,11 +8,13 @@
 #include "ui/shortcut_sheet.h"
 #include "ui/state_json.h"
 
+#include <QDesktopServices>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QLayout>
 #include <QMenuBar>
 #include <QStatusBar>
+#include <QUrl>
 
 namespace ghost::ui {
 
@@ -28,6 +30,16 @@ void Window::add_window_actions() {
                   },
                   {},
                   {"Open a show", "Shows (show.toml *.mvr);;All files (*)", ""}});
+    actions_.add({"open-outside",
+                  "",
+                  "open-outside",
+                  "",
+                  "FILE",
+                  [](const QStringList& words) -> Result<void> {
+                      if (QDesktopServices::openUrl(QUrl::fromLocalFile(words.value(0)))) return {};
+                      return Error{"no program was found that opens it", words.value(0).toStdString()};
+                  },
+                  {}});
     actions_.add({"open-demo",
                   "Show",
                   "Open the demo",

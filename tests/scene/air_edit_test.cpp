@@ -129,8 +129,8 @@ TEST(AirEdit, a_preview_has_the_air_and_is_quick) {
     ASSERT_TRUE(preview.ok());
     EXPECT_EQ(preview->haze.wind_m_s, glm::vec3(1, 0, 0));
     EXPECT_EQ(preview->hazers.size(), 1u);
-    EXPECT_TRUE(differ_in_fixtures_and_air_only(kText, *removed));
-    EXPECT_FALSE(differ_in_fixtures_and_air_only(kText, with(kText, "linear = 0.1", "linear = 0.2")));
+    EXPECT_TRUE(differ_in_fixtures_air_and_cues_only(kText, *removed));
+    EXPECT_FALSE(differ_in_fixtures_air_and_cues_only(kText, with(kText, "linear = 0.1", "linear = 0.2")));
 }
 
 } // namespace

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/files.h"
 #include "scene/show.h"
 #include "scene/show_toml.h"
 #include "tiny_glb.h"
@@ -509,6 +510,44 @@ TEST(Show, TheDemoShowIsWhole) {
     const Stage stage = stage_with_bodies(*show, report);
     EXPECT_FALSE(report.lost_anything()) << all_text(report);
     for (int k = 0; k < 10; ++k) EXPECT_LT(extent_of(stage, k).low.z, 6.5f) << k;
+}
+
+// What a person did, not what the parser saw.
+TEST(ShowToml, a_slip_of_the_pen_is_said_in_words_with_its_line) {
+    const auto said = [](const std::string& text) {
+        Report report;
+        const auto parsed = parse_show(text, "show/show.toml", report);
+        return parsed.ok() ? std::string() : parsed.error().text();
+    };
+    EXPECT_TRUE(said("[show]\nname = \"a\nstage = 1\n")
+                    .starts_with("show/show.toml:2: is not TOML: a quotation mark is missing"));
+    EXPECT_TRUE(said("[show]\n[[camera]\nname = \"a\"\n")
+                    .starts_with("show/show.toml:2: is not TOML: a bracket ] is missing"));
+    EXPECT_TRUE(said("[show]\nname = a\n")
+                    .starts_with("show/show.toml:2: is not TOML: the value is neither a number nor true nor "
+                                 "false; text needs"));
+    EXPECT_NE(said("[show]\nsize = [1, 2\n").find("is missing"), std::string::npos)
+        << said("[show]\nsize = [1, 2\n");
+    EXPECT_NE(said("[show]\nname = \"a\"\nname = \"b\"\n").find("twice"), std::string::npos)
+        << said("[show]\nname = \"a\"\nname = \"b\"\n");
+}
+
+// The other faults are said, and it opens: the cameras are made from where the fixtures hang.
+TEST(ShowToml, a_show_without_a_camera_opens_and_says_all_of_its_faults) {
+    const fs::path folder = fs::path(testing::TempDir()) / "no_camera";
+    fs::create_directories(folder);
+    ASSERT_TRUE(
+        write_file_atomic(folder / "show.toml", "[show]\nname = \"a\"\nstagf = 2\n" + fixture("Spot 1", 1))
+            .ok());
+    Report report;
+    const auto show = load_show(folder, true, report);
+    ASSERT_TRUE(show.ok()) << show.error().text();
+    ASSERT_FALSE(show->cameras.empty());
+    EXPECT_EQ(show->cameras.front().name, "house");
+    const std::string all = all_text(report);
+    EXPECT_NE(all.find("has no [[camera]]: three are made"), std::string::npos) << all;
+    EXPECT_NE(all.find("unknown key 'stagf'"), std::string::npos) << all;
+    EXPECT_NE(all.find("Spot.gdtf"), std::string::npos) << all;
 }
 
 } // namespace

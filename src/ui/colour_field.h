@@ -1,0 +1,54 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// ColourField: a colour chosen in the panel itself: hue across and saturation down, as desks have it
+// (intensity is a parameter of its own), white by kelvin, a gel book, and swatches. Window thread.
+
+#include <QColor>
+#include <QComboBox>
+#include <QImage>
+#include <QWidget>
+
+#include <functional>
+
+namespace ghost::ui {
+
+class ValueRow;
+
+// The field of hues alone. Arrow keys move it, too.
+class HueField : public QWidget {
+    Q_OBJECT
+public:
+    explicit HueField(QWidget* parent);
+    void show_colour(const QColor& colour);
+    std::function<void(const QColor&)> on_change;
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
+
+private:
+    void choose(float hue, float saturation);
+
+    QImage field_;
+    float hue_ = 0, saturation_ = 0; // 0..1
+};
+
+class ColourField : public QWidget {
+    Q_OBJECT
+public:
+    explicit ColourField(QWidget* parent);
+    void show_colour(const QColor& colour); // does not call back
+    std::function<void(const QColor&)> on_change;
+
+private:
+    void choose(const QColor& colour);
+
+    HueField* hues_;
+    ValueRow* kelvin_;
+    QComboBox* gels_;
+};
+
+} // namespace ghost::ui
