@@ -367,7 +367,7 @@ TEST_F(GBufferTest, AStoppedOneGoesOnWhereItWas) {
     for (int row = 0; row < 40; ++row)
         for (int k = 0; k < 60; ++k) {
             stage.instances.push_back(stage.instances[0]);
-            stage.instances.back().to_world[3] +=
+            stage.instances.back().world[3] +=
                 glm::vec4(0.1f * static_cast<float>(k), 0, 0.1f * static_cast<float>(row), 0);
         }
     scene::Report report;
