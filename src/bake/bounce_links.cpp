@@ -181,6 +181,20 @@ private:
         sum.weight_m += weight * distance_m;
     }
 
+    // Of the air that a ray came through to a surface. Where a wall cuts the last sub-voxel, that may be a
+    // cell of its other side.
+    std::uint32_t cell_before(const glm::vec3& met_m, const glm::vec3& normal,
+                              const std::vector<Sums::Chord>& chords, std::uint32_t last,
+                              std::uint32_t own_cell) const {
+        const std::uint32_t before = chords.size() > 1 ? chords[chords.size() - 2].cell : own_cell;
+        if (last == kNoNode || before == kNoNode || before == last) return last;
+        constexpr float kFarther = 4; // sub-voxels
+        if (chords.back().end_m - chords.back().begin_m > kFarther * bounce_.grid.sub_m) return last;
+        const glm::vec3 at_m = met_m + normal * 2e-3f;
+        const int sub = bounce_.grid.sub_at(at_m);
+        return sub < 0 || sees(tracer_, at_m, bounce_.grid.sub_centre_m(sub)) ? last : before;
+    }
+
     // One ray of a receiver in a cell; unit: steradians it stands for.
     void look(bool is_coarse, const glm::vec3& from_m, const glm::vec3& way, std::uint32_t own_cell,
               float unit, Sums& sums) const {
@@ -195,9 +209,12 @@ private:
                                                      [&](std::uint32_t cell, float a, float b) {
                                                          chords.push_back({cell, a, b});
                                                      });
+        const glm::vec3 met_m = from_m + way * meeting.distance_m;
         const std::uint32_t surfel =
-            meeting.instance < 0 ? kNoNode
-                                 : index_.surfel_at(from_m + way * meeting.distance_m, meeting.normal, last);
+            meeting.instance < 0
+                ? kNoNode
+                : index_.surfel_at(met_m, meeting.normal,
+                                   cell_before(met_m, meeting.normal, chords, last, own_cell));
         // A sub-voxel that a wall cuts is a cell of one of its sides; a ray of the other side does not get
         // there.
         if (!chords.empty() && surfel != kNoNode) {
