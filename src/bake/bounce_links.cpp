@@ -210,11 +210,12 @@ private:
                                                          chords.push_back({cell, a, b});
                                                      });
         const glm::vec3 met_m = from_m + way * meeting.distance_m;
-        const std::uint32_t surfel =
-            meeting.instance < 0
-                ? kNoNode
-                : index_.surfel_at(met_m, meeting.normal,
-                                   cell_before(met_m, meeting.normal, chords, last, own_cell));
+        std::uint32_t surfel = kNoNode;
+        if (meeting.instance >= 0) {
+            const std::uint32_t before = cell_before(met_m, meeting.normal, chords, last, own_cell);
+            if (before != last) chords.back().cell = before;
+            surfel = index_.surfel_at(met_m, meeting.normal, before);
+        }
         // A sub-voxel that a wall cuts is a cell of one of its sides; a ray of the other side does not get
         // there.
         if (!chords.empty() && surfel != kNoNode) {
