@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kMoments_s[] = {8, 28, 50, 66, 82};
 constexpr int kFps = 25;
-constexpr std::int64_t kParticles = 1'000'000;
+constexpr std::int64_t kParticles = 500'000;
 constexpr int kSolves = 10; // the best counts
 constexpr int kPowerOrders = 6;
 constexpr std::size_t kBrightest = 10; // objects
@@ -113,13 +113,19 @@ Result<void> power_rows(ShowMoment& moment, const Room& room, const bake::Tracer
             const scene::BouncePower& ours = solved.orders[k];
             particles += truth.on_surfaces;
             solution += ours.on_surfaces;
+            // Of what the order before sent on, what is met again; the rest escapes.
+            const bake::OrderPower& sender = walked.orders[k - 1];
+            const double met = (truth.on_surfaces + truth.in_air + truth.absorbed_in_air) /
+                               (sender.reflected + sender.in_air);
             sink({"bounce",
                   moment_name(at_s) + ", order " + std::to_string(k),
                   {{"surfaces_share", truth.on_surfaces / walked.sent_lm},
                    {"air_share", truth.in_air * kept / walked.sent_lm},
                    {"surfaces", ours.on_surfaces / truth.on_surfaces},
                    {"reflected", ours.reflected / truth.reflected},
-                   {"air", ours.in_air / (truth.in_air * kept)}},
+                   {"air", ours.in_air / (truth.in_air * kept)},
+                   {"met_share", met},
+                   {"met_solved", (ours.on_surfaces + ours.in_air) / solved.orders[k - 1].emitted}},
                   "shares of what is sent, by particles; solved / particles"});
         }
         sink({"bounce",

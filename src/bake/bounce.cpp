@@ -138,8 +138,11 @@ scene::LampSight lamp_sight(const Tracer& tracer, const scene::Bounce& bounce, c
             const auto texel = static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
             const glm::vec3 place_m = position_m + way * meeting.distance_m;
             sight.distance_m[texel] = scene::to_half(std::max(meeting.distance_m, 1e-3f));
-            const int sub = bounce.grid.sub_at(place_m + meeting.normal * (0.4f * bounce.grid.sub_m));
-            const std::uint32_t cell = sub < 0 ? kNoNode : bounce.cell_of[static_cast<std::size_t>(sub)];
+            // Not of the other side of a wall that cuts its sub-voxel.
+            const glm::vec3 before_m = place_m + meeting.normal * (0.4f * bounce.grid.sub_m);
+            const int sub = bounce.grid.sub_at(before_m);
+            const bool is_its = sub >= 0 && sees(tracer, before_m, bounce.grid.sub_centre_m(sub));
+            const std::uint32_t cell = is_its ? bounce.cell_of[static_cast<std::size_t>(sub)] : kNoNode;
             sight.surfel[texel] = index.surfel_at(place_m, meeting.normal, cell);
         }
     });

@@ -51,6 +51,11 @@ struct Sums {
         glm::vec3 way; // weighted, from emitter to receiver
         float weight, weight_m;
     };
+    struct Chord {
+        std::uint32_t cell;
+        float begin_m, end_m;
+    };
+    std::vector<Chord> chords; // of one ray
     std::vector<Sum> all;
     std::vector<std::uint32_t> where; // of each node, in all
 };
@@ -103,12 +108,14 @@ private:
         return u * u * (3 - 2 * u);
     }
 
-    glm::vec3 place_in_cell(const std::vector<std::uint32_t>& subs, float pick, BounceRandom& random) const {
+    glm::vec3 place_in_cell(const std::vector<std::uint32_t>& subs, float pick, BounceRandom& random,
+                            std::uint32_t& cell) const {
         const std::size_t at =
             std::min(static_cast<std::size_t>(pick * static_cast<float>(subs.size())), subs.size() - 1);
         const glm::vec3 centre = bounce_.grid.sub_centre_m(static_cast<int>(subs[at]));
         const float x = random(), y = random(), z = random();
         const glm::vec3 place = centre + (glm::vec3(x, y, z) - 0.5f) * bounce_.grid.sub_m;
+        cell = bounce_.cell_of[subs[at]];
         return sees(tracer_, centre, place) ? place : centre;
     }
 
@@ -132,14 +139,16 @@ private:
             const float v = part_of(turn + static_cast<float>(k) * kGolden);
             const float pick = part_of(shift + static_cast<float>(k) * kPlastic);
             if (is_cell) {
-                look(is_coarse, place_in_cell(members, pick, random), even_direction(u, v), unit, sums);
+                std::uint32_t cell = kNoNode;
+                const glm::vec3 place_m = place_in_cell(members, pick, random, cell);
+                look(is_coarse, place_m, even_direction(u, v), cell, unit, sums);
                 continue;
             }
             const std::size_t at = std::min(
                 static_cast<std::size_t>(pick * static_cast<float>(members.size())), members.size() - 1);
             const SurfacePoint& point = nodes_.points[members[at]];
-            look(is_coarse, point.place_m + point.normal * 1e-3f, cosine_about(point.normal, u, v), unit,
-                 sums);
+            look(is_coarse, point.place_m + point.normal * 1e-3f, cosine_about(point.normal, u, v),
+                 point.cell, unit, sums);
         }
         for (const Sums::Sum& sum : sums.all) {
             sums.where[sum.node] = kNoNode;
@@ -172,27 +181,60 @@ private:
         sum.weight_m += weight * distance_m;
     }
 
-    // One ray of a receiver; unit: steradians it stands for.
-    void look(bool is_coarse, const glm::vec3& from_m, const glm::vec3& way, float unit, Sums& sums) const {
+    // Of the air that a ray came through to a surface. Where a wall cuts the last sub-voxel, that may be a
+    // cell of its other side.
+    std::uint32_t cell_before(const glm::vec3& met_m, const glm::vec3& normal,
+                              const std::vector<Sums::Chord>& chords, std::uint32_t last,
+                              std::uint32_t own_cell) const {
+        const std::uint32_t before = chords.size() > 1 ? chords[chords.size() - 2].cell : own_cell;
+        if (last == kNoNode || before == kNoNode || before == last) return last;
+        constexpr float kFarther = 4; // sub-voxels
+        if (chords.back().end_m - chords.back().begin_m > kFarther * bounce_.grid.sub_m) return last;
+        const glm::vec3 at_m = met_m + normal * 2e-3f;
+        const int sub = bounce_.grid.sub_at(at_m);
+        return sub < 0 || sees(tracer_, at_m, bounce_.grid.sub_centre_m(sub)) ? last : before;
+    }
+
+    // One ray of a receiver in a cell; unit: steradians it stands for.
+    void look(bool is_coarse, const glm::vec3& from_m, const glm::vec3& way, std::uint32_t own_cell,
+              float unit, Sums& sums) const {
         const float reach_m = is_coarse ? 1e4f : block_m_ * kNearTo;
         const Tracer::Meeting meeting = tracer_.meet(from_m, way, reach_m);
         const auto share_at = [&](float distance_m) {
             return is_coarse ? 1 - near_share(distance_m) : near_share(distance_m);
         };
-        const std::uint32_t last = scene::walk_cells(
-            bounce_, from_m, way, meeting.distance_m, [&](std::uint32_t cell, float a, float b) {
-                const std::uint32_t node = is_coarse ? bounce_.fine.cells[cell].block : cell;
-                const bool fades = a < block_m_ * kNearTo;
-                const int pieces = fades ? static_cast<int>((b - a) / (kPieces * cell_m_)) + 1 : 1;
-                for (int k = 0; k < pieces; ++k) {
-                    const float length = (b - a) / static_cast<float>(pieces);
-                    const float middle = a + length * (static_cast<float>(k) + 0.5f);
-                    add(sums, node, way, unit * length * share_at(middle), middle);
-                }
-            });
-        if (meeting.instance < 0) return;
-        const std::uint32_t surfel =
-            index_.surfel_at(from_m + way * meeting.distance_m, meeting.normal, last);
+        std::vector<Sums::Chord>& chords = sums.chords;
+        chords.clear();
+        const std::uint32_t last = scene::walk_cells(bounce_, from_m, way, meeting.distance_m,
+                                                     [&](std::uint32_t cell, float a, float b) {
+                                                         chords.push_back({cell, a, b});
+                                                     });
+        const glm::vec3 met_m = from_m + way * meeting.distance_m;
+        std::uint32_t surfel = kNoNode;
+        if (meeting.instance >= 0) {
+            const std::uint32_t before = cell_before(met_m, meeting.normal, chords, last, own_cell);
+            if (before != last) chords.back().cell = before;
+            surfel = index_.surfel_at(met_m, meeting.normal, before);
+        }
+        // A sub-voxel that a wall cuts is a cell of one of its sides; a ray of the other side does not get
+        // there.
+        if (!chords.empty() && surfel != kNoNode) {
+            Sums::Chord& chord = chords.back();
+            const float depth_m = (chord.end_m - chord.begin_m) * std::abs(glm::dot(way, meeting.normal));
+            if (depth_m < bounce_.grid.sub_m) chord.cell = bounce_.fine.surfels[surfel].cell;
+        }
+        if (!chords.empty() && own_cell != kNoNode) chords.front().cell = own_cell;
+        for (const Sums::Chord& chord : chords) {
+            const std::uint32_t node = is_coarse ? bounce_.fine.cells[chord.cell].block : chord.cell;
+            const bool fades = chord.begin_m < block_m_ * kNearTo;
+            const float whole = chord.end_m - chord.begin_m;
+            const int pieces = fades ? static_cast<int>(whole / (kPieces * cell_m_)) + 1 : 1;
+            for (int k = 0; k < pieces; ++k) {
+                const float length = whole / static_cast<float>(pieces);
+                const float middle = chord.begin_m + length * (static_cast<float>(k) + 0.5f);
+                add(sums, node, way, unit * length * share_at(middle), middle);
+            }
+        }
         if (surfel == kNoNode) return;
         const std::size_t node = is_coarse
                                      ? bounce_.coarse.cells.size() + bounce_.fine.surfels[surfel].cluster

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/bounce_nodes.h"
 
+#include "bake/reference_beam.h"
 #include "bake/sampling.h"
-#include "shared/brdf.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <map>
 #include <tbb/parallel_for.h>
 #include <tuple>
@@ -24,7 +25,7 @@ constexpr int kJoinRounds = 8;
 constexpr float kSkin_m = 2e-3f;        // before a surface
 constexpr std::size_t kLeastPoints = 4; // of an instance: small round things reflect, too
 constexpr std::size_t kMostPoints = 4'000'000;
-constexpr float kSlant = 0.6f; // cosine at which the albedo of a surface is taken
+constexpr std::uint32_t kWays = 32; // of light in and out, by which the albedo of a point is told
 
 // Which neighbouring sub-voxels see each other, and which of them are in the room.
 class Air {
@@ -229,9 +230,22 @@ std::vector<SurfacePoint> points_on(const scene::Stage& stage, float spacing_m) 
     return points;
 }
 
+// Share of even light that leaves again, everywhere.
+glm::vec3 albedo_of(const shared::Brdf& brdf, std::uint32_t seed) {
+    const glm::vec3 up(0, 0, 1);
+    glm::dvec3 sum(0);
+    for (std::uint32_t k = 0; k < kWays; ++k) {
+        const glm::dvec3 in(cosine_direction(up, sobol_2d(k, seed))),
+            out(cosine_direction(up, sobol_2d(k, hash_u32(seed, 1))));
+        if (out.z > 0)
+            sum += reference_brdf_times_cosine(brdf, glm::dvec3(up), in, out) * (glm::pi<double>() / out.z);
+    }
+    return glm::clamp(glm::vec3(sum / static_cast<double>(kWays)), 0.0f, 1.0f);
+}
+
 // Finds the albedo of a point and the cell before it; false: it is in a solid, or in a hole of its surface.
-bool settle(const Tracer& tracer, const scene::Bounce& bounce, const scene::BounceBox& box, float chance,
-            SurfacePoint& point) {
+bool settle(const Tracer& tracer, const scene::Bounce& bounce, const scene::BounceBox& box,
+            std::uint32_t seed, SurfacePoint& point) {
     const scene::BounceGrid& grid = bounce.grid;
     const glm::vec3 before_m = point.place_m + point.normal * kSkin_m;
     for (int k = 0; k < 3; ++k)
@@ -259,9 +273,10 @@ bool settle(const Tracer& tracer, const scene::Bounce& bounce, const scene::Boun
         break;
     }
     if (point.cell == kNoNode) return false;
-    const Surface surface = tracer.first_hit(before_m, -point.normal, chance, Sees::no_bodies);
+    const Surface surface =
+        tracer.first_hit(before_m, -point.normal, to_unit(hash_u32(seed, 3)), Sees::no_bodies);
     if (surface.instance < 0 || surface.distance_m > 2 * kSkin_m) return false;
-    point.albedo = glm::clamp(shared::brdf_albedo(surface.brdf, kSlant), 0.0f, 1.0f);
+    point.albedo = albedo_of(surface.brdf, hash_u32(seed, 5));
     return true;
 }
 
@@ -358,10 +373,7 @@ bool make_bounce_nodes(const Tracer& tracer, const BounceOptions& options, float
         if (stopped()) return;
         const DenormalsOff mode;
         for (std::size_t k = band * 256; k < std::min((band + 1) * 256, points.size()); ++k)
-            kept[k] = settle(tracer, bounce, options.box, to_unit(hash_u32(static_cast<std::uint32_t>(k), 3)),
-                             points[k])
-                          ? 1
-                          : 0;
+            kept[k] = settle(tracer, bounce, options.box, static_cast<std::uint32_t>(k), points[k]) ? 1 : 0;
     });
     if (stopped()) return false;
     for (std::size_t k = 0; k < points.size(); ++k)

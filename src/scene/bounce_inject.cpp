@@ -80,15 +80,20 @@ BounceEntries bounce_entries(const Bounce& bounce, const shared::Light& lamp, co
             if (extinction_per_m * (b - a) < 1e-4f) return (b - a) * std::exp(-extinction_per_m * a);
             return (std::exp(-extinction_per_m * a) - std::exp(-extinction_per_m * b)) / extinction_per_m;
         };
-        walk_cells(bounce, lens_m, way, met_m > 0 ? met_m : kNothing_m,
-                   [&](std::uint32_t cell, float a, float b) {
-                       BounceEntries::InAir& entry = entry_of(air_at, entries.air, cell);
-                       const glm::vec3 more = lumens * passing(a, b);
-                       entry.cell = cell;
-                       entry.lumen_m += more;
-                       entry.way += way * (more.x + more.y + more.z);
-                   });
-        if (met_m <= 0 || sight.surfel[texel] == kNoNode) continue;
+        // The last sub-voxel may be cut by the wall and be a cell of its other side.
+        const bool lands = met_m > 0 && sight.surfel[texel] != kNoNode;
+        const std::uint32_t before_wall = lands ? bounce.fine.surfels[sight.surfel[texel]].cell : kNoNode;
+        const float end_m = met_m > 0 ? met_m : kNothing_m;
+        walk_cells(bounce, lens_m, way, end_m, [&](std::uint32_t crossed, float a, float b) {
+            const bool is_cut = lands && b >= end_m - 1e-3f && b - a < 2 * bounce.grid.sub_m;
+            const std::uint32_t cell = is_cut ? before_wall : crossed;
+            BounceEntries::InAir& entry = entry_of(air_at, entries.air, cell);
+            const glm::vec3 more = lumens * passing(a, b);
+            entry.cell = cell;
+            entry.lumen_m += more;
+            entry.way += way * (more.x + more.y + more.z);
+        });
+        if (!lands) continue;
         BounceEntries::OnSurface& entry = entry_of(surface_at, entries.surfaces, sight.surfel[texel]);
         entry.surfel = sight.surfel[texel];
         entry.lumens += lumens * std::exp(-extinction_per_m * met_m);

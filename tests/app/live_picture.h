@@ -77,6 +77,7 @@ struct LiveScene {
     const shared::Gobos& gobos;
     const scene::DistanceMaps& maps;
     render::Settings settings;
+    const scene::BounceVolumes* bounced = nullptr; // bounced light beside that of the lamps, or none
 };
 
 // Drawn factor times as large, then averaged.
@@ -88,6 +89,7 @@ inline image::ImageF live_picture(const LiveScene& scene, int factor = 1) {
     const render::DistanceImages distances(live_device(), scene.maps);
     render::Relighter relighter(live_device(), g_buffer, &distances, scene.gobos,
                                 static_cast<int>(scene.lights.size()), scene.settings);
+    relighter.set_room_light(scene.bounced);
     relighter.draw(scene.lights);
     EXPECT_EQ(live_device().validation_errors(), 0u);
     return image::averaged(relighter.frame(), factor);
