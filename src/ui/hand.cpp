@@ -4,6 +4,7 @@
 #include "base/suggest.h"
 #include "image/colour.h"
 #include "scene/overrides.h"
+#include "ui/head_parameters.h"
 
 #include <QColor>
 
@@ -43,6 +44,30 @@ void add_number(Actions& actions, Studio& studio, const QString& name, Hand kind
                  {}});
 }
 
+// By the name of GDTF or the words of the panel.
+Result<void> set_parameter_by_name(Studio& studio, const QStringList& words) {
+    TRY_VOID(need_selection(studio));
+    std::optional<float> share;
+    if (words.value(1) != "off") {
+        TRY(const double number, number_of(words, 1, "share", 0, 1));
+        share = static_cast<float>(number);
+    }
+    std::vector<std::string> names;
+    for (const HeadParameter& parameter : parameters_of(*studio.show(), studio.selection())) {
+        names.push_back(parameter.attribute);
+        if (words.value(0) != QString::fromStdString(parameter.attribute) && words.value(0) != parameter.name)
+            continue;
+        Look look = studio.look();
+        for (const std::size_t index : studio.selection())
+            set_parameter(studio.show()->fixtures[index], parameter.attribute, share, look.fixtures[index]);
+        studio.set_look(std::move(look), parameter.name.toLower());
+        return {};
+    }
+    return Error{"no selected fixture has '" + words.value(0).toStdString() + "'" +
+                     did_you_mean(words.value(0).toStdString(), names),
+                 ""};
+}
+
 void add_fixture_actions(Actions& actions, Studio& studio) {
     add_number(actions, studio, "intensity", Hand::intensity, 0, 1, &fixture::Manual::intensity);
     add_number(actions, studio, "zoom", Hand::zoom, 0.05, 160, &fixture::Manual::zoom_deg);
@@ -62,6 +87,13 @@ void add_fixture_actions(Actions& actions, Studio& studio) {
                                      [&](fixture::Manual& manual) { manual.colour = filter_from(colour); });
                      return {};
                  },
+                 {}});
+    actions.add({"parameter",
+                 "",
+                 "parameter",
+                 "",
+                 "ATTRIBUTE SHARE|off",
+                 [&studio](const QStringList& words) { return set_parameter_by_name(studio, words); },
                  {}});
     actions.add({"gobo",
                  "",

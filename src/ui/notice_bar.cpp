@@ -89,6 +89,7 @@ void NoticeBar::look_at_messages() {
 void NoticeBar::ask(const QString& words, const std::vector<std::pair<QString, QString>>& buttons_and_lines,
                     Kind kind) {
     clear();
+    words_ = words;
     says_not_opened_ = false;
     setStyleSheet(kind == Kind::fault ? "QToolBar { background: #6e2119; }" : "");
     auto* label = new QLabel(words, this);

@@ -17,6 +17,7 @@ class NoticeBar : public QToolBar {
     Q_OBJECT
 public:
     NoticeBar(Actions& actions, ShowDocument& document, Studio& studio, QWidget* parent);
+    QString words() const { return isVisible() ? words_ : QString(); }
 
 private:
     // Errors that an edit brought with it, as a stage that cannot be read.
@@ -31,6 +32,7 @@ private:
     Actions& actions_;
     ShowDocument& document_;
     Studio& studio_;
+    QString words_;
     bool says_not_opened_ = false;
     std::set<std::string> errors_; // of the show that was open, without their lines, which move
 };

@@ -109,7 +109,8 @@ Window::Window(Link& link, const WindowOptions& options)
     transport_->setMovable(false);
     transport_->addWidget(new TransportPanel(studio_, actions_, transport_));
     addToolBar(Qt::BottomToolBarArea, transport_);
-    addToolBar(Qt::TopToolBarArea, new NoticeBar(actions_, document_, studio_, this));
+    notice_ = new NoticeBar(actions_, document_, studio_, this);
+    addToolBar(Qt::TopToolBarArea, notice_);
     fixtures_->model().complain = actions_.complain;
     connect(&document_, &ShowDocument::changed, this, [this] { setWindowModified(document_.is_changed()); });
     connect(&studio_, &Studio::opened_show, this, &Window::name_cameras);

@@ -27,6 +27,7 @@
 namespace ghost::ui {
 
 class FixturePanel;
+class NoticeBar;
 
 class Window : public QMainWindow {
     Q_OBJECT
@@ -85,6 +86,7 @@ private:
     std::vector<QDockWidget*> docks_waiting_; // shown with the first show
     std::vector<bool> docks_shown_;           // before full screen
     std::vector<QDockWidget*> in_front_;      // likewise, of those behind one another
+    NoticeBar* notice_ = nullptr;
     QToolBar* transport_ = nullptr;
     bool transport_shown_ = true; // likewise
     bool closes_anyway_ = false;  // with changes that can be written nowhere

@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "image/ldr.h"
 #include "ui/fixture_panel.h"
+#include "ui/notice_bar.h"
 #include "ui/shortcut_sheet.h"
 #include "ui/state_json.h"
 
@@ -15,6 +16,8 @@
 #include <QMenuBar>
 #include <QStatusBar>
 #include <QUrl>
+
+#include <algorithm>
 
 namespace ghost::ui {
 
@@ -289,6 +292,12 @@ Result<void> Window::save_state(const QStringList& arguments) {
     for (const scene::StoredLook& look : looks_.all()) looks.append(QString::fromStdString(look.name));
     state["looks"] = looks;
     state["look"] = QString::fromStdString(looks_.current());
+    if (cues_.current()) state["cue"] = QString::fromStdString(cues_.all()[*cues_.current()].name);
+    state["toast"] = toast_->words();
+    state["notice"] = notice_->words();
+    state["dark"] = static_cast<int>(
+        std::count_if(studio_.verdicts().begin(), studio_.verdicts().end(),
+                      [](const Verdict& verdict) { return verdict.visibility != scene::Visibility::lit; }));
     QJsonArray jobs;
     for (const Job& job : studio_.jobs().all())
         jobs.append(QJsonObject{{"title", job.title},
