@@ -13,7 +13,7 @@ PATH=$out/bin:$PATH
 export LC_ALL=C.UTF-8
 
 commands=$(ghostlight --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]\+\).*/\1/p')
-options_of() { ghostlight "$@" --help | grep -oE -- '--?[a-z][a-z0-9-]*' | grep -E -- '^(--|-.$)' | sort -u | tr '\n' ' '; }
+options_of() { ghostlight "$@" --help | sed -n 's/^  \(-[^ ]*\).*/\1/p' | tr ',' '\n' | sort -u | tr '\n' ' '; }
 
 page() { # NAME SUMMARY WORD...
     help2man --no-info --no-discard-stderr --section=1 --version-string="$(ghostlight --version)" --name="$2" --output="$out/man1/$1.1" "${*:3}"

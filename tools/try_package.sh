@@ -24,14 +24,13 @@ cp "$deb" "$root/root/ghostlight.deb"
 cat >"$root/root/try" <<'EOT'
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive LANG=C.UTF-8
-clock() { local begun=$SECONDS; "${@:2}"; echo "TRIED $1: $((SECONDS - begun)) s"; }
+clock() { local begun=$SECONDS; "${@:2}"; echo "TRIED $1: $((SECONDS - begun)) s" >&2; }
 user() { setpriv --reuid 1000 --regid 1000 --clear-groups env -i HOME=/home/guest PATH=/usr/bin:/bin XDG_RUNTIME_DIR=/home/guest/run LANG=C.UTF-8 "$@"; }
 apt-get -q update >/dev/null
 before=$(dpkg -l | grep -c ^ii)
 used=$(df -k --output=used / | tail -1)
 clock install apt-get -q install -y --no-install-recommends /root/ghostlight.deb >/root/install.log
 grep -E '^Need to get|^After this' /root/install.log || true
-grep TRIED /root/install.log
 echo "TRIED packages: $(($(dpkg -l | grep -c ^ii) - before)) new beside $before, $((($(df -k --output=used / | tail -1) - used) / 1024)) MB"
 useradd -m guest 2>/dev/null || { echo guest:x:1000:1000::/home/guest:/bin/sh >>/etc/passwd; mkdir -p /home/guest; }
 mkdir -p /home/guest/run && chmod 700 /home/guest/run && chown -R 1000:1000 /home/guest
@@ -45,7 +44,7 @@ clock film user ghostlight render $demo -o film.mp4 --view house --from 16 --to 
 ls -l still.png film.mp4
 [ ! -e $demo/.ghost ] && ls .cache/ghostlight
 apt-get -q install -y --no-install-recommends xvfb xdotool >/dev/null
-user Xvfb :7 -screen 0 1280x800x24 >/dev/null 2>&1 &
+user Xvfb :7 -screen 0 1280x800x24 -fbdir /home/guest/run >/dev/null 2>&1 &
 screen=$!
 sleep 2
 user env DISPLAY=:7 QT_QPA_PLATFORM=xcb ghostlight open $demo >window.log 2>&1 &
@@ -53,6 +52,7 @@ window=$!
 clock window user env DISPLAY=:7 xdotool search --sync --onlyvisible --name Ghostlight >/dev/null
 sleep 15
 kill -0 $window
+cp /home/guest/run/Xvfb_screen0 /root/window.xwd # to look at
 kill $window $screen
 wait 2>/dev/null || true
 clock removal apt-get -q purge -y ghostlight >/dev/null

@@ -26,6 +26,7 @@ using nlohmann::json;
 constexpr auto kBetweenLooks = std::chrono::seconds(1);
 constexpr int kLooksPerQuestion = 5;                 // to Slurm, which many ask
 constexpr auto kPatience = std::chrono::seconds(15); // for what the last job wrote
+constexpr int kLooksAtLast = 30;
 constexpr JsonLimits kSubmittedLimits{.bytes = 1 << 20};
 
 struct Submitted {
@@ -102,7 +103,7 @@ std::string status_text(const FarmPlan& plan, const Counts& counts, const std::v
     std::size_t running = 0, waiting = 0;
     std::set<std::string> nodes, reasons;
     for (const SlurmJob& job : jobs) {
-        const bool runs = job.state == "RUNNING" || job.state == "COMPLETING";
+        const bool runs = job.state == "RUNNING";
         ++(runs ? running : waiting);
         if (runs && !job.node.empty()) nodes.insert(job.node);
         if (!runs && !job.reason.empty() && job.reason != "None") reasons.insert(job.reason);
@@ -182,7 +183,14 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
     }
     const Submitted before = read_submitted(plan);
     if (options.engine == "slurm") {
-        const auto living = slurm_jobs(before.jobs);
+        auto living = slurm_jobs(before.jobs);
+        // Those of a whole that was finished, and is gone since, are just ending.
+        for (int look = 0;
+             look < kLooksAtLast && living.ok() && !living->empty() && fs::exists(plan.result_file(), code);
+             ++look) {
+            std::this_thread::sleep_for(kBetweenLooks);
+            living = slurm_jobs(before.jobs);
+        }
         if (!living.ok()) return fail(living.error());
         if (!living->empty()) {
             log_info(name_of(plan) + ": is on the farm already; following it");

@@ -142,7 +142,7 @@ Result<std::vector<SlurmJob>> slurm_jobs(const std::vector<std::string>& jobs) {
         for (std::string part; std::getline(words, part, '|');) parts.push_back(part);
         if (parts.size() < 3) continue;
         const std::string id = parts[0].substr(0, parts[0].find('_'));
-        if (std::find(jobs.begin(), jobs.end(), id) == jobs.end()) continue;
+        if (parts[1] == "COMPLETING" || std::find(jobs.begin(), jobs.end(), id) == jobs.end()) continue;
         living.push_back({parts[1], parts[2], parts.size() > 3 ? parts[3] : ""});
     }
     return living;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/memory.h"
 
+#include "base/zeroed_memory.h"
+
 #include <algorithm>
 #include <fstream>
 #include <optional>
@@ -80,6 +82,18 @@ std::uint64_t used_memory_bytes(const fs::path& root) {
 void return_large_blocks() {
 #if defined(__GLIBC__)
     mallopt(M_MMAP_THRESHOLD, kLargeBlock_bytes); // a threshold that is set does not grow by itself
+#endif
+}
+
+ZeroedMemory::ZeroedMemory() {
+#if defined(__GLIBC__)
+    mallopt(M_PERTURB, 0xff); // blocks are filled with the complement
+#endif
+}
+
+ZeroedMemory::~ZeroedMemory() {
+#if defined(__GLIBC__)
+    mallopt(M_PERTURB, 0);
 #endif
 }
 

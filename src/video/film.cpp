@@ -2,6 +2,7 @@
 #include "video/film.h"
 
 #include "base/files.h"
+#include "base/zeroed_memory.h"
 
 #include <string>
 
@@ -127,6 +128,7 @@ Result<std::unique_ptr<FilmWriter>> FilmWriter::create(const std::filesystem::pa
     encoder->temporary = temporary_beside(path);
     encoder->source_width = width;
     encoder->source_height = height;
+    const ZeroedMemory same_bytes;
     TRY_VOID(encoder->open(width & ~1, height & ~1, fps));
     return std::unique_ptr<FilmWriter>(new FilmWriter(std::move(encoder)));
 }
@@ -140,6 +142,7 @@ int FilmWriter::frames() const {
 
 Result<void> FilmWriter::add(const std::uint8_t* rgba) {
     Encoder& e = *encoder_;
+    const ZeroedMemory same_bytes; // x264 looks at what it was given
     int code = av_frame_make_writable(e.frame);
     if (code < 0) return ffmpeg_error("cannot make a frame", code, e.path);
     const int stride = e.source_width * 4;
@@ -152,6 +155,7 @@ Result<void> FilmWriter::add(const std::uint8_t* rgba) {
 
 Result<void> FilmWriter::finish() {
     Encoder& e = *encoder_;
+    const ZeroedMemory same_bytes;
     int code = avcodec_send_frame(e.codec, nullptr);
     if (code < 0) return ffmpeg_error("cannot encode", code, e.path);
     TRY_VOID(e.drain());

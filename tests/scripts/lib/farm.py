@@ -15,7 +15,7 @@ def small_show(source, folder):
         shutil.copytree(source / "assets/fixtures", folder.parent / "fixtures")
     toml = folder / "show.toml"
     text = toml.read_text(encoding="utf-8")
-    toml.write_text(re.sub(r"^size = .*$", "size = [64, 20]", text, flags=re.M), encoding="utf-8")
+    toml.write_text(re.sub(r"^size = .*$", "size = [64, 32]", text, flags=re.M), encoding="utf-8")
     return folder
 
 
