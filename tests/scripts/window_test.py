@@ -46,10 +46,10 @@ class MouseAndKeys(unittest.TestCase):
             # All that the camera frames stays in sight, whatever a panel leaves of the window.
             fov = window.state()["camera"]["fov_y_deg"]
             for panel in ("on", "off"):
-                width_before = window.state()["view"][2]
+                view_before = window.state()["view"]
                 window.do(f"panel-network {panel}", f"panel-scene {panel}", "wait 0.3", "wait settled")
                 state = window.state()
-                self.assertNotEqual(state["view"][2], width_before)
+                self.assertNotEqual(state["view"], view_before)
                 left, top, wide, high = state["frame"]
                 self.assertAlmostEqual(wide / high, 1024 / 300, places=2)
                 self.assertTrue(-0.01 <= left and -0.01 <= top and left + wide <= state["view"][2] + 0.01 and top + high <= state["view"][3] + 0.01, state["frame"])
