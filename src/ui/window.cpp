@@ -36,6 +36,7 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 
@@ -178,7 +179,10 @@ Window::Window(Link& link, const WindowOptions& options)
         if (options_.width > 0) resize(options_.width, options_.height);
     } else {
         if (options_.width > 0) resize(options_.width, options_.height);
+        const QSize asked = size();
         lay_out();
+        layout()->activate();
+        resize(asked); // while panels changed places they needed more
     }
     new Welcome(actions_, studio_, recent_, !options_.demo.empty(), view_);
     if (options_.show.empty()) wait_for_show();
@@ -198,7 +202,13 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
                                Qt::DockWidgetArea area) {
     auto* dock = new QDockWidget(title, this);
     dock->setObjectName(name); // the layout is remembered by it
-    dock->setWidget(panel);
+    // One that is tall or wide must not make the window so.
+    auto* scrolls = new QScrollArea(dock);
+    scrolls->setFrameShape(QFrame::NoFrame);
+    scrolls->setWidgetResizable(true);
+    scrolls->setFocusPolicy(Qt::NoFocus);
+    scrolls->setWidget(panel);
+    dock->setWidget(scrolls);
     addDockWidget(area, dock);
     docks_.push_back(dock);
     const QString key = docks_.size() <= 9 ? QString("Ctrl+%1").arg(docks_.size()) : QString();

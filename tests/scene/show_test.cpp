@@ -247,10 +247,6 @@ TEST(ShowToml, WhatCannotBeShownIsAnError) {
     ASSERT_FALSE(broken.ok());
     EXPECT_EQ(broken.error().where, "s.toml:2");
     EXPECT_NE(broken.error().what.find("not TOML"), std::string::npos);
-    const auto blind = parse_show("[show]\nstage = \"x.glb\"\n", "s.toml", report);
-    ASSERT_FALSE(blind.ok());
-    EXPECT_NE(blind.error().what.find("[[camera]]"), std::string::npos);
-    EXPECT_FALSE(parse_show("", "s.toml", report).ok());
 }
 
 TEST(ShowToml, MotionIsTheMachinesUnlessTheShowSaysOtherwise) {
