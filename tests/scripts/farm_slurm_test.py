@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Bakes and films on a real Slurm of two nodes, all on this machine, without root and systemd: a task that fails, a node that is killed, a
-controller that dies, a wrong partition; pictures and films have the bytes of those made by one program.
+"""Bakes and films on a real Slurm of two nodes, all on this machine, without root and systemd: a task that fails
+and is made again; passes and films have the bytes of those made by one program.
 Usage: farm_slurm_test.py SOURCE_FOLDER BUILD_FOLDER. Skips where Slurm is not installed (packages slurm-wlm, munge)."""
 import getpass
 import os
@@ -101,45 +101,6 @@ class Cluster:
                 pass
 
 
-def children_of(node):
-    """Processes of jobs of this node: slurmstepd and all below."""
-    found = []
-    for entry in pathlib.Path("/proc").iterdir():
-        if not entry.name.isdigit():
-            continue
-        try:
-            environment = (entry / "environ").read_bytes().split(b"\0")
-        except OSError:
-            continue
-        if f"SLURMD_NODENAME={node}".encode() in environment and b"SLURM_JOB_NAME=ghostlight" in environment:
-            found.append(int(entry.name))
-    return found
-
-
-def steps_of(cluster, node):
-    """slurmstepd names its node nowhere but in its spool."""
-    found = []
-    for entry in pathlib.Path("/proc").iterdir():
-        if not entry.name.isdigit():
-            continue
-        try:
-            words = (entry / "cmdline").read_bytes()
-            if b"slurmstepd" in words and any(str(cluster.folder / f"spool.{node}") in os.readlink(file)
-                                              for file in [entry / "cwd", *(entry / "fd").iterdir()] if os.path.lexists(file)):
-                found.append(int(entry.name))
-        except OSError:
-            continue
-    return found
-
-
-def kill(processes):
-    for process in processes:
-        try:
-            os.kill(process, signal.SIGKILL)
-        except OSError:
-            pass
-
-
 def bakes(ghost, work):
     one, cut = small_show(SOURCE, work / "one"), small_show(SOURCE, work / "cut")
     ghost.run("bake", one, "--spp", "4")
@@ -175,51 +136,6 @@ def a_task_fails(ghost, work, show):
     print("a task that fails: said, made again alone, the same film")
 
 
-def a_node_dies(ghost, work, show, cluster):
-    (work / "cut.mp4").unlink()
-    watching = ghost.start("render", show, "-o", "cut.mp4", *FILM, "--farm", "slurm")
-    plan = plan_of(show)
-    begun = time.monotonic()
-    wait_until(lambda: cluster.do("squeue", "-h", "-w", "n2", "-t", "R", "-o", "%i") and list((plan / "frames").glob("*/*.png")), 120, "n2 works")
-    kill([cluster.pid("slurmd.n2"), *steps_of(cluster, "n2"), *children_of("n2")])
-    print(f"n2 killed at {time.monotonic() - begun:.1f} s")
-    said = watching.communicate()[0]
-    assert watching.returncode == 0, said + (cluster.folder / "log/slurmctld.log").read_text()[-3000:]
-    assert (work / "cut.mp4").read_bytes() == (work / "whole.mp4").read_bytes()
-    print(f"a node that is killed: the film is whole at {time.monotonic() - begun:.1f} s, the same bytes")
-    cluster.do("slurmd", "-N", "n2")
-    wait_until(lambda: cluster.do("sinfo", "-h", "-N", "-o", "%t").split() == ["idle", "idle"], 60, "n2 is back")
-
-
-def the_controller_dies(ghost, work, show, cluster):
-    (work / "cut.mp4").unlink()
-    watching = ghost.start("render", show, "-o", "cut.mp4", *FILM, "--farm", "slurm")
-    plan = plan_of(show)
-    wait_until(lambda: list((plan / "frames").glob("*/*.png")), 120, "a task draws")
-    kill([cluster.pid("slurmctld")])
-    time.sleep(3)
-    cluster.do("slurmctld")
-    said = watching.communicate()[0]
-    assert watching.returncode == 0, said
-    assert (work / "cut.mp4").read_bytes() == (work / "whole.mp4").read_bytes()
-    print("a controller that dies and comes back: the same film")
-
-
-def what_cannot_be(ghost, work, show):
-    (work / "cut.mp4").unlink()
-    ghost.run("render", show, "-o", "cut.mp4", *FILM, "--farm", "slurm", "--farm-options", "--partition=nowhere", code=1,
-              says="invalid partition specified: nowhere")
-    watching = ghost.start("render", show, "-o", "cut.mp4", *FILM, "--farm", "slurm")
-    plan = plan_of(show)
-    wait_until(lambda: list((plan / "frames").glob("*/*.png")), 120, "a task draws")
-    ghost.run("farm", "cancel", show)
-    said = watching.communicate()[0]
-    assert watching.returncode == 1 and "nobody does more" in said, said
-    assert not (work / "cut.mp4").exists()
-    ghost.run("farm", "status", show, code=1)
-    print("a wrong partition and a cancelled film: said, no film")
-
-
 work = pathlib.Path(tempfile.mkdtemp(prefix="ghost-slurm-"))
 cluster = Cluster(work / "cluster")
 try:
@@ -229,9 +145,6 @@ try:
     bake_plan = plan_of(show)
     ghost.run("render", show, "-o", "whole.mp4", *FILM)
     a_task_fails(ghost, work, show)
-    a_node_dies(ghost, work, show, cluster)
-    the_controller_dies(ghost, work, show, cluster)
-    what_cannot_be(ghost, work, show)
 finally:
     cluster.down()
     time.sleep(1)
