@@ -23,7 +23,8 @@ std::string crc_of(const std::string& text) {
 
 } // namespace
 
-Drafts::Drafts(const scene::Show& show) : home_(show.cache_home()), beside_(show.cache_folder() / "draft.toml") {
+Drafts::Drafts(const scene::Show& show)
+    : home_(show.cache_home()), beside_(show.cache_folder() / "draft.toml") {
     const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
     std::error_code code;
     own_ = std::filesystem::path(folder.toStdString()) / "ghostlight" / "drafts" /
