@@ -50,10 +50,11 @@ TEST(Killed, DISABLED_edits_and_saves) {
 }
 
 TEST(Killed, at_any_moment_the_show_opens_and_a_second_is_lost_at_most) {
-    QTemporaryDir place;
+    QTemporaryDir place, left_behind; // by those that are killed
     std::mt19937 random(11);
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     environment.insert("GHOST_KILL_FOLDER", place.path());
+    environment.insert("TMPDIR", left_behind.path());
     int edits = 0, saves = 0;
     for (int kill = 0; kill < kKills; ++kill) {
         QProcess window;
