@@ -34,8 +34,9 @@ LampDrag::LampDrag(const glm::vec3& place_m, const std::vector<Object>& objects)
         of_piece.push_back(i);
     }
     float nearest_m = INFINITY;
+    std::optional<std::size_t> nearest;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-        const scene::Bar bar = scene::joined(pieces[k], pieces);
+        const scene::Bar& bar = pieces[k];
         const float length_m = bar.length_m();
         const glm::vec3 along = (bar.to_m - bar.from_m) / length_m;
         const float at_m = glm::dot(place_m - bar.from_m, along);
@@ -45,11 +46,14 @@ LampDrag::LampDrag(const glm::vec3& place_m, const std::vector<Object>& objects)
             beside_m > kBeside_m + bar.across_m / 2 || glm::length(off) >= nearest_m)
             continue;
         nearest_m = glm::length(off);
-        along_ = along;
-        low_m_ = -at_m;
-        high_m_ = length_m - at_m;
-        bar_ = objects[of_piece[k]].name;
+        nearest = k;
     }
+    if (!nearest) return;
+    const scene::Bar bar = scene::joined(pieces[*nearest], pieces);
+    along_ = (bar.to_m - bar.from_m) / bar.length_m();
+    low_m_ = -glm::dot(place_m - bar.from_m, along_);
+    high_m_ = bar.length_m() + low_m_;
+    bar_ = objects[of_piece[*nearest]].name;
 }
 
 void LampDrag::take_along(const LampDrag& other) {

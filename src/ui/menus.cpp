@@ -14,11 +14,12 @@ constexpr std::pair<const char*, const char*> kMenus[] = {
     {"Show",
      "new open @recent import-plot open-demo - save save-as save-copy reload - save-picture screenshot "
      "panel-export cancel-jobs - take-plot - quit"},
-    {"Edit", "undo redo - select-all select-none select-similar find - release release-all - add-fixture "
-             "duplicate remove unpatch hang - distribute align-x align-y align-z - set-stage add-model "
-             "add-hazer substitute - take-changes drop-changes take-over"},
+    {"Edit",
+     "undo redo - select-all select-none select-similar find - release release-all - add-fixture "
+     "duplicate remove unpatch hang aim-through - distribute align-x align-y align-z - set-stage add-model "
+     "add-hazer substitute - take-changes drop-changes take-over"},
     {"View",
-     "work-light black-out - false-lux false-luminance probe - chips figures frame names addresses aims "
+     "work-light black-out - false-lux false-luminance probe wipe - chips figures frame names addresses aims "
      "marks - full-screen second-display second-window"},
     {"Camera",
      "camera-1 camera-2 camera-3 camera-4 camera-5 camera-6 camera-7 camera-8 camera-9 - keep-camera "
@@ -39,7 +40,7 @@ const std::set<QString> kNeedNothing{
     "addresses",     "aims",  "marks",       "find",      "second-display", "second-window"};
 const std::set<QString> kNeedSelection{"select-none", "select-similar", "duplicate",  "remove",
                                        "unpatch",     "hang",           "distribute", "align-x",
-                                       "align-y",     "align-z",        "focus"};
+                                       "align-y",     "align-z",        "focus",      "aim-through"};
 const std::set<QString> kNeedEditable{"add-fixture", "duplicate", "remove",      "unpatch", "hang",
                                       "distribute",  "align-x",   "align-y",     "align-z", "set-stage",
                                       "add-model",   "add-hazer", "keep-camera", "save",    "substitute"};
@@ -96,14 +97,9 @@ void Menus::fill_for_fixtures(QMenu& menu) {
     if (studio_.selection().empty())
         add(menu, "select-all find - see-all keep-camera work-light - add-fixture add-model");
     else
-        add(menu,
-            "select-similar select-none - focus solo - release panel-hand panel-values - hang duplicate "
-            "unpatch remove - substitute");
-    grey(menu);
-}
-
-void Menus::fill_for_looks(QMenu& menu) {
-    add(menu, "look-next look-before");
+        add(menu, "select-similar select-none - focus solo aim-through - release panel-hand panel-values - "
+                  "hang duplicate "
+                  "unpatch remove - substitute");
     grey(menu);
 }
 

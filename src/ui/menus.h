@@ -19,7 +19,6 @@ public:
     void fill(QMenuBar& bar);
     // What the right button brings up over the picture and over the list of fixtures.
     void fill_for_fixtures(QMenu& menu);
-    void fill_for_looks(QMenu& menu);
 
 private:
     // "-" is a line between groups, "@recent" the shows of the last time.

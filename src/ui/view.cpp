@@ -117,7 +117,7 @@ void View::paintEvent(QPaintEvent*) {
         const bool waits = !studio_.activity().empty() || studio_.show();
         paint_notice(painter, size(),
                      waits ? QString::fromStdString(studio_.activity()) : QString("No show is open"),
-                     waits ? QString() : hint);
+                     QString());
         paint_box(painter);
         return;
     }

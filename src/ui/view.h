@@ -22,7 +22,6 @@ public:
     View(Studio& studio, QWidget* parent);
 
     OverlayChoice overlays;
-    QString hint; // shown where no show is open
     // The selected fixtures were dragged so far, in metres of the world; none: they cannot be.
     std::function<void(const glm::vec3& by_m)> on_move;
     // Shift and a click: the selected heads shall point at what the picture shows there, (0, 0) its top left

@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fixtures and the mouse in the picture: heads aimed at a place, lamps dragged along what they hang under,
 // bodies that are clicked, names that do not lie on each other.
-#include "test_window.h"
+#include "test_view.h"
 #include "ui/aiming.h"
 #include "ui/fixture_labels.h"
 #include "ui/lamp_drag.h"
-#include "ui/overlays.h"
-#include "ui/view.h"
 
 #include "fixture/gdtf.h"
 #include "scene/camera_moves.h"
 
 #include <QImage>
-#include <QMouseEvent>
 
 namespace ghost::ui {
 namespace {
@@ -146,43 +143,8 @@ TEST(LampDrag, takes_others_along_as_far_as_all_of_them_hang) {
     EXPECT_EQ(drag.by_m(eye, glm::normalize(glm::vec3(-90, 0, 4) - eye), false), glm::vec3(-3, 0, 0));
 }
 
-struct Seen {
-    Seen() {
-        view.resize(320, 180);
-        view.show();
-        bench.open();
-        scene::Camera camera = bench.studio.camera();
-        camera.width = 320;
-        camera.height = 180;
-        bench.show_picture(camera);
-    }
-    QPointF lamp(std::size_t index) {
-        const Picture& picture = bench.studio.picture();
-        return *to_widget(picture_rect(view.size(), picture.camera), picture.camera,
-                          bench.studio.rig().fixtures[index].light_m);
-    }
-    void mouse(QEvent::Type type, const QPointF& at, Qt::MouseButtons held, Qt::KeyboardModifiers keys = {}) {
-        QMouseEvent event(type, at, view.mapToGlobal(at),
-                          type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton, held, keys);
-        QCoreApplication::sendEvent(&view, &event);
-    }
-    void click(const QPointF& at, Qt::KeyboardModifiers keys = {}) {
-        mouse(QEvent::MouseButtonPress, at, Qt::LeftButton, keys);
-        mouse(QEvent::MouseButtonRelease, at, Qt::NoButton, keys);
-    }
-    void drag(const QPointF& from, const QPointF& to) {
-        mouse(QEvent::MouseButtonPress, from, Qt::LeftButton);
-        mouse(QEvent::MouseMove, (from + to) / 2, Qt::LeftButton);
-        mouse(QEvent::MouseMove, to, Qt::LeftButton);
-        mouse(QEvent::MouseButtonRelease, to, Qt::NoButton);
-    }
-
-    Bench bench;
-    View view{bench.studio, nullptr};
-};
-
 TEST(Pointing, a_body_far_from_its_lamp_is_selected_when_the_engine_says_whose_it_is) {
-    Seen seen;
+    Watched seen;
     seen.bench.studio.select({0});
     seen.click({160, 150});
     EXPECT_TRUE(seen.bench.studio.selection().empty());
@@ -200,23 +162,23 @@ TEST(Pointing, a_body_far_from_its_lamp_is_selected_when_the_engine_says_whose_i
 }
 
 TEST(Pointing, a_drag_of_a_selected_lamp_moves_it_and_of_another_the_camera) {
-    Seen seen;
+    Watched seen;
     std::vector<glm::vec3> moves;
     seen.view.on_move = [&](const glm::vec3& by_m) { moves.push_back(by_m); };
     const scene::Camera before = seen.bench.studio.camera();
     seen.bench.studio.select({1, 2});
-    seen.drag(seen.lamp(1), seen.lamp(1) + QPointF(30, 0));
+    seen.drag(seen.lamp(1), seen.lamp(1) + QPointF(30, 0), Qt::LeftButton);
     ASSERT_EQ(moves.size(), 1u);
     EXPECT_GT(moves[0].x, 0.2f);
     EXPECT_EQ(moves[0].z, 0);
     EXPECT_EQ(seen.bench.studio.camera().position_m, before.position_m);
-    seen.drag(seen.lamp(0), seen.lamp(0) + QPointF(30, 0));
+    seen.drag(seen.lamp(0), seen.lamp(0) + QPointF(30, 0), Qt::LeftButton);
     EXPECT_EQ(moves.size(), 1u);
     EXPECT_NE(seen.bench.studio.camera().position_m, before.position_m);
 }
 
 TEST(Pointing, shift_and_a_click_aims_and_selects_nothing) {
-    Seen seen;
+    Watched seen;
     std::vector<glm::vec2> places;
     seen.view.on_aim = [&](const glm::vec2& place) { places.push_back(place); };
     seen.bench.studio.select({1});
@@ -228,7 +190,7 @@ TEST(Pointing, shift_and_a_click_aims_and_selects_nothing) {
 }
 
 TEST(Wipe, keeps_what_was_seen_left_of_a_line_that_is_dragged) {
-    Seen seen;
+    Watched seen;
     ASSERT_TRUE(seen.view.begin_wipe(0.5).ok());
     scene::Camera camera = seen.bench.studio.picture().camera;
     Picture green;
@@ -243,7 +205,7 @@ TEST(Wipe, keeps_what_was_seen_left_of_a_line_that_is_dragged) {
     EXPECT_GT(colour_at(100).red(), 150);
     EXPECT_GT(colour_at(220).green(), 150);
     const scene::Camera before = seen.bench.studio.camera();
-    seen.drag({161, 90}, {260, 90});
+    seen.drag({161, 90}, {260, 90}, Qt::LeftButton);
     EXPECT_EQ(seen.bench.studio.camera().position_m, before.position_m);
     EXPECT_NEAR(seen.view.wipe().share(), 260.0 / 320, 0.01);
     EXPECT_GT(colour_at(220).red(), 150);
