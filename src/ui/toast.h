@@ -19,7 +19,8 @@ public:
     explicit Toast(QWidget* over);
     // undo: none: no button. The newest one stays.
     void say(const QString& what, std::function<void()> undo = {});
-    QString words() const { return isVisible() ? words_->text() : QString(); }
+    // What was said last, whether it still stands or not.
+    QString words() const { return words_->text(); }
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
