@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-# find_package(ghostlight): ghostlight::base, image, dmx, rdm, fixture, scene. The libraries are static, so what they use must be found, too.
+# find_package(ghostlight): ghostlight::dmx_merge, fixture_files, mvr, light and what they stand on (cmake/install.cmake). The libraries are static, so what they use must be found, too.
 include(CMakeFindDependencyMacro)
 find_dependency(Threads)
 find_dependency(glm)

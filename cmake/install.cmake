@@ -23,11 +23,15 @@ foreach(package program:ghostlight dev:libghostlight-dev)
         COMPONENT ${component} OPTIONAL)
 endforeach()
 
-# The libraries that need neither a GPU, a window nor a ray tracer.
-foreach(name base image dmx rdm fixture scene)
+# The rooms that are of use by themselves: wire formats, merge, recordings, RDM, fixtures and their files, MVR, lights; and what these stand on.
+foreach(room base files net image toml dmx/wire dmx/merge dmx/time dmx/receive dmx/send dmx/record rdm fixture fixture_files/common
+        fixture_files/gdtf fixture_files/qxf fixture_files/ofl fixture_files/photometric fixture_files stage show photometry emitters passes light
+        mvr)
+    string(REPLACE "/" "_" name ${room})
     set_target_properties(ghost_${name} PROPERTIES EXPORT_NAME ${name})
     install(TARGETS ghost_${name} EXPORT ghostlight ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev)
-    install(DIRECTORY src/${name} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ghostlight COMPONENT dev FILES_MATCHING PATTERN *.h)
+    file(GLOB headers CONFIGURE_DEPENDS src/${room}/*.h)
+    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ghostlight/${room} COMPONENT dev)
 endforeach()
 install(DIRECTORY shaders/shared DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ghostlight COMPONENT dev FILES_MATCHING PATTERN *.h)
 set_target_properties(ghost_stb PROPERTIES EXPORT_NAME stb)

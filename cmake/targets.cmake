@@ -16,33 +16,45 @@ function(ghost_options target)
     endif()
 endfunction()
 
-# ghost_library(name PUBLIC ... PRIVATE ...): static library ghost_<name> of src/<name>/*.cpp.
-function(ghost_library name)
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
-    if(sources)
-        add_library(ghost_${name} STATIC ${sources})
-        ghost_options(ghost_${name})
-        target_link_libraries(ghost_${name} ${ARGN})
-    else()
+# ghost_room(folder [LINKS rooms...] [PUBLIC|PRIVATE targets...]): static library ghost_<folder> of src/<folder>/*.cpp, with _ for /. Headers
+# in src/<folder>/private are for the room alone.
+function(ghost_room folder)
+    cmake_parse_arguments(PARSE_ARGV 1 room "" "" "LINKS;PUBLIC;PRIVATE")
+    string(REPLACE "/" "_" name ${folder})
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${folder}/*.cpp)
+    set(links ${room_LINKS})
+    list(TRANSFORM links REPLACE "/" "_")
+    list(TRANSFORM links PREPEND ghost_)
+    if(NOT sources) # plain values
         add_library(ghost_${name} INTERFACE)
+        target_link_libraries(ghost_${name} INTERFACE ${links} ${room_PUBLIC})
+        return()
+    endif()
+    add_library(ghost_${name} STATIC ${sources})
+    ghost_options(ghost_${name})
+    target_link_libraries(ghost_${name} PUBLIC ${links} ${room_PUBLIC} PRIVATE ${room_PRIVATE})
+    if(folder MATCHES "^ui/")
+        file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${folder}/private/*.h)
+        target_sources(ghost_${name} PRIVATE ${headers}) # AUTOMOC looks beside sources for all others
+        set_target_properties(ghost_${name} PROPERTIES AUTOMOC ON)
+        target_compile_definitions(ghost_${name} PRIVATE QT_NO_KEYWORDS) # TBB has names of its own for them
     endif()
 endfunction()
 
-# ghost_test(folder libraries...): test binary test_<folder> of tests/<folder>/*_test.cpp.
-function(ghost_test folder)
-    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${folder}/*_test.cpp)
-    if(NOT sources)
-        return()
-    endif()
+# ghost_test(folder libraries...): test binary test_<folder>, with _ for /, of tests/<folder>/*_test.cpp.
+function(ghost_test path)
+    file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${path}/*_test.cpp)
+    string(REPLACE "/" "_" folder ${path})
     add_executable(test_${folder} ${sources})
     ghost_options(test_${folder})
     if(GHOST_SANITIZE)
         target_sources(test_${folder} PRIVATE ${CMAKE_SOURCE_DIR}/tests/sanitize/keep_loaded.cpp)
         set_target_properties(test_${folder} PROPERTIES ENABLE_EXPORTS ON)
     endif()
-    if(folder IN_LIST GHOST_MODEL_TESTS) # its main() stands before that of gtest_main
+    if(path IN_LIST GHOST_MODEL_TESTS) # its main() stands before that of gtest_main
         target_sources(test_${folder} PRIVATE ${CMAKE_SOURCE_DIR}/tests/reader_main.cpp)
     endif()
+    target_include_directories(test_${folder} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
     target_compile_definitions(test_${folder} PRIVATE GHOST_SOURCE_DIR="${CMAKE_SOURCE_DIR}"
         GHOST_BINARY_DIR="${CMAKE_BINARY_DIR}")
     target_link_libraries(test_${folder} PRIVATE ${ARGN} GTest::gtest_main)
@@ -65,13 +77,13 @@ function(ghost_fuzz name)
     target_link_libraries(fuzz_${name} PRIVATE ${ARGN})
 endfunction()
 
-# ghost_shaders(library): compiles shaders/*.comp, *.vert and *.frag to SPIR-V and embeds it; C++ reads it through
+# ghost_shaders(libraries...): compiles shaders/*.comp, *.vert and *.frag to SPIR-V and embeds it; C++ reads it through
 # <build>/generated/shaders/<name>.h as kShader_<name>, where the names of vertex and fragment shaders end in _vert and
 # _frag.
-function(ghost_shaders library)
+function(ghost_shaders)
     file(GLOB shaders CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.comp
         ${CMAKE_SOURCE_DIR}/shaders/*.vert ${CMAKE_SOURCE_DIR}/shaders/*.frag)
-    file(GLOB shared CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/shared/*.h ${CMAKE_SOURCE_DIR}/shaders/*.glsl)
+    file(GLOB shared CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/shared/*.h ${CMAKE_SOURCE_DIR}/shaders/common/*.glsl)
     set(headers)
     foreach(shader ${shaders})
         get_filename_component(name ${shader} NAME_WE)
@@ -90,12 +102,9 @@ function(ghost_shaders library)
             COMMENT "shader ${name}" VERBATIM)
         list(APPEND headers ${header})
     endforeach()
-    if(headers AND TARGET ghost_${library})
-        add_custom_target(ghost_shader_headers DEPENDS ${headers})
-        get_target_property(kind ghost_${library} TYPE)
-        if(NOT kind STREQUAL "INTERFACE_LIBRARY")
-            add_dependencies(ghost_${library} ghost_shader_headers)
-            target_include_directories(ghost_${library} PRIVATE ${CMAKE_BINARY_DIR}/generated)
-        endif()
-    endif()
+    add_custom_target(ghost_shader_headers DEPENDS ${headers})
+    foreach(library ${ARGN})
+        add_dependencies(ghost_${library} ghost_shader_headers)
+        target_include_directories(ghost_${library} PRIVATE ${CMAKE_BINARY_DIR}/generated)
+    endforeach()
 endfunction()

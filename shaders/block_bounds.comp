@@ -6,7 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
 #include "shared/g_buffer.h"
-#include "bounds.glsl"
+#include "common/bounds.glsl"
 
 layout(local_size_x = 128) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };

@@ -5,7 +5,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
-#include "coarse.glsl"
+#include "common/coarse.glsl"
 
 layout(local_size_x = 64) in;
 layout(binding = 0, rgba32ui) readonly uniform uimage2DArray sums;
@@ -15,7 +15,7 @@ layout(binding = 3, rgba32ui) readonly uniform uimage2DArray extras;
 layout(binding = 4, rgba16f) uniform image2DArray frame;
 layout(push_constant, scalar) uniform Push { CoarsePush p; };
 
-#include "coarse_light.glsl"
+#include "common/coarse_light.glsl"
 
 void main() {
     uint i = gl_GlobalInvocationID.x;

@@ -7,8 +7,8 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
 #include "shared/g_buffer.h"
-#include "bounds.glsl"
-#include "coarse.glsl"
+#include "common/bounds.glsl"
+#include "common/coarse.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; }; // of the points

@@ -4,7 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
-#include "coarse.glsl"
+#include "common/coarse.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, rgba32ui) readonly uniform uimage2DArray sums;
@@ -12,7 +12,7 @@ layout(binding = 1, rgba32ui) readonly uniform uimage2DArray cells;
 layout(binding = 2, rgba16f) readonly uniform image2DArray base; // the picture without lights
 layout(binding = 3, rgba16f) writeonly uniform image2DArray frame;
 
-#include "coarse_light.glsl"
+#include "common/coarse_light.glsl"
 
 void main() {
     ivec2 cell = ivec2(gl_GlobalInvocationID.xy), size = imageSize(base).xy, last = (size + 1) / 2 - 1;

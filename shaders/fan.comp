@@ -7,7 +7,7 @@
 #include "shared/push.h"
 #define GOBO_LEVEL
 #define SLIDES 4
-#include "gobo_texture.glsl"
+#include "common/gobo_texture.glsl"
 #include "shared/beam.h"
 #include "shared/develop.h"
 #include "shared/fan.h"

@@ -6,7 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
 #define DISTANCE_MAPS 3
-#include "octahedral_map.glsl"
+#include "common/octahedral_map.glsl"
 #include "shared/fan.h"
 
 layout(local_size_x = 16) in;

@@ -3,4 +3,4 @@
 // Opaque surfaces of the G-buffer.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
-#include "g_buffer.glsl"
+#include "common/g_buffer.glsl"

@@ -4,4 +4,4 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #define CUT
-#include "g_buffer.glsl"
+#include "common/g_buffer.glsl"

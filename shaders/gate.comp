@@ -29,7 +29,7 @@ layout(constant_id = 5) const bool kThin = false;   // some beam may be thinner 
 
 #define GATE p
 #define TABLES 7
-#include "gate_scatter.glsl"
+#include "common/gate_scatter.glsl"
 
 // A ray through the middle of a pixel may miss a beam that is thinner than the pixel, and the next one hit it: a thin beam shows the
 // mean of its rows that the pixel covers, times the share of the pixel that it covers.
@@ -58,7 +58,7 @@ vec3 seen_by_pixel(Light light, Fan fan, vec3 dir, float far) {
     return thin ? sum * (max(high - low, 0.0) / (2.0 * reach * float(kThinRows))) : sum;
 }
 
-#include "gate_place.glsl"
+#include "common/gate_place.glsl"
 
 void main() {
     uvec2 size = uvec2(view.width, view.height);

@@ -1,6 +1,6 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
-// Sorts the samples of every pixel of the G-buffer into fragments (scene/passes.h): the main one where the pixel is, the
+// Sorts the samples of every pixel of the G-buffer into fragments (passes/passes.h): the main one where the pixel is, the
 // others together behind the picture, those of a tile next to each other. Also the picture without lights, and
 // the bounds of the tiles. A workgroup is a tile. Tiles may be gathered again one by one: they keep their room for extra fragments
 // if it is large enough, and get a new one at the end otherwise.
@@ -10,7 +10,7 @@
 #include "shared/brdf.h"
 #include "shared/haze.h"
 #include "shared/g_buffer.h"
-#include "bounds.glsl"
+#include "common/bounds.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };

@@ -6,7 +6,7 @@
 #include "shared/push.h"
 #include "shared/develop.h"
 #include "shared/glare.h"
-#include "glare_up.glsl"
+#include "common/glare_up.glsl"
 
 layout(binding = 2, scalar) uniform Exposure { vec4 exposure; };
 layout(binding = 3, rgba8) writeonly uniform image2DArray picture;

@@ -5,7 +5,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
 #include "shared/glare.h"
-#include "glare_up.glsl"
+#include "common/glare_up.glsl"
 
 layout(binding = 2, rgba16f) writeonly uniform image2DArray sum;
 

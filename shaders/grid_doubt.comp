@@ -12,7 +12,7 @@ layout(binding = 0, rgba16f) readonly uniform image2DArray filled;
 layout(binding = 1, rgba16f) writeonly uniform image2DArray grid;
 layout(push_constant, scalar) uniform Push { GridPush p; };
 
-#include "grid.glsl"
+#include "common/grid.glsl"
 
 const float kFaint = 0.03; // in grid units: what is darker is not seen
 

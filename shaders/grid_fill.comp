@@ -20,8 +20,8 @@ layout(push_constant, scalar) uniform Push { GridPush p; };
 
 #define GATE p.gate
 #define TABLES 5
-#include "gate_scatter.glsl"
-#include "grid.glsl"
+#include "common/gate_scatter.glsl"
+#include "common/grid.glsl"
 
 const float kMargin = 0.1;  // of the picture, beyond which no node is needed
 const float kRim = 0.9995; // the last rows are those of the rim

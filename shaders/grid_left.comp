@@ -21,7 +21,7 @@ layout(push_constant, scalar) uniform Push { GridPush p; };
 
 #define GATE p.gate
 #define TABLES 5
-#include "gate_scatter.glsl"
+#include "common/gate_scatter.glsl"
 
 void main() {
     fan_index = p.gate.batch;

@@ -18,7 +18,7 @@ layout(binding = 6, rgba16f) uniform image2DArray drawn;
 layout(binding = 7, scalar) buffer Left { LeftHead head; uint left[]; };
 layout(push_constant, scalar) uniform Push { GridPush p; };
 
-#include "grid.glsl"
+#include "common/grid.glsl"
 
 
 void main() {

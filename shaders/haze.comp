@@ -7,7 +7,7 @@
 #include "shared/push.h"
 #include "shared/air.h"
 #define SLIDES 8
-#include "gobo_texture.glsl"
+#include "common/gobo_texture.glsl"
 #include "shared/beam.h"
 #include "shared/haze.h"
 

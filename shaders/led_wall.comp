@@ -6,7 +6,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
 #define SLIDES 5
-#include "gobo_texture.glsl"
+#include "common/gobo_texture.glsl"
 #include "shared/led_wall.h"
 #include "shared/haze.h"
 #include "shared/glare.h"

@@ -10,7 +10,7 @@
 #include "shared/glare.h"
 #include "shared/haze.h"
 #include "shared/room_light.h"
-#include "room_volume.glsl"
+#include "common/room_volume.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0, scalar) uniform ViewBlock { View view; };

@@ -8,7 +8,7 @@
 #include "shared/push.h"
 #include "shared/air.h"
 #define SLIDES 9
-#include "gobo_texture.glsl"
+#include "common/gobo_texture.glsl"
 #include "shared/beam.h"
 #include "shared/haze.h"
 
@@ -25,7 +25,7 @@ layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 layout(constant_id = 2) const bool kThin = false;   // some beam may be narrower than two pixels
 
-#include "thin_dot.glsl"
+#include "common/thin_dot.glsl"
 
 // From a pixel to the next along a row or column, on the side where the surface goes on.
 vec3 to_next(ivec2 at, ivec2 step, vec3 here_m) {

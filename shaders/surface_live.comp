@@ -8,10 +8,10 @@
 #include "shared/air.h"
 #define DISTANCE_MAPS 8
 #define SLIDES 13
-#include "gobo_texture.glsl"
-#include "octahedral_map.glsl"
+#include "common/gobo_texture.glsl"
+#include "common/octahedral_map.glsl"
 #define BLOCKERS 12
-#include "soft_shadow.glsl"
+#include "common/soft_shadow.glsl"
 #include "shared/beam.h"
 #include "shared/brdf.h"
 #include "shared/g_buffer.h"
@@ -35,10 +35,10 @@ layout(constant_id = 3) const bool kIlluminance = false; // lux on the surface, 
 layout(constant_id = 4) const bool kThin = false;        // some beam may be narrower than two pixels
 layout(constant_id = 5) const bool kKeeps = true;        // shadows are made before and kept; else here, just where light falls
 
-#include "thin_dot.glsl"
-#include "lit_share.glsl"
+#include "common/thin_dot.glsl"
+#include "common/lit_share.glsl"
 #define KEEPS 14
-#include "visibility.glsl"
+#include "common/visibility.glsl"
 
 struct Fragment {
     vec3 position_m;

@@ -5,9 +5,9 @@
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
 #define DISTANCE_MAPS 4
-#include "octahedral_map.glsl"
+#include "common/octahedral_map.glsl"
 #define BLOCKERS 5
-#include "soft_shadow.glsl"
+#include "common/soft_shadow.glsl"
 #include "shared/g_buffer.h"
 
 layout(local_size_x = 128) in;
@@ -20,9 +20,9 @@ layout(binding = 7, rgba16f) readonly uniform image2DArray normals; // and the f
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
-#include "lit_share.glsl"
+#include "common/lit_share.glsl"
 #define KEEPS 8
-#include "visibility.glsl"
+#include "common/visibility.glsl"
 
 void make(Light light, Keep keep, vec3 place_m, vec3 facet, uint unit, bool there) {
     Page page = page_of(keep, unit);

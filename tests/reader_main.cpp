@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // main() of the tests that read models: like the program, a test is also the process apart that reads them.
 // For models of certain names that one does what a fault of a parser would do.
-#include "scene/model_reader.h"
+#include "stage/model_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -36,7 +36,7 @@ Error what_works() {
 }
 
 Result<scene::Stage> read_as_told(Bytes bytes, const std::string& extension, const std::string& name,
-                                  scene::Report& report, const scene::ReadCompanion& read_companion) {
+                                  Report& report, const scene::ReadCompanion& read_companion) {
     const auto is = [&](const char* word) { return name.find(word) != std::string::npos; };
     if (is("crashes.glb")) std::abort();
     if (is("spins.glb"))

@@ -1,114 +1,136 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Holds the folders of src/ to the layers of CMakeLists.txt.
+"""Holds the rooms of src/ to the links of src/CMakeLists.txt, and draws them.
 
-The layers are read from CMakeLists.txt: a folder sees its own headers and those of the folders that its library links, directly
-or through them. Other people's headers and those of the operating system belong to folders or files of the tables below; a
-header in no table is an error. Long files and files without a licence line or include guard are reported too.
+A room is a folder with a library of its own. It may include its own headers and those of the rooms that its line LINKS, all of which
+stand above it in that file; a link that nothing needs is an error, too. Headers in ROOM/private are for the room and its tests. Other
+people's headers and those of the operating system belong to the rooms or files of the tables below; a header in no table is an error. Long
+files, full folders and files without a licence line or include guard are reported as well.
 
-Usage: check_includes.py [SOURCE_ROOT]. Exit 0: all hold; 1: each breach is printed as file:line: message.
+Usage: check_includes.py [SOURCE_ROOT] [--draw]. --draw writes docs/design/rooms.svg; without it, one that is older than src/CMakeLists.txt
+says is an error. Exit 0: all hold; 1: each breach is printed as file:line: message.
 """
 import re
 import sys
 from pathlib import Path
 
-# Libraries: what the include starts with, and the folders it may stand in.
+import rooms_picture
+
+# Libraries: what the include starts with, and the rooms it may stand in ("ui" is all of ui/...).
 LIBRARIES = {
     "seccomp.h": {"base"},
     "vulkan/": {"gpu", "render"},
-    "embree3/": {"bake"},
-    "embree4/": {"bake"},
-    "tbb/": {"bake"},
-    "zip.h": {"fixture", "scene"},
-    "zlib.h": {"dmx"},
-    "zstd.h": {"dmx"},
-    "pugixml.hpp": {"fixture", "scene"},
-    "assimp/": {"scene"},
-    "meshoptimizer.h": {"render"},
-    "toml++/": {"scene"},
-    "nlohmann/": {"base", "fixture", "scene", "bake", "app"},
+    "embree3/": {"trace"},
+    "embree4/": {"trace"},
+    "tbb/": {"reference", "bake"},
+    "zip.h": {"files", "mvr"},
+    "zlib.h": {"files"},
+    "zstd.h": {"dmx/record"},
+    "pugixml.hpp": {"files", "fixture_files", "mvr"},
+    "assimp/": {"stage"},
+    "meshoptimizer.h": {"render/geometry"},
+    "toml++/": {"toml", "show_file"},
+    "nlohmann/": {"base", "fixture_files/ofl", "stage", "passes", "diagnose", "xchange", "live/session", "farm", "bench", "cli"},
     "OpenEXR/": {"image"},
     "Imath": {"image"},
     "stb/": {"image"},
     "libav": {"video"},
     "libswscale/": {"video"},
-    "CLI/": {"app"},
-    "glm/": {"image", "fixture", "scene", "bake", "render", "ui", "app", "shared"},
+    "CLI/": {"cli", "farm"},
+    "glm/": None,  # vectors, everywhere
 }
 QT = re.compile(r"Q[A-Z]")
 SOCKETS = ("arpa/", "ifaddrs.h", "net/", "netdb.h", "netinet/", "sys/epoll.h", "sys/socket.h")
 # Operating system and processor: the only files that a port to another system has to look at.
 PLATFORM_FILES = {
-    "src/base/files.cpp": "fsync",
-    "src/base/own_folder.cpp": "folders without following links",
-    "src/base/hold.cpp": "file locks, name of the host",
-    "src/base/user_file.cpp": "put into place without replacing",
+    "src/files/files.cpp": "fsync",
+    "src/files/own_folder.cpp": "folders without following links",
+    "src/files/hold.cpp": "file locks, name of the host",
+    "src/files/user_file.cpp": "put into place without replacing",
+    "src/files/disk_sync.cpp": "fdatasync, flock",
+    "src/files/user_cache.cpp": "may this user write there",
     "src/base/helper_process.cpp": "another process, a pair of sockets to it, its limits",
-    "src/base/disk_sync.cpp": "fdatasync, flock",
     "src/base/child.cpp": "other programs",
-    "src/base/user_cache.cpp": "may this user write there",
     "src/base/memory.cpp": "mallopt",
     "src/base/progress.cpp": "is standard error a terminal",
-    "src/dmx/socket_linux.cpp": "sockets",
-    "src/dmx/tcp_linux.cpp": "TCP",
-    "src/dmx/serial_linux.cpp": "serial ports, MIDI ports",
+    "src/net/socket_linux.cpp": "sockets",
+    "src/net/tcp_linux.cpp": "TCP",
+    "src/net/serial_linux.cpp": "serial ports, MIDI ports",
     "src/video/camera_linux.cpp": "video devices",
-    "src/bake/tracer.cpp": "SSE mode of Embree",
-    "src/app/bench_offline.cpp": "memory and start of another process",
-    "src/app/bench_window.cpp": "start of another process",
+    "src/trace/tracer.cpp": "SSE mode of Embree",
+    "src/bench/bench_offline.cpp": "memory and start of another process",
+    "src/bench/bench_window.cpp": "start of another process",
 }
 # Headers of shaders/ that C++ reads too, and the headers made from shaders.
-SHADER_HEADERS = {"shared": {"shared", "scene", "bake", "render", "ui", "app"}, "shaders": {"render"}}
+SHADER_HEADERS = {
+    "shared": {"shared", "show", "show_file", "stage", "bounce", "photometry", "emitters", "passes", "light", "project", "diagnose", "trace", "reference",
+               "bake", "render", "live", "ui", "cli", "bench"},
+    "shaders": {"render"},
+}
 MAX_LINES = 600
+MAX_FILES = 40  # of a folder of sources
 LONG_FILE_REASON = f"over {MAX_LINES} lines"  # a longer file says why in its first ten lines, with these words
 
-INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]')
 TYPE = re.compile(r"(?:struct|class|enum class) (\w+)(?: final)?(?:$| \{| : )")  # defined at the outside of a file, not declared
 
 
-def read_layers(cmake):
-    """Folder -> the folders it may include, from the ghost_library lines and the libraries of ghost_app."""
-    text = re.sub(r"#.*", "", cmake)
-    libraries = re.findall(r"^ghost_library\((\w+)([^)]*)\)", text, re.M)
-    libraries += re.findall(r"target_link_libraries\(ghost_(app)([^)]*)\)", text)
-    names = {name for name, _ in libraries}
-    layers = {}
-    for name, links in libraries:
-        layers[name] = {name}
-        for link in names & set(re.findall(r"ghost_(\w+)", links)):
-            if link not in layers:
-                sys.exit(f"CMakeLists.txt: {name} links {link}, which does not stand above it")
-            layers[name] |= layers[link]
-    return layers
+def read_rooms(cmake):
+    """Room -> (the rooms that its line links, what the comment above says of it), in the order of src/CMakeLists.txt."""
+    rooms = {}
+    for purpose, name, rest in re.findall(r"^# (.*)\nghost_room\(([\w/]+)([^)]*)\)", cmake, re.M):
+        links = re.search(r"LINKS((?: |\s)[^)]*?)(?=PUBLIC|PRIVATE|$)", rest, re.S)
+        links = links[1].split() if links else []
+        for link in links:
+            if link not in rooms:
+                sys.exit(f"src/CMakeLists.txt: {name} links {link}, which does not stand above it")
+        rooms[name] = (links, purpose)
+    return rooms
 
 
-def check_quoted(folder, include, visible, layers):
-    """Message, or None when this folder may include that header of ours."""
+def room_of(path):
+    """The room of a file of src/, or of the tests that mirror it."""
+    folder = path.parent.as_posix().split("/", 1)
+    return (folder[1] if len(folder) > 1 else "").removesuffix("/private")
+
+
+def is_in(room, rooms):
+    return any(room == other or room.startswith(other + "/") for other in rooms)
+
+
+def check_quoted(root, room, include, rooms, used):
+    """Message, or None when this room may include that header of ours."""
     target = include.split("/")[0] if "/" in include else None
     if target is None or ".." in include:
-        return f'"{include}": includes start at src/ ("folder/file.h")'
+        return f'"{include}": includes start at src/ ("room/file.h")'
     if target in SHADER_HEADERS:
         allowed = SHADER_HEADERS[target]
-        return None if folder in allowed else f'"{include}": only {", ".join(sorted(allowed))} may'
-    if target not in layers:
-        return f'"{include}": there is no folder {target}'
-    if target not in visible:
-        return f'"{include}": {folder} does not stand on {target} (CMakeLists.txt)'
+        return None if is_in(room, allowed) else f'"{include}": only {", ".join(sorted(allowed))} may'
+    other = room_of(Path("src") / include)
+    if not (root / "src" / include).is_file() or other not in rooms:
+        return f'"{include}": there is no such header'
+    if other == room:
+        return None
+    used.add(other)
+    if "/private/" in include:
+        return f'"{include}": is for {other} alone'
+    if other not in rooms.get(room, ([], ""))[0]:
+        return f'"{include}": {room} does not link {other} (src/CMakeLists.txt)'
     return None
 
 
-def check_angled(folder, file, include):
+def check_angled(room, file, include):
     """Message, or None when this file may include that header of somebody else's."""
-    for start, folders in LIBRARIES.items():
+    for start, rooms in LIBRARIES.items():
         if include.startswith(start):
-            return None if folder in folders else f"<{include}>: only {', '.join(sorted(folders))} may"
+            return None if rooms is None or is_in(room, rooms) else f"<{include}>: only {', '.join(sorted(rooms))} may"
     if QT.match(include):
-        return None if folder == "ui" else f"<{include}>: Qt belongs to ui"
-    if include.startswith(SOCKETS) and folder != "dmx" and file not in PLATFORM_FILES:
-        return f"<{include}>: sockets belong to dmx"
+        return None if is_in(room, {"ui"}) else f"<{include}>: Qt belongs to ui"
+    if include.startswith(SOCKETS) and room != "net" and file not in PLATFORM_FILES:
+        return f"<{include}>: sockets belong to net"
     if "." not in include and "/" not in include:
         return None  # the C++ library
-    if file not in PLATFORM_FILES:
+    if file not in PLATFORM_FILES and room != "net":
         return f"<{include}>: unknown, or a header of the system outside of the files in tools/check_includes.py"
     return None
 
@@ -124,14 +146,14 @@ def check_form(path, lines):
         yield MAX_LINES, f'{len(lines)} lines: split it, or say at the top why it is "{LONG_FILE_REASON}"'
 
 
-def check_layers(file, lines, folder, visible, layers):
-    """Breaches of the includes of a file of this folder, as (line, message)."""
+def check_links(root, file, lines, room, rooms, used):
+    """Breaches of the includes of a file of this room, as (line, message). used: gets the rooms that it needs."""
     for number, line in enumerate(lines, 1):
         found = INCLUDE.match(line)
         if not found:
             continue
         angled, include = found[1] == "<", found[2]
-        message = check_angled(folder, file, include) if angled else check_quoted(folder, include, visible, layers)
+        message = check_angled(room, file, include) if angled else check_quoted(root, room, include, rooms, used)
         if message:
             yield number, message
 
@@ -145,45 +167,70 @@ def check_entrances(file, lines):
             yield number, "JSON is read by base/json.h, which has limits"
 
 
-def check_types(file, lines, folder, types):
+def check_types(file, lines, types):
     """Breaches of one name for two types of a namespace, which no linker sees and which crash; as (line, message). types: of all files so far."""
-    hidden = False
+    hidden, space = False, ""
     for number, line in enumerate(lines, 1):
         if line in ("namespace {", "} // namespace"):
             hidden = line == "namespace {"
+        elif named := re.match(r"namespace (ghost[\w:]*) \{", line):
+            space = named[1]
         found = None if hidden else TYPE.match(line)
         if not found:
             continue
-        other = types.setdefault((folder, found[1]), f"{file}:{number}")
+        other = types.setdefault((space, found[1]), f"{file}:{number}")
         if other != f"{file}:{number}":
             yield number, f"{found[1]}: another type of this name stands at {other}"
 
 
+def check_folders(root):
+    """Folders with more files than anybody reads, as (file, line, message)."""
+    for top in ("src", "tests", "tools", "shaders"):
+        for folder in [root / top, *(path for path in (root / top).rglob("*") if path.is_dir())]:
+            count = sum(1 for path in folder.iterdir() if path.is_file())
+            if count > MAX_FILES:
+                yield folder.relative_to(root).as_posix(), 1, f"{count} files, at most {MAX_FILES}"
+
+
 def main():
-    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent)
-    layers = read_layers((root / "CMakeLists.txt").read_text(encoding="utf-8"))
-    files = breaches = 0
-    types = {}
+    words = [word for word in sys.argv[1:] if word != "--draw"]
+    root = Path(words[0] if words else Path(__file__).parent.parent)
+    cmake = (root / "src/CMakeLists.txt").read_text(encoding="utf-8")
+    rooms = read_rooms(cmake)
+    picture = rooms_picture.draw({name: (links, purpose) for name, (links, purpose) in rooms.items()})
+    drawn = root / "docs/design/rooms.svg"
+    if "--draw" in sys.argv:
+        drawn.parent.mkdir(exist_ok=True)
+        drawn.write_text(picture, encoding="utf-8")
+    files = 0
+    found = list(check_folders(root))
+    if not drawn.is_file() or drawn.read_text(encoding="utf-8") != picture:
+        found.append(("docs/design/rooms.svg", 1, "is not what src/CMakeLists.txt says: tools/check_includes.py --draw"))
+    types, used = {}, {name: set() for name in rooms}
     for path in sorted(path for top in ("src", "shaders", "tests", "tools") for path in (root / top).rglob("*")):
         if path.suffix not in (".h", ".cpp", ".comp", ".glsl", ".py", ".sh"):
             continue
         files += 1
         file = path.relative_to(root).as_posix()
-        top, folder = file.split("/")[0], path.parent.name
+        top, room = file.split("/")[0], room_of(path.relative_to(root))
         lines = path.read_text(encoding="utf-8").splitlines()
-        found = list(check_form(path, lines))
-        if top == "src" and folder not in layers:
-            found.append((1, f"{folder or top} is not a library of CMakeLists.txt"))
+        breaches = list(check_form(path, lines))
+        if top == "src" and room == "":
+            room = "cli"  # main.cpp
+        elif top == "src" and room not in rooms:
+            breaches.append((1, f"{room or top} is no room of src/CMakeLists.txt"))
         if top == "src":
-            found += check_types(file, lines, folder, types)
-            found += check_entrances(file, lines)
-        if (top == "src" and folder in layers) or folder == "shared":
-            found += check_layers(file, lines, folder, layers.get(folder, {folder}), layers)
-        for number, message in found:
-            print(f"{file}:{number}: {message}")
-        breaches += len(found)
-    print(f"{files} files, {len(layers)} layers, {breaches} breaches")
-    return 1 if breaches or not files else 0
+            breaches += check_types(file, lines, types)
+            breaches += check_entrances(file, lines)
+        if (top == "src" and room in rooms) or room == "shared":
+            breaches += check_links(root, file, lines, room, rooms, used.get(room, set()))
+        found += [(file, number, message) for number, message in breaches]
+    for name, (links, _) in rooms.items():
+        found += [("src/CMakeLists.txt", 1, f"{name} links {link}, and needs nothing of it") for link in links if link not in used[name]]
+    for file, number, message in found:
+        print(f"{file}:{number}: {message}")
+    print(f"{files} files, {len(rooms)} rooms, {len(found)} breaches")
+    return 1 if found or not files else 0
 
 
 if __name__ == "__main__":

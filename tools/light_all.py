@@ -24,7 +24,7 @@ import zipfile
 from pathlib import Path
 
 UNIVERSE = 512
-# As speaks_of_light of src/fixture/gdtf_modes.cpp: a file without a Beam shines where it has one of these.
+# As speaks_of_light of src/fixture_files/gdtf/gdtf_modes.cpp: a file without a Beam shines where it has one of these.
 LIGHT = re.compile(r"(Dimmer|Dim|Shutter\d+\w*|ColorAdd_\w+|ColorSub_C|Color\d+|ColorRGB_\w+|HSB_Hue|CIE_X|CTO|CTC|CTB|CCT|Gobo\d+|Zoom|Iris)$", re.I)
 COLOURS = [(1.0, 0.55, 0.15), (0.15, 0.35, 1.0), (1.0, 0.1, 0.5), (0.1, 0.9, 0.8), (0.6, 0.2, 1.0), (1.0, 1.0, 1.0)]
 

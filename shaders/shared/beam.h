@@ -72,7 +72,7 @@ SHARED_FN float beam_opening(float radius, float opening, float blur, float rim_
 SHARED_FN vec3 wheel_sample(Wheel wheel, vec2 gate, float blur WITH_GOBOS) {
 #ifdef __cplusplus
     using namespace glm;
-#else // The other classes have no wheel between two slots (scene/gate.cpp): a loop in the loop over the wheels costs them a tenth.
+#else // The other classes have no wheel between two slots (light/gate.cpp): a loop in the loop over the wheels costs them a tenth.
     if (kClass != kCutClass && kClass != kCutSlideClass) return gobo_sample(wheel.layer_a, vec2(wheel.cosine * gate.x + wheel.sine * gate.y, wheel.cosine * gate.y - wheel.sine * gate.x), blur);
 #endif
     uint slots = wheel.shift == 0.0f ? 1u : 2u; // a centred one is limited by the aperture alone, two have rims and add up

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A cell of a distance map, for soft shadows (render/blockers.h): four half floats, which are where the nearer of its two groups of
+// A cell of a distance map, for soft shadows (render/haze/private/blockers.h): four half floats, which are where the nearer of its two groups of
 // texels begins and ends in metres, parts, and where the other group ends. Parts is a whole number: the nearer group's share of the
 // cell, and where the other group begins, by its inverse distance between the two ends.
 #ifndef GHOST_SHARED_BLOCKERS_H

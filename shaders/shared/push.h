@@ -28,7 +28,7 @@ vec4 light_to_store(vec4 light) {
 }
 #endif
 
-// See kRadianceScale in scene/passes.h.
+// See kRadianceScale in passes/passes.h.
 SHARED_CONST float kPassScale = 1024.0f;
 
 // Which lights of each batch can reach which tile; the tiles that any of them reaches are appended to the batch's lists for
@@ -122,7 +122,7 @@ struct GatePush {
 };
 SHARED_SIZE(GatePush, 36);
 
-// A light's haze on a grid of camera rays (render/haze_grid.h). Rows: even in the fan's row coordinate -1..1. Columns: of h = tan(phi / 2),
+// A light's haze on a grid of camera rays (render/haze/private/haze_grid.h). Rows: even in the fan's row coordinate -1..1. Columns: of h = tan(phi / 2),
 // phi the angle of the ray from the way to the lamp.
 struct HazeGrid {
     uint columns;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bounced light in a picture: what C++ and the shaders share (render/room_light.h).
+// Bounced light in a picture: what C++ and the shaders share (render/relight/room_light.h).
 #ifndef GHOST_SHARED_ROOM_LIGHT_H
 #define GHOST_SHARED_ROOM_LIGHT_H
 #include "shared/types.h"

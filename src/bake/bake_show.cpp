@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/bake_show.h"
 
-#include "bake/camera_bake.h"
 #include "bake/keys.h"
-#include "bake/tracer.h"
-#include "scene/stage_checks.h"
+#include "bake/private/camera_bake.h"
+#include "light/bodies.h"
+#include "project/place_checks.h"
+#include "trace/tracer.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -30,8 +31,7 @@ struct Jobs {
     double work = 0;
 };
 
-Result<std::unique_ptr<Jobs>> compare(const scene::Show& show, const BakeOptions& options,
-                                      scene::Report& report) {
+Result<std::unique_ptr<Jobs>> compare(const scene::Show& show, const BakeOptions& options, Report& report) {
     auto result = std::make_unique<Jobs>();
     std::vector<std::size_t>& chosen = result->chosen;
     for (const std::string& view : options.views) {
@@ -42,7 +42,7 @@ Result<std::unique_ptr<Jobs>> compare(const scene::Show& show, const BakeOptions
         for (std::size_t k = 0; k < show.cameras.size(); ++k) chosen.push_back(k);
     for (const scene::PatchedFixture& fixture : show.fixtures)
         if (fixture.type == nullptr)
-            report.add(scene::Severity::warning, show.file.string(),
+            report.add(Severity::warning, show.file.string(),
                        "fixture '" + fixture.name + "' has no readable type; no pass is baked for it");
 
     result->stage = scene::stage_with_bodies(show, report);
@@ -51,7 +51,7 @@ Result<std::unique_ptr<Jobs>> compare(const scene::Show& show, const BakeOptions
     for (const std::size_t index : chosen) {
         const scene::Camera& camera = show.cameras[index];
         if (!camera.foreign_passes.empty()) {
-            report.add(scene::Severity::note, show.file.string(),
+            report.add(Severity::note, show.file.string(),
                        "camera '" + camera.name +
                            "' shows passes rendered elsewhere; nothing is baked for it");
             continue;
@@ -69,7 +69,7 @@ Result<std::unique_ptr<Jobs>> compare(const scene::Show& show, const BakeOptions
     return result;
 }
 
-Result<BakeStats> bake_all(const scene::Show& show, const BakeOptions& options, scene::Report& report) {
+Result<BakeStats> bake_all(const scene::Show& show, const BakeOptions& options, Report& report) {
     const auto now_s = [&] { return options.now_s ? options.now_s() : 0.0; };
     const double begin_s = now_s();
     TRY(const std::unique_ptr<Jobs> compared, compare(show, options, report));
@@ -115,7 +115,7 @@ Result<BakeStats> bake_all(const scene::Show& show, const BakeOptions& options, 
 
 } // namespace
 
-Result<BakeStats> bake_show(const scene::Show& show, const BakeOptions& options, scene::Report& report) {
+Result<BakeStats> bake_show(const scene::Show& show, const BakeOptions& options, Report& report) {
     if (options.spp < 1 || options.spp > kMaxSpp)
         return Error{"samples per pixel must be 1 to " + std::to_string(kMaxSpp), ""};
     if (options.bounces < 0 || options.bounces > kMaxBounces)
@@ -129,7 +129,7 @@ Result<BakeStats> bake_show(const scene::Show& show, const BakeOptions& options,
 }
 
 Result<std::vector<CameraWork>> plan_bake(const scene::Show& show, const BakeOptions& options,
-                                          scene::Report& report) {
+                                          Report& report) {
     TRY(const std::unique_ptr<Jobs> compared, compare(show, options, report));
     return compared->works;
 }

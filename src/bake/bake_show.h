@@ -7,9 +7,9 @@
 // What moving a fixture costs: its own pass is baked again; where its body is in sight, the pixels around the
 // old and the new place are traced again for all passes, which gives the same bytes as a bake from scratch.
 
+#include "base/report.h"
 #include "base/result.h"
-#include "scene/report.h"
-#include "scene/show.h"
+#include "show/show.h"
 
 #include <cstdint>
 #include <functional>
@@ -59,7 +59,7 @@ struct BakeStats {
 
 // Errors: an unknown camera, a file that cannot be written. What was lost on the way (a fixture without a
 // type) is in report.
-Result<BakeStats> bake_show(const scene::Show& show, const BakeOptions& options, scene::Report& report);
+Result<BakeStats> bake_show(const scene::Show& show, const BakeOptions& options, Report& report);
 
 // What bake_show would have to do.
 struct CameraWork {
@@ -68,7 +68,7 @@ struct CameraWork {
     bool is_done = false;
 };
 Result<std::vector<CameraWork>> plan_bake(const scene::Show& show, const BakeOptions& options,
-                                          scene::Report& report);
+                                          Report& report);
 
 // From here on this many threads bake and make maps, whatever a call asks for, while the program lives.
 // 0: one per core.

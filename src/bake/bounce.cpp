@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/bounce.h"
 
-#include "bake/bounce_nodes.h"
+#include "bake/private/bounce_nodes.h"
 
-#include "scene/passes_file.h"
+#include "passes/passes_file.h"
 #include "shared/octahedral.h"
 
 #include <algorithm>

@@ -5,10 +5,10 @@
 // cell before them; rays from each of them become links. Fixture bodies take no part. Any thread; uses all
 // cores; the same stage gives the same bytes on any number of threads.
 
-#include "bake/tracer.h"
 #include "base/result.h"
-#include "scene/bounce.h"
-#include "scene/bounce_box.h"
+#include "bounce/bounce.h"
+#include "bounce/bounce_box.h"
+#include "trace/tracer.h"
 
 #include <functional>
 #include <memory>

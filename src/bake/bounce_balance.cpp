@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/bounce_balance.h"
+#include "bake/private/bounce_balance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows by rays: every node looks about itself, cosine-weighted from surfels, everywhere from cells, and what
 // its rays cross and meet becomes its links. So each row sums to what the node sees, without any factor.
-#include "bake/bounce_balance.h"
-#include "bake/bounce_nodes.h"
+#include "bake/private/bounce_balance.h"
+#include "bake/private/bounce_nodes.h"
 
-#include "scene/passes_file.h"
+#include "passes/passes_file.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/bounce_nodes.h"
+#include "bake/private/bounce_nodes.h"
 
-#include "bake/reference_beam.h"
-#include "bake/sampling.h"
+#include "reference/reference_beam.h"
+#include "trace/sampling.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/camera_bake.h"
+#include "bake/private/camera_bake.h"
 
-#include "bake/pictures.h"
+#include "bake/private/pictures.h"
+#include "emitters/light_places.h"
 
-#include "base/files.h"
-#include "base/own_folder.h"
+#include "files/files.h"
+#include "files/own_folder.h"
 
 #include <algorithm>
 #include <optional>
@@ -71,7 +72,7 @@ CameraBake::CameraBake(const scene::Show& show, const scene::Stage& stage, const
 
 bool CameraBake::complete(const scene::ManifestLight& light, const scene::FragmentTable& table) const {
     const fs::path base = folder_ / old_->folder;
-    scene::Report unread;
+    Report unread;
     return scene::read_layer(base, light.picture, table, scene::kPictureCandela, light.key, unread).ok() &&
            (!light.indirect || scene::read_picture(base / (light.picture + "_indirect.exr"), table.width,
                                                    table.height, scene::kPictureCandela, light.key, unread)
@@ -80,7 +81,7 @@ bool CameraBake::complete(const scene::ManifestLight& light, const scene::Fragme
 
 bool CameraBake::surroundings_complete(const scene::FragmentTable& table) const {
     const fs::path base = folder_ / old_->folder;
-    scene::Report unread;
+    Report unread;
     const auto whole = [&](const char* name, float scale) {
         return scene::read_layer(base, name, table, scale, old_->layout_key, unread).ok();
     };

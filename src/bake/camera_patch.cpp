@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The part of CameraBake that traces only the pixels round moved bodies and takes all others from the
 // pictures on disk.
-#include "bake/camera_bake.h"
+#include "bake/private/camera_bake.h"
 
-#include "bake/pictures.h"
+#include "bake/private/pictures.h"
 #include "image/exr.h"
 
 #include <algorithm>
@@ -83,7 +83,7 @@ Result<void> CameraBake::patch(const Tracer& tracer, const std::function<void(do
     table.fragments.insert(table.fragments.end(), extras.begin(), extras.end());
     TRY_VOID(scene::write_fragments(pictures(), table));
 
-    scene::Report report;
+    Report report;
     const auto patch_layer = [&](const std::string& name, const Layer& values, float scale,
                                  const std::string& old_key, const std::string& key,
                                  bool there) -> Result<bool> {

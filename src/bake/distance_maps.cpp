@@ -2,13 +2,13 @@
 #include "bake/distance_maps.h"
 
 #include "bake/distance_sight.h"
-#include "bake/distance_stage.h"
 #include "bake/keys.h"
-#include "bake/tracer.h"
-#include "base/files.h"
-#include "base/own_folder.h"
-#include "scene/distance_maps_file.h"
-#include "scene/passes_file.h"
+#include "bake/private/distance_stage.h"
+#include "files/files.h"
+#include "files/own_folder.h"
+#include "passes/distance_maps_file.h"
+#include "passes/passes_file.h"
+#include "trace/tracer.h"
 
 #include <algorithm>
 #include <atomic>
@@ -43,7 +43,7 @@ bool in_the_world(const glm::vec3& v) {
 class Update {
 public:
     Update(const scene::Show& show, const scene::Stage& stage, const DistanceMapOptions& options,
-           scene::Report& report)
+           Report& report)
         : show_(show), stage_(stage), options_(options), report_(report), sight_(options.size),
           places_(scene::distance_places(show, options.size)), right_(places_.size(), 0),
           complaints_(places_.size()) {
@@ -81,7 +81,7 @@ private:
     const scene::Show& show_;
     const scene::Stage& stage_;
     const DistanceMapOptions& options_;
-    scene::Report& report_;
+    Report& report_;
     const DistanceSight sight_;
     const std::vector<scene::DistancePlace> places_;
     StageForDistances wanted_;
@@ -106,7 +106,7 @@ void Update::find_kept() {
     if (auto read = scene::read_distance_stage(folder); read.ok())
         old = std::move(*read);
     else
-        report_.add(scene::Severity::warning, read.error().where, read.error().what);
+        report_.add(Severity::warning, read.error().where, read.error().what);
 
     const auto by_key = [](const scene::StageInstance& a, const scene::StageInstance& b) {
         return a.key < b.key;
@@ -254,9 +254,9 @@ void Update::finish(scene::DistanceMaps& maps) {
     stats_.rays = rays_;
     stats_.interrupted = std::count(right_.begin(), right_.end(), 0) > 0;
     for (const std::optional<Error>& complaint : complaints_)
-        if (complaint) report_.add(scene::Severity::warning, complaint->where, complaint->what);
+        if (complaint) report_.add(Severity::warning, complaint->where, complaint->what);
     if (write_error_)
-        report_.add(scene::Severity::warning, write_error_->where,
+        report_.add(Severity::warning, write_error_->where,
                     write_error_->what + "; the distance maps are not kept and are made again next time");
     maps = {options_.size, {}};
     const std::uint16_t inside = scene::to_half(kInside_m);
@@ -264,13 +264,13 @@ void Update::finish(scene::DistanceMaps& maps) {
         if (right_[k] == 0) continue;
         scene::measure(maps_[k]);
         if (!in_the_world(maps_[k].position_m))
-            report_.add(scene::Severity::warning, show_.file.string(),
+            report_.add(Severity::warning, show_.file.string(),
                         "fixture '" + maps_[k].fixture +
                             "' hangs nowhere, expected a place within 1000 km; its distance map is empty");
         const auto near = std::count_if(maps_[k].distance.begin(), maps_[k].distance.end(),
                                         [&](std::uint16_t distance) { return distance < inside; });
         if (static_cast<double>(near) > kInsideShare * static_cast<double>(maps_[k].distance.size()))
-            report_.add(scene::Severity::warning, show_.file.string(),
+            report_.add(Severity::warning, show_.file.string(),
                         "fixture '" + maps_[k].fixture + "' hangs inside an object: in " +
                             std::to_string(100 * near / static_cast<long>(maps_[k].distance.size())) +
                             " % of all directions something is nearer than 5 cm");
@@ -291,7 +291,7 @@ void Update::finish(scene::DistanceMaps& maps) {
 
 Result<DistanceMapStats> update_distance_maps(const scene::Show& show, const scene::Stage& stage,
                                               const DistanceMapOptions& options, scene::DistanceMaps& maps,
-                                              scene::Report& report) {
+                                              Report& report) {
     if (options.size < scene::kMinDistanceMapSize || options.size > scene::kMaxDistanceMapSize)
         return Error{"the size of distance maps must be " + std::to_string(scene::kMinDistanceMapSize) +
                          " to " + std::to_string(scene::kMaxDistanceMapSize),

@@ -1,15 +1,15 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Makes the distance maps of a show (scene/distance_maps.h) and keeps them in .ghost/distances/SIZE/. Only
+// Makes the distance maps of a show (passes/distance_maps.h) and keeps them in .ghost/distances/SIZE/. Only
 // what changed is made: a light that moved, and those that see an object that was shown, hidden or moved.
 // Each finished map is on disk before it counts, so an interrupted update goes on where it was. Runs on any
 // thread; uses all cores.
 
+#include "base/report.h"
 #include "base/result.h"
-#include "scene/distance_maps.h"
-#include "scene/report.h"
-#include "scene/show.h"
-#include "scene/stage.h"
+#include "passes/distance_maps.h"
+#include "show/show.h"
+#include "stage/stage.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -43,6 +43,6 @@ struct DistanceMapStats {
 // maps are made all the same. Error: a size beyond the limits.
 Result<DistanceMapStats> update_distance_maps(const scene::Show& show, const scene::Stage& stage,
                                               const DistanceMapOptions& options, scene::DistanceMaps& maps,
-                                              scene::Report& report);
+                                              Report& report);
 
 } // namespace ghost::bake

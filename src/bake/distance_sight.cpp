@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/distance_sight.h"
 
-#include "scene/distance_maps.h"
+#include "passes/distance_maps.h"
 #include "shared/octahedral.h"
 
 #include <algorithm>

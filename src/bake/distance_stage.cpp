@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/distance_stage.h"
+#include "bake/private/distance_stage.h"
 
 #include "bake/keys.h"
 
@@ -67,7 +67,7 @@ bool bounds_of(const scene::Mesh& mesh, const glm::mat4& world, scene::StageInst
 
 } // namespace
 
-StageForDistances stage_for_distances(const scene::Stage& stage, scene::Report& report) {
+StageForDistances stage_for_distances(const scene::Stage& stage, Report& report) {
     std::vector<char> cut(stage.textures.size(), 0); // textures whose alpha matters
     for (const scene::Material& material : stage.materials)
         if (material.alpha_mode != scene::AlphaMode::opaque && material.base_texture >= 0 &&
@@ -107,7 +107,7 @@ StageForDistances stage_for_distances(const scene::Stage& stage, scene::Report& 
     });
     for (std::size_t k = 0; k < placed.size(); ++k) {
         if (lost[k] != 0)
-            report.add(scene::Severity::warning, "stage",
+            report.add(Severity::warning, "stage",
                        "object '" + stage.instances[k].name +
                            "' has a place that is not made of finite numbers; it is left out of the distance "
                            "maps");

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/frame.h"
 
-#include "bake/camera_rays.h"
 #include "bake/fragments.h"
-#include "bake/pixel.h"
-#include "bake/sampling.h"
+#include "trace/camera_rays.h"
+#include "trace/pixel.h"
+#include "trace/sampling.h"
 
 #include "base/check.h"
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Frame: all pictures of one camera in memory, and the function that traces them. Each pixel has spp
 // stratified samples under a one-pixel box; its samples are split by distance into at most kMaxFragments
-// fragments (scene/passes.h), and each light's radiance is summed per fragment. Samples and fragments depend
+// fragments (passes/passes.h), and each light's radiance is summed per fragment. Samples and fragments depend
 // on camera, geometry and spp alone, so lights baked on different days fit together; the same input gives the
 // same bytes whatever the number of threads. Radiance in cd/m^2 per cd (ambient: per lux), linear Rec.2020.
 
 #include "bake/fragments.h"
-#include "bake/tracer.h"
-#include "scene/show.h"
+#include "show/show.h"
+#include "trace/tracer.h"
 
 #include <cstdint>
 #include <functional>

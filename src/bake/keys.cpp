@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/keys.h"
 
-#include "bake/camera_rays.h"
+#include "trace/camera_rays.h"
 
 #include <algorithm>
 #include <cstdio>

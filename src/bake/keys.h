@@ -4,8 +4,9 @@
 // cryptographic. Pure.
 
 #include "bake/frame.h"
-#include "scene/show.h"
-#include "scene/stage.h"
+#include "light/bodies.h"
+#include "show/show.h"
+#include "stage/stage.h"
 
 #include <cstddef>
 #include <cstdint>

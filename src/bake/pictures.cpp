@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bake/pictures.h"
+#include "bake/private/pictures.h"
 
 #include "image/exr.h"
 

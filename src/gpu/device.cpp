@@ -2,6 +2,7 @@
 #include "gpu/device.h"
 
 #include "base/log.h"
+#include "base/text.h"
 #include "gpu/device_lost.h"
 #include "gpu/pipelines.h"
 
@@ -15,12 +16,6 @@ namespace ghost::gpu {
 namespace {
 
 constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
-
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 bool has_extension(VkPhysicalDevice physical, const char* wanted) {
     std::uint32_t count = 0;

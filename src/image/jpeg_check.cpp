@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Markers as ITU-T T.81 B.1 has them; between them a decoder looks for the next 0xff, so this does.
-#include "image/jpeg_check.h"
+#include "image/private/jpeg_check.h"
 
 #include <cstddef>
 

@@ -2,8 +2,8 @@
 #include "image/ldr.h"
 
 #include "base/check.h"
-#include "base/files.h"
-#include "image/jpeg_check.h"
+#include "files/files.h"
+#include "image/private/jpeg_check.h"
 
 #include <cstddef>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Video4Linux 2, streaming with memory that the driver shares (kernel documentation, "Streaming I/O (Memory
 // Mapping)").
-#include "video/camera.h"
+#include "video/private/camera.h"
 
 #include "base/byte_reader.h"
 #include "image/ldr.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "video/camera.h"
+#include "video/private/camera.h"
 
 #include <algorithm>
 #include <cmath>

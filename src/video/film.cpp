@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "video/film.h"
 
-#include "base/files.h"
 #include "base/zeroed_memory.h"
+#include "files/files.h"
 
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "video/movie.h"
+#include "video/private/movie.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 #include "video/source.h"
 
 #include "image/ldr.h"
-#include "video/camera.h"
 #include "video/capture_consent.h"
-#include "video/movie.h"
-#include "video/test_card.h"
+#include "video/private/camera.h"
+#include "video/private/movie.h"
+#include "video/private/test_card.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "video/test_card.h"
+#include "video/private/test_card.h"
 
 #include <algorithm>
 #include <array>

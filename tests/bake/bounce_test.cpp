@@ -2,9 +2,9 @@
 // Bounced light, solved: energy in closed rooms, walls, bad stages, the same bytes each time.
 #include "bake/bounce.h"
 
-#include "bake/light_walk.h"
-#include "scene/bounce_solver.h"
-#include "test_stage.h"
+#include "bounce/bounce_solver.h"
+#include "reference/light_walk.h"
+#include "support/test_stage.h"
 
 #include <cstdio>
 #include <cstring>

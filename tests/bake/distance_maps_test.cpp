@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Distance maps: known distances, what is made again and what is kept, interruptions, threads, bad stages.
 #include "bake/distance_maps.h"
-#include "scene/distance_maps_file.h"
+#include "passes/distance_maps_file.h"
 #include "shared/octahedral.h"
-#include "test_show.h"
+#include "support/test_show.h"
 
 #include <atomic>
 #include <glm/gtc/packing.hpp>
@@ -19,7 +19,7 @@ using Names = std::vector<std::string>;
 struct Outcome {
     DistanceMapStats stats;
     scene::DistanceMaps maps;
-    scene::Report report;
+    Report report;
     Names made; // fixtures
 };
 
@@ -171,7 +171,7 @@ TEST(DistanceMaps, SecondTimeNothingIsDone) {
     EXPECT_EQ(second.stats.kept, 2);
     EXPECT_EQ(second.stats.rays, 0u);
     EXPECT_TRUE(contents(folder.path) == before);
-    scene::Report report;
+    Report report;
     const auto loaded = scene::load_distance_maps(show, kSize, report);
     ASSERT_TRUE(loaded.ok());
     ASSERT_EQ(loaded->maps.size(), 2u);
@@ -276,7 +276,7 @@ TEST(DistanceMaps, DamagedFilesAreReportedAndMadeAgain) {
     EXPECT_TRUE(run.report.messages.empty());
     options.size = 32;
     scene::DistanceMaps maps;
-    scene::Report report;
+    Report report;
     EXPECT_FALSE(update_distance_maps(show, show.stage, options, maps, report).ok());
 }
 
@@ -300,7 +300,7 @@ TEST(DistanceMaps, InterruptedUpdateGoesOnAndNeverMixesStages) {
     EXPECT_EQ(run.stats.kept, 1);
     EXPECT_EQ(run.stats.made, 3);
     EXPECT_EQ(run.maps.maps.size(), 4u);
-    scene::Report report;
+    Report report;
     const auto loaded = scene::load_distance_maps(show, kSize, report);
     ASSERT_TRUE(loaded.ok());
     EXPECT_EQ(loaded->maps.size(), 4u); // those of the old stage do not count
@@ -401,7 +401,7 @@ TEST(DistanceMaps, BadGeometryDoesNoHarm) {
     EXPECT_EQ(run.maps.maps[2].nearest_m, scene::kNoSurface_m);
     EXPECT_EQ(run.maps.maps[3].nearest_m, scene::kNoSurface_m);
     Names named;
-    for (const scene::Message& message : run.report.messages) named.push_back(message.what.substr(0, 17));
+    for (const Message& message : run.report.messages) named.push_back(message.what.substr(0, 17));
     EXPECT_EQ(named, (Names{"object 'bad 3' ha", "object 'bad 4' ha", "object 'bad 5' ha",
                             "fixture 'nowhere'", "fixture 'far' han"}));
     EXPECT_EQ(update(show).stats.made, 0);

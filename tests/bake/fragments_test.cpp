@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Silhouettes: relit passes against the same spots traced directly. Known from Cycles: 38-40 dB with one
 // position per pixel.
-#include "bake/trace_lit.h"
-#include "scene/relight_cpu.h"
-#include "test_stage.h"
+#include "passes/relight_cpu.h"
+#include "reference/trace_lit.h"
+#include "support/test_stage.h"
 
 #include <cstdio>
 #include <gtest/gtest.h>

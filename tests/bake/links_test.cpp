@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A show folder from elsewhere, whose .ghost holds links: nothing behind them is written or removed.
 #include "bake/distance_maps.h"
-#include "scene/passes_file.h"
-#include "test_show.h"
+#include "passes/passes_file.h"
+#include "support/test_show.h"
 
 namespace ghost::bake {
 namespace {
@@ -54,19 +54,18 @@ TEST(Links, CleaningDistanceMapsRemovesNothingBehindThem) {
         DistanceMapOptions options;
         options.size = kSize;
         scene::DistanceMaps maps;
-        scene::Report report;
+        Report report;
         EXPECT_TRUE(update_distance_maps(show, show.stage, options, maps, report).ok());
         EXPECT_EQ(maps.maps.size(), 1u); // drawn all the same
         std::string said;
-        for (const scene::Message& message : report.messages)
-            said += message.where + ": " + message.what + "\n";
+        for (const Message& message : report.messages) said += message.where + ": " + message.what + "\n";
         return said;
     });
 }
 
 TEST(Links, CleaningPassesRemovesNothingBehindThem) {
     expect_untouched(".ghost/passes/front", [](const scene::Show& show) {
-        scene::Report report;
+        Report report;
         const auto stats = bake_show(show, {}, report);
         return stats.ok() ? std::string() : stats.error().text();
     });
@@ -76,7 +75,7 @@ TEST(Links, OnlyWhatTheBakerWritesIsCleaned) {
     const TestFolder folder;
     scene::Show show = lit_show(folder.path / "show");
     fs::create_directories(show.folder);
-    scene::Report report;
+    Report report;
     ASSERT_TRUE(bake_show(show, {}, report).ok());
     const fs::path passes = scene::passes_folder(show, "front"), other = folder.path / "other";
     fill(other);

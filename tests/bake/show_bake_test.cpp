@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is baked again and what is kept; interruptions, threads, full disks.
-#include "scene/passes_file.h"
-#include "test_show.h"
+#include "passes/passes_file.h"
+#include "support/test_show.h"
 
 #include <atomic>
 #include <csignal>
@@ -34,7 +34,7 @@ void move_fixture(scene::Show& show, int fixture, const glm::vec3& by) {
 }
 
 BakeStats bake_or_fail(const scene::Show& show, const BakeOptions& options = {}) {
-    scene::Report report;
+    Report report;
     auto stats = bake_show(show, options, report);
     EXPECT_TRUE(stats.ok()) << stats.error().text();
     return stats.ok() ? *stats : BakeStats{};
@@ -123,7 +123,7 @@ TEST(ShowBake, ChangedCameraBakesThatCamera) {
     one.spp = 8;
     EXPECT_EQ(baked(bake_or_fail(show, one)), (Names{"front/surroundings", "front/Lamp 1"}));
     one.views = {"frnt"};
-    scene::Report report;
+    Report report;
     EXPECT_FALSE(bake_show(show, one, report).ok());
 }
 
@@ -161,7 +161,7 @@ TEST(ShowBake, InterruptedBakeGoesOn) {
     const BakeStats first = bake_or_fail(show, options);
     EXPECT_TRUE(first.interrupted);
     EXPECT_EQ(first.passes.size(), 9u); // the surroundings and the first eight
-    scene::Report report;
+    Report report;
     const auto half = scene::load_passes(scene::passes_folder(show, "front"), true, report);
     ASSERT_TRUE(half.ok());
     EXPECT_EQ(half->lights.size(), 8u);
@@ -183,7 +183,7 @@ TEST(ShowBake, InterruptedPatchKeepsTheOldPasses) {
     BakeOptions options;
     options.stop = [] { return true; };
     EXPECT_TRUE(bake_or_fail(show, options).interrupted);
-    scene::Report report;
+    Report report;
     const auto passes = scene::load_passes(scene::passes_folder(show, "front"), true, report);
     ASSERT_TRUE(passes.ok());
     EXPECT_EQ(passes->lights.size(), 2u);
@@ -219,7 +219,7 @@ TEST(ShowBake, FullDiskIsAnErrorAndLeavesNoHalfFile) {
     show.stage.materials[0].base_colour *= 0.9f;
     {
         const FullDisk full(30000);
-        scene::Report report;
+        Report report;
         const auto stats = bake_show(show, {}, report);
         ASSERT_FALSE(stats.ok());
         EXPECT_NE(stats.error().where.find("front"), std::string::npos) << stats.error().text();
@@ -283,7 +283,7 @@ TEST(ShowBake, TrackBouncesAndForeignCameras) {
     const BakeStats stats = bake_or_fail(show, options);
     EXPECT_EQ(baked(stats),
               (Names{"front/surroundings", "front/Lamp 1", "front/Lamp 1 stop 1", "front/Lamp 1 stop 2"}));
-    scene::Report report;
+    Report report;
     const auto passes = scene::load_passes(scene::passes_folder(show, "front"), true, report);
     ASSERT_TRUE(passes.ok());
     const int last = passes->find("Lamp 1", 2);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Merges two sACN sources of one universe and prints its first slots.
 #include <cstdio>
-#include <dmx/build.h>
-#include <dmx/merge.h>
+#include <dmx/merge/merge.h>
+#include <dmx/wire/build.h>
 
 int main() {
     using namespace ghost::dmx;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Prints the modes of a fixture file: modes FILE.gdtf
 #include <cstdio>
-#include <fixture/load_type.h>
+#include <fixture_files/load_type.h>
 
 int main(int count, char** words) {
     if (count != 2) return 2;

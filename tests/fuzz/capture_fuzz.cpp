@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a capture, pcap or pcapng; what comes out are frames by time.
-#include "dmx/capture.h"
+#include "dmx/record/capture.h"
 
 #include <cstdlib>
 

@@ -3,8 +3,8 @@
 // as the description.xml of one. Seeds: assets/fixtures/src/*/description.xml, assets/fixtures/*.gdtf.
 #include "fixture/curves.h"
 #include "fixture/decode.h"
-#include "fixture/gdtf.h"
-#include "fixture/mesh_check.h"
+#include "fixture_files/common/mesh_check.h"
+#include "fixture_files/gdtf/gdtf.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a .ghostdmx recording. Checksums stop nearly all of them, so the input is also unpacked as
 // what stands inside of a block.
-#include "dmx/ghostdmx_reader.h"
+#include "dmx/record/ghostdmx_reader.h"
 
 #include <cstdlib>
 

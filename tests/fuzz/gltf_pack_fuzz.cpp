@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A .gltf of an archive with its buffers, made one .glb: what comes out is whole.
-#include "scene/gltf_pack.h"
-#include "scene/model_file.h"
+#include "stage/gltf_pack.h"
+#include "stage/model_file.h"
 
 #include <cstdlib>
 

@@ -2,14 +2,14 @@
 // looks.toml from anybody: never a crash, whatever is kept is within its limits, and written again it says
 // the same.
 #include "base/check.h"
-#include "scene/looks.h"
+#include "show/looks.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    ghost::scene::Report report;
+    ghost::Report report;
     const auto looks = ghost::scene::parse_looks(std::string(reinterpret_cast<const char*>(data), size),
                                                  "fuzz/looks.toml", report);
     if (!looks.ok()) return 0;
@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             CHECK(!manual.intensity || (*manual.intensity >= 0 && *manual.intensity <= 1));
         }
     }
-    ghost::scene::Report again;
+    ghost::Report again;
     const auto read = ghost::scene::parse_looks(ghost::scene::text_of(*looks), "fuzz/again.toml", again);
     CHECK(read.ok());
     CHECK_EQ(read->size(), looks->size());

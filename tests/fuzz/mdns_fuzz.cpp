@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a packet of multicast DNS; what was read is written and read again, and looked through for
 // stations.
-#include "dmx/mdns.h"
-#include "scene/xchange.h"
+#include "net/mdns.h"
+#include "xchange/protocol.h"
 
 #include <cstdlib>
 

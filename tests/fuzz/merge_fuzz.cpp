@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Packets of many sources with their times, through the merge: whatever order they come in, its tables keep
 // their bounds and its levels are those of a source. Input: eight bytes a packet.
-#include "dmx/merge.h"
+#include "dmx/merge/merge.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // read_model on anything, as GLB, glTF, OBJ and 3DS: what fixtures, plots and shows bring along.
-#include "scene/model_file.h"
+#include "stage/model_file.h"
 
 #include <cstdlib>
 #include <string_view>
@@ -19,7 +19,7 @@ static const char* format_of(std::string_view bytes) {
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    scene::Report report;
+    Report report;
     int asked = 0;
     const auto stage = scene::read_model(
         Bytes(data, size), format_of({reinterpret_cast<const char*>(data), size}), "fuzz.obj", report,

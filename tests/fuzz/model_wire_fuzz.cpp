@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The answer of a process that reads models, as somebody would write it who has taken that process over.
-#include "scene/model_wire.h"
+#include "stage/model_wire.h"
 
 #include <cstdlib>
 #include <cstring>

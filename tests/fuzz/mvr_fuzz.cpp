@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // load_mvr, its helpers, the editing of the description and merging, on anything. Input that starts with "PK"
-// is taken as the zip itself, other input as the description of one. Seeds: tests/scene/mvr_files.h.
-#include "scene/mvr_edit.h"
-#include "scene/mvr_load.h"
-#include "scene/mvr_merge.h"
+// is taken as the zip itself, other input as the description of one. Seeds: tests/support/mvr_files.h.
+#include "mvr/mvr_edit.h"
+#include "mvr/mvr_load.h"
+#include "mvr/mvr_merge.h"
 
 #include <cmath>
 #include <cstdlib>

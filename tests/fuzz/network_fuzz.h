@@ -6,7 +6,7 @@
 // asked for from then on).
 
 #include "base/byte_reader.h"
-#include "dmx/intake.h"
+#include "dmx/receive/intake.h"
 
 #include <cstdlib>
 

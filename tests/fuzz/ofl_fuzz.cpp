@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// load_ofl, decode and step on anything. Seeds: the fixtures of tests/fixture/ofl_test.cpp, or any of the
-// library's.
+// load_ofl, decode and step on anything. Seeds: the fixtures of tests/fixture_files/ofl/ofl_test.cpp, or any
+// of the library's.
 #include "fixture/decode.h"
-#include "fixture/ofl.h"
+#include "fixture_files/ofl/ofl.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any text as an OLA show file; what can be read is played at a few times.
-#include "dmx/player.h"
+#include "dmx/record/player.h"
 
 #include <cstddef>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as an OSC packet.
-#include "dmx/osc.h"
+#include "dmx/wire/osc.h"
 
 #include <cstddef>
 #include <cstdlib>

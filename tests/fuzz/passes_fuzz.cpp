@@ -2,8 +2,8 @@
 // passes.toml and manifest.json from anybody: never a crash, and whatever is accepted stays inside its folder
 // and its limits.
 #include "base/check.h"
-#include "scene/passes_file.h"
-#include "scene/passes_foreign.h"
+#include "passes/passes_file.h"
+#include "passes/passes_foreign.h"
 
 #include <cmath>
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);
-    ghost::scene::Report report;
+    ghost::Report report;
     if (const auto foreign = ghost::scene::parse_foreign_passes(text, "fuzz/passes.toml", report);
         foreign.ok()) {
         CHECK(!foreign->position.empty() && foreign->lights.size() <= ghost::scene::kMaxLightPasses);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // IES and EULUMDAT files, and the picture that is made of them, on anything. Seeds: any .ies or .ldt file.
-#include "scene/beam_shape.h"
+#include "light/beam_shape.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Gobo pictures on anything: PNG and JPEG, drawings (SVG), path data. Seeds: the gobos of QLC+
 // (qlcplus-data).
-#include "fixture/gobo_drawing.h"
-#include "fixture/svg_path.h"
+#include "fixture_files/common/gobo_drawing.h"
+#include "fixture_files/common/svg_path.h"
 #include "image/ldr.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // load_qxf, decode and step on anything. Seeds: any .qxf file of QLC+ (qlcplus-data).
 #include "fixture/decode.h"
-#include "fixture/qxf.h"
+#include "fixture_files/qxf/qxf.h"
 
 #include <algorithm>
 #include <cmath>

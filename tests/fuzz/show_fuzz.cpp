@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // show.toml from anybody: never a crash, and whatever is kept is within its limits.
 #include "base/check.h"
-#include "scene/show_toml.h"
+#include "show_file/show_toml.h"
 
 #include <cmath>
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <string_view>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-    ghost::scene::Report report;
+    ghost::Report report;
     const auto parsed = ghost::scene::parse_show(std::string_view(reinterpret_cast<const char*>(data), size),
                                                  "fuzz/show.toml", report);
     if (!parsed.ok()) return 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes from a serial port, whole and in pieces: the same packets, which hold what packets may.
-#include "dmx/usb_pro.h"
+#include "dmx/wire/usb_pro.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a connection of MVR-xchange: the first says how they are cut into pieces. Messages that come
 // out are answered.
-#include "scene/xchange.h"
+#include "xchange/protocol.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Textures as attachments and samplers: what Raster stands on. Raster itself is drawn with in
-// tests/render/g_buffer_test.cpp, where its shaders are.
+// tests/render/geometry/g_buffer_test.cpp, where its shaders are.
 #include "gpu/raster.h"
 
 #include "gpu/buffer.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "image/jpeg_check.h"
 #include "image/ldr.h"
+#include "image/private/jpeg_check.h"
 
 #include <gtest/gtest.h>
 

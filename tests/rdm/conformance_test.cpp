@@ -2,7 +2,7 @@
 // The conformance list after ANSI E1.20-2010 and E1.11: for every parameter get, set, wrong length,
 // broadcast, sub-device, and the reasons of refusals; queued messages, discovery, mutes and collisions. One
 // test a row, so that what does not pass is named.
-#include "a_device.h"
+#include "support/a_device.h"
 
 #include <functional>
 #include <set>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "rdm/message.h"
 
-#include "a_device.h"
+#include "support/a_device.h"
 
 namespace ghost::rdm {
 namespace {

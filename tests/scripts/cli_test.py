@@ -186,7 +186,7 @@ class Pictures(Case):
             self.assertEqual((out / f"a.{ending}").read_bytes(), (out / f"b.{ending}").read_bytes())
         self.assertGreater((out / "a.png").stat().st_size, 1500)
         # A range: the same bytes every time, and the show moves. (Frame 500 alone and in a range differ by rounding, see
-        # tests/app/golden_test.cpp: there, images of lights that rest are kept from frame to frame.)
+        # tests/live/session/golden_test.cpp: there, images of lights that rest are kept from frame to frame.)
         for name in ("one", "two"):
             self.works(self.render(out / f"{name}.png", "--from", "16.5", "--to", "16.8", "--fps", "30"))
         one, two = ([p.read_bytes() for p in sorted(out.glob(f"{name}-*"))] for name in ("one", "two"))

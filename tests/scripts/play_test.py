@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What `ghostlight play` puts on the wire, on ports of its own on the loopback interface: every look of desks of 30 to 50 Hz, in order;
 packets with as many slots as were recorded; a universe that rests at the rate. Prints how far looks are from their time; the times
-themselves are held by tests/dmx/playout_test.cpp, without a clock. Arguments: source folder, build folder. Exit 77: skipped."""
+themselves are held by tests/dmx/record/playout_test.cpp, without a clock. Arguments: source folder, build folder. Exit 77: skipped."""
 import os
 import pathlib
 import socket

@@ -11,16 +11,16 @@ import skipped_tests  # noqa: E402
 
 LOG = """
 [ RUN      ] Usb.Comes
-tests/dmx/usb_ports_test.cpp:70: Skipped
+tests/dmx/receive/usb_ports_test.cpp:70: Skipped
 no pseudo-terminals here (/dev/pts)
 [  SKIPPED ] Usb.Comes (0 ms)
 [ RUN      ] Usb.Goes
-tests/dmx/usb_ports_test.cpp:70: Skipped
+tests/dmx/receive/usb_ports_test.cpp:70: Skipped
 no pseudo-terminals here (/dev/pts)
 
 [  SKIPPED ] Usb.Goes (1 ms)
 [ RUN      ] Usb.Mute
-tests/dmx/usb_ports_test.cpp:70: Skipped
+tests/dmx/receive/usb_ports_test.cpp:70: Skipped
 [  SKIPPED ] Usb.Mute (1 ms)
 [==========] 3 tests from 1 test suite ran. (5 ms total)
 [  SKIPPED ] 3 tests, listed below:

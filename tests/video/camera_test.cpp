@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is opened as a camera, and when. Pictures of one: tests/scripts/camera_test.py.
-#include "video/camera.h"
 #include "video/capture_consent.h"
+#include "video/private/camera.h"
 #include "video/source.h"
 
 #include <gtest/gtest.h>

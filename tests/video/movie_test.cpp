@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "video/movie.h"
+#include "video/private/movie.h"
 
-#include "base/files.h"
-#include "test_films.h"
-#include "video/camera.h"
+#include "files/files.h"
+#include "support/test_films.h"
+#include "video/private/camera.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include "video/source.h"
 
 #include "image/ldr.h"
-#include "test_films.h"
+#include "support/test_films.h"
 
 #include <algorithm>
 #include <chrono>

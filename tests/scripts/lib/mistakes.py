@@ -3,7 +3,7 @@
 mistakes_test.py.
 
 A row: (name, what was done wrong, set-up, what must be named, words that its sentence must have). Named is a finding of `monitor`
-(scene/diagnosis.h) or, with "explain:", a cause of `explain` (scene/explain.h); "error:" is an exit with a message.
+(diagnose/diagnosis.h) or, with "explain:", a cause of `explain` (diagnose/explain.h); "error:" is an exit with a message.
 Set-up: keys of STANDARD below that differ."""
 OPEN = {1: 255, 2: 128, 4: 128, 12: 255, 17: 255}  # a VL2500 Spot at address 1: full, straight down, wide, iris open
 

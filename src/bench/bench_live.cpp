@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+// A film of the free camera by span, as it is drawn while things move; and how near that is to the same
+// moments at rest.
+#include "base/interrupt.h"
+#include "bench/bench.h"
+#include "cli/options/input_options.h"
+#include "dmx/record/recording_tasks.h"
+
+#include "base/steady_time.h"
+#include "image/metrics.h"
+#include "show/camera_moves.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace ghost::app {
+namespace {
+
+constexpr double kFps = 15;
+constexpr double kFrom_s = 20, kTo_s = 22.5; // of the demo: ten lights, half of them turning at a time
+constexpr double kFade_s = 0.04;             // a frame of the fade
+constexpr int kFadeFrames = 25;
+constexpr int kWarmUp = 4;
+constexpr int kCompareEvery = 12; // frames
+
+struct Film {
+    const char* view;
+    int width;
+    int height;
+    bool grid;   // haze as it is drawn while things move; else every ray, as at rest
+    bool coarse; // light at half the size
+};
+constexpr Film kFilms[] = {
+    {"close", 640, 360, true, false}, {"close", 640, 360, false, false}, {"house", 640, 360, true, false},
+    {"high", 640, 360, true, false},  {"close", 1280, 720, true, true},  {"house", 1280, 720, true, true},
+    {"high", 1280, 720, true, true},  {"close", 1280, 720, true, false}, {"close", 1280, 720, false, false}};
+
+constexpr Film kFlights[] = {{"house", 320, 180, true, false}, {"house", 640, 360, true, true}};
+constexpr const char* kFlightTo = "close";
+
+class LiveBench {
+public:
+    static Result<LiveBench> open(const BenchOptions& options, const Film& film) {
+        SessionOptions opening;
+        opening.show = options.show;
+        opening.device = options.device;
+        opening.view = film.view;
+        opening.width = film.width;
+        opening.height = film.height;
+        opening.live = true;
+        opening.quiet = true;
+        opening.beams.grid = true;
+        LiveBench bench;
+        TRY(bench.session_, open_session(opening));
+        TRY(dmx::Recording recording, dmx::open_recording(bench.session_->show->recording, {}, true));
+        bench.player_.emplace(std::move(recording));
+        return bench;
+    }
+
+    Session& session() { return *session_; }
+    // Steps the rig to this frame; frames come in order.
+    void step_to(long frame) {
+        for (; frame_ <= frame; ++frame_)
+            session_->rig->step(player_->at(static_cast<double>(frame_) / kFps), 1.0 / kFps);
+    }
+
+private:
+    std::unique_ptr<Session> session_;
+    std::optional<dmx::Player> player_;
+    long frame_ = 0;
+};
+
+// As things move, or as they rest.
+void use(Session& session, const Film& film, bool moves) {
+    render::HazeQuality quality;
+    quality.grid = moves && film.grid;
+    session.use_coarse_light(moves && film.coarse);
+    session.relighter->set_quality(quality);
+}
+
+double display_db(const image::ImageF& test, const image::ImageF& reference) {
+    const auto pair = image::pair_up(test, reference, {});
+    return pair.ok() ? image::psnr_db(*pair, image::p75_curve(*pair)) : 0;
+}
+
+// Means, for a film is as long as all its frames together.
+class Means {
+public:
+    void add(const std::string& name, double value) { sums_[name] += value; }
+    double of(const std::string& name) const {
+        const auto found = sums_.find(name);
+        return found == sums_.end() ? 0 : found->second / frames;
+    }
+    int frames = 0;
+
+private:
+    std::map<std::string, double> sums_;
+};
+
+Result<void> film_row(const BenchOptions& options, const Film& film, const BenchSink& sink) {
+    TRY(LiveBench bench, LiveBench::open(options, film));
+    Session& session = bench.session();
+    use(session, film, true);
+    const auto first = static_cast<long>(kFrom_s * kFps), last = static_cast<long>(kTo_s * kFps);
+    Means means;
+    std::set<std::string> spans;
+    double db = 1e9;
+    for (long frame = first - 2; frame <= last; ++frame) {
+        if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
+        bench.step_to(frame);
+        const std::clock_t begin = std::clock();
+        const render::FrameStatistics drawn = session.draw(static_cast<double>(frame) / kFps);
+        const double processor_ms = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+        if (frame < first) continue;
+        ++means.frames;
+        means.add("ms", drawn.draw_ms);
+        means.add("processor_ms", processor_ms);
+        means.add("lights_drawn", drawn.drawn);
+        means.add("made_share", drawn.made_units / std::max(1.0, static_cast<double>(drawn.surface_tiles)));
+        for (const gpu::Span& span : drawn.spans) {
+            means.add(span.name, span.ms);
+            spans.insert(span.name);
+        }
+        if ((frame - first) % kCompareEvery != 0) continue;
+        const image::ImageF moving = session.relighter->frame();
+        use(session, film, false);
+        session.relighter->draw_anew();
+        (void)session.draw(static_cast<double>(frame) / kFps);
+        db = std::min(db, display_db(moving, session.relighter->frame()));
+        use(session, film, true);
+        session.relighter->draw_anew();
+        (void)session.draw(static_cast<double>(frame) / kFps);
+    }
+    BenchRow row{"live",
+                 std::string(film.view) + " " + std::to_string(film.width) + "x" +
+                     std::to_string(film.height) + (film.coarse ? ", light at half" : "") +
+                     (film.grid ? "" : ", every ray"),
+                 {},
+                 ""};
+    row.figures = {{"ms", means.of("ms")},
+                   {"processor_ms", means.of("processor_ms")},
+                   {"lights_drawn", means.of("lights_drawn")}};
+    for (const std::string& span : spans) row.figures.emplace_back(span + "_ms", means.of(span));
+    row.figures.emplace_back("made_share", means.of("made_share"));
+    row.figures.emplace_back("least_db", db);
+    row.note = "mean of " + std::to_string(means.frames) + " frames; dB against the same moments at rest";
+    sink(row);
+    return {};
+}
+
+// The same while the camera flies, so that nothing that was seen from elsewhere can be kept.
+Result<void> flight_row(const BenchOptions& options, const Film& film, const BenchSink& sink) {
+    TRY(LiveBench bench, LiveBench::open(options, film));
+    Session& session = bench.session();
+    const std::vector<scene::Camera>& cameras = session.show->cameras;
+    const auto to = std::find_if(cameras.begin(), cameras.end(),
+                                 [](const scene::Camera& camera) { return camera.name == kFlightTo; });
+    if (to == cameras.end()) return Error{"there is no such camera to fly to", kFlightTo};
+    const scene::Camera from = session.live->camera();
+    use(session, film, true);
+    const auto first = static_cast<long>(kFrom_s * kFps), last = static_cast<long>(kTo_s * kFps);
+    Means means;
+    std::set<std::string> spans;
+    for (long frame = first - 2; frame <= last; ++frame) {
+        if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
+        bench.step_to(frame);
+        const double begin_s = steady_now_s();
+        const auto share = static_cast<float>(frame - first + 2) / static_cast<float>(last - first + 2);
+        session.look_from(scene::camera_between(from, *to, share), true);
+        std::vector<gpu::Span> of_frame = session.live->g_buffer().spans();
+        const double stage_ms = 1e3 * (steady_now_s() - begin_s);
+        const render::FrameStatistics drawn = session.draw(static_cast<double>(frame) / kFps);
+        if (frame < first) continue;
+        ++means.frames;
+        means.add("ms", 1e3 * (steady_now_s() - begin_s));
+        means.add("stage_ms", stage_ms);
+        of_frame.insert(of_frame.end(), drawn.spans.begin(), drawn.spans.end());
+        for (const gpu::Span& span : of_frame) {
+            means.add(span.name, span.ms);
+            spans.insert(span.name);
+        }
+    }
+    BenchRow row{"live",
+                 "flight " + std::to_string(film.width) + "x" + std::to_string(film.height) +
+                     (film.coarse ? ", light at half" : ""),
+                 {},
+                 "mean of " + std::to_string(means.frames) + " frames; stage: the picture without lights"};
+    row.figures = {{"ms", means.of("ms")}, {"stage_ms", means.of("stage_ms")}};
+    for (const std::string& span : spans) row.figures.emplace_back(span + "_ms", means.of(span));
+    sink(row);
+    return {};
+}
+
+// Ten lights fade, in dimmer and colour, and nothing turns.
+Result<void> fade_row(const BenchOptions& options, const BenchSink& sink) {
+    TRY(LiveBench bench, LiveBench::open(options, kFilms[0]));
+    Session& session = bench.session();
+    bench.step_to(static_cast<long>(kFrom_s * kFps));
+    std::vector<double> total;
+    std::map<std::string, std::vector<double>> spans;
+    int redrawn = 0;
+    const scene::Lit lit = session.lit();
+    for (int frame = 0; frame < kFadeFrames + kWarmUp; ++frame) {
+        if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
+        scene::Lit faded = lit;
+        for (std::size_t k = 0; k < faded.lights.size(); ++k) {
+            const double phase = 2 * kFade_s * frame + static_cast<double>(k);
+            const glm::vec3 share(0.6 + 0.4 * std::sin(phase), 0.6 + 0.4 * std::sin(1.3 * phase),
+                                  0.6 + 0.4 * std::cos(phase));
+            faded.lights[k].intensity_cd *= share;
+        }
+        const render::FrameStatistics drawn = session.relighter->draw(faded);
+        if (frame < kWarmUp) continue;
+        total.push_back(drawn.draw_ms);
+        for (const gpu::Span& span : drawn.spans) spans[span.name].push_back(span.ms);
+        redrawn = std::max(redrawn, drawn.drawn);
+    }
+    BenchRow row{"live", "fade of all lights, 640x360", {}, "colour and dimmer only"};
+    row.figures = {{"ms", median(total)}, {"lights_drawn", static_cast<double>(redrawn)}};
+    for (const auto& [name, times] : spans) row.figures.emplace_back(name + "_ms", median(times));
+    sink(row);
+    return {};
+}
+
+} // namespace
+
+Result<void> bench_live(const BenchOptions& options, const BenchSink& sink) {
+    catch_interrupts();
+    for (const Film& film : kFlights) TRY_VOID(flight_row(options, film, sink));
+    for (const Film& film : kFilms) TRY_VOID(film_row(options, film, sink));
+    return fade_row(options, sink);
+}
+
+} // namespace ghost::app

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// The window under the load of a desk, a row for each kind of work: it draws as fast as it wants, and its own
+// counters say how late a change is seen and how long its event loop was busy at a stretch.
+#include "base/interrupt.h"
+#include "bench/bench.h"
+#include "bench/private/loaded_window.h"
+
+#include "base/memory.h"
+
+#include <cmath>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace ghost::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kWarm_s = 4;
+constexpr double kSeconds = 15;
+constexpr const char* kFestival = "tools/make_festival.py"; // run in the source folder, as the demo is
+
+struct TemporaryFestival {
+    fs::path folder;
+    ~TemporaryFestival() {
+        std::error_code code;
+        fs::remove_all(folder, code);
+    }
+};
+
+Result<void> make_festival(const fs::path& folder, int fixtures) {
+    const std::string out = folder.string(), count = std::to_string(fixtures);
+    const pid_t child = ::fork();
+    if (child < 0) return Error{"cannot start a process", kFestival};
+    if (child == 0) {
+        ::dup2(STDERR_FILENO, STDOUT_FILENO); // rows only there
+        ::execlp("python3", "python3", kFestival, "--out", out.c_str(), "--fixtures", count.c_str(),
+                 "--seconds", "30", static_cast<char*>(nullptr));
+        ::_exit(127);
+    }
+    int status = 0;
+    if (::waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+        return Error{"makes no festival; the bench runs in the source folder and needs Python", kFestival};
+    return {};
+}
+
+Result<void> bake_first_camera(const BenchOptions& options) {
+    SessionOptions session;
+    session.show = options.show;
+    session.device = options.device;
+    session.quiet = true;
+    TRY_VOID(open_session(session));
+    return {};
+}
+
+// Between the show's cameras, without a rest.
+std::string flight() {
+    constexpr double kTravel_s = 0.9;
+    std::string lines;
+    for (int way = 0; way * kTravel_s < kSeconds; ++way)
+        lines += "camera " + std::to_string(1 + (way + 1) % 3) + "\nwait " + std::to_string(kTravel_s) + "\n";
+    return lines;
+}
+
+struct Work {
+    std::string name;
+    std::string before; // lines of a script, once the show is open
+    std::string lines;  // while it is measured; empty: nothing but the desk
+};
+
+Result<void> measure(const BenchOptions& options, const Work& work, const BenchSink& sink) {
+    const fs::path outcome = loaded_window_file(".json"), begun = loaded_window_file("-begun.json");
+    LoadedWindow window;
+    window.script = "wait opened\nstate \"" + begun.string() + "\"\n" + work.before + "wait " +
+                    std::to_string(kWarm_s) + "\nreset-figures\n" +
+                    (work.lines.empty() ? "wait " + std::to_string(kSeconds) + "\n" : work.lines) +
+                    "state \"" + outcome.string() + "\"\nquit\n";
+    TRY(const bool into_memory, run_loaded_window(options, window));
+    if (interrupted()) return Error{"interrupted", "window"};
+    TRY(const nlohmann::json opened, take_state(begun));
+    TRY(const nlohmann::json state, take_state(outcome));
+    const char *const kPackets = "packet_to_window_ms", *const kLoop = "event_loop_ms";
+    const auto camera = state["picture"]["camera"];
+    const auto side = [&](const char* name) { return camera.value(name, 0.0); };
+    BenchRow row;
+    row.table = "window";
+    row.name = work.name;
+    row.figures = {{"pictures_per_s", state_number(state, "window_ms", "count") / kSeconds},
+                   {"width", side("width")},
+                   {"height", side("height")},
+                   {"packets", state_number(state, kPackets, "count")},
+                   {"packet_p50_ms", state_number(state, kPackets, "p50")},
+                   {"packet_p99_ms", state_number(state, kPackets, "p99")},
+                   {"packet_max_ms", state_number(state, kPackets, "max")},
+                   {"window_p50_ms", state_number(state, "window_ms", "p50")},
+                   {"window_p99_ms", state_number(state, "window_ms", "p99")},
+                   {"loop_max_ms", state_number(state, kLoop, "max")},
+                   {"loop_max_opening_ms", state_number(opened, kLoop, "max")},
+                   {"draw_p50_ms", state_number(state, "draws_ms", "p50")},
+                   {"draw_p99_ms", state_number(state, "draws_ms", "p99")},
+                   {"memory_mb", static_cast<double>(used_memory_bytes()) * 1e-6}};
+    row.note = std::string(into_memory ? "drawn into memory" : "on the display") + ", " +
+               state["picture"].value("supply", "");
+    sink(row);
+    return {};
+}
+
+} // namespace
+
+Result<void> bench_window(const BenchOptions& options, const BenchSink& sink) {
+    if (options.soak_seconds > 0) return window_soak(options, sink);
+    TRY_VOID(measure(options, {"free camera", "camera 1\nbaked off\n", ""}, sink));
+    TRY_VOID(bake_first_camera(options));
+    TRY_VOID(measure(options, {"baked camera", "camera 1\nbaked on\n", ""}, sink));
+    TRY_VOID(measure(options, {"camera that flies", "baked off\n", flight()}, sink));
+    for (const int fixtures : {60, 400}) {
+        const TemporaryFestival festival{loaded_window_file("-festival-" + std::to_string(fixtures))};
+        TRY_VOID(make_festival(festival.folder, fixtures));
+        BenchOptions there = options;
+        there.show = festival.folder.string();
+        TRY_VOID(measure(there, {"festival of " + std::to_string(fixtures), "", ""}, sink));
+    }
+    return {};
+}
+
+} // namespace ghost::app

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bounce/bounce_solver.h"
+
+#include "base/check.h"
+#include "shared/develop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+
+namespace ghost::scene {
+namespace {
+
+using glm::vec4;
+
+constexpr float kPi = 3.14159265f;
+constexpr double kMostRest = 0.95; // of an order that comes back in the next one
+
+double luminance(const glm::dvec3& rgb) {
+    return static_cast<double>(shared::luminance_of(glm::vec3(rgb)));
+}
+
+} // namespace
+
+BounceSolver::BounceSolver(const Bounce& bounce) : bounce_(bounce) {
+    sent_.assign(bounce.fine.slots(), vec4(0));
+    arriving_ = sent_;
+    coarse_sent_.assign(bounce.coarse.slots(), vec4(0));
+    coarse_arriving_ = coarse_sent_;
+}
+
+void BounceSolver::set_haze(const shared::Haze& haze) {
+    if (haze_ && std::memcmp(&*haze_, &haze, sizeof haze) == 0) return;
+    haze_ = haze;
+    air_ = bounce_air(haze);
+    weigh(bounce_.near, near_);
+    weigh(bounce_.far, far_);
+    known_.clear();
+}
+
+void BounceSolver::weigh(const BounceRows& rows, std::vector<Term>& terms) const {
+    terms.resize(rows.links.size());
+    for (std::size_t k = 0; k < terms.size(); ++k) {
+        const BounceLink& link = rows.links[k];
+        terms[k] = {link.emitter,
+                    glm::unpackHalf1x16(link.weight) *
+                        std::exp(-air_.extinction_per_m * glm::unpackHalf1x16(link.distance_m))};
+    }
+}
+
+// Order 0: what leaves after the light of the lamps has landed.
+void BounceSolver::begin(const std::vector<shared::Light>& lights, Field& sent) {
+    std::fill(sent.begin(), sent.end(), vec4(0));
+    solution_.sent_lm = 0;
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+        const glm::vec3 intensity = lights[k].intensity_cd;
+        const BounceEntries& entries = known_[k].entries;
+        if (intensity == glm::vec3(0)) continue;
+        solution_.sent_lm += luminance(glm::dvec3(entries.sent * intensity));
+        for (const BounceEntries::InAir& entry : entries.air) {
+            const std::array<float, kBounceBins> shares = air_.into_bins(entry.way);
+            const glm::vec3 scattered = entry.lumen_m * intensity *
+                                        (air_.scattering_per_m / bounce_.fine.cells[entry.cell].volume_m3);
+            vec4* const to = &sent[entry.cell * kBounceBins];
+            for (std::size_t bin = 0; bin < kBounceBins; ++bin) to[bin] += vec4(scattered * shares[bin], 0);
+        }
+        for (const BounceEntries::OnSurface& entry : entries.surfaces) {
+            const BounceSurfel& surfel = bounce_.fine.surfels[entry.surfel];
+            sent[bounce_.fine.surfel_slot(entry.surfel)] +=
+                vec4(entry.lumens * intensity * surfel.albedo / (kPi * surfel.area_m2), 0);
+        }
+    }
+}
+
+void BounceSolver::step(const Field& sent, Field& arriving) {
+    const BounceLevel& fine = bounce_.fine;
+    const BounceLevel& coarse = bounce_.coarse;
+    // Coarse nodes send the mean of their fine ones.
+    std::fill(coarse_sent_.begin(), coarse_sent_.end(), vec4(0));
+    for (std::size_t c = 0; c < fine.cells.size(); ++c) {
+        const BounceCell& cell = fine.cells[c];
+        const float share = cell.volume_m3 / coarse.cells[cell.block].volume_m3;
+        for (std::size_t bin = 0; bin < kBounceBins; ++bin)
+            coarse_sent_[cell.block * kBounceBins + bin] += sent[c * kBounceBins + bin] * share;
+    }
+    for (std::size_t s = 0; s < fine.surfels.size(); ++s) {
+        const BounceSurfel& surfel = fine.surfels[s];
+        coarse_sent_[coarse.surfel_slot(surfel.cluster)] +=
+            sent[fine.surfel_slot(s)] * (surfel.area_m2 / coarse.surfels[surfel.cluster].area_m2);
+    }
+    const auto gather = [](const BounceRows& rows, const std::vector<Term>& terms, const Field& from,
+                           std::size_t slot) {
+        vec4 sum(0);
+        for (std::uint32_t k = rows.start[slot]; k < rows.start[slot + 1]; ++k)
+            sum += from[terms[k].emitter] * terms[k].weight;
+        return sum;
+    };
+    for (std::size_t slot = 0; slot < coarse_arriving_.size(); ++slot)
+        coarse_arriving_[slot] = gather(bounce_.far, far_, coarse_sent_, slot);
+    for (std::size_t c = 0; c < fine.cells.size(); ++c) {
+        vec4* const to = &arriving[c * kBounceBins];
+        for (std::size_t bin = 0; bin < kBounceBins; ++bin)
+            to[bin] = gather(bounce_.near, near_, sent, c * kBounceBins + bin);
+        const BounceParents& parents = bounce_.cell_parents[c];
+        for (std::size_t p = 0; p < parents.node.size() && parents.node[p] != kNoNode; ++p)
+            for (std::size_t bin = 0; bin < kBounceBins; ++bin)
+                to[bin] += coarse_arriving_[parents.node[p] * kBounceBins + bin] * parents.share[p];
+    }
+    for (std::size_t s = 0; s < fine.surfels.size(); ++s) {
+        vec4& to = arriving[fine.surfel_slot(s)];
+        to = gather(bounce_.near, near_, sent, fine.surfel_slot(s));
+        const BounceParents& parents = bounce_.surfel_parents[s];
+        for (std::size_t p = 0; p < parents.node.size() && parents.node[p] != kNoNode; ++p)
+            to += coarse_arriving_[coarse.surfel_slot(parents.node[p])] * parents.share[p];
+    }
+    // Light is never made from nothing.
+    const glm::dvec3 most = sent_power(sent), got = arriving_power(arriving);
+    vec4 factor(1);
+    for (int c = 0; c < 3; ++c)
+        if (got[c] > most[c]) factor[c] = static_cast<float>(most[c] / got[c]);
+    if (factor != vec4(1))
+        for (vec4& value : arriving) value *= factor;
+}
+
+void BounceSolver::send_on(const Field& arriving, Field& sent) const {
+    const BounceLevel& fine = bounce_.fine;
+    for (std::size_t c = 0; c < fine.cells.size(); ++c) {
+        const vec4* const from = &arriving[c * kBounceBins];
+        vec4* const to = &sent[c * kBounceBins];
+        for (std::size_t b = 0; b < kBounceBins; ++b) {
+            vec4 sum(0);
+            for (std::size_t a = 0; a < kBounceBins; ++a) sum += from[a] * air_.scatter[a][b];
+            to[b] = sum * air_.scattering_per_m;
+        }
+    }
+    for (std::size_t s = 0; s < fine.surfels.size(); ++s)
+        sent[fine.surfel_slot(s)] = arriving[fine.surfel_slot(s)] * vec4(fine.surfels[s].albedo / kPi, 0);
+}
+
+glm::dvec3 BounceSolver::sent_power(const Field& sent) const {
+    glm::dvec3 sum(0);
+    for (std::size_t c = 0; c < bounce_.fine.cells.size(); ++c)
+        for (std::size_t bin = 0; bin < kBounceBins; ++bin)
+            sum += glm::dvec3(glm::vec3(sent[c * kBounceBins + bin]) *
+                              (bounce_.fine.cells[c].volume_m3 * bounce_steradians(bin)));
+    for (std::size_t s = 0; s < bounce_.fine.surfels.size(); ++s)
+        sum += glm::dvec3(glm::vec3(sent[bounce_.fine.surfel_slot(s)]) *
+                          (kPi * bounce_.fine.surfels[s].area_m2));
+    return sum;
+}
+
+// What surfaces and haze stop.
+glm::dvec3 BounceSolver::arriving_power(const Field& arriving) const {
+    glm::dvec3 sum(0);
+    for (std::size_t c = 0; c < bounce_.fine.cells.size(); ++c)
+        for (std::size_t bin = 0; bin < kBounceBins; ++bin)
+            sum += glm::dvec3(glm::vec3(arriving[c * kBounceBins + bin]) *
+                              (bounce_.fine.cells[c].volume_m3 * air_.extinction_per_m));
+    for (std::size_t s = 0; s < bounce_.fine.surfels.size(); ++s)
+        sum += glm::dvec3(glm::vec3(arriving[bounce_.fine.surfel_slot(s)]) * bounce_.fine.surfels[s].area_m2);
+    return sum;
+}
+
+BouncePower BounceSolver::power_of(const Field& arriving) const {
+    glm::dvec3 surfaces(0), reflected(0), air(0);
+    for (std::size_t c = 0; c < bounce_.fine.cells.size(); ++c)
+        for (std::size_t bin = 0; bin < kBounceBins; ++bin)
+            air += glm::dvec3(glm::vec3(arriving[c * kBounceBins + bin]) *
+                              (bounce_.fine.cells[c].volume_m3 * air_.scattering_per_m));
+    for (std::size_t s = 0; s < bounce_.fine.surfels.size(); ++s) {
+        const BounceSurfel& surfel = bounce_.fine.surfels[s];
+        const glm::vec3 lumens = glm::vec3(arriving[bounce_.fine.surfel_slot(s)]) * surfel.area_m2;
+        surfaces += glm::dvec3(lumens);
+        reflected += glm::dvec3(lumens * surfel.albedo);
+    }
+    return {luminance(surfaces), luminance(reflected), luminance(air), luminance(reflected + air)};
+}
+
+const BounceSolution& BounceSolver::solve(const std::vector<shared::Light>& lights,
+                                          const std::vector<const LampSight*>& sights,
+                                          const shared::Gobos& gobos, int passes) {
+    CHECK(haze_.has_value());
+    CHECK_EQ(lights.size(), sights.size());
+    known_.resize(lights.size());
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+        shared::Light unit = lights[k];
+        unit.intensity_cd = glm::vec3(1);
+        unit.bounce_cd = glm::vec3(0);
+        Known& known = known_[k];
+        if (lights[k].intensity_cd == glm::vec3(0)) continue;
+        if (known.sight == sights[k] && sights[k] && std::memcmp(&known.unit, &unit, sizeof unit) == 0)
+            continue;
+        std::memcpy(&known.unit, &unit, sizeof unit);
+        known.sight = sights[k];
+        known.entries = sights[k] ? bounce_entries(bounce_, unit, gobos, *sights[k], air_.extinction_per_m)
+                                  : BounceEntries{};
+    }
+    begin(lights, sent_);
+    kept_.clear();
+    solution_.orders.clear();
+    Field total(sent_.size(), vec4(0));
+    const glm::dvec3 first = sent_power(sent_);
+    solution_.orders.push_back({0, 0, 0, luminance(first)});
+    glm::dvec3 before(0), last(0);
+    for (int order = 1; order <= passes + 1; ++order) {
+        if (order > 1) send_on(arriving_, sent_);
+        step(sent_, arriving_);
+        before = last;
+        last = arriving_power(arriving_);
+        solution_.orders.push_back(power_of(arriving_));
+        if (keeps_orders_) kept_.push_back(arriving_);
+        if (order == passes + 1 && order > 2) { // what follows is a geometric series
+            vec4 rest(1);
+            for (int c = 0; c < 3; ++c)
+                if (before[c] > 0)
+                    rest[c] = static_cast<float>(1 / (1 - std::min(kMostRest, last[c] / before[c])));
+            for (vec4& value : arriving_) value *= rest;
+        }
+        for (std::size_t k = 0; k < total.size(); ++k) total[k] += arriving_[k];
+    }
+    const std::size_t cells = bounce_.fine.cells.size() * kBounceBins;
+    solution_.flux.assign(total.begin(), total.begin() + static_cast<std::ptrdiff_t>(cells));
+    solution_.lux.assign(total.begin() + static_cast<std::ptrdiff_t>(cells), total.end());
+    send_on(total, sent_);
+    solution_.glow.assign(sent_.begin(), sent_.begin() + static_cast<std::ptrdiff_t>(cells));
+    return solution_;
+}
+
+} // namespace ghost::scene

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/interrupt.h"
+#include "bench/bench.h"
+#include "cli/commands.h"
+#include "cli/options/number_option.h"
+
+#include "base/log.h"
+#include "base/print.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace ghost::app {
+namespace {
+
+struct Table {
+    const char* name;
+    const char* title;
+    Result<void> (*run)(const BenchOptions&, const BenchSink&);
+};
+
+constexpr Table kTables[] = {
+    {"samples", "Cost of a sample (Screen Space Re-Rendering, table 1)", bench_samples},
+    {"optics", "Each optic of a profile, ten moving beams", bench_optics},
+    {"paper", "The paper's scene: five spots with two gobos, five washes", bench_paper},
+    {"live", "A film of the free camera, by span", bench_live},
+    {"projectors", "The paper's figure 8: ten video projectors, two movies and a camera", bench_projectors},
+    {"thesis", "The thesis's picture: 256x256, one spot", bench_thesis},
+    {"integrators", "gate, cone and march in thirteen views", bench_integrators},
+    {"scale", "1 to 1000 moving lights, four picture sizes", bench_scale},
+    {"tree", "One light of n changes", bench_tree},
+    {"triangles", "Triangles do not matter", bench_triangles},
+    {"bake", "Baking", bench_bake},
+    {"quality", "Relit on the device against traced directly", bench_quality},
+    {"network", "sACN on the loopback interface, each refresh in one burst", bench_network},
+    {"recording", "Recordings: bytes for an hour of a universe, time to seek", bench_recording},
+    {"window", "The window with a desk at 44 Hz", bench_window},
+    {"start", "Start-up", bench_start},
+    {"bounce", "Light that bounces", bench_bounce},
+};
+
+struct BenchArguments {
+    BenchOptions options;
+    std::string table;
+    bool json = false;
+};
+
+void print_row(const BenchRow& row, bool json) {
+    if (json) {
+        nlohmann::ordered_json line{{"table", row.table}, {"name", row.name}};
+        for (const auto& [name, value] : row.figures) line[name] = value;
+        line["note"] = row.note;
+        print_text("%s\n", line.dump().c_str());
+    } else {
+        print_text("%-28s", row.name.c_str());
+        for (const auto& [name, value] : row.figures)
+            std::isnan(value) ? print_text("  %s -", name.c_str())
+                              : print_text("  %s %.4g", name.c_str(), value);
+        print_text("  (%s)\n", row.note.c_str());
+    }
+    std::fflush(stdout);
+}
+
+int run_bench(const BenchArguments& arguments) {
+    set_log_level(LogLevel::warning);
+    int exit_code = 0;
+    for (const Table& table : kTables) {
+        if (interrupted()) break;
+        if (!arguments.table.empty() && arguments.table != table.name) continue;
+        if (!arguments.json) print_text("\n%s: %s\n", table.name, table.title);
+        const Result<void> done =
+            table.run(arguments.options, [&](const BenchRow& row) { print_row(row, arguments.json); });
+        if (done.ok()) continue;
+        log_error(std::string(table.name) + ": " + done.error().text());
+        exit_code = 1;
+    }
+    return exit_code;
+}
+
+} // namespace
+
+void add_bench(CLI::App& app, int& exit_code) {
+    CLI::App* command = app.add_subcommand("bench", "measure the published tables (docs/performance.md)");
+    const auto a = std::make_shared<BenchArguments>();
+    std::vector<std::string> names;
+    for (const Table& table : kTables) names.emplace_back(table.name);
+    command->add_option("NAME", a->table, "only this table")->check(CLI::IsMember(names));
+    command
+        ->add_option("--show", a->options.show,
+                     "show of the tables paper, live, bake, quality, window and start")
+        ->capture_default_str();
+    command->add_option("--frames", a->options.frames, "frames measured per row")
+        ->check(CLI::Range(5, 10000))
+        ->capture_default_str();
+    command
+        ->add_option("--row-seconds", a->options.row_seconds,
+                     "rows of the table scale that would take longer are skipped, by name")
+        ->check(number_in(1.0, 86400.0))
+        ->capture_default_str();
+    command
+        ->add_option("--soak", a->options.soak_seconds,
+                     "with network or window: an even load for so many seconds, one row a minute, instead of "
+                     "the table; an error unless memory stayed flat and, with network, every packet came")
+        ->check(number_in(1.0, 86400.0 * 7));
+    command->add_flag("--power", a->options.power,
+                      "with bounce: light by order, solved and by particles, instead of the table");
+    command->add_option("--device", a->options.device, "Vulkan device: part of its name, or its number")
+        ->type_name("NAME");
+    command->add_flag("--json", a->json, "one line of JSON per row");
+    command->footer("Example: ghostlight bench paper --json\n"
+                    "         ghostlight bench window --soak 3600");
+    command->callback([a, &exit_code] {
+        std::error_code code;
+        if (a->options.soak_seconds > 0 && a->table != "network" && a->table != "window") {
+            log_error(
+                "--soak: belongs to the tables network and window: ghostlight bench network --soak 3600");
+            exit_code = 2;
+            return;
+        }
+        if (a->options.power && a->table != "bounce") {
+            log_error("--power: belongs to the table bounce: ghostlight bench bounce --power");
+            exit_code = 2;
+            return;
+        }
+        a->options.program = std::filesystem::read_symlink("/proc/self/exe", code).string();
+        exit_code = run_bench(*a);
+    });
+}
+
+} // namespace ghost::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+// export SHOW -o OUT.mvr: a plot as other programs read it, with all that was in it and what the show
+// changes.
+#include "cli/commands.h"
+
+#include "base/log.h"
+#include "base/print.h"
+#include "base/progress.h"
+#include "project/export_plot.h"
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace ghost::app {
+namespace {
+
+struct Options {
+    std::string file;
+    std::string output;
+};
+
+double now_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+void print(const Report& report) {
+    for (const Message& message : report.messages) {
+        const std::string text = message.where + ": " + message.what;
+        if (message.severity == Severity::note)
+            log_info(text);
+        else
+            log_warning(text);
+    }
+}
+
+int run(const Options& options) {
+    Progress progress("opening", Progress::style_for_stderr(), now_s());
+    scene::MvrLoading loading;
+    loading.progress = [&](double share, std::string_view what) {
+        progress.update(share, now_s(), std::string(what));
+    };
+    Report report;
+    const auto exported = scene::export_plot(options.file, options.output, loading, report);
+    progress.finish();
+    print(report);
+    if (!exported.ok()) {
+        log_error(exported.error().text());
+        return 1;
+    }
+    print_text("%s: %zu objects, %zu files, %zu changes of the show\n", options.output.c_str(),
+               exported->objects, exported->files, exported->changes);
+    return 0;
+}
+
+} // namespace
+
+void add_export(CLI::App& app, int& exit_code) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        app.add_subcommand("export", "Write a plot (MVR) again, with everything that was in it");
+    command
+        ->add_option("SHOW", options->file,
+                     "an .mvr file, or a show with a plot: with its [[change]] entries")
+        ->required();
+    command->add_option("-o,--output", options->output, "the .mvr file to write")->required();
+    command->footer(
+        "Example: ghostlight export festival.mvr -o festival_2.mvr\n         ghostlight export festival -o "
+        "for_the_designer.mvr\nThe same plot gives the same bytes. "
+        "Exit: 0 written, 1 not.");
+    command->callback([options, &exit_code] { exit_code = run(*options); });
+}
+
+} // namespace ghost::app

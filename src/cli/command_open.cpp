@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: Apache-2.0
+// ghostlight open: the window. A show, live, from anywhere.
+#include "base/interrupt.h"
+#include "cli/commands.h"
+#include "cli/doctor/doctor_files.h"
+#include "cli/options/bounce_option.h"
+#include "cli/options/input_options.h"
+#include "cli/options/live_options.h"
+#include "live/engine/engine.h"
+#include "ui/window/open_window.h"
+
+#include "base/log.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace ghost::app {
+namespace {
+
+struct OpenArguments {
+    ui::WindowOptions window;
+    EngineOptions engine;
+    InputOptions input;
+    XchangeOptions xchange;
+    std::string save;
+    std::string size;
+    bool no_desk = false;
+    bool forget = false;
+    bool quiet = false;
+};
+
+Result<void> check_usage(OpenArguments& arguments) {
+    TRY(arguments.engine.receiver, receiver_options(arguments.input));
+    arguments.engine.receiver.listen_wider = true;
+    arguments.engine.receiver.slot_status = true; // for the panel that explains
+    arguments.engine.listens = arguments.window.takes_desk = !arguments.no_desk;
+    arguments.engine.session.quiet = arguments.quiet;
+    TRY_VOID(check_live_controls(arguments.engine.controls));
+    TRY_VOID(open_timecode(arguments.engine.timecode));
+    if (!arguments.engine.timecode.empty() && arguments.no_desk)
+        return Error{"the time code comes by the network, too", "--no-desk/--timecode"};
+    if (!arguments.save.empty()) {
+        arguments.xchange.save = arguments.save;
+        arguments.xchange.interface = arguments.input.interface;
+        arguments.engine.xchange = arguments.xchange;
+    }
+    arguments.window.remembers = !arguments.forget;
+    if (arguments.size.empty()) return {};
+    char end = 0;
+    if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &arguments.window.width, &arguments.window.height,
+                    &end) == 2 &&
+        arguments.window.width >= 320 && arguments.window.height >= 200 && arguments.window.width <= 16384 &&
+        arguments.window.height <= 16384)
+        return {};
+    return Error{"'" + arguments.size + "' is not WIDTHxHEIGHT between 320x200 and 16384x16384", "--size"};
+}
+
+Result<void> run(OpenArguments& arguments) {
+    // A typing mistake is said at once, not in a window.
+    std::error_code code;
+    if (const std::string& show = arguments.window.show;
+        !show.empty() && !std::filesystem::exists(show, code))
+        return Error{"no such file or folder", show};
+    catch_interrupts();
+    ui::Link link;
+    arguments.window.begin = [&] { return std::make_shared<Engine>(link, arguments.engine); };
+    arguments.window.should_close = interrupted;
+    arguments.window.demo = own_folder("demo").string();
+    arguments.window.fixtures = own_folder("fixtures").string();
+    arguments.window.docs = own_folder("../docs/guide").string();
+    return ui::open_window(link, arguments.window);
+}
+
+} // namespace
+
+void add_open(CLI::App& app, int& exit_code) {
+    CLI::App* command = app.add_subcommand("open", "the window: a show, live, with everything at hand");
+    const auto a = std::make_shared<OpenArguments>();
+    command->add_option("SHOW", a->window.show,
+                        "folder with show.toml, or an .mvr; without one, drop it on the window");
+    command->add_option("--size", a->size, "WIDTHxHEIGHT of the window")->type_name("WxH");
+    command->add_flag("--full-screen", a->window.full_screen, "begin with the picture alone");
+    command->add_option("--script", a->window.script, "do these lines of actions (docs/window.md)")
+        ->type_name("FILE");
+    command->add_option("--socket", a->window.socket, "take lines of actions from this local socket")
+        ->type_name("NAME");
+    command->add_flag("--forget", a->forget,
+                      "neither take over the layout of the last time nor keep this one");
+    command->add_flag("--no-desk", a->no_desk, "do not listen to a desk");
+    command
+        ->add_option("--device", a->engine.session.device, "Vulkan device: part of its name, or its number")
+        ->type_name("NAME");
+    command->add_flag("--validation", a->engine.session.validation, "check our use of Vulkan");
+    command->add_flag("--quiet", a->quiet, "print warnings and errors only");
+    CLI::Option* const save = command
+                                  ->add_option("--xchange", a->save,
+                                               "take part in MVR-xchange: plots that others commit come to "
+                                               "this folder, and the window offers them")
+                                  ->type_name("FOLDER");
+    command->add_option("--group", a->xchange.group, "of MVR-xchange")->needs(save)->capture_default_str();
+    command->add_option("--peer", a->xchange.peers, "a station that mDNS does not reach, like 10.0.0.5:4568")
+        ->type_name("ADDRESS:PORT")
+        ->allow_extra_args(false)
+        ->needs(save);
+    command
+        ->add_flag("--take-plots", a->engine.takes_plots,
+                   "merge them into the show as they come, without asking")
+        ->needs(save);
+    add_bounce_option(*command, a->engine.session.bounce);
+    add_live_control_options(*command, a->engine.controls);
+    add_midi_option(*command, a->input.midi)->needs(add_timecode_option(*command, a->engine.timecode));
+    add_input_options(*command, a->input);
+    command->footer("Example: ghostlight open assets/demo\n"
+                    "         ghostlight open tour.mvr --full-screen");
+    command->callback([a, &exit_code] {
+        if (a->quiet) set_log_level(LogLevel::warning);
+        if (const Result<void> usage = check_usage(*a); !usage.ok()) {
+            log_error(usage.error().text());
+            exit_code = 2;
+            return;
+        }
+        if (const Result<void> done = run(*a); !done.ok()) {
+            log_error(done.error().text());
+            exit_code = 1;
+        }
+    });
+}
+
+} // namespace ghost::app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/options/live_options.h"
+
+namespace ghost::app {
+
+CLI::Option* add_timecode_option(CLI::App& command, std::string& text) {
+    return command
+        .add_option(
+            "--timecode", text,
+            "the recording follows the time code of the network (Art-Net) or of --midi, and begins at this "
+            "one, like 10:00:00:00 or 0")
+        ->type_name("TIME");
+}
+
+CLI::Option* add_rdm_option(CLI::App& command, std::string& text) {
+    return command
+        .add_option(
+            "--rdm", text,
+            "answer RDM by Art-Net for every patched fixture, so that a desk finds, reads and identifies "
+            "them; edit: it may also set address, mode and name")
+        ->check(CLI::IsMember({"off", "read", "edit"}))
+        ->capture_default_str();
+}
+
+void add_live_control_options(CLI::App& command, LiveControlOptions& options) {
+    command
+        .add_option(
+            "--osc", options.osc,
+            "listen to a remote control (OSC) at this UDP port of 127.0.0.1, or at an address of ours like "
+            "0.0.0.0:9000")
+        ->type_name("[ADDRESS:]PORT");
+    command.add_flag(
+        "--psn", options.psn,
+        "follow trackers (PosiStageNet, 236.10.10.10:56565) as the show's [[tracker]] entries say");
+}
+
+void add_farm_options(CLI::App& command, FarmOptions& options) {
+    CLI::Option* const farm = command
+                                  .add_option("--farm", options.engine,
+                                              "cut into tasks: slurm, or local: processes of this machine")
+                                  ->check(CLI::IsMember({"local", "slurm"}));
+    command
+        .add_option("--farm-options", options.options, "words for Slurm: \"--partition=gpu --gres=gpu:1\"")
+        ->type_name("WORDS")
+        ->needs(farm);
+    command.add_option("--farm-jobs", options.jobs, "tasks at the same time, with --farm local")
+        ->check(CLI::Range(1, 1024))
+        ->needs(farm)
+        ->capture_default_str();
+}
+
+} // namespace ghost::app

@@ -1,0 +1,23 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Options that several commands have, for what stands below them. What they fill must outlive the command.
+// Main thread.
+
+#include "farm/farm.h"
+#include "live/engine/live_controls.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace ghost::app {
+
+// Adds --timecode. text must outlive command.
+CLI::Option* add_timecode_option(CLI::App& command, std::string& text);
+// Adds --rdm. text must outlive command.
+CLI::Option* add_rdm_option(CLI::App& command, std::string& text);
+// Adds --osc and --psn. options must outlive command.
+void add_live_control_options(CLI::App& command, LiveControlOptions& options);
+// --farm, --farm-options and --farm-jobs.
+void add_farm_options(CLI::App& command, FarmOptions& options);
+
+} // namespace ghost::app

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnose/diagnosis_parts.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace ghost::scene {
+
+namespace diagnosed {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kSyncIsLate = 1s; // frames come many times a second
+constexpr std::size_t kMostRanges = 8;
+
+bool is_ours(const dmx::NetInterface& one, const dmx::Listening& listening) {
+    if (one.address == 0) return false;
+    if (listening.interface.empty()) return !one.loopback;
+    return one.name == listening.interface || dmx::ipv4_text(one.address) == listening.interface;
+}
+
+} // namespace
+
+Arriving::Arriving(const dmx::Statistics& statistics) {
+    const auto add = [&](int universe, dmx::Protocol protocol, const std::string& from) {
+        universes.emplace(universe, from);
+        by_protocol[protocol].insert(universe);
+    };
+    for (const dmx::SourceStatus& source : statistics.sources)
+        if (source.state != dmx::SourceState::silent)
+            add(source.universe, source.protocol,
+                source_text(source.name, dmx::place_text(source), source.protocol));
+    for (const dmx::UnlistedUniverse& one : statistics.unlisted_universes)
+        add(one.universe, one.protocol, source_text(one.name, dmx::address_text(one.from), one.protocol));
+    for (const dmx::IgnoredSource& one : statistics.ignored)
+        add(one.universe, one.protocol, source_text(one.name, dmx::address_text(one.from), one.protocol));
+    for (const dmx::DiscoveredSource& one : statistics.discovered)
+        for (const int universe : *one.universes)
+            listed.emplace(universe, source_text(one.name, dmx::address_text(one.from), dmx::Protocol::sacn));
+}
+
+std::set<int> Arriving::announced(dmx::Protocol protocol) const {
+    const auto found = by_protocol.find(protocol);
+    std::set<int> result = found == by_protocol.end() ? std::set<int>() : found->second;
+    if (protocol == dmx::Protocol::sacn)
+        for (const auto& [universe, from] : listed) result.insert(universe);
+    return result;
+}
+
+std::string printable(const std::string& text) {
+    std::string result;
+    for (const char letter : text)
+        result += static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F ? '?' : letter;
+    return result;
+}
+
+std::string count_text(std::uint64_t count, const std::string& word) {
+    return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
+}
+
+std::string universes_text(const std::set<int>& universes) {
+    std::vector<std::pair<int, int>> ranges;
+    for (const int universe : universes)
+        if (!ranges.empty() && ranges.back().second == universe - 1)
+            ranges.back().second = universe;
+        else
+            ranges.emplace_back(universe, universe);
+    std::string text = universes.size() == 1 ? "universe " : "universes ";
+    for (std::size_t i = 0; i < std::min(ranges.size(), kMostRanges); ++i) {
+        const auto& [first, last] = ranges[i];
+        text += (i > 0 ? ", " : "") + std::to_string(first);
+        if (last > first) text += "-" + std::to_string(last);
+    }
+    return ranges.size() > kMostRanges ? text + ", ..." : text;
+}
+
+std::set<int> numbers_of(const PatchMap& patch) {
+    std::set<int> numbers;
+    for (const PatchedUniverse& one : patch.universes()) numbers.insert(one.universe);
+    return numbers;
+}
+
+std::string seconds_text(std::chrono::nanoseconds time) {
+    return std::to_string(std::chrono::duration_cast<std::chrono::seconds>(time).count()) + " s";
+}
+
+std::string source_text(const std::string& name, const std::string& place, dmx::Protocol protocol) {
+    if (!name.empty()) return "'" + printable(name) + "' (" + printable(place) + ")";
+    return printable(place) + " (" + dmx::protocol_name(protocol) + ")";
+}
+
+std::string source_text(const dmx::SourceStatus& source) {
+    return source_text(source.name, dmx::place_text(source), source.protocol);
+}
+
+std::string addresses_text(const dmx::Statistics& statistics) {
+    std::string text;
+    for (const dmx::NetInterface& one : statistics.interfaces)
+        if (is_ours(one, statistics.listening))
+            text += (text.empty() ? "" : ", ") + one.name + " (" + dmx::ipv4_text(one.address) + "/" +
+                    std::to_string(std::popcount(one.netmask)) + (one.running ? ")" : ", no cable)");
+    if (!text.empty()) return text;
+    return statistics.listening.interface.empty() ? "no network but this machine's own"
+                                                  : statistics.listening.interface;
+}
+
+std::string broadcasts_text(const dmx::Statistics& statistics) {
+    struct Usual {
+        std::uint32_t broadcast;
+        const char* text;
+        const char* network;
+    };
+    static constexpr Usual kUsual[] = {{0x02FFFFFF, "2.255.255.255", "2.x.x.x"},
+                                       {0x0AFFFFFF, "10.255.255.255", "10.x.x.x"}};
+    std::string deaf, networks, taken;
+    for (const Usual& usual : kUsual) {
+        const bool arrives = std::any_of(
+            statistics.interfaces.begin(), statistics.interfaces.end(), [&](const dmx::NetInterface& one) {
+                return is_ours(one, statistics.listening) && (one.address | ~one.netmask) == usual.broadcast;
+            });
+        if (arrives) continue;
+        deaf += (deaf.empty() ? "" : " and ") + std::string(usual.text);
+        networks += (networks.empty() ? "" : " or ") + std::string(usual.network);
+    }
+    if (deaf.empty()) return "";
+    for (const dmx::NetInterface& one : statistics.interfaces)
+        if (is_ours(one, statistics.listening))
+            taken += (taken.empty() ? "" : ", ") + dmx::ipv4_text(one.address | ~one.netmask);
+    return "Art-Net that a desk broadcasts to " + deaf + " (one in " + networks +
+           " with the mask 255.0.0.0) does not arrive at our address and mask" +
+           (taken.empty() ? std::string() : ", which take " + taken + " and 255.255.255.255") +
+           ": give both machines one network and one mask";
+}
+
+bool is_foreign(const dmx::IpAddress& address, const dmx::Statistics& statistics) {
+    if (!address.is_ipv4() || address.is_loopback()) return false;
+    return std::none_of(statistics.interfaces.begin(), statistics.interfaces.end(),
+                        [&](const dmx::NetInterface& one) {
+                            return one.address != 0 && ((one.address ^ address.ipv4()) & one.netmask) == 0;
+                        });
+}
+
+bool synchronisation_is_late(const dmx::SourceStatus& source, const std::vector<dmx::SyncStatus>& sync) {
+    return std::any_of(sync.begin(), sync.end(), [&](const dmx::SyncStatus& one) {
+        return one.universe == source.sync_universe && one.age > kSyncIsLate &&
+               one.source.protocol == source.protocol &&
+               (source.protocol == dmx::Protocol::artnet ? source.id.starts_with(dmx::source_id(one.source))
+                                                         : source.id == dmx::source_id(one.source));
+    });
+}
+
+std::string port_addresses_hint(const std::set<int>& universes, const dmx::Listening& listening) {
+    const std::string text = universes.size() == 1
+                                 ? port_address_text(*universes.begin(), listening.artnet_offset)
+                                 : std::string();
+    return text.empty() || !listening.artnet ? "" : " (in Art-Net: Port-Address " + text + ")";
+}
+
+Sentence problem(Trouble trouble, std::string text, std::set<int> universes) {
+    return {trouble, true, std::move(text), std::move(universes)};
+}
+
+Sentence note(Trouble trouble, std::string text, std::set<int> universes) {
+    return {trouble, false, std::move(text), std::move(universes)};
+}
+
+} // namespace diagnosed
+
+std::string role_text(const dmx::SourceStatus& source, const std::vector<dmx::SourceStatus>& all) {
+    if (source.state != dmx::SourceState::live) return dmx::source_state_name(source.state);
+    const auto beside = [&](auto&& which) {
+        return std::any_of(all.begin(), all.end(), [&](const dmx::SourceStatus& other) {
+            return &other != &source && other.universe == source.universe && which(other);
+        });
+    };
+    if (source.slot_count == 0) return "no levels";
+    if (source.slots_held == 0) {
+        if (beside([&](const auto& other) { return other.preview && !source.preview; }))
+            return "behind preview";
+        if (beside([](const auto& other) { return other.slots_held > 0; })) return "lower priority";
+        return "holds no slot";
+    }
+    if (source.slots_held < source.slot_count) return "in part";
+    return beside([](const auto& other) { return other.slots_held > 0; }) ? "merged" : "shown";
+}
+
+std::string port_address_text(int universe, int artnet_offset) {
+    const int address = universe - artnet_offset;
+    if (address < 0 || address > 0x7FFF) return "";
+    return std::to_string(address >> 8) + ":" + std::to_string((address >> 4) & 15) + ":" +
+           std::to_string(address & 15);
+}
+
+} // namespace ghost::scene

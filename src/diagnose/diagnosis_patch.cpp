@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// What arrives against what is patched: other universes than those of the show, by how they differ.
+#include "base/text.h"
+#include "diagnose/diagnosis_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace ghost::scene::diagnosed {
+namespace {
+
+// Universes that the patch and the network have one beside the other.
+struct Shift {
+    int by = 0; // universes of the patch = those that arrive + this
+    dmx::Protocol protocol = dmx::Protocol::artnet;
+    std::set<int> arriving;
+};
+
+std::optional<Shift> find_shift(dmx::Protocol protocol, const std::set<int>& arriving,
+                                const PatchMap& patch) {
+    const auto matches = [&](int by) {
+        return std::count_if(arriving.begin(), arriving.end(), [&](int u) { return patch.has(u + by); });
+    };
+    const int by = matches(-1) > matches(1) ? -1 : 1;
+    if (matches(by) <= matches(0)) return std::nullopt;
+    return Shift{by, protocol, arriving};
+}
+
+std::string shift_text(const Shift& shift, const dmx::Statistics& statistics, const PatchMap& patch) {
+    std::string text = "off by one? " + std::string(dmx::protocol_name(shift.protocol)) + " comes for " +
+                       universes_text(shift.arriving);
+    const int offset = statistics.listening.artnet_offset;
+    if (shift.protocol == dmx::Protocol::artnet)
+        text += " (from Port-Address " + port_address_text(*shift.arriving.begin(), offset) + " on)";
+    text += ", fixtures are on " + universes_text(numbers_of(patch)) + ": ";
+    if (shift.protocol == dmx::Protocol::artnet)
+        return text + "--artnet-offset " + std::to_string(offset + shift.by) + " brings them together";
+    return text + "move the desk's output or the show's patch by one";
+}
+
+// Net, Sub-Net and Universe of a Port-Address.
+std::array<int, 3> parts_of(int port_address) {
+    return {port_address >> 8, (port_address >> 4) & 15, port_address & 15};
+}
+
+// Where one that arrives has the three numbers of one that is missing in another order.
+std::string swapped_text(const std::set<int>& arriving, const std::set<int>& missing, int offset) {
+    for (const int from : arriving)
+        for (const int to : missing) {
+            if (from < offset || to < offset || from == to) continue;
+            std::array<int, 3> a = parts_of(from - offset), b = parts_of(to - offset);
+            std::sort(a.begin(), a.end());
+            std::sort(b.begin(), b.end());
+            if (a == b)
+                return "; in Art-Net that is Net:Sub-Net:Universe " + port_address_text(from, offset) +
+                       ", the show wants " + port_address_text(to, offset) +
+                       ": the same numbers in another order";
+        }
+    return "";
+}
+
+} // namespace
+
+void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
+               Sentences& out) {
+    if (patch.universes().empty()) return;
+    std::set<int> explained_patch, explained_arriving;
+    for (const auto protocol : {dmx::Protocol::artnet, dmx::Protocol::sacn}) {
+        const auto shift = find_shift(protocol, arriving.announced(protocol), patch);
+        if (!shift) continue;
+        std::set<int> wanted;
+        for (const int universe : shift->arriving) {
+            explained_arriving.insert(universe);
+            wanted.insert(universe + shift->by);
+        }
+        explained_patch.insert(wanted.begin(), wanted.end());
+        out.push_back(problem(Trouble::off_by_one, shift_text(*shift, statistics, patch), wanted));
+    }
+    for (const Sentence& sentence : out)
+        if (sentence.trouble == Trouble::wrong_interface || sentence.trouble == Trouble::held_back)
+            explained_patch.insert(sentence.universes.begin(), sentence.universes.end());
+    const auto was_lost = [&](int universe) {
+        return std::any_of(statistics.lost.begin(), statistics.lost.end(),
+                           [&](const dmx::LostUniverse& one) { return one.universe == universe; });
+    };
+    std::set<int> missing, elsewhere;
+    std::size_t fixtures = 0;
+    std::string first;
+    for (const PatchedUniverse& one : patch.universes()) {
+        if (arriving.has(one.universe) || explained_patch.contains(one.universe) || was_lost(one.universe))
+            continue;
+        missing.insert(one.universe);
+        fixtures += one.fixtures;
+        if (first.empty()) first = one.first;
+    }
+    for (const auto& [universe, from] : arriving.universes)
+        if (!patch.has(universe) && !explained_arriving.contains(universe)) elsewhere.insert(universe);
+    if (!missing.empty() && !arriving.nothing())
+        out.push_back(problem(Trouble::not_received,
+                              count_text(fixtures, "fixture") + " on " + universes_text(missing) + " ('" +
+                                  printable(first) + "'" + (fixtures > 1 ? ", ..." : "") +
+                                  "), nothing arrives there" +
+                                  port_addresses_hint(missing, statistics.listening),
+                              missing));
+    // What is only announced, where nothing else explains what is missing.
+    std::set<int> only_announced;
+    if (!missing.empty() && elsewhere.empty())
+        for (const auto& [universe, from] : arriving.listed)
+            if (!patch.has(universe) && !explained_arriving.contains(universe))
+                only_announced.insert(universe);
+    const std::string wants = missing.empty() ? "" : "; the show wants " + universes_text(missing);
+    if (!only_announced.empty())
+        out.push_back(problem(Trouble::not_patched,
+                              arriving.listed.at(*only_announced.begin()) + " announces " +
+                                  universes_text(only_announced) + ", nothing is patched there" + wants,
+                              missing));
+    if (elsewhere.empty()) return;
+    std::string text = "packets for " + universes_text(elsewhere) + " arrive (" +
+                       arriving.universes.at(*elsewhere.begin()) + "), nothing is patched there" + wants;
+    if (const auto artnet = arriving.by_protocol.find(dmx::Protocol::artnet);
+        artnet != arriving.by_protocol.end())
+        text += swapped_text(artnet->second, missing, statistics.listening.artnet_offset);
+    out.push_back(missing.empty() ? note(Trouble::not_patched, text)
+                                  : problem(Trouble::not_patched, text, missing));
+}
+
+void add_lost(const dmx::Statistics& statistics, const PatchMap& patch, Sentences& out) {
+    for (const bool black : {false, true}) {
+        std::set<int> universes;
+        std::chrono::nanoseconds longest{0};
+        for (const dmx::LostUniverse& one : statistics.lost) {
+            if (one.black != black || (!patch.universes().empty() && !patch.has(one.universe))) continue;
+            universes.insert(one.universe);
+            longest = std::max(longest, one.since);
+        }
+        if (universes.empty()) continue;
+        out.push_back(problem(Trouble::lost,
+                              "nobody sends " + universes_text(universes) + " any more, since " +
+                                  seconds_text(longest) + ": " +
+                                  (black ? "black (--on-loss)" : "the last look is held"),
+                              universes));
+    }
+}
+
+} // namespace ghost::scene::diagnosed

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// Why nothing arrives: links, ports, networks, and what comes somewhere else instead. Where several causes
+// are possible they are listed with what tells them apart.
+#include "diagnose/diagnosis_parts.h"
+
+#include <algorithm>
+
+namespace ghost::scene::diagnosed {
+
+void add_links(const dmx::Statistics& statistics, bool any_arrives, Sentences& out) {
+    const std::string& chosen = statistics.listening.interface;
+    const auto is_ours = [&](const dmx::NetInterface& one) {
+        if (!chosen.empty())
+            return one.name == chosen || (one.address != 0 && dmx::ipv4_text(one.address) == chosen);
+        return !one.loopback;
+    };
+    const auto ours = std::find_if(statistics.interfaces.begin(), statistics.interfaces.end(), is_ours);
+    const bool found = ours != statistics.interfaces.end();
+    if (!chosen.empty() && !found && !chosen.starts_with("127."))
+        out.push_back(
+            problem(Trouble::no_interface,
+                    "the interface " + chosen + " is down or gone: nothing is heard until it is back"));
+    else if (chosen.empty() && !found && !any_arrives)
+        out.push_back(problem(Trouble::no_interface,
+                              "no network interface is up: only a desk on this machine, "
+                              "by unicast to 127.0.0.1, can be heard"));
+    const bool plugged =
+        std::any_of(statistics.interfaces.begin(), statistics.interfaces.end(),
+                    [&](const dmx::NetInterface& one) { return is_ours(one) && one.running; });
+    if (found && !plugged && !any_arrives)
+        out.push_back(
+            problem(Trouble::cable, ours->name + " has no cable, or what is at its other end is off"));
+}
+
+namespace {
+
+// "260 too short, 3 not ours"; "" where none was refused.
+std::string refused_text(const dmx::Statistics& statistics) {
+    std::string text;
+    for (std::size_t i = 0; i < statistics.drops.size(); ++i)
+        if (statistics.drops[i] > 0)
+            text += (text.empty() ? "" : ", ") + std::to_string(statistics.drops[i]) + " " +
+                    dmx::drop_name(static_cast<dmx::Drop>(i));
+    return text;
+}
+
+// "though 12 other packets did (3 poll, 9 discovery)"; "" where none did.
+std::string others_text(const dmx::Statistics& statistics) {
+    std::string text;
+    std::uint64_t sum = 0;
+    for (std::size_t i = 0; i < statistics.notices.size(); ++i)
+        if (const std::uint64_t count = statistics.notices[i]; count > 0) {
+            sum += count;
+            text += (text.empty() ? "" : ", ") + std::to_string(count) + " " +
+                    dmx::notice_name(static_cast<dmx::Notice>(i));
+        }
+    return sum == 0 ? "" : ", though " + count_text(sum, "other packet") + " did (" + text + ")";
+}
+
+// "eth1 (10.0.0.3/24)" of an interface.
+std::string interface_text(const dmx::Statistics& statistics, unsigned index) {
+    for (const dmx::NetInterface& one : statistics.interfaces)
+        if (one.index == index) return one.name;
+    return "interface " + std::to_string(index);
+}
+
+void add_wrong_interface(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
+                         Sentences& out) {
+    std::map<std::pair<unsigned, std::string>, std::set<int>> elsewhere; // by interface and who
+    for (const dmx::ElsewhereUniverse& one : statistics.elsewhere_universes)
+        if (!arriving.has(one.universe) && (patch.universes().empty() || patch.has(one.universe)))
+            elsewhere[{one.interface_index, source_text(one.name, dmx::address_text(one.from), one.protocol)}]
+                .insert(one.universe);
+    for (const auto& [key, universes] : elsewhere) {
+        const std::string name = interface_text(statistics, key.first);
+        out.push_back(problem(Trouble::wrong_interface,
+                              key.second + " sends " + universes_text(universes) + ", but it comes in on " +
+                                  name + ", and we listen on " + addresses_text(statistics) +
+                                  " only: start with --interface " + name + ", or without --interface",
+                              universes));
+    }
+}
+
+// Announced by sACN's lists, which come by multicast, too, and yet no level of it.
+void add_held_back(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
+                   Sentences& out) {
+    std::map<std::string, std::set<int>> held;
+    for (const auto& [universe, who] : arriving.listed)
+        if (patch.has(universe) && !arriving.has(universe)) held[who].insert(universe);
+    for (const auto& [who, universes] : held)
+        out.push_back(problem(
+            Trouble::held_back,
+            who + " announces " + universes_text(universes) +
+                ", and none of it arrives here: either it sends them by unicast to other addresses than ours "
+                "(its output page says so), or a switch holds this multicast back (IGMP snooping without a "
+                "querier). Unicast to " +
+                addresses_text(statistics) + " gets past both",
+            universes));
+}
+
+// "; 'FOH' announces universes 100-103: --universes 100-103 joins them"; "" where nobody announces any.
+std::string announced_text(const Arriving& arriving) {
+    if (arriving.listed.empty()) return "";
+    std::set<int> universes;
+    for (const auto& [universe, who] : arriving.listed) universes.insert(universe);
+    const std::string text = universes_text(universes);
+    return "; " + arriving.listed.begin()->second + " announces " + text + ", which --universes can name";
+}
+
+void add_nothing(const dmx::Statistics& statistics, const Arriving& arriving, Sentences& out) {
+    const dmx::Listening& listening = statistics.listening;
+    const std::string refused = refused_text(statistics);
+    if (!refused.empty()) {
+        out.push_back(problem(Trouble::nothing_arrives,
+                              "packets arrive, and none of them can be read as levels: " + refused +
+                                  ". Whoever sends them has to be mended"));
+        return;
+    }
+    const std::string others = others_text(statistics);
+    std::string text = (others.empty() ? "nothing arrives" : "no levels arrive" + others) +
+                       ": is the desk's output on, is it in this network, and is no firewall "
+                       "on UDP 5568 and 6454 in the way? We listen on " +
+                       addresses_text(statistics);
+    if (listening.wider > 0) text += ", also for " + count_text(listening.wider, "universe") + " around";
+    if (const std::string broadcasts = listening.artnet ? broadcasts_text(statistics) : "";
+        !broadcasts.empty())
+        text += ". " + broadcasts;
+    text += announced_text(arriving);
+    out.push_back(problem(Trouble::nothing_arrives, text));
+}
+
+} // namespace
+
+void add_silence(const dmx::Statistics& statistics, const Arriving& arriving, const PatchMap& patch,
+                 bool all_fed, Sentences& out) {
+    const dmx::Listening& listening = statistics.listening;
+    const std::size_t before = out.size();
+    add_wrong_interface(statistics, arriving, patch, out);
+    add_held_back(statistics, arriving, patch, out);
+    const bool elsewhere = !arriving.listed.empty() && !patch.universes().empty(); // add_patch names them
+    if (out.size() == before && !elsewhere && arriving.nothing() && statistics.lost.empty() &&
+        (listening.sacn || listening.artnet))
+        add_nothing(statistics, arriving, out);
+    for (const dmx::PortUser& user : statistics.port_users) {
+        const auto sockets = std::find_if(statistics.sockets.begin(), statistics.sockets.end(),
+                                          [&](const dmx::SocketStatus& s) { return s.port == user.port; });
+        if (sockets == statistics.sockets.end()) continue;
+        const bool sacn = sockets->protocol == dmx::Protocol::sacn;
+        if (all_fed || arriving.by(sockets->protocol)) continue;
+        const std::string who = dmx::program_text(user);
+        out.push_back(problem(Trouble::port_shared,
+                              "the port " + std::to_string(user.port) + " of " +
+                                  dmx::protocol_name(sockets->protocol) + " is taken by " + who +
+                                  ", too: of two programs only the one started last gets a desk's unicast. "
+                                  "Close the other one, or start again with --interface and an address of "
+                                  "this machine"));
+        if (sacn)
+            out.push_back(problem(Trouble::same_host,
+                                  who +
+                                      " runs on this machine: if it is the desk, its multicast does not come "
+                                      "back here (QLC+ and OLA switch that off): have it send unicast to "
+                                      "127.0.0.1"));
+    }
+}
+
+} // namespace ghost::scene::diagnosed

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is wrong with sources that arrive: too many, for blind, of lower priority, two that fight, levels that
+// wait, packets that get lost.
+#include "diagnose/diagnosis_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::scene::diagnosed {
+namespace {
+
+// "; there 10.0.0.7 (silent for 4 s) and 10.0.0.8 have the places of Art-Net, .."; "" where fewer do.
+std::string artnet_holders_text(const dmx::Statistics& statistics, int universe) {
+    std::string text;
+    std::size_t count = 0;
+    for (const dmx::SourceStatus& source : statistics.sources) {
+        if (source.universe != universe || source.protocol != dmx::Protocol::artnet) continue;
+        text += (count++ > 0 ? " and " : "") + printable(source.id);
+        if (source.age >= kSilent) text += " (silent for " + seconds_text(source.age) + ")";
+    }
+    if (count < dmx::kMaxArtnetSources) return "";
+    return "; there " + text + " have the places of Art-Net, and one that is silent for " +
+           seconds_text(dmx::kArtnetLoss) + " makes room";
+}
+
+std::string joined(const std::set<std::string>& names) {
+    constexpr std::size_t kMost = 4;
+    std::string text;
+    std::size_t count = 0;
+    for (const std::string& name : names) {
+        if (count == kMost) return text + " and " + std::to_string(names.size() - kMost) + " more";
+        text += (count == 0 ? "" : count + 1 == names.size() ? " and " : ", ") + name;
+        ++count;
+    }
+    return text;
+}
+
+void add_too_many(const dmx::Statistics& statistics, Sentences& out) {
+    for (const auto protocol : {dmx::Protocol::artnet, dmx::Protocol::sacn}) {
+        std::map<std::set<int>, std::set<std::string>> by_universes;
+        std::map<std::string, std::set<int>> by_source;
+        for (const dmx::IgnoredSource& one : statistics.ignored)
+            if (one.why == dmx::IgnoredSource::Why::too_many && one.protocol == protocol)
+                by_source[source_text(one.name, dmx::address_text(one.from), protocol)].insert(one.universe);
+        for (const auto& [who, universes] : by_source) by_universes[universes].insert(who);
+        for (const auto& [universes, who] : by_universes) {
+            const std::string is =
+                who.size() == 1 ? " is one source too many on " : " are too many sources on ";
+            const std::string rule =
+                protocol == dmx::Protocol::artnet
+                    ? " and ignored: Art-Net merges two" + artnet_holders_text(statistics, *universes.begin())
+                    : " and ignored: " + std::to_string(dmx::kMaxSourcesPerUniverse) +
+                          " are merged, those of the highest priority and of these the longest known";
+            out.push_back(
+                problem(Trouble::too_many, joined(who) + is + universes_text(universes) + rule, universes));
+        }
+    }
+}
+
+// The source that ranks highest on a universe; null: none holds a slot.
+const dmx::SourceStatus* winner_of(const std::vector<dmx::SourceStatus>& sources, int universe) {
+    const dmx::SourceStatus* best = nullptr;
+    for (const dmx::SourceStatus& one : sources)
+        if (one.universe == universe && one.slots_held > 0 && (!best || one.slots_held > best->slots_held))
+            best = &one;
+    return best;
+}
+
+std::string ranked_text(const dmx::SourceStatus& source) {
+    return source_text(source) + " (priority " + std::to_string(source.priority) +
+           (source.per_address_priority ? ", and one for each address" : "") + ")";
+}
+
+void add_low_priority(const dmx::Statistics& statistics, Sentences& out) {
+    std::map<std::pair<std::string, std::string>, std::set<int>> low; // who, and who wins
+    for (const dmx::SourceStatus& source : statistics.sources) {
+        if (role_text(source, statistics.sources) != "lower priority") continue;
+        const dmx::SourceStatus* const winner = winner_of(statistics.sources, source.universe);
+        low[{ranked_text(source), winner ? ranked_text(*winner) : ""}].insert(source.universe);
+    }
+    for (const auto& [who, universes] : low)
+        out.push_back(note(Trouble::low_priority,
+                           who.first + " is not shown on " + universes_text(universes) + ": " + who.second +
+                               " has a higher priority",
+                           universes));
+}
+
+// "'A' (10.0.0.2) with 512 slots at 44 Hz"
+std::string sends_text(const dmx::SourceStatus& source) {
+    return source_text(source) + " with " + count_text(source.slot_count, "slot") + " at " +
+           std::to_string(std::lround(source.rate_hz)) + " Hz";
+}
+
+// Two that have the same say. What they send may be the same (a backup), or not (two that fight).
+void add_two_desks(const dmx::Statistics& statistics, Sentences& out) {
+    std::map<int, std::vector<const dmx::SourceStatus*>> by_universe;
+    for (const dmx::SourceStatus& source : statistics.sources)
+        if (source.state == dmx::SourceState::live && source.slots_held > 0)
+            by_universe[source.universe].push_back(&source);
+    struct Fight {
+        std::set<int> universes;
+        std::size_t channels = 0;
+        std::string merge;
+    };
+    std::map<std::string, Fight> fights; // by who
+    for (const auto& [universe, sources] : by_universe) {
+        std::size_t differ = 0;
+        bool all_artnet = true;
+        std::set<std::string> who;
+        for (const dmx::SourceStatus* source : sources) {
+            if (source->slots_overruled > 0) differ = std::max(differ, source->slots_overruled);
+            all_artnet &= source->protocol == dmx::Protocol::artnet;
+            who.insert(sends_text(*source));
+        }
+        if (differ == 0 || sources.size() < 2) continue;
+        Fight& fight = fights[joined(who)];
+        fight.universes.insert(universe);
+        fight.channels = std::max(fight.channels, differ);
+        fight.merge = all_artnet && statistics.listening.artnet_ltp
+                          ? "whoever changed a channel last has it (LTP, --artnet-merge)"
+                          : "of each channel the higher level shows (HTP)";
+    }
+    for (const auto& [who, fight] : fights)
+        out.push_back(
+            problem(Trouble::two_desks,
+                    universes_text(fight.universes) + (fight.universes.size() == 1 ? " comes" : " come") +
+                        " from more than one source of equal priority, " + who +
+                        ", and they differ on up to " + count_text(fight.channels, "channel") + ": " +
+                        fight.merge + ". Switch one off, or give one that is a backup a lower priority",
+                    fight.universes));
+}
+
+} // namespace
+
+void add_ignored(const dmx::Statistics& statistics, Sentences& out) {
+    std::map<std::string, std::set<int>> preview; // by who
+    for (const dmx::IgnoredSource& one : statistics.ignored)
+        if (one.why == dmx::IgnoredSource::Why::preview)
+            preview[source_text(one.name, dmx::address_text(one.from), one.protocol)].insert(one.universe);
+    for (const auto& [who, universes] : preview) {
+        // Who shows its live look, too, is only said to.
+        const bool live = std::all_of(universes.begin(), universes.end(), [&](int universe) {
+            return std::any_of(statistics.sources.begin(), statistics.sources.end(),
+                               [&](const dmx::SourceStatus& source) {
+                                   return source.universe == universe && !source.preview &&
+                                          source.slots_held > 0 && source_text(source) == who;
+                               });
+        });
+        const std::string text = who + " marks " + (live ? "some of " : "") + universes_text(universes) +
+                                 " as preview (blind), which is not shown: leave blind on the desk, or "
+                                 "start with --show-preview";
+        out.push_back(live ? note(Trouble::preview, text, universes)
+                           : problem(Trouble::preview, text, universes));
+    }
+    add_too_many(statistics, out);
+    if (statistics.recent.too_many_universes > 0)
+        out.push_back(problem(
+            Trouble::too_many_universes,
+            "more universes arrive than the " + std::to_string(dmx::kMaxUniverses) +
+                " that are shown at once; those of the show and of --universes are always among them"));
+}
+
+void add_ranks(const dmx::Statistics& statistics, Sentences& out) {
+    add_low_priority(statistics, out);
+    add_two_desks(statistics, out);
+}
+
+void add_sources(const dmx::Statistics& statistics, Sentences& out) {
+    std::map<std::string, std::set<int>> waiting, foreign, astray, cut;
+    for (const dmx::SourceStatus& source : statistics.sources) {
+        const std::string who = source_text(source);
+        if (source.held && synchronisation_is_late(source, statistics.sync))
+            waiting[who].insert(source.universe);
+        if (source.protocol == dmx::Protocol::artnet && is_foreign(source.from, statistics))
+            foreign[who].insert(source.universe);
+        if (source.wrong_group) astray[who].insert(source.universe);
+        if (source.wrong_length) cut[who].insert(source.universe);
+    }
+    for (const auto& [who, universes] : waiting)
+        out.push_back(problem(Trouble::waits_for_sync,
+                              "levels of " + who + " on " + universes_text(universes) +
+                                  " wait for a synchronisation packet that does not come; after 10 s at most "
+                                  "they show without",
+                              universes));
+    for (const auto& [who, universes] : foreign)
+        out.push_back(
+            note(Trouble::other_network,
+                 who + " sends Art-Net from another network than ours (" + addresses_text(statistics) +
+                     "): its broadcasts arrive, unicast and our answers may not; give this machine an "
+                     "address in its network",
+                 universes));
+    for (const auto& [who, universes] : astray)
+        out.push_back(
+            note(Trouble::wrong_group, who + " sends " + universes_text(universes) +
+                                           " to the multicast group of another universe; the levels "
+                                           "are used"));
+    for (const auto& [who, universes] : cut)
+        out.push_back(note(Trouble::wrong_length, who + " declares more levels on " +
+                                                      universes_text(universes) +
+                                                      " than its packets hold; those that come are used"));
+    if (statistics.recent.overflow > 0)
+        out.push_back(
+            problem(Trouble::packets_lost,
+                    "this machine dropped " + count_text(statistics.recent.overflow, "packet") +
+                        " in the last seconds: it is too busy, or the sockets' buffers are too small "
+                        "(as root: sysctl -w net.core.rmem_max=4194304)"));
+    if (statistics.recent.missed > statistics.recent.overflow)
+        out.push_back(problem(Trouble::packets_lost,
+                              count_text(statistics.recent.missed - statistics.recent.overflow, "packet") +
+                                  " got lost on the way in the last seconds: cable, switch or Wi-Fi"));
+}
+
+} // namespace ghost::scene::diagnosed

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "diagnose/patch_map.h"
+
+#include "dmx/wire/universes.h"
+
+#include <algorithm>
+#include <set>
+
+namespace ghost::scene {
+namespace {
+
+constexpr int kSlots = static_cast<int>(dmx::kSlots);
+
+// A fixture that runs past channel 512 goes on in the next universe.
+std::pair<int, int> place_of(const fixture::Address& address, int offset) {
+    const int channel = address.channel - 1 + offset;
+    return {address.universe + channel / kSlots, channel % kSlots + 1};
+}
+
+std::string byte_text(const fixture::Channel& channel, std::size_t byte) {
+    if (channel.offsets.size() < 2) return channel.name;
+    return channel.name + " (" + std::to_string(byte + 1) + " of " + std::to_string(channel.offsets.size()) +
+           ")";
+}
+
+// What each byte of a break is called.
+std::vector<std::string> names_of(const fixture::Mode& mode, std::size_t part) {
+    std::vector<std::string> names;
+    for (int i = 0; i < mode.footprint[part]; ++i) names.push_back("channel " + std::to_string(i + 1));
+    for (const fixture::Channel& channel : mode.channels) {
+        if (channel.dmx_break != static_cast<int>(part) + 1) continue;
+        for (std::size_t byte = 0; byte < channel.offsets.size(); ++byte) {
+            const int offset = channel.offsets[byte];
+            if (offset >= 0 && offset < mode.footprint[part])
+                names[static_cast<std::size_t>(offset)] = byte_text(channel, byte);
+        }
+    }
+    return names;
+}
+
+} // namespace
+
+PatchMap::PatchMap(const Show& show) {
+    std::map<int, std::set<std::size_t>> fixtures; // by universe
+    const auto add = [&](std::pair<int, int> place, std::size_t index, const std::string& channel) {
+        if (place.first < 1 || place.first > dmx::kMaxUniverse) return;
+        slots_.emplace(place, PatchedSlot{index, show.fixtures[index].name, channel});
+        fixtures[place.first].insert(index);
+    };
+    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
+        const PatchedFixture& fixture = show.fixtures[i];
+        if (fixture.track && fixture.track->address > 0)
+            for (int byte = 0; byte < 2; ++byte)
+                add(place_of({fixture.track->universe, fixture.track->address}, byte), i,
+                    "track (" + std::to_string(byte + 1) + " of 2)");
+        if (!fixture.type) continue;
+        const fixture::Patch patch = fixture.patch();
+        const fixture::Mode& mode = patch.mode_of();
+        for (std::size_t part = 0; part < std::min(patch.addresses.size(), mode.footprint.size()); ++part) {
+            if (patch.addresses[part].channel < 1) continue;
+            const std::vector<std::string> names = names_of(mode, part);
+            for (std::size_t byte = 0; byte < names.size(); ++byte)
+                add(place_of(patch.addresses[part], static_cast<int>(byte)), i, names[byte]);
+        }
+    }
+    for (const auto& [universe, indices] : fixtures)
+        universes_.push_back(
+            {static_cast<std::uint16_t>(universe), indices.size(), show.fixtures[*indices.begin()].name});
+}
+
+std::vector<std::uint16_t> PatchMap::universe_numbers() const {
+    std::vector<std::uint16_t> numbers;
+    for (const PatchedUniverse& one : universes_) numbers.push_back(one.universe);
+    return numbers;
+}
+
+bool PatchMap::has(int universe) const {
+    return std::any_of(universes_.begin(), universes_.end(),
+                       [&](const PatchedUniverse& one) { return one.universe == universe; });
+}
+
+std::vector<const PatchedSlot*> PatchMap::at(int universe, int address) const {
+    std::vector<const PatchedSlot*> result;
+    const auto [first, last] = slots_.equal_range({universe, address});
+    for (auto slot = first; slot != last; ++slot) result.push_back(&slot->second);
+    return result;
+}
+
+} // namespace ghost::scene

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dmx/merge/level_source.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace ghost::dmx {
+
+namespace {
+
+constexpr std::chrono::nanoseconds kRateWindow = std::chrono::seconds(1);
+
+std::chrono::nanoseconds loss_after(Protocol protocol) {
+    return protocol == Protocol::sacn ? kSacnLoss : protocol == Protocol::artnet ? kArtnetLoss : kUsbLoss;
+}
+
+} // namespace
+
+const char* source_state_name(SourceState state) {
+    switch (state) {
+    case SourceState::waiting:
+        return "waiting";
+    case SourceState::silent:
+        return "silent";
+    case SourceState::live:
+        break;
+    }
+    return "live";
+}
+
+std::string place_text(const SourceStatus& source) {
+    return source.protocol == Protocol::usb ? source.id : address_text(source.from);
+}
+
+std::string source_id(const SourceKey& key) {
+    if (key.protocol == Protocol::usb)
+        return {key.id.begin(), std::find(key.id.begin(), key.id.end(), std::uint8_t{0})};
+    char text[40];
+    if (key.protocol == Protocol::artnet) {
+        const auto& id = key.id;
+        const int length = std::snprintf(text, sizeof text, "%d.%d.%d.%d", id[0], id[1], id[2], id[3]);
+        if (id[4] != 0)
+            std::snprintf(text + length, sizeof text - static_cast<std::size_t>(length), "/%d", id[4]);
+    } else {
+        for (std::size_t i = 0; i < key.id.size(); ++i) std::snprintf(text + 2 * i, 3, "%02x", key.id[i]);
+    }
+    return text;
+}
+
+LevelSource::LevelSource(const Packet& first, bool joined, std::chrono::nanoseconds now)
+    : key_(first.source), from_(first.from), interface_index_(first.interface_index),
+      priority_(first.priority), joined_(joined), first_heard_(now), last_levels_(now), last_way_(now),
+      window_start_(now) {}
+
+std::chrono::nanoseconds LevelSource::expires() const {
+    return last_levels_ + loss_after(key_.protocol);
+}
+
+bool LevelSource::same_way(const Packet& packet, std::chrono::nanoseconds now) {
+    const bool same = packet.from == from_ && packet.interface_index == interface_index_;
+    if (!same && now - last_way_ <= kWaySilence) {
+        ++other_way_;
+        return false;
+    }
+    if (!same) {
+        from_ = packet.from;
+        interface_index_ = packet.interface_index;
+        sequence_.forget();
+    }
+    last_way_ = std::max(last_way_, now);
+    return true;
+}
+
+// Art-Net numbers 1..255 and 0 means "not numbered"; senders that wrap through 0 exist, so a 0 is accepted
+// and not remembered.
+std::optional<unsigned> LevelSource::in_sequence(const Packet& packet) {
+    if (packet.protocol == Protocol::usb) return 0; // a cable keeps the order
+    if (packet.protocol == Protocol::artnet && packet.sequence == 0) return 0;
+    const std::optional<unsigned> missed = sequence_.accept(packet.sequence);
+    missed ? missed_ += *missed : ++out_of_sequence_;
+    return missed;
+}
+
+void LevelSource::keep(const Packet& packet, bool hold, std::uint32_t stamp, std::chrono::nanoseconds now) {
+    ++heard_;
+    name_ = packet.source_name;
+    wrong_group_ = packet.wrong_group;
+    wrong_length_ = packet.wrong_length;
+    sync_universe_ = packet.sync_universe;
+    force_sync_ = packet.force_sync;
+    const bool priorities = packet.start_code == 0xDD;
+    const Held held{packet.slots, packet.slot_count, packet.priority, stamp};
+    if (priorities) {
+        last_priorities_ = std::max(last_priorities_, now);
+        joined_ = true; // nothing better is to come
+    } else {
+        if (packets_ > 0) measure_jitter(now - last_levels_);
+        last_levels_ = std::max(last_levels_, now);
+        ++packets_;
+        ++window_packets_;
+    }
+    if (hold) {
+        auto& place = priorities ? held_priorities_ : held_levels_;
+        place ? void(*place = held) : void(place = std::make_unique<Held>(held));
+    } else if (priorities) {
+        held_priorities_.reset();
+        per_address_ = true;
+        slot_priority_ = held.slots; // fewer than 512 values: the rest is 0, "not ours"
+    } else {
+        held_levels_.reset();
+        show(held);
+    }
+}
+
+void LevelSource::show(const Held& levels) {
+    if (key_.protocol == Protocol::artnet) {
+        if (changed_.empty()) changed_.assign(kSlots, levels.stamp);
+        for (std::size_t i = 0; i < kSlots; ++i)
+            if (levels.slots[i] != levels_[i]) changed_[i] = levels.stamp;
+    }
+    priority_ = levels.priority;
+    levels_ = levels.slots;
+    slot_count_ = levels.slot_count;
+    has_levels_ = true;
+}
+
+bool LevelSource::release() {
+    if (!holding()) return false;
+    if (held_priorities_) {
+        per_address_ = true;
+        slot_priority_ = held_priorities_->slots;
+        held_priorities_.reset();
+    }
+    if (held_levels_) {
+        show(*held_levels_);
+        held_levels_.reset();
+    }
+    return true;
+}
+
+bool LevelSource::drop_old_priorities(std::chrono::nanoseconds now) {
+    if (!per_address_ || now - last_priorities_ <= kSacnLoss) return false;
+    per_address_ = false;
+    return true;
+}
+
+// As RFC 3550 smooths it, against the mean interval.
+void LevelSource::measure_jitter(std::chrono::nanoseconds interval) {
+    const double ms = std::chrono::duration<double, std::milli>(interval).count();
+    if (interval_ms_ == 0.0) interval_ms_ = ms;
+    interval_ms_ += (ms - interval_ms_) / 16.0;
+    jitter_ms_ += (std::abs(ms - interval_ms_) - jitter_ms_) / 16.0;
+}
+
+void LevelSource::measure_rate(std::chrono::nanoseconds now) {
+    const auto window = now - window_start_;
+    if (window < kRateWindow) return;
+    rate_hz_ = static_cast<double>(window_packets_) / std::chrono::duration<double>(window).count();
+    window_packets_ = 0;
+    window_start_ = now;
+}
+
+void LevelSource::resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now) {
+    for (std::chrono::nanoseconds* time : {&last_levels_, &last_priorities_, &last_way_, &first_heard_})
+        *time = std::max(*time, std::min(*time + pause, now)); // what came in the middle of the pause
+    sequence_.forget();
+}
+
+std::uint8_t LevelSource::rank(std::size_t slot) const {
+    if (!has_levels_ || slot >= slot_count_) return 0;
+    const std::uint8_t priority = per_address_ ? slot_priority_[slot] : priority_;
+    if (per_address_ && (priority == 0 || priority > kMaxPriority)) return 0;
+    return static_cast<std::uint8_t>(priority + 1);
+}
+
+std::uint8_t LevelSource::priority() const {
+    if (!per_address_) return priority_;
+    std::uint8_t highest = 0;
+    for (const std::uint8_t one : slot_priority_)
+        if (one <= kMaxPriority) highest = std::max(highest, one);
+    return highest;
+}
+
+SourceStatus LevelSource::status(std::uint16_t universe, bool with_slots,
+                                 std::chrono::nanoseconds now) const {
+    SourceStatus status;
+    status.universe = universe;
+    status.protocol = key_.protocol;
+    status.state = expired(now) ? SourceState::silent : joined_ ? SourceState::live : SourceState::waiting;
+    status.id = source_id(key_);
+    status.name = name_;
+    status.from = from_;
+    status.interface_index = interface_index_;
+    status.preview = key_.preview;
+    status.wrong_group = wrong_group_;
+    status.wrong_length = wrong_length_;
+    status.sync_universe = sync_universe_;
+    status.held = holding();
+    status.priority = priority_;
+    status.per_address_priority = per_address_;
+    status.slot_count = slot_count_;
+    status.packets = packets_;
+    status.out_of_sequence = out_of_sequence_;
+    status.missed = missed_;
+    status.other_way = other_way_;
+    // Before the first whole second: over what has passed of it.
+    const double window_s = std::chrono::duration<double>(now - window_start_).count();
+    const bool young = rate_hz_ == 0.0 && window_s > 0.2;
+    status.rate_hz = young ? static_cast<double>(window_packets_) / window_s : rate_hz_;
+    status.jitter_ms = jitter_ms_;
+    status.age = now - last_levels_;
+    if (with_slots) {
+        SourceSlots slots;
+        slots.levels = levels_;
+        for (std::size_t i = 0; i < kSlots; ++i) slots.rank[i] = rank(i);
+        status.slots = std::make_shared<const SourceSlots>(slots);
+    }
+    return status;
+}
+
+} // namespace ghost::dmx

@@ -1,0 +1,106 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// LevelSource: one sender on one universe, as the merge sees it: its newest levels and priorities, what waits
+// for synchronisation, and whether it takes part. A desk with two network cards, or a network that both of
+// ours reach, brings every packet twice: the way it first came by counts, until that is silent for
+// kWaySilence. No clock.
+
+#include "dmx/merge/source_status.h"
+#include "dmx/wire/packet.h"
+#include "dmx/wire/sequence.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ghost::dmx {
+
+inline constexpr std::chrono::milliseconds kSacnLoss{2500};    // E131_NETWORK_DATA_LOSS_TIMEOUT
+inline constexpr std::chrono::milliseconds kArtnetLoss{10000}; // unchanged levels come every 4 s or so
+inline constexpr std::chrono::milliseconds kUsbLoss{2500};     // a widget repeats what it hears
+inline constexpr std::uint8_t kMaxPriority = 200;              // E1.31-2018 6.2.3
+inline constexpr std::chrono::milliseconds kWaySilence{1250};  // unchanged sACN levels come every 0.8 to 1 s
+
+class LevelSource {
+public:
+    // joined: takes part in the merge at once.
+    LevelSource(const Packet& first, bool joined, std::chrono::nanoseconds now);
+
+    const SourceKey& key() const { return key_; }
+    bool has_levels() const { return has_levels_; }
+    bool joined() const { return joined_; }
+    std::uint64_t heard() const { return heard_; } // packets accepted
+    std::chrono::nanoseconds first_heard() const { return first_heard_; }
+    std::chrono::nanoseconds last_levels() const { return last_levels_; }
+    bool expired(std::chrono::nanoseconds now) const { return now > expires(); }
+    std::chrono::nanoseconds expires() const;
+
+    // Whether a packet came the way that counts. One that says goodbye by another way is not believed.
+    bool same_way(const Packet& packet, std::chrono::nanoseconds now);
+    // Missed packets before this one, nothing where it is late.
+    std::optional<unsigned> in_sequence(const Packet& packet);
+    // A packet of the same row of numbers that is none of this source's, and so many before it that were
+    // missed there: none of them is missed here.
+    void pass(std::uint8_t number, unsigned missed = 0) { sequence_.pass(number, missed); }
+    // Keeps it; where hold: until release(). True: levels or priorities changed hands now.
+    void keep(const Packet& packet, bool hold, std::uint32_t stamp, std::chrono::nanoseconds now);
+    // What was held is shown from now on. False: nothing was.
+    bool release();
+    bool holding() const { return held_levels_ || held_priorities_; }
+    std::uint16_t sync_universe() const { return sync_universe_; }
+    bool force_sync() const { return force_sync_; }
+
+    void join() { joined_ = true; }
+    // Back to the packet's priority where priorities per address stopped. True: they did.
+    bool drop_old_priorities(std::chrono::nanoseconds now);
+    void measure_rate(std::chrono::nanoseconds now);
+    void resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now);
+
+    // Priority + 1 in a slot (0-based), 0 where it does not hold it.
+    std::uint8_t rank(std::size_t slot) const;
+    // The highest of its slots: its own, or of its priorities per address.
+    std::uint8_t priority() const;
+    std::uint8_t level(std::size_t slot) const { return levels_[slot]; }
+    std::size_t slot_count() const { return slot_count_; }
+    // When the slot changed last, as the stamp that keep() was given; 0 where that is not recorded (sACN).
+    std::uint32_t changed(std::size_t slot) const { return changed_.empty() ? 0 : changed_[slot]; }
+
+    SourceStatus status(std::uint16_t universe, bool with_slots, std::chrono::nanoseconds now) const;
+
+private:
+    struct Held {
+        Levels slots{};
+        std::uint16_t slot_count = 0;
+        std::uint8_t priority = 0;
+        std::uint32_t stamp = 0;
+    };
+    void show(const Held& levels);
+    void measure_jitter(std::chrono::nanoseconds interval);
+
+    SourceKey key_;
+    std::string name_;
+    IpAddress from_;
+    unsigned interface_index_ = 0;
+    std::uint16_t sync_universe_ = 0;
+    bool force_sync_ = false;
+    bool wrong_group_ = false, wrong_length_ = false;
+    std::uint8_t priority_ = 100;
+    Sequence sequence_;
+    bool has_levels_ = false; // a level packet was shown, so the slots mean something
+    bool joined_ = false;
+    bool per_address_ = false;
+    std::uint16_t slot_count_ = 0;
+    Levels levels_{};
+    Levels slot_priority_{}; // while per_address; 0 = this source does not hold the slot
+    std::vector<std::uint32_t> changed_;
+    std::unique_ptr<Held> held_levels_, held_priorities_;
+    std::chrono::nanoseconds first_heard_{0}, last_levels_{0}, last_priorities_{0}, last_way_{0};
+    std::uint64_t heard_ = 0, packets_ = 0, out_of_sequence_ = 0, missed_ = 0, other_way_ = 0;
+    std::uint64_t window_packets_ = 0;
+    std::chrono::nanoseconds window_start_{0};
+    double rate_hz_ = 0.0;
+    double interval_ms_ = 0.0, jitter_ms_ = 0.0; // means of the last 16 packets or so
+};
+
+} // namespace ghost::dmx

@@ -1,0 +1,84 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// One source on one universe, for people: what the merge knows of it. Values only.
+
+#include "dmx/wire/packet.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+namespace ghost::dmx {
+
+// What one source sends for each slot, and how it ranks there: priority + 1, 0 where it does not hold the
+// slot.
+struct SourceSlots {
+    Levels levels{};
+    Levels rank{};
+};
+
+enum class SourceState : std::uint8_t {
+    live,    // takes part in the merge
+    waiting, // new beside others: its priorities per address may still come
+    silent   // sends no more; leaves as soon as the others of its universe were heard again
+};
+const char* source_state_name(SourceState state);
+
+// A source whose levels nobody looks at.
+struct IgnoredSource {
+    enum class Why : std::uint8_t {
+        preview, // its packets are marked "not for live output", and these are not asked for
+        too_many // all places of its universe are taken; of Art-Net there are two
+    };
+    std::uint16_t universe = 0;
+    Protocol protocol = Protocol::sacn;
+    Why why = Why::preview;
+    std::string name; // not of Art-Net
+    IpAddress from;
+    std::uint64_t packets = 0;
+    std::chrono::nanoseconds age{0}; // of the newest
+};
+
+// A universe whose last source is gone.
+struct LostUniverse {
+    std::uint16_t universe = 0;
+    bool black = false; // else its last look is held
+    std::chrono::nanoseconds since{0};
+};
+
+struct SourceStatus {
+    std::uint16_t universe = 0;
+    Protocol protocol = Protocol::sacn;
+    SourceState state = SourceState::live;
+    // CID as 32 hex digits; Art-Net: "10.0.0.2" or "10.0.0.2/1" (Physical 1); USB: last letters of the port
+    std::string id;
+    std::string name; // not of Art-Net
+    IpAddress from;
+    unsigned interface_index = 0;    // where it comes in; 0: not told
+    bool preview = false;            // its packets are marked "not for live output"
+    bool wrong_group = false;        // its newest packet came by the multicast group of another universe
+    bool wrong_length = false;       // its newest packet declares more levels than came
+    std::uint16_t sync_universe = 0; // that its newest packet names
+    bool held = false;               // levels wait for a synchronisation packet
+    std::uint8_t priority = 0;
+    bool per_address_priority = false;
+    std::uint16_t slot_count = 0;
+    std::uint64_t packets = 0;         // level packets used
+    std::uint64_t out_of_sequence = 0; // dropped: late or twice
+    std::uint64_t missed = 0;          // gaps in the sequence numbers
+    std::uint64_t other_way = 0;       // dropped: came by another interface or from another address as well
+    double rate_hz = 0.0;              // level packets per second over about the last second
+    double jitter_ms = 0.0;            // how far its packets come from an even beat, in the mean
+    std::size_t slots_held = 0;        // of slot_count: where nobody on its universe ranks higher
+    std::size_t slots_overruled = 0; // of slots_held: where another of its rank has another level that shows
+    std::chrono::nanoseconds age{0}; // since its last level packet, without time in which we did not listen
+    std::shared_ptr<const SourceSlots> slots; // where MergeOptions::slot_status asks for it, else null
+};
+
+// Its address, or the port of a widget.
+std::string place_text(const SourceStatus& source);
+
+// The id of a source as text, as in SourceStatus.
+std::string source_id(const SourceKey& key);
+
+} // namespace ghost::dmx

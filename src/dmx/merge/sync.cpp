@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dmx/merge/sync.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ghost::dmx {
+
+SourceKey sync_key(SourceKey source) {
+    if (source.protocol == Protocol::artnet) source.id[4] = 0;
+    source.preview = false;
+    return source;
+}
+
+const SyncStreams::Stream* SyncStreams::find(const SourceKey& source, std::uint16_t universe) const {
+    const SourceKey key = sync_key(source);
+    const auto same = [&](const Stream& s) { return s.universe == universe && s.source == key; };
+    const auto found = std::find_if(streams_.begin(), streams_.end(), same);
+    return found == streams_.end() ? nullptr : &*found;
+}
+
+std::set<std::uint16_t> SyncStreams::heard(const SyncPacket& packet, std::chrono::nanoseconds now) {
+    auto* stream = const_cast<Stream*>(find(packet.source, packet.universe));
+    if (!stream) {
+        if (streams_.size() >= kMaxSyncStreams) {
+            ++too_many_;
+            return {};
+        }
+        stream = &streams_.emplace_back();
+        stream->source = sync_key(packet.source);
+        stream->universe = packet.universe;
+    }
+    if (packet.source.protocol == Protocol::sacn) {
+        if (now - stream->last > kSacnSyncLoss) stream->sequence.forget();
+        if (!stream->sequence.accept(packet.sequence)) {
+            ++stream->late;
+            return {};
+        }
+    }
+    ++stream->packets;
+    stream->last = std::max(stream->last, now);
+    return std::exchange(stream->waiting, {});
+}
+
+void SyncStreams::wait(const SourceKey& source, std::uint16_t universe, std::uint16_t waiting) {
+    if (auto* stream = const_cast<Stream*>(find(source, universe))) stream->waiting.insert(waiting);
+}
+
+bool SyncStreams::holds(const SourceKey& source, std::uint16_t universe, bool force,
+                        std::chrono::nanoseconds now) const {
+    if (streams_.empty()) return false;
+    const Stream* stream = find(source, universe);
+    if (!stream || stream->packets == 0) return false;
+    const auto limit = source.protocol == Protocol::artnet ? kArtnetSyncLoss
+                       : force                             ? kSacnSyncLoss
+                                                           : kSacnSyncHold;
+    return now - stream->last <= limit;
+}
+
+void SyncStreams::tick(std::chrono::nanoseconds now) {
+    std::erase_if(streams_, [&](const Stream& stream) { return now - stream.last > kSyncForgotten; });
+}
+
+void SyncStreams::resume(std::chrono::nanoseconds pause, std::chrono::nanoseconds now) {
+    for (Stream& stream : streams_) {
+        stream.last = std::max(stream.last, std::min(stream.last + pause, now));
+        stream.sequence.forget();
+    }
+}
+
+std::vector<SyncStatus> SyncStreams::list(std::chrono::nanoseconds now) const {
+    std::vector<SyncStatus> result;
+    for (const Stream& stream : streams_)
+        result.push_back({stream.source, stream.universe, stream.packets, stream.late, now - stream.last});
+    return result;
+}
+
+} // namespace ghost::dmx

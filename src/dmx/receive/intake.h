@@ -1,0 +1,71 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Intake: what a datagram does to our picture of the network: parsed, counted, merged or noted. The receiver
+// without sockets, thread and clock, so that tests and fuzzers can feed it. Everything in it is bounded.
+
+#include "dmx/merge/discovery.h"
+#include "dmx/merge/merge.h"
+#include "dmx/receive/statistics.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace ghost::dmx {
+
+struct IntakeOptions {
+    std::vector<std::uint16_t> universes; // sorted; to accept; they always find a place in the merge
+    bool accept_others = false;           // than those; without any all are accepted
+    int artnet_offset = 1;
+    MergeOptions merge;
+    // Levels for this universe are about to be merged.
+    std::function<void(std::uint16_t universe)> before_levels;
+    std::function<void(const TimeCode&, std::chrono::nanoseconds arrival)> on_timecode;
+};
+
+// How a datagram came.
+struct Arrival {
+    Protocol protocol = Protocol::sacn; // of the port
+    IpAddress from, to;
+    unsigned interface_index = 0;
+    bool own = false; // from one of our addresses and our port
+    std::chrono::nanoseconds time{0};
+};
+
+class Intake {
+public:
+    explicit Intake(const IntakeOptions& options);
+
+    // A poll that asks for an answer, if it is one.
+    std::optional<PollPacket> take(Bytes bytes, const Arrival& arrival);
+    // One that came where we were told not to listen: only told of.
+    void take_elsewhere(Bytes bytes, const Arrival& arrival);
+    void tick(std::chrono::nanoseconds now);
+
+    // Instead of IntakeOptions::universes; what was known of others is forgotten where they are not accepted.
+    // Sorted.
+    void listen_to(std::vector<std::uint16_t> universes);
+
+    Merge& merge() { return merge_; }
+    const Merge& merge() const { return merge_; }
+    // Packets that are none of ours, so far.
+    std::uint64_t others() const { return counted_.notices[static_cast<std::size_t>(Notice::other)]; }
+    // All that it knows; what belongs to sockets is left as it is.
+    void report(Statistics& statistics, std::chrono::nanoseconds now) const;
+
+private:
+    bool accepts(std::uint16_t universe) const;
+    void take_levels(Packet& packet, const Arrival& arrival);
+
+    IntakeOptions options_;
+    Merge merge_;
+    Discovery discovery_;
+    Statistics counted_;                                                      // the counters of packets
+    std::map<std::pair<std::uint16_t, Protocol>, UnlistedUniverse> unlisted_; // age: arrival
+    std::map<std::tuple<unsigned, std::uint16_t, Protocol>, ElsewhereUniverse> elsewhere_; // age: arrival
+};
+
+} // namespace ghost::dmx

@@ -1,0 +1,39 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// The engines that do the tasks of a plan: processes of this machine, or Slurm. What an engine was asked to
+// do is kept in PLAN/submitted.json. Main thread.
+
+#include "farm/farm_plan.h"
+
+namespace ghost::app {
+
+struct FarmOptions {
+    std::string engine;  // "": no farm; local, slurm
+    std::string options; // of sbatch
+    int jobs = 1;        // tasks at the same time; local
+};
+// The words of the command line without those of a farm and these, each with `values` words after it.
+std::vector<std::string> words_without(const std::map<std::string, int>& options);
+
+// Stores the plan, has what is missing done, and waits. Exit code: 0 when the whole is there.
+int start_farm(FarmPlan plan, const scene::Show& show, const FarmOptions& options, bool quiet);
+// The same of a plan that is there, as it was asked for; what failed is tried again.
+int retry_farm(const FarmPlan& plan);
+// Follows what others do.
+int wait_for_farm(const FarmPlan& plan, bool quiet);
+int print_farm_status(const FarmPlan& plan);
+int cancel_farm(const FarmPlan& plan);
+
+// Slurm, by its commands.
+struct SlurmJob {
+    std::string state; // RUNNING, PENDING ..
+    std::string node, reason;
+};
+// Arrays of these tasks, the second after the first, and a job that assembles; the numbers of the jobs.
+Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std::vector<std::size_t>& tasks,
+                                                 const std::string& options);
+// Those of them that have not ended. Error: Slurm does not answer.
+Result<std::vector<SlurmJob>> slurm_jobs(const std::vector<std::string>& jobs);
+Result<void> cancel_slurm(const std::vector<std::string>& jobs);
+
+} // namespace ghost::app

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "farm/farm_task.h"
+
+#include "base/child.h"
+#include "base/interrupt.h"
+#include "base/log.h"
+#include "files/crc32.h"
+#include "files/files.h"
+#include "image/ldr.h"
+#include "live/session/picture_writer.h"
+#include "video/film.h"
+
+#include <chrono>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+namespace ghost::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostPictureBytes = std::uintmax_t{1} << 31;
+// Shared folders show for so long what was there before.
+constexpr auto kPatience = std::chrono::seconds(60);
+constexpr auto kBetweenLooks = std::chrono::seconds(2);
+constexpr std::size_t kMostNamed = 5;
+
+Result<void> check_whole(const FarmPlan& plan) {
+    const auto begun = std::chrono::steady_clock::now();
+    for (;;) {
+        std::vector<std::size_t> missing;
+        bool may_come = std::getenv("SLURM_JOB_ID") != nullptr;
+        for (std::size_t task = 0; task < plan.tasks.size(); ++task) {
+            if (done_of(plan, task)) continue;
+            missing.push_back(task);
+            may_come = may_come && failure_of(plan, task).empty();
+        }
+        if (missing.empty()) return {};
+        if (may_come && std::chrono::steady_clock::now() - begun < kPatience && !interrupted()) {
+            std::this_thread::sleep_for(kBetweenLooks);
+            continue;
+        }
+        std::string names, why;
+        for (std::size_t k = 0; k < missing.size() && k < kMostNamed; ++k)
+            names += (k > 0 ? ", " : "") + plan.tasks[missing[k]].name;
+        if (missing.size() > kMostNamed) names += " and more";
+        for (const std::size_t task : missing)
+            if (why.empty()) why = failure_of(plan, task);
+        return Error{std::to_string(missing.size()) + " of " + std::to_string(plan.tasks.size()) +
+                         " tasks are missing: " + names +
+                         (why.empty() ? "" : "; the first that failed said: " + why) +
+                         "; ghostlight farm retry makes what is missing",
+                     plan.folder.string()};
+    }
+}
+
+// A picture as the task wrote it, or it is made again.
+Result<std::vector<std::uint8_t>> picture_bytes(const FarmPlan& plan, std::size_t task, const fs::path& file,
+                                                const std::pair<std::uintmax_t, std::uint32_t>& expected) {
+    auto bytes = read_file(file, kMostPictureBytes);
+    if (bytes.ok() && bytes->size() == expected.first && crc32(*bytes) == expected.second) return bytes;
+    std::error_code code;
+    fs::remove(plan.done_file(task), code);
+    return Error{"is not what its task wrote; ghostlight farm retry makes it again", file.string()};
+}
+
+std::string number_text(long number) {
+    std::string digits = std::to_string(number);
+    return "-" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
+}
+
+Result<FarmDone> write_film(const FarmPlan& plan) {
+    FarmDone result;
+    const bool is_film = plan.out.extension() == ".mp4";
+    std::unique_ptr<video::FilmWriter> film;
+    long number = 0;
+    for (std::size_t task = 0; task < plan.tasks.size(); ++task) {
+        if (plan.tasks[task].first_frame < 0) continue;
+        const auto done = done_of(plan, task);
+        if (!done) return Error{"was done and is gone", plan.tasks[task].name};
+        // By number, which has more digits from 100,000 on.
+        for (long frame = plan.tasks[task].first_frame; frame <= plan.tasks[task].last_frame;
+             ++frame, ++number) {
+            if (interrupted()) return Error{"interrupted: nothing is written", plan.out.string()};
+            const std::string name =
+                "f" + number_text(frame) + (plan.out.extension() == ".exr" ? ".exr" : ".png");
+            const auto expected = done->files.find(name);
+            if (expected == done->files.end()) return Error{"has no " + name, plan.tasks[task].name};
+            TRY(const std::vector<std::uint8_t> bytes,
+                picture_bytes(plan, task, plan.folder / "frames" / done->folder / name, expected->second));
+            if (is_film) {
+                TRY(const image::Image8 picture, image::decode_ldr(bytes, name));
+                if (!film) {
+                    TRY(film, video::FilmWriter::create(plan.out, picture.width, picture.height, plan.fps));
+                }
+                TRY_VOID(film->add(picture.samples.data()));
+            } else {
+                fs::path to = plan.out;
+                to.replace_filename(to.stem().string() + number_text(number) + to.extension().string());
+                TRY_VOID(write_file_atomic(to, bytes));
+                result.files[to.filename().string()] = expected->second;
+            }
+        }
+    }
+    if (film) {
+        TRY_VOID(film->finish());
+        std::error_code code;
+        result.files[plan.out.filename().string()] = {fs::file_size(plan.out, code), 0};
+    }
+    return result;
+}
+
+// The bake finds the pictures of all parts, makes what it does not find, and writes the manifests.
+Result<FarmDone> finish_bake(const FarmPlan& plan) {
+    std::error_code code;
+    std::vector<std::string> words{fs::read_symlink("/proc/self/exe", code).string()};
+    words.insert(words.end(), plan.words.begin(), plan.words.end());
+    // Each begins with its camera.
+    for (std::size_t task = 0; task < plan.tasks.size(); ++task)
+        if (plan.tasks[task].stage == 0 && plan.tasks[task].words.size() > 1)
+            words.insert(words.end(), plan.tasks[task].words.begin(), plan.tasks[task].words.begin() + 2);
+    if (const int threads = farm_threads(); threads > 0)
+        words.insert(words.end(), {"--threads", std::to_string(threads)});
+    TRY(const ChildResult child, run_child(words, plan.from, true));
+    if (child.exit_code != 0)
+        return Error{"the passes could not be put together (see above)", plan.show.string()};
+    return FarmDone{};
+}
+
+} // namespace
+
+Result<void> assemble_farm(const FarmPlan& plan) {
+    if (has_result(plan)) {
+        log_info((plan.is_film() ? plan.out : plan.show).string() + ": is done already");
+        return {};
+    }
+    TRY_VOID(make_plan_folders(plan));
+    const std::size_t as_task = plan.tasks.size();
+    std::error_code code;
+    const auto assemble = [&]() -> Result<void> {
+        TRY_VOID(check_same(plan));
+        TRY_VOID(check_whole(plan));
+        TRY(FarmDone result, plan.is_film() ? write_film(plan) : finish_bake(plan));
+        result.host = node_name();
+        nlohmann::json files = nlohmann::json::object();
+        for (const auto& [name, file] : result.files) files[name] = {file.first, file.second};
+        TRY_VOID(write_file_atomic(
+            plan.result_file(),
+            nlohmann::json({{"host", result.host}, {"seconds", 0.0}, {"folder", ""}, {"files", files}})
+                    .dump() +
+                "\n"));
+        return {};
+    };
+    const Result<void> done = assemble();
+    if (!done.ok()) {
+        if (const auto kept = write_file_atomic(plan.failed_file(as_task), done.error().text() + "\n");
+            !kept.ok())
+            log_warning(kept.error().text());
+        return done;
+    }
+    fs::remove(plan.failed_file(as_task), code);
+    for (const auto& entry : fs::directory_iterator(plan.folder / "frames", code))
+        fs::remove_all(entry.path(), code);
+    return {};
+}
+
+} // namespace ghost::app

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "farm/farm_plan.h"
+
+#include "bake/keys.h"
+#include "base/json.h"
+#include "files/files.h"
+#include "files/own_folder.h"
+#include "files/temporary.h"
+#include "files/user_cache.h"
+#include "files/user_file.h"
+#include "live/session/passes_sources.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
+namespace ghost::app {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr int kPlanVersion = 1;
+constexpr JsonLimits kPlanLimits{.bytes = std::size_t{16} << 20, .values = 20 * kMostFarmTasks};
+constexpr JsonLimits kDoneLimits{.bytes = std::size_t{4} << 20};
+constexpr std::uintmax_t kMostProgramBytes = std::uintmax_t{1} << 30;
+constexpr std::uintmax_t kMostFailureBytes = 1 << 16;
+constexpr const char* kPlanFile = "plan.json";
+
+fs::path farms_of(const scene::Show& show) {
+    return show.cache_folder() / "farm";
+}
+
+std::vector<std::string> texts_of(const json& list) {
+    std::vector<std::string> texts;
+    for (const json& text : list) texts.push_back(text.get<std::string>());
+    return texts;
+}
+
+std::string text_of(const FarmPlan& plan) {
+    json tasks = json::array();
+    for (const FarmTask& task : plan.tasks)
+        tasks.push_back({{"name", task.name},
+                         {"stage", task.stage},
+                         {"words", task.words},
+                         {"first_frame", task.first_frame},
+                         {"last_frame", task.last_frame}});
+    json also = json::array();
+    for (const fs::path& file : plan.also) also.push_back(file.string());
+    return json({{"version", kPlanVersion},
+                 {"build", plan.build},
+                 {"inputs", plan.inputs},
+                 {"show", plan.show.string()},
+                 {"from", plan.from.string()},
+                 {"words", plan.words},
+                 {"out", plan.out.string()},
+                 {"fps", plan.fps},
+                 {"also", also},
+                 {"tasks", tasks}})
+               .dump(1, ' ', false, json::error_handler_t::replace) +
+           "\n";
+}
+
+// Throws json::exception where something has another type.
+FarmPlan plan_of(const json& all) {
+    FarmPlan plan;
+    plan.build = all.at("build").get<std::string>();
+    plan.inputs = all.at("inputs").get<std::string>();
+    plan.show = all.at("show").get<std::string>();
+    plan.from = all.at("from").get<std::string>();
+    plan.words = texts_of(all.at("words"));
+    plan.out = all.at("out").get<std::string>();
+    plan.fps = all.at("fps").get<int>();
+    for (const std::string& file : texts_of(all.at("also"))) plan.also.emplace_back(file);
+    for (const json& entry : all.at("tasks")) {
+        FarmTask& task = plan.tasks.emplace_back();
+        task.name = entry.at("name").get<std::string>();
+        task.stage = entry.at("stage").get<int>();
+        task.words = texts_of(entry.at("words"));
+        task.first_frame = entry.at("first_frame").get<long>();
+        task.last_frame = entry.at("last_frame").get<long>();
+    }
+    return plan;
+}
+
+std::optional<FarmDone> read_done(const fs::path& file) {
+    const auto text = read_text_file(file, kDoneLimits.bytes);
+    if (!text.ok()) return std::nullopt;
+    const auto all = read_json(*text, file.string(), kDoneLimits);
+    if (!all.ok()) return std::nullopt;
+    try {
+        FarmDone done;
+        done.host = all->at("host").get<std::string>();
+        done.seconds = all->at("seconds").get<double>();
+        done.folder = all->at("folder").get<std::string>();
+        for (const auto& [name, entry] : all->at("files").items())
+            done.files[name] = {entry.at(0).get<std::uintmax_t>(), entry.at(1).get<std::uint32_t>()};
+        if (done.folder.find('/') != std::string::npos || done.folder == "..") return std::nullopt;
+        return done;
+    } catch (const json::exception&) {
+        return std::nullopt;
+    }
+}
+
+} // namespace
+
+fs::path FarmPlan::done_file(std::size_t task) const {
+    return folder / "done" / (std::to_string(task) + ".json");
+}
+
+fs::path FarmPlan::failed_file(std::size_t task) const {
+    return folder / "failed" / (std::to_string(task) + ".txt");
+}
+
+std::string node_name() {
+    // Several nodes of a Slurm may be one machine.
+    const char* const node = std::getenv("SLURMD_NODENAME");
+    return node != nullptr ? node : host_name();
+}
+
+Result<std::string> farm_build() {
+    TRY(const std::vector<std::uint8_t> program, read_file("/proc/self/exe", kMostProgramBytes));
+    bake::Hasher hasher;
+    hasher.list(program);
+    return hasher.hex();
+}
+
+std::string farm_inputs(const scene::Show& show, const std::vector<fs::path>& also) {
+    bake::Hasher hasher;
+    hasher.text(passes_fingerprint(show));
+    std::vector<fs::path> files = also;
+    for (const scene::Media& media : show.media) files.push_back(media.file);
+    for (const fs::path& file : files) { // may be long
+        std::error_code code;
+        hasher.text(file.filename().string());
+        hasher.value(fs::file_size(file, code));
+        hasher.value(fs::last_write_time(file, code).time_since_epoch().count());
+    }
+    return hasher.hex();
+}
+
+Result<void> make_plan_folders(const FarmPlan& plan) {
+    for (const char* const name : {"done", "failed", "frames", "log"}) {
+        // From the folder that .ghost is in, or that stands for it.
+        fs::path home = plan.folder;
+        while (home.has_relative_path() && home.filename() != ".ghost" && home.filename() != "ghostlight")
+            home = home.parent_path();
+        TRY_VOID(make_folders(plan.folder / name, home.parent_path()));
+    }
+    return {};
+}
+
+Result<void> store_plan(FarmPlan& plan, const scene::Show& show) {
+    bake::Hasher hasher;
+    const std::string text = text_of(plan);
+    hasher.text(text);
+    std::error_code code;
+    plan.folder = fs::absolute(farms_of(show), code) / hasher.hex().substr(0, 12);
+    TRY_VOID(make_folders(plan.folder, fs::absolute(show.cache_home(), code)));
+    TRY_VOID(make_plan_folders(plan));
+    return write_file_atomic(plan.folder / kPlanFile, text); // the newest, too
+}
+
+Result<FarmPlan> read_plan(const fs::path& folder) {
+    const fs::path file = folder / kPlanFile;
+    std::error_code code;
+    if (!fs::exists(file, code))
+        return Error{"no plan lies here; every machine of a farm must see the show's folder under this path",
+                     file.string()};
+    TRY(const std::string text, read_text_file(file, kPlanLimits.bytes));
+    TRY(const json all, read_json(text, file.string(), kPlanLimits));
+    try {
+        if (all.at("version") != kPlanVersion)
+            return Error{"is of another version of Ghostlight; start the command again", file.string()};
+        FarmPlan plan = plan_of(all);
+        plan.folder = folder;
+        const bool is_right = !plan.words.empty() && (plan.words[0] == "bake" || plan.words[0] == "render") &&
+                              plan.tasks.size() <= kMostFarmTasks &&
+                              (!plan.is_film() || (plan.fps > 0 && plan.fps <= 240));
+        if (!is_right) return Error{"is no plan; start the command again", file.string()};
+        return plan;
+    } catch (const json::exception&) {
+        return Error{"is no plan; start the command again", file.string()};
+    }
+}
+
+Result<FarmPlan> find_plan(const std::string& name) {
+    std::error_code code;
+    const fs::path given = fs::absolute(name, code).lexically_normal();
+    if (fs::exists(given / kPlanFile, code)) return read_plan(given);
+    scene::Show show; // only where it keeps things
+    const bool is_folder = fs::is_directory(given, code);
+    if (!is_folder && !fs::exists(given, code)) return Error{"no such show, and no plan of a farm", name};
+    show.folder = is_folder ? given : given.parent_path();
+    if (show.folder.filename().empty()) show.folder = show.folder.parent_path();
+    if (!is_folder && given.extension() == ".mvr") show.cache_name = given.filename().string();
+    show.user_cache = user_cache_for(show.folder);
+    std::optional<fs::path> newest;
+    fs::file_time_type written;
+    for (fs::directory_iterator entry(farms_of(show), code), end; !code && entry != end;
+         entry.increment(code)) {
+        std::error_code unknown;
+        const auto time = fs::last_write_time(entry->path() / kPlanFile, unknown);
+        if (unknown || (newest && time < written)) continue;
+        newest = entry->path();
+        written = time;
+    }
+    if (!newest)
+        return Error{"nothing of it was given to a farm; ghostlight bake or render with --farm does", name};
+    return read_plan(*newest);
+}
+
+std::optional<FarmDone> done_of(const FarmPlan& plan, std::size_t task) {
+    auto done = read_done(plan.done_file(task));
+    if (!done) return std::nullopt;
+    std::error_code code;
+    for (const auto& [name, file] : done->files)
+        if (fs::file_size(plan.folder / "frames" / done->folder / name, code) != file.first || code)
+            return std::nullopt;
+    return done;
+}
+
+std::vector<std::size_t> missing_tasks(const FarmPlan& plan) {
+    std::vector<std::size_t> missing;
+    if (has_result(plan)) return missing;
+    for (std::size_t task = 0; task < plan.tasks.size(); ++task)
+        if (!done_of(plan, task)) missing.push_back(task);
+    return missing;
+}
+
+Result<bool> store_done(const FarmPlan& plan, std::size_t task, const FarmDone& done) {
+    json files = json::object();
+    for (const auto& [name, file] : done.files) files[name] = {file.first, file.second};
+    const std::string text =
+        json({{"host", done.host}, {"seconds", done.seconds}, {"folder", done.folder}, {"files", files}})
+            .dump(-1, ' ', false, json::error_handler_t::replace) +
+        "\n";
+    const fs::path file = plan.done_file(task);
+    std::error_code code;
+    // What it speaks of is gone.
+    if (fs::exists(file, code) && !done_of(plan, task)) fs::remove(file, code);
+    const fs::path temporary = temporary_beside(file);
+    TRY_VOID(write_file_atomic(temporary, text));
+    const Result<bool> is_first = commit_new(temporary, file);
+    if (!is_first.ok() || !*is_first) fs::remove(temporary, code);
+    return is_first;
+}
+
+bool has_result(const FarmPlan& plan) {
+    const auto result = read_done(plan.result_file());
+    if (!result) return false;
+    std::error_code code;
+    for (const auto& [name, file] : result->files)
+        if (fs::file_size(plan.out.parent_path() / name, code) != file.first || code) return false;
+    return true;
+}
+
+std::string failure_of(const FarmPlan& plan, std::size_t task) {
+    const auto text = read_text_file(plan.failed_file(task), kMostFailureBytes);
+    if (!text.ok()) return {};
+    std::string last = *text;
+    while (!last.empty() && last.back() == '\n') last.pop_back();
+    if (const std::size_t line = last.rfind('\n'); line != std::string::npos) last.erase(0, line + 1);
+    return last.empty() ? "failed without a word" : last;
+}
+
+} // namespace ghost::app

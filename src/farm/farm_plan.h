@@ -1,0 +1,80 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// A bake or film cut into tasks that any machine can do that sees the show's folder. PLAN is a folder in the
+// show's cache, farm/ID: plan.json, which never changes; done/TASK.json, of which the
+// first one wins; failed/TASK.txt; frames/; log/ and submitted.json of an engine. What is done, the disk
+// says, never an engine. Any thread; several processes and machines at once.
+
+#include "base/result.h"
+#include "show/show.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ghost::app {
+
+inline constexpr std::size_t kMostFarmTasks = 20000;
+
+struct FarmTask {
+    std::string name;               // for people: "frames 240 to 479"
+    int stage = 0;                  // tasks of stage 1 begin when all of stage 0 are done
+    std::vector<std::string> words; // added to those of the plan
+    long first_frame = -1;          // of pictures that it leaves in its folder; else none
+    long last_frame = -1;
+};
+
+struct FarmPlan {
+    std::filesystem::path folder;   // of the plan itself
+    std::string build;              // what the program is: all tasks must be done by the same
+    std::string inputs;             // what the show is
+    std::filesystem::path show;     // as it was named, absolute
+    std::filesystem::path from;     // the folder that the words' names start at
+    std::vector<std::string> words; // of the command without what is a task's own; [0] is its name
+    std::filesystem::path out;      // of a film, absolute; "" for a bake
+    int fps = 0;
+    std::vector<std::filesystem::path> also; // files beside the show: recording, looks
+    std::vector<FarmTask> tasks;
+
+    bool is_film() const { return !out.empty(); }
+    std::filesystem::path done_file(std::size_t task) const;
+    std::filesystem::path failed_file(std::size_t task) const;
+    // What a whole result leaves behind: its film is written, its passes are in the manifest.
+    std::filesystem::path result_file() const { return folder / "done" / "result.json"; }
+};
+
+struct FarmDone {
+    std::string host;
+    double seconds = 0;
+    std::string folder;                                                    // of its pictures, in frames/
+    std::map<std::string, std::pair<std::uintmax_t, std::uint32_t>> files; // size and CRC
+};
+
+// Of the program that runs.
+Result<std::string> farm_build();
+// Of all files that a show is made of, and these beside it.
+std::string farm_inputs(const scene::Show& show, const std::vector<std::filesystem::path>& also);
+
+// Names its folder below the show's cache by all that it depends on, and writes it where it is not yet.
+Result<void> store_plan(FarmPlan& plan, const scene::Show& show);
+// Its folders, reached without following a link.
+Result<void> make_plan_folders(const FarmPlan& plan);
+Result<FarmPlan> read_plan(const std::filesystem::path& folder);
+// name: a plan's folder, or a show, whose newest plan it then is.
+Result<FarmPlan> find_plan(const std::string& name);
+
+// Nothing: it is not done, or what it made is no longer there in full size.
+std::optional<FarmDone> done_of(const FarmPlan& plan, std::size_t task);
+std::vector<std::size_t> missing_tasks(const FarmPlan& plan);
+// First wins: false where somebody was faster.
+Result<bool> store_done(const FarmPlan& plan, std::size_t task, const FarmDone& done);
+// The film that the result is of still lies there, or the plan is of a bake.
+bool has_result(const FarmPlan& plan);
+// The last line of why a task failed; "": it did not.
+std::string failure_of(const FarmPlan& plan, std::size_t task);
+std::string node_name(); // this machine's, or Slurm's word for it
+
+} // namespace ghost::app

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "farm/farm_task.h"
+
+#include "base/child.h"
+#include "base/interrupt.h"
+#include "base/log.h"
+#include "files/crc32.h"
+#include "files/files.h"
+#include "project/load_show.h"
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+namespace ghost::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostPictureBytes = std::uintmax_t{1} << 31;
+constexpr std::size_t kKeptOutput = 4096; // of a task that failed
+constexpr int kMostRestarts = 3;          // of a task whose node was lost
+constexpr auto kBetweenLooks = std::chrono::milliseconds(500);
+
+int number_in_environment(const char* name) {
+    const char* const text = std::getenv(name);
+    return text != nullptr ? std::atoi(text) : 0;
+}
+
+// Of a task before which all others come. Whoever starts tasks by hand may start them all at once.
+Result<void> wait_for_stage(const FarmPlan& plan, int stage) {
+    const bool is_of_engine = std::getenv("SLURM_JOB_ID") != nullptr;
+    bool said = false;
+    for (std::size_t task = 0; task < plan.tasks.size(); ++task) {
+        if (plan.tasks[task].stage >= stage) continue;
+        while (!done_of(plan, task)) {
+            if (!failure_of(plan, task).empty() || is_of_engine)
+                return Error{plan.tasks[task].name + " comes first, and is not done", plan.folder.string()};
+            if (!said) log_info("waiting for " + plan.tasks[task].name + ", which comes first");
+            said = true;
+            if (interrupted()) return Error{"interrupted", plan.folder.string()};
+            std::this_thread::sleep_for(kBetweenLooks);
+        }
+    }
+    return {};
+}
+
+std::string random_name() {
+    std::random_device random;
+    char digits[20];
+    std::snprintf(digits, sizeof digits, "%08x%08x", random(), random());
+    return digits;
+}
+
+Result<void> run_task(const FarmPlan& plan, std::size_t task) {
+    const FarmTask& wanted = plan.tasks[task];
+    if (number_in_environment("SLURM_RESTART_COUNT") >= kMostRestarts)
+        return Error{"its node was lost " + std::to_string(kMostRestarts) +
+                         " times; it may be what ends them",
+                     wanted.name};
+    TRY_VOID(check_same(plan));
+    TRY_VOID(wait_for_stage(plan, wanted.stage));
+    TRY_VOID(make_plan_folders(plan));
+    FarmDone done;
+    done.host = node_name();
+    std::vector<std::string> words{"/proc/self/exe"};
+    std::error_code code;
+    words[0] = fs::read_symlink(words[0], code).string();
+    words.insert(words.end(), plan.words.begin(), plan.words.end());
+    words.insert(words.end(), wanted.words.begin(), wanted.words.end());
+    fs::path pictures;
+    if (plan.is_film()) {
+        done.folder = std::to_string(task) + "." + random_name();
+        pictures = plan.folder / "frames" / done.folder;
+        if (!fs::create_directory(pictures, code))
+            return Error{"cannot make the folder: " + code.message(), pictures.string()};
+        words.insert(
+            words.end(),
+            {"-o",
+             (pictures / ("f" + (plan.out.extension() == ".exr" ? std::string(".exr") : ".png"))).string()});
+    }
+    if (const int threads = farm_threads(); threads > 0)
+        words.insert(words.end(), {"--threads", std::to_string(threads)});
+    const auto begun = std::chrono::steady_clock::now();
+    const Result<ChildResult> child = run_child(words, plan.from, true);
+    const auto give_up = [&](Error error) {
+        if (!pictures.empty()) fs::remove_all(pictures, code);
+        return error;
+    };
+    if (!child.ok()) return give_up(child.error());
+    if (child->exit_code != 0) {
+        std::string said = child->output;
+        while (!said.empty() && said.back() == '\n') said.pop_back();
+        if (said.size() > kKeptOutput) said.erase(0, said.size() - kKeptOutput);
+        if (said.empty()) said = "exit code " + std::to_string(child->exit_code) + " without a word";
+        return give_up(Error{said, ""});
+    }
+    done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    if (wanted.first_frame >= 0) {
+        for (const auto& entry : fs::directory_iterator(pictures, code)) {
+            const auto bytes = read_file(entry.path(), kMostPictureBytes);
+            if (!bytes.ok()) return give_up(bytes.error());
+            done.files[entry.path().filename().string()] = {bytes->size(), crc32(*bytes)};
+        }
+        if (static_cast<long>(done.files.size()) != wanted.last_frame - wanted.first_frame + 1)
+            return give_up(Error{"drew " + std::to_string(done.files.size()) + " pictures, expected " +
+                                     std::to_string(wanted.last_frame - wanted.first_frame + 1),
+                                 wanted.name});
+    } else if (!pictures.empty()) {
+        fs::remove_all(pictures, code);
+        done.folder.clear();
+    }
+    const Result<bool> stored = store_done(plan, task, done);
+    if (!stored.ok()) return give_up(stored.error());
+    if (!*stored) {
+        log_info(wanted.name + ": somebody was faster");
+        if (!pictures.empty()) fs::remove_all(pictures, code);
+    }
+    return {};
+}
+
+} // namespace
+
+// Pictures of another build, or of a show that was edited meanwhile, must not get into one film.
+Result<void> check_same(const FarmPlan& plan) {
+    TRY(const std::string build, farm_build());
+    if (build != plan.build)
+        return Error{"the ghostlight of " + node_name() +
+                         " is another build than the one that made the plan; all machines need the same",
+                     plan.folder.string()};
+    std::error_code code;
+    if (!fs::exists(plan.show, code))
+        return Error{node_name() + " does not see the show; a farm needs it under the same path everywhere",
+                     plan.show.string()};
+    if (!fs::is_directory(plan.from, code))
+        return Error{node_name() + " does not see this folder, in which the command was given",
+                     plan.from.string()};
+    Report report;
+    TRY(const scene::Show show, scene::load_show(plan.show, false, report));
+    if (farm_inputs(show, plan.also) != plan.inputs)
+        return Error{"the show was changed since the plan was made; start the command again",
+                     plan.show.string()};
+    return {};
+}
+
+int farm_threads() {
+    return number_in_environment("SLURM_CPUS_PER_TASK");
+}
+
+Result<void> run_farm_task(const FarmPlan& plan, std::size_t task) {
+    if (task >= plan.tasks.size())
+        return Error{"has " + std::to_string(plan.tasks.size()) + " tasks, the first is 0",
+                     plan.folder.string()};
+    if (has_result(plan) || done_of(plan, task)) {
+        log_info(plan.tasks[task].name + ": is done already");
+        return {};
+    }
+    const Result<void> done = run_task(plan, task);
+    std::error_code code;
+    if (done.ok()) {
+        fs::remove(plan.failed_file(task), code);
+        return {};
+    }
+    if (const Result<void> kept = write_file_atomic(plan.failed_file(task), done.error().text() + "\n");
+        !kept.ok())
+        log_warning(kept.error().text());
+    return done;
+}
+
+} // namespace ghost::app

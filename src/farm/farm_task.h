@@ -1,0 +1,22 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What a machine of a farm does: one task, or putting together what the tasks made. Main thread; any number
+// of processes and machines at once.
+
+#include "farm/farm_plan.h"
+
+namespace ghost::app {
+
+// Does nothing where the task is done. Whatever goes wrong is also kept in failed/.
+Result<void> run_farm_task(const FarmPlan& plan, std::size_t task);
+
+// The film of the pictures, or the manifest of the passes. Error: names what is missing.
+Result<void> assemble_farm(const FarmPlan& plan);
+
+// Error: this is another build, the show was edited since, or this machine does not see it.
+Result<void> check_same(const FarmPlan& plan);
+
+// Where Slurm says how many processors a task has; 0: it does not.
+int farm_threads();
+
+} // namespace ghost::app

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "fixture_files/common/named_ranges.h"
+
+#include "base/text.h"
+#include "fixture/values.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <optional>
+#include <string_view>
+
+namespace ghost::fixture {
+namespace {
+
+constexpr float kNoKelvin = 2.0f; // a correction that goes so far is a share or nothing
+constexpr int kLeast_k = 1000;
+constexpr int kMost_k = 20000;
+
+bool says(const std::string& name, std::initializer_list<std::string_view> words) {
+    const std::string small = lower(name);
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view word) { return small.find(word) != std::string::npos; });
+}
+
+float middle(const ChannelSet& set) {
+    return 0.5f * (set.physical_from + set.physical_to);
+}
+
+// What the sets with one of these words, and none of the others, have in the mean.
+std::optional<float> named(const ChannelFunction& function, std::initializer_list<std::string_view> words,
+                           std::initializer_list<std::string_view> others) {
+    float sum = 0.0f;
+    int count = 0;
+    for (const ChannelSet& set : function.sets)
+        if (says(set.name, words) && !says(set.name, others)) {
+            sum += middle(set);
+            ++count;
+        }
+    if (count == 0) return std::nullopt;
+    return sum / static_cast<float>(count);
+}
+
+// high: words of the end that has the larger number here.
+bool turn_round(ChannelFunction& function, std::initializer_list<std::string_view> high,
+                std::initializer_list<std::string_view> low) {
+    const std::optional<float> at_high = named(function, high, low), at_low = named(function, low, high);
+    if (!at_high || !at_low || *at_high >= *at_low) return false;
+    const float sum = function.physical_from + function.physical_to;
+    const auto turned = [sum](float& value) { value = sum - value; };
+    turned(function.physical_from);
+    turned(function.physical_to);
+    for (ChannelSet& set : function.sets) {
+        turned(set.physical_from);
+        turned(set.physical_to);
+    }
+    return true;
+}
+
+// A function that is nothing but "Open".
+bool open_up(ChannelFunction& function) {
+    bool changed = false;
+    const bool is_open = !function.sets.empty() &&
+                         std::all_of(function.sets.begin(), function.sets.end(), [](const ChannelSet& set) {
+                             return lower(trimmed(set.name)) == "open";
+                         });
+    if (!is_open) return false;
+    for (ChannelSet& set : function.sets)
+        if (set.physical_from < 1.0f || set.physical_to < 1.0f) {
+            set.physical_from = set.physical_to = 1.0f;
+            changed = true;
+        }
+    return changed;
+}
+
+// "8000 K", "7978 K -> 6622 K", "2020-3180K": the first and the last number.
+struct Kelvin {
+    float from = 0.0f, to = 0.0f;
+};
+std::optional<Kelvin> kelvin_of(const std::string& name) {
+    std::vector<int> numbers;
+    bool has_unit = false;
+    for (std::size_t i = 0; i < name.size();) {
+        if (std::isdigit(static_cast<unsigned char>(name[i])) == 0) {
+            ++i;
+            continue;
+        }
+        int number = 0;
+        for (; i < name.size() && std::isdigit(static_cast<unsigned char>(name[i])) != 0; ++i)
+            number = std::min(10 * number + (name[i] - '0'), 10 * kMost_k);
+        if (number < kLeast_k || number > kMost_k) continue;
+        numbers.push_back(number);
+        std::size_t next = i;
+        while (next < name.size() && name[next] == ' ') ++next;
+        has_unit =
+            has_unit || (next < name.size() && std::toupper(static_cast<unsigned char>(name[next])) == 'K');
+    }
+    if (numbers.empty() || !has_unit) return std::nullopt;
+    return Kelvin{static_cast<float>(numbers.front()), static_cast<float>(numbers.back())};
+}
+
+bool take_kelvin(ChannelFunction& function) {
+    if (std::max(std::abs(function.physical_from), std::abs(function.physical_to)) > kNoKelvin) return false;
+    std::vector<std::optional<Kelvin>> known;
+    for (const ChannelSet& set : function.sets) {
+        if (set.slot >= 0 || std::max(set.physical_from, set.physical_to) > kNoKelvin) return false;
+        known.push_back(kelvin_of(set.name));
+    }
+    const auto is_known = [](const std::optional<Kelvin>& kelvin) { return kelvin.has_value(); };
+    if (std::count_if(known.begin(), known.end(), is_known) < 2) return false;
+    const auto first = std::find_if(known.begin(), known.end(), is_known);
+    const auto last = std::find_if(known.rbegin(), known.rend(), is_known);
+    function.physical_from = (*first)->from;
+    function.physical_to = (*last)->to;
+    for (std::size_t k = 0; k < known.size(); ++k) {
+        ChannelSet& set = function.sets[k];
+        if (known[k]) {
+            set.physical_from = known[k]->from;
+            set.physical_to = known[k]->to;
+        } else if (const bool between = k > 0 && k + 1 < known.size() && known[k - 1] && known[k + 1];
+                   between && trimmed(set.name).empty()) {
+            set.physical_from = known[k - 1]->to;
+            set.physical_to = known[k + 1]->from;
+        } else {
+            set.physical_from = set.physical_to = 0.0f; // no correction
+        }
+    }
+    return true;
+}
+
+// From its first to its last set called proportional the wheel moves into the beam; these sets name a slot,
+// which would put it in altogether.
+bool move_in(ChannelFunction& function) {
+    const auto moves = [](const ChannelSet& set) { return says(set.name, {"proportional"}); };
+    const auto begin = std::find_if(function.sets.begin(), function.sets.end(), moves);
+    const auto last = std::find_if(function.sets.rbegin(), function.sets.rend(), moves);
+    if (begin == function.sets.end() || &*begin == &*last) return false;
+    if (!says(begin->name, {"min"}) || !says(last->name, {"max"})) return false;
+    const double from = begin->dmx_from;
+    const double span = std::max(static_cast<double>(last->dmx_to) - from, 1.0);
+    for (auto set = begin; set != last.base(); ++set) {
+        set->slot = -1;
+        set->physical_from = static_cast<float>((static_cast<double>(set->dmx_from) - from) / span);
+        set->physical_to = static_cast<float>((static_cast<double>(set->dmx_to) - from) / span);
+    }
+    function.meaning.role = Role::animation_wheel;
+    return true;
+}
+
+// An iris is a share: what lies beyond closed and open can only be these.
+bool leaves_share(const ChannelFunction& function) {
+    const auto outside = [](float value) { return !(std::abs(value - 0.5f) < 0.501f); };
+    return outside(function.physical_from) || outside(function.physical_to) ||
+           std::any_of(function.sets.begin(), function.sets.end(), [&](const ChannelSet& set) {
+               return outside(set.physical_from) || outside(set.physical_to);
+           });
+}
+
+void say(int count, const std::string& what, std::vector<std::string>& sentences) {
+    if (count == 0) return;
+    sentences.push_back(what + " (" + std::to_string(count) + (count == 1 ? " function)" : " functions)"));
+}
+
+} // namespace
+
+std::vector<std::string> believe_names(Type& type) {
+    int irises = 0, shares = 0, focuses = 0, corrections = 0, ways = 0;
+    for (Mode& mode : type.modes)
+        for (Channel& channel : mode.channels)
+            for (ChannelFunction& function : channel.functions) {
+                if (function.dmx_profile >= 0) continue;
+                switch (function.meaning.role) {
+                case Role::iris:
+                    irises += turn_round(function, {"open"}, {"clos"}) || open_up(function);
+                    shares += leaves_share(function);
+                    break;
+                case Role::focus:
+                    focuses += turn_round(function, {"far", "distant", "infinit"}, {"near", "close"});
+                    break;
+                case Role::cct:
+                    corrections += take_kelvin(function);
+                    break;
+                case Role::animation_wheel:
+                case Role::animation_index:
+                    ways += move_in(function);
+                    break;
+                default:
+                    break;
+                }
+            }
+    std::vector<std::string> sentences;
+    say(irises, "the iris is named open where its number says closed; the names are believed", sentences);
+    say(shares,
+        "an iris goes below 0 or above 1, expected 0 (closed) to 1 (open); below it is closed, above it is "
+        "open",
+        sentences);
+    say(focuses, "the focus is named far at its low end, which is near here; the names are believed",
+        sentences);
+    say(corrections,
+        "a colour temperature from 0 to 1 whose sets are named in kelvin; the names are believed", sentences);
+    say(ways,
+        "an animation wheel whose sets are named as a way into the beam moves in; the names are believed",
+        sentences);
+    return sentences;
+}
+
+} // namespace ghost::fixture

@@ -1,0 +1,93 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Rig: the live side of a show. DMX levels in, what every fixture does now, lights out. The same levels and
+// time steps give the same bits. Refers to the show, which must outlive it. Main thread.
+
+#include "dmx/wire/universes.h"
+#include "emitters/emitters.h"
+#include "fixture/manual.h"
+#include "light/gobos.h"
+#include "light/lit.h"
+#include "passes/distance_maps.h"
+#include "passes/passes.h"
+#include "photometry/photometry.h"
+#include "shared/types.h"
+#include "show/show.h"
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace ghost::scene {
+
+class Rig {
+public:
+    explicit Rig(const Show& show);
+
+    // Decodes the levels and moves every fixture on by dt_s, as Show::motion says. manual: by index of the
+    // fixture, what a person wants instead; its gels and lamps are in the light, not in the state.
+    void step(const dmx::Universes& universes, double dt_s,
+              const std::map<std::size_t, fixture::Manual>& manual = {});
+
+    // Fixtures go on from where they were in another rig: motors, wheels that turn, lamps. from: for each
+    // fixture here its index there, or nothing. One of another type or mode starts anew.
+    void go_on_from(const Rig& before, const std::vector<std::optional<std::size_t>>& from);
+
+    // The head of this fixture (index into Show::fixtures) follows a point of the world instead of the desk's
+    // pan and tilt, as fast as it can turn; nothing: the desk's again.
+    void aim_at(std::size_t fixture, const std::optional<glm::vec3>& point_m);
+
+    // All that shines, in the order of the show: the lights of each fixture's emitters, the face of each of
+    // its beams. Fixtures without a readable type have none. A light whose pass is missing points at pass
+    // number passes.lights.size(), the dark one.
+    Lit lit(const GoboStack& gobos, const Passes& passes) const;
+
+    // The same for a free camera: the shadows of a light are in its distance map (between two stops: the
+    // nearer one's), if there is one.
+    Lit lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells = Cells::grouped) const;
+
+    // Of these the lights alone.
+    std::vector<shared::Light> lights(const GoboStack& gobos, const Passes& passes) const;
+    std::vector<shared::Light> lights(const GoboStack& gobos, const DistanceMaps& maps) const;
+
+    const std::vector<fixture::State>& states() const { return states_; }
+    // What the last step's levels asked of a fixture that had values by hand; null where it had none.
+    const fixture::Manual* asked(std::size_t fixture) const {
+        const auto found = asked_.find(fixture);
+        return found == asked_.end() ? nullptr : &found->second;
+    }
+    // How the beams of a fixture are grouped; nothing where it has no type.
+    const Emitters& emitters(std::size_t fixture) const { return *emitters_[fixture]; }
+    // Place along the track in stops, 0 where there is none.
+    float track_position(std::size_t fixture) const { return track_[fixture]; }
+
+private:
+    struct Between; // two stops of a track
+    Between between(std::size_t fixture) const;
+
+    void follow(std::size_t fixture, fixture::Targets& targets) const;
+    std::vector<Face> faces(std::size_t fixture, const Hung& hung, const GoboStack& gobos) const;
+    void choose_medium(std::size_t fixture, const dmx::Universes& universes);
+    std::optional<fixture::Figure> figure_of(std::size_t fixture, const Emitter& emitter) const;
+    void light_wall(std::size_t fixture, const GoboStack& gobos, std::vector<Face>& faces) const;
+    void add_wall(std::size_t fixture, const Hung& hung, const GoboStack& gobos, Lit& lit) const;
+    const Projector* projector_of(std::size_t fixture) const {
+        return projectors_[fixture] ? &*projectors_[fixture] : nullptr;
+    }
+
+    const Show& show_;
+    std::vector<fixture::Patch> patches_;
+    std::vector<fixture::State> states_;
+    std::vector<float> track_;
+    std::vector<std::optional<Projector>> projectors_; // with the medium that the desk has chosen
+    std::vector<fixture::Figure> figures_;      // of lasers whose show file has it, where it has turned to
+    std::vector<std::optional<LedWall>> walls_; // the same
+    std::vector<std::shared_ptr<const Emitters>> emitters_; // one for all fixtures of a type and mode
+    std::vector<std::optional<glm::vec3>> aims_;
+    std::map<std::size_t, fixture::Manual> manual_, asked_; // of the last step
+    mutable ProfileTable profiles_; // of frames before, too: a light is the same with it and without
+};
+
+} // namespace ghost::scene

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/engine/engine.h"
+#include "live/inputs/joined_universes.h"
+
+#include "base/interrupt.h"
+#include "gpu/device_lost.h"
+#include "live/session/take_patch.h"
+
+#include "base/log.h"
+#include "files/leftovers.h"
+
+#include <algorithm>
+#include <exception>
+#include <stdexcept>
+
+namespace ghost::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double kListenAgain_s = 3;
+constexpr double kShortestStep_s = 1.0 / 120; // whatever comes: a display shows no more
+constexpr double kMovingStep_s = 1.0 / 60;
+constexpr double kRestingStep_s = 0.04;
+constexpr int kMostLosses = 20; // of a device, in one window: a driver that breaks each time must end
+
+} // namespace
+
+Engine::Engine(ui::Link& link, EngineOptions options)
+    : link_(link), options_(std::move(options)), thread_([this] { run(); }) {}
+
+Engine::~Engine() {
+    stop_ = true;
+    link_.wake.raise();
+    thread_.join();
+    if (reopening_.valid()) reopening_.wait();
+    forget_baked();
+    end_recording();
+}
+
+void Engine::run() {
+    try {
+        begin_inputs();
+        while (!stop_ && !interrupted()) {
+            const double begin_s = now_s();
+            try {
+                step();
+            } catch (const gpu::DeviceLost& lost) {
+                replace_device(lost.what());
+            }
+            wait(begin_s);
+        }
+    } catch (const std::exception& problem) { // no memory, as a rule
+        link_.failed.put({std::string("the picture stopped: ") + problem.what(), wishes_.show});
+        link_.on_news();
+    }
+}
+
+// Until something changes, or what moves by itself has moved on.
+void Engine::wait(double step_begin_s) {
+    const auto for_s = [](double seconds) {
+        return std::chrono::duration_cast<std::chrono::nanoseconds>(
+            std::chrono::duration<double>(std::max(seconds, 0.0)));
+    };
+    std::this_thread::sleep_for(for_s(kShortestStep_s - (now_s() - step_begin_s)));
+    const bool rests = now_s() - last_change_s_ > kRest_s;
+    (void)link_.wake.wait_for(for_s((rests ? kRestingStep_s : kMovingStep_s) - (now_s() - step_begin_s)));
+}
+
+void Engine::step() {
+    listen();
+    if (std::optional<ui::Wishes> newest = link_.wishes.take()) {
+        wishes_ = std::move(*newest);
+        if (wishes_.show != tried_ || wishes_.opens != opens_) open(wishes_.show);
+    }
+    if (session_ && wishes_.text && wishes_.text != text_) take_edit();
+    look_for_plots();
+    if (session_) choose_recording();
+    record();
+    if (session_ && wishes_.camera.width > 0) frame();
+}
+
+// The show is opened again on whatever device there is now; nothing that the window knows changes.
+void Engine::replace_device(const std::string& why) {
+    log_warning(why);
+    if (!session_ || ++losses_ > kMostLosses) throw std::runtime_error(why);
+    add_news(Severity::warning, session_->device->name(), why + "; it is drawn anew");
+    link_.activity.put("the graphics device was lost: drawing anew");
+    link_.on_news();
+    auto opened = open_session(session_options(session_->options.show));
+    link_.activity.put("");
+    if (!opened.ok()) throw std::runtime_error(why + ", and " + opened.error().text());
+    adopt(std::move(*opened), Opening::edit);
+}
+
+void Engine::begin_inputs() {
+    if (options_.xchange) {
+        auto xchange = Xchange::start(*options_.xchange);
+        if (xchange.ok())
+            xchange_ = std::move(*xchange);
+        else
+            add_news(Severity::error, xchange.error().where, xchange.error().what);
+    }
+    if (options_.controls.psn) {
+        auto trackers = TrackerInput::open(options_.receiver.interface);
+        if (trackers.ok())
+            trackers_ = std::move(*trackers);
+        else
+            add_news(Severity::error, trackers.error().where, trackers.error().what);
+    }
+    if (auto timecode = open_timecode(options_.timecode); timecode.ok() && *timecode) {
+        timecode_ = std::move(*timecode);
+        timecode_->listen(options_.receiver);
+    }
+}
+
+// A port that is taken may be free again when whoever has it is closed.
+void Engine::listen() {
+    if (!options_.listens || receiver_ || now_s() < listens_again_s_) return;
+    listens_again_s_ = now_s() + kListenAgain_s;
+    options_.receiver.on_levels = [this](const dmx::Universes& universes, std::chrono::nanoseconds now) {
+        hear(universes, now);
+    };
+    options_.receiver.on_change = [this] { link_.wake.raise(); };
+    std::vector<Message> said;
+    auto receiver = dmx::Receiver::start(options_.receiver);
+    if (receiver.ok()) {
+        receiver_ = std::move(*receiver);
+        if (!of_receiver_.empty()) log_info("the port is free: listening");
+        for (const std::string& warning : receiver_->warnings())
+            said.push_back({Severity::warning, "network", warning});
+        if (input_) input_->set_receiver(receiver_.get());
+        listen_to_patch();
+    } else {
+        dmx::Statistics none;
+        none.listening.problem = receiver.error().text();
+        link_.network.put(std::move(none));
+        link_.on_news();
+        said.push_back({Severity::error, receiver.error().where, receiver.error().what});
+        if (of_receiver_.empty()) log_warning(receiver.error().text());
+    }
+    const auto same = [](const Message& a, const Message& b) {
+        return a.where == b.where && a.what == b.what;
+    };
+    if (std::equal(said.begin(), said.end(), of_receiver_.begin(), of_receiver_.end(), same)) return;
+    of_receiver_ = std::move(said);
+    if (session_) publish_messages();
+}
+
+void Engine::listen_to_patch() {
+    patch_ = session_ ? scene::PatchMap(*session_->show) : scene::PatchMap();
+    if (receiver_ && session_) receiver_->listen_to(joined_universes(options_.receiver.universes, patch_));
+}
+
+void Engine::open(const std::string& path) {
+    tried_ = path;
+    opens_ = wishes_.opens;
+    text_ = wishes_.text;
+    link_.activity.put("opening " + path);
+    link_.on_news();
+    auto opened = open_session(session_options(path));
+    link_.activity.put("");
+    if (!opened.ok()) {
+        link_.not_opened.put(opened.error());
+        link_.on_news();
+        return;
+    }
+    adopt(std::move(*opened), Opening::another);
+}
+
+SessionOptions Engine::session_options(const std::string& path) const {
+    SessionOptions options = options_.session;
+    options.show = path;
+    options.text = text_;
+    options.live = true;
+    options.maps_in_background = true;
+    options.beams.grid = true; // while things move
+    options.parks = true;
+    options.keep_hidden = true;
+    options.bake = false;
+    options.width = 320; // until the window says how large it is
+    options.height = 180;
+    return options;
+}
+
+void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
+    forget_baked(); // all of them refer to the session before
+    tracer_.reset();
+    meter_.reset();
+    frame_ = {};
+    look_.reset();
+    const std::unique_ptr<Session> session_before = std::exchange(session_, std::move(session));
+    if (opening != Opening::another && session_before)
+        session_->rig->go_on_from(*session_before->rig,
+                                  same_fixtures(*session_before->show, *session_->show));
+    followers_ = {};
+    begin_controls();
+    const std::unique_ptr<LiveInput> before = std::move(input_);
+    look_ = std::make_unique<AppliedLook>(*session_);
+    motion_ = session_->show->motion;
+    input_ = std::make_unique<LiveInput>(receiver_.get(), timecode_.get());
+    listen_to_patch();
+    if (opening == Opening::another) {
+        wishes_.recording.clear();
+        played_.clear();
+    }
+    const std::filesystem::path played =
+        played_.empty() ? session_->show->recording : std::filesystem::path(played_);
+    if (auto loaded = input_->load_recording(played, session_->report); !loaded.ok())
+        session_->report.add(Severity::warning, loaded.error().where, loaded.error().what);
+    if (opening != Opening::another && before) input_->go_on_from(*before);
+    drawn_from_ = live_from_ = {};
+    work_lux_ = 0;
+    flies_ = false;
+    whole_for_ = {};
+    drawn_ = {};
+    if (opening == Opening::another) pace_ = Pace(session_->show->fixtures.size());
+    haze_ = {};
+    last_step_s_ = now_s();
+    messages_sent_ = 0;
+    if (opening != Opening::edit) { // those of the show before are none of this one
+        wishes_.look = {};
+        wishes_.explained.reset();
+    }
+    if (opening == Opening::another) {
+        wishes_.camera.width = 0;
+        clean();
+    }
+    publish_opened(opening);
+}
+
+// What programs left that were killed while they wrote.
+void Engine::clean() {
+    const scene::Show& show = *session_->show;
+    const std::size_t count = remove_leftovers(show.folder, show.folder, Below::left_alone) +
+                              remove_leftovers(show.cache_folder(), show.cache_home(), Below::included);
+    if (count > 0)
+        log_info("removed " + std::to_string(count) + " unfinished files of programs that were killed in " +
+                 show.folder.string());
+}
+
+void Engine::begin_controls() {
+    if (options_.controls.osc.empty()) return;
+    std::vector<std::string> cameras;
+    for (const scene::Camera& camera : session_->show->cameras) cameras.push_back(camera.name);
+    if (remote_) { // its faders stay where they are
+        remote_->know(std::move(cameras), session_->show->cues);
+        session_->live->set_haze(remote_wishes_.haze);
+        return;
+    }
+    const auto port = parse_port(options_.controls.osc, "--osc");
+    if (!port.ok()) return; // checked before
+    auto remote = RemoteInput::open(*port, std::move(cameras), session_->show->cues);
+    if (remote.ok())
+        remote_ = std::move(*remote);
+    else
+        session_->report.add(Severity::error, remote.error().where, remote.error().what);
+}
+
+} // namespace ghost::app

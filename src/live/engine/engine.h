@@ -1,0 +1,208 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Engine: the thread behind the window. It owns the session, the desk's receiver and the rig, draws what the
+// wishes ask for and puts news into the link; the window never waits for it. While the picture moves it has
+// as many pixels as the wanted rate allows (live/engine/pace.h); when it rests it is drawn once more, with
+// all of them.
+
+#include "link/link.h"
+#include "live/engine/followers.h"
+#include "live/engine/live_controls.h"
+#include "live/engine/pace.h"
+#include "live/inputs/live_input.h"
+#include "live/inputs/running_recording.h"
+#include "live/session/applied_look.h"
+#include "live/session/baked_view.h"
+#include "live/session/light_meter.h"
+#include "live/session/session.h"
+#include "trace/tracer.h"
+#include "xchange/xchange.h"
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+namespace ghost::app {
+
+struct EngineOptions {
+    SessionOptions session; // show, view and size come from the wishes
+    dmx::ReceiverOptions receiver;
+    bool listens = true;                   // to a desk
+    LiveControlOptions controls;           // remote control and trackers
+    std::string timecode;                  // what the recording follows; empty: nothing
+    std::optional<XchangeOptions> xchange; // where plots come from
+    bool takes_plots = false;              // at once, without asking
+};
+
+class Engine {
+public:
+    // Starts at once; the link must outlive it.
+    Engine(ui::Link& link, EngineOptions options);
+    // Waits for the frame, or the part of loading, that it is at.
+    ~Engine();
+    Engine(const Engine&) = delete;
+    Engine& operator=(const Engine&) = delete;
+
+private:
+    using Clock = std::chrono::steady_clock;
+    // Without a change, until the picture is drawn with all its pixels.
+    static constexpr double kRest_s = 0.2;
+
+    void run();
+    void step();
+    void wait(double step_begin_s);
+    void replace_device(const std::string& why);
+    void begin_inputs();
+    void listen();
+    void listen_to_patch();
+    SessionOptions session_options(const std::string& path) const;
+    void open(const std::string& path);
+    enum class Opening { another, newer_plot, edit }; // the latter two: of the show that is open
+    void adopt(std::unique_ptr<Session> session, Opening opening);
+    void clean();
+    void begin_controls();
+    void frame();
+    // A remote control and trackers, before the rig's step. True: the camera sees something else now.
+    bool apply_controls(double now_s);
+
+    // The show that is open has another text; engine_edits.cpp.
+    void take_edit();
+    void take_air(const scene::Show& edited);
+
+    // engine_recording.cpp
+    void hear(const dmx::Universes& universes, std::chrono::nanoseconds now);
+    void record();
+    void end_recording();
+    void choose_recording();
+
+    // engine_plots.cpp
+    void look_for_plots();
+    void take_plot();
+    // Beside the show that is drawn until then; adopt_reopened takes it.
+    void reopen(std::function<Result<std::unique_ptr<Session>>()> open);
+    void adopt_reopened();
+    void add_news(Severity severity, const std::string& where, const std::string& what);
+
+    // The camera for this frame: the wanted one, with fewer pixels while the picture moves, and as many as
+    // memory holds at most, which is said.
+    scene::Camera camera_for(double now_s);
+    bool is_moving(double now_s) const;
+    void fit_into_memory();
+    // engine_news.cpp
+    void publish_picture(const render::FrameStatistics& statistics, double draw_ms);
+    void publish_rig(double now_s);
+    void publish_explanation(double now_s);
+    // engine_baked.cpp
+    std::string needs_live() const;
+    bool has_work_light() const;
+    float wanted_work_lux() const;
+    bool choose_baked(double now_s);
+    void take_baked();
+    void forget_baked();
+    // That of the picture that is shown.
+    const render::Relighter& relighter() const {
+        return shows_baked_ ? baked_->relighter() : *session_->relighter;
+    }
+    render::FrameStatistics draw_live(double begin_s, double air_s);
+    render::FrameStatistics draw_baked(double begin_s, double air_s);
+    std::function<bool()> stop_of(double begin_s);
+    int lights_in(double frame_ms) const;
+    void learn_light_ms(const render::FrameStatistics& statistics, double draw_ms);
+    // engine_probe.cpp
+    std::shared_ptr<const image::Image8> false_colours();
+    const bake::Tracer& tracer();
+    void publish_probe(double now_s, bool drew);
+    void publish_picked();
+    void save_frame();
+    void publish_messages();
+    void publish_opened(Opening opening);
+    void publish_rest(double now_s, bool drew);
+    double now_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+    ui::Link& link_;
+    EngineOptions options_;
+    const Clock::time_point start_ = Clock::now();
+    ui::Wishes wishes_;
+    std::string tried_;                       // the show that was asked for last, open or not
+    std::uint64_t opens_ = 0;                 // of the wishes then
+    std::shared_ptr<const std::string> text_; // of it, likewise
+    // What the desk sends is recorded; the receiver's thread brings it.
+    std::mutex recording_mutex_;
+    std::unique_ptr<RunningRecording> recording_; // with recording_mutex_
+    std::string recording_to_;                    // as the wishes had it
+    std::string played_;                          // of the wishes: what is played instead of the show's own
+    std::unique_ptr<TimeCodeInput> timecode_;     // the receiver feeds it, and goes first
+    std::unique_ptr<dmx::Receiver> receiver_;
+    scene::PatchMap patch_; // of the session's show
+    std::vector<Message> of_receiver_;
+    std::vector<Message> news_;  // of what else belongs to no show
+    double listens_again_s_ = 0; // where a port was taken
+    int losses_ = 0;             // of the device
+    std::unique_ptr<TrackerInput> trackers_;
+    std::unique_ptr<Xchange> xchange_;
+    ui::ReceivedPlot plot_;        // the newest
+    std::uint64_t plot_taken_ = 0; // number of the last one that was
+    // A show that is opened while another one is drawn.
+    std::future<Result<std::unique_ptr<Session>>> reopening_;
+    Opening reopening_as_ = Opening::newer_plot;
+
+    // Of the show that is open.
+    std::unique_ptr<Session> session_;
+    std::unique_ptr<LiveInput> input_;
+    std::unique_ptr<AppliedLook> look_;
+    scene::Stage traced_stage_;
+    std::uint64_t traced_changes_ = 0;
+    std::unique_ptr<bake::Tracer> tracer_; // made when something is to be explained or measured
+    std::unique_ptr<LightMeter> meter_;    // made when lux are to be shown; refers to the picture
+    image::ImageF frame_;                  // cd/m^2 of the picture, made when they are asked for
+    ui::FalseColour false_colour_;         // of the picture that was published last
+    std::optional<glm::vec2> probed_place_;
+    double probed_s_ = 0;
+    std::uint64_t saved_frame_ = 0; // number
+    std::uint64_t picked_ = 0;      // likewise
+    std::unique_ptr<RemoteInput> remote_;
+    Followers followers_;
+    RemoteWishes remote_wishes_;         // those that hold
+    scene::Camera wanted_camera_;        // of the wishes, turned to the tracker that it follows
+    scene::Camera drawn_from_;           // the picture that is shown
+    ui::Framed framed_;                  // likewise
+    scene::Camera live_from_;            // the live one, which may not be shown
+    glm::ivec2 whole_{0}, whole_for_{0}; // pixels that memory holds of those that are wanted; of which wish
+    scene::Lit drawn_;
+    Pace pace_{0};
+    render::HazeQuality haze_;                                 // of the relighter
+    fixture::Motion motion_ = fixture::Motion::as_the_machine; // of the show
+    std::future<BakedPasses> baked_loading_;
+    std::unique_ptr<BakedView> baked_;
+    bool shows_baked_ = false;
+    std::string baked_for_, baked_stamp_; // camera, and which bake of it
+    std::string baked_why_not_, supply_, supply_sent_;
+    double baked_looked_s_ = 0;
+    bool is_unsaved_ = false;
+    double light_ms_ = 0;      // of a light that turns, where many do; 0: not known
+    bool sees_else_ = false;   // the live picture, since it was drawn last
+    bool was_resized_ = false; // by the frame that is drawn
+    double flew_s_ = -1;       // when its camera moved last
+    bool flies_ = false;       // drawn as Session::look_from says
+    float work_lux_ = 0;       // of the live picture's work light
+    double last_step_s_ = 0;
+    double air_s_ = 0; // age of the swirls
+    double last_change_s_ = 0;
+    double rig_sent_s_ = 0;
+    double explained_s_ = 0;
+    double verdicts_s_ = 0;
+    std::size_t messages_sent_ = 0;
+    std::uint64_t settled_ = 0;           // number of wishes
+    std::chrono::nanoseconds arrival_{0}; // of packets that no picture shows yet
+
+    std::atomic<bool> stop_{false};
+    std::thread thread_; // the last member: it uses all others
+};
+
+} // namespace ghost::app

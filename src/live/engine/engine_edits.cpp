@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edits of the show that is drawn: names, addresses and the air with the next frame, anything else by opening
+// the show anew beside the one that is drawn until then.
+#include "live/engine/engine.h"
+
+#include "files/files.h"
+#include "live/session/take_patch.h"
+#include "show_file/show_edit.h"
+
+namespace ghost::app {
+namespace {
+
+bool differs_in_quick_things_only(const Session& session, const std::shared_ptr<const std::string>& before,
+                                  const std::string& now) {
+    const Result<std::string> text =
+        before ? Result<std::string>(*before) : read_text_file(session.show->file, scene::kMaxShowBytes);
+    // The same text is taken because the files that it names are others.
+    return text.ok() && *text != now && scene::differ_in_fixtures_air_and_cues_only(*text, now);
+}
+
+} // namespace
+
+void Engine::take_edit() {
+    if (reopening_.valid()) return; // later
+    forget_baked();
+    const std::string& path = session_->options.show;
+    const bool is_quick = differs_in_quick_things_only(*session_, text_, *wishes_.text);
+    text_ = wishes_.text;
+    if (is_quick) {
+        Report report;
+        const auto edited = open_show(path, false, true, report, text_);
+        if (edited.ok() && take_patch(*session_, *edited, report)) {
+            listen_to_patch();
+            take_air(*edited);
+            if (remote_) begin_controls(); // it knows other cues now
+            drawn_ = {};
+            publish_opened(Opening::edit);
+            return;
+        }
+    }
+    link_.activity.put("taking the changes of " + path);
+    link_.on_news();
+    reopening_as_ = Opening::edit;
+    reopen([options = session_options(path)] { return open_session(options); });
+}
+
+void Engine::take_air(const scene::Show& edited) {
+    if (!look_->take_air(edited, *session_)) return;
+    session_->relighter->set_quality(haze_);
+    meter_.reset(); // it knows one air
+    sees_else_ = true;
+    last_change_s_ = now_s();
+}
+
+} // namespace ghost::app

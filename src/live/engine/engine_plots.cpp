@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plots that come from the network while a show is drawn: said, and merged into the show when somebody takes
+// them. The newer show is opened beside the older one, which is drawn until then.
+#include "live/engine/engine.h"
+
+#include "project/import_plot.h"
+
+namespace ghost::app {
+
+namespace {
+
+constexpr std::size_t kMostNews = 300; // messages that belong to no show
+
+// A show that names its plot gets the new one; whatever else is open, the plot is opened as it is.
+Result<std::unique_ptr<Session>> open_with_plot(SessionOptions options, const std::string& plot, bool merges,
+                                                const std::string& folder) {
+    Report report;
+    std::string merged;
+    if (merges) {
+        TRY(const scene::ImportedPlot imported, scene::import_plot(plot, folder, report));
+        if (imported.merge) merged = scene::text_of(*imported.merge);
+    }
+    TRY(std::unique_ptr<Session> session, open_session(options));
+    if (!merged.empty()) session->report.add(Severity::note, plot, "merged into the show: " + merged);
+    return session;
+}
+
+} // namespace
+
+void Engine::add_news(Severity severity, const std::string& where, const std::string& what) {
+    if (news_.size() >= kMostNews) news_.erase(news_.begin());
+    news_.push_back({severity, where, what});
+    if (session_)
+        publish_messages();
+    else
+        link_.messages.put(news_);
+    link_.on_news();
+}
+
+void Engine::look_for_plots() {
+    if (xchange_)
+        for (const XchangeEvent& event : xchange_->take()) {
+            const bool trouble = event.kind == XchangeEvent::Kind::trouble;
+            add_news(trouble ? Severity::warning : Severity::note,
+                     event.station.empty() ? "MVR-xchange" : "MVR-xchange, " + event.station,
+                     std::string(trouble ? "" : name_of(event.kind)) + (trouble ? "" : ": ") + event.text);
+            if (event.kind != XchangeEvent::Kind::received) continue;
+            plot_ = {plot_.number + 1, event.file.string(), event.station, event.comment};
+            link_.plot.put(plot_);
+            link_.on_news();
+        }
+    adopt_reopened();
+    take_plot();
+}
+
+void Engine::take_plot() {
+    const bool wanted = options_.takes_plots || wishes_.take_plot == plot_.number;
+    if (!wanted || plot_.number == plot_taken_ || reopening_.valid()) return;
+    plot_taken_ = plot_.number;
+    const scene::Show* const show = session_ ? session_->show.get() : nullptr;
+    const bool merges = show && !show->plot_file.empty() && show->file != show->plot_file;
+    const std::string path = merges ? show->file.string() : plot_.file;
+    link_.activity.put("taking over " + plot_.file);
+    link_.on_news();
+    reopening_as_ = Opening::newer_plot;
+    reopen([options = session_options(path), file = plot_.file, merges,
+            folder = show ? show->folder.string() : std::string()] {
+        return open_with_plot(options, file, merges, folder);
+    });
+}
+
+void Engine::adopt_reopened() {
+    if (!reopening_.valid() || reopening_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
+        return;
+    auto opened = reopening_.get();
+    link_.activity.put("");
+    if (!opened.ok()) {
+        add_news(Severity::error, opened.error().where, opened.error().what);
+        link_.failed.put(opened.error());
+        link_.on_news();
+        return;
+    }
+    adopt(std::move(*opened), session_ ? reopening_as_ : Opening::another);
+}
+
+} // namespace ghost::app

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/engine/followers.h"
+
+#include "base/log.h"
+
+#include <algorithm>
+
+namespace ghost::app {
+
+namespace {
+
+constexpr float kStill_m = 0.002f; // the G-buffer is drawn again for more
+constexpr float kTooNear_m = 0.1f; // to look at
+
+} // namespace
+
+std::optional<glm::vec3> tracked_point_m(const scene::Show& show, const scene::TrackerUse& use,
+                                         const dmx::Trackers& trackers) {
+    const dmx::Tracker* tracker =
+        use.id >= 0 ? trackers.find(static_cast<std::uint16_t>(use.id)) : trackers.find(use.name);
+    if (!tracker) return std::nullopt;
+    const auto& [x, y, z] = tracker->position_m;
+    return show.tracking.to_world({x, y, z}) + use.offset_m;
+}
+
+scene::Camera follow(const scene::Camera& camera, const scene::Show& show, const dmx::Trackers& trackers) {
+    scene::Camera turned = camera;
+    for (const scene::TrackerUse& use : show.tracking.uses) {
+        if (use.camera.empty() || use.camera != camera.name) continue;
+        const auto point_m = tracked_point_m(show, use, trackers);
+        if (!point_m || glm::distance(turned.target_m, *point_m) < kStill_m ||
+            glm::distance(turned.position_m, *point_m) < kTooNear_m)
+            continue;
+        turned.target_m = *point_m;
+    }
+    return turned;
+}
+
+void Followers::move_objects(Session& session, const scene::TrackerUse& use, const glm::vec3& point_m,
+                             Home& home) {
+    if (!session.live) {
+        if (!std::exchange(said_passes_, true))
+            log_warning("trackers: objects of baked passes do not move; --live draws them anywhere");
+        return;
+    }
+    if (!home.known) {
+        home.known = true;
+        home.at_m = session.live->track(use.objects);
+        if (home.at_m && use.home_m) home.at_m = use.home_m;
+        if (!home.at_m) {
+            const std::size_t said = session.report.messages.size();
+            session.report.add(Severity::error, use.where,
+                               "[[tracker]] objects names no object of the stage");
+            print_report(session.report, said);
+        }
+    }
+    if (home.at_m) session.live->move_tracked(use.objects, point_m - *home.at_m);
+}
+
+void Followers::apply(Session& session, const dmx::Trackers& trackers) {
+    const scene::Show& show = *session.show;
+    homes_.resize(show.tracking.uses.size());
+    for (std::size_t k = 0; k < show.tracking.uses.size(); ++k) {
+        const scene::TrackerUse& use = show.tracking.uses[k];
+        const auto point_m = tracked_point_m(show, use, trackers);
+        if (!point_m) continue;
+        for (std::size_t i = 0; i < show.fixtures.size(); ++i)
+            if (std::find(use.fixtures.begin(), use.fixtures.end(), show.fixtures[i].name) !=
+                use.fixtures.end())
+                session.rig->aim_at(i, *point_m);
+        if (!use.objects.empty()) move_objects(session, use, *point_m, homes_[k]);
+    }
+}
+
+} // namespace ghost::app

@@ -1,0 +1,38 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Followers: what moves with the trackers of a stage, as the show's [[tracker]] entries say: heads that aim,
+// objects that go along, cameras that look. What was not heard of yet leaves all as it is. One session; its
+// thread.
+
+#include "dmx/wire/psn.h"
+#include "live/session/session.h"
+
+#include <optional>
+#include <vector>
+
+namespace ghost::app {
+
+class Followers {
+public:
+    // Heads and objects, before the rig's step.
+    void apply(Session& session, const dmx::Trackers& trackers);
+
+private:
+    struct Home {
+        bool known = false;
+        std::optional<glm::vec3> at_m; // none: no such object
+    };
+    void move_objects(Session& session, const scene::TrackerUse& use, const glm::vec3& point_m, Home& home);
+
+    std::vector<Home> homes_; // of the objects of each entry
+    bool said_passes_ = false;
+};
+
+// Where the tracker of an entry is, in the show, with its offset; nothing before it was heard.
+std::optional<glm::vec3> tracked_point_m(const scene::Show& show, const scene::TrackerUse& use,
+                                         const dmx::Trackers& trackers);
+
+// The camera turned to what it follows; the same one where it follows nothing, or all but stands there.
+scene::Camera follow(const scene::Camera& camera, const scene::Show& show, const dmx::Trackers& trackers);
+
+} // namespace ghost::app

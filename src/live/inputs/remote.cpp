@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/inputs/remote.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::app {
+
+namespace {
+
+constexpr std::string_view kOurs = "/ghostlight/";
+constexpr float kLatest_s = 366.0f * 86400.0f;
+
+// A number between low and high; a truth value counts as 0 or 1.
+Result<float> number_of(const dmx::OscMessage& message, std::size_t index, float low, float high) {
+    double value = std::nan("");
+    if (index < message.arguments.size()) {
+        if (const double* number = std::get_if<double>(&message.arguments[index])) value = *number;
+        if (const bool* truth = std::get_if<bool>(&message.arguments[index])) value = *truth ? 1.0 : 0.0;
+    }
+    if (value >= static_cast<double>(low) && value <= static_cast<double>(high))
+        return static_cast<float>(value);
+    char expected[64];
+    std::snprintf(expected, sizeof expected, "expected a number from %g to %g", static_cast<double>(low),
+                  static_cast<double>(high));
+    return Error{expected, message.address};
+}
+
+} // namespace
+
+// By name, or by number from 1; then seconds of the flight there.
+Result<void> Remote::recall_camera(const dmx::OscMessage& message) {
+    std::size_t index = cameras_.size();
+    if (!message.arguments.empty()) {
+        if (const std::string* name = std::get_if<std::string>(&message.arguments[0])) {
+            const auto found = std::find(cameras_.begin(), cameras_.end(), *name);
+            index = static_cast<std::size_t>(found - cameras_.begin());
+        } else if (const auto number = number_of(message, 0, 1.0f, static_cast<float>(cameras_.size()));
+                   number.ok()) {
+            index = static_cast<std::size_t>(*number) - 1;
+        }
+    }
+    if (index >= cameras_.size())
+        return Error{"expected the name of a camera, or its number from 1 to " +
+                         std::to_string(cameras_.size()),
+                     message.address};
+    float flight_s = 0;
+    if (message.arguments.size() > 1) {
+        TRY(flight_s, number_of(message, 1, 0.0f, kLongestFlight_s));
+    }
+    wishes_.camera = RemoteCamera{index, flight_s};
+    ++wishes_.calls;
+    return {};
+}
+
+// By name or number from 1; or, steps other than 0, so many after the last one.
+Result<void> Remote::call_cue(const dmx::OscMessage& message, int steps) {
+    if (cues_.empty()) return Error{"the show has no [[cue]]", message.address};
+    std::size_t index = cues_.size();
+    if (steps != 0) {
+        // Before the first call, "go" is the first one.
+        const auto last = static_cast<int>(cues_.size()) - 1;
+        const int next = cue_ ? static_cast<int>(*cue_) + steps : 0;
+        if (next < 0 || next > last)
+            return Error{next < 0 ? "this is the first cue" : "this was the last cue", message.address};
+        index = static_cast<std::size_t>(next);
+    } else if (!message.arguments.empty()) {
+        if (const std::string* name = std::get_if<std::string>(&message.arguments[0])) {
+            const auto found = std::find_if(cues_.begin(), cues_.end(),
+                                            [&](const scene::Cue& cue) { return cue.name == *name; });
+            index = static_cast<std::size_t>(found - cues_.begin());
+        } else if (const auto number = number_of(message, 0, 1.0f, static_cast<float>(cues_.size()));
+                   number.ok()) {
+            index = static_cast<std::size_t>(*number) - 1;
+        }
+    }
+    if (index >= cues_.size())
+        return Error{"expected the name of a cue, or its number from 1 to " + std::to_string(cues_.size()),
+                     message.address};
+    cue_ = index;
+    const scene::Cue& cue = cues_[index];
+    if (cue.at_s) {
+        wishes_.at_s = *cue.at_s;
+        ++wishes_.jumps;
+    }
+    const auto camera = std::find(cameras_.begin(), cameras_.end(), cue.camera);
+    if (camera == cameras_.end()) return {}; // none, or one that the show does not have, which was said
+    wishes_.camera = RemoteCamera{static_cast<std::size_t>(camera - cameras_.begin()), cue.flight_s};
+    ++wishes_.calls;
+    return {};
+}
+
+Result<void> Remote::apply(const dmx::OscMessage& message) {
+    const std::string_view address = message.address;
+    const std::string_view what =
+        address.starts_with(kOurs) ? address.substr(kOurs.size()) : std::string_view();
+    if (what == "camera") return recall_camera(message);
+    if (what == "cue") return call_cue(message, 0);
+    // A button sends 1 when it is pressed and 0 when it is let go.
+    if (what == "cue/go" || what == "cue/back") {
+        if (!message.arguments.empty()) {
+            TRY(const float value, number_of(message, 0, 0.0f, 1.0f));
+            if (value < 0.5f) return {};
+        }
+        return call_cue(message, what == "cue/go" ? 1 : -1);
+    }
+    if (what == "master") {
+        TRY(wishes_.master, number_of(message, 0, 0.0f, 1.0f));
+    } else if (what == "haze") {
+        TRY(wishes_.haze, number_of(message, 0, 0.0f, kThickestHaze));
+    } else if (what == "recording") {
+        TRY(const float at_s, number_of(message, 0, 0.0f, kLatest_s));
+        wishes_.at_s = static_cast<double>(at_s);
+        ++wishes_.jumps;
+    } else if (what == "exposure") {
+        TRY(wishes_.ev100, number_of(message, 0, -10.0f, 20.0f));
+    } else if (what == "exposure/auto") {
+        wishes_.ev100.reset();
+    } else if (what == "tone" && message.arguments.empty()) {
+        wishes_.tone.reset();
+    } else if (what == "tone") {
+        const std::string* name = std::get_if<std::string>(&message.arguments[0]);
+        const Result<image::Tone> tone = image::tone_from(name ? *name : "");
+        if (!tone.ok()) return Error{tone.error().what, message.address};
+        wishes_.tone = *tone;
+    } else if (what == "blackout") {
+        // A button without a value blacks out; faders and buttons send 0 or 1.
+        if (message.arguments.empty()) {
+            wishes_.blackout = true;
+        } else {
+            TRY(const float value, number_of(message, 0, 0.0f, 1.0f));
+            wishes_.blackout = value >= 0.5f;
+        }
+    } else {
+        return Error{
+            "is no address of ours; they are /ghostlight/camera, cue, cue/go, cue/back, recording, master, "
+            "blackout, haze, exposure, exposure/auto and tone",
+            message.address};
+    }
+    return {};
+}
+
+} // namespace ghost::app

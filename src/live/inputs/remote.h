@@ -1,0 +1,66 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Remote: what a remote control asks of a live picture, by the OSC addresses of docs/inputs.md. Knows no
+// socket and no picture: messages in, wishes out. It changes what is seen, never a file.
+
+#include "base/result.h"
+#include "dmx/wire/osc.h"
+#include "image/tone.h"
+#include "show/cues.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ghost::app {
+
+inline constexpr float kThickestHaze = 20.0f; // times the show's
+inline constexpr float kLongestFlight_s = 60.0f;
+
+struct RemoteCamera {
+    std::size_t index = 0; // of the show's cameras
+    float flight_s = 0;    // 0: a cut
+};
+
+struct RemoteWishes {
+    float master = 1; // 0..1, of all lamps
+    bool blackout = false;
+    float haze = 1;                     // times the show's density
+    std::optional<float> ev100;         // instead of the camera's exposure
+    std::optional<image::Tone> tone;    // instead of the one that was chosen
+    std::optional<RemoteCamera> camera; // the last one asked for
+    std::size_t calls = 0;              // of cameras: the same one may be asked for again
+    double at_s = 0;                    // of the recording: the last place asked for
+    std::size_t jumps = 0;              // to such places
+
+    float light() const { return blackout ? 0.0f : master; }
+};
+
+class Remote {
+public:
+    // cameras: names, in the order of the show.
+    explicit Remote(std::vector<std::string> cameras, std::vector<scene::Cue> cues = {})
+        : cameras_(std::move(cameras)), cues_(std::move(cues)) {}
+
+    // Error: an address that is none of ours, or a value that it does not take; wishes stay as they were.
+    Result<void> apply(const dmx::OscMessage& message);
+    const RemoteWishes& wishes() const { return wishes_; }
+    // Another show's; the wishes stay.
+    void know(std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
+        cameras_ = std::move(cameras);
+        cues_ = std::move(cues);
+        cue_.reset();
+    }
+
+private:
+    Result<void> recall_camera(const dmx::OscMessage& message);
+    Result<void> call_cue(const dmx::OscMessage& message, int steps);
+
+    std::vector<std::string> cameras_;
+    std::vector<scene::Cue> cues_;
+    std::optional<std::size_t> cue_; // called last
+    RemoteWishes wishes_;
+};
+
+} // namespace ghost::app

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/inputs/remote_input.h"
+
+#include "base/log.h"
+
+#include <charconv>
+
+namespace ghost::app {
+
+namespace {
+
+constexpr int kReceiveBufferBytes = 128 << 10;
+constexpr int kMostBatchesPerPoll = 4; // of 64 packets
+constexpr double kQuiet_s = 5;
+constexpr std::size_t kMostLettersShown = 80;
+
+// Text that somebody on the network chose, fit for a terminal.
+std::string printable(std::string text) {
+    if (text.size() > kMostLettersShown) text = text.substr(0, kMostLettersShown) + "..";
+    for (char& letter : text)
+        if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F) letter = '?';
+    return text;
+}
+
+} // namespace
+
+Result<PortOption> parse_port(const std::string& text, const std::string& option) {
+    PortOption result;
+    const std::size_t colon = text.rfind(':');
+    const std::string number = colon == std::string::npos ? text : text.substr(colon + 1);
+    if (colon != std::string::npos) {
+        const auto address = dmx::parse_ipv4(text.substr(0, colon));
+        if (!address.ok()) return Error{address.error().what, option};
+        result.ipv4 = *address;
+    }
+    const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), result.port);
+    if (failed != std::errc() || end != number.data() + number.size() || result.port == 0)
+        return Error{
+            "'" + text +
+                "', expected a UDP port like 9000, or an address of ours and a port like 0.0.0.0:9000",
+            option};
+    return result;
+}
+
+Result<std::unique_ptr<RemoteInput>>
+RemoteInput::open(const PortOption& where, std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
+    TRY(auto socket, dmx::UdpSocket::open(where.ipv4, where.port, kReceiveBufferBytes));
+    return std::unique_ptr<RemoteInput>(
+        new RemoteInput(std::move(socket), Remote(std::move(cameras), std::move(cues))));
+}
+
+void RemoteInput::complain(const std::string& text, double now_s) {
+    if (now_s < quiet_until_s_) {
+        ++unsaid_;
+        return;
+    }
+    const std::string more =
+        unsaid_ > 0 ? " (and " + std::to_string(unsaid_) + " more since the last one)" : "";
+    log_warning("remote control: " + printable(text) + more);
+    quiet_until_s_ = now_s + kQuiet_s;
+    unsaid_ = 0;
+}
+
+const RemoteWishes& RemoteInput::poll(double now_s) {
+    for (int batch = 0; batch < kMostBatchesPerPoll; ++batch) {
+        const auto datagrams = socket_->receive();
+        if (datagrams.empty()) break;
+        for (const dmx::Datagram& datagram : datagrams) {
+            const dmx::OscPacket packet = dmx::parse_osc(datagram.bytes);
+            if (packet.malformed > 0)
+                complain("a packet of " + dmx::address_text(datagram.from) + " is no OSC", now_s);
+            for (const dmx::OscMessage& message : packet.messages)
+                if (const auto done = remote_.apply(message); !done.ok())
+                    complain(done.error().text(), now_s);
+        }
+    }
+    return remote_.wishes();
+}
+
+} // namespace ghost::app

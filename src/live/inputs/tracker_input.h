@@ -1,0 +1,32 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// TrackerInput: PosiStageNet by multicast, read by the thread that draws, between two frames. Never sends.
+// Bounded: what comes faster than it is read is dropped by the kernel.
+
+#include "base/result.h"
+#include "dmx/wire/psn.h"
+#include "net/socket.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace ghost::app {
+
+class TrackerInput {
+public:
+    // interface: name or address of one of ours; empty: all of them.
+    static Result<std::unique_ptr<TrackerInput>> open(const std::string& interface,
+                                                      std::uint16_t port = dmx::kPsnPort);
+
+    const dmx::Trackers& poll();
+
+private:
+    explicit TrackerInput(std::unique_ptr<dmx::UdpSocket> socket) : socket_(std::move(socket)) {}
+
+    std::unique_ptr<dmx::UdpSocket> socket_;
+    dmx::Trackers trackers_;
+    bool said_foreign_ = false;
+};
+
+} // namespace ghost::app

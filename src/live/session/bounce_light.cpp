@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/session/bounce_light.h"
+
+#include "bake/keys.h"
+#include "base/interrupt.h"
+#include "bounce/bounce_box.h"
+#include "bounce/bounce_file.h"
+#include "bounce/bounce_solver.h"
+#include "files/files.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <exception>
+#include <map>
+#include <utility>
+
+namespace ghost::app {
+namespace {
+
+constexpr float kBesideLamp_m = 0.5f; // there is air
+constexpr int kPasses = 2;
+
+double now_ms() {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+glm::vec3 place_of(const shared::Light& light) {
+    return light.position_m - light.off_map_m;
+}
+
+bool same_lights(const std::vector<shared::Light>& a, const std::vector<shared::Light>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0);
+}
+
+bool same_slides(const std::vector<shared::SlidePicture>& a, const std::vector<shared::SlidePicture>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const auto& one, const auto& other) { return one.levels == other.levels; });
+}
+
+bake::BounceOptions options_of(scene::BounceDetail level) {
+    bake::BounceOptions options;
+    if (level == scene::BounceDetail::room) {
+        options.most_surfels /= 4;
+        options.most_cells /= 4;
+    } else if (level == scene::BounceDetail::fine) {
+        options.most_surfels *= 3;
+        options.most_cells *= 3;
+    }
+    return options;
+}
+
+// Where the lights of the show look; made when a light is first somewhere.
+class Sights {
+public:
+    Sights(const bake::Tracer& tracer, const scene::Bounce& bounce)
+        : tracer_(tracer), bounce_(bounce), index_(bounce) {}
+
+    const scene::LampSight* of(const glm::vec3& place_m) {
+        constexpr std::size_t kMost = 4096;
+        if (known_.size() >= kMost) known_.clear(); // lamps that travel
+        auto& sight = known_[{place_m.x, place_m.y, place_m.z}];
+        if (!sight)
+            sight = std::make_unique<scene::LampSight>(bake::lamp_sight(tracer_, bounce_, index_, place_m));
+        return sight.get();
+    }
+
+private:
+    const bake::Tracer& tracer_;
+    const scene::Bounce& bounce_;
+    const bake::SurfelIndex index_;
+    std::map<std::array<float, 3>, std::unique_ptr<scene::LampSight>> known_;
+};
+
+} // namespace
+
+BounceLight::BounceLight(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
+                         const std::vector<shared::Light>& lights, const shared::Gobos& gobos)
+    : stage_(stage), fixtures_(show.fixtures.size()), home_(show.folder),
+      file_(scene::bounce_file(show, level)), options_(options_of(level)),
+      passes_(level == scene::BounceDetail::fine ? kPasses + 1 : kPasses), gobos_(gobos) {
+    options_.box = scene::bounce_box(stage, lights);
+    options_.stop = [this] { return stop_ || interrupted(); };
+    options_.progress = [this](double share) { share_ = share; };
+    for (const shared::Light& light : lights) {
+        options_.seeds_m.push_back(place_of(light));
+        for (const float aside_m : {-kBesideLamp_m, kBesideLamp_m}) // whatever stands round its middle
+            options_.seeds_m.push_back(place_of(light) + glm::vec3(0, 0, aside_m));
+    }
+    for (const scene::Camera& camera : show.cameras) options_.seeds_m.push_back(camera.position_m);
+    thread_ = std::thread([this] { run(); });
+}
+
+BounceLight::~BounceLight() {
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+std::shared_ptr<const scene::BounceVolumes> BounceLight::update(const std::vector<shared::Light>& lights,
+                                                                const shared::Gobos& gobos,
+                                                                const shared::Haze& haze,
+                                                                const glm::vec3& eye_m, bool waits) {
+    const bool same = asked_.number > 0 && eye_m == asked_.eye_m && same_lights(lights, asked_.lights) &&
+                      std::memcmp(&haze, &asked_.haze, sizeof haze) == 0 &&
+                      same_slides(gobos.slides, asked_.slides);
+    if (!same) asked_ = {lights, gobos.slides, haze, eye_m, asked_.number + 1};
+    std::unique_lock lock(mutex_);
+    if (failed_) return nullptr;
+    if (!same) {
+        wanted_ = asked_;
+        changed_.notify_all();
+    }
+    if (waits) changed_.wait(lock, [&] { return solved_number_ == asked_.number || failed_ || stop_; });
+    return std::exchange(solved_, nullptr);
+}
+
+std::optional<Error> BounceLight::take_failure() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(failure_, std::nullopt);
+}
+
+// Raise kVersion when the same stage gives other links than before.
+std::string BounceLight::key() const {
+    constexpr int kVersion = 1;
+    bake::Hasher hash;
+    hash.value(kVersion);
+    hash.text(bake::stage_keys(stage_, fixtures_).stage);
+    hash.bytes(&options_.box, sizeof options_.box);
+    hash.list(options_.seeds_m);
+    hash.value(options_.most_cells);
+    hash.value(options_.most_surfels);
+    return hash.hex();
+}
+
+Result<void> BounceLight::make_links(const bake::Tracer& tracer) {
+    const std::string wanted = key();
+    const auto complain = [&](const Error& error) {
+        const std::lock_guard lock(mutex_);
+        failure_ = error;
+    };
+    auto kept = scene::read_bounce(file_, wanted);
+    if (!kept.ok()) complain(kept.error());
+    if (kept.ok() && *kept) {
+        bounce_ = std::move(**kept);
+        made_ = true;
+        return {};
+    }
+    TRY(bounce_, bake::make_bounce(tracer, options_));
+    Result<void> written = make_folders(file_.parent_path(), home_);
+    if (written.ok()) written = scene::write_bounce(file_, wanted, bounce_);
+    if (!written.ok())
+        complain({written.error().what + "; the links of bounced light are not kept", written.error().where});
+    made_ = true;
+    return {};
+}
+
+void BounceLight::run() {
+    try {
+        const bake::Tracer tracer(stage_);
+        const Result<void> made = make_links(tracer);
+        if (!made.ok()) {
+            const std::lock_guard lock(mutex_);
+            if (!stop_) failure_ = Error{made.error().what + "; no light bounces", made.error().where};
+            failed_ = true;
+            made_ = true;
+            changed_.notify_all();
+            return;
+        }
+        scene::BounceSolver solver(bounce_);
+        Sights sights(tracer, bounce_);
+        for (;;) {
+            Wanted wanted;
+            {
+                std::unique_lock lock(mutex_);
+                changed_.wait(lock, [&] { return stop_ || wanted_; });
+                if (stop_) return;
+                wanted = std::move(*std::exchange(wanted_, std::nullopt));
+            }
+            const double begin_ms = now_ms();
+            solver.set_haze(wanted.haze);
+            gobos_.slides = wanted.slides;
+            std::vector<const scene::LampSight*> of_lights;
+            for (const shared::Light& light : wanted.lights) of_lights.push_back(sights.of(place_of(light)));
+            const scene::BounceSolution& solution = solver.solve(wanted.lights, of_lights, gobos_, passes_);
+            auto volumes = std::make_shared<scene::BounceVolumes>();
+            fill_lux(bounce_, solution, *volumes);
+            fill_glow(bounce_, solution, wanted.eye_m, *volumes);
+            volumes->extinction_per_m = solver.air().extinction_per_m;
+            solve_ms_ = now_ms() - begin_ms;
+            const std::lock_guard lock(mutex_);
+            solved_ = std::move(volumes);
+            solved_number_ = wanted.number;
+            changed_.notify_all();
+        }
+    } catch (const std::exception& problem) { // no memory: the picture goes on without
+        const std::lock_guard lock(mutex_);
+        failure_ = Error{std::string(problem.what()) + "; no light bounces", "bounced light"};
+        failed_ = true;
+        made_ = true;
+        changed_.notify_all();
+    }
+}
+
+} // namespace ghost::app

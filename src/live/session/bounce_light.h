@@ -1,0 +1,80 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// BounceLight: the bounced light of a session, on a thread of its own: links are made first (bake/bounce.h),
+// then lights are solved as they change, the newest first. Pictures go on meanwhile. Calls from one thread;
+// show and stage must outlive it and must not change but for what is shown.
+
+#include "bake/bounce.h"
+#include "base/result.h"
+#include "bounce/bounce_detail.h"
+#include "bounce/bounce_volumes.h"
+#include "shared/gobos.h"
+#include "shared/types.h"
+#include "show/show.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace ghost::app {
+
+class BounceLight {
+public:
+    // lights: all of the show, wherever they point; gobos: those of their gates.
+    BounceLight(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
+                const std::vector<shared::Light>& lights, const shared::Gobos& gobos);
+    ~BounceLight();
+    BounceLight(const BounceLight&) = delete;
+    BounceLight& operator=(const BounceLight&) = delete;
+
+    // Solved since the last call, or null. Slides of the gobos may be others than before. waits: for the
+    // solution of these lights, and for the links.
+    std::shared_ptr<const scene::BounceVolumes> update(const std::vector<shared::Light>& lights,
+                                                       const shared::Gobos& gobos, const shared::Haze& haze,
+                                                       const glm::vec3& eye_m, bool waits);
+    bool is_making_links() const { return !made_; }
+    double made_share() const { return share_; }
+    // Milliseconds that the thread took for the last solution.
+    double solve_ms() const { return solve_ms_; }
+    // Once: why there is none, or why its links could not be kept.
+    std::optional<Error> take_failure();
+
+private:
+    struct Wanted {
+        std::vector<shared::Light> lights;
+        std::vector<shared::SlidePicture> slides;
+        shared::Haze haze{};
+        glm::vec3 eye_m{0};
+        std::uint64_t number = 0;
+    };
+    void run();
+    Result<void> make_links(const bake::Tracer& tracer);
+    std::string key() const;
+
+    const scene::Stage& stage_;
+    const std::size_t fixtures_;
+    const std::filesystem::path home_, file_; // the show's folder, the links'
+    bake::BounceOptions options_;
+    int passes_;
+    shared::Gobos gobos_;  // of the thread
+    scene::Bounce bounce_; // likewise
+    Wanted asked_;         // last
+    std::atomic<bool> stop_{false}, made_{false};
+    std::atomic<double> share_{0}, solve_ms_{0};
+    std::mutex mutex_; // of all below
+    std::condition_variable changed_;
+    std::optional<Wanted> wanted_;
+    std::shared_ptr<const scene::BounceVolumes> solved_;
+    std::uint64_t solved_number_ = 0;
+    std::optional<Error> failure_;
+    bool failed_ = false;
+    std::thread thread_; // the last member: it uses all others
+};
+
+} // namespace ghost::app

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/session/light_meter.h"
+
+#include "light/illuminance.h"
+#include "shared/develop.h"
+#include "show/camera_moves.h"
+
+#include <cmath>
+
+namespace ghost::app {
+namespace {
+
+constexpr std::uint64_t kFewImages = 1; // bytes: it keeps none
+
+// Even light comes from everywhere.
+float even_lux(const scene::Show& show) {
+    return shared::luminance_of(show.ambient_colour) * show.ambient_lux;
+}
+
+} // namespace
+
+LightMeter::LightMeter(const Session& session) : session_(session) {
+    render::Settings settings = draw_settings(*session.show, session.live->camera(), session.options);
+    settings.illuminance = true;
+    settings.air = false;
+    settings.lens.on = false;
+    settings.glare.strength = 0;
+    settings.reuse = false;
+    settings.beams.most_wide_step = 1;
+    settings.image_memory_bytes = kFewImages;
+    relighter_ = std::make_unique<render::Relighter>(*session.device, session.live->g_buffer(),
+                                                     session.live->distances(), session.gobos.images,
+                                                     static_cast<int>(session.lit().lights.size()), settings);
+}
+
+image::ImageF LightMeter::lux_picture(const scene::Lit& lit) {
+    relighter_->set_air(air_of(*session_.show, 0));
+    relighter_->set_slides(session_.gobos.images.slides);
+    relighter_->draw(lit);
+    image::ImageF lux = luminance_of(relighter_->frame());
+    const float even = even_lux(*session_.show);
+    for (float& value : lux.samples) value += even;
+    return lux;
+}
+
+image::ImageF luminance_of(const image::ImageF& frame) {
+    image::ImageF luminance(frame.width, frame.height, 1);
+    for (std::size_t i = 0; i < luminance.samples.size(); ++i)
+        luminance.samples[i] =
+            shared::luminance_of({frame.samples[3 * i], frame.samples[3 * i + 1], frame.samples[3 * i + 2]});
+    return luminance;
+}
+
+bake::Surface surface_on(const glm::vec3& from_m, const glm::vec3& way, const bake::Tracer& tracer) {
+    // Half of what blended surfaces cover is seen.
+    return tracer.first_hit(from_m, way, 0.5f, bake::Sees::everything);
+}
+
+bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, const bake::Tracer& tracer) {
+    return surface_on(camera.position_m, scene::way_through(camera, place), tracer);
+}
+
+float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const scene::Show& show,
+             const scene::GoboStack& gobos, const bake::Tracer* tracer) {
+    const scene::LitAir air{haze_of(show),
+                            {show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic}};
+    glm::vec3 sum(0);
+    for (const shared::Light& light : lights) {
+        const glm::vec3 arrives =
+            scene::illuminance(light, surface.position, surface.facet_normal, gobos.images, air);
+        if (arrives == glm::vec3(0)) continue;
+        float share = 1;
+        const bake::Surface* const one = &surface;
+        // The light's own shadow begins where its distance map was made.
+        if (tracer) tracer->visibility(&one, 1, light.position_m - light.off_map_m, &share);
+        sum += arrives * share;
+    }
+    return shared::luminance_of(sum) + even_lux(show);
+}
+
+float lux_at(const bake::Surface& surface, const scene::Lit& lit, const Session& session,
+             const bake::Tracer& tracer) {
+    return lux_at(surface, lit.lights, *session.show, session.gobos, session.shadows ? &tracer : nullptr);
+}
+
+} // namespace ghost::app

@@ -1,0 +1,44 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// LightMeter: what a light meter would show. lux_picture: illuminance of every surface that a free camera
+// sees, with the shadows of its distance maps and the haze between lamp and surface; drawn on the device.
+// lux_at: the same at one place, by rays. Even light is added to both. Lux; main thread; the session must
+// outlive it.
+
+#include "image/image.h"
+#include "live/session/session.h"
+#include "trace/tracer.h"
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+
+namespace ghost::app {
+
+class LightMeter {
+public:
+    // For the picture that the session has now: another size needs another meter.
+    explicit LightMeter(const Session& session);
+
+    // One channel. lit: what Session::lit gives.
+    image::ImageF lux_picture(const scene::Lit& lit);
+
+private:
+    const Session& session_;
+    std::unique_ptr<render::Relighter> relighter_;
+};
+
+// cd/m^2 of each pixel, from what Relighter::frame gives; one channel.
+image::ImageF luminance_of(const image::ImageF& frame);
+
+// What an eye sees on its way (a unit vector), or a camera through a point of its picture, (0, 0) its top
+// left corner; instance -1: nothing but air.
+bake::Surface surface_on(const glm::vec3& from_m, const glm::vec3& way, const bake::Tracer& tracer);
+bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, const bake::Tracer& tracer);
+// tracer: null: nothing throws a shadow.
+float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const scene::Show& show,
+             const scene::GoboStack& gobos, const bake::Tracer* tracer);
+float lux_at(const bake::Surface& surface, const scene::Lit& lit, const Session& session,
+             const bake::Tracer& tracer);
+
+} // namespace ghost::app

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects that go with trackers and objects that hands hide or show: on the device, and in the distance maps
+// of the lights that see them.
+#include "live/session/live_view.h"
+
+#include "base/text.h"
+#include "files/files.h"
+#include "files/own_folder.h"
+#include "passes/distance_maps_file.h"
+#include "stage/overrides.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <set>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace ghost::app {
+
+namespace {
+
+constexpr float kStill_m = 0.002f;     // in the picture
+constexpr float kShadowStep_m = 0.01f; // maps are made again for more
+
+bool any_matches(const std::vector<std::string>& patterns, const std::string& name) {
+    return std::any_of(patterns.begin(), patterns.end(),
+                       [&](const std::string& pattern) { return matches(pattern, name); });
+}
+
+} // namespace
+
+// As [[object]] does: the name of the object, else that of its mesh.
+std::vector<std::size_t> LiveView::objects_named(const std::vector<std::string>& patterns) const {
+    std::vector<std::size_t> by_name, by_mesh;
+    for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
+        const scene::Instance& instance = stage_.instances[i];
+        if (instance.fixture != scene::kNone || instance.mesh < 0) continue;
+        if (any_matches(patterns, instance.name))
+            by_name.push_back(i);
+        else if (any_matches(patterns, stage_.meshes[static_cast<std::size_t>(instance.mesh)].name))
+            by_mesh.push_back(i);
+    }
+    return by_name.empty() ? by_mesh : by_name;
+}
+
+std::optional<glm::vec3> LiveView::track(const std::vector<std::string>& patterns) {
+    glm::vec3 low_m(std::numeric_limits<float>::max()), high_m(-low_m);
+    for (const std::size_t i : objects_named(patterns)) {
+        const scene::Instance& instance = stage_.instances[i];
+        for (const glm::vec3& position : stage_.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
+            const glm::vec3 at_m(instance.world * glm::vec4(position, 1.0f));
+            low_m = glm::min(low_m, at_m);
+            high_m = glm::max(high_m, at_m);
+        }
+        model_.mark_moving(i);
+    }
+    if (low_m.x > high_m.x) return std::nullopt;
+    return glm::vec3(0.5f * (low_m.x + high_m.x), 0.5f * (low_m.y + high_m.y), low_m.z);
+}
+
+void LiveView::move_tracked(const std::vector<std::string>& patterns, const glm::vec3& by_m) {
+    for (const std::size_t i : objects_named(patterns)) {
+        glm::vec3& moved_m = moved_m_[i];
+        if (glm::distance(moved_m, by_m) < kStill_m) continue;
+        moved_m = by_m;
+        model_.move(i, glm::translate(glm::mat4(1.0f), by_m) * stage_.instances[i].world);
+    }
+}
+
+void LiveView::show(std::size_t instance, bool shown) {
+    model_.show(instance, shown);
+    if (instance >= stage_.instances.size()) return;
+    const auto by_hand = shown_by_hand_.find(instance);
+    const bool before = by_hand == shown_by_hand_.end() ? stage_.instances[instance].shown : by_hand->second;
+    if (shown == before) return;
+    ++shown_changes_;
+    if (shown == stage_.instances[instance].shown)
+        shown_by_hand_.erase(instance);
+    else
+        shown_by_hand_[instance] = shown;
+}
+
+scene::Stage LiveView::solid_now() const {
+    scene::Stage stage = stage_;
+    for (const auto& [instance, shown] : shown_by_hand_) stage.instances[instance].shown = shown;
+    for (const auto& [instance, by_m] : moved_m_)
+        stage.instances[instance].world =
+            glm::translate(glm::mat4(1.0f), by_m) * stage.instances[instance].world;
+    return scene::visible(std::move(stage));
+}
+
+void LiveView::begin_changed_maps() {
+    const auto mapped = [&](const auto& entry) {
+        const auto place = mapped_m_.find(entry.first);
+        const glm::vec3 then_m = place == mapped_m_.end() ? glm::vec3(0) : place->second;
+        return glm::distance(then_m, entry.second) < kShadowStep_m;
+    };
+    if (!distances_ ||
+        (std::all_of(moved_m_.begin(), moved_m_.end(), mapped) && shown_by_hand_ == mapped_shown_))
+        return;
+    if (changed_show_.cache_name.empty()) {
+        changed_show_ = show_;
+        changed_show_.stage = {};
+        changed_show_.cache_name = (show_.cache_name.empty() ? "" : show_.cache_name + "-") + "tracked";
+        // What is right for the show as it is, is right for most lights wherever the objects are.
+        namespace fs = std::filesystem;
+        const fs::path from = scene::distance_folder(show_, maps_.size);
+        const fs::path to = scene::distance_folder(changed_show_, maps_.size);
+        const auto maps = OwnFolder::open(from, show_.cache_home());
+        if (maps.ok() && make_folders(to, show_.cache_home()).ok())
+            for (const OwnFolder::File& map : maps->entries().files) {
+                std::error_code code;
+                fs::remove(to / map.name, code); // a link would be written through
+                fs::copy_file(from / map.name, to / map.name, code);
+            }
+    }
+    if (!changed_stage_ || shown_by_hand_ != mapped_shown_) {
+        changed_stage_ = solid_now();
+    } else {
+        std::size_t shown = 0; // of changed_stage_, which is without the hidden ones
+        for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
+            const auto by_hand = shown_by_hand_.find(i);
+            if (!(by_hand == shown_by_hand_.end() ? stage_.instances[i].shown : by_hand->second)) continue;
+            if (const auto moved = moved_m_.find(i); moved != moved_m_.end())
+                changed_stage_->instances[shown].world =
+                    glm::translate(glm::mat4(1.0f), moved->second) * stage_.instances[i].world;
+            ++shown;
+        }
+    }
+    mapped_m_ = moved_m_;
+    mapped_shown_ = shown_by_hand_;
+    std::set<std::size_t> known;
+    for (std::size_t k = 0; k < maps_.maps.size(); ++k) known.insert(k);
+    maker_ = std::make_unique<MapMaker>(changed_show_, *changed_stage_, maps_.size, std::move(known));
+}
+
+} // namespace ghost::app

@@ -1,0 +1,130 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// LiveView: the stage of a show on the device, seen from a camera that may go anywhere: its meshes, the
+// G-buffer of the camera, the distance maps of all lights. Yokes and heads follow the rig. Main thread; show
+// and device must outlive it.
+
+#include "gpu/device.h"
+#include "light/rig.h"
+#include "live/session/map_maker.h"
+#include "passes/distance_maps.h"
+#include "render/geometry/g_buffer.h"
+#include "render/geometry/stage_model.h"
+#include "render/haze/distance_images.h"
+#include "show/show.h"
+
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace ghost::app {
+
+struct LiveOptions {
+    bool shadows = true;
+    bool maps_in_background = false; // start at once; a light throws no shadows until its map is made
+    bool quiet = false;
+    bool keep_hidden = false; // hidden objects stay, so that they can be shown
+};
+
+class LiveView {
+public:
+    // Loads the stage if that was not done, makes the distance maps that are missing (with a progress bar
+    // unless quiet) or begins to, and draws the G-buffer. A show without a stage that can be read has its
+    // beams all the same. Error: interrupted.
+    static Result<std::unique_ptr<LiveView>> open(const gpu::Device& device, scene::Show& show,
+                                                  const scene::Camera& camera, const LiveOptions& options,
+                                                  Report& report);
+
+    // What look_from did to the G-buffer.
+    enum class Seen { anew, where_it_changed };
+    // A picture of another size has another G-buffer. parks: the one before is kept, for the next picture of
+    // its size; else it goes first, for memory may not hold both.
+    // flies: the next one will be from elsewhere, so the stage may be drawn in less detail.
+    Seen look_from(const scene::Camera& camera, bool parks = false, bool flies = false);
+    // Draws the G-buffer of a picture of another size, which takes the place of the parked one, so that
+    // look_from need not; what is shown stays. False: stop ended it (GBuffer::draw), and the next one goes
+    // on.
+    bool prepare(const scene::Camera& camera, const std::function<bool()>& stop);
+    // There is none of another size.
+    void drop_parked() { parked_.reset(); }
+    const scene::Camera& camera() const { return camera_; }
+    // Times the show's density, from the next look_from on.
+    void set_haze(float density) { haze_density_ = density; }
+    // The show's, times that.
+    shared::Haze haze() const;
+    // Light that haze bends so little that it counts as not weakened (bounce/bounce_air.h), from the next
+    // look_from on. False: it was that before.
+    bool set_forward_per_m(float per_m) { return std::exchange(forward_per_m_, per_m) != per_m; }
+    // Likewise, render::Surroundings::work_lux.
+    void set_work_light(float lux) { work_lux_ = lux; }
+    // For the next look_from. The distance maps of the lights that see it are made again in the background.
+    void show(std::size_t instance, bool shown);
+    void set_material(std::size_t material, const scene::Material& values) {
+        model_.set_material(material, values);
+    }
+    // Turns yokes and heads as the rig does, and puts tracked objects where they are. False: nothing moved in
+    // the picture.
+    bool follow(const scene::Rig& rig);
+    // Objects that will move all the time, by name pattern ([[object]]). Their middle, at the height of their
+    // feet; none: no object has such a name.
+    std::optional<glm::vec3> track(const std::vector<std::string>& patterns);
+    // So far from where the show has them; the picture shows it after follow(). The distance maps of the
+    // lights that see them are made again in the background, as often as they get finished.
+    void move_tracked(const std::vector<std::string>& patterns, const glm::vec3& by_m);
+    // Uploads the distance maps that were finished in the background. True: one of them replaced another,
+    // so that images of lights which did not change are wrong. What went wrong goes to the report.
+    bool take_maps(Report& report);
+    std::size_t missing_maps() const { return missing_maps_; }
+    bool is_making_maps() const { return maker_ != nullptr; }
+
+    const render::GBuffer& g_buffer() const { return *g_buffer_; }
+    const render::DistanceImages* distances() const { return distances_.get(); }
+    // Without the distances, which are on the device; those that are missing have no fixture.
+    const scene::DistanceMaps& maps() const { return maps_; }
+    const scene::Stage& stage() const { return stage_; }
+    // What light meets: without the objects that were hidden from the beginning.
+    const scene::Stage& solid() const { return solid_ ? *solid_ : stage_; }
+    // The same as hands and trackers have it now; a copy.
+    scene::Stage solid_now() const;
+    // Grows whenever that is another one because something was hidden or shown.
+    std::uint64_t shown_changes() const { return shown_changes_; }
+
+private:
+    LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
+             const scene::Camera& camera, Report& report);
+    void begin_maps(Report& report);
+    void begin_changed_maps();
+    std::vector<std::size_t> objects_named(const std::vector<std::string>& patterns) const;
+
+    const gpu::Device& device_;
+    const scene::Show& show_;
+    scene::Stage stage_;                // with fixture bodies, at home
+    std::optional<scene::Stage> solid_; // without hidden objects, where there are any
+    std::vector<std::size_t> moving_;
+    render::StageModel model_;
+    render::Pose pose_of(const scene::Camera& camera, bool flies) const;
+    render::Surroundings surroundings() const;
+    std::unique_ptr<render::GBuffer> g_buffer_, parked_;
+    bool parked_is_anew_ = false; // since it was looked from last
+    scene::Camera camera_;
+    float haze_density_ = 1;
+    float forward_per_m_ = 0;
+    float work_lux_ = 0;
+    scene::DistanceMaps maps_;
+    std::size_t missing_maps_ = 0;
+    std::unique_ptr<render::DistanceImages> distances_;
+    // Tracked objects and those that hands hid or showed: what the maker makes the maps of. These go to a
+    // folder of their own, so that those of the show as it is stay.
+    std::map<std::size_t, glm::vec3> moved_m_, mapped_m_; // instance: how far; with which maps were begun
+    std::map<std::size_t, bool> shown_by_hand_, mapped_shown_; // instance; likewise
+    std::uint64_t shown_changes_ = 0;
+    scene::Show changed_show_;
+    std::optional<scene::Stage> changed_stage_;
+    std::unique_ptr<MapMaker> maker_; // reads show and stage: goes first
+};
+
+} // namespace ghost::app

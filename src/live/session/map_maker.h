@@ -1,0 +1,61 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// MapMaker: makes the distance maps of a show on a thread of its own (bake/distance_maps.h), so that a
+// picture can start without them. Finished ones wait in a queue until they are taken. What is finished is on
+// disk and stays there whenever the maker is destroyed, which stops the thread and waits for it. take() and
+// outcome() from one thread; show and stage must outlive it and must not change.
+
+#include "base/report.h"
+#include "base/result.h"
+#include "passes/distance_maps.h"
+#include "show/show.h"
+#include "stage/stage.h"
+
+#include <atomic>
+#include <cstddef>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <thread>
+#include <vector>
+
+namespace ghost::app {
+
+class MapMaker {
+public:
+    struct Made {
+        std::size_t index = 0; // among all maps of the show, scene::distance_places
+        scene::DistanceMap map;
+    };
+    struct Outcome {
+        Report report;
+        bool interrupted = false;
+        std::optional<Error> error;
+    };
+
+    // known: maps that need no delivery unless they turn out to be of another stage.
+    MapMaker(const scene::Show& show, const scene::Stage& stage, int size, std::set<std::size_t> known);
+    ~MapMaker();
+    MapMaker(const MapMaker&) = delete;
+    MapMaker& operator=(const MapMaker&) = delete;
+
+    // What was finished since the last call; never waits for a map.
+    std::vector<Made> take();
+    // Once, after everything is finished; take() comes first.
+    std::optional<Outcome> outcome();
+
+private:
+    void run();
+
+    const scene::Show& show_;
+    const scene::Stage& stage_;
+    const int size_;
+    std::set<std::size_t> delivered_; // of the thread
+    std::atomic<bool> stop_{false};
+    std::mutex mutex_; // of the two below
+    std::vector<Made> queue_;
+    std::optional<Outcome> outcome_;
+    std::thread thread_; // the last member: it uses all others
+};
+
+} // namespace ghost::app

@@ -1,0 +1,149 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Session: a show opened for drawing: fixtures, passes of one camera (baked where they are missing or older
+// than what they show), device and relighter. What render, bench and the window share. Main thread.
+
+#include "gpu/device.h"
+#include "light/gobos.h"
+#include "light/rig.h"
+#include "live/session/bounce_light.h"
+#include "live/session/live_view.h"
+#include "live/session/media_player.h"
+#include "passes/passes.h"
+#include "render/relight/relighter.h"
+#include "show/looks.h"
+#include "show/show.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace ghost::app {
+
+struct SessionOptions {
+    std::string show;
+    std::shared_ptr<const std::string> text; // of show.toml, instead of what the file says
+    std::string view;                        // empty: the first camera
+    int width = 0; // 0: the camera's own size; else passes of this size are baked beside the others
+    int height = 0;
+    int supersample = 1; // live only: drawn this many times as large
+    int map_size = 0;    // live only: of distance maps, instead of the show's
+    std::string device;  // see gpu::DeviceOptions
+    bool validation = false;
+    bool bake = true; // false: missing passes are an error
+    bool quiet = false;
+    bool plays_recording = false; // the show's own: an error where it has none
+    render::HazeSettings beams;
+    std::optional<fixture::Motion> motion; // instead of the show's
+    std::optional<float> ev100;            // instead of the camera's
+    image::Tone tone = image::Tone::agx;
+    bool live = false;                // a free camera: no passes
+    std::optional<scene::Camera> eye; // instead of a camera of the show; live only
+    std::string travel;               // a camera to fly to; live only
+    std::string look;                 // one of looks.toml, on top of what DMX asks for
+    std::string looks_file;           // instead of the show's own
+    bool shadows = true;              // live only
+    bool maps_in_background = false;  // live only: LiveOptions
+    bool keep_hidden = false;         // live only: LiveOptions
+    bool parks = false;               // live only: Session::look_from
+    // live only
+    scene::BounceDetail bounce = scene::BounceDetail::off;
+    float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
+    std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
+    std::uint64_t memory_limit_bytes = 0; // of the device, see gpu::DeviceOptions
+};
+
+// Attenuation, swirls and plumes at a moment.
+shared::Air air_of(const scene::Show& show, double time_s);
+bool is_uneven(const scene::Show& show);
+
+struct Session {
+    ~Session();
+
+    Report report;                     // already printed
+    std::size_t of_show_file = 0;      // messages at its begin: those of reading the show
+    std::unique_ptr<scene::Show> show; // address is kept by the rig
+    std::size_t camera = 0;
+    std::optional<scene::Camera> travel_to;
+    scene::Passes passes; // without the light pictures, which are on the device
+    scene::GoboStack gobos;
+    std::unique_ptr<scene::Rig> rig;
+    std::unique_ptr<MediaPlayer> media; // null: the show has none
+    // Moment that moving pictures show, and whether a picture waits until they are at it (films that are not
+    // made live); nothing: draw's time.
+    std::optional<double> media_s;
+    bool media_waits = false;
+    std::unique_ptr<gpu::Device> device;
+    std::unique_ptr<LiveView> live;                      // or null: passes
+    std::unique_ptr<BounceLight> bounce;                 // reads live; null: no light bounces
+    std::shared_ptr<const scene::BounceVolumes> bounced; // as the relighter has it, or null
+    std::unique_ptr<render::Relighter> relighter;
+    // Of the same picture: with light at half its size where relighter has it at all of it, or the other way.
+    std::unique_ptr<render::Relighter> other_light;
+    std::unique_ptr<render::Relighter> parked, parked_other_light; // those of a picture of another size
+    bool maps_changed_since_parked = false;
+    std::map<std::size_t, fixture::Manual> manual; // of options.look, for Rig::step
+    float master = 1;                              // share of all light
+    bool shadows = true;                           // live only
+    bool flies = false;                            // look_from
+    SessionOptions options;                        // as it was opened
+
+    // Moves the moving pictures on to this time, or to media_s; draw does so, too.
+    void show_media(double time_s);
+    // With the master, and without shadows where those are off.
+    scene::Lit lit() const;
+    // One frame of what the rig does now; time_s moves the haze. Live: heads turn, maps that were made
+    // meanwhile throw their shadows.
+    render::FrameStatistics draw(double time_s = 0, const std::function<bool()>& stop = {});
+    // Moves a live camera, and shows what the show's even light, haze and attenuation are now. A camera of
+    // another size gets another picture; stage and distance maps stay on the device. SessionOptions::parks:
+    // the picture before is kept, where there is memory, and taken up again when its size is asked for.
+    // goes_on: soon it looks from elsewhere, so nothing that is seen from there is kept, and the stage has
+    // less detail. coarse: use_coarse_light, too; nothing: as it is.
+    void look_from(const scene::Camera& from, bool goes_on = false, std::optional<bool> coarse = {});
+    // Before a look_from that does not go on, where the picture before is parked: does what takes long, for
+    // as long as stop is false. False: it was stopped; what is shown stays, and the next one goes on from
+    // there.
+    bool prepare(const scene::Camera& from, const std::function<bool()>& stop);
+    void drop_parked();
+    // Live: light bounces from the next frame on, or no more. Links are made in the background, or draw waits
+    // for them, as SessionOptions::maps_in_background says.
+    void set_bounce(scene::BounceDetail level);
+    scene::BounceDetail bounce_detail() const { return bounce_detail_; }
+    // Live: from the next frame on light is drawn at half the size of the picture
+    // (render/relight/coarse_light.h), or at all of it. Of either what is kept stays, where there is memory.
+    void use_coarse_light(bool coarse);
+
+private:
+    bool parks(const scene::Camera& from) const;
+    std::unique_ptr<render::Relighter> make_relighter(const scene::Camera& from, bool coarse) const;
+    void update_bounce(const scene::Lit& lit);
+    scene::BounceDetail bounce_detail_ = scene::BounceDetail::off;
+    bool is_short_ = false; // render/relight/light_budget.h, of the last picture
+    int behind_ = 0;        // pictures since heads turned
+};
+
+Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);
+
+// Instead of what the show says of air and even light.
+void apply(const scene::SceneLook& look, scene::Show& show, bool& shadows);
+
+// scene::load_show with a bar, and Ctrl-C ends it. text: instead of what show.toml says.
+Result<scene::Show> open_show(const std::string& path, bool load_stage, bool quiet, Report& report,
+                              const std::shared_ptr<const std::string>& text = nullptr);
+
+// The stage, if it can be read. A show without one still has its beams.
+bool load_stage(scene::Show& show, Report& report);
+
+shared::Haze haze_of(const scene::Show& show);
+
+// Settings of the relighter for a camera of a show.
+render::Settings draw_settings(const scene::Show& show, const scene::Camera& camera,
+                               const SessionOptions& options);
+
+// Prints what a report holds beyond the first `skip` messages.
+void print_report(const Report& report, std::size_t skip = 0);
+
+} // namespace ghost::app

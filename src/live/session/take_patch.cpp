@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/session/take_patch.h"
+
+#include "light/beam_shape.h"
+#include "light/led_wall_light.h"
+
+#include <algorithm>
+#include <map>
+
+namespace ghost::app {
+namespace {
+
+// As many lights, and the same panel.
+bool is_same_wall(const std::optional<scene::LedWall>& a, const std::optional<scene::LedWall>& b) {
+    if (!a || !b) return a.has_value() == b.has_value();
+    return a->size_m == b->size_m && scene::cells_of(*a) == scene::cells_of(*b) && a->has_body == b->has_body;
+}
+
+bool is_same_shape(const std::shared_ptr<const scene::BeamShape>& a,
+                   const std::shared_ptr<const scene::BeamShape>& b) {
+    if (!a || !b) return a == b;
+    return a->file == b->file && a->texels == b->texels && a->flux_lm == b->flux_lm;
+}
+
+bool hangs_the_same(const scene::PatchedFixture& a, const scene::PatchedFixture& b) {
+    const bool has_types = (a.type == nullptr) == (b.type == nullptr);
+    return has_types && a.gdtf == b.gdtf && a.mode == b.mode && a.uuid == b.uuid &&
+           a.stops_m() == b.stops_m() && a.rotation_deg == b.rotation_deg &&
+           a.home_pan_deg == b.home_pan_deg && a.home_tilt_deg == b.home_tilt_deg &&
+           a.track.has_value() == b.track.has_value() && is_same_wall(a.wall, b.wall) &&
+           is_same_shape(a.shape, b.shape);
+}
+
+} // namespace
+
+bool take_patch(Session& session, const scene::Show& edited, const Report& report) {
+    std::vector<scene::PatchedFixture>& fixtures = session.show->fixtures;
+    if (!std::equal(fixtures.begin(), fixtures.end(), edited.fixtures.begin(), edited.fixtures.end(),
+                    hangs_the_same))
+        return false;
+    for (std::size_t i = 0; i < fixtures.size(); ++i) {
+        auto type = std::move(fixtures[i].type); // gobos and bodies are those of the old one
+        auto shape = std::move(fixtures[i].shape);
+        fixtures[i] = edited.fixtures[i];
+        fixtures[i].type = std::move(type);
+        fixtures[i].shape = std::move(shape);
+    }
+    session.show->cues = edited.cues;
+    const std::unique_ptr<scene::Rig> before = std::move(session.rig);
+    session.rig = std::make_unique<scene::Rig>(*session.show);
+    std::vector<std::optional<std::size_t>> same;
+    for (std::size_t i = 0; i < fixtures.size(); ++i) same.emplace_back(i);
+    session.rig->go_on_from(*before, same);
+    std::vector<Message>& messages = session.report.messages;
+    messages.erase(messages.begin(), messages.begin() + static_cast<std::ptrdiff_t>(session.of_show_file));
+    messages.insert(messages.begin(), report.messages.begin(), report.messages.end());
+    session.of_show_file = report.messages.size();
+    return true;
+}
+
+std::vector<std::optional<std::size_t>> same_fixtures(const scene::Show& before, const scene::Show& show) {
+    const auto key = [](const scene::PatchedFixture& fixture) {
+        return fixture.uuid.empty() ? "name " + fixture.name : "uuid " + fixture.uuid;
+    };
+    std::map<std::string, std::size_t> indices;
+    for (std::size_t i = 0; i < before.fixtures.size(); ++i) indices.try_emplace(key(before.fixtures[i]), i);
+    std::vector<std::optional<std::size_t>> same;
+    for (const scene::PatchedFixture& fixture : show.fixtures) {
+        const auto found = indices.find(key(fixture));
+        same.push_back(found == indices.end() ? std::nullopt : std::optional(found->second));
+    }
+    return same;
+}
+
+} // namespace ghost::app

@@ -1,0 +1,20 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// take_patch: the quick way for an edited show to come into the picture. Engine thread.
+
+#include "live/session/session.h"
+
+namespace ghost::app {
+
+// True: the two differ at most in names, addresses and cues, and the session has those of the edited one,
+// with the messages of its report instead of the old ones. False: nothing was done; stage, shadows or
+// pictures have to follow, so the show must be opened anew. All but the fixtures must be the same.
+//
+// The rig goes on from where it was.
+bool take_patch(Session& session, const scene::Show& edited, const Report& report);
+
+// For each fixture of the show its index in the one before, by the plot's UUID or by name; for
+// Rig::go_on_from.
+std::vector<std::optional<std::size_t>> same_fixtures(const scene::Show& before, const scene::Show& show);
+
+} // namespace ghost::app

@@ -1,0 +1,43 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// load_show: a show's folder, or an .mvr as it is, into a Show, whole: the text of show.toml, the plot,
+// fixture files, photometry and, where it is asked for, the stage. Opens files; what is wrong goes to the
+// report.
+
+#include "base/report.h"
+#include "base/result.h"
+#include "show/show.h"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+namespace ghost::scene {
+
+struct ShowLoading {
+    // share 0..1 and what is being read; called from the loading thread, a few hundred times at most.
+    std::function<void(double share, const std::string& what)> progress;
+    std::function<bool()> stop; // asked as often; true: loading ends with an error
+};
+
+// path: show.toml, the folder that holds it, or an .mvr, which then gets cameras of its own (plot_show.h). An
+// error only where nothing can go on (no such file, not TOML, no camera at all, stopped); everything else
+// goes to the report with file and line, and the rest is kept. load_stage = false leaves the stage empty (a
+// renderer with baked passes needs no geometry), unless default cameras have to be made from it.
+Result<Show> load_show(const std::filesystem::path& path, bool load_stage, Report& report,
+                       const ShowLoading& loading = {});
+
+// load_show of a show.toml that says this instead of what is in the file.
+Result<Show> load_show_text(const std::filesystem::path& file, const std::string& text, bool load_stage,
+                            Report& report, const ShowLoading& loading);
+
+// The show that was open, with fixtures, cameras and air as the text has them, for who must show an edit at
+// once: only fixture files that were not read before are opened. What an object of a plot was before its
+// [[change]] went is not known here.
+Result<Show> preview_edit(const Show& before, const std::string& text);
+
+// The model of stage_file and all that the plot draws. What cannot be read goes to the report. Error:
+// stopped.
+Result<Stage> read_stage(const Show& show, Report& report, const ShowLoading& loading = {});
+
+} // namespace ghost::scene

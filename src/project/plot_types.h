@@ -1,0 +1,69 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// PlotTypes: the fixture types that a plot asks for: from its archive, or, where a file is not in it, from
+// the folder of the plot. Each file is read once; faults are said once, with how many fixtures have them.
+// One thread.
+
+#include "base/report.h"
+#include "mvr/mvr_load.h"
+#include "show/plot_entries.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ghost::scene {
+
+// The mode of that name; where there is none, the one that lacks fewest of its numbers, then fewest edits
+// away, whatever the case. -1: the type has no mode.
+int nearest_mode(const fixture::Type& type, const std::string& name);
+
+class PlotTypes {
+public:
+    PlotTypes(LoadedPlot& loaded, std::filesystem::path folder,
+              const std::vector<SubstituteEntry>& substitutes, Report& report)
+        : loaded_(loaded), folder_(std::move(folder)), substitutes_(substitutes), report_(report) {}
+
+    struct Found {
+        std::shared_ptr<const fixture::Type> type; // null: the fixture stays dark
+        int mode = 0;
+    };
+    // where: of the fixture, for messages.
+    Found find(const PlotDevice& device, const std::string& where);
+
+    // Its fixture file as a name for people; no path that leads anywhere.
+    std::filesystem::path file_of(const PlotDevice& device);
+
+    void finish(); // gives the messages that count fixtures
+
+private:
+    struct File {
+        std::shared_ptr<const fixture::Type> type;
+        std::filesystem::path name;
+        const SubstituteEntry* substitute = nullptr;
+        bool is_read = false;
+    };
+    struct WrongMode {
+        Severity severity = Severity::error;
+        std::string where;
+        std::string what;
+        int fixtures = 0;
+    };
+    File& file(int gdtf);
+    std::filesystem::path beside(const std::string& spec) const;
+    std::shared_ptr<const fixture::Type> read(const PlotGdtf& gdtf, const File& file);
+    const SubstituteEntry* substitute_for(const PlotGdtf& gdtf) const;
+    void forgive(const PlotGdtf& gdtf, const std::string& instead);
+
+    LoadedPlot& loaded_;
+    std::filesystem::path folder_;
+    const std::vector<SubstituteEntry>& substitutes_;
+    Report& report_;
+    std::map<int, File> files_;
+    std::map<std::pair<int, std::string>, WrongMode> wrong_modes_;
+};
+
+} // namespace ghost::scene

@@ -1,0 +1,26 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What a plot's video projectors show (MVR 1.6, Projector, Sources). Files of a source are those of
+// the archive, unpacked into .ghost/media of the folder, or lie beside the plot; streams (NDI, CITP) become a
+// test card, with a message.
+
+#include "mvr/plot.h"
+#include "show/show.h"
+
+#include <string>
+
+namespace ghost::scene {
+
+// The medium of a source, added to show.media where it is new. name: of the object; where: for messages.
+int media_of_source(Show& show, const PlotSource& source, const std::string& name, const std::string& where,
+                    Report& report);
+
+// Unpacks what show.media needs of the plot's archive and is not there yet, at most 2 GiB, and removes what
+// no plot of the folder needs any more. After the last media_of_source().
+void unpack_media(const Show& show, Report& report);
+
+// object: of kind projector; throw and shape are those of its type's beam.
+Projector plot_projector(Show& show, const PlotObject& object, const fixture::Type& type,
+                         const std::string& where, Report& report);
+
+} // namespace ghost::scene

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/haze/distance_images.h"
+
+#include "base/check.h"
+#include "render/haze/private/blockers.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace ghost::render {
+namespace {
+
+constexpr std::uint32_t kLeastSide = 32;
+
+std::uint32_t layers_of(const gpu::Device& device, const scene::DistanceMaps& maps) {
+    return static_cast<std::uint32_t>(std::clamp<std::size_t>(maps.maps.size(), 1, device.most_layers()));
+}
+
+gpu::TextureShape texels_shape(std::uint32_t side, std::uint32_t layers) {
+    return {side, side, layers, 1, VK_FORMAT_R16_SFLOAT};
+}
+
+gpu::TextureShape blockers_shape(std::uint32_t side, std::uint32_t layers) {
+    const std::uint32_t cells = std::max(side / kLeastBlockerCell, 1u);
+    return {cells, cells, layers, blocker_levels(side), VK_FORMAT_R16G16B16A16_SFLOAT};
+}
+
+std::uint32_t side_that_fits(const gpu::Device& device, const scene::DistanceMaps& maps) {
+    auto side = static_cast<std::uint32_t>(std::max(maps.size, 1));
+    const std::uint32_t layers = layers_of(device, maps);
+    const std::uint64_t room = device.memory_left_bytes() / 2;
+    while (side % 2 == 0 && side > kLeastSide &&
+           gpu::texture_bytes(device, texels_shape(side, layers)) +
+                   gpu::texture_bytes(device, blockers_shape(side, layers)) >
+               room)
+        side /= 2;
+    return side;
+}
+
+} // namespace
+
+DistanceImages::DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps)
+    : wanted_side_(static_cast<std::uint32_t>(std::max(maps.size, 1))),
+      texture_(device, texels_shape(side_that_fits(device, maps), layers_of(device, maps))),
+      blockers_(device, blockers_shape(side(), layers_of(device, maps))), far_(count()) {
+    for (FarParts& parts : far_) parts.fill(scene::kNoSurface_m);
+    for (std::size_t index = 0; index < maps.maps.size(); ++index) set(index, maps.maps[index]);
+}
+
+void DistanceImages::set(std::size_t index, const scene::DistanceMap& map) {
+    if (index >= count()) return;
+    const auto layer = static_cast<std::uint32_t>(index);
+    const std::size_t wanted = wanted_side_;
+    CHECK_EQ(map.distance.size(), wanted * wanted);
+    const std::size_t step = wanted / side();
+    std::vector<std::uint16_t> kept;
+    kept.reserve(std::size_t{side()} * side());
+    for (std::size_t y = step / 2; y < wanted; y += step)
+        for (std::size_t x = step / 2; x < wanted; x += step) kept.push_back(map.distance[y * wanted + x]);
+    texture_.write_layer(layer, kept.data(), kept.size() * sizeof kept[0]);
+    far_[index] = far_parts(kept, side());
+    const auto levels = blockers_of(kept, side());
+    for (std::uint32_t level = 0; level < levels.size(); ++level)
+        blockers_.write_layer(layer, levels[level].data(), levels[level].size() * sizeof(Blockers), level);
+}
+
+float DistanceImages::reach_m(const shared::Light& light) const {
+    return light.map > 0 && light.map <= far_.size() ? reach_in(far_[light.map - 1], light) : kEndless_m;
+}
+
+} // namespace ghost::render

@@ -1,0 +1,44 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// The distance maps of a show on the device: one layer of half floats each, in the order of DistanceMaps;
+// layer + 1 is shared::Light::map. A map that comes later (it was being made) can be set at any time. Main
+// thread; the device must outlive it.
+//
+// Beside them lie their texels summed up in cells, for soft shadows (render/haze/private/blockers.h).
+//
+// Where half of the memory that is left on the device would not hold them, only every 2nd, 4th, .. texel is
+// kept: shadows get coarser. Maps beyond the layers that an image of the device can have are left out.
+
+#include "gpu/device.h"
+#include "gpu/texture.h"
+#include "passes/distance_maps.h"
+#include "render/geometry/beam_reach.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace ghost::render {
+
+class DistanceImages {
+public:
+    DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps);
+
+    // Of a map that was left out: nothing happens.
+    void set(std::size_t index, const scene::DistanceMap& map);
+    std::size_t count() const { return texture_.shape().layers; }
+    const gpu::Texture& texture() const { return texture_; }
+    const gpu::Texture& blockers() const { return blockers_; }
+    std::uint64_t bytes() const { return texture_.bytes() + blockers_.bytes(); }
+    std::uint32_t side() const { return texture_.shape().width; } // texels
+    // How far along a light's beam there may be haze: a surface ends it (render/geometry/beam_reach.h).
+    float reach_m(const shared::Light& light) const;
+    std::uint32_t wanted_side() const { return wanted_side_; } // more than side(): memory ran short
+
+private:
+    std::uint32_t wanted_side_;
+    gpu::Texture texture_;
+    gpu::Texture blockers_;
+    std::vector<FarParts> far_; // of each map
+};
+
+} // namespace ghost::render

@@ -1,0 +1,566 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/relight/relighter.h"
+
+#include "base/check.h"
+#include "base/log.h"
+#include "shaders/bounce.h"
+#include "shaders/cull.h"
+#include "shaders/develop.h"
+#include "shaders/fold.h"
+#include "shaders/meter.h"
+#include "shaders/silhouettes.h"
+#include "shaders/surface.h"
+#include "shaders/surface_live.h"
+#include "shaders/visibility.h"
+#include "shared/develop.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+#include <string_view>
+#include <utility>
+
+namespace ghost::render {
+namespace {
+
+constexpr std::uint64_t kImageBytesPerPixel = 8; // six half floats for two pixels, and room
+constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+constexpr std::uint64_t kMaxLayers = 2048;       // of an image, on every device
+constexpr std::uint32_t kFixedImages = 1;        // all that rests
+constexpr std::uint64_t kShareOfMemory = 8;      // that is left, for kept visibility
+constexpr std::uint64_t kFrameBytesPerPixel = 8; // four half floats
+
+static_assert(static_cast<std::uint32_t>(image::Tone::agx) == shared::kToneAgx &&
+              static_cast<std::uint32_t>(image::Tone::aces) == shared::kToneAces &&
+              static_cast<std::uint32_t>(image::Tone::linear) == shared::kToneLinear);
+
+std::uint32_t batch_size(const gpu::Device& device, const Settings& settings) {
+    if (settings.lights_per_dispatch > 0)
+        return settings.lights_per_dispatch == 1 ? 1 : shared::kLightsPerChunk;
+    return device.is_cpu() ? 1 : shared::kLightsPerChunk;
+}
+
+bool same_faces(const std::vector<scene::Face>& a, const std::vector<scene::Face>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const scene::Face& one, const scene::Face& other) {
+                          return one.glows == other.glows && one.split == other.split &&
+                                 std::memcmp(&one.light, &other.light, sizeof one.light) == 0;
+                      });
+}
+
+bool same_walls(const std::vector<shared::LedWall>& a, const std::vector<shared::LedWall>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const shared::LedWall& one, const shared::LedWall& other) {
+                          return std::memcmp(&one, &other, sizeof one) == 0;
+                      });
+}
+
+} // namespace
+
+double FrameStatistics::haze_ms() const {
+    constexpr std::array<std::string_view, 8> kOfHaze{"haze",   "fan",       "gate",         "lonely",
+                                                      "spread", "haze fill", "haze look-up", "haze left"};
+    double sum = 0;
+    for (const gpu::Span& span : spans)
+        if (std::find(kOfHaze.begin(), kOfHaze.end(), span.name) != kOfHaze.end()) sum += span.ms;
+    return sum;
+}
+
+int image_slots(std::uint64_t memory_bytes, int width, int height, int light_count) {
+    const std::uint64_t image =
+        static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) * kImageBytesPerPixel;
+    const auto full_tree = static_cast<std::uint64_t>(std::max(2 * light_count - 1, 1));
+    return static_cast<int>(
+        std::min({memory_bytes / std::max<std::uint64_t>(image, 1), full_tree, kMaxLayers - kFixedImages}));
+}
+
+Relighter::Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
+                     int light_count, const Settings& settings)
+    : Relighter(device, make_pass_images(device, passes, settings.ambient, settings.haze), nullptr, nullptr,
+                gobos, light_count, settings) {}
+
+Relighter::Relighter(const gpu::Device& device, const GBuffer& g_buffer, const DistanceImages* distances,
+                     const shared::Gobos& gobos, int light_count, const Settings& settings)
+    : Relighter(device, PassImages{}, &g_buffer, distances, gobos, light_count, settings) {}
+
+Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer* g_buffer,
+                     const DistanceImages* distances, const shared::Gobos& gobos, int light_count,
+                     const Settings& settings)
+    : device_(device), settings_(settings), batch_size_(batch_size(device, settings)),
+      light_count_(light_count), passes_(std::move(passes)), g_buffer_(g_buffer), distances_(distances),
+      coarse_(settings.coarse ? std::make_unique<CoarseLight>(device, *g_buffer) : nullptr), slot_count_(0),
+      tree_(light_count, slot_count_), units_(passes_.bounces.bytes() > 0),
+      cull_(device, shaders::kShader_cull,
+            {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage, kStorage, kUniform, kStorage,
+             kStorage},
+            {0u, g_buffer && distances ? 1u : 0u}),
+      bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
+      silhouettes_(device, shaders::kShader_silhouettes, {kUniform, kSampled, kStored, kStored}),
+      fold_(device, shaders::kShader_fold,
+            {kUniform, kSampled, kStored, kStored, kStorage, kStorage, kStored},
+            {settings.air ? 1u : 0u, settings.beams.beams == Beams::gate ? 0u : 1u}),
+      meter_(device, shaders::kShader_meter, {kStored, kStorage}),
+      haze_(device, settings.beams, fragments(), batch_size_, static_cast<std::uint32_t>(light_count),
+            distances, settings.coarse ? FanDetail::plain : FanDetail::fine),
+      led_walls_(device), lens_(device, settings.lens),
+      glare_(device, seen().width, seen().height, settings.glare), commands_(device) {
+    CHECK(!settings.coarse || (settings.beams.beams == Beams::gate && !settings.illuminance));
+    for (std::uint32_t tone = 0; tone < develop_.size(); ++tone)
+        develop_[tone] = gpu::LateProgram(device, shaders::kShader_develop,
+                                          std::vector{kStored, kUniform, kStored}, std::vector{tone});
+    make_surface_programs();
+    visible_ = gpu::LateProgram(device, shaders::kShader_visibility,
+                                {kUniform, kUniform, kStorage, kStorage, kSampled, kSampled, kStored, kStored,
+                                 kUniform, kStorage, kStored},
+                                {0u, batch_size_ == 1 ? 1u : 0u});
+    if (g_buffer) mender_ = std::make_unique<Mender>(device, fragments(), rooms());
+    if (settings.beams.beams == Beams::gate && settings.beams.most_wide_step > 1)
+        wide_ = std::make_unique<WideBeams>(device, fragments().width, fragments().height);
+    // In one frame every light is drawn at most three times, into an image to keep, into the frame and where
+    // that is patched; each draw begins a chunk.
+    const std::uint64_t draws = kMostDraws * static_cast<std::uint64_t>(light_count) + shared::kBeamClasses;
+    if (g_buffer && distances)
+        visibility_ = std::make_unique<Visibility>(
+            device, fragments(), rooms(), distances->count(), draws,
+            std::min(settings.visibility_bytes, device.memory_left_bytes() / kShareOfMemory));
+    no_pages_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16_UNORM, true, false});
+    nothing_ = gpu::Buffer(device, kChunkAlign, gpu::Access::device);
+    lights_ = gpu::Buffer(device, draws * kLightRoom + kChunkBytes, gpu::Access::upload);
+    // Every image is an addend three times at most, of the one above it, of what rests or the frame, and of
+    // the patch.
+    const std::uint64_t sums = 2 * static_cast<std::uint64_t>(light_count) + kFixedImages;
+    addends_ = gpu::Buffer(device, 3 * sums * kChunkAlign + kAddendBytes, gpu::Access::upload);
+    upload(gobos, batch_size_ == 1 ? std::min<std::uint64_t>(shared::kLightsPerChunk, draws) : 1);
+    make_images();
+}
+
+void Relighter::make_surface_programs() {
+    const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
+    std::vector bindings{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kStored};
+    if (g_buffer_)
+        bindings.insert(bindings.end(), {kSampled, kStored, kStored, kUniform, kSampled, kSampled, kUniform,
+                                         kStorage, kStored});
+    else
+        bindings.insert(bindings.end(), {kUniform, kSampled});
+    for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
+        const auto program = [&](std::uint32_t thin, std::uint32_t keeps) {
+            return g_buffer_
+                       ? gpu::LateProgram(device_, shaders::kShader_surface_live, bindings,
+                                          {kind, single, distances_ ? 1u : 0u,
+                                           settings_.illuminance ? 1u : 0u, thin, keeps})
+                       : gpu::LateProgram(device_, shaders::kShader_surface, bindings, {kind, single, thin});
+        };
+        surface_[kind] = program(0, 1);
+        thin_surface_[kind] = program(1, 1);
+        flown_surface_[kind] = program(1, 0);
+        if (kind < shared::kPlanesClass) (void)surface_[kind].get();
+    }
+}
+
+shared::Air even_air() {
+    shared::Air air{};
+    air.attenuation.quadratic = 1;
+    air.per_m = 1;
+    return air;
+}
+
+void Relighter::set_air(const shared::Air& air) {
+    if (std::memcmp(&air, air_.mapped(), sizeof air) == 0) return;
+    std::memcpy(air_.mapped(), &air, sizeof air);
+    draw_anew();
+}
+
+void Relighter::set_room_light(const scene::BounceVolumes* volumes) {
+    if (!g_buffer_ || (!volumes && !room_light_)) return;
+    if (!volumes)
+        room_light_.reset();
+    else {
+        if (!room_light_) room_light_ = std::make_unique<RoomLight>(device_);
+        room_light_->set(*volumes);
+    }
+    tree_.invalidate_frame(); // kept images know nothing of it
+}
+
+void Relighter::set_exposure(float ev100, bool automatic) {
+    if (ev100 == settings_.ev100 && automatic == settings_.auto_exposure) return;
+    settings_.ev100 = ev100;
+    settings_.auto_exposure = automatic;
+    tree_.invalidate_frame(); // kept images know no exposure
+}
+
+void Relighter::set_tone(image::Tone tone) {
+    if (tone == settings_.tone) return;
+    settings_.tone = tone;
+    tree_.invalidate_frame(); // nor a tone curve
+}
+
+void Relighter::set_quality(const HazeQuality& quality) {
+    CHECK(quality.wide_beam_step <= settings_.beams.most_wide_step);
+    haze_.set_quality(quality);
+    if (std::exchange(uses_grid_, quality.grid) && !quality.grid) draw_anew();
+    wide_prepared_ = wide_prepared_ && quality.wide_beam_step == wide_step_;
+    wide_step_ = quality.wide_beam_step;
+}
+
+void Relighter::set_keeps_visibility(bool keeps) {
+    // What was handed out meanwhile was not filled.
+    if (visibility_ && keeps && !keeps_visibility_) visibility_->forget();
+    keeps_visibility_ = keeps;
+}
+
+void Relighter::forget() {
+    draw_anew();
+    if (coarse_) coarse_->forget();
+    if (visibility_) visibility_->forget();
+    haze_.forget();
+}
+
+void Relighter::draw_anew() {
+    tree_.invalidate_all();
+    if (mender_) mender_->forget();
+    wide_prepared_ = silhouettes_known_ = false;
+    units_.forget();
+}
+
+void Relighter::touch() {
+    CHECK(g_buffer_);
+    const std::vector<PixelRect> rects =
+        coarse_ ? coarse_->touch(g_buffer_->changed()) : g_buffer_->changed();
+    if (visibility_) visibility_->touch(rects, !coarse_ && g_buffer_->extras_moved());
+    std::uint64_t pixels = 0;
+    for (const PixelRect& rect : rects)
+        pixels +=
+            static_cast<std::uint64_t>(rect.x1 - rect.x0) * static_cast<std::uint64_t>(rect.y1 - rect.y0);
+    // Where much of the picture changed, every light is drawn in most of it anyway.
+    if (2 * pixels > std::uint64_t{fragments().width} * fragments().height) {
+        draw_anew();
+        return;
+    }
+    wide_prepared_ = silhouettes_known_ = false;
+    touched_ = touched_ || !rects.empty();
+    tree_.invalidate_frame();
+    if (!mender_->touch(rects)) draw_anew();
+}
+
+Relighter::~Relighter() = default;
+
+void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
+    using gpu::Access;
+    using gpu::Buffer;
+    using gpu::Texture;
+    const Fragments& f = fragments();
+    air_ = Buffer(device_, sizeof(shared::Air), Access::upload);
+    std::memcpy(air_.mapped(), &settings_.air_field, sizeof settings_.air_field);
+    groups_ = Buffer(device_, batches * sizeof(shared::TileGroups), Access::device);
+    work_ = Buffer(device_, sizeof(shared::FrameWork), Access::device);
+    work_read_ = Buffer(device_, sizeof(shared::FrameWork), Access::readback);
+    exposure_ = Buffer(device_, sizeof(glm::vec4), Access::readback);
+    const Fragments& whole = seen();
+    pixels_ = Buffer(device_, std::uint64_t{4} * whole.width * whole.height, Access::readback);
+    picture_ = Texture(device_, {whole.width, whole.height, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false});
+    drawn_ = Texture(device_,
+                     {f.width, f.places.shape().height, 2, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    haze_sources_ = Texture(
+        device_, {f.edges.shape().width, f.edges.shape().height, 1, 1, VK_FORMAT_R16_UINT, true, false});
+    const std::uint64_t tiles = std::uint64_t{f.tiles_x} * f.tiles_y;
+    // A G-buffer has another number of them each time; there is room for so many.
+    const std::uint64_t blocks =
+        std::uint64_t{f.places.shape().height - f.height} * f.width / shared::kTilePixels + 1;
+    masks_ =
+        Buffer(device_, 2 * (tiles + blocks) * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
+    lists_ = Buffer(
+        device_,
+        batches *
+            shared::lists_length(static_cast<std::uint32_t>(tiles), static_cast<std::uint32_t>(blocks)) *
+            sizeof(std::uint32_t),
+        Access::device);
+    gobos_ = Texture(device_, {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
+                               shared::kGoboLevels, VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, false, true});
+    for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
+        gobos_.write(level, gobos.texels[level].data(), gobos.texels[level].size() * sizeof(std::uint32_t));
+    make_slides(gobos.slides);
+}
+
+// A layer for each moving picture; where there is none, one that nothing reads.
+void Relighter::make_slides(const std::vector<shared::SlidePicture>& slides) {
+    gpu::TextureShape shape{1, 1, 1, 1, VK_FORMAT_R8G8B8A8_SRGB, false, true};
+    if (!slides.empty()) {
+        shape.width = shape.height = static_cast<std::uint32_t>(slides.front().side);
+        shape.layers = static_cast<std::uint32_t>(slides.size());
+        shape.levels = static_cast<std::uint32_t>(slides.front().levels->size());
+    }
+    slides_ = gpu::Texture(device_, shape);
+    shown_.assign(slides.size(), {});
+    slide_bytes_ = 0;
+    if (slides.empty()) return;
+    for (const std::vector<std::uint8_t>& level : *slides.front().levels) slide_bytes_ += level.size();
+    slides_upload_ = gpu::Buffer(device_, slide_bytes_ * slides.size(), gpu::Access::upload);
+    set_slides(slides);
+}
+
+void Relighter::set_slides(const std::vector<shared::SlidePicture>& slides) {
+    CHECK_EQ(slides.size(), shown_.size());
+    for (std::size_t k = 0; k < slides.size(); ++k) {
+        if (shown_[k].levels == slides[k].levels) continue;
+        CHECK_EQ(static_cast<std::uint32_t>(slides[k].side), slides_.shape().width);
+        CHECK_EQ(slides[k].levels->size(), slides_.shape().levels);
+        auto* to = static_cast<std::uint8_t*>(slides_upload_.mapped()) + k * slide_bytes_;
+        for (const std::vector<std::uint8_t>& level : *slides[k].levels)
+            to = std::copy(level.begin(), level.end(), to);
+        shown_[k] = slides[k];
+        if (std::find(new_slides_.begin(), new_slides_.end(), k) == new_slides_.end())
+            new_slides_.push_back(k);
+    }
+}
+
+// Last of all, in what memory is left.
+void Relighter::make_images() {
+    const Fragments& f = fragments();
+    frame_ = gpu::Texture(device_,
+                          {seen().width, seen().height, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
+    // Two pixels a texel, or surface and haze of one point.
+    const std::uint32_t across = coarse_ ? f.width : (f.width + 1) / 2;
+    gpu::TextureShape shape{across, f.height, 1, 1, VK_FORMAT_R32G32B32A32_UINT, true, false};
+    const std::uint64_t one = gpu::texture_bytes(device_, shape);
+    const std::uint64_t left = device_.memory_left_bytes();
+    const std::uint64_t spare = left / 8 + (kFixedImages + 1) * one; // pictures that are read back, uploads
+    const std::uint64_t room = (left - std::min(left, spare)) / one;
+    const int wanted = image_slots(settings_.image_memory_bytes, static_cast<int>(2 * across),
+                                   static_cast<int>(f.height), light_count_);
+    slot_count_ = static_cast<int>(std::min<std::uint64_t>(room, static_cast<std::uint64_t>(wanted)));
+    tree_ = LightTree(light_count_, slot_count_);
+    shape.layers = static_cast<std::uint32_t>(slot_count_) + kFixedImages;
+    kept_ = gpu::Texture(device_, shape);
+
+    std::string lowered;
+    if (distances_ && distances_->side() < distances_->wanted_side())
+        lowered += ", shadow maps of " + std::to_string(distances_->side()) + " texels a side instead of " +
+                   std::to_string(distances_->wanted_side());
+    if (slot_count_ < wanted)
+        lowered += ", " + std::to_string(slot_count_) + " kept images instead of " + std::to_string(wanted);
+    if (!lowered.empty())
+        log_warning("memory of " + device_.name() + " is short for " + std::to_string(light_count_) +
+                    " lights at " + std::to_string(f.width) + "x" + std::to_string(f.height) + ":" +
+                    lowered.substr(1));
+}
+
+FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
+    scene::Lit lit{lights, {}, {}};
+    for (const shared::Light& light : lights) lit.faces.push_back({light});
+    return draw(lit);
+}
+
+FrameStatistics Relighter::draw(const scene::Lit& lit, const std::function<bool()>& stop) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<shared::Light>& lights = lit.lights;
+    CHECK_EQ(static_cast<int>(lights.size()), light_count_);
+    if (!settings_.reuse) draw_anew();
+    const LightUnits::Changes changes = units_.look(budget_.choose(lights, most_lights_));
+    if (settings_.lens.on && !same_faces(lit.faces, last_faces_)) {
+        tree_.invalidate_frame();
+        last_faces_ = lit.faces;
+    }
+    if (!same_walls(lit.walls, last_walls_)) {
+        tree_.invalidate_frame();
+        last_walls_ = lit.walls;
+    }
+
+    using enum LightTree::Making;
+    const Plan plan = tree_.plan(changes.changed, changes.dimmed,
+                                 stop ? one_by_one : (budget_.is_short() ? by_branches : as_needed));
+    FrameStatistics statistics;
+    statistics.dimmed = static_cast<int>(changes.dimmed.size());
+    statistics.changed = static_cast<int>(changes.changed.size()) + statistics.dimmed;
+    statistics.drawn = plan.drawn;
+    statistics.is_short = budget_.is_short();
+    statistics.additions = plan.additions;
+    if (!plan.sums.empty()) {
+        lights_used_ = addends_used_ = 0;
+        haze_.begin_frame();
+        commands_.begin();
+        commands_.write(work_, std::vector<shared::FrameWork>(1));
+        if (coarse_) coarse_->update(commands_);
+        if (visibility_) visibility_->begin_frame(commands_, pages_full_);
+        if (!new_slides_.empty()) commands_.begin_span("slides");
+        for (const std::size_t k : new_slides_)
+            commands_.copy(slides_upload_, k * slide_bytes_, slides_, static_cast<std::uint32_t>(k));
+        new_slides_.clear();
+        stop_ = stop;
+        drawing_ = &statistics;
+        if (make_images_of(plan, statistics)) {
+            develop(lit);
+            commands_.copy(work_, work_read_, sizeof(shared::FrameWork));
+            run_commands(statistics);
+        }
+        stop_ = {};
+        drawing_ = nullptr;
+        touched_ = false;
+        statistics.faces = lens_.drawn();
+        const auto* work = static_cast<const shared::FrameWork*>(work_read_.mapped());
+        statistics.haze_tiles = static_cast<int>(work->haze_tiles);
+        statistics.surface_tiles = static_cast<int>(work->surface_tiles);
+        statistics.made_units = static_cast<int>(work->made_units);
+        pages_full_ = work->units_without_page > 0;
+    }
+    statistics.draw_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return statistics;
+}
+
+// False: it was stopped, and nothing is recorded.
+bool Relighter::make_images_of(const Plan& plan, FrameStatistics& statistics) {
+    for (std::size_t k = 0; k < plan.sums.size(); ++k) {
+        const ImageSum& sum = plan.sums[k];
+        // While something moves an image that was mended would be stale in the next frame, too.
+        const bool patches = mender_ && touched_ && !stop_ && sum.target < 0;
+        if (!patches)
+            for (const Addend& addend : sum.addends) statistics.mended += mend(addend.slot);
+        draw_sum(sum);
+        if (patches) statistics.mended += patch(sum);
+        if (statistics.stopped) {
+            tree_.unmake(std::span(plan.sums).subspan(k));
+            return false;
+        }
+        if (mender_) mender_->made(sum);
+    }
+    return true;
+}
+
+void Relighter::run_commands(FrameStatistics& statistics) {
+    commands_.submit_and_wait();
+    statistics.spans.insert(statistics.spans.end(), commands_.spans().begin(), commands_.spans().end());
+}
+
+// Between two lights: does what was recorded, and asks.
+bool Relighter::wants_stop() {
+    if (!stop_ || mended_tiles_ > 0) return false;
+    run_commands(*drawing_);
+    drawing_->stopped = stop_();
+    if (!drawing_->stopped) commands_.begin();
+    return drawing_->stopped;
+}
+
+// Draws an image again where it is stale.
+int Relighter::mend(int slot) {
+    if (!mender_ || !mender_->is_stale(slot)) return 0;
+    const ImageSum sum = mender_->mend(slot, units_.lights());
+    mended_tiles_ = mender_->record(commands_, slot);
+    draw_sum(sum);
+    mended_tiles_ = 0;
+    return static_cast<int>(sum.lights.size());
+}
+
+// Draws the frame again where images are stale that it was summed from.
+int Relighter::patch(const ImageSum& sum) {
+    TileSet tiles;
+    const ImageSum patch = mender_->patch(sum, units_.lights(), tiles);
+    if (tiles.empty()) return 0;
+    if (tiles.count() > Mender::kMostTiles) {
+        int mended = 0;
+        for (const Addend& addend : sum.addends) mended += mend(addend.slot);
+        draw_sum(sum);
+        return mended;
+    }
+    mended_tiles_ = mender_->record(commands_, tiles);
+    draw_sum(patch);
+    mended_tiles_ = 0;
+    return static_cast<int>(patch.lights.size() - sum.lights.size());
+}
+
+void Relighter::develop(const scene::Lit& lit) {
+    const Fragments& f = seen();
+    if (coarse_) coarse_->spread(commands_, frame_);
+    if (room_light_) room_light_->record(commands_, *g_buffer_, settings_.illuminance, frame_);
+    // Illuminance is what falls on a surface.
+    if (!lit.walls.empty() && !settings_.illuminance) {
+        commands_.begin_span("walls");
+        led_walls_.record(commands_, f, lit.walls, gobos_, slides_, frame_);
+    }
+    if (settings_.lens.on) {
+        commands_.begin_span("lenses");
+        lens_.record(commands_, f, f.camera, lit.faces, gobos_, slides_, frame_);
+    }
+    if (glare_.on()) {
+        commands_.begin_span("glare");
+        glare_.record(commands_, frame_, lens_.brightest() + led_walls_.brightest(), f.pixels_per_rad);
+    }
+    // Measured by what is seen; where it is not measured nothing else wants that (frame() makes it).
+    const bool sees = settings_.auto_exposure || !glare_.on();
+    if (sees) glare_.see(commands_, frame_);
+    saw_ = sees;
+    const gpu::Texture& seen = glare_.seen(frame_);
+    const shared::MeterPush meter{f.width, f.height, settings_.ev100, settings_.auto_exposure ? 1u : 0u};
+    commands_.begin_span("meter");
+    commands_.dispatch(meter_, meter, {gpu::stored(seen), gpu::storage(exposure_)}, 1);
+    commands_.barrier();
+    commands_.begin_span("develop");
+    const auto tone = static_cast<std::uint32_t>(settings_.tone);
+    if (sees) {
+        commands_.dispatch(develop_[tone].get(), 0u,
+                           {gpu::stored(seen), gpu::uniform(exposure_), gpu::stored(picture_)}, f.tiles_x,
+                           f.tiles_y);
+        commands_.barrier();
+    } else {
+        glare_.develop(commands_, frame_, exposure_, picture_, tone);
+    }
+    commands_.begin_span("read back");
+    commands_.copy(picture_, pixels_);
+}
+
+image::Image8 Relighter::picture() const {
+    image::Image8 result(width(), height(), 4);
+    std::memcpy(result.samples.data(), pixels_.mapped(), result.samples.size());
+    return result;
+}
+
+image::ImageF Relighter::frame() const {
+    image::ImageF result(width(), height(), 3);
+    const gpu::Buffer buffer(device_, std::uint64_t{seen().width} * seen().height * kFrameBytesPerPixel,
+                             gpu::Access::readback);
+    commands_.begin();
+    if (!saw_) glare_.see(commands_, frame_);
+    commands_.copy(glare_.seen(frame_), buffer);
+    commands_.submit_and_wait();
+    const auto* halves = static_cast<const std::uint16_t*>(buffer.mapped());
+    for (std::size_t i = 0; i < result.samples.size() / 3; ++i) {
+        const float times = 1.0f + glm::unpackHalf1x16(halves[i * 4 + 3]); // light_of_frame
+        for (std::size_t c = 0; c < 3; ++c)
+            result.samples[i * 3 + c] = times * glm::unpackHalf1x16(halves[i * 4 + c]);
+    }
+    return result;
+}
+
+float Relighter::ev100_used() const {
+    return static_cast<const glm::vec4*>(exposure_.mapped())->y;
+}
+
+std::uint64_t Relighter::memory_bytes() const {
+    std::uint64_t sum =
+        picture_bytes() + haze_.memory_bytes() + gobos_.bytes() + slides_.bytes() + slides_upload_.bytes();
+    if (distances_) sum += distances_->bytes();
+    for (const gpu::Buffer* buffer : {&lights_, &addends_, &groups_, &work_, &work_read_, &exposure_})
+        sum += buffer->bytes();
+    return sum;
+}
+
+std::uint64_t Relighter::picture_bytes() const {
+    std::uint64_t sum =
+        lens_.memory_bytes() + glare_.memory_bytes() + (wide_ ? wide_->memory_bytes() : 0) +
+        (visibility_ ? visibility_->memory_bytes() : 0) + (mender_ ? mender_->memory_bytes() : 0) +
+        (room_light_ ? room_light_->memory_bytes() : 0) + (coarse_ ? coarse_->memory_bytes() : 0);
+    for (const gpu::Buffer* buffer : {&masks_, &lists_, &pixels_}) sum += buffer->bytes();
+    for (const gpu::Texture* texture : {&frame_, &kept_, &drawn_, &haze_sources_, &picture_})
+        sum += texture->bytes();
+    if (g_buffer_) return sum + g_buffer_->memory_bytes();
+    const Fragments& f = fragments();
+    for (const gpu::Texture* texture : {&passes_.radiance, &passes_.bounces, &f.places, &f.edges, &f.base})
+        sum += texture->bytes();
+    return sum + f.view.bytes() + f.tile_bounds.bytes();
+}
+
+} // namespace ghost::render

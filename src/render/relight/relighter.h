@@ -1,0 +1,231 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Relighter: draws one camera of a show, live, from its passes (Screen Space Re-Rendering) or from a
+// G-buffer. Surfaces by pass x beam, haze by the gate, cone or march integrator, images of resting lights
+// kept in a binary tree. Lights in, HDR frame and display picture out. Light number i means the same fixture
+// in every draw. Where the device's memory runs short it keeps fewer images, and one line of warning says
+// what was lowered. Main thread; the device must outlive it.
+
+#include "gpu/buffer.h"
+#include "gpu/commands.h"
+#include "gpu/texture.h"
+#include "image/image.h"
+#include "image/tone.h"
+#include "light/lit.h"
+#include "passes/passes.h"
+#include "render/geometry/g_buffer.h"
+#include "render/geometry/pass_images.h"
+#include "render/haze/distance_images.h"
+#include "render/haze/haze_pass.h"
+#include "render/haze/visibility.h"
+#include "render/relight/coarse_light.h"
+#include "render/relight/glare_pass.h"
+#include "render/relight/led_wall_pass.h"
+#include "render/relight/lens_pass.h"
+#include "render/relight/light_budget.h"
+#include "render/relight/light_tree.h"
+#include "render/relight/light_units.h"
+#include "render/relight/mender.h"
+#include "render/relight/room_light.h"
+#include "shared/air.h"
+#include "shared/gobos.h"
+#include "shared/optics.h"
+#include "shared/push.h"
+#include "shared/types.h"
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ghost::render {
+
+// The same everywhere, the inverse square.
+shared::Air even_air();
+
+struct Settings {
+    shared::Haze haze{};
+    shared::Air air_field = even_air();
+    glm::vec3 ambient{0}; // even light: colour times lux
+    HazeSettings beams;
+    LensSettings lens{.on = false};
+    GlareSettings glare{.strength = 0};
+    float ev100 = 6;
+    bool auto_exposure = false;
+    image::Tone tone = image::Tone::agx;
+    bool surfaces = true; // both on but for measurements
+    bool air = true;
+    bool illuminance =
+        false; // of a G-buffer: lux on its surfaces instead of cd/m^2, and nothing without lights
+    std::uint64_t image_memory_bytes = std::uint64_t{1} << 30; // for kept images of the light tree
+    std::uint64_t visibility_bytes = std::uint64_t{256}
+                                     << 20; // for kept visibility (render/haze/visibility.h)
+    std::uint32_t lights_per_dispatch = 0;  // 0: what suits the device; 1 or kLightsPerChunk (shared/push.h)
+    bool reuse = true;                      // false: every light is drawn in every frame
+    bool coarse = false; // of a G-buffer, gate: lights at half its sides (render/relight/coarse_light.h)
+};
+
+struct FrameStatistics {
+    int changed = 0;       // lights that differ from the last frame
+    int dimmed = 0;        // of them, those that do in nothing but their weight
+    bool is_short = false; // of time: some lights are shown as they were (render/relight/light_budget.h)
+    int drawn = 0;         // lights drawn, the changed ones and those without a kept image
+    int mended = 0;        // lights drawn again in the parts of kept images where something moved
+    int additions = 0;     // of two images
+    int haze_tiles = 0;    // of shared::kTilePixels, whose haze was drawn: once for each light
+    int surface_tiles = 0; // the same for surfaces; blocks of extra fragments count as tiles
+    int made_units = 0;    // of surface_tiles: visibility was not kept
+    int faces = 0;         // lenses drawn
+    bool stopped = false;  // there is no new picture
+    double draw_ms = 0;    // whole draw(), waiting included
+    std::vector<gpu::Span> spans; // GPU time
+
+    double haze_ms() const; // of that
+};
+
+class Relighter {
+public:
+    // passes: copied to the device; its pictures are not needed afterwards. light_count: lights given to each
+    // draw.
+    Relighter(const gpu::Device& device, const scene::Passes& passes, const shared::Gobos& gobos,
+              int light_count, const Settings& settings);
+    // A free camera: materials from its G-buffer, shadows from distance maps (null: none). Both must outlive
+    // this.
+    Relighter(const gpu::Device& device, const GBuffer& g_buffer, const DistanceImages* distances,
+              const shared::Gobos& gobos, int light_count, const Settings& settings);
+    ~Relighter();
+
+    // The faces that the camera sees may be other than the lights, and more. stop: asked after each light;
+    // where it says so the picture before stays, and what was made of this one is kept for the next draw.
+    FrameStatistics draw(const scene::Lit& lit, const std::function<bool()>& stop = {});
+    // Each light has its own face.
+    FrameStatistics draw(const std::vector<shared::Light>& lights);
+    // The camera moved, or shadows changed: the G-buffer was drawn again.
+    void forget();
+    // Images of resting lights are drawn again, at the quality there is now.
+    void draw_anew();
+    // Something moved before the camera (GBuffer::update): kept images are mended where it did.
+    void touch();
+    // Of haze by gate, from the next frame on; at most HazeSettings::most_wide_step. Images of resting lights
+    // stay as they were drawn, but for those from the grid when it is left.
+    void set_quality(const HazeQuality& quality);
+    // Lights that may turn from a frame to the next one, 0: all (render/relight/light_budget.h).
+    void set_most_lights(int most) { most_lights_ = most; }
+    // Whether what surfaces see of lamps is kept (render/haze/visibility.h): not while the camera flies, when
+    // each frame sees others and most of them lie in no beam.
+    void set_keeps_visibility(bool keeps);
+    // From the next frame on; automatic: measured, and ev100 is not used.
+    void set_exposure(float ev100, bool automatic);
+    // Likewise.
+    void set_tone(image::Tone tone);
+    // The moving pictures now, as many and as large as those of the gobos that this was made with. Lights
+    // that show another one have another Slide::moment.
+    void set_slides(const std::vector<shared::SlidePicture>& slides);
+    // Bounced light of a free camera, from the next frame on; null: none. Its glow is of an eye.
+    void set_room_light(const scene::BounceVolumes* volumes);
+    // The haze moved. Cheap where it is even.
+    void set_air(const shared::Air& air);
+
+    int width() const { return static_cast<int>(seen().width); }
+    int height() const { return static_cast<int>(seen().height); }
+    bool is_coarse() const { return coarse_ != nullptr; }
+    image::Image8 picture() const; // RGBA, sRGB: the developed frame
+    image::ImageF frame() const;   // RGB, linear Rec.2020, cd/m^2, glare included
+    float ev100_used() const;
+    image::Tone tone() const { return settings_.tone; }
+    std::uint64_t memory_bytes() const; // on the device
+    // Of that, what a picture of another size has more or less of; with the G-buffer.
+    std::uint64_t picture_bytes() const;
+
+private:
+    Relighter(const gpu::Device& device, PassImages passes, const GBuffer* g_buffer,
+              const DistanceImages* distances, const shared::Gobos& gobos, int light_count,
+              const Settings& settings);
+    void make_surface_programs();
+    void upload(const shared::Gobos& gobos, std::uint64_t batches);
+    void make_slides(const std::vector<shared::SlidePicture>& slides);
+    void make_images();
+    void draw_sum(const ImageSum& sum);
+    void add_images(const ImageSum& sum);
+    const gpu::Program& sum_of(std::uint32_t parts, std::uint32_t addends);
+    int mend(int slot);
+    int patch(const ImageSum& sum);
+    bool make_images_of(const Plan& plan, FrameStatistics& statistics);
+    void run_commands(FrameStatistics& statistics);
+    bool wants_stop();
+    // Both: false where it was stopped.
+    bool draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
+    bool record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
+    void develop(const scene::Lit& lit);
+    const Fragments& seen() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
+    const Fragments& fragments() const { return coarse_ ? coarse_->fragments() : seen(); } // lights fall on
+    // Of a G-buffer: where the extra fragments of tiles lie that lights fall on, and normals.
+    const gpu::Buffer& rooms() const { return coarse_ ? coarse_->rooms() : g_buffer_->rooms(); }
+    const gpu::Texture& normals() const { return coarse_ ? coarse_->normals() : g_buffer_->normals(); }
+
+    const gpu::Device& device_;
+    Settings settings_;
+    std::uint32_t batch_size_; // lights of one dispatch, see shared/push.h
+    int light_count_;
+    PassImages passes_; // one of these two
+    const GBuffer* g_buffer_;
+    const DistanceImages* distances_;
+    std::unique_ptr<CoarseLight> coarse_; // or null
+    int slot_count_;
+    LightTree tree_;
+    std::unique_ptr<Visibility> visibility_; // null: from passes, or without shadows
+    bool pages_full_ = false;
+    bool keeps_visibility_ = true;
+    std::unique_ptr<Mender> mender_; // null: from passes, in which nothing moves
+    std::uint32_t mended_tiles_ = 0; // above 0: only these tiles, of mender_, are drawn now
+    bool touched_ = false;           // since the last draw
+    LightUnits units_;
+    LightBudget budget_;
+    int most_lights_ = 0;
+    std::function<bool()> stop_;         // of the draw that runs
+    FrameStatistics* drawing_ = nullptr; // likewise
+    std::vector<scene::Face> last_faces_;
+    std::vector<shared::LedWall> last_walls_;
+    std::uint64_t lights_used_ = 0;  // bytes of lights_, in this frame
+    std::uint64_t addends_used_ = 0; // likewise
+
+    static constexpr std::uint64_t kChunkAlign = 256; // offset of a uniform buffer, at most, on every device
+    // Room that a light takes where it begins a chunk.
+    static constexpr std::uint64_t kLightRoom =
+        (sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
+    static constexpr std::uint64_t kAddendBytes = shared::kMostAddends * sizeof(shared::Addend);
+    static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
+    gpu::Program cull_, bounce_, silhouettes_, fold_, meter_;
+    std::array<gpu::LateProgram, shared::kToneCount> develop_;
+    std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_,
+        flown_surface_; // the last: where no visibility is kept
+    gpu::LateProgram visible_;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<gpu::Program>> sums_; // sum_of
+    HazePass haze_;
+    std::unique_ptr<WideBeams> wide_; // null: HazeSettings::most_wide_step is 1
+    std::uint32_t wide_step_ = 1;
+    bool uses_grid_ = false;
+    bool wide_prepared_ = false;
+    bool saw_ = true;                       // glare_ has made what is seen of the frame
+    bool silhouettes_known_ = false;        // haze_sources_ are those of the picture
+    std::unique_ptr<RoomLight> room_light_; // null: none
+    LedWallPass led_walls_;
+    LensPass lens_;
+    GlarePass glare_;
+    mutable gpu::Commands commands_;
+    gpu::Buffer air_, lights_, addends_, masks_, lists_, groups_, work_, work_read_, exposure_, pixels_,
+        nothing_;
+    gpu::Texture gobos_, slides_, frame_, kept_, drawn_, haze_sources_, picture_, no_pages_;
+    gpu::Buffer slides_upload_;
+    std::vector<shared::SlidePicture> shown_; // what is in slides_, or on its way there
+    std::vector<std::size_t> new_slides_;     // those on their way
+    std::uint64_t slide_bytes_ = 0;           // of one, all levels
+};
+
+// Images that fit into a memory budget, at most what a full tree needs.
+int image_slots(std::uint64_t memory_bytes, int width, int height, int light_count);
+
+} // namespace ghost::render

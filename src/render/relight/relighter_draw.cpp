@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+// The part of Relighter that draws lights: a sum of the tree, its lights by chunks, their surfaces.
+#include "base/check.h"
+#include "render/relight/relighter.h"
+#include "shaders/sum.h"
+#include "shared/figure.h"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace ghost::render {
+namespace {
+
+constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+
+// Facets of prisms that are not in the beam, and lamps that are out.
+bool is_dark(const shared::Light& light) {
+    return light.intensity_cd == glm::vec3(0.0f) && light.bounce_cd == glm::vec3(0.0f);
+}
+
+// Narrower than two pixels of the picture, wherever a surface is. A curve that is swept is drawn at any
+// width.
+bool may_be_thin(const shared::Light& light, const Fragments& f) {
+    constexpr float kMost_pixels =
+        10; // where it is as far from the eye: dots lie up to five times nearer to their lamp
+    return light.figure.kind == shared::kNoFigure &&
+           2 * light.tan_field * light.cut_radius * f.pixels_per_rad < kMost_pixels;
+}
+
+} // namespace
+
+void Relighter::draw_sum(const ImageSum& sum) {
+    if (!sum.lights.empty()) {
+        commands_.begin_span("clear");
+        commands_.clear(drawn_);
+    }
+    const Fragments& f = fragments();
+    const auto light_of = [&](int index) {
+        return sum.at_unit ? units_.at_unit(index) : units_.lights()[static_cast<std::size_t>(index)];
+    };
+    const auto wide = [&](const shared::Light& light) {
+        // What is mended lacks the rays of the tiles beside it.
+        return wide_ && wide_step_ > 1 && settings_.air && mended_tiles_ == 0 &&
+               is_wide(light, f.eye_m, f.pixels_per_rad);
+    };
+    const bool any_wide =
+        std::any_of(sum.lights.begin(), sum.lights.end(), [&](int index) { return wide(light_of(index)); });
+    if (any_wide && !std::exchange(wide_prepared_, true)) wide_->prepare(commands_, f, wide_step_);
+    if (any_wide) commands_.clear(wide_->rays());
+    // Lights of a class share a shader that has just what is in their gates.
+    for (std::uint32_t kind = 0; kind < (any_wide ? 2 : 1) * shared::kBeamClasses; ++kind) {
+        const std::uint32_t beam_class = kind % shared::kBeamClasses;
+        const bool is_wide = kind >= shared::kBeamClasses;
+        std::vector<shared::Light> chunk;
+        for (const int index : sum.lights) {
+            const shared::Light light = light_of(index);
+            if (is_dark(light) || shared::beam_class(light) != beam_class || wide(light) != is_wide) continue;
+            chunk.push_back(light);
+            if (chunk.size() == (stop_ ? 1 : shared::kLightsPerChunk)) {
+                if (!draw_lights(chunk, beam_class, is_wide) || wants_stop()) return;
+                chunk.clear();
+            }
+        }
+        if (!chunk.empty()) draw_lights(chunk, beam_class, is_wide);
+    }
+    if (any_wide) wide_->spread(commands_, drawn_);
+    const gpu::Buffer& tile_list =
+        mender_ ? mender_->tiles() : f.tile_bounds; // only read where tiles are mended
+    if (!sum.lights.empty() && f.edge_count > 0) {
+        commands_.begin_span("fold");
+        if (settings_.air && !std::exchange(silhouettes_known_, true)) {
+            commands_.dispatch(silhouettes_, shared::FoldPush{f.edge_count, 0u},
+                               {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(f.places),
+                                gpu::stored(haze_sources_)},
+                               gpu::groups(f.edge_count, 64));
+            commands_.barrier();
+        }
+        commands_.dispatch(fold_, shared::FoldPush{f.edge_count, mended_tiles_ > 0 ? 1u : 0u},
+                           {gpu::uniform(f.view), gpu::sampled(f.edges), gpu::stored(drawn_),
+                            gpu::stored(f.places), gpu::storage(g_buffer_ ? rooms() : f.tile_bounds),
+                            gpu::storage(tile_list), gpu::stored(haze_sources_)},
+                           mended_tiles_ > 0 ? mended_tiles_ : gpu::groups(f.edge_count, 64));
+        commands_.barrier();
+    }
+    add_images(sum);
+}
+
+void Relighter::add_images(const ImageSum& sum) {
+    const Fragments& f = fragments();
+    const gpu::Buffer& tile_list = mender_ ? mender_->tiles() : f.tile_bounds;
+    CHECK(sum.addends.size() <= shared::kMostAddends);
+    shared::SumPush push{};
+    push.target = static_cast<std::uint32_t>(std::max(sum.target, 0));
+    const std::uint32_t parts = (sum.target < 0 ? shared::kSumToFrame : 0) |
+                                (sum.base && !settings_.illuminance ? shared::kSumBase : 0) |
+                                (sum.lights.empty() ? 0 : shared::kSumDrawn);
+    push.tiles_x = f.tiles_x;
+    push.listed = mended_tiles_ > 0 ? 1u : 0u;
+    const std::uint64_t offset = addends_used_;
+    CHECK(offset + kAddendBytes <= addends_.bytes());
+    auto* to = reinterpret_cast<shared::Addend*>(static_cast<std::uint8_t*>(addends_.mapped()) + offset);
+    for (const Addend& addend : sum.addends) {
+        const glm::vec3 weight = addend.light >= 0 ? units_.weight(addend.light) : glm::vec3(1.0f);
+        if (weight == glm::vec3(0.0f)) continue;
+        to[push.addend_count++] = {static_cast<std::uint32_t>(addend.slot), weight};
+    }
+    addends_used_ +=
+        (push.addend_count * sizeof(shared::Addend) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
+    commands_.begin_span("add");
+    commands_.dispatch(sum_of(parts, std::min(push.addend_count, shared::kManyAddends)), push,
+                       {gpu::stored(f.base), gpu::stored(drawn_), gpu::stored(kept_), gpu::storage(tile_list),
+                        gpu::uniform(addends_, offset), gpu::stored(frame_),
+                        gpu::stored(coarse_ ? coarse_->sums() : kept_)},
+                       (mended_tiles_ > 0 ? mended_tiles_ : f.tiles_x) * (coarse_ ? 2 : 1),
+                       mended_tiles_ > 0 ? 1 : f.tiles_y);
+    commands_.barrier();
+}
+
+const gpu::Program& Relighter::sum_of(std::uint32_t parts, std::uint32_t addends) {
+    std::unique_ptr<gpu::Program>& program = sums_[{parts, addends}];
+    if (!program)
+        program = std::make_unique<gpu::Program>(
+            device_, shaders::kShader_sum,
+            std::vector{kStored, kStored, kStored, kStorage, kUniform, kStored, kStored},
+            std::vector{settings_.beams.beams == Beams::gate ? 0u : 1u, coarse_ ? 1u : 0u, parts, addends});
+    return *program;
+}
+
+bool Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide) {
+    const std::uint64_t offset = lights_used_;
+    const std::uint64_t bytes = lights.size() * sizeof(shared::Light);
+    CHECK(offset + kChunkBytes <= lights_.bytes());
+    std::memcpy(static_cast<std::uint8_t*>(lights_.mapped()) + offset, lights.data(), bytes);
+    lights_used_ += (bytes + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
+
+    const Visibility::Chunk kept = visibility_ ? visibility_->add(lights) : Visibility::Chunk{};
+    const LightChunk chunk{
+        lights,  beam_class, fragments(), gobos_, slides_, drawn_,      air_,
+        lights_, offset,     masks_,      lists_, groups_, batch_size_, wide ? wide_.get() : nullptr};
+    const Fragments& f = fragments();
+    const shared::CullPush cull{chunk.count(),
+                                batch_size_,
+                                f.tiles_x,
+                                chunk.tiles(),
+                                f.blocks,
+                                settings_.surfaces ? 1u : 0u,
+                                settings_.air ? 1u : 0u,
+                                wide ? wide_step_ * wide_step_ : 1u,
+                                kept.now,
+                                visibility_ ? visibility_->page_count() : 0,
+                                visibility_ ? visibility_->units() : 0};
+    commands_.begin_span("cull");
+    commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(),
+                                                             {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}}));
+    commands_.dispatch(cull_, cull,
+                       {gpu::uniform(f.view), gpu::uniform(lights_, offset),
+                        gpu::storage(mended_tiles_ > 0 ? mender_->bounds() : f.tile_bounds),
+                        gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_),
+                        gpu::storage(work_),
+                        gpu::uniform(visibility_ ? visibility_->keeps() : nothing_, kept.offset),
+                        gpu::storage(visibility_ ? visibility_->entries() : nothing_),
+                        gpu::storage(visibility_ ? visibility_->changed_at() : nothing_)},
+                       gpu::groups(chunk.tiles() + f.blocks, 64), chunk.batches());
+    commands_.barrier();
+    if (settings_.air) haze_.record(commands_, chunk);
+    return !settings_.surfaces || (!wants_stop() && record_surfaces(chunk, kept.offset));
+}
+
+bool Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset) {
+    const Fragments& f = fragments();
+    if (passes_.bounces.bytes() > 0) {
+        commands_.begin_span("bounces");
+        commands_.dispatch(bounce_, shared::BouncePush{chunk.count()},
+                           {gpu::uniform(f.view), gpu::uniform(lights_, chunk.light_offset),
+                            gpu::stored(f.places), gpu::stored(passes_.bounces), gpu::stored(drawn_)},
+                           f.tiles_x, f.tiles_y);
+        commands_.barrier();
+    }
+    std::vector<gpu::Binding> bindings{gpu::sampled(gobos_),
+                                       gpu::uniform(f.view),
+                                       gpu::uniform(lights_, chunk.light_offset),
+                                       gpu::storage(masks_),
+                                       gpu::storage(lists_),
+                                       gpu::stored(f.places),
+                                       gpu::stored(drawn_),
+                                       gpu::stored(coarse_     ? coarse_->diffuse()
+                                                   : g_buffer_ ? g_buffer_->diffuse()
+                                                               : passes_.radiance)};
+    if (g_buffer_)
+        bindings.insert(bindings.end(),
+                        {gpu::sampled(distances_ ? distances_->texture() : gobos_),
+                         gpu::stored(coarse_ ? coarse_->specular() : g_buffer_->specular()),
+                         gpu::stored(normals()), gpu::uniform(air_),
+                         gpu::sampled(distances_ ? distances_->blockers() : gobos_), gpu::sampled(slides_),
+                         gpu::uniform(visibility_ ? visibility_->keeps() : nothing_, keeps_offset),
+                         gpu::storage(visibility_ ? visibility_->entries() : nothing_),
+                         gpu::stored(visibility_ ? visibility_->pages() : no_pages_)});
+    else
+        bindings.insert(bindings.end(), {gpu::uniform(air_), gpu::sampled(slides_)});
+    const bool thin = std::any_of(chunk.lights.begin(), chunk.lights.end(),
+                                  [&](const shared::Light& light) { return may_be_thin(light, f); });
+    shared::RelightPush push{chunk.count(),
+                             0,
+                             f.tiles_x,
+                             chunk.tiles(),
+                             f.blocks,
+                             0,
+                             visibility_ ? visibility_->units() : 0,
+                             visibility_ ? visibility_->page_count() : 0};
+    for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
+        if (visibility_ && keeps_visibility_) {
+            commands_.begin_span("visibility");
+            commands_.dispatch_indirect(
+                visible_.get(), push,
+                {gpu::uniform(f.view), gpu::uniform(lights_, chunk.light_offset), gpu::storage(masks_),
+                 gpu::storage(lists_), gpu::sampled(distances_->texture()),
+                 gpu::sampled(distances_->blockers()), gpu::stored(f.places), gpu::stored(normals()),
+                 gpu::uniform(visibility_->keeps(), keeps_offset), gpu::storage(visibility_->entries()),
+                 gpu::stored(visibility_->pages())},
+                groups_, chunk.made_groups(push.batch));
+            commands_.barrier();
+            if (wants_stop()) return false;
+        }
+        commands_.begin_span("surfaces");
+        const bool flies = visibility_ && !keeps_visibility_;
+        const auto& programs = flies ? flown_surface_ : thin ? thin_surface_ : surface_;
+        commands_.dispatch_indirect(programs[chunk.beam_class].get(), push, bindings, groups_,
+                                    chunk.surface_groups(push.batch));
+        commands_.barrier();
+    }
+    return true;
+}
+
+} // namespace ghost::render

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/relight/room_light.h"
+
+#include "shaders/glow.h"
+#include "shaders/room_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::render {
+namespace {
+
+constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+constexpr std::uint32_t kGroup = 8;   // pixels or rays a side
+constexpr float kSliceOfCell = 0.75f; // as long as slices are
+constexpr std::uint32_t kLeastSlices = 8;
+
+} // namespace
+
+RoomLight::RoomLight(const gpu::Device& device)
+    : device_(device), glow_program_(device, shaders::kShader_glow, std::vector{kUniform, kSampled, kStored},
+                                     std::vector<std::uint32_t>{}),
+      program_(device, shaders::kShader_room_light,
+               std::vector{kUniform, kStored, kStored, kStored, kStored, kSampled, kSampled, kSampled,
+                           kSampled, kStored},
+               std::vector<std::uint32_t>{}) {}
+
+void RoomLight::upload(const gpu::Device& device, const scene::BounceVolume& volume, gpu::Texture& texture) {
+    const auto width = static_cast<std::uint32_t>(volume.size.x),
+               height = static_cast<std::uint32_t>(volume.size.y);
+    const auto layers = static_cast<std::uint32_t>(volume.texels.size() / (std::size_t{width} * height));
+    const gpu::TextureShape& before = texture.shape();
+    if (texture.bytes() == 0 || before.width != width || before.height != height || before.layers != layers)
+        texture =
+            gpu::Texture(device, {width, height, layers, 1, VK_FORMAT_R16G16B16A16_SFLOAT, false, true});
+    texture.write(0, volume.texels.data(), volume.texels.size() * sizeof volume.texels[0]);
+}
+
+void RoomLight::set(const scene::BounceVolumes& volumes) {
+    upload(device_, volumes.surfaces, surfaces_);
+    upload(device_, volumes.air, air_);
+    upload(device_, volumes.glow, glow_);
+    push_.low_m = volumes.low_m;
+    push_.surfel_m = volumes.surfel_m;
+    push_.surfels = glm::vec3(volumes.surfaces.size);
+    push_.cell_m = volumes.cell_m;
+    push_.cells = glm::vec3(volumes.air.size);
+}
+
+void RoomLight::record(gpu::Commands& commands, const GBuffer& g_buffer, bool as_lux,
+                       const gpu::Texture& frame) {
+    const Fragments& f = g_buffer.fragments();
+    shared::RoomLightPush push = push_;
+    const glm::vec3 high_m = push.low_m + push.cells * push.cell_m;
+    const glm::vec3 outside = glm::max(glm::max(push.low_m - f.eye_m, f.eye_m - high_m), glm::vec3(0));
+    push.near_m = glm::length(outside);
+    const float far_m = glm::length(glm::max(glm::abs(high_m - f.eye_m), glm::abs(push.low_m - f.eye_m)));
+    const float wanted = std::ceil((far_m - push.near_m) / (kSliceOfCell * push.cell_m));
+    push.slices =
+        std::clamp(static_cast<std::uint32_t>(wanted), kLeastSlices, shared::kMostGlowSlices - 1) + 1;
+    push.slice_m = (far_m - push.near_m) / static_cast<float>(push.slices - 1);
+    push.glow_width = (f.width + shared::kGlowStep - 1) / shared::kGlowStep + 1;
+    push.glow_height = (f.height + shared::kGlowStep - 1) / shared::kGlowStep + 1;
+    push.as_lux = as_lux ? 1 : 0;
+    const gpu::TextureShape& before = slices_.shape();
+    if (slices_.bytes() == 0 || before.width != push.glow_width || before.height != push.glow_height)
+        slices_ = gpu::Texture(device_, {push.glow_width, push.glow_height, shared::kMostGlowSlices, 1,
+                                         VK_FORMAT_R16G16B16A16_SFLOAT, true, true});
+    if (!as_lux) {
+        commands.begin_span("glow");
+        commands.dispatch(glow_program_.get(), push,
+                          {gpu::uniform(f.view), gpu::sampled(glow_), gpu::stored(slices_)},
+                          gpu::groups(push.glow_width, kGroup), gpu::groups(push.glow_height, kGroup));
+        commands.barrier();
+    }
+    commands.begin_span("room light");
+    const std::vector<gpu::Binding> bindings{gpu::uniform(f.view),
+                                             gpu::stored(f.places),
+                                             gpu::stored(g_buffer.normals()),
+                                             gpu::stored(g_buffer.diffuse()),
+                                             gpu::stored(g_buffer.specular()),
+                                             gpu::sampled(f.edges),
+                                             gpu::sampled(surfaces_),
+                                             gpu::sampled(air_),
+                                             gpu::sampled(slices_),
+                                             gpu::stored(frame)};
+    commands.dispatch(program_.get(), push, bindings, gpu::groups(f.width, kGroup),
+                      gpu::groups(f.height, kGroup));
+    commands.barrier();
+    if (f.edge_count == 0) return;
+    push.edges = f.edge_count;
+    commands.dispatch(program_.get(), push, bindings, gpu::groups(f.edge_count, kGroup * kGroup));
+    commands.barrier();
+}
+
+std::uint64_t RoomLight::memory_bytes() const {
+    return surfaces_.bytes() + air_.bytes() + glow_.bytes() + slices_.bytes();
+}
+
+} // namespace ghost::render

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+// The actions that are about the camera, the selection and the exposure.
+#include "base/text.h"
+#include "show/camera_moves.h"
+#include "stage/overrides.h"
+#include "ui/actions/hand.h"
+
+#include <glm/gtc/constants.hpp>
+
+namespace ghost::ui {
+namespace {
+
+constexpr float kPerson_m = 2; // radius of what is looked at around one fixture
+constexpr double kMostEv = 20, kLeastEv = -10;
+
+Result<void> need_show(const Studio& studio) {
+    if (studio.show()) return {};
+    return Error{"no show is open", ""};
+}
+
+// Numbers of a line, all of them.
+Result<std::vector<float>> numbers(const QStringList& words, int count, double most) {
+    std::vector<float> values;
+    for (int i = 0; i < count; ++i) {
+        TRY(const double value, number_of(words, i, "number", -most, most));
+        values.push_back(static_cast<float>(value));
+    }
+    return values;
+}
+
+Result<void> go_to(Studio& studio, const QString& which) {
+    TRY_VOID(need_show(studio));
+    const std::vector<scene::Camera>& cameras = studio.show()->cameras;
+    bool is_number = false;
+    const int number = which.toInt(&is_number);
+    if (is_number && number >= 1 && number <= static_cast<int>(cameras.size())) {
+        studio.travel_to_stored(cameras[static_cast<std::size_t>(number - 1)]);
+        return {};
+    }
+    if (is_number)
+        return Error{"the show has " + std::to_string(cameras.size()) + " cameras, no number " +
+                         which.toStdString(),
+                     ""};
+    TRY(const std::size_t found, studio.show()->find_camera(which.toStdString()));
+    studio.travel_to_stored(cameras[found]);
+    return {};
+}
+
+Result<void> focus(Studio& studio, bool all) {
+    TRY_VOID(need_show(studio));
+    const std::vector<FixtureNow>& fixtures = studio.rig().fixtures;
+    glm::vec3 low_m(1e9f), high_m(-1e9f);
+    for (const std::size_t index : studio.selection()) {
+        if (index >= fixtures.size()) continue;
+        low_m = glm::min(low_m, fixtures[index].light_m);
+        high_m = glm::max(high_m, fixtures[index].light_m);
+    }
+    if (const auto object = studio.marked(); !all && studio.selection().empty() && object) {
+        const Object& one = studio.opened().objects[*object];
+        studio.look_at(one.centre_m, kPerson_m + one.radius_m);
+        return {};
+    }
+    if (all || low_m.x > high_m.x)
+        studio.look_at(studio.opened().centre_m, studio.opened().radius_m);
+    else
+        studio.look_at(0.5f * (low_m + high_m), kPerson_m + 0.5f * glm::length(high_m - low_m));
+    return {};
+}
+
+Result<void> expose(Studio& studio, double ev100, bool automatic) {
+    studio.set_exposure(static_cast<float>(std::clamp(ev100, kLeastEv, kMostEv)), automatic);
+    return {};
+}
+
+void add_moves(Actions& actions, Studio& studio) {
+    const auto move = [&](const QString& name, const QString& arguments, int count, double most, auto f) {
+        actions.add({name,
+                     "",
+                     name,
+                     "",
+                     arguments,
+                     [&studio, count, most, f](const QStringList& words) -> Result<void> {
+                         TRY(const std::vector<float> values, numbers(words, count, most));
+                         studio.set_camera(f(studio.camera(), values));
+                         return {};
+                     },
+                     {}});
+    };
+    using Values = std::vector<float>;
+    move("orbit", "RIGHT-DEG UP-DEG", 2, 3600, [](const scene::Camera& camera, const Values& v) {
+        return scene::orbited(camera, glm::radians(v[0]), glm::radians(v[1]));
+    });
+    move("turn", "LEFT-DEG UP-DEG", 2, 3600, [](const scene::Camera& camera, const Values& v) {
+        return scene::turned(camera, glm::radians(v[0]), glm::radians(v[1]));
+    });
+    move("fly", "RIGHT-M FORWARD-M UP-M", 3, 10000, [](const scene::Camera& camera, const Values& v) {
+        return scene::flown(camera, {v[0], v[1], v[2]});
+    });
+    move("slide", "RIGHT-SHARE UP-SHARE", 2, 100,
+         [](const scene::Camera& camera, const Values& v) { return scene::panned(camera, v[0], v[1]); });
+    actions.add({"dolly",
+                 "",
+                 "dolly",
+                 "",
+                 "FACTOR",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     TRY(const double factor, number_of(words, 0, "factor", 0.001, 1000));
+                     studio.set_camera(scene::dollied(studio.camera(), static_cast<float>(factor)));
+                     return {};
+                 },
+                 {}});
+    actions.add({"look",
+                 "",
+                 "look",
+                 "",
+                 "X Y Z TARGET-X TARGET-Y TARGET-Z [FOV-DEG]",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     TRY(const Values v, numbers(words, 6, 10000));
+                     scene::Camera camera = studio.camera();
+                     camera.position_m = {v[0], v[1], v[2]};
+                     camera.target_m = {v[3], v[4], v[5]};
+                     if (glm::distance(camera.position_m, camera.target_m) < 1e-3f)
+                         return Error{"the camera stands at what it looks at", ""};
+                     if (words.size() > 6) {
+                         TRY(const double fov, number_of(words, 6, "field of view", 1, 150));
+                         camera.fov_y_deg = static_cast<float>(fov);
+                     }
+                     studio.set_camera(camera);
+                     return {};
+                 },
+                 {}});
+}
+
+} // namespace
+
+void add_camera_actions(Actions& actions, Studio& studio) {
+    actions.add({"camera",
+                 "",
+                 "camera",
+                 "",
+                 "NAME|NUMBER",
+                 [&studio](const QStringList& words) { return go_to(studio, words.value(0)); },
+                 {}});
+    for (int number = 1; number <= 9; ++number)
+        actions.add({QString("camera-%1").arg(number),
+                     "Camera",
+                     QString("Camera %1").arg(number),
+                     QString::number(number),
+                     "",
+                     [&studio, number](const QStringList&) { return go_to(studio, QString::number(number)); },
+                     {}});
+    actions.add({"focus",
+                 "Camera",
+                 "Look at the selection",
+                 "F",
+                 "",
+                 [&studio](const QStringList&) { return focus(studio, false); },
+                 {}});
+    actions.add({"see-all",
+                 "Camera",
+                 "Look at the whole rig",
+                 "Home",
+                 "",
+                 [&studio](const QStringList&) { return focus(studio, true); },
+                 {}});
+    add_moves(actions, studio);
+    actions.add({"exposure",
+                 "",
+                 "exposure",
+                 "",
+                 "EV100",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     TRY(const double ev100, number_of(words, 0, "EV100", kLeastEv, kMostEv));
+                     return expose(studio, ev100, false);
+                 },
+                 {}});
+    actions.add({"brighter",
+                 "Camera",
+                 "Expose brighter",
+                 "+; =",
+                 "",
+                 [&studio](const QStringList&) {
+                     return expose(studio, static_cast<double>(studio.camera().ev100) - 0.5, false);
+                 },
+                 {}});
+    actions.add({"darker",
+                 "Camera",
+                 "Expose darker",
+                 "-",
+                 "",
+                 [&studio](const QStringList&) {
+                     return expose(studio, static_cast<double>(studio.camera().ev100) + 0.5, false);
+                 },
+                 {}});
+    actions.add({"auto-exposure", "Camera", "Automatic exposure", "X", "",
+                 [&studio](const QStringList&) {
+                     const bool automatic = studio.camera().auto_exposure;
+                     // What the picture has now is where the hand goes on.
+                     return expose(
+                         studio,
+                         static_cast<double>(automatic ? studio.picture().ev100 : studio.camera().ev100),
+                         !automatic);
+                 },
+                 [&studio] { return studio.camera().auto_exposure; }});
+    actions.add({"baked", "Camera", "Baked pictures where they are fresh", "", "[on|off]",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     const QString word = words.value(0, studio.wishes().takes_baked ? "off" : "on");
+                     if (word != "on" && word != "off")
+                         return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
+                     studio.wish([&](Wishes& wishes) { wishes.takes_baked = word == "on"; });
+                     return {};
+                 },
+                 [&studio] { return studio.wishes().takes_baked; }});
+    actions.add({"select",
+                 "",
+                 "select",
+                 "",
+                 "NAME...",
+                 [&studio](const QStringList& words) -> Result<void> {
+                     TRY_VOID(need_show(studio));
+                     if (studio.show()->fixtures.empty()) return Error{"the show has no fixtures", ""};
+                     std::set<std::size_t> wanted;
+                     for (const QString& word : words) {
+                         const std::size_t before = wanted.size();
+                         for (std::size_t i = 0; i < studio.show()->fixtures.size(); ++i)
+                             if (matches(word.toStdString(), studio.show()->fixtures[i].name))
+                                 wanted.insert(i);
+                         if (wanted.size() == before)
+                             return Error{
+                                 (before > 0 ? "no further fixture is called '" : "no fixture is called '") +
+                                     word.toStdString() + "'",
+                                 ""};
+                     }
+                     studio.select(std::move(wanted));
+                     return {};
+                 },
+                 {}});
+    actions.add({"select-all",
+                 "Edit",
+                 "Select all fixtures",
+                 "Ctrl+A",
+                 "",
+                 [&studio](const QStringList&) -> Result<void> {
+                     std::set<std::size_t> all;
+                     for (std::size_t i = 0; studio.show() && i < studio.show()->fixtures.size(); ++i)
+                         all.insert(i);
+                     studio.select(std::move(all));
+                     return {};
+                 },
+                 {}});
+    actions.add({"select-none",
+                 "Edit",
+                 "Select nothing",
+                 "Esc",
+                 "",
+                 [&studio](const QStringList&) -> Result<void> {
+                     studio.select({});
+                     return {};
+                 },
+                 {}});
+}
+
+} // namespace ghost::ui

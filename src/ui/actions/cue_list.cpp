@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/cue_list.h"
+
+#include "base/suggest.h"
+#include "show_file/cue_edit.h"
+
+#include <algorithm>
+
+namespace ghost::ui {
+namespace {
+
+constexpr double kLongestFollow_s = 86400, kLongestFlight_s = 60;
+constexpr double kPassesWithin_s = 2; // a longer step of the recording is a jump
+
+Result<std::optional<float>> seconds_of(const QString& words, double most_s) {
+    if (words.isEmpty()) return std::optional<float>();
+    TRY(const double seconds, number_of({words}, 0, "number of seconds", 0, most_s));
+    return std::optional(static_cast<float>(seconds));
+}
+
+} // namespace
+
+CueList::CueList(Studio& studio, ShowDocument& document, Looks& looks)
+    : studio_(studio), document_(document), looks_(looks) {
+    follow_.setSingleShot(true);
+    connect(&follow_, &QTimer::timeout, this, [this] {
+        if (const Result<void> done = go(); !done.ok() && complain) complain(done.error());
+    });
+    connect(&studio_, &Studio::opened_show, this, [this] {
+        if (!studio_.opened().is_edit || (current_ && *current_ >= all().size())) {
+            current_.reset();
+            follow_.stop();
+        }
+        Q_EMIT changed();
+    });
+    connect(&studio_, &Studio::rig_came, this, &CueList::look_at_recording);
+}
+
+const std::vector<scene::Cue>& CueList::all() const {
+    static const std::vector<scene::Cue> kNone;
+    return studio_.show() ? studio_.show()->cues : kNone;
+}
+
+double CueList::follows_in_s() const {
+    return follow_.isActive() ? follow_.remainingTime() * 1e-3 : -1.0;
+}
+
+Result<void> CueList::go() {
+    if (all().empty()) return Error{"the show has no cue: add one", ""};
+    const std::size_t next = current_ ? *current_ + 1 : 0;
+    if (next >= all().size()) return Error{"this was the last cue", ""};
+    return call(next);
+}
+
+Result<void> CueList::back() {
+    if (all().empty()) return Error{"the show has no cue: add one", ""};
+    if (!current_ || *current_ == 0) return Error{"this is the first cue", ""};
+    return call(*current_ - 1);
+}
+
+Result<void> CueList::call(std::size_t index) {
+    return call(index, Place::goes_there);
+}
+
+Result<void> CueList::call(std::size_t index, Place place) {
+    if (index >= all().size()) return Error{"there is no cue number " + std::to_string(index + 1), ""};
+    const scene::Cue cue = all()[index];
+    if (!cue.look.empty())
+        TRY_VOID(looks_.recall(cue.look, cue.fade_s ? static_cast<double>(*cue.fade_s) : -1));
+    if (!cue.camera.empty()) {
+        TRY(const std::size_t camera, studio_.show()->find_camera(cue.camera));
+        if (cue.flight_s > 0)
+            studio_.travel_to_stored(studio_.show()->cameras[camera], static_cast<int>(1000 * cue.flight_s));
+        else
+            studio_.cut_to(studio_.show()->cameras[camera]);
+    }
+    if (cue.at_s && place == Place::goes_there)
+        studio_.wish([&](Wishes& wishes) {
+            ++wishes.transport.seeks;
+            wishes.transport.at_s = *cue.at_s;
+        });
+    current_ = index;
+    follow_.stop();
+    if (cue.follow_s && index + 1 < all().size())
+        follow_.start(
+            static_cast<int>(1000 * std::min(static_cast<double>(*cue.follow_s), kLongestFollow_s)));
+    Q_EMIT changed();
+    return {};
+}
+
+void CueList::set_follows_recording(bool follows) {
+    follows_recording_ = follows;
+    seen_s_ = studio_.rig().at_s;
+    Q_EMIT changed();
+}
+
+void CueList::look_at_recording() {
+    const double before_s = std::exchange(seen_s_, studio_.rig().at_s);
+    if (!follows_recording_ || studio_.rig().from_desk || seen_s_ <= before_s ||
+        seen_s_ - before_s > kPassesWithin_s)
+        return;
+    for (std::size_t i = 0; i < all().size(); ++i) {
+        const std::optional<double>& at_s = all()[i].at_s;
+        if (!at_s || *at_s <= before_s || *at_s > seen_s_) continue;
+        if (const Result<void> done = call(i, Place::stays); !done.ok() && complain) complain(done.error());
+        return;
+    }
+}
+
+Result<void> CueList::edit(const QString& what, const Result<std::string>& text) {
+    TRY_VOID(text);
+    return document_.edit(what, {*text, studio_.look(), studio_.selection()});
+}
+
+Result<void> CueList::add(const QString& name, const QString& look) {
+    TRY_VOID(document_.check_editable());
+    scene::Cue cue;
+    cue.look = look.toStdString();
+    if (!cue.look.empty()) TRY_VOID(scene::find_look(looks_.all(), cue.look));
+    // Without a look it is the moment of the recording, or else the camera.
+    if (cue.look.empty() && studio_.rig().recording_s > 0 && !studio_.rig().from_desk)
+        cue.at_s = std::round(studio_.rig().at_s * 10) / 10;
+    else if (cue.look.empty())
+        cue.camera = studio_.show()->cameras.empty() ? "" : studio_.show()->cameras.front().name;
+    const auto is_taken = [&](const std::string& wanted) {
+        return std::any_of(all().begin(), all().end(),
+                           [&](const scene::Cue& one) { return one.name == wanted; });
+    };
+    cue.name = name.toStdString();
+    if (cue.name.empty()) cue.name = cue.look.empty() ? "Cue " + std::to_string(all().size() + 1) : cue.look;
+    const std::string wanted = cue.name;
+    for (int number = 2; name.isEmpty() && is_taken(cue.name); ++number)
+        cue.name = wanted + " " + std::to_string(number);
+    if (is_taken(cue.name)) return Error{"another cue is called '" + cue.name + "'", ""};
+    return edit("Add cue '" + QString::fromStdString(cue.name) + "'", scene::add_cue(document_.text(), cue));
+}
+
+Result<void> CueList::set(std::size_t index, const QString& what, const QString& words) {
+    TRY_VOID(document_.check_editable());
+    if (index >= all().size()) return Error{"there is no cue number " + std::to_string(index + 1), ""};
+    scene::Cue cue = all()[index];
+    if (what == "name") {
+        if (words.isEmpty()) return Error{"a cue needs a name", ""};
+        cue.name = words.toStdString();
+        for (std::size_t i = 0; i < all().size(); ++i)
+            if (i != index && all()[i].name == cue.name)
+                return Error{"another cue is called '" + cue.name + "'", ""};
+    } else if (what == "look") {
+        cue.look = words.toStdString();
+        if (!cue.look.empty()) TRY_VOID(scene::find_look(looks_.all(), cue.look));
+    } else if (what == "camera") {
+        cue.camera = words.toStdString();
+        if (!cue.camera.empty()) TRY_VOID(studio_.show()->find_camera(cue.camera));
+    } else if (what == "at") {
+        TRY(const std::optional<float> at_s, seconds_of(words, 366.0 * 86400.0));
+        cue.at_s = at_s ? std::optional(words.toDouble()) : std::nullopt;
+    } else if (what == "flight") {
+        TRY(const std::optional<float> flight_s, seconds_of(words, kLongestFlight_s));
+        cue.flight_s = flight_s.value_or(0);
+    } else if (what == "fade") {
+        TRY(cue.fade_s, seconds_of(words, scene::kLongestFade_s));
+    } else if (what == "follow") {
+        TRY(cue.follow_s, seconds_of(words, kLongestFollow_s));
+    } else if (what == "notes") {
+        cue.notes = words.toStdString();
+    } else {
+        return Error{"'" + what.toStdString() +
+                         "' is none of name, look, at, camera, flight, fade, follow and notes",
+                     ""};
+    }
+    if (!cue.at_s && cue.camera.empty() && cue.look.empty())
+        return Error{"a cue needs a look, a camera or a place in the recording", ""};
+    return edit("Cue", scene::edit_cue(document_.text(), all(), index, cue));
+}
+
+Result<void> CueList::move(std::size_t index, int by) {
+    TRY_VOID(document_.check_editable());
+    const std::size_t lower = by < 0 ? index : index + 1;
+    if (by > 0 && lower >= all().size()) return Error{"this is the last cue", ""};
+    return edit("Move cue", scene::move_cue_up(document_.text(), all(), lower));
+}
+
+Result<void> CueList::remove(std::size_t index) {
+    TRY_VOID(document_.check_editable());
+    return edit("Remove cue", scene::remove_cue(document_.text(), all(), index));
+}
+
+namespace {
+
+Result<std::size_t> cue_of(const CueList& cues, const QString& word) {
+    bool is_number = false;
+    const int number = word.toInt(&is_number);
+    if (is_number && number >= 1 && static_cast<std::size_t>(number) <= cues.all().size())
+        return static_cast<std::size_t>(number) - 1;
+    std::vector<std::string> names;
+    for (const scene::Cue& cue : cues.all()) {
+        if (cue.name == word.toStdString()) return names.size();
+        names.push_back(cue.name);
+    }
+    return Error{"there is no cue '" + word.toStdString() + "'" + did_you_mean(word.toStdString(), names),
+                 ""};
+}
+
+} // namespace
+
+void add_cue_actions(Actions& actions, CueList& cues) {
+    const auto add = [&](const QString& name, const QString& text, const QString& key,
+                         const QString& arguments, std::function<Result<void>(const QStringList&)> run) {
+        actions.add({name,
+                     text.isEmpty() ? "" : "Play",
+                     text.isEmpty() ? name : text,
+                     key,
+                     arguments,
+                     std::move(run),
+                     {}});
+    };
+    add("cue-go", "Go: the next cue", "Ctrl+G", "", [&cues](const QStringList&) { return cues.go(); });
+    add("cue-back", "Back: the cue before", "Ctrl+Shift+G", "",
+        [&cues](const QStringList&) { return cues.back(); });
+    actions.add({"cue-follow", "Play", "Cues follow the recording", "", "",
+                 [&cues](const QStringList&) -> Result<void> {
+                     cues.set_follows_recording(!cues.follows_recording());
+                     return {};
+                 },
+                 [&cues] { return cues.follows_recording(); }});
+    const auto with_cue = [&cues](auto f) {
+        return [&cues, f](const QStringList& words) -> Result<void> {
+            TRY(const std::size_t index, cue_of(cues, words.value(0)));
+            return f(cues, index, words);
+        };
+    };
+    add("cue", "", "", "NAME|NUMBER",
+        with_cue([](CueList& list, std::size_t index, const QStringList&) { return list.call(index); }));
+    add("cue-add", "", "", "[NAME [LOOK]]",
+        [&cues](const QStringList& words) { return cues.add(words.value(0), words.value(1)); });
+    add("cue-set", "", "", "NAME|NUMBER name|look|at|camera|flight|fade|follow|notes [VALUE]",
+        with_cue([](CueList& list, std::size_t index, const QStringList& words) {
+            return list.set(index, words.value(1), words.value(2));
+        }));
+    add("cue-move", "", "", "NAME|NUMBER up|down",
+        with_cue([](CueList& list, std::size_t index, const QStringList& words) -> Result<void> {
+            if (words.value(1) != "up" && words.value(1) != "down")
+                return Error{"'" + words.value(1).toStdString() + "' is neither up nor down", ""};
+            return list.move(index, words[1] == "up" ? -1 : 1);
+        }));
+    add("cue-remove", "", "", "NAME|NUMBER",
+        with_cue([](CueList& list, std::size_t index, const QStringList&) { return list.remove(index); }));
+}
+
+} // namespace ghost::ui

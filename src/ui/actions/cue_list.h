@@ -1,0 +1,63 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// CueList: the cues of the show ([[cue]] of show.toml) one after the other: go, back, what follows by itself,
+// and edits of them, each one step of the undo list. Window thread.
+
+#include "show/cues.h"
+#include "ui/actions/actions.h"
+#include "ui/model/looks.h"
+#include "ui/model/show_document.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <optional>
+
+namespace ghost::ui {
+
+class CueList : public QObject {
+    Q_OBJECT
+public:
+    CueList(Studio& studio, ShowDocument& document, Looks& looks);
+
+    const std::vector<scene::Cue>& all() const;
+    std::optional<std::size_t> current() const { return current_; } // that was called last
+    double follows_in_s() const; // until the next one goes by itself; below 0: it does not
+
+    Result<void> go();
+    Result<void> back();
+    Result<void> call(std::size_t index);
+    // Cues with a place in the recording are called when it, or its time code, comes by.
+    void set_follows_recording(bool follows);
+    bool follows_recording() const { return follows_recording_; }
+
+    Result<void> add(const QString& name, const QString& look);
+    // what: name, look, at, camera, flight, fade, follow or notes; words empty: it goes.
+    Result<void> set(std::size_t index, const QString& what, const QString& words);
+    Result<void> move(std::size_t index, int by); // -1 or 1
+    Result<void> remove(std::size_t index);
+
+    std::function<void(const Error&)> complain; // of what follows by itself
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    enum class Place { goes_there, stays };
+    Result<void> call(std::size_t index, Place place);
+    void look_at_recording();
+    Result<void> edit(const QString& what, const Result<std::string>& text);
+
+    Studio& studio_;
+    ShowDocument& document_;
+    Looks& looks_;
+    std::optional<std::size_t> current_;
+    QTimer follow_;
+    bool follows_recording_ = false;
+    double seen_s_ = 0; // of the recording
+};
+
+// "cue-go", "cue-back", "cue NAME|NUMBER", "cue-add NAME [LOOK]", "cue-set NUMBER WHAT VALUE" and so on.
+void add_cue_actions(Actions& actions, CueList& cues);
+
+} // namespace ghost::ui

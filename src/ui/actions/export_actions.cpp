@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/export_actions.h"
+
+namespace ghost::ui {
+namespace {
+
+using Run = std::function<Result<void>(const QStringList& words)>;
+
+constexpr int kLeastPixels = 16, kMostPixels = 8192;
+constexpr double kLongest_s = 1e7;
+
+Result<void> bake(Exporter& exporter, const QStringList& words) {
+    BakeWish wish;
+    wish.camera = words.value(0) == "all" ? QString() : words.value(0);
+    if (words.size() > 1) {
+        TRY(const double spp, number_of(words, 1, "number of samples per pixel", 1, 1024));
+        wish.spp = static_cast<int>(spp);
+    }
+    if (words.size() > 2) {
+        TRY(const double bounces, number_of(words, 2, "number of bounces", 0, 16));
+        wish.bounces = static_cast<int>(bounces);
+    }
+    TRY_VOID(exporter.bake(wish));
+    return {};
+}
+
+Result<void> still(Exporter& exporter, const QStringList& words) {
+    PictureWish wish;
+    wish.file = words.value(0);
+    if (words.size() > 1) {
+        if (const Result<QSize> size = size_of(words[1]); size.ok()) {
+            wish.width = size->width();
+            wish.height = size->height();
+        } else if (words[1].contains('x') && words[1][0].isDigit()) {
+            return size.error();
+        } else {
+            wish.camera = words[1];
+        }
+    }
+    TRY_VOID(exporter.render(wish));
+    return {};
+}
+
+Result<void> film(Exporter& exporter, const QStringList& words) {
+    PictureWish wish;
+    wish.file = words.value(0);
+    TRY(wish.from_s, number_of(words, 1, "first second", 0, kLongest_s));
+    TRY(wish.to_s, number_of(words, 2, "last second", 0, kLongest_s));
+    if (words.size() > 3) {
+        TRY(const double fps, number_of(words, 3, "number of pictures a second", 1, 240));
+        wish.fps = static_cast<int>(fps);
+    }
+    if (words.size() > 4) {
+        TRY(const QSize size, size_of(words[4]));
+        wish.width = size.width();
+        wish.height = size.height();
+    }
+    TRY_VOID(exporter.render(wish));
+    return {};
+}
+
+} // namespace
+
+Result<QSize> size_of(const QString& words) {
+    const QStringList parts = words.split('x');
+    bool has_width = false, has_height = false;
+    const int width = parts.value(0).toInt(&has_width), height = parts.value(1).toInt(&has_height);
+    if (parts.size() == 2 && has_width && has_height && width >= kLeastPixels && height >= kLeastPixels &&
+        width <= kMostPixels && height <= kMostPixels)
+        return QSize(width, height);
+    return Error{"'" + words.toStdString() + "' is no size like 1920x1080, 16 to 8192 each way", ""};
+}
+
+void add_export_actions(Actions& actions, Studio& studio, Exporter& exporter) {
+    const auto add = [&](const QString& name, const QString& arguments, const Run& run) {
+        actions.add({name, "", name, "", arguments, run, {}});
+    };
+    add("bake", "[CAMERA|all] [SAMPLES] [BOUNCES]",
+        [&exporter](const QStringList& words) { return bake(exporter, words); });
+    add("export-still", "FILE [WxH|CAMERA]",
+        [&exporter](const QStringList& words) { return still(exporter, words); });
+    add("export-film", "FILE FROM TO [FPS] [WxH]",
+        [&exporter](const QStringList& words) { return film(exporter, words); });
+    add("export-sheet", "FILE [WxH]", [&exporter](const QStringList& words) -> Result<void> {
+        TRY(const QSize size, size_of(words.value(1, "480x270")));
+        TRY_VOID(exporter.sheet(words.value(0), size.width(), size.height()));
+        return {};
+    });
+    actions.add({"cancel-jobs",
+                 "Show",
+                 "Cancel what runs in the background",
+                 "",
+                 "",
+                 [&studio](const QStringList&) -> Result<void> {
+                     if (!studio.jobs().is_busy()) return Error{"nothing runs in the background", ""};
+                     studio.jobs().cancel_all();
+                     return {};
+                 },
+                 {}});
+}
+
+} // namespace ghost::ui

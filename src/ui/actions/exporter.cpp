@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/exporter.h"
+
+#include "files/files.h"
+#include "show/looks.h"
+#include "ui/model/look_fade.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+#include <filesystem>
+
+namespace ghost::ui {
+namespace {
+
+const char* const kLookName = "window";
+const char* const kLookFile = "window-look.toml";
+
+// Without an exponent, which a command line takes for an option.
+QString metres(float value) {
+    return QString::number(static_cast<double>(value), 'f', 4);
+}
+
+Result<void> check_file(const QString& file, const QStringList& endings) {
+    const QFileInfo info(file);
+    if (file.isEmpty()) return Error{"it needs the name of a file", ""};
+    if (!endings.contains(info.suffix().toLower()))
+        return Error{"the name must end in ." + endings.join(" or .").toStdString(), file.toStdString()};
+    if (!info.absoluteDir().exists()) return Error{"no such folder", info.absoluteDir().path().toStdString()};
+    return {};
+}
+
+} // namespace
+
+Exporter::Exporter(Studio& studio, ShowDocument& document) : studio_(studio), document_(document) {
+    // Looks that were written for a job go with it.
+    connect(&studio_.jobs(), &Jobs::ended, this, [](const Job& job) {
+        const auto at = job.arguments.indexOf("--looks");
+        if (at >= 0 && at + 1 < job.arguments.size()) QFile::remove(job.arguments[at + 1]);
+    });
+}
+
+Result<QString> Exporter::show_file() const {
+    if (!studio_.show()) return Error{"no show is open", ""};
+    if (document_.is_changed() || document_.has_draft())
+        return Error{"save the show first (Ctrl+S): what runs in the background reads its file",
+                     studio_.show()->file.string()};
+    return QString::fromStdString(std::filesystem::absolute(studio_.show()->file).string());
+}
+
+QStringList Exporter::tone_arguments() const {
+    return {"--tone", QString::fromStdString(image::name_of(studio_.wishes().tone))};
+}
+
+QStringList Exporter::eye_arguments() const {
+    const scene::Camera& camera = studio_.camera();
+    const float ev100 = camera.auto_exposure ? studio_.picture().ev100 : camera.ev100;
+    QStringList words{"--eye"};
+    for (int axis = 0; axis < 3; ++axis) words << metres(camera.position_m[axis]);
+    words << "--target";
+    for (int axis = 0; axis < 3; ++axis) words << metres(camera.target_m[axis]);
+    words << "--fov" << metres(camera.fov_y_deg) << "--ev" << metres(ev100);
+    return words;
+}
+
+Result<QStringList> Exporter::look_arguments() {
+    Look look = studio_.look();
+    leave_solo(look, studio_.show()->fixtures.size());
+    scene::StoredLook stored;
+    stored.name = kLookName;
+    stored.scene = look.scene;
+    for (const auto& [index, manual] : look.fixtures)
+        if (index < studio_.show()->fixtures.size())
+            stored.fixtures[studio_.show()->fixtures[index].name] = manual;
+    if (stored.fixtures.empty() && stored.scene == SceneLook{}) return QStringList{};
+    const std::filesystem::path folder = studio_.show()->cache_folder();
+    TRY_VOID(make_folders(folder, studio_.show()->cache_home()));
+    const std::filesystem::path file = temporary_beside(folder / kLookFile); // one for each job
+    TRY_VOID(scene::write_looks(file, scene::text_of({stored})));
+    return QStringList{"--looks", QString::fromStdString(std::filesystem::absolute(file).string()), "--look",
+                       kLookName};
+}
+
+Result<int> Exporter::bake(const BakeWish& wish) {
+    TRY(const QString show, show_file());
+    QStringList words{
+        "bake", show, "--spp", QString::number(wish.spp), "--bounces", QString::number(wish.bounces)};
+    if (!wish.camera.isEmpty()) {
+        TRY_VOID(studio_.show()->find_camera(wish.camera.toStdString()));
+        words << "--view" << wish.camera;
+    }
+    return studio_.jobs().start(wish.camera.isEmpty() ? QString("Bake all cameras") : "Bake " + wish.camera,
+                                words);
+}
+
+Result<int> Exporter::render(const PictureWish& wish) {
+    const bool is_film = wish.from_s >= 0;
+    TRY_VOID(check_file(wish.file, is_film ? QStringList{"mp4", "png", "exr"} : QStringList{"png", "exr"}));
+    TRY(const QString show, show_file());
+    QStringList words{"render", show, "-o", QFileInfo(wish.file).absoluteFilePath()};
+    if (wish.camera.isEmpty()) {
+        words += eye_arguments();
+        words << "--size" << QString("%1x%2").arg(wish.width).arg(wish.height) << "--supersample"
+              << QString::number(wish.supersample);
+    } else {
+        TRY_VOID(studio_.show()->find_camera(wish.camera.toStdString()));
+        words << "--view" << wish.camera;
+    }
+    words += tone_arguments();
+    const std::string& played = studio_.wishes().recording;
+    const bool plays = !studio_.show()->recording.empty() || !played.empty();
+    if (!played.empty()) words << "--replay" << QString::fromStdString(played);
+    if (is_film) {
+        if (!plays) return Error{"a film shows the recording of the show, and it has none", ""};
+        if (wish.to_s <= wish.from_s) return Error{"the film must end after it begins", ""};
+        words << "--from" << QString::number(wish.from_s) << "--to" << QString::number(wish.to_s) << "--fps"
+              << QString::number(wish.fps);
+    } else if (plays) {
+        words << "--at" << QString::number(studio_.rig().at_s);
+    }
+    TRY(const QStringList look, look_arguments());
+    if (!plays && look.isEmpty())
+        return Error{"nothing lights the picture: the show has no recording and nothing is set by hand; "
+                     "'save-picture' saves what a desk does now",
+                     ""};
+    words += look;
+    return studio_.jobs().start((is_film ? "Film " : "Still ") + QFileInfo(wish.file).fileName(), words);
+}
+
+Result<int> Exporter::sheet(const QString& file, int width, int height) {
+    TRY_VOID(check_file(file, {"png"}));
+    TRY(const QString show, show_file());
+    QStringList words{"sheet",  show,
+                      "-o",     QFileInfo(file).absoluteFilePath(),
+                      "--size", QString("%1x%2").arg(width).arg(height)};
+    // What looks leave alone does what the window's recording does now.
+    const bool plays = !studio_.show()->recording.empty() && !studio_.rig().from_desk;
+    if (plays && studio_.wishes().recording.empty()) words << "--at" << QString::number(studio_.rig().at_s);
+    words += tone_arguments();
+    return studio_.jobs().start("Contact sheet " + QFileInfo(file).fileName(), words);
+}
+
+} // namespace ghost::ui

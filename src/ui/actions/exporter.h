@@ -1,0 +1,51 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Exporter: bakes, stills, films and contact sheets as jobs (ui/model/jobs.h): what the commands bake, render
+// and sheet do, with the arguments that the window's camera, exposure and hand-made look ask for. They read
+// the show from its file, so it must be saved. Errors: why a job cannot begin. Window thread.
+
+#include "base/result.h"
+#include "ui/model/show_document.h"
+#include "ui/model/studio.h"
+
+#include <QObject>
+#include <QString>
+
+namespace ghost::ui {
+
+struct BakeWish {
+    QString camera; // empty: all
+    int spp = 16;
+    int bounces = 0;
+};
+
+struct PictureWish {
+    QString file;
+    QString camera; // empty: as the window sees it, drawn live; else from the passes of that camera
+    int width = 1920, height = 1080; // where it is drawn live; passes have their own size
+    int supersample = 1;             // likewise
+    double from_s = -1, to_s = -1;   // of a film; below 0: a still of where the recording is now
+    int fps = 30;
+};
+
+class Exporter : public QObject {
+    Q_OBJECT
+public:
+    Exporter(Studio& studio, ShowDocument& document);
+
+    // Each gives the number of its job.
+    Result<int> bake(const BakeWish& wish);
+    Result<int> render(const PictureWish& wish);
+    Result<int> sheet(const QString& file, int width, int height);
+
+private:
+    Result<QString> show_file() const;
+    Result<QStringList> look_arguments();
+    QStringList tone_arguments() const;
+    QStringList eye_arguments() const;
+
+    Studio& studio_;
+    ShowDocument& document_;
+};
+
+} // namespace ghost::ui

@@ -1,0 +1,21 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Hanging the selected fixtures under a truss or a pipe of the stage (project/hang.h), one step of the undo
+// list. Errors: nothing is selected, or there is no such truss. Window thread.
+
+#include "ui/actions/actions.h"
+#include "ui/model/show_document.h"
+
+#include <QString>
+
+namespace ghost::ui {
+
+// object: of Opened::objects.
+Result<void> hang_under(Studio& studio, ShowDocument& document, std::size_t object);
+// Under the truss nearest to them; pattern: of the objects called so, if it is not empty.
+Result<void> hang(Studio& studio, ShowDocument& document, const QString& pattern);
+
+// "hang [OBJECT]".
+void add_hang_action(Actions& actions, Studio& studio, ShowDocument& document);
+
+} // namespace ghost::ui

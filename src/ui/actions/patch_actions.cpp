@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/patch_actions.h"
+
+#include "dmx/wire/universes.h"
+
+namespace ghost::ui {
+namespace {
+
+constexpr double kMost_m = 100000;
+constexpr const char* kModels = "Models (*.glb *.gltf *.obj *.3ds);;All files (*)";
+
+Result<glm::vec3> vector_of(const QStringList& words, const char* what, double most) {
+    glm::vec3 numbers{0};
+    for (int i = 0; i < 3; ++i) {
+        TRY(const double number, number_of(words, i, what, -most, most));
+        numbers[i] = static_cast<float>(number);
+    }
+    return numbers;
+}
+
+using Run = std::function<Result<void>(PatchEdit& edit, const QStringList& words)>;
+
+} // namespace
+
+Result<fixture::Address> address_of(const QString& words) {
+    if (words == "none") return fixture::Address{1, 0};
+    const QStringList parts = words.split('.');
+    bool has_universe = true, has_channel = false;
+    const int universe = parts.size() == 2 ? parts[0].toInt(&has_universe) : 1;
+    const int channel = parts.last().toInt(&has_channel);
+    if (parts.size() > 2 || !has_universe || !has_channel || universe < 1 || universe > dmx::kMaxUniverse ||
+        channel < 1 || channel > 512)
+        return Error{"'" + words.toStdString() +
+                         "' is no address like 2.101 (universe 1 to 63999, channel 1 to 512), nor 'none'",
+                     ""};
+    return fixture::Address{universe, channel};
+}
+
+void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document) {
+    const auto add = [&](const QString& name, const QString& text, const QString& key,
+                         const QString& arguments, const Run& run, const FileQuestion& asks = {}) {
+        actions.add({name,
+                     text.isEmpty() ? "" : "Edit",
+                     text.isEmpty() ? name : text,
+                     key,
+                     arguments,
+                     [&studio, &document, run](const QStringList& words) -> Result<void> {
+                         PatchEdit edit(studio, document);
+                         return run(edit, words);
+                     },
+                     {},
+                     asks});
+    };
+    add("address", "", "", "UNIVERSE.CHANNEL|none",
+        [](PatchEdit& edit, const QStringList& words) -> Result<void> {
+            TRY(const fixture::Address address, address_of(words.value(0)));
+            return edit.set_address(address);
+        });
+    add("rename", "", "", "NAME",
+        [](PatchEdit& edit, const QStringList& words) { return edit.rename(words.value(0)); });
+    add("mode", "", "", "NAME",
+        [](PatchEdit& edit, const QStringList& words) { return edit.set_mode(words.value(0)); });
+    add("place", "", "", "X Y Z", [](PatchEdit& edit, const QStringList& words) -> Result<void> {
+        TRY(const glm::vec3 place_m, vector_of(words, "metres", kMost_m));
+        return edit.set_position(place_m);
+    });
+    add("move", "", "", "X Y Z", [](PatchEdit& edit, const QStringList& words) -> Result<void> {
+        TRY(const glm::vec3 by_m, vector_of(words, "metres", kMost_m));
+        return edit.move_by(by_m);
+    });
+    add("rotate", "", "", "X Y Z", [](PatchEdit& edit, const QStringList& words) -> Result<void> {
+        TRY(const glm::vec3 turn_deg, vector_of(words, "degrees", 360));
+        return edit.set_rotation(turn_deg);
+    });
+    add("align", "", "", "x|y|z", [](PatchEdit& edit, const QStringList& words) -> Result<void> {
+        const int axis = static_cast<int>(QString("xyz").indexOf(words.value(0)));
+        if (words.value(0).size() != 1 || axis < 0) return Error{"align: expected x, y or z", ""};
+        return edit.align(axis);
+    });
+    for (const int axis : {0, 1, 2})
+        add(QString("align-") + "xyz"[axis], QString("Align %1 with the first").arg("XYZ"[axis]), "", "",
+            [axis](PatchEdit& edit, const QStringList&) { return edit.align(axis); });
+    add("distribute", "Spread evenly", "", "",
+        [](PatchEdit& edit, const QStringList&) { return edit.distribute(); });
+    add("duplicate", "Duplicate", "Ctrl+D", "[X Y Z]",
+        [](PatchEdit& edit, const QStringList& words) -> Result<void> {
+            if (words.isEmpty()) return edit.duplicate({1, 0, 0});
+            TRY(const glm::vec3 by_m, vector_of(words, "metres", kMost_m));
+            return edit.duplicate(by_m);
+        });
+    add("remove", "Remove", "Delete", "", [](PatchEdit& edit, const QStringList&) { return edit.remove(); });
+    add("unpatch", "Unpatch", "", "", [](PatchEdit& edit, const QStringList&) {
+        return edit.set_address({1, 0});
+    });
+    add("add-fixture", "Add a fixture...", "", "FILE",
+        [&studio](PatchEdit& edit, const QStringList& words) {
+            glm::vec3 place_m = studio.camera().target_m;
+            place_m.z = std::max(place_m.z, 3.0f);
+            return edit.add(words[0].toStdString(), place_m);
+        },
+        {"Add a fixture", "Fixtures (*.gdtf *.qxf *.json);;All files (*)", ""});
+    actions.add({"keep-camera",
+                 "Camera",
+                 "Keep this camera",
+                 "Ctrl+K",
+                 "[NAME]",
+                 [&studio, &document](const QStringList& words) {
+                     return PatchEdit(studio, document).keep_camera(words.value(0));
+                 },
+                 {}});
+    add("set-stage", "Choose the stage...", "", "MODEL",
+        [](PatchEdit& edit, const QStringList& words) { return edit.set_stage(words[0].toStdString()); },
+        {"A model becomes the stage of the show", kModels, ""});
+    add("add-model", "Add a model...", "", "MODEL [X Y Z]",
+        [&studio](PatchEdit& edit, const QStringList& words) -> Result<void> {
+            glm::vec3 place_m = studio.camera().target_m;
+            place_m.z = 0; // on the floor
+            if (words.size() > 1) {
+                TRY(place_m, vector_of(words.mid(1), "metres", kMost_m));
+            }
+            return edit.add_model(words[0].toStdString(), place_m);
+        },
+        {"A model that stands on the stage", kModels, ""});
+    add("set-plot", "", "", "FILE.mvr", [](PatchEdit& edit, const QStringList& words) {
+        return edit.set_plot(words.value(0).toStdString());
+    });
+}
+
+void add_document_actions(Actions& actions, ShowDocument& document) {
+    actions.add({"save",
+                 "Show",
+                 "Save the show",
+                 "Ctrl+S",
+                 "[over]",
+                 [&document](const QStringList& words) { return document.save(words.value(0) == "over"); },
+                 {}});
+    actions.add({"save-copy",
+                 "Show",
+                 "Save a copy of the show file...",
+                 "",
+                 "FILE",
+                 [&document](const QStringList& words) { return document.save_copy(words[0].toStdString()); },
+                 {},
+                 {"Save a copy of the show file", "Show files (*.toml)", "show.toml"}});
+    actions.add({"reload",
+                 "Show",
+                 "Take what the show file says now",
+                 "",
+                 "",
+                 [&document](const QStringList&) { return document.reload(); },
+                 {}});
+    actions.add({"take-changes",
+                 "Edit",
+                 "Take changes that were not saved",
+                 "",
+                 "",
+                 [&document](const QStringList&) { return document.take_draft(); },
+                 {}});
+    actions.add({"drop-changes",
+                 "Edit",
+                 "Drop changes that were not saved",
+                 "",
+                 "",
+                 [&document](const QStringList&) { return document.drop_draft(); },
+                 {}});
+    actions.add({"take-over",
+                 "Edit",
+                 "Take the show over from another window",
+                 "",
+                 "",
+                 [&document](const QStringList&) { return document.take_over(); },
+                 {}});
+}
+
+} // namespace ghost::ui

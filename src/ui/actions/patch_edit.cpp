@@ -1,0 +1,380 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/patch_edit.h"
+
+#include "base/suggest.h"
+#include "base/text.h"
+#include "files/files.h"
+#include "files/user_file.h"
+#include "fixture/values.h"
+#include "fixture_files/load_type.h"
+#include "show/free_address.h"
+#include "show_file/show_edit.h"
+#include "show_file/show_toml.h"
+
+#include <algorithm>
+#include <set>
+
+namespace ghost::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostFixtureBytes = std::uintmax_t{256} << 20;
+constexpr std::uintmax_t kMostModelBytes = std::uintmax_t{1} << 30;
+
+int footprint(const scene::PatchedFixture& fixture) {
+    return fixture.type ? fixture::footprint_of(*fixture.type, fixture.mode) : 1;
+}
+
+// "Spot 3" -> "Spot 4", and on until nobody has it.
+std::string next_name(const std::string& name, std::set<std::string>& taken) {
+    const std::size_t digits = name.find_last_not_of("0123456789") + 1;
+    const std::string stem = digits < name.size() ? name.substr(0, digits) : name + " ";
+    long number = digits < name.size() && name.size() - digits < 9 ? std::stol(name.substr(digits)) : 1;
+    std::string next;
+    do {
+        next = stem + std::to_string(++number);
+    } while (!taken.insert(next).second);
+    return next;
+}
+
+// What goes by index of the fixture, as another text counts; f: nothing where the fixture is gone.
+template <class F>
+Look counted_anew(const Look& look, F&& f) {
+    Look anew = look;
+    anew.fixtures.clear();
+    for (const auto& [index, manual] : look.fixtures)
+        if (const std::optional<std::size_t> now = f(index)) anew.fixtures[*now] = manual;
+    anew.solo.clear();
+    for (const std::size_t index : look.solo)
+        if (const std::optional<std::size_t> now = f(index)) anew.solo.insert(*now);
+    return anew;
+}
+
+} // namespace
+
+Result<void> PatchEdit::check() const {
+    TRY_VOID(document_.check_editable());
+    if (studio_.selection().empty()) return Error{"no fixture is selected", ""};
+    return {};
+}
+
+std::vector<fixture::Patch> PatchEdit::patches() const {
+    std::vector<fixture::Patch> all;
+    for (const scene::PatchedFixture& fixture : fixtures())
+        if (fixture.type) all.push_back(fixture.patch());
+    return all;
+}
+
+// f: what becomes of each selected fixture, in their order.
+template <class F>
+Result<void> PatchEdit::edit_each(const QString& what, F&& f) {
+    TRY_VOID(check());
+    std::vector<std::pair<scene::FixturePlace, scene::FixtureEdit>> edits;
+    for (const std::size_t index : studio_.selection()) {
+        if (index >= fixtures().size()) continue;
+        scene::FixtureEdit edit;
+        TRY_VOID(f(fixtures()[index], edit));
+        edits.emplace_back(scene::place_of(fixtures()[index], index), edit);
+    }
+    TRY(std::string text, scene::edit_fixtures(document_.text(), edits));
+    return document_.edit(what, {std::move(text), studio_.look(), studio_.selection()});
+}
+
+Result<void> PatchEdit::set_address(fixture::Address from) {
+    int before = 0; // footprint
+    fixture::Address at = from;
+    return edit_each("Address",
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (before > 0 && from.channel > 0)
+                             at = fixture::next_address(at, before, footprint(fixture));
+                         before = footprint(fixture);
+                         edit.address = at;
+                         return {};
+                     });
+}
+
+Result<void> PatchEdit::rename(const QString& name) {
+    std::set<std::string> taken;
+    for (std::size_t i = 0; i < (studio_.show() ? fixtures().size() : 0); ++i)
+        if (!studio_.selection().contains(i)) taken.insert(fixtures()[i].name);
+    std::string next = name.trimmed().toStdString();
+    if (next.empty() || next.size() > 100 || next.front() == '.' ||
+        next.find_first_of("/\\:*?\"<>|") != std::string::npos)
+        return Error{"'" + next + "' is no name: 1 to 100 bytes, no leading dot, none of /\\:*?\"<>|", ""};
+    const bool several = studio_.selection().size() > 1;
+    if (!several && taken.contains(next)) return Error{"another fixture is called '" + next + "'", ""};
+    return edit_each("Name", [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
+        if (several) {
+            // "Spot" -> Spot 1, Spot 2; "Spot 5" -> Spot 5, Spot 6.
+            if (next.find_last_of("0123456789") != next.size() - 1) next += " 1";
+            if (!taken.insert(next).second) next = next_name(next, taken);
+            edit.name = next;
+            std::set<std::string> none;
+            next = next_name(next, none);
+        } else {
+            edit.name = next;
+        }
+        return {};
+    });
+}
+
+Result<void> PatchEdit::set_mode(const QString& mode) {
+    return edit_each("Mode",
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (!fixture.type)
+                             return Error{"has no fixture file that can be read", fixture.name};
+                         if (auto found = fixture::find_mode(*fixture.type, mode.toStdString()); !found.ok())
+                             return Error{found.error().what, fixture.name};
+                         edit.mode = mode.toStdString();
+                         return {};
+                     });
+}
+
+Result<void> PatchEdit::set_position(const glm::vec3& position_m) {
+    return edit_each("Position",
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (fixture.track)
+                             return Error{"hangs on a track, which says where it is", fixture.name};
+                         edit.position_m = position_m;
+                         return {};
+                     });
+}
+
+Result<void> PatchEdit::set_positions(const QString& what, const std::vector<glm::vec3>& positions_m) {
+    std::size_t number = 0;
+    return edit_each(what,
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (fixture.track)
+                             return Error{"hangs on a track, which says where it is", fixture.name};
+                         edit.position_m = positions_m.at(number++);
+                         return {};
+                     });
+}
+
+Result<void> PatchEdit::move_by(const glm::vec3& by_m) {
+    return edit_each("Move",
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (fixture.track)
+                             return Error{"hangs on a track, which says where it is", fixture.name};
+                         edit.position_m = fixture.position_m + by_m;
+                         return {};
+                     });
+}
+
+Result<void> PatchEdit::set_rotation(const glm::vec3& rotation_deg) {
+    return edit_each("Turn", [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
+        edit.rotation_deg = rotation_deg;
+        return {};
+    });
+}
+
+Result<void> PatchEdit::align(int axis) {
+    TRY_VOID(check());
+    return set_axis(axis, fixtures()[*studio_.current()].position_m[axis]);
+}
+
+Result<void> PatchEdit::set_axis(int axis, float place_m) {
+    return edit_each("Position",
+                     [&](const scene::PatchedFixture& fixture, scene::FixtureEdit& edit) -> Result<void> {
+                         if (fixture.track)
+                             return Error{"hangs on a track, which says where it is", fixture.name};
+                         edit.position_m = fixture.position_m;
+                         (*edit.position_m)[axis] = place_m;
+                         return {};
+                     });
+}
+
+Result<void> PatchEdit::distribute() {
+    TRY_VOID(check());
+    const std::set<std::size_t>& chosen = studio_.selection();
+    if (chosen.size() < 3) return Error{"three fixtures or more can be spread evenly", ""};
+    const glm::vec3 first_m = fixtures()[*chosen.begin()].position_m;
+    const glm::vec3 last_m = fixtures()[*chosen.rbegin()].position_m;
+    std::vector<glm::vec3> places;
+    for (std::size_t i = 0; i < chosen.size(); ++i)
+        places.push_back(
+            glm::mix(first_m, last_m, static_cast<float>(i) / static_cast<float>(chosen.size() - 1)));
+    return set_positions("Distribute", places);
+}
+
+Result<void> PatchEdit::duplicate(const glm::vec3& by_m) {
+    TRY_VOID(check());
+    std::set<std::string> taken;
+    for (const scene::PatchedFixture& fixture : fixtures()) taken.insert(fixture.name);
+    std::vector<fixture::Patch> patched = patches();
+    std::vector<std::pair<std::size_t, scene::FixtureEdit>> copies;
+    for (const std::size_t index : studio_.selection()) {
+        const scene::PatchedFixture& fixture = fixtures()[index];
+        if (!fixture.uuid.empty())
+            return Error{"is of the plot, which only its own program can add to", fixture.name};
+        scene::FixtureEdit edit;
+        edit.name = next_name(fixture.name, taken);
+        if (!fixture.track) edit.position_m = fixture.position_m + by_m;
+        if (fixture.address > 0) {
+            const auto free =
+                fixture::find_free_address(patched, footprint(fixture), {fixture.universe, fixture.address});
+            edit.address = free.value_or(fixture::Address{fixture.universe, 0});
+            if (free && fixture.type) {
+                patched.push_back(fixture.patch());
+                patched.back().addresses = {*free};
+            }
+        }
+        copies.emplace_back(index, edit);
+    }
+    std::string text = document_.text();
+    for (auto copy = copies.rbegin(); copy != copies.rend(); ++copy) {
+        TRY(text, scene::copy_fixture(text, copy->first, copy->second));
+    }
+    const auto place = [&](std::size_t index) -> std::optional<std::size_t> {
+        return index +
+               static_cast<std::size_t>(std::count_if(copies.begin(), copies.end(),
+                                                      [&](const auto& copy) { return copy.first < index; }));
+    };
+    std::set<std::size_t> selection;
+    for (const auto& copy : copies) selection.insert(*place(copy.first) + 1);
+    return document_.edit("Duplicate", {std::move(text), counted_anew(studio_.look(), place), selection});
+}
+
+Result<void> PatchEdit::remove() {
+    TRY_VOID(check());
+    std::vector<std::size_t> numbers;
+    std::vector<std::pair<scene::FixturePlace, scene::FixtureEdit>> hidden;
+    for (const std::size_t index : studio_.selection()) {
+        const scene::PatchedFixture& fixture = fixtures()[index];
+        if (fixture.uuid.empty())
+            numbers.push_back(index);
+        else
+            hidden.push_back({scene::place_of(fixture, index), {.hidden = true}});
+    }
+    TRY(std::string text, scene::edit_fixtures(document_.text(), hidden));
+    if (!numbers.empty()) {
+        TRY(text, scene::remove_fixtures(text, numbers));
+    }
+    const std::set<std::size_t>& gone = studio_.selection();
+    const auto place = [&](std::size_t index) -> std::optional<std::size_t> {
+        if (gone.contains(index)) return std::nullopt;
+        return index - static_cast<std::size_t>(std::distance(gone.begin(), gone.lower_bound(index)));
+    };
+    return document_.edit("Remove", {std::move(text), counted_anew(studio_.look(), place), {}});
+}
+
+Result<std::string> PatchEdit::beside_show(const fs::path& file, std::uintmax_t most_bytes) const {
+    const fs::path& folder = studio_.show()->folder;
+    std::error_code code;
+    fs::path inside = fs::relative(file, folder, code);
+    if (!code && !inside.empty() && *inside.begin() != "..") return inside.generic_string();
+    inside = file.filename();
+    TRY(const std::vector<std::uint8_t> bytes, read_file(file, most_bytes));
+    const auto there = read_file(folder / inside, most_bytes);
+    if (there.ok() && *there != bytes)
+        return Error{"another file of this name lies beside the show already; rename the new one, or put it "
+                     "there yourself and the show takes it",
+                     (folder / inside).string()};
+    if (there.ok()) return inside.generic_string();
+    const fs::path temporary = temporary_beside(folder / inside);
+    TRY_VOID(write_file_atomic(temporary, bytes));
+    const auto done = commit_new(temporary, folder / inside);
+    if (done.ok() && *done) return inside.generic_string();
+    fs::remove(temporary, code);
+    return done.ok() ? there.error() : done.error(); // what is there cannot be read
+}
+
+Result<std::string> PatchEdit::fixture_beside_show(const fs::path& file) const {
+    return beside_show(file, kMostFixtureBytes);
+}
+
+Result<void> PatchEdit::set_file(const QString& what, const std::string& key, const fs::path& file) {
+    TRY_VOID(document_.check_editable());
+    TRY(const std::string inside, beside_show(file, kMostModelBytes));
+    TRY(std::string text, scene::set_of_show(document_.text(), key, inside));
+    Look look = studio_.look(); // objects and materials are others now
+    look.shown.clear();
+    look.surfaces.clear();
+    return document_.edit(what, {std::move(text), std::move(look), studio_.selection()});
+}
+
+Result<void> PatchEdit::keep_camera(const QString& name) {
+    TRY_VOID(document_.check_editable());
+    const std::vector<scene::Camera>& cameras = studio_.show()->cameras;
+    std::set<std::string> taken;
+    for (const scene::Camera& camera : cameras) taken.insert(camera.name);
+    scene::Camera camera = studio_.camera();
+    if (studio_.wishes().frame != glm::ivec2(0)) { // what its frame holds
+        camera.width = studio_.wishes().frame.x;
+        camera.height = studio_.wishes().frame.y;
+    }
+    camera.name =
+        name.isEmpty() ? next_name("Camera " + std::to_string(cameras.size()), taken) : name.toStdString();
+    if (camera.name.find_first_of("/\\:*?\"<>|") != std::string::npos || camera.name.front() == '.')
+        return Error{"'" + camera.name + "' is no name of a camera: it names a folder", ""};
+    if (!name.isEmpty() && taken.contains(camera.name))
+        return Error{"another camera is called '" + camera.name + "'", ""};
+    TRY(std::string text, scene::add_camera(document_.text(), camera));
+    return document_.edit("Keep camera '" + QString::fromStdString(camera.name) + "'",
+                          {std::move(text), studio_.look(), studio_.selection()});
+}
+
+bool is_model(const fs::path& file) {
+    const std::string ending = lower(file.extension().string());
+    const auto known = {".glb", ".gltf", ".obj", ".3ds"};
+    return std::find(known.begin(), known.end(), ending) != known.end();
+}
+
+namespace {
+
+Result<void> check_model(const fs::path& file) {
+    if (is_model(file)) return {};
+    return Error{"is no model, expected .glb, .gltf, .obj or .3ds", file.string()};
+}
+
+} // namespace
+
+Result<void> PatchEdit::set_stage(const fs::path& file) {
+    TRY_VOID(check_model(file));
+    return set_file("Stage", "stage", file);
+}
+
+Result<void> PatchEdit::add_model(const fs::path& file, const glm::vec3& position_m) {
+    TRY_VOID(document_.check_editable());
+    TRY_VOID(check_model(file));
+    TRY(const std::string inside, beside_show(file, kMostModelBytes));
+    TRY(std::string text, scene::add_model(document_.text(), inside, position_m));
+    return document_.edit("Add a model", {std::move(text), studio_.look(), studio_.selection()});
+}
+
+Result<void> PatchEdit::set_plot(const fs::path& file) {
+    TRY_VOID(document_.check_editable());
+    if (!studio_.show()->plot_file.empty())
+        return Error{"the show has a plot; 'ghostlight import' into its folder merges a newer one",
+                     file.string()};
+    if (lower(file.extension().string()) != ".mvr") return Error{"is no plot, expected .mvr", file.string()};
+    return set_file("Plot", "plot", file);
+}
+
+Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
+    TRY_VOID(document_.check_editable());
+    TRY(const fixture::LoadedType loaded, fixture::load_type(file));
+    if (loaded.type.modes.empty()) return Error{"has no DMX mode", file.string()};
+    TRY(const std::string inside, beside_show(file, kMostFixtureBytes));
+    std::set<std::string> taken;
+    for (const scene::PatchedFixture& fixture : fixtures()) taken.insert(fixture.name);
+    scene::NewFixture made{inside, {}};
+    std::string name = loaded.type.name;
+    std::erase_if(name,
+                  [](char letter) { return std::string("/\\:*?\"<>|").find(letter) != std::string::npos; });
+    made.keys.name = next_name((name.empty() ? "Fixture" : name.substr(0, 80)) + " 0", taken);
+    made.keys.address = fixture::find_free_address(patches(), fixture::footprint_of(loaded.type, 0), {1, 1})
+                            .value_or(fixture::Address{1, 0});
+    made.keys.position_m = position_m;
+    TRY(std::string text, scene::add_fixture(document_.text(), made));
+    const auto of_file = static_cast<std::size_t>(
+        std::count_if(fixtures().begin(), fixtures().end(),
+                      [](const scene::PatchedFixture& fixture) { return fixture.uuid.empty(); }));
+    const auto place = [&](std::size_t index) -> std::optional<std::size_t> {
+        return index < of_file ? index : index + 1;
+    };
+    return document_.edit("Add", {std::move(text), counted_anew(studio_.look(), place), {of_file}});
+}
+
+} // namespace ghost::ui

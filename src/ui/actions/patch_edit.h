@@ -1,0 +1,68 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Edits of the patch: what can be done to the selected fixtures, each one step of the undo list. Places are
+// metres and degrees of the show. Error: nothing is selected, or it cannot be done; then nothing is. Window
+// thread.
+
+#include "ui/model/show_document.h"
+
+#include <QString>
+
+namespace ghost::ui {
+
+// By its ending: a model of a stage.
+bool is_model(const std::filesystem::path& file);
+
+class PatchEdit {
+public:
+    PatchEdit(Studio& studio, ShowDocument& document) : studio_(studio), document_(document) {}
+
+    // The first gets it, the others follow one behind the other, in the order of the show; channel 0: not
+    // patched.
+    Result<void> set_address(fixture::Address from);
+    // Several get numbers behind it.
+    Result<void> rename(const QString& name);
+    Result<void> set_mode(const QString& mode);
+    Result<void> set_position(const glm::vec3& position_m);
+    Result<void> set_axis(int axis, float place_m); // axis 0 to 2
+    Result<void> move_by(const glm::vec3& by_m);
+    Result<void> set_rotation(const glm::vec3& rotation_deg);
+    // Each selected one its own, in the order of the show.
+    Result<void> set_positions(const QString& what, const std::vector<glm::vec3>& positions_m);
+    // All at the first one's place on this axis.
+    Result<void> align(int axis);
+    // Evenly between the first and the last.
+    Result<void> distribute();
+    // Copies beside them, patched where there is room, and selected.
+    Result<void> duplicate(const glm::vec3& by_m);
+    // Objects of a plot are hidden, which its next version does not undo.
+    Result<void> remove();
+    // A fixture file; one from elsewhere is copied beside the show first.
+    Result<void> add(const std::filesystem::path& file, const glm::vec3& position_m);
+    // The picture as it is seen now becomes a camera of the show; name empty: "Camera 3" and so on.
+    Result<void> keep_camera(const QString& name);
+    // A model becomes the stage of the show, a plot (.mvr) its plot, where it has none; copied likewise.
+    Result<void> set_stage(const std::filesystem::path& file);
+    Result<void> set_plot(const std::filesystem::path& file);
+    // A model beside the stage, its origin there; copied likewise.
+    Result<void> add_model(const std::filesystem::path& file, const glm::vec3& position_m);
+
+    // How the show writes a fixture file; one from elsewhere is copied beside the show.
+    Result<std::string> fixture_beside_show(const std::filesystem::path& file) const;
+
+private:
+    using Fixtures = std::vector<scene::PatchedFixture>;
+    Result<void> check() const; // something is selected that can be edited
+    const Fixtures& fixtures() const { return studio_.show()->fixtures; }
+    template <class F>
+    Result<void> edit_each(const QString& what, F&& f);
+    std::vector<fixture::Patch> patches() const;
+    // The path as the show writes it; a file from elsewhere is copied beside the show.
+    Result<std::string> beside_show(const std::filesystem::path& file, std::uintmax_t most_bytes) const;
+    Result<void> set_file(const QString& what, const std::string& key, const std::filesystem::path& file);
+
+    Studio& studio_;
+    ShowDocument& document_;
+};
+
+} // namespace ghost::ui

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/script.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QLocalSocket>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kPoll_ms = 15;
+constexpr double kLongestWait_s = 900; // for something that may never come
+constexpr double kPatience_s = 0.3;    // a window that was resized tells the engine after a moment
+constexpr qint64 kLongestLine = 65536;
+
+} // namespace
+
+Script::Script(Actions& actions, Studio& studio, QObject* parent)
+    : QObject(parent), actions_(actions), studio_(studio) {
+    timer_.setInterval(kPoll_ms);
+    connect(&timer_, &QTimer::timeout, this, &Script::step);
+}
+
+void Script::add(const QString& line) {
+    lines_.push_back(line.trimmed());
+    if (!timer_.isActive()) timer_.start();
+}
+
+void Script::step() {
+    while (!lines_.empty() && !runs_) {
+        const QString line = lines_.front();
+        if (line.startsWith("wait ")) {
+            if (!waits_) waited_.start();
+            waits_ = true;
+            const auto words = split_line(line);
+            const Result<bool> over = words.ok() ? is_over(*words) : Result<bool>(words.error());
+            if (over.ok() && !*over) return;
+            waits_ = false;
+            lines_.pop_front();
+            if (on_line) on_line(over.ok() ? Result<void>() : Result<void>(over.error()));
+            continue;
+        }
+        lines_.pop_front();
+        if (line.isEmpty() || line.startsWith('#')) {
+            if (on_line) on_line({});
+            continue;
+        }
+        runs_ = true;
+        const Result<void> done = actions_.run(line);
+        runs_ = false;
+        if (on_line) on_line(done);
+    }
+    if (lines_.empty()) timer_.stop();
+}
+
+Result<bool> Script::is_over(const QStringList& words) {
+    const QString what = words.size() == 2 ? words[1] : QString();
+    const double waited_s = static_cast<double>(waited_.elapsed()) * 1e-3;
+    if (what == "settled" && waited_s < kPatience_s) return false;
+    if (what == "opened" && studio_.open_error())
+        return Error{"the show is not open: " + studio_.open_error()->text(), "wait opened"};
+    if (what == "opened" && !studio_.show() && studio_.wishes().show.empty())
+        return Error{"no show is being opened", "wait opened"};
+    if (what == "opened" || what == "settled") {
+        const bool is_open = studio_.show() && !studio_.is_opening();
+        if (what == "opened" ? is_open : studio_.is_settled()) return true;
+        if (waited_s < kLongestWait_s) return false;
+        return Error{"a quarter of an hour went by without it", "wait " + what.toStdString()};
+    }
+    if (what == "jobs") return !studio_.jobs().is_busy();
+    if (what == "saved") {
+        if (studio_.saved() == studio_.wishes().save_frame.number) return true;
+        if (waited_s < kLongestWait_s) return false;
+        return Error{"a quarter of an hour went by without it", "wait saved"};
+    }
+    TRY(const double wanted_s,
+        number_of(words, 1, "number of seconds, 'opened', 'settled', 'saved' or 'jobs'", 0, 3600));
+    return waited_s >= wanted_s;
+}
+
+RemoteControl::RemoteControl(Actions& actions, Studio& studio, QObject* parent)
+    : QObject(parent), actions_(actions), studio_(studio) {
+    connect(&server_, &QLocalServer::newConnection, this, &RemoteControl::accept);
+}
+
+Result<void> RemoteControl::listen(const QString& name) {
+    server_.setSocketOptions(QLocalServer::UserAccessOption);
+    // A name without a folder is one among the temporary files.
+    const QString place = QDir::isAbsolutePath(name) ? name : QDir::tempPath() + "/" + name;
+    if (QFileInfo(place).isDir())
+        return Error{"is a folder; expected the name of a socket that is made there, like " +
+                         name.toStdString() + "/window",
+                     place.toStdString()};
+    if (server_.listen(name)) return {};
+    return Error{server_.errorString().toStdString(), name.toStdString()};
+}
+
+void RemoteControl::accept() {
+    while (QLocalSocket* socket = server_.nextPendingConnection()) {
+        auto* script = new Script(actions_, studio_, socket);
+        script->on_line = [socket](const Result<void>& done) {
+            const std::string answer = done.ok() ? "ok\n" : "error: " + done.error().text() + "\n";
+            socket->write(answer.data(), static_cast<qint64>(answer.size()));
+        };
+        connect(socket, &QLocalSocket::disconnected, socket, &QObject::deleteLater);
+        connect(socket, &QLocalSocket::readyRead, script, [socket, script] {
+            while (socket->canReadLine()) script->add(QString::fromUtf8(socket->readLine(kLongestLine)));
+            if (socket->bytesAvailable() > kLongestLine) socket->abort(); // no line is that long
+        });
+    }
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/show_actions.h"
+
+#include "files/files.h"
+#include "show_file/show_edit.h"
+
+#include <QDesktopServices>
+#include <QDir>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QUrl>
+
+namespace ghost::ui {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A floor of 40 m and a deck of 14 by 8 m, 1 m high, so that a new show has something to be lit.
+const char* const kStage = R"(# A floor and a deck. Metres, Z up-stage is -Z here: glTF and OBJ have Y up.
+o floor
+v -20 0 20
+v 20 0 20
+v 20 0 -20
+v -20 0 -20
+vn 0 1 0
+f 1//1 2//1 3//1 4//1
+o deck
+v -7 1 0
+v 7 1 0
+v 7 1 -8
+v -7 1 -8
+v -7 0 0
+v 7 0 0
+v 7 0 -8
+v -7 0 -8
+vn 0 0 1
+vn 1 0 0
+vn 0 0 -1
+vn -1 0 0
+f 5//1 6//1 7//1 8//1
+f 9//2 10//2 6//2 5//2
+f 10//3 11//3 7//3 6//3
+f 11//4 12//4 8//4 7//4
+f 12//5 9//5 5//5 8//5
+)";
+
+const char* const kShow = R"(# docs/show-file.md says what each key means.
+
+[show]
+stage = "stage.obj"
+ambient_lux = 1.5
+
+[[camera]]
+name = "house"
+position_m = [0, -18, 3]
+target_m = [0, 2, 3]
+fov_y_deg = 40
+)";
+
+Result<void> make_show(Studio& studio, const QString& folder) {
+    const fs::path path = folder.toStdString();
+    std::error_code code;
+    if (fs::exists(path, code) && !(fs::is_directory(path, code) && fs::is_empty(path, code)))
+        return Error{"is there already; a new show needs a name of its own", path.string()};
+    fs::create_directories(path, code);
+    if (code) return Error{"cannot be made: " + code.message(), path.string()};
+    TRY_VOID(write_file_atomic(path / "stage.obj", kStage));
+    TRY(const std::string text, scene::set_of_show(kShow, "name", path.filename().string()));
+    TRY_VOID(write_file_atomic(path / "show.toml", text));
+    studio.open(path.string());
+    return {};
+}
+
+// What a show names lies beside it, so it can only go on beside the file that is open.
+Result<void> save_as(Studio& studio, ShowDocument& document, const QString& words) {
+    if (!studio.show()) return Error{"no show is open", ""};
+    fs::path file = words.toStdString();
+    if (file.extension() != ".toml") file += ".toml";
+    if (file.is_relative()) file = studio.show()->folder / file;
+    std::error_code code;
+    if (!fs::equivalent(file.parent_path(), studio.show()->folder, code))
+        return Error{"what a show names lies beside it, so under another name it stays in " +
+                         studio.show()->folder.string() +
+                         "; a copy of the file alone: Save a copy of the show file",
+                     file.string()};
+    TRY_VOID(document.save_copy(file));
+    studio.open(file.string());
+    return {};
+}
+
+void about(QWidget& window, const Studio& studio) {
+    auto* box = new QMessageBox(
+        QMessageBox::NoIcon, "About Ghostlight",
+        QString(
+            "<h3>Ghostlight %1</h3><p>See your light show before the truck is unloaded.</p>"
+            "<p>Drawn on: %2</p><p>Qt %3</p><p>Apache License 2.0. VARI*LITE and VL2500 are marks of their "
+            "owners, who have no part in this.</p>")
+            .arg(GHOST_VERSION,
+                 QString::fromStdString(studio.opened().device.empty() ? "nothing yet"
+                                                                       : studio.opened().device)
+                     .toHtmlEscaped(),
+                 qVersion()),
+        QMessageBox::Close, &window);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setModal(false);
+    box->show();
+}
+
+} // namespace
+
+QString folder_for_plot(const QString& plot) {
+    const QFileInfo file(plot);
+    return file.absolutePath() + "/" + file.completeBaseName();
+}
+
+Result<void> import_plot(Studio& studio, const QString& plot) {
+    if (!QFileInfo(plot).isFile()) return Error{"no such file", plot.toStdString()};
+    if (QFileInfo(plot).suffix().toLower() != "mvr")
+        return Error{"is no .mvr, as Vectorworks, Capture, grandMA3 and Production Assist export it",
+                     plot.toStdString()};
+    const QString folder = folder_for_plot(plot);
+    const int number =
+        studio.jobs().start("import " + QFileInfo(plot).fileName(), {"import", plot, "-o", folder});
+    auto* const waits = new QObject(&studio);
+    QObject::connect(&studio.jobs(), &Jobs::ended, waits, [&studio, waits, number, folder](const Job& job) {
+        if (job.number != number) return;
+        waits->deleteLater();
+        if (job.state == Job::State::done) studio.open(folder.toStdString());
+    });
+    return {};
+}
+
+void add_show_actions(Actions& actions, Studio& studio, ShowDocument& document, const std::string& docs,
+                      QWidget& window) {
+    actions.add({"new",
+                 "Show",
+                 "New show...",
+                 "Ctrl+N",
+                 "FOLDER",
+                 [&studio](const QStringList& words) { return make_show(studio, words[0]); },
+                 {},
+                 {"A new show: its folder", "Folders (*)", "My show"}});
+    actions.add({"import-plot",
+                 "Show",
+                 "Import a plot...",
+                 "Ctrl+I",
+                 "FILE.mvr",
+                 [&studio](const QStringList& words) { return import_plot(studio, words[0]); },
+                 {},
+                 {"A plot becomes a show", "Plots (*.mvr)", ""}});
+    actions.add(
+        {"save-as",
+         "Show",
+         "Save as...",
+         "",
+         "FILE",
+         [&studio, &document](const QStringList& words) { return save_as(studio, document, words[0]); },
+         {},
+         {"Save the show under another name beside it", "Show files (*.toml)", "show-2.toml"}});
+    actions.add({"documentation",
+                 "Help",
+                 "Documentation",
+                 "",
+                 "",
+                 [docs](const QStringList&) -> Result<void> {
+                     if (docs.empty()) return Error{"the guide is not installed beside this program", ""};
+                     if (QDesktopServices::openUrl(QUrl::fromLocalFile(QString::fromStdString(docs))))
+                         return {};
+                     return Error{"no program was found that opens it", docs};
+                 },
+                 {}});
+    actions.add({"about",
+                 "Help",
+                 "About Ghostlight",
+                 "",
+                 "",
+                 [&window, &studio](const QStringList&) -> Result<void> {
+                     about(window, studio);
+                     return {};
+                 },
+                 {}});
+}
+
+} // namespace ghost::ui

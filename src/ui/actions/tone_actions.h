@@ -1,0 +1,12 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// The actions that choose the tone curve of the picture. Window thread.
+
+#include "ui/actions/actions.h"
+#include "ui/model/studio.h"
+
+namespace ghost::ui {
+
+void add_tone_actions(Actions& actions, Studio& studio);
+
+} // namespace ghost::ui

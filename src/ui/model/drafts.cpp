@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/model/drafts.h"
+
+#include "files/crc32.h"
+#include "files/files.h"
+#include "files/own_folder.h"
+#include "files/user_file.h"
+
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kMostAside = 100;
+const std::string kHead = "# Ghostlight: changes that were not saved, of a show.toml with CRC ";
+
+std::string crc_of(const std::string& text) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(text.data());
+    return std::to_string(crc32(Bytes(bytes, text.size())));
+}
+
+} // namespace
+
+Drafts::Drafts(const scene::Show& show)
+    : home_(show.cache_home()), beside_(show.cache_folder() / "draft.toml") {
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
+    std::error_code code;
+    own_ = std::filesystem::path(folder.toStdString()) / "ghostlight" / "drafts" /
+           (crc_of(std::filesystem::absolute(show.file, code).string()) + ".toml");
+}
+
+Result<void> Drafts::write(const std::string& text, const std::string& saved) const {
+    const std::string draft = kHead + crc_of(saved) + "\n" + text;
+    std::error_code code;
+    Result<void> done = make_folders(beside_.parent_path(), home_);
+    if (done.ok()) done = write_file_atomic(beside_, draft);
+    if (done.ok()) {
+        std::filesystem::remove(own_, code);
+        return {};
+    }
+    remove_beside();
+    std::filesystem::create_directories(own_.parent_path(), code);
+    return write_file_atomic(own_, draft).ok() ? Result<void>() : done;
+}
+
+Result<std::filesystem::path> Drafts::write_aside(const std::string& text) const {
+    const std::string name =
+        "draft-" + QDateTime::currentDateTime().toString("yyyyMMdd-hhmmss").toStdString();
+    for (const std::filesystem::path& folder : {beside_.parent_path(), own_.parent_path()}) {
+        const bool is_beside = folder == beside_.parent_path();
+        std::error_code code;
+        if (!is_beside) std::filesystem::create_directories(folder, code);
+        if (is_beside && !make_folders(folder, home_).ok()) continue;
+        const std::filesystem::path temporary = temporary_beside(folder / "draft.toml");
+        if (!write_file_atomic(temporary, text).ok()) continue;
+        for (int number = 1; number <= kMostAside; ++number) {
+            const std::filesystem::path path = folder / (name + "-" + std::to_string(number) + ".toml");
+            if (const auto done = commit_new(temporary, path); done.ok() && *done) return path;
+        }
+        std::filesystem::remove(temporary, code);
+    }
+    return Error{"what is not saved can be kept nowhere", beside_.string()};
+}
+
+Result<Hold> Drafts::hold(Hold::Other other) const {
+    auto beside = Hold::take(beside_.parent_path() / "window.lock", home_, other);
+    if (beside.ok()) return beside;
+    const std::filesystem::path folder = own_.parent_path().parent_path() / "locks";
+    std::error_code code;
+    std::filesystem::create_directories(folder, code);
+    return Hold::take(folder / own_.stem(), folder, other);
+}
+
+void Drafts::remove() const {
+    std::error_code code;
+    remove_beside();
+    std::filesystem::remove(own_, code);
+}
+
+void Drafts::remove_beside() const {
+    const auto folder = OwnFolder::open(beside_.parent_path(), home_);
+    if (folder.ok()) folder->remove_file(beside_.filename().string());
+}
+
+std::optional<Drafts::Found> Drafts::find(const std::string& saved) const {
+    const bool is_ours_beside = OwnFolder::open(beside_.parent_path(), home_).ok();
+    for (const std::filesystem::path& file : {beside_, own_}) {
+        std::error_code code;
+        if ((file == beside_ && !is_ours_beside) || !std::filesystem::is_regular_file(file, code)) continue;
+        const auto draft = read_text_file(file, scene::kMaxShowBytes);
+        if (!draft.ok()) continue;
+        const std::size_t head = draft->find('\n');
+        const bool is_ours = draft->starts_with(kHead) && head != std::string::npos;
+        if (!is_ours || draft->substr(head + 1) == saved) {
+            if (is_ours) std::filesystem::remove(file, code);
+            continue;
+        }
+        return Found{draft->substr(head + 1), QFileInfo(QString::fromStdString(file.string())).lastModified(),
+                     draft->substr(kHead.size(), head - kHead.size()) == crc_of(saved)};
+    }
+    return std::nullopt;
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/model/fixture_groups.h"
+
+#include "mvr/mvr_load.h"
+
+#include <algorithm>
+#include <map>
+
+namespace ghost::ui {
+namespace {
+
+constexpr float kHangsWithin_m = 1.0f; // of the underside of its truss
+
+using Groups = std::map<QString, std::set<std::size_t>>;
+
+void append(const Groups& groups, std::vector<FixtureGroup>& all) {
+    for (const auto& [title, fixtures] : groups) all.push_back({title, fixtures});
+}
+
+float distance_m(const scene::Bar& bar, const glm::vec3& at_m) {
+    const glm::vec3 along = bar.to_m - bar.from_m;
+    const float share =
+        std::clamp(glm::dot(at_m - bar.from_m, along) / std::max(glm::dot(along, along), 1e-6f), 0.0f, 1.0f);
+    return glm::distance(at_m, bar.from_m + share * along);
+}
+
+// Of plots that have layers.
+std::map<std::string, QString> layers_of(const scene::Show& show) {
+    std::map<std::string, QString> layers;
+    if (!show.plot) return layers;
+    for (const scene::PlotObject& object : show.plot->plot.objects)
+        if (object.layer >= 0)
+            layers[object.uuid] =
+                QString::fromStdString(show.plot->plot.layers[static_cast<std::size_t>(object.layer)].name);
+    return layers;
+}
+
+bool has_own_optics(const scene::PatchedFixture& fixture) {
+    if (!fixture.type) return false;
+    const fixture::Patch patch = fixture.patch();
+    const fixture::Mode& mode = patch.mode_of();
+    return std::any_of(mode.beams.begin(), mode.beams.end(), [&](int node) {
+        const int geometry = mode.nodes[static_cast<std::size_t>(node)].geometry;
+        const auto& beam = fixture.type->geometries[static_cast<std::size_t>(geometry)].beam;
+        return beam && !beam->is_assumed;
+    });
+}
+
+} // namespace
+
+std::vector<FixtureGroup> groups_of(const scene::Show& show, const std::vector<Object>& objects) {
+    Groups types, layers, trusses;
+    const std::map<std::string, QString> layer_of = layers_of(show);
+    std::vector<const Object*> bars;
+    for (const Object& object : objects)
+        if (object.bar && scene::is_slender(*object.bar)) bars.push_back(&object);
+    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
+        const scene::PatchedFixture& fixture = show.fixtures[i];
+        types["Type: " + QString::fromStdString(fixture.type ? fixture.type->name : fixture.gdtf.string())]
+            .insert(i);
+        if (const auto layer = layer_of.find(fixture.uuid); !fixture.uuid.empty() && layer != layer_of.end())
+            layers["Layer: " + layer->second].insert(i);
+        const Object* nearest = nullptr;
+        float nearest_m = kHangsWithin_m;
+        for (const Object* const bar : bars)
+            if (const float away_m = distance_m(*bar->bar, fixture.position_m); away_m < nearest_m) {
+                nearest = bar;
+                nearest_m = away_m;
+            }
+        if (nearest) trusses["Under: " + QString::fromStdString(nearest->name)].insert(i);
+    }
+    std::vector<FixtureGroup> all;
+    for (const Groups* const groups : {&types, &layers, &trusses}) append(*groups, all);
+    return all;
+}
+
+std::vector<FixtureGroup> dark_groups_of(const std::vector<Verdict>& verdicts) {
+    Groups reasons;
+    for (std::size_t i = 0; i < verdicts.size(); ++i)
+        if (verdicts[i].visibility != scene::Visibility::lit)
+            reasons[QString::fromStdString(verdicts[i].group)].insert(i);
+    std::vector<FixtureGroup> all;
+    append(reasons, all);
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& a, const auto& b) { return a.fixtures.size() > b.fixtures.size(); });
+    return all;
+}
+
+std::vector<FixtureGroup> without_optics(const scene::Show& show) {
+    Groups files;
+    for (std::size_t i = 0; i < show.fixtures.size(); ++i)
+        if (const scene::PatchedFixture& fixture = show.fixtures[i];
+            !fixture.uuid.empty() && !fixture.gdtf.empty() && !has_own_optics(fixture))
+            files[QString::fromStdString(fixture.gdtf.string())].insert(i);
+    std::vector<FixtureGroup> all;
+    append(files, all);
+    return all;
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,27 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Fixture groups: fixtures that belong together: of one type, in one layer of the plot, under one truss, and
+// those that are dark for one reason. Pure.
+
+#include "link/link.h"
+
+#include <QString>
+
+#include <set>
+#include <vector>
+
+namespace ghost::ui {
+
+struct FixtureGroup {
+    QString title; // "Type: VL2500 Spot"
+    std::set<std::size_t> fixtures;
+};
+// By type, then layer, then truss; each by its name.
+std::vector<FixtureGroup> groups_of(const scene::Show& show, const std::vector<Object>& objects);
+// What does not shine, the most frequent reason first.
+std::vector<FixtureGroup> dark_groups_of(const std::vector<Verdict>& verdicts);
+// Fixtures that shine by a beam that was assumed, for their file has none, or not at all, for it cannot be
+// read, by the file that a [[substitute]] would be for.
+std::vector<FixtureGroup> without_optics(const scene::Show& show);
+
+} // namespace ghost::ui

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/model/head_parameters.h"
+
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::ui {
+namespace {
+
+using fixture::Channel;
+using fixture::ChannelFunction;
+using fixture::Role;
+
+const QStringList kGroups{"Shutter", "Beam", "Gobo", "Colour", "Blades", "Laser", "Position", "Machine"};
+
+// Those that the panel has as rows of their own.
+bool has_own_row(Role role) {
+    return role == Role::dimmer || role == Role::pan || role == Role::tilt || role == Role::zoom;
+}
+
+QString group_of(Role role) {
+    switch (role) {
+    case Role::shutter:
+    case Role::strobe:
+    case Role::strobe_random:
+    case Role::strobe_pulse:
+    case Role::strobe_effect:
+    case Role::strobe_duration:
+    case Role::strobe_frequency:
+    case Role::strobe_mode:
+        return "Shutter";
+    case Role::iris:
+    case Role::iris_strobe:
+    case Role::iris_pulse:
+    case Role::focus:
+    case Role::frost:
+    case Role::prism:
+    case Role::prism_select_spin:
+    case Role::prism_index:
+    case Role::prism_rotate:
+        return "Beam";
+    case Role::gobo_wheel:
+    case Role::gobo_wheel_index:
+    case Role::gobo_wheel_spin:
+    case Role::gobo_index:
+    case Role::gobo_rotate:
+    case Role::gobo_wheel_random:
+    case Role::gobo_wheel_shake:
+    case Role::gobo_select_spin:
+    case Role::gobo_select_shake:
+    case Role::gobo_shake:
+    case Role::animation_wheel:
+    case Role::animation_index:
+    case Role::animation_rotate:
+    case Role::animation_select_spin:
+        return "Gobo";
+    case Role::color_add:
+    case Role::color_sub_c:
+    case Role::color_sub_m:
+    case Role::color_sub_y:
+    case Role::color_sub_r:
+    case Role::color_sub_g:
+    case Role::color_sub_b:
+    case Role::color_wheel:
+    case Role::color_wheel_index:
+    case Role::color_wheel_spin:
+    case Role::color_wheel_random:
+    case Role::color_macro:
+    case Role::color_rgb:
+    case Role::hsb_hue:
+    case Role::hsb_saturation:
+    case Role::hsb_brightness:
+    case Role::cie_x:
+    case Role::cie_y:
+    case Role::cie_brightness:
+    case Role::cct:
+    case Role::tint:
+        return "Colour";
+    case Role::blade_a:
+    case Role::blade_b:
+    case Role::blade_rotate:
+    case Role::shaper_rotate:
+    case Role::shaper_macro:
+        return "Blades";
+    case Role::laser_figure:
+    case Role::laser_rays:
+    case Role::laser_width:
+    case Role::laser_height:
+    case Role::laser_turn:
+    case Role::laser_turning:
+    case Role::laser_running:
+        return "Laser";
+    case Role::pan_rotate:
+    case Role::tilt_rotate:
+    case Role::position_x:
+    case Role::position_y:
+    case Role::position_z:
+    case Role::rotation_x:
+    case Role::rotation_y:
+    case Role::rotation_z:
+        return "Position";
+    default:
+        return "Machine";
+    }
+}
+
+// What desks call it; else the attribute with its words apart: "Gobo1PosRotate" -> "Gobo 1 Pos Rotate".
+QString words_of(const std::string& attribute) {
+    static const std::pair<QRegularExpression, const char*> kWords[] = {
+        {QRegularExpression("^Shutter(\\d+)(Strobe.*)?$"), "Shutter"},
+        {QRegularExpression("^Gobo(\\d+)$"), "Gobo wheel \\1"},
+        {QRegularExpression("^Gobo(\\d+)Pos(Rotate)?$"), "Gobo \\1 turn"},
+        {QRegularExpression("^Prism(\\d+)$"), "Prism \\1"},
+        {QRegularExpression("^Prism(\\d+)Pos(Rotate)?$"), "Prism \\1 turn"},
+        {QRegularExpression("^Color(\\d+)$"), "Colour wheel \\1"},
+        {QRegularExpression("^ColorSub_C$"), "Cyan"},
+        {QRegularExpression("^ColorSub_M$"), "Magenta"},
+        {QRegularExpression("^ColorSub_Y$"), "Yellow"},
+        {QRegularExpression("^Color(Add|RGB)_R(ed)?$"), "Red"},
+        {QRegularExpression("^Color(Add|RGB)_G(reen)?$"), "Green"},
+        {QRegularExpression("^Color(Add|RGB)_B(lue)?$"), "Blue"},
+        {QRegularExpression("^ColorAdd_W$"), "White"},
+        {QRegularExpression("^ColorAdd_WW$"), "Warm white"},
+        {QRegularExpression("^ColorAdd_CW$"), "Cold white"},
+        {QRegularExpression("^ColorAdd_RY$"), "Amber"},
+        {QRegularExpression("^ColorAdd_GY$"), "Lime"},
+        {QRegularExpression("^ColorAdd_UV$"), "UV"},
+        {QRegularExpression("^CTO$"), "CTO"},
+        {QRegularExpression("^CT[CB]$"), "White (CCT)"},
+        {QRegularExpression("^Frost(\\d+)$"), "Frost \\1"},
+        {QRegularExpression("^Focus(\\d+)$"), "Focus"},
+        {QRegularExpression("^AnimationWheel(\\d+)$"), "Animation wheel"},
+    };
+    const QString name = QString::fromStdString(attribute);
+    for (const auto& [pattern, words] : kWords)
+        if (pattern.match(name).hasMatch()) return QString(name).replace(pattern, words);
+    static const QRegularExpression kParts("([a-z])([A-Z0-9])|([0-9])([A-Z])");
+    return QString(name).replace(kParts, "\\1\\3 \\2\\4").replace('_', ' ').replace("Color", "Colour");
+}
+
+std::string attribute_of(const Channel& channel) {
+    return channel.logical.empty() ? channel.name : channel.logical.front().attribute;
+}
+
+// Of the first function that a picture shows.
+Role role_of(const Channel& channel) {
+    for (const ChannelFunction& function : channel.functions)
+        if (function.meaning.role != Role::none) return function.meaning.role;
+    return Role::none;
+}
+
+float share_of(const Channel& channel, std::uint32_t raw) {
+    return static_cast<float>(static_cast<double>(raw) / std::max(static_cast<double>(channel.max), 1.0));
+}
+
+// Small machine names say less than the attribute.
+QString name_of(const ChannelFunction& function) {
+    return words_of(function.attribute.empty() ? function.name : function.attribute);
+}
+
+std::vector<ParameterRange> ranges_of(const Channel& channel) {
+    std::vector<ParameterRange> ranges;
+    for (const ChannelFunction& function : channel.functions) {
+        bool named = false;
+        for (const fixture::ChannelSet& set : function.sets) {
+            if (set.name.empty()) continue;
+            ranges.push_back({QString::fromStdString(set.name), share_of(channel, set.dmx_from),
+                              share_of(channel, set.dmx_to)});
+            named = true;
+        }
+        if (!named)
+            ranges.push_back({name_of(function), share_of(channel, function.dmx_from),
+                              share_of(channel, function.dmx_to)});
+    }
+    return ranges;
+}
+
+QString unit_of(Role role) {
+    switch (role) {
+    case Role::strobe:
+    case Role::strobe_random:
+    case Role::strobe_pulse:
+    case Role::strobe_effect:
+    case Role::strobe_frequency:
+    case Role::gobo_shake:
+        return " Hz";
+    case Role::cct:
+        return " K";
+    case Role::gobo_index:
+    case Role::gobo_wheel_index:
+    case Role::prism_index:
+    case Role::blade_rotate:
+    case Role::shaper_rotate:
+    case Role::hsb_hue:
+    case Role::animation_index:
+        return "\u00b0";
+    case Role::gobo_rotate:
+    case Role::gobo_wheel_spin:
+    case Role::prism_rotate:
+    case Role::pan_rotate:
+    case Role::tilt_rotate:
+    case Role::animation_rotate:
+    case Role::color_wheel_spin:
+        return "\u00b0/s";
+    default:
+        return "";
+    }
+}
+
+QString meaning_of(const Channel& channel, std::uint32_t raw) {
+    for (const ChannelFunction& function : channel.functions) {
+        if (raw < function.dmx_from || raw > function.dmx_to) continue;
+        for (const fixture::ChannelSet& set : function.sets)
+            if (raw >= set.dmx_from && raw <= set.dmx_to && !set.name.empty())
+                return QString::fromStdString(set.name);
+        const double share =
+            function.dmx_to > function.dmx_from
+                ? static_cast<double>(raw - function.dmx_from) / (function.dmx_to - function.dmx_from)
+                : 0.0;
+        const QString unit = unit_of(function.meaning.role);
+        if (unit.isEmpty()) return QString("%1 %").arg(std::lround(100 * share));
+        const double physical = std::lerp(static_cast<double>(function.physical_from),
+                                          static_cast<double>(function.physical_to), share);
+        return QString::number(physical, 'f', std::abs(physical) < 10 ? 1 : 0) + unit;
+    }
+    return "";
+}
+
+} // namespace
+
+std::vector<HeadParameter> parameters_of(const scene::Show& show, const std::set<std::size_t>& selection) {
+    std::vector<HeadParameter> parameters;
+    std::set<std::string> known;
+    std::set<std::pair<const fixture::Type*, int>> seen; // a mode is looked at once
+    for (const std::size_t index : selection) {
+        if (index >= show.fixtures.size() || !show.fixtures[index].type) continue;
+        if (!seen.insert({show.fixtures[index].type.get(), show.fixtures[index].mode}).second) continue;
+        const fixture::Patch patch = show.fixtures[index].patch(); // the mode is its
+        for (const Channel& channel : patch.mode_of().channels) {
+            const std::string attribute = attribute_of(channel);
+            const Role role = role_of(channel);
+            if (channel.offsets.empty() || has_own_row(role) || !known.insert(attribute).second) continue;
+            parameters.push_back({attribute, group_of(role), words_of(attribute), ranges_of(channel)});
+        }
+    }
+    std::stable_sort(parameters.begin(), parameters.end(), [](const auto& a, const auto& b) {
+        return kGroups.indexOf(a.group) < kGroups.indexOf(b.group);
+    });
+    return parameters;
+}
+
+std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture& fixture,
+                                                     const fixture::Manual& manual,
+                                                     const fixture::Levels& levels,
+                                                     const std::vector<HeadParameter>& parameters) {
+    std::vector<std::optional<ParameterValue>> values(parameters.size());
+    if (!fixture.type) return values;
+    const fixture::Patch patch = fixture.patch();
+    const std::vector<Channel>& channels = patch.mode_of().channels;
+    const std::vector<fixture::ChannelReading> readings = fixture::read_channels(patch, levels);
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const auto found = std::find_if(channels.begin(), channels.end(), [&](const Channel& one) {
+            return attribute_of(one) == parameters[i].attribute;
+        });
+        if (found == channels.end()) continue;
+        const auto by_hand = manual.channels.find(found->name);
+        const bool is_by_hand = by_hand != manual.channels.end();
+        const std::uint32_t raw = is_by_hand
+                                      ? fixture::raw_of(*found, by_hand->second)
+                                      : readings[static_cast<std::size_t>(found - channels.begin())].raw;
+        values[i] = {share_of(*found, raw), is_by_hand, meaning_of(*found, raw)};
+    }
+    return values;
+}
+
+void set_parameter(const scene::PatchedFixture& fixture, const std::string& attribute,
+                   std::optional<float> share, fixture::Manual& manual) {
+    if (!fixture.type) return;
+    const fixture::Patch patch = fixture.patch();
+    for (const Channel& channel : patch.mode_of().channels) {
+        if (attribute_of(channel) != attribute) continue;
+        const QString group = group_of(role_of(channel));
+        if (share && group == "Colour") manual.colour.reset();
+        if (share && group == "Gobo") manual.gobo.reset();
+        if (share)
+            manual.channels[channel.name] = *share;
+        else
+            manual.channels.erase(channel.name);
+    }
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,53 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Head parameters: what else hands can do with heads than intensity, colour, zoom, pan and tilt: one for each
+// attribute of their channels, in groups and words of the field. Pure.
+
+#include "link/look.h"
+#include "show/show.h"
+
+#include <QString>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ghost::ui {
+
+// A stretch of a channel that means one thing: a gobo, "Closed", a strobe from slow to fast.
+struct ParameterRange {
+    QString name;
+    float from = 0; // shares of the channel's range
+    float to = 0;
+};
+
+struct HeadParameter {
+    std::string attribute; // as GDTF has it: "Prism1"
+    QString group;         // "Gobo"
+    QString name;          // "Gobo wheel 2"
+    std::vector<ParameterRange> ranges;
+};
+
+// Of the selected fixtures that have a type: each attribute once, by groups. ranges are those of the first
+// that has it.
+std::vector<HeadParameter> parameters_of(const scene::Show& show, const std::set<std::size_t>& selection);
+
+// Share of its range that an attribute gets, by hand or from these levels, and whether by hand.
+struct ParameterValue {
+    float share = 0;
+    bool by_hand = false;
+    QString words; // what it means: "Leaves", "Strobe 3.2 Hz"
+};
+// In the order of the parameters; nothing: the fixture does not have it.
+std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture& fixture,
+                                                     const fixture::Manual& manual,
+                                                     const fixture::Levels& levels,
+                                                     const std::vector<HeadParameter>& parameters);
+// All channels of that attribute; share nothing: given back. Who asks for a colour channel gives a colour by
+// hand back, which would win over it.
+void set_parameter(const scene::PatchedFixture& fixture, const std::string& attribute,
+                   std::optional<float> share, fixture::Manual& manual);
+
+} // namespace ghost::ui

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/model/lamp_drag.h"
+
+#include "project/hang.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::ui {
+namespace {
+
+constexpr float kBeside_m = 0.5f;   // of a bar's middle line, beyond its own half width
+constexpr float kAbove_m = 0.6f;    // of a fixture's place: a bar's underside
+constexpr float kBelow_m = 0.3f;    // likewise: clamps reach round it
+constexpr float kMost_m = 100;      // that a mouse drags
+constexpr float kLeastSine = 0.02f; // between a line of sight and what it runs along
+
+// How far along a line through the origin the nearest place to a line of sight is.
+std::optional<float> nearest_along(const glm::vec3& along, const glm::vec3& eye_m, const glm::vec3& way) {
+    const float cosine = glm::dot(along, way);
+    const float sine2 = 1 - cosine * cosine;
+    if (sine2 < kLeastSine * kLeastSine) return std::nullopt;
+    return (glm::dot(along, eye_m) - cosine * glm::dot(way, eye_m)) / sine2;
+}
+
+} // namespace
+
+LampDrag::LampDrag(const glm::vec3& place_m, const std::vector<Object>& objects) : place_m_(place_m) {
+    std::vector<scene::Bar> pieces;
+    std::vector<std::size_t> of_piece;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (!objects[i].bar || !objects[i].shown || !scene::is_slender(*objects[i].bar)) continue;
+        pieces.push_back(*objects[i].bar);
+        of_piece.push_back(i);
+    }
+    float nearest_m = INFINITY;
+    std::optional<std::size_t> nearest;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const scene::Bar& bar = pieces[k];
+        const float length_m = bar.length_m();
+        const glm::vec3 along = (bar.to_m - bar.from_m) / length_m;
+        const float at_m = glm::dot(place_m - bar.from_m, along);
+        const glm::vec3 off = bar.from_m + along * at_m - place_m;
+        const float beside_m = std::hypot(off.x, off.y);
+        if (at_m < 0 || at_m > length_m || off.z > kAbove_m || off.z < -kBelow_m - bar.height_m ||
+            beside_m > kBeside_m + bar.across_m / 2 || glm::length(off) >= nearest_m)
+            continue;
+        nearest_m = glm::length(off);
+        nearest = k;
+    }
+    if (!nearest) return;
+    const scene::Bar bar = scene::joined(pieces[*nearest], pieces);
+    along_ = (bar.to_m - bar.from_m) / bar.length_m();
+    low_m_ = -glm::dot(place_m - bar.from_m, along_);
+    high_m_ = bar.length_m() + low_m_;
+    bar_ = objects[of_piece[*nearest]].name;
+}
+
+void LampDrag::take_along(const LampDrag& other) {
+    constexpr float kParallel = 0.999f;
+    const float cosine = glm::dot(along_, other.along_); // 0 where one of them hangs under nothing
+    if (std::abs(cosine) < kParallel) return;
+    low_m_ = std::max(low_m_, cosine > 0 ? other.low_m_ : -other.high_m_);
+    high_m_ = std::min(high_m_, cosine > 0 ? other.high_m_ : -other.low_m_);
+}
+
+glm::vec3 LampDrag::by_m(const glm::vec3& eye_m, const glm::vec3& way, bool upright) const {
+    const glm::vec3 eye = eye_m - place_m_;
+    glm::vec3 by(0);
+    if (upright || along_ != glm::vec3(0)) {
+        const glm::vec3 along = upright ? glm::vec3(0, 0, 1) : along_;
+        const std::optional<float> so_far = nearest_along(along, eye, way);
+        if (!so_far) return by;
+        const float held =
+            upright ? std::clamp(*so_far, -kMost_m, kMost_m) : std::clamp(*so_far, low_m_, high_m_);
+        by = along * held;
+    } else {
+        if (std::abs(way.z) < kLeastSine) return by;
+        const float distance_m = -eye.z / way.z;
+        if (distance_m <= 0) return by;
+        by = eye + way * distance_m;
+        by.z = 0;
+        if (glm::length(by) > kMost_m) by *= kMost_m / glm::length(by);
+    }
+    return glm::round(by * 100.0f) / 100.0f;
+}
+
+QString LampDrag::words(const glm::vec3& by_m) const {
+    const QString far = QString("%1 m").arg(static_cast<double>(glm::length(by_m)), 0, 'f', 2);
+    const bool upright = by_m.z != 0 && by_m.x == 0 && by_m.y == 0;
+    return upright        ? far + (by_m.z > 0 ? " up" : " down")
+           : bar_.empty() ? far
+                          : far + " along " + QString::fromStdString(bar_);
+}
+
+} // namespace ghost::ui

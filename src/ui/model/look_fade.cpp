@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/model/look_fade.h"
+
+namespace ghost::ui {
+namespace {
+
+using fixture::Manual;
+
+// otherwise: what is there where the one or the other side does not set it.
+template <class T>
+std::optional<T> between(const std::optional<T>& from, const std::optional<T>& to,
+                         const std::optional<T>& otherwise_from, const std::optional<T>& otherwise_to,
+                         float share) {
+    if (!from && !to) return std::nullopt;
+    const std::optional<T> a = from ? from : otherwise_from, b = to ? to : otherwise_to;
+    if (!a || !b) return share < 0.5f ? from : to;
+    return *a + (*b - *a) * share;
+}
+
+template <class T>
+std::optional<T> between(const std::optional<T>& from, const std::optional<T>& to,
+                         const std::optional<T>& otherwise, float share) {
+    return between(from, to, otherwise, otherwise, share);
+}
+
+template <class T>
+std::optional<T> either(const std::optional<T>& from, const std::optional<T>& to, float share) {
+    return share < 0.5f ? from : to;
+}
+
+// A fixture that a look is about, and what the desk does with it.
+struct Faded {
+    const scene::PatchedFixture* fixture = nullptr; // null: the show does not have it
+    const fixture::Levels& desk;
+    const FixtureNow& now;
+};
+
+// What a side asks for where its hands do not: what its levels say, else the desk.
+Manual asked_by(const Manual& side, const Faded& faded) {
+    if (!side.sets_levels() || !faded.fixture || !faded.fixture->type) return faded.now.asked;
+    const fixture::Patch patch = faded.fixture->patch();
+    return fixture::asked_for(fixture::decode_levels(patch, fixture::levels_by_hand(side, patch, faded.desk)),
+                              patch);
+}
+
+std::vector<std::uint8_t> mixed_levels(const Manual& from, const Manual& to, const Faded& faded,
+                                       float share) {
+    if ((!from.sets_levels() && !to.sets_levels()) || !faded.fixture || !faded.fixture->type) return {};
+    const fixture::Patch patch = faded.fixture->patch();
+    return fixture::mixed_levels(patch, fixture::levels_by_hand(from, patch, faded.desk),
+                                 fixture::levels_by_hand(to, patch, faded.desk), share);
+}
+
+Manual mixed(const Manual& from, const Manual& to, const Faded& faded, float share) {
+    const auto colour = [&](const Manual& side) -> std::optional<glm::vec3> {
+        if (side.sets_levels() || faded.now.colour == glm::vec3(0)) return std::nullopt;
+        return faded.now.colour;
+    };
+    const Manual a = asked_by(from, faded), b = asked_by(to, faded);
+    Manual result;
+    result.intensity = between(from.intensity, to.intensity, a.intensity, b.intensity, share);
+    result.colour = between(from.colour, to.colour, colour(from), colour(to), share);
+    result.zoom_deg = between(from.zoom_deg, to.zoom_deg, a.zoom_deg, b.zoom_deg, share);
+    result.pan_deg = between(from.pan_deg, to.pan_deg, a.pan_deg, b.pan_deg, share);
+    result.tilt_deg = between(from.tilt_deg, to.tilt_deg, a.tilt_deg, b.tilt_deg, share);
+    result.gobo = either(from.gobo, to.gobo, share);
+    result.gel = between(from.gel, to.gel, std::optional(glm::vec3(1)), share);
+    result.lamp = between(from.lamp, to.lamp, std::optional(1.0f), share);
+    result.lamp_k = between(from.lamp_k, to.lamp_k, {}, share);
+    result.levels = mixed_levels(from, to, faded, share);
+    return result;
+}
+
+template <class T>
+void keep(std::optional<T>& from, const std::optional<T>& before, const std::optional<T>& after) {
+    if (before != after) from = after;
+}
+
+} // namespace
+
+Look faded(const Look& from, const Look& to, const scene::Show& show, const RigNow& now, float share) {
+    if (share >= 1) return to;
+    Look look = to;
+    std::set<std::size_t> fixtures;
+    for (const auto& [index, manual] : from.fixtures) fixtures.insert(index);
+    for (const auto& [index, manual] : to.fixtures) fixtures.insert(index);
+    const auto of = [](const Look& one, std::size_t index) {
+        const auto found = one.fixtures.find(index);
+        return found == one.fixtures.end() ? Manual{} : found->second;
+    };
+    fixture::Levels desk;
+    for (const dmx::Universe& universe : now.universes.list) desk.set(universe.number, *universe.levels);
+    const FixtureNow unknown;
+    for (const std::size_t index : fixtures) {
+        const Faded faded{index < show.fixtures.size() ? &show.fixtures[index] : nullptr, desk,
+                          index < now.fixtures.size() ? now.fixtures[index] : unknown};
+        look.fixtures[index] = mixed(of(from, index), of(to, index), faded, share);
+    }
+    const SceneLook &a = from.scene, &b = to.scene;
+    look.scene.smoke = between(a.smoke, b.smoke, std::optional(1.0f), share);
+    look.scene.ambient_lux = between(a.ambient_lux, b.ambient_lux, std::optional(show.ambient_lux), share);
+    look.scene.ambient_colour =
+        between(a.ambient_colour, b.ambient_colour, std::optional(show.ambient_colour), share);
+    look.scene.attenuation = either(a.attenuation, b.attenuation, share);
+    look.scene.shadows = either(a.shadows, b.shadows, share);
+    return look;
+}
+
+void keep_changes(Look& from, const Look& before, const Look& after) {
+    const auto of = [](const Look& look, std::size_t index) {
+        const auto found = look.fixtures.find(index);
+        return found == look.fixtures.end() ? Manual{} : found->second;
+    };
+    std::set<std::size_t> fixtures;
+    for (const auto& [index, manual] : before.fixtures) fixtures.insert(index);
+    for (const auto& [index, manual] : after.fixtures) fixtures.insert(index);
+    for (const std::size_t index : fixtures) {
+        const Manual was = of(before, index), is = of(after, index);
+        if (was == is) continue;
+        Manual& manual = from.fixtures[index];
+        keep(manual.intensity, was.intensity, is.intensity);
+        keep(manual.colour, was.colour, is.colour);
+        keep(manual.zoom_deg, was.zoom_deg, is.zoom_deg);
+        keep(manual.pan_deg, was.pan_deg, is.pan_deg);
+        keep(manual.tilt_deg, was.tilt_deg, is.tilt_deg);
+        keep(manual.gobo, was.gobo, is.gobo);
+        keep(manual.gel, was.gel, is.gel);
+        keep(manual.lamp, was.lamp, is.lamp);
+        keep(manual.lamp_k, was.lamp_k, is.lamp_k);
+        if (was.levels != is.levels) manual.levels = is.levels;
+        if (was.channels != is.channels) manual.channels = is.channels;
+    }
+    const SceneLook &was = before.scene, &is = after.scene;
+    keep(from.scene.smoke, was.smoke, is.smoke);
+    keep(from.scene.ambient_lux, was.ambient_lux, is.ambient_lux);
+    keep(from.scene.ambient_colour, was.ambient_colour, is.ambient_colour);
+    keep(from.scene.attenuation, was.attenuation, is.attenuation);
+    keep(from.scene.shadows, was.shadows, is.shadows);
+}
+
+void leave_solo(Look& look, std::size_t fixture_count) {
+    if (look.solo.empty()) return;
+    for (std::size_t i = 0; i < fixture_count; ++i)
+        if (!look.solo.contains(i)) look.fixtures[i].intensity = 0.0f;
+}
+
+} // namespace ghost::ui

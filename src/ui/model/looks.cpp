@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/model/looks.h"
+
+#include "files/files.h"
+
+#include <QFile>
+
+#include <algorithm>
+
+namespace ghost::ui {
+namespace {
+
+std::string text_in(const std::filesystem::path& file) {
+    auto text = read_text_file(file, scene::kMostLooksBytes);
+    return text.ok() ? std::move(*text) : std::string();
+}
+
+} // namespace
+
+// From one list to another, in the file as well.
+class LooksStep : public QUndoCommand {
+public:
+    LooksStep(Looks& looks, Looks::List before, Looks::List after, const QString& text)
+        : QUndoCommand(text), looks_(looks), before_(std::move(before)), after_(std::move(after)) {}
+    void undo() override { put(before_); }
+    void redo() override {
+        if (is_new_)
+            is_new_ = false; // it is in the file
+        else
+            put(after_);
+    }
+
+private:
+    void put(const Looks::List& list) {
+        if (!looks_.damage_.empty()) {
+            Q_EMIT looks_.studio_.failed("Looks stay as the file has them until this is mended: " +
+                                         QString::fromStdString(looks_.damage_));
+            return;
+        }
+        if (text_in(looks_.file_) != looks_.known_) {
+            Q_EMIT looks_.studio_.failed("Looks were changed by another program, which is not undone: " +
+                                         QString::fromStdString(looks_.file_.string()));
+            return;
+        }
+        if (const Result<void> done = looks_.write(list); !done.ok())
+            Q_EMIT looks_.studio_.failed(QString::fromStdString(done.error().text()));
+    }
+
+    Looks& looks_;
+    Looks::List before_, after_;
+    bool is_new_ = true;
+};
+
+Looks::Looks(Studio& studio) : studio_(studio) {
+    connect(&studio_, &Studio::opened_show, this, [this] {
+        if (!studio_.opened().is_edit) read();
+    });
+    // The folder, for the file may not be there yet, and programs put another one in its place.
+    for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
+        connect(&watcher_, signal, this, &Looks::take_changes);
+}
+
+void Looks::read() {
+    file_ = scene::looks_file(*studio_.show());
+    last_.clear();
+    const QStringList watched = watcher_.files() + watcher_.directories();
+    if (!watched.isEmpty()) watcher_.removePaths(watched);
+    if (const auto folder = file_.parent_path(); !folder.empty())
+        watcher_.addPath(QString::fromStdString(folder.string()));
+    load();
+}
+
+bool Looks::take_changes() {
+    if (!studio_.show() || text_in(file_) == known_) return false;
+    List before = looks_;
+    load();
+    if (damage_.empty() && before != looks_)
+        studio_.undo_stack().push(new LooksStep(*this, std::move(before), looks_, "looks from the file"));
+    return true;
+}
+
+void Looks::load() {
+    looks_.clear();
+    if (const QString file = QString::fromStdString(file_.string()); QFile::exists(file))
+        watcher_.addPath(file); // again, for it may be another one now
+    damage_.clear();
+    known_ = text_in(file_);
+    Report report;
+    auto loaded = scene::load_looks(file_, report);
+    if (loaded.ok())
+        looks_ = std::move(*loaded);
+    else
+        damage_ = loaded.error().text();
+    if (damage_.empty() && report.lost_anything())
+        for (const Message& message : report.messages)
+            if (message.severity == Severity::error && damage_.empty())
+                damage_ = message.where + ": " + message.what;
+    Report strangers;
+    for (const scene::StoredLook& look : looks_)
+        scene::check_look(look, *studio_.show(), file_.string(), strangers);
+    if (!damage_.empty())
+        Q_EMIT studio_.failed(QString::fromStdString(damage_));
+    else if (!strangers.messages.empty())
+        Q_EMIT studio_.failed(
+            QString::fromStdString(strangers.messages[0].where + ": " + strangers.messages[0].what));
+    Q_EMIT changed();
+}
+
+Result<void> Looks::write(const List& looks) {
+    const std::string text = scene::text_of(looks);
+    TRY_VOID(scene::write_looks(file_, text));
+    known_ = text;
+    looks_ = looks;
+    Q_EMIT changed();
+    return {};
+}
+
+Result<void> Looks::edit(const QString& what, List after) {
+    if (!studio_.show()) return Error{"no show is open", ""};
+    const bool changed_outside = take_changes();
+    if (!damage_.empty())
+        return Error{"looks cannot be stored before this is mended, for that would lose it: " + damage_, ""};
+    if (changed_outside)
+        return Error{"was changed by another program and is read again; once more, please", file_.string()};
+    if (after == looks_) return {};
+    if (after.size() > scene::kMostLooks)
+        return Error{"there are " + std::to_string(scene::kMostLooks) + " looks; remove one first", ""};
+    List before = looks_;
+    TRY_VOID(write(after));
+    studio_.undo_stack().push(new LooksStep(*this, std::move(before), std::move(after), what));
+    return {};
+}
+
+Result<void> Looks::put_in(scene::StoredLook look) {
+    TRY_VOID(scene::check_look_name(look.name));
+    List after = looks_;
+    const auto same =
+        std::find_if(after.begin(), after.end(), [&](const auto& one) { return one.name == look.name; });
+    const std::string name = look.name;
+    if (same == after.end()) {
+        after.push_back(std::move(look));
+    } else {
+        look.fade_s = same->fade_s;
+        *same = std::move(look);
+    }
+    TRY_VOID(edit("store look", std::move(after)));
+    last_ = name;
+    Q_EMIT changed();
+    return {};
+}
+
+Result<void> Looks::store(const std::string& name) {
+    if (!studio_.show()) return Error{"no show is open", ""};
+    scene::StoredLook look;
+    look.name = name;
+    look.scene = studio_.look().scene;
+    for (const auto& [index, manual] : studio_.look().fixtures)
+        if (index < studio_.show()->fixtures.size())
+            look.fixtures[studio_.show()->fixtures[index].name] = manual;
+    if (look.fixtures.empty() && look.scene == scene::SceneLook{})
+        return Error{"nothing is set by hand; 'look-capture' stores what a desk or recording does", ""};
+    return put_in(std::move(look));
+}
+
+Result<void> Looks::store_as_it_shines(const std::string& name) {
+    if (!studio_.show()) return Error{"no show is open", ""};
+    scene::StoredLook look;
+    look.name = name;
+    look.scene = studio_.look().scene;
+    fixture::Levels levels;
+    const dmx::Universes& universes = studio_.rig().universes;
+    for (const dmx::Universe& universe : universes.list) levels.set(universe.number, *universe.levels);
+    const std::set<std::size_t>& chosen = studio_.selection();
+    for (std::size_t i = 0; i < studio_.show()->fixtures.size(); ++i) {
+        const scene::PatchedFixture& fixture = studio_.show()->fixtures[i];
+        if (!fixture.type || (!chosen.empty() && !chosen.contains(i))) continue;
+        const auto by_hand = studio_.look().fixtures.find(i);
+        fixture::Manual manual =
+            by_hand == studio_.look().fixtures.end() ? fixture::Manual{} : by_hand->second;
+        if (manual.levels.empty()) manual.levels = fixture::levels_of(fixture.patch(), levels);
+        look.fixtures[fixture.name] = std::move(manual);
+    }
+    return put_in(std::move(look));
+}
+
+Result<void> Looks::recall(const std::string& name, double seconds) {
+    if (!studio_.show()) return Error{"no show is open", ""};
+    TRY(const std::size_t index, scene::find_look(looks_, name));
+    Look look = studio_.look();
+    look.fixtures = scene::manual_of(looks_[index], *studio_.show());
+    look.scene = looks_[index].scene;
+    studio_.fade_to(std::move(look), "look " + QString::fromStdString(name),
+                    seconds < 0 ? static_cast<double>(looks_[index].fade_s) : seconds);
+    last_ = name;
+    Q_EMIT changed();
+    return {};
+}
+
+Result<void> Looks::step(int by) {
+    if (looks_.empty()) return Error{"there is no look yet: store one", ""};
+    const auto count = static_cast<int>(looks_.size());
+    const std::string now = current();
+    const Result<std::size_t> last = scene::find_look(looks_, now.empty() ? last_ : now);
+    const int next = last.ok() ? static_cast<int>(*last) + by : by > 0 ? 0 : count - 1;
+    return recall(looks_[static_cast<std::size_t>((next + count) % count)].name);
+}
+
+Result<void> Looks::rename(const std::string& name, const std::string& to) {
+    TRY_VOID(scene::check_look_name(to));
+    TRY(const std::size_t index, scene::find_look(looks_, name));
+    if (name != to && scene::find_look(looks_, to).ok())
+        return Error{"another look is called '" + to + "'", ""};
+    List after = looks_;
+    after[index].name = to;
+    TRY_VOID(edit("rename look", std::move(after)));
+    if (last_ == name) last_ = to;
+    Q_EMIT changed();
+    return {};
+}
+
+Result<void> Looks::set_fade(const std::string& name, double seconds) {
+    TRY(const std::size_t index, scene::find_look(looks_, name));
+    List after = looks_;
+    after[index].fade_s = static_cast<float>(std::clamp(seconds, 0.0, scene::kLongestFade_s));
+    return edit("seconds of a look", std::move(after));
+}
+
+Result<void> Looks::remove(const std::string& name) {
+    TRY(const std::size_t index, scene::find_look(looks_, name));
+    List after = looks_;
+    after.erase(after.begin() + static_cast<std::ptrdiff_t>(index));
+    return edit("remove look", std::move(after));
+}
+
+std::string Looks::current() const {
+    if (!studio_.show()) return "";
+    const auto is_there = [&](const scene::StoredLook& look) {
+        return studio_.look().scene == look.scene &&
+               studio_.look().fixtures == scene::manual_of(look, *studio_.show());
+    };
+    // Of two that are alike the one that was asked for.
+    if (const Result<std::size_t> last = scene::find_look(looks_, last_);
+        last.ok() && is_there(looks_[*last]))
+        return last_;
+    const auto found = std::find_if(looks_.begin(), looks_.end(), is_there);
+    return found == looks_.end() ? "" : found->name;
+}
+
+} // namespace ghost::ui

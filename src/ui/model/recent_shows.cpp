@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/model/recent_shows.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFileInfo>
+#include <QImage>
+#include <QSaveFile>
+#include <QSettings>
+#include <QStandardPaths>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kWidth_px = 320, kHeight_px = 180;
+
+QString picture_of(const QString& path) {
+    const QByteArray name = QCryptographicHash::hash(path.toUtf8(), QCryptographicHash::Sha1).toHex();
+    return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/shows/" + name + ".png";
+}
+
+} // namespace
+
+RecentShows::RecentShows(Studio& studio, bool remembers) : studio_(studio), remembers_(remembers) {
+    if (!remembers_) return;
+    QSettings settings;
+    const int count = std::min(settings.beginReadArray("recent shows"), kMost);
+    for (int i = 0; i < count; ++i) {
+        settings.setArrayIndex(i);
+        const QString path = settings.value("path").toString();
+        if (QFileInfo::exists(path))
+            shows_.push_back({path, settings.value("name").toString(), picture_of(path)});
+    }
+    connect(&studio_, &Studio::opened_show, this, &RecentShows::take_opened);
+    connect(&studio_, &Studio::picture_came, this, [this] { has_picture_ = true; });
+}
+
+RecentShows::~RecentShows() {
+    keep_picture();
+}
+
+void RecentShows::take_opened() {
+    if (studio_.opened().is_edit) return;
+    keep_picture(); // of the one before, which the studio still has
+    has_picture_ = false;
+    const scene::Show& show = *studio_.show();
+    open_ = QFileInfo(QString::fromStdString(show.file.string())).absoluteFilePath();
+    std::erase_if(shows_, [this](const One& one) { return one.path == open_; });
+    shows_.insert(shows_.begin(), {open_, QString::fromStdString(show.name), picture_of(open_)});
+    if (shows_.size() > kMost) shows_.resize(kMost);
+    QSettings settings;
+    settings.beginWriteArray("recent shows", static_cast<int>(shows_.size()));
+    for (std::size_t i = 0; i < shows_.size(); ++i) {
+        settings.setArrayIndex(static_cast<int>(i));
+        settings.setValue("path", shows_[i].path);
+        settings.setValue("name", shows_[i].name);
+    }
+    settings.endArray();
+    Q_EMIT changed();
+}
+
+void RecentShows::keep_picture() {
+    const auto image = studio_.picture().image;
+    if (!remembers_ || !has_picture_ || open_.isEmpty() || !image || image->channels != 4 ||
+        image->width <= 0)
+        return;
+    const QImage whole(image->samples.data(), image->width, image->height, 4 * image->width,
+                       QImage::Format_RGBX8888);
+    const QString file = picture_of(open_);
+    QDir().mkpath(QFileInfo(file).path());
+    // A cache: where it cannot be written there is no picture.
+    QSaveFile out(file);
+    if (out.open(QIODevice::WriteOnly) &&
+        whole.scaled(kWidth_px, kHeight_px, Qt::KeepAspectRatio, Qt::SmoothTransformation)
+            .convertToFormat(QImage::Format_RGB888)
+            .save(&out, "PNG"))
+        out.commit();
+}
+
+} // namespace ghost::ui

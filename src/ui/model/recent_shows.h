@@ -1,0 +1,44 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// RecentShows: the shows that were opened last, newest first, each with a small picture of how it looked when
+// it was left. Kept in the user's settings and cache, never in the show. Window thread.
+
+#include "ui/model/studio.h"
+
+#include <QObject>
+#include <QString>
+
+#include <vector>
+
+namespace ghost::ui {
+
+class RecentShows : public QObject {
+    Q_OBJECT
+public:
+    // remembers false: none are known, and none are kept.
+    RecentShows(Studio& studio, bool remembers);
+    ~RecentShows() override; // keeps the picture of the open one
+
+    struct One {
+        QString path;    // show.toml or .mvr
+        QString name;    // of the show
+        QString picture; // file; it may not be there
+    };
+    static constexpr int kMost = 8;
+    const std::vector<One>& all() const { return shows_; }
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void take_opened();
+    void keep_picture();
+
+    Studio& studio_;
+    bool remembers_;
+    std::vector<One> shows_;
+    QString open_;             // path
+    bool has_picture_ = false; // of the open one
+};
+
+} // namespace ghost::ui

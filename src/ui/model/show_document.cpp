@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/model/show_document.h"
+
+#include "files/files.h"
+#include "files/user_file.h"
+#include "project/load_show.h"
+#include "show_file/show_edit.h"
+#include "ui/model/private/undo_ids.h"
+
+#include <utility>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kDraftAfter_ms = 500;
+constexpr int kDraftAgain_ms = 5000; // where it could not be written
+constexpr int kLookAgain_ms = 1000;
+constexpr int kGoneAfter = 2; // looks, for editors take a file away for a moment
+
+} // namespace
+
+// From one text to another, with what is by index of the fixture.
+class EditStep : public QUndoCommand {
+public:
+    EditStep(ShowDocument& document, ShowDocument::Edit before, ShowDocument::Edit after, const QString& text,
+             int kind)
+        : QUndoCommand(text), document_(document), before_(std::move(before)), after_(std::move(after)),
+          kind_(kind) {
+        age_.start();
+    }
+    void undo() override { document_.put(before_); }
+    void redo() override { document_.put(after_); }
+    int id() const override { return kind_ == 0 ? -1 : kFirstEditId + kind_; }
+    bool mergeWith(const QUndoCommand* next) override {
+        const auto* later = static_cast<const EditStep*>(next);
+        if (age_.elapsed() > kMergeWithin_ms) return false;
+        after_ = later->after_;
+        age_.restart();
+        return true;
+    }
+
+private:
+    ShowDocument& document_;
+    ShowDocument::Edit before_, after_;
+    int kind_;
+    QElapsedTimer age_;
+};
+
+ShowDocument::ShowDocument(Studio& studio) : studio_(studio) {
+    draft_timer_.setSingleShot(true);
+    // No watcher tells of a folder that is renamed, or of a disk that is taken out.
+    gone_timer_.start(kLookAgain_ms);
+    connect(&gone_timer_, &QTimer::timeout, this, [this] {
+        look_whether_gone();
+        look_who_holds();
+    });
+    connect(&draft_timer_, &QTimer::timeout, this, &ShowDocument::keep_draft);
+    for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
+        connect(&watcher_, signal, this, &ShowDocument::look_at_file);
+    connect(&studio_, &Studio::opened_show, this, [this] {
+        const bool goes_on = studio_.opened().again && studio_.show()->file == file_;
+        if (!studio_.opened().is_edit && !goes_on) read_opened();
+    });
+}
+
+ShowDocument::~ShowDocument() {
+    if (draft_timer_.isActive()) static_cast<void>(keep()); // who closes was told
+}
+
+void ShowDocument::watch() {
+    // The folder, too: editors take the file away for a moment and put another one in its place.
+    if (!watcher_.files().isEmpty()) watcher_.removePaths(watcher_.files());
+    const QString folder = QString::fromStdString(file_.parent_path().string());
+    for (const QString& other : watcher_.directories())
+        if (other != folder) watcher_.removePath(other);
+    if (file_.empty()) return;
+    watcher_.addPath(QString::fromStdString(file_.string()));
+    if (!watcher_.directories().contains(folder)) watcher_.addPath(folder);
+}
+
+void ShowDocument::read_opened() {
+    if (draft_timer_.isActive()) keep_draft(); // of the show that was open
+    hold_.reset();
+    file_ = studio_.show()->file;
+    drafts_ = Drafts(*studio_.show());
+    text_.clear();
+    copied_.clear();
+    draft_.reset();
+    is_kept_ = true;
+    save_failed_ = false;
+    changed_outside_ = false;
+    seen_outside_.reset();
+    is_gone_ = false;
+    if (file_.extension() != ".toml") file_.clear();
+    if (!file_.empty()) {
+        if (auto text = read_text_file(file_, scene::kMaxShowBytes); text.ok())
+            text_ = std::move(*text);
+        else
+            file_.clear();
+    }
+    saved_ = text_;
+    watch();
+    if (!file_.empty()) hold(Hold::Other::keeps);
+    if (is_read_only())
+        Q_EMIT found_held("Another window has this show open: " + QString::fromStdString(hold_->holder()) +
+                          ". Here it is read only.");
+    else if (!file_.empty())
+        find_draft();
+    Q_EMIT changed();
+}
+
+void ShowDocument::hold(Hold::Other other) {
+    if (auto taken = drafts_.hold(other); taken.ok()) hold_ = std::move(*taken);
+    was_ours_ = hold_ && hold_->is_ours();
+}
+
+void ShowDocument::look_who_holds() {
+    notice_loss();
+    if (!is_read_only()) return;
+    hold(Hold::Other::keeps); // the other one may have closed it
+    if (!is_read_only()) begin_editing();
+}
+
+void ShowDocument::begin_editing() {
+    look_at_file();
+    find_draft();
+    Q_EMIT changed();
+}
+
+void ShowDocument::notice_loss() {
+    if (!was_ours_ || !is_read_only()) return;
+    was_ours_ = false;
+    draft_.reset(); // the other window offers it
+    QString kept;
+    if (is_changed()) {
+        // The draft is the other window's now.
+        const auto copy = drafts_.write_aside(text_);
+        is_kept_ = copy.ok();
+        kept = copy.ok()
+                   ? " What was not saved here is kept in " + QString::fromStdString(copy->string()) + "."
+                   : QString(" What is not saved here can be saved as a copy.");
+    }
+    Q_EMIT found_held("Another window took this show over: " + QString::fromStdString(hold_->holder()) +
+                      ". Here it is read only." + kept);
+    Q_EMIT changed();
+}
+
+void ShowDocument::find_draft() {
+    auto found = drafts_.find(text_);
+    if (!found) return;
+    draft_ = std::move(found->text);
+    Q_EMIT draft_found("Changes of " + found->when.toString("d MMM hh:mm") + " were not saved." +
+                       (found->of_this ? QString()
+                                       : QString(" The show file was changed since; taking them drops what "
+                                                 "was changed there.")));
+}
+
+Result<void> ShowDocument::check_editable() const {
+    if (!studio_.show()) return Error{"no show is open", ""};
+    if (file_.empty())
+        return Error{
+            "a plot that is opened as it is cannot be edited; 'ghostlight import' makes a show of it, "
+            "whose changes outlive the designer's next version",
+            studio_.show()->file.string()};
+    if (is_read_only())
+        return Error{"is open in another window: " + hold_->holder() +
+                         "; close it there, or take it over (in a script: take-over)",
+                     file_.string()};
+    if (draft_)
+        return Error{"changes of an earlier time wait: take them or drop them first (Edit menu)",
+                     file_.string()};
+    return {};
+}
+
+Result<void> ShowDocument::edit(const QString& what, Edit edit, int kind) {
+    TRY_VOID(check_editable());
+    if (edit.text == text_) return {};
+    TRY_VOID(scene::preview_edit(*studio_.show(), edit.text)); // one that opens
+    Edit before{text_, studio_.look(), studio_.selection()};
+    studio_.undo_stack().push(new EditStep(*this, std::move(before), std::move(edit), what, kind));
+    return {};
+}
+
+void ShowDocument::put(const Edit& edit) {
+    text_ = edit.text;
+    if (auto preview = scene::preview_edit(*studio_.show(), text_); preview.ok())
+        studio_.put_edit(std::make_shared<const std::string>(text_), std::move(*preview), edit.look,
+                         edit.selection);
+    // Who types on must not put it off.
+    if (!draft_timer_.isActive() || draft_timer_.remainingTime() > kDraftAfter_ms)
+        draft_timer_.start(kDraftAfter_ms);
+    Q_EMIT changed();
+}
+
+void ShowDocument::keep_draft() {
+    const bool was_kept = is_kept_;
+    const Result<void> kept = keep();
+    if (kept.ok() || !was_kept) return; // said once
+    Q_EMIT keep_failed("Changes that are not saved cannot be kept: " +
+                       QString::fromStdString(kept.error().text()));
+}
+
+Result<void> ShowDocument::keep() {
+    draft_timer_.stop();
+    notice_loss();
+    if (file_.empty() || draft_) return {};
+    if (is_read_only())
+        return is_kept_ || text_ == copied_
+                   ? Result<void>()
+                   : Error{"another window has the show, and what is not saved here is kept nowhere",
+                           file_.string()};
+    Result<void> kept;
+    if (is_changed())
+        kept = drafts_.write(text_, saved_);
+    else
+        drafts_.remove();
+    const bool is_kept = kept.ok();
+    if (is_kept != is_kept_) {
+        is_kept_ = is_kept;
+        Q_EMIT changed();
+    }
+    if (is_kept) return {};
+    draft_timer_.start(kDraftAgain_ms);
+    if (text_ == copied_) return {};
+    return kept;
+}
+
+void ShowDocument::look_at_file() {
+    watch(); // a file that was replaced is another one
+    const auto now = read_text_file(file_, scene::kMaxShowBytes);
+    if (!now.ok()) return; // away for a moment, or look_whether_gone says so
+    const bool was_gone = std::exchange(is_gone_, false);
+    const bool outside = *now != saved_ && *now != text_;
+    if (outside ? seen_outside_ == *now : !changed_outside_) {
+        if (was_gone) Q_EMIT changed();
+        return;
+    }
+    if (is_read_only() && !is_changed()) { // it follows the other window
+        if (!scene::preview_edit(*studio_.show(), *now).ok()) return;
+        saved_ = *now;
+        put({*now, studio_.look(), studio_.selection()});
+        return;
+    }
+    changed_outside_ = outside;
+    seen_outside_ = outside ? std::optional(*now) : std::nullopt;
+    QString why = "there are changes here that are not saved.";
+    if (outside && !is_changed() && !draft_) {
+        const Result<void> taken = reload();
+        if (taken.ok()) return;
+        why = "it cannot be taken: " + QString::fromStdString(taken.error().text());
+    }
+    if (outside) Q_EMIT found_changed_outside("Another program changed the show file, and " + why);
+    Q_EMIT changed();
+}
+
+void ShowDocument::look_whether_gone() {
+    std::error_code code;
+    const bool is_there = file_.empty() || std::filesystem::exists(file_, code);
+    misses_ = is_there ? 0 : misses_ + 1;
+    if (is_there && is_gone_) {
+        watcher_.removePaths(watcher_.directories()); // it may be another folder
+        look_at_file();
+    }
+    if (misses_ < kGoneAfter || is_gone_) return;
+    is_gone_ = true;
+    const bool has_folder = std::filesystem::exists(file_.parent_path(), code);
+    Q_EMIT found_gone(
+        QString("The show %1 is gone: deleted, renamed, or its disk was taken out. What is open "
+                "here stays as it is.")
+            .arg(has_folder ? "file" : "folder"));
+    Q_EMIT changed();
+}
+
+Result<void> ShowDocument::save(bool over) {
+    TRY_VOID(check_editable());
+    const auto now = read_text_file(file_, scene::kMaxShowBytes);
+    std::error_code code;
+    if (!over && !now.ok() && std::filesystem::exists(std::filesystem::symlink_status(file_, code)))
+        return Error{now.error().what +
+                         ": nobody can say whether another program changed it; save yours over "
+                         "it (in a script: save over), or save a copy",
+                     file_.string()};
+    if (!over && now.ok() && *now != saved_ && *now != text_) {
+        changed_outside_ = true;
+        return Error{
+            "was changed by another program since it was read here: take what the file says, or save yours "
+            "over it (in a script: reload, save over)",
+            file_.string()};
+    }
+    if (const Result<void> written = write_user_file(file_, text_); !written.ok()) {
+        save_failed_ = true;
+        Q_EMIT save_failed("The show is not saved: " + QString::fromStdString(written.error().text()));
+        return written;
+    }
+    save_failed_ = is_gone_ = false;
+    saved_ = text_;
+    changed_outside_ = false;
+    keep_draft();
+    watch();
+    Q_EMIT changed();
+    return {};
+}
+
+Result<void> ShowDocument::save_copy(const std::filesystem::path& file) {
+    if (!is_read_only()) TRY_VOID(check_editable());
+    std::error_code code;
+    if (std::filesystem::equivalent(file, file_, code))
+        return Error{"is the show file itself, which 'save' writes", file.string()};
+    TRY_VOID(write_file_atomic(file, text_));
+    copied_ = text_;
+    return {};
+}
+
+Result<void> ShowDocument::reload() {
+    TRY_VOID(check_editable());
+    TRY(std::string now, read_text_file(file_, scene::kMaxShowBytes));
+    if (now == text_) { // perhaps the files that it names are others
+        saved_ = std::move(now);
+        changed_outside_ = false;
+        put({text_, studio_.look(), studio_.selection()});
+        return {};
+    }
+    // Before the step, which asks what is saved.
+    std::string before = std::exchange(saved_, now);
+    const bool was_outside = std::exchange(changed_outside_, false);
+    Result<void> done = edit("Reload", {std::move(now), studio_.look(), studio_.selection()});
+    if (!done.ok()) {
+        saved_ = std::move(before); // what cannot be taken must not be written over unasked
+        changed_outside_ = was_outside;
+    }
+    return done;
+}
+
+Result<void> ShowDocument::take_draft() {
+    if (!draft_) return Error{"there are no changes of an earlier time", ""};
+    std::string text = std::move(*draft_);
+    draft_.reset();
+    return edit("Take changes", {std::move(text), studio_.look(), studio_.selection()});
+}
+
+Result<void> ShowDocument::take_over() {
+    if (!is_read_only()) return Error{"no other window has this show open", file_.string()};
+    hold(Hold::Other::gives_way);
+    if (is_read_only()) return check_editable();
+    begin_editing();
+    return {};
+}
+
+Result<void> ShowDocument::drop_draft() {
+    notice_loss();
+    if (!draft_) return Error{"there are no changes of an earlier time", ""};
+    draft_.reset();
+    drafts_.remove();
+    Q_EMIT changed();
+    return {};
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,113 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// ShowDocument: show.toml as the window edits it. Its text is the document: an edit is a step of the undo
+// list from one text to the next, and undone it leaves not one other byte. What is not saved is a draft
+// (ui/model/drafts.h) half a second later, so that neither a crash nor a window that is closed loses more;
+// the next time it is offered. Errors go to who asked. Window thread.
+
+#include "files/hold.h"
+#include "ui/model/drafts.h"
+#include "ui/model/studio.h"
+
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QTimer>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ghost::ui {
+
+class ShowDocument : public QObject {
+    Q_OBJECT
+public:
+    explicit ShowDocument(Studio& studio);
+    ~ShowDocument() override; // writes the draft that waits
+
+    const std::string& text() const { return text_; }
+    bool is_changed() const { return text_ != saved_; }
+    // Changes of an earlier window, or of one that crashed, that wait for take_draft or drop_draft; nothing
+    // is edited before.
+    bool has_draft() const { return draft_.has_value(); }
+    // Whether the file says something else now than when it was read or written here.
+    bool is_changed_outside() const { return changed_outside_; }
+    // Whether another window has the show, on this machine or another: nothing is edited, saved or kept here.
+    bool is_read_only() const { return hold_ && !hold_->is_ours(); }
+    // Whether something waits for a person: a draft, a change outside, a disk that takes
+    // nothing, a show file that is gone, another window.
+    bool waits_for_answer() const {
+        return has_draft() || is_changed_outside() || !is_kept_ || save_failed_ || is_gone_ || is_read_only();
+    }
+
+    // Error: no show, an .mvr that was opened as it is, or a draft that waits.
+    Result<void> check_editable() const;
+    // One step. look and selection: as they are with the new text, for indices may move.
+    struct Edit {
+        std::string text;
+        Look look;
+        std::set<std::size_t> selection;
+    };
+    // Edits of one kind that follow each other closely, as those of a slider, are one step; kind 0: always a
+    // step of its own.
+    Result<void> edit(const QString& what, Edit edit, int kind = 0);
+
+    // Whole or not at all. Error: cannot be written, or the file was changed outside meanwhile and over is
+    // false.
+    Result<void> save(bool over);
+    // As it is now, elsewhere; the show stays where it is, with what is not saved. For a disk that is full.
+    Result<void> save_copy(const std::filesystem::path& file);
+    // What the file says, as a step that can be undone. Error: it cannot be read; all stays as it was.
+    Result<void> reload();
+    // Writes what is not saved where the next window finds it. Error: nowhere, nor was it saved as a copy.
+    Result<void> keep();
+    Result<void> take_draft();
+    Result<void> drop_draft();
+    // From another window, which keeps what it has not saved in a file of its own and becomes read-only.
+    Result<void> take_over();
+
+Q_SIGNALS:
+    void changed(); // any of the above
+    void draft_found(const QString& words);
+    void found_changed_outside(const QString& words); // and could not be taken
+    void found_gone(const QString& words);
+    void found_held(const QString& words); // by another window
+    void save_failed(const QString& words);
+    void keep_failed(const QString& words); // the next window would not find what is not saved
+
+private:
+    friend class EditStep;
+
+    void read_opened();
+    void put(const Edit& edit);
+    void keep_draft();
+    void find_draft();
+    void look_at_file();
+    void look_whether_gone();
+    void look_who_holds();
+    void notice_loss();
+    void hold(Hold::Other other);
+    void begin_editing();
+    void watch();
+
+    Studio& studio_;
+    std::filesystem::path file_; // empty: nothing that can be edited
+    Drafts drafts_;
+    std::optional<Hold> hold_; // none: nothing can be written there
+    bool was_ours_ = false;    // at the last look
+    std::string text_;
+    std::string saved_;  // as the file has it
+    std::string copied_; // as it was saved as a copy
+    std::optional<std::string> draft_;
+    bool is_kept_ = true;
+    bool save_failed_ = false;
+    bool changed_outside_ = false;
+    bool is_gone_ = false;                    // the show file
+    int misses_ = 0;                          // looks that did not find it
+    std::optional<std::string> seen_outside_; // what it says there
+    QTimer draft_timer_, gone_timer_;
+    QFileSystemWatcher watcher_;
+};
+
+} // namespace ghost::ui

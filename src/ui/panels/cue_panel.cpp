@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/cue_panel.h"
+
+#include "ui/widgets/following.h"
+#include "ui/widgets/theme.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+namespace ghost::ui {
+namespace {
+
+enum Column { name, look, fade, follow, at, camera, flight, notes, kColumns };
+constexpr const char* kWhat[kColumns] = {"name", "look", "fade", "follow", "at", "camera", "flight", "notes"};
+
+QString quoted(const QString& words) {
+    return "\"" + QString(words).remove('"') + "\"";
+}
+
+QString seconds(const std::optional<float>& value) {
+    return value ? QString::number(static_cast<double>(*value), 'g', 6) : QString();
+}
+
+QString text_of(const scene::Cue& cue, int column) {
+    switch (column) {
+    case name:
+        return QString::fromStdString(cue.name);
+    case look:
+        return QString::fromStdString(cue.look);
+    case fade:
+        return seconds(cue.fade_s);
+    case follow:
+        return seconds(cue.follow_s);
+    case at:
+        return cue.at_s ? QString::number(*cue.at_s, 'g', 8) : QString();
+    case camera:
+        return QString::fromStdString(cue.camera);
+    case flight:
+        return cue.flight_s > 0 ? seconds(cue.flight_s) : QString();
+    default:
+        return QString::fromStdString(cue.notes);
+    }
+}
+
+// Looks and cameras are chosen from those that the show has.
+class ChoiceDelegate : public QStyledItemDelegate {
+public:
+    ChoiceDelegate(std::function<QStringList()> names, QObject* parent)
+        : QStyledItemDelegate(parent), names_(std::move(names)) {}
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                          const QModelIndex& index) const override {
+        auto* box = new QComboBox(parent);
+        box->addItem("");
+        box->addItems(names_());
+        box->setCurrentText(index.data().toString());
+        return box;
+    }
+
+private:
+    std::function<QStringList()> names_;
+};
+
+} // namespace
+
+CuePanel::CuePanel(Studio& studio, CueList& cues, Looks& looks, Actions& actions, QWidget* parent)
+    : QWidget(parent), studio_(studio), cues_(cues), looks_(looks), actions_(actions),
+      next_(new QLabel(this)), table_(new QTableWidget(0, kColumns, this)) {
+    next_->setWordWrap(true);
+    table_->setAccessibleName("Cues");
+    table_->setHorizontalHeaderLabels(
+        {"Cue", "Look", "Fade s", "Follow s", "At s", "Camera", "Flight s", "Notes"});
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setSelectionMode(QAbstractItemView::SingleSelection);
+    table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    table_->setAlternatingRowColors(true);
+    table_->setShowGrid(false);
+    table_->setToolTip(
+        "Double click or F2: change what stands there. Fade: empty is that of the look. Follow: the "
+        "next cue goes by itself that long after this one.");
+    table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setStretchLastSection(true);
+    table_->setItemDelegateForColumn(look, new ChoiceDelegate(
+                                               [this] {
+                                                   QStringList names;
+                                                   for (const scene::StoredLook& one : looks_.all())
+                                                       names << QString::fromStdString(one.name);
+                                                   return names;
+                                               },
+                                               table_));
+    table_->setItemDelegateForColumn(camera, new ChoiceDelegate(
+                                                 [this] {
+                                                     QStringList names;
+                                                     for (const scene::Camera& one : studio_.show()->cameras)
+                                                         names << QString::fromStdString(one.name);
+                                                     return names;
+                                                 },
+                                                 table_));
+    connect(table_, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem* item) {
+        if (follows_) return;
+        actions_.choose(QString("cue-set %1 %2 %3")
+                            .arg(item->row() + 1)
+                            .arg(kWhat[item->column()], quoted(item->text().trimmed())));
+        // What was refused is not left standing; the table is not filled while it tells of a change.
+        QMetaObject::invokeMethod(this, &CuePanel::fill, Qt::QueuedConnection);
+    });
+    go_ = add_button("Go", "The next cue (Ctrl+G)", [] { return QString("cue-go"); });
+    go_->setMinimumHeight(40);
+    back_ = add_button("Back", "The cue before (Ctrl+Shift+G)", [] { return QString("cue-back"); });
+    QPushButton* const call =
+        add_button("Go to this", "The chosen cue", [this] { return "cue " + chosen(); });
+    QPushButton* const add = add_button("Add",
+                                        "A cue of the look that was recalled or stored last, or of this "
+                                        "moment of the recording",
+                                        [this] {
+                                            const QString of = QString::fromStdString(looks_.current());
+                                            return "cue-add \"\" " + quoted(of);
+                                        });
+    remove_ = add_button("Remove", "Can be undone", [this] { return "cue-remove " + chosen(); });
+    up_ = add_button("Up", "Earlier in the list", [this] { return "cue-move " + chosen() + " up"; });
+    down_ = add_button("Down", "Later in the list", [this] { return "cue-move " + chosen() + " down"; });
+    auto* follows = new QCheckBox("Follow the recording", this);
+    follows->setToolTip("A cue with a second is called when the recording, or its time code, comes by");
+    connect(follows, &QCheckBox::toggled, this, [this](bool on) { cues_.set_follows_recording(on); });
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(next_);
+    auto* buttons = new QGridLayout;
+    buttons->addWidget(go_, 0, 0, 1, 2);
+    buttons->addWidget(back_, 0, 2);
+    buttons->addWidget(call, 1, 0);
+    buttons->addWidget(add, 1, 1);
+    buttons->addWidget(remove_, 1, 2);
+    buttons->addWidget(up_, 2, 0);
+    buttons->addWidget(down_, 2, 1);
+    buttons->addWidget(follows, 3, 0, 1, 3);
+    layout->addWidget(table_, 1);
+    layout->addLayout(buttons);
+    connect(&cues_, &CueList::changed, this, [this, follows] {
+        follows->setChecked(cues_.follows_recording());
+        fill();
+    });
+    countdown_.setInterval(200);
+    connect(&countdown_, &QTimer::timeout, this, &CuePanel::show_next);
+    connect(table_, &QTableWidget::itemSelectionChanged, this, &CuePanel::show_next);
+    fill();
+}
+
+QPushButton* CuePanel::add_button(const QString& text, const QString& tip, std::function<QString()> line) {
+    auto* button = new QPushButton(text, this);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, [this, line] { actions_.choose(line()); });
+    return button;
+}
+
+QString CuePanel::chosen() const {
+    return table_->currentRow() < 0 ? QString("\"\"") : QString::number(table_->currentRow() + 1);
+}
+
+void CuePanel::fill() {
+    setEnabled(studio_.show() != nullptr);
+    const Following following(follows_);
+    const std::vector<scene::Cue>& cues = cues_.all();
+    const int row_before = table_->currentRow();
+    table_->setRowCount(static_cast<int>(cues.size()));
+    for (std::size_t i = 0; i < cues.size(); ++i)
+        for (int column = 0; column < kColumns; ++column) {
+            auto* item = new QTableWidgetItem(text_of(cues[i], column));
+            if (cues_.current() == i) item->setForeground(accent());
+            table_->setItem(static_cast<int>(i), column, item);
+        }
+    if (!cues.empty())
+        table_->setCurrentCell(std::clamp(row_before, 0, static_cast<int>(cues.size()) - 1), name,
+                               QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    show_next();
+}
+
+void CuePanel::show_next() {
+    const std::vector<scene::Cue>& cues = cues_.all();
+    const std::size_t next = cues_.current() ? *cues_.current() + 1 : 0;
+    const double follows_s = cues_.follows_in_s();
+    const QString by_itself = follows_s >= 0 ? QString(", in %1 s").arg(follows_s, 0, 'f', 1) : QString();
+    next_->setText(cues.empty()          ? QString("No cues yet. Store looks, recall one and add it here.")
+                   : next >= cues.size() ? QString("This was the last cue.")
+                                         : "Next: " + QString::fromStdString(cues[next].name) + by_itself);
+    if (follows_s >= 0 && !countdown_.isActive()) countdown_.start();
+    if (follows_s < 0) countdown_.stop();
+    go_->setEnabled(next < cues.size());
+    back_->setEnabled(cues_.current() && *cues_.current() > 0);
+    const int row = table_->currentRow();
+    remove_->setEnabled(row >= 0);
+    up_->setEnabled(row > 0);
+    down_->setEnabled(row >= 0 && row + 1 < table_->rowCount());
+}
+
+} // namespace ghost::ui

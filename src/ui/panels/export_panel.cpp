@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/export_panel.h"
+
+#include "ui/widgets/theme.h"
+
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QScrollArea>
+
+#include <set>
+
+namespace ghost::ui {
+namespace {
+
+constexpr double kLongest_s = 99999; // of a film; scripts take more
+
+QString words_of(const Job& job) {
+    QString words = "<b>" + job.title.toHtmlEscaped() + "</b>: ";
+    if (job.is_given_up && !job.is_over()) return words + "stopping";
+    if (job.state == Job::State::runs) {
+        words += job.doing.isEmpty() ? QString("begins") : job.doing.toHtmlEscaped();
+        if (!job.left.isEmpty()) words += ", " + job.left + " left";
+        return words;
+    }
+    words += state_name(job.state);
+    if (job.state == Job::State::failed) words += ". " + job.last_said.toHtmlEscaped();
+    return words;
+}
+
+QSpinBox* number_box(int low, int high, int value, const QString& name, QWidget* parent) {
+    auto* box = new QSpinBox(parent);
+    box->setRange(low, high);
+    box->setValue(value);
+    box->setAccessibleName(name);
+    return box;
+}
+
+} // namespace
+
+ExportPanel::ExportPanel(Studio& studio, Actions& actions, QWidget* parent)
+    : QWidget(parent), studio_(studio), actions_(actions) {
+    auto* inside = new QWidget(this);
+    auto* layout = new QVBoxLayout(inside);
+    layout->addWidget(make_bake());
+    layout->addWidget(make_pictures());
+    list_ = new QVBoxLayout;
+    layout->addLayout(list_);
+    layout->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(inside);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(scroll);
+    connect(&studio_, &Studio::opened_show, this, &ExportPanel::name_cameras);
+    connect(&studio_.jobs(), &Jobs::changed, this, &ExportPanel::show_jobs);
+}
+
+QWidget* ExportPanel::make_bake() {
+    auto* box = new QGroupBox("Bake", this);
+    box->setToolTip(
+        "The final picture of a fixed camera, lit live. What is finished stays if it is cancelled.");
+    auto* form = new QFormLayout(box);
+    bake_camera_ = new QComboBox(box);
+    bake_camera_->setAccessibleName("Camera to bake");
+    spp_ = number_box(1, 1024, 16, "Samples per pixel", box);
+    bounces_ = number_box(0, 16, 0, "Bounces of indirect light", box);
+    auto* button = new QPushButton("Bake", box);
+    connect(button, &QPushButton::clicked, this, [this] {
+        const QString camera =
+            bake_camera_->currentIndex() <= 0 ? QString("all") : "\"" + bake_camera_->currentText() + "\"";
+        run(QString("bake %1 %2 %3").arg(camera).arg(spp_->value()).arg(bounces_->value()));
+    });
+    form->addRow("Camera", bake_camera_);
+    form->addRow("Samples", spp_);
+    form->addRow("Bounces", bounces_);
+    form->addRow(button);
+    return box;
+}
+
+QWidget* ExportPanel::make_pictures() {
+    auto* box = new QGroupBox("Pictures", this);
+    auto* form = new QFormLayout(box);
+    camera_ = new QComboBox(box);
+    camera_->setToolTip("As the window sees it: drawn live. A camera of the show: from its passes.");
+    camera_->setAccessibleName("Camera of pictures");
+    size_ = new QComboBox(box);
+    size_->setEditable(true);
+    size_->addItems({"1920x1080", "1280x720", "3840x2160", "7680x4320"});
+    size_->setAccessibleName("Size of pictures");
+    for (QComboBox* one : {bake_camera_, camera_, size_}) {
+        one->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        one->setMinimumContentsLength(8);
+    }
+    from_ = new QDoubleSpinBox(box);
+    to_ = new QDoubleSpinBox(box);
+    for (QDoubleSpinBox* seconds : {from_, to_}) {
+        seconds->setRange(0, kLongest_s);
+        seconds->setSuffix(" s");
+        seconds->setDecimals(1);
+    }
+    from_->setAccessibleName("Begin of the film");
+    to_->setAccessibleName("End of the film");
+    fps_ = number_box(1, 240, 30, "Pictures a second", box);
+    auto* still = new QPushButton("Still...", box);
+    auto* film = new QPushButton("Film...", box);
+    auto* sheet = new QPushButton("Contact sheet...", box);
+    sheet->setToolTip("All looks from all cameras; without looks, the cues");
+    connect(still, &QPushButton::clicked, this, [this] {
+        run_with_file("export-still", "Save a still", "Pictures (*.png *.exr)",
+                      camera_->currentIndex() <= 0 ? size_->currentText()
+                                                   : "\"" + camera_->currentText() + "\"");
+    });
+    connect(film, &QPushButton::clicked, this, [this] {
+        run_with_file("export-film", "Save a film", "Films (*.mp4)",
+                      QString("%1 %2 %3 %4")
+                          .arg(from_->value())
+                          .arg(to_->value())
+                          .arg(fps_->value())
+                          .arg(size_->currentText()));
+    });
+    connect(sheet, &QPushButton::clicked, this,
+            [this] { run_with_file("export-sheet", "Save a contact sheet", "Pictures (*.png)", ""); });
+    auto* range = new QHBoxLayout;
+    range->addWidget(from_);
+    range->addWidget(new QLabel("to", box));
+    range->addWidget(to_);
+    form->addRow("Camera", camera_);
+    form->addRow("Size", size_);
+    form->addRow("Film", range);
+    form->addRow("Its rate", fps_);
+    fps_->setSuffix(" a second");
+    auto* buttons = new QHBoxLayout;
+    for (QPushButton* button : {still, film}) buttons->addWidget(button);
+    form->addRow(buttons);
+    form->addRow(sheet);
+    return box;
+}
+
+void ExportPanel::run(const QString& line) {
+    actions_.choose(line);
+}
+
+void ExportPanel::run_with_file(const QString& action, const QString& title, const QString& ending,
+                                const QString& arguments) {
+    const QString file = QFileDialog::getSaveFileName(this, title, QString(), ending);
+    if (!file.isEmpty()) run(action + " \"" + file + "\" " + arguments);
+}
+
+void ExportPanel::name_cameras() {
+    const auto fill = [this](QComboBox* box, const QString& first) {
+        const QString before = box->currentText();
+        box->clear();
+        box->addItem(first);
+        for (const scene::Camera& camera : studio_.show()->cameras)
+            box->addItem(QString::fromStdString(camera.name));
+        box->setCurrentText(before.isEmpty() ? first : before);
+    };
+    fill(bake_camera_, "All cameras");
+    fill(camera_, "As the window sees it");
+    if (!studio_.opened().is_edit) to_->setValue(studio_.opened().recording_s);
+}
+
+ExportPanel::Row ExportPanel::add_row(const Job& job) {
+    Row row{};
+    row.widget = new QWidget(this);
+    auto* layout = new QVBoxLayout(row.widget);
+    layout->setContentsMargins(0, 4, 0, 4);
+    row.words = new QLabel(row.widget);
+    row.words->setTextFormat(Qt::RichText);
+    row.words->setWordWrap(true);
+    row.bar = new QProgressBar(row.widget);
+    row.bar->setRange(0, 1000);
+    row.bar->setTextVisible(false);
+    row.cancel = new QPushButton("Cancel", row.widget);
+    connect(row.cancel, &QPushButton::clicked, this,
+            [this, number = job.number] { studio_.jobs().cancel(number); });
+    auto* line = new QHBoxLayout;
+    line->addWidget(row.bar, 1);
+    line->addWidget(row.cancel);
+    layout->addWidget(row.words);
+    layout->addLayout(line);
+    list_->insertWidget(0, row.widget); // the newest on top
+    return row;
+}
+
+void ExportPanel::show_jobs() {
+    std::set<int> there;
+    for (const Job& job : studio_.jobs().all()) {
+        there.insert(job.number);
+        if (!rows_.contains(job.number)) rows_[job.number] = add_row(job);
+        const Row& row = rows_.at(job.number);
+        row.words->setText(words_of(job));
+        row.words->setToolTip(job.last_said);
+        row.bar->setValue(static_cast<int>(1000 * job.share));
+        row.bar->setVisible(!job.is_over());
+        row.cancel->setVisible(!job.is_over());
+        row.cancel->setEnabled(!job.is_given_up);
+    }
+    for (auto row = rows_.begin(); row != rows_.end();) {
+        if (there.contains(row->first)) {
+            ++row;
+            continue;
+        }
+        delete row->second.widget;
+        row = rows_.erase(row);
+    }
+}
+
+} // namespace ghost::ui

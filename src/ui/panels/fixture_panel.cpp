@@ -1,0 +1,381 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/fixture_panel.h"
+
+#include "ui/actions/hand.h"
+#include "ui/actions/patch_actions.h"
+#include "ui/widgets/fixture_table.h"
+#include "ui/widgets/following.h"
+#include "ui/widgets/theme.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QPainter>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+namespace ghost::ui {
+namespace {
+
+QString number(float value) {
+    return QString::number(static_cast<double>(value), 'g', 6);
+}
+
+// Modes are chosen from those that the fixture has.
+class ModeDelegate : public QStyledItemDelegate {
+public:
+    ModeDelegate(Studio& studio, QObject* parent) : QStyledItemDelegate(parent), studio_(studio) {}
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const override {
+        const auto* sorted = qobject_cast<const QSortFilterProxyModel*>(index.model());
+        const auto row = static_cast<std::size_t>(sorted->mapToSource(index).row());
+        if (!studio_.show() || row >= studio_.show()->fixtures.size() || !studio_.show()->fixtures[row].type)
+            return QStyledItemDelegate::createEditor(parent, option, index);
+        auto* modes = new QComboBox(parent);
+        for (const fixture::Mode& mode : studio_.show()->fixtures[row].type->modes)
+            modes->addItem(QString::fromStdString(mode.name));
+        modes->setCurrentText(index.data().toString());
+        return modes;
+    }
+
+private:
+    Studio& studio_;
+};
+
+// The colour of the light, which the mark of a chosen row leaves free.
+// What is wrong stays red in a row that is selected; styles give those one colour of their own.
+class CellPainter : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+protected:
+    void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+        QStyledItemDelegate::initStyleOption(option, index);
+        if (const QVariant colour = index.data(Qt::ForegroundRole); colour.isValid())
+            option->palette.setColor(QPalette::HighlightedText, colour.value<QColor>());
+    }
+};
+
+class SwatchPainter : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        QStyledItemDelegate::paint(painter, option, index);
+        if (const QVariant colour = index.data(FixtureModel::kSwatch); colour.isValid())
+            painter->fillRect(option.rect.adjusted(3, 3, -3, -3), colour.value<QColor>());
+    }
+};
+
+QString text_of(const scene::PatchedFixture& fixture, int column) {
+    switch (column) {
+    case FixtureModel::name:
+        return QString::fromStdString(fixture.name);
+    case FixtureModel::patch:
+        return fixture.address > 0
+                   ? QString("%1.%2").arg(fixture.universe).arg(fixture.address, 3, 10, QChar('0'))
+                   : QString("none");
+    case FixtureModel::type:
+        return fixture.type ? QString::fromStdString(fixture.type->name) : QString("file cannot be read");
+    case FixtureModel::mode:
+        return fixture.type ? QString::fromStdString(fixture.patch().mode_of().name) : QString();
+    case FixtureModel::x:
+    case FixtureModel::y:
+    case FixtureModel::z:
+        return number(fixture.position_m[column - FixtureModel::x]);
+    case FixtureModel::turn:
+        return number(fixture.rotation_deg.x) + " " + number(fixture.rotation_deg.y) + " " +
+               number(fixture.rotation_deg.z);
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+FixtureModel::FixtureModel(Studio& studio, ShowDocument& document, QObject* parent)
+    : QAbstractTableModel(parent), studio_(studio), document_(document) {
+    connect(&studio_, &Studio::opened_show, this, &FixtureModel::take_show);
+    const auto refresh = [this] {
+        if (rowCount() > 0) Q_EMIT dataChanged(index(0, level), index(rowCount() - 1, colour));
+    };
+    connect(&studio_, &Studio::rig_came, this, refresh);
+    connect(&studio_, &Studio::look_changed, this, refresh);
+}
+
+void FixtureModel::take_show() {
+    const std::vector<scene::PatchedFixture>& fixtures = studio_.show()->fixtures;
+    // Rows that stay keep their place, and who types in one goes on.
+    const bool stays = studio_.opened().is_edit && rows_ == static_cast<int>(fixtures.size());
+    if (!stays) beginResetModel();
+    rows_ = static_cast<int>(fixtures.size());
+    shared_.clear();
+    std::vector<fixture::Patch> patches;
+    std::vector<std::size_t> of_patch;
+    for (std::size_t i = 0; i < fixtures.size(); ++i) {
+        if (!fixtures[i].type) continue;
+        patches.push_back(fixtures[i].patch());
+        of_patch.push_back(i);
+    }
+    for (const fixture::Overlap& overlap : fixture::find_overlaps(patches))
+        shared_.insert({of_patch[overlap.first], of_patch[overlap.second]});
+    if (!stays)
+        endResetModel();
+    else if (rows_ > 0)
+        Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, kColumns - 1));
+}
+
+int FixtureModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : rows_;
+}
+
+int FixtureModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : kColumns;
+}
+
+QVariant FixtureModel::data(const QModelIndex& index, int role) const {
+    const auto row = static_cast<std::size_t>(index.row());
+    if (!studio_.show() || row >= studio_.show()->fixtures.size()) return {};
+    const scene::PatchedFixture& fixture = studio_.show()->fixtures[row];
+    const FixtureNow* now = row < studio_.rig().fixtures.size() ? &studio_.rig().fixtures[row] : nullptr;
+    if (role == Qt::DisplayRole && index.column() == level)
+        return now ? QString("%1 %").arg(100 * static_cast<double>(now->dimmer), 0, 'f', 0) : QString();
+    if (role == Qt::DisplayRole || role == Qt::EditRole) return text_of(fixture, index.column());
+    if (role == kSwatch && index.column() == colour && now && now->candela > 0)
+        return screen_colour(now->colour);
+    if (role == Qt::TextAlignmentRole && index.column() == level)
+        return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
+    if (role == Qt::ForegroundRole) {
+        if (index.column() == patch && (fixture.address <= 0 || shared_.contains(row))) return bad();
+        if (index.column() == type && !fixture.type) return bad();
+        if (index.column() == level && studio_.look().fixtures.contains(row)) return accent();
+    }
+    if (role == Qt::ToolTipRole) {
+        if (shared_.contains(row)) return "Another fixture reads a channel of this one.";
+        if (studio_.look().fixtures.contains(row)) return "Set by hand; R releases it.";
+        return QString::fromStdString(fixture.gdtf.string());
+    }
+    return {};
+}
+
+QVariant FixtureModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    static const char* const kTitles[kColumns] = {"Name", "Patch", "Light", "",    "Type",
+                                                  "Mode", "X m",   "Y m",   "Z m", "Turn"};
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    return kTitles[section];
+}
+
+Qt::ItemFlags FixtureModel::flags(const QModelIndex& index) const {
+    const int column = index.column();
+    const bool is_patch = column != level && column != colour && column != type;
+    return QAbstractTableModel::flags(index) | (is_patch ? Qt::ItemIsEditable : Qt::NoItemFlags);
+}
+
+bool FixtureModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+    const auto row = static_cast<std::size_t>(index.row());
+    const QString words = value.toString().trimmed();
+    if (role != Qt::EditRole || words == data(index, Qt::EditRole).toString()) return false;
+    if (!studio_.selection().contains(row)) studio_.select({row});
+    const Result<void> done = edit(index.column(), words);
+    if (!done.ok() && complain) complain(done.error());
+    return done.ok();
+}
+
+Result<void> FixtureModel::edit(int column, const QString& words) {
+    PatchEdit edit(studio_, document_);
+    const QStringList parts = words.split(' ', Qt::SkipEmptyParts);
+    constexpr double kMost_m = 100000;
+    switch (column) {
+    case name:
+        return edit.rename(words);
+    case patch: {
+        TRY(const fixture::Address address, address_of(words));
+        return edit.set_address(address);
+    }
+    case mode:
+        return edit.set_mode(words);
+    case turn: {
+        glm::vec3 turn_deg{0};
+        for (int i = 0; i < 3; ++i) {
+            TRY(const double degrees, number_of(parts, i, "degrees", -360, 360));
+            turn_deg[i] = static_cast<float>(degrees);
+        }
+        return edit.set_rotation(turn_deg);
+    }
+    default: {
+        TRY(const double metres, number_of(parts, 0, "metres", -kMost_m, kMost_m));
+        return edit.set_axis(column - x, static_cast<float>(metres));
+    }
+    }
+}
+
+void FixtureFilter::show_only(std::optional<std::set<std::size_t>> fixtures) {
+    if (fixtures == only_) return;
+    only_ = std::move(fixtures);
+    invalidateFilter();
+}
+
+bool FixtureFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
+    if (only_ && !only_->contains(static_cast<std::size_t>(row))) return false;
+    return QSortFilterProxyModel::filterAcceptsRow(row, parent);
+}
+
+FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* parent)
+    : QWidget(parent), studio_(studio) {
+    search_ = new QLineEdit(this);
+    search_->setPlaceholderText("Search");
+    search_->setToolTip("In names, addresses, types and modes");
+    search_->setClearButtonEnabled(true);
+    search_->setAccessibleName("Search fixtures");
+    title_ = new QLabel(this);
+    title_->setWordWrap(true);
+    group_ = new QComboBox(this);
+    group_->setAccessibleName("Group of fixtures");
+    group_->setToolTip("One type, layer or truss alone; Enter in the search selects what is listed");
+    group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    group_->setMinimumContentsLength(5);
+    dark_ = new QToolButton(this);
+    dark_->setText("Dark");
+    dark_->setCheckable(true);
+    dark_->setToolTip("Only fixtures that do not shine, by reasons");
+    model_ = new FixtureModel(studio, document, this);
+    sorted_ = new FixtureFilter(this);
+    sorted_->setSourceModel(model_);
+    sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+    sorted_->setFilterKeyColumn(-1);
+    sorted_->setDynamicSortFilter(false); // levels change all the time
+    table_ = new FixtureTable(this);
+    table_->setModel(sorted_);
+    table_->setSortingEnabled(true);
+    table_->sortByColumn(-1, Qt::AscendingOrder);
+    table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table_->setAlternatingRowColors(true);
+    table_->setShowGrid(false);
+    table_->setTextElideMode(Qt::ElideMiddle); // numbers that tell lamps apart stand at the end
+    table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+    table_->setItemDelegate(new CellPainter(table_));
+    table_->setItemDelegateForColumn(FixtureModel::mode, new ModeDelegate(studio, table_));
+    table_->setItemDelegateForColumn(FixtureModel::colour, new SwatchPainter(table_));
+    table_->verticalHeader()->hide();
+    table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
+    table_->horizontalHeader()->setMinimumSectionSize(2 * table_->fontMetrics().averageCharWidth());
+    table_->setAccessibleName("Fixtures");
+    const int letter = table_->fontMetrics().averageCharWidth();
+    for (const auto& [column, letters] : {std::pair{FixtureModel::name, 18},
+                                          {FixtureModel::patch, 9},
+                                          {FixtureModel::level, 8},
+                                          {FixtureModel::colour, 4},
+                                          {FixtureModel::type, 18},
+                                          {FixtureModel::mode, 14},
+                                          {FixtureModel::x, 7},
+                                          {FixtureModel::y, 7},
+                                          {FixtureModel::z, 7}})
+        table_->setColumnWidth(column, letters * letter);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    auto* choice = new QHBoxLayout;
+    choice->addWidget(search_, 3);
+    choice->addWidget(group_, 2);
+    choice->addWidget(dark_);
+    layout->addWidget(title_);
+    layout->addLayout(choice);
+    layout->addWidget(table_);
+    connect(&studio_, &Studio::opened_show, this, &FixturePanel::list_groups);
+    connect(&studio_, &Studio::verdicts_came, this, [this] {
+        if (dark_->isChecked()) list_groups();
+    });
+    connect(dark_, &QToolButton::toggled, this, [this](bool on) {
+        studio_.wish([on](Wishes& wishes) { wishes.explains_all = on; });
+        list_groups();
+    });
+    connect(group_, &QComboBox::activated, this, &FixturePanel::show_group);
+    connect(&studio_, &Studio::selection_changed, this, &FixturePanel::count);
+    count();
+    // What is searched away stays selected, and rows that go say nothing: each would be a selection.
+    connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
+        {
+            const Following following(follows_);
+            sorted_->setFilterFixedString(text);
+        }
+        show_selection();
+    });
+    connect(search_, &QLineEdit::returnPressed, this, [this] {
+        if (sorted_->rowCount() == 0) return;
+        table_->setFocus();
+        table_->setCurrentIndex(sorted_->index(0, FixtureModel::name)); // that F2 edits
+        table_->selectAll();
+        take_selection(); // where they were selected already, the table says nothing
+    });
+    connect(&studio_, &Studio::selection_changed, this, &FixturePanel::show_selection);
+    connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &FixturePanel::take_selection);
+}
+
+// The chosen group stays chosen where it is still there.
+void FixturePanel::list_groups() {
+    const QString before = group_->currentData().toString();
+    groups_ = !studio_.show()      ? std::vector<FixtureGroup>{}
+              : dark_->isChecked() ? dark_groups_of(studio_.verdicts())
+                                   : groups_of(*studio_.show(), studio_.opened().objects);
+    group_->clear();
+    std::size_t dark = 0;
+    for (const FixtureGroup& group : groups_) dark += group.fixtures.size();
+    group_->addItem(!dark_->isChecked()          ? QString("All fixtures")
+                    : studio_.verdicts().empty() ? QString("Asking why ...")
+                                                 : QString("All %1 that are dark").arg(dark));
+    for (const FixtureGroup& group : groups_)
+        group_->addItem(QString("%1 (%2)").arg(group.title).arg(group.fixtures.size()), group.title);
+    group_->setCurrentIndex(before.isEmpty() ? 0 : std::max(group_->findData(before), 0));
+    show_group();
+    count();
+}
+
+void FixturePanel::show_group() {
+    std::optional<std::set<std::size_t>> only;
+    const int index = group_->currentIndex() - 1;
+    if (index >= 0 && static_cast<std::size_t>(index) < groups_.size()) {
+        only = groups_[static_cast<std::size_t>(index)].fixtures;
+    } else if (dark_->isChecked() && !studio_.verdicts().empty()) {
+        only.emplace();
+        for (const FixtureGroup& group : groups_) only->insert(group.fixtures.begin(), group.fixtures.end());
+    }
+    {
+        const Following following(follows_);
+        sorted_->show_only(std::move(only));
+    }
+    show_selection();
+}
+
+void FixturePanel::count() {
+    const std::size_t all = studio_.show() ? studio_.show()->fixtures.size() : 0;
+    QString words = QString("%1 %2").arg(all).arg(all == 1 ? "fixture" : "fixtures");
+    if (!studio_.selection().empty()) words += QString(", %1 selected").arg(studio_.selection().size());
+    title_->setText(words);
+}
+
+void FixturePanel::show_selection() {
+    QItemSelection rows;
+    QModelIndex first;
+    for (const std::size_t fixture : studio_.selection()) {
+        const QModelIndex index = sorted_->mapFromSource(model_->index(static_cast<int>(fixture), 0));
+        if (!index.isValid()) continue; // searched away
+        rows.select(index, index);
+        if (!first.isValid()) first = index;
+    }
+    {
+        const Following following(follows_);
+        table_->selectionModel()->select(rows,
+                                         QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    }
+    if (first.isValid() && !table_->hasFocus()) table_->scrollTo(first);
+}
+
+void FixturePanel::take_selection() {
+    if (follows_) return;
+    std::set<std::size_t> selection;
+    for (const QModelIndex& index : table_->selectionModel()->selectedRows())
+        selection.insert(static_cast<std::size_t>(sorted_->mapToSource(index).row()));
+    studio_.select(std::move(selection));
+}
+
+} // namespace ghost::ui

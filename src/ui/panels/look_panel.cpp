@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/look_panel.h"
+
+#include "ui/actions/hand.h"
+#include "ui/widgets/following.h"
+#include "ui/widgets/theme.h"
+
+#include <QGridLayout>
+#include <QVBoxLayout>
+
+namespace ghost::ui {
+namespace {
+
+QString quoted(const QString& words) {
+    return "\"" + QString(words).remove('"') + "\"";
+}
+
+} // namespace
+
+LookPanel::LookPanel(Studio& studio, Looks& looks, Actions& actions, QWidget* parent)
+    : QWidget(parent), studio_(studio), looks_(looks), actions_(actions) {
+    auto* layout = new QVBoxLayout(this);
+    list_ = new QListWidget(this);
+    list_->setAccessibleName("Looks");
+    list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    list_->setAlternatingRowColors(true);
+    list_->setToolTip("Double click or Enter: recall. F2: another name.");
+    layout->addWidget(list_, 1);
+    connect(list_, &QListWidget::itemDoubleClicked, this, [this] { run("look-recall " + quoted(chosen())); });
+    connect(list_, &QListWidget::currentItemChanged, this, &LookPanel::refresh);
+    connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        if (follows_) return;
+        const QString before = item->data(Qt::UserRole).toString(), after = item->text();
+        if (before != after) run("look-rename " + quoted(before) + " " + quoted(after));
+        fill();
+    });
+
+    auto* buttons = new QGridLayout;
+    const auto name = [this] { return quoted(chosen()); };
+    recall_ = add_button("Recall", "Fades to it", [=] { return "look-recall " + name(); });
+    QPushButton* store = add_button("Store what hands set", "As a new look",
+                                    [this] { return "look-store " + quoted(new_name()); });
+    QPushButton* capture =
+        add_button("Store what is seen", "Of the selected fixtures, or of all: whoever asked for it",
+                   [this] { return "look-capture " + quoted(new_name()); });
+    update_ =
+        add_button("Update", "Puts what hands set in its place", [=] { return "look-store " + name(); });
+    remove_ = add_button("Remove", "Can be undone", [=] { return "look-remove " + name(); });
+    fade_ = new QDoubleSpinBox(this);
+    fade_->setRange(0, scene::kLongestFade_s);
+    fade_->setDecimals(1);
+    fade_->setSuffix(" s fade");
+    fade_->setAccessibleName("Seconds of the crossfade");
+    fade_->setKeyboardTracking(false);
+    connect(fade_, &QDoubleSpinBox::valueChanged, this, [this](double seconds) {
+        if (!follows_ && !chosen().isEmpty())
+            run("look-fade " + quoted(chosen()) + " " + QString::number(seconds));
+    });
+    buttons->addWidget(recall_, 0, 0);
+    buttons->addWidget(fade_, 0, 1);
+    buttons->addWidget(store, 1, 0);
+    buttons->addWidget(capture, 1, 1);
+    buttons->addWidget(update_, 2, 0);
+    buttons->addWidget(remove_, 2, 1);
+    layout->addLayout(buttons);
+    add_what_if(layout);
+
+    connect(&looks_, &Looks::changed, this, &LookPanel::fill);
+    for (const auto signal : {&Studio::selection_changed, &Studio::look_changed})
+        connect(&studio_, signal, this, &LookPanel::refresh);
+    setEnabled(false);
+}
+
+QPushButton* LookPanel::add_button(const QString& text, const QString& tip, std::function<QString()> line) {
+    auto* button = new QPushButton(text, this);
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, [this, line] { run(line()); });
+    return button;
+}
+
+void LookPanel::add_what_if(QLayout* layout) {
+    solo_ = add_button("Solo", "The selected fixtures alone shine", [] { return QString("solo"); });
+    solo_->setCheckable(true);
+    what_if_ = new QLabel(this);
+    what_if_->setWordWrap(true);
+    gel_ = new ColourRow("Gel", this);
+    gel_->setToolTip("A filter in front of the selected fixtures, on top of all else");
+    gel_->on_change = [this](const QColor& colour) { run("gel " + colour.name()); };
+    gel_->on_release = [this] {
+        change_selected(studio_, "release gel", Hand::step,
+                        [](fixture::Manual& manual) { manual.gel.reset(); });
+    };
+    lamp_ = new ValueRow("Lamp", {0, 4, 2, " x"}, this);
+    lamp_->setToolTip("Another lamp: how many times as much light");
+    lamp_k_ = new ValueRow("Its white", {2000, 10000, 0, " K"}, this);
+    const auto connect_row = [this](ValueRow* row, const QString& what,
+                                    std::optional<float> fixture::Manual::*value) {
+        row->on_change = [this, what, value](double number) {
+            change_selected(studio_, what, Hand::lamp,
+                            [&](fixture::Manual& manual) { manual.*value = static_cast<float>(number); });
+        };
+        row->on_release = [this, what, value] {
+            change_selected(studio_, "release " + what, Hand::step,
+                            [&](fixture::Manual& manual) { (manual.*value).reset(); });
+        };
+    };
+    connect_row(lamp_, "lamp", &fixture::Manual::lamp);
+    connect_row(lamp_k_, "white of the lamp", &fixture::Manual::lamp_k);
+    for (QWidget* widget : std::initializer_list<QWidget*>{solo_, what_if_, gel_, lamp_, lamp_k_})
+        layout->addWidget(widget);
+}
+
+void LookPanel::run(const QString& line) {
+    actions_.choose(line);
+    refresh();
+}
+
+QString LookPanel::chosen() const {
+    return list_->currentItem() ? list_->currentItem()->data(Qt::UserRole).toString() : QString();
+}
+
+QString LookPanel::new_name() const {
+    for (std::size_t number = looks_.all().size() + 1;; ++number)
+        if (const QString name = QString("Look %1").arg(number);
+            !scene::find_look(looks_.all(), name.toStdString()).ok())
+            return name;
+}
+
+void LookPanel::fill() {
+    setEnabled(studio_.show() != nullptr);
+    {
+        const Following following(follows_);
+        list_names();
+    }
+    refresh();
+}
+
+void LookPanel::list_names() {
+    const QString before = chosen();
+    const int row = list_->currentRow();
+    list_->clear();
+    for (const scene::StoredLook& look : looks_.all()) {
+        auto* item = new QListWidgetItem(QString::fromStdString(look.name), list_);
+        item->setData(Qt::UserRole, item->text());
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+        item->setToolTip(QString("%1 fixtures, %2 s")
+                             .arg(look.fixtures.size())
+                             .arg(static_cast<double>(look.fade_s), 0, 'f', 1));
+        if (item->text() == before) list_->setCurrentItem(item);
+    }
+    if (!list_->currentItem() && list_->count() > 0)
+        list_->setCurrentRow(std::clamp(row, 0, list_->count() - 1));
+}
+
+void LookPanel::refresh() {
+    if (!studio_.show() || follows_) return;
+    const Following following(follows_);
+    const QString current = QString::fromStdString(looks_.current());
+    for (int i = 0; i < list_->count(); ++i) {
+        QListWidgetItem* item = list_->item(i);
+        item->setForeground(item->text() == current ? accent() : palette().color(QPalette::Text));
+    }
+    const Result<std::size_t> index = scene::find_look(looks_.all(), chosen().toStdString());
+    for (QWidget* widget : std::initializer_list<QWidget*>{recall_, update_, remove_, fade_})
+        widget->setEnabled(index.ok());
+    if (index.ok()) fade_->setValue(static_cast<double>(looks_.all()[*index].fade_s));
+    solo_->setChecked(!studio_.look().solo.empty());
+    const std::size_t count = studio_.selection().size();
+    solo_->setText(studio_.look().solo.empty() ? "Solo"
+                                               : QString("Solo: %1 shine").arg(studio_.look().solo.size()));
+    solo_->setEnabled(count > 0 || !studio_.look().solo.empty());
+    what_if_->setText(count == 0   ? "What if: select fixtures to try another gel or lamp"
+                      : count == 1 ? QString("What if this fixture had")
+                                   : QString("What if %1 fixtures had").arg(count));
+    for (QWidget* widget : std::initializer_list<QWidget*>{gel_, lamp_, lamp_k_})
+        widget->setEnabled(count > 0);
+    fixture::Manual manual;
+    if (studio_.current())
+        if (const auto found = studio_.look().fixtures.find(*studio_.current());
+            found != studio_.look().fixtures.end())
+            manual = found->second;
+    gel_->show_colour(screen_colour(manual.gel.value_or(glm::vec3(1))), manual.gel.has_value());
+    lamp_->show_value(static_cast<double>(manual.lamp.value_or(1)), manual.lamp.has_value());
+    lamp_k_->show_value(static_cast<double>(manual.lamp_k.value_or(6000)), manual.lamp_k.has_value());
+}
+
+} // namespace ghost::ui

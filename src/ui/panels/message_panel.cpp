@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/message_panel.h"
+
+#include "diagnose/doctor.h"
+#include "show/camera_moves.h"
+#include "ui/widgets/theme.h"
+
+#include <QDesktopServices>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QRegularExpression>
+#include <QStyledItemDelegate>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+namespace ghost::ui {
+namespace {
+
+constexpr float kAround_m = 2; // of a fixture that is looked at
+
+// Rows as high as their words need in columns as wide as they are; trees alone ask for one line.
+class WrappedText : public QStyledItemDelegate {
+public:
+    explicit WrappedText(QTreeWidget* list) : QStyledItemDelegate(list), list_(*list) {}
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        const int margin = 2 * (list_.style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+        const int width = std::max(list_.columnWidth(index.column()) - margin, 1);
+        const QRect words = option.fontMetrics.boundingRect(QRect(0, 0, width, 10000), Qt::TextWordWrap,
+                                                            index.data().toString());
+        return {width, words.height() + 4};
+    }
+
+private:
+    const QTreeWidget& list_;
+};
+
+} // namespace
+
+MessagePanel::MessagePanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    list_ = new QTreeWidget(this);
+    list_->setHeaderLabels({"", "What", "Where", "What to do"});
+    list_->setAccessibleName("Messages");
+    list_->setRootIsDecorated(false);
+    list_->setAlternatingRowColors(true);
+    list_->setWordWrap(true);
+    list_->setTextElideMode(Qt::ElideMiddle); // paths have their file last
+    list_->setItemDelegate(new WrappedText(list_));
+    const int letter = list_->fontMetrics().averageCharWidth();
+    for (const auto& [column, letters] : {std::pair{0, 10}, {2, 20}})
+        list_->setColumnWidth(column, letters * letter);
+    for (const int column : {1, 3}) list_->header()->setSectionResizeMode(column, QHeaderView::Stretch);
+    connect(list_->header(), &QHeaderView::sectionResized, list_, &QTreeView::doItemsLayout,
+            Qt::QueuedConnection);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->addWidget(list_);
+    for (const auto signal : {&Studio::messages_came, &Studio::not_opened, &Studio::opened_show})
+        connect(&studio_, signal, this, &MessagePanel::refresh);
+    connect(list_, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) { go_to(*item); });
+    list_->setToolTip("Double click or Enter: the fixtures that it is about, else the file.");
+}
+
+// What it names in quotes is selected and looked at; where that is no fixture, the file is opened.
+void MessagePanel::go_to(const QTreeWidgetItem& item) {
+    static const QRegularExpression kQuoted("'([^']+)'");
+    std::set<std::string> names;
+    for (auto found = kQuoted.globalMatch(item.text(1) + " " + item.text(2)); found.hasNext();)
+        names.insert(found.next().captured(1).toStdString());
+    std::set<std::size_t> fixtures;
+    for (std::size_t i = 0; studio_.show() && i < studio_.show()->fixtures.size(); ++i)
+        if (names.contains(studio_.show()->fixtures[i].name)) fixtures.insert(i);
+    if (!fixtures.empty()) {
+        studio_.select(fixtures);
+        if (const std::size_t first = *fixtures.begin(); first < studio_.rig().fixtures.size())
+            studio_.look_at(studio_.rig().fixtures[first].light_m, kAround_m);
+        return;
+    }
+    static const QRegularExpression kLine(":\\d+$"); // "show.toml:12"
+    const QFileInfo file(item.text(2).remove(kLine));
+    if (file.exists()) QDesktopServices::openUrl(QUrl::fromLocalFile(file.absoluteFilePath()));
+}
+
+void MessagePanel::refresh() {
+    std::vector<scene::Finding> findings;
+    // Of a show that could not be opened, however long ago: the newest thing first.
+    if (const auto& error = studio_.open_error())
+        findings.push_back({.severity = Severity::error,
+                            .kind = "not_opened",
+                            .where = error->where,
+                            .what = "Not opened: " + error->what,
+                            .advice = "mend the file and open it again"});
+    for (const Message& message : studio_.messages()) findings.push_back(scene::finding_of(message));
+    list_->clear();
+    for (const scene::FindingGroup& group : scene::grouped(findings)) {
+        const scene::Finding& first = group.first;
+        auto* item = new QTreeWidgetItem(list_);
+        item->setText(0, scene::name_of(first.severity));
+        const QColor colour = first.severity == Severity::error     ? bad()
+                              : first.severity == Severity::warning ? accent()
+                                                                    : faint();
+        item->setForeground(0, colour);
+        QString what = QString::fromStdString(first.what);
+        if (group.times > 1) what += QString(" (%1 times)").arg(group.times);
+        item->setText(1, what);
+        item->setText(2, QString::fromStdString(first.where));
+        item->setText(3, QString::fromStdString(first.advice));
+        for (int column = 1; column < 4; ++column) item->setToolTip(column, item->text(column));
+    }
+    if (list_->topLevelItemCount() > 0) return;
+    auto* item = new QTreeWidgetItem(list_);
+    item->setText(1, "Nothing is wrong with this show.");
+    item->setForeground(1, good());
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/network_panel.h"
+
+#include "ui/widgets/theme.h"
+
+#include <QHeaderView>
+#include <QHelpEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kAcross = 32;
+constexpr int kDown = static_cast<int>(dmx::kSlots) / kAcross;
+constexpr qint64 kFresh_ms = 600; // a value that changed is marked so long
+constexpr int kColumns = 10;
+
+} // namespace
+
+UniverseGrid::UniverseGrid(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    clock_.start();
+    changed_ms_.fill(-kFresh_ms);
+    owner_.fill(-1);
+    setMinimumSize(kAcross * 14, kDown * 9);
+    connect(&studio_, &Studio::rig_came, this, &UniverseGrid::take);
+    connect(&studio_, &Studio::opened_show, this, &UniverseGrid::find_owners);
+}
+
+QSize UniverseGrid::sizeHint() const {
+    return {kAcross * fontMetrics().horizontalAdvance("000") + kAcross * 4,
+            kDown * (fontMetrics().height() + 3)};
+}
+
+void UniverseGrid::set_universe(int number) {
+    universe_ = number;
+    levels_ = {};
+    changed_ms_.fill(-kFresh_ms);
+    find_owners();
+    take();
+}
+
+void UniverseGrid::find_owners() {
+    owner_.fill(-1);
+    if (!studio_.show()) return;
+    const std::vector<scene::PatchedFixture>& fixtures = studio_.show()->fixtures;
+    for (std::size_t i = 0; i < fixtures.size(); ++i) {
+        if (!fixtures[i].type) continue;
+        const fixture::Patch patch = fixtures[i].patch();
+        const std::vector<int>& footprint = patch.mode_of().footprint;
+        for (std::size_t part = 0; part < std::min(patch.addresses.size(), footprint.size()); ++part) {
+            const fixture::Address& address = patch.addresses[part];
+            if (address.universe != universe_ || address.channel < 1) continue;
+            for (int k = 0; k < footprint[part] && address.channel + k <= static_cast<int>(dmx::kSlots); ++k)
+                owner_[static_cast<std::size_t>(address.channel + k - 1)] = static_cast<int>(i);
+        }
+    }
+}
+
+void UniverseGrid::take() {
+    const dmx::Universe* universe = studio_.rig().universes.find(static_cast<std::uint16_t>(universe_));
+    known_ = universe != nullptr;
+    const dmx::Levels now = universe ? *universe->levels : dmx::Levels{};
+    for (std::size_t slot = 0; slot < now.size(); ++slot)
+        if (now[slot] != levels_[slot]) changed_ms_[slot] = clock_.elapsed();
+    levels_ = now;
+    if (isVisible()) update();
+}
+
+QRectF UniverseGrid::cell(int slot) const {
+    const double across = static_cast<double>(width()) / kAcross,
+                 down = static_cast<double>(height()) / kDown;
+    return {across * (slot % kAcross), down * (slot / kAcross), across, down};
+}
+
+void UniverseGrid::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.fillRect(rect(), QColor(22, 22, 24));
+    QFont font = painter.font();
+    font.setPixelSize(
+        std::clamp(static_cast<int>(std::min(width() / kAcross * 0.5, height() / kDown * 0.75)), 6, 14));
+    painter.setFont(font);
+    const qint64 now_ms = clock_.elapsed();
+    for (int slot = 0; slot < static_cast<int>(dmx::kSlots); ++slot) {
+        const auto index = static_cast<std::size_t>(slot);
+        const int level = levels_[index];
+        const QRectF box = cell(slot).adjusted(0.5, 0.5, -0.5, -0.5);
+        const int shade = 30 + level * 70 / 255;
+        const bool owned = owner_[index] >= 0;
+        painter.fillRect(box, owned ? QColor(shade, shade, shade + 12) : QColor(shade, shade, shade));
+        if (owned && studio_.selection().contains(static_cast<std::size_t>(owner_[index]))) {
+            painter.setPen(accent());
+            painter.drawRect(box.adjusted(0, 0, -1, -1));
+        }
+        if (!known_) continue;
+        const bool fresh = now_ms - changed_ms_[index] < kFresh_ms;
+        painter.setPen(fresh       ? accent()
+                       : level > 0 ? QColor(235, 235, 235)
+                       : owned     ? QColor(130, 130, 135)
+                                   : QColor(80, 80, 84));
+        painter.drawText(box, Qt::AlignCenter, QString::number(level));
+    }
+    if (known_) return;
+    painter.setPen(faint());
+    painter.drawText(rect(), Qt::AlignCenter, QString("Nothing of universe %1 has come").arg(universe_));
+}
+
+bool UniverseGrid::event(QEvent* event) {
+    if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const int slot = std::clamp(help->pos().y() * kDown / std::max(height(), 1), 0, kDown - 1) * kAcross +
+                     std::clamp(help->pos().x() * kAcross / std::max(width(), 1), 0, kAcross - 1);
+    const int owner = owner_[static_cast<std::size_t>(slot)];
+    QString text =
+        QString("%1.%2: %3").arg(universe_).arg(slot + 1).arg(levels_[static_cast<std::size_t>(slot)]);
+    if (owner >= 0 && studio_.show())
+        text += "\n" + QString::fromStdString(studio_.show()->fixtures[static_cast<std::size_t>(owner)].name);
+    QToolTip::showText(help->globalPos(), text, this);
+    return true;
+}
+
+// Beside each other where both have room to be read.
+void NetworkPanel::resizeEvent(QResizeEvent*) {
+    const bool is_wide = 4 * width() > 7 * grid_->minimumWidth();
+    const Qt::Orientation wanted = is_wide ? Qt::Horizontal : Qt::Vertical;
+    if (halves_->orientation() == wanted) return;
+    halves_->setOrientation(wanted);
+    halves_->setSizes({400, 600});
+}
+
+NetworkPanel::NetworkPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    diagnosis_ = new QLabel(this);
+    diagnosis_->setWordWrap(true);
+    diagnosis_->setTextFormat(Qt::RichText);
+    diagnosis_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    diagnosis_->hide();
+    summary_ = new QLabel("Nothing has come from the network yet.", this);
+    summary_->setWordWrap(true);
+    sources_ = new QTableWidget(0, kColumns, this);
+    sources_->setAccessibleName("Sources");
+    sources_->setHorizontalHeaderLabels(
+        {"Universe", "Source", "Is", "Priority", "Rate", "Jitter", "Missed", "From", "Protocol", "Patched"});
+    sources_->verticalHeader()->hide();
+    sources_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    sources_->setSelectionBehavior(QAbstractItemView::SelectRows);
+    sources_->setShowGrid(false);
+    sources_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    sources_->horizontalHeader()->setStretchLastSection(true);
+    universes_ = new QComboBox(this);
+    grid_ = new UniverseGrid(studio, this);
+    auto* left = new QWidget(this);
+    auto* left_layout = new QVBoxLayout(left);
+    left_layout->setContentsMargins(0, 0, 0, 0);
+    left_layout->addWidget(summary_);
+    left_layout->addWidget(sources_);
+    auto* right = new QWidget(this);
+    auto* right_layout = new QVBoxLayout(right);
+    right_layout->setContentsMargins(0, 0, 0, 0);
+    right_layout->addWidget(universes_);
+    right_layout->addWidget(grid_, 1);
+    halves_ = new QSplitter(this);
+    halves_->addWidget(left);
+    halves_->addWidget(right);
+    halves_->setStretchFactor(0, 2);
+    halves_->setStretchFactor(1, 3);
+    halves_->setSizes({400, 600}); // the grid would like to have it all
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(diagnosis_);
+    layout->addWidget(halves_, 1);
+    connect(&studio_, &Studio::network_came, this, &NetworkPanel::refresh);
+    connect(&studio_, &Studio::rig_came, this, &NetworkPanel::refresh_universes);
+    connect(&studio_, &Studio::opened_show, this, &NetworkPanel::refresh_universes);
+    connect(&studio_, &Studio::selection_changed, grid_, qOverload<>(&QWidget::update));
+    connect(universes_, &QComboBox::currentIndexChanged, this, [this](int index) {
+        if (index >= 0) grid_->set_universe(universes_->itemData(index).toInt());
+    });
+}
+
+void NetworkPanel::refresh() {
+    if (!isVisible()) return;
+    refresh_diagnosis();
+    refresh_sources();
+}
+
+void NetworkPanel::refresh_diagnosis() {
+    QString text;
+    for (const scene::Sentence& sentence : studio_.diagnosis()) {
+        const QString words = QString::fromStdString(sentence.text).toHtmlEscaped();
+        const QString colour = (sentence.is_problem ? bad() : faint()).name();
+        text += QString("<p style='margin:2px; color:%1'>%2</p>").arg(colour, words);
+    }
+    diagnosis_->setText(text);
+    diagnosis_->setVisible(!text.isEmpty());
+}
+
+void NetworkPanel::refresh_sources() {
+    const dmx::Statistics& network = studio_.network();
+    std::uint64_t dropped = 0;
+    for (const std::uint64_t count : network.drops) dropped += count;
+    QString text =
+        QString("sACN %1, Art-Net %2 packets").arg(network.packets_sacn).arg(network.packets_artnet);
+    if (dropped > 0) text += QString(", %1 not understood").arg(dropped);
+    if (network.merge.missed > 0) text += QString(", %1 lost on the way").arg(network.merge.missed);
+    if (network.overflow > 0) text += QString(", %1 lost in this machine").arg(network.overflow);
+    if (network.merge.preview > 0)
+        text += QString(", %1 of a desk in preview (blind)").arg(network.merge.preview);
+    if (const dmx::Latency& latency = studio_.latency(); latency.count() > 0)
+        text += QString("; packet to picture %1 ms (median), %2 (99 %), %3 at most")
+                    .arg(latency.percentile_ms(0.5), 0, 'f', 0)
+                    .arg(latency.percentile_ms(0.99), 0, 'f', 0)
+                    .arg(latency.max_ms(), 0, 'f', 0);
+    summary_->setText(text);
+    sources_->setRowCount(static_cast<int>(network.sources.size()));
+    for (int row = 0; row < sources_->rowCount(); ++row) {
+        const dmx::SourceStatus& source = network.sources[static_cast<std::size_t>(row)];
+        const QStringList cells{
+            QString::number(source.universe),
+            QString::fromStdString(source.name.empty() ? source.id : source.name),
+            QString::fromStdString(scene::role_text(source, network.sources)),
+            QString::number(source.priority),
+            QString("%1 Hz").arg(source.rate_hz, 0, 'f', 1),
+            QString("%1 ms").arg(source.jitter_ms, 0, 'f', 1),
+            QString::number(source.missed),
+            source.protocol == dmx::Protocol::usb ? QString()
+                                                  : QString::fromStdString(dmx::address_text(source.from)),
+            QString::fromUtf8(dmx::protocol_name(source.protocol)),
+            studio_.patch().has(source.universe) ? QString("yes") : QString("no"),
+        };
+        for (int column = 0; column < cells.size(); ++column) {
+            QTableWidgetItem* item = sources_->item(row, column);
+            if (!item) sources_->setItem(row, column, item = new QTableWidgetItem);
+            item->setText(cells[column]);
+        }
+    }
+}
+
+void NetworkPanel::refresh_universes() {
+    std::set<int> numbers;
+    for (const dmx::Universe& universe : studio_.rig().universes.list) numbers.insert(universe.number);
+    if (studio_.show())
+        for (const scene::PatchedFixture& fixture : studio_.show()->fixtures)
+            numbers.insert(fixture.universe);
+    std::set<int> listed;
+    for (int i = 0; i < universes_->count(); ++i) listed.insert(universes_->itemData(i).toInt());
+    if (numbers == listed) return;
+    const int before = universes_->currentData().toInt();
+    const QSignalBlocker blocker(universes_);
+    universes_->clear();
+    for (const int number : numbers) universes_->addItem(QString("Universe %1").arg(number), number);
+    universes_->setCurrentIndex(std::max(universes_->findData(before), 0));
+    if (universes_->count() > 0) grid_->set_universe(universes_->currentData().toInt());
+}
+
+} // namespace ghost::ui

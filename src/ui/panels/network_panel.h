@@ -1,0 +1,67 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// NetworkPanel: who sends what: what is wrong, in sentences; all sources with their rates and losses; the 512
+// values of one universe as a grid; how late the picture is. Window thread.
+
+#include "ui/model/studio.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QSplitter>
+#include <QTableWidget>
+#include <QWidget>
+
+namespace ghost::ui {
+
+// The 512 values of a universe, 32 in a row; a value is bright where it is high, and marked for a while after
+// it changed.
+class UniverseGrid : public QWidget {
+    Q_OBJECT
+public:
+    UniverseGrid(Studio& studio, QWidget* parent);
+    void set_universe(int number);
+    QSize sizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    bool event(QEvent* event) override; // tool tips
+
+private:
+    QRectF cell(int slot) const;
+    void take();
+
+    Studio& studio_;
+    int universe_ = 1;
+    bool known_ = false;
+    dmx::Levels levels_{};
+    std::array<qint64, dmx::kSlots> changed_ms_{};
+    std::array<int, dmx::kSlots> owner_{}; // fixture that reads the slot, or -1
+    QElapsedTimer clock_;
+    friend class NetworkPanel;
+    void find_owners();
+};
+
+class NetworkPanel : public QWidget {
+    Q_OBJECT
+public:
+    NetworkPanel(Studio& studio, QWidget* parent);
+
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
+private:
+    void refresh();
+    void refresh_diagnosis();
+    void refresh_sources();
+    void refresh_universes();
+
+    Studio& studio_;
+    QLabel* diagnosis_;
+    QLabel* summary_;
+    QTableWidget* sources_;
+    QComboBox* universes_;
+    UniverseGrid* grid_;
+    QSplitter* halves_; // sources, and a universe
+};
+
+} // namespace ghost::ui

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/transport_panel.h"
+
+#include <QHBoxLayout>
+#include <QToolButton>
+
+#include <cmath>
+
+namespace ghost::ui {
+namespace {
+
+QString clock_of(double seconds) {
+    const int tenths = static_cast<int>(std::floor(seconds * 10));
+    return QString("%1:%2.%3").arg(tenths / 600).arg(tenths / 10 % 60, 2, 10, QChar('0')).arg(tenths % 10);
+}
+
+QToolButton* button_of(QAction* action, const QString& text, QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    action->setIconText(text); // shorter than the menu's
+    button->setDefaultAction(action);
+    button->setToolTip(action->text() + " (" + action->shortcut().toString(QKeySequence::NativeText) + ")");
+    button->setFocusPolicy(Qt::NoFocus);
+    return button;
+}
+
+} // namespace
+
+TransportPanel::TransportPanel(Studio& studio, const Actions& actions, QWidget* parent)
+    : QWidget(parent), studio_(studio) {
+    place_ = new Waveform(studio_, this);
+    time_ = new QLabel(this);
+    time_->setMinimumWidth(fontMetrics().averageCharWidth() * 17);
+    input_ = new QComboBox(this);
+    input_->setAccessibleName("Input");
+    input_->setFocusPolicy(Qt::NoFocus);
+    input_->addItems({"Desk, else recording", "Desk", "Recording"});
+    master_ = new QSlider(Qt::Horizontal, this);
+    master_->setRange(0, 100);
+    master_->setFixedWidth(fontMetrics().averageCharWidth() * 16);
+    master_->setAccessibleName("Master");
+    master_->setToolTip("Master: all light");
+    master_->setFocusPolicy(Qt::NoFocus);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(6, 4, 6, 4);
+    layout->addWidget(button_of(actions.item("to-start"), "|\u25C0", this));
+    play_ = actions.item("play");
+    layout->addWidget(button_of(play_, "\u25B6", this));
+    layout->addWidget(place_, 1);
+    layout->addWidget(time_);
+    layout->addWidget(input_);
+    layout->addWidget(new QLabel("Master", this));
+    layout->addWidget(master_);
+    layout->addWidget(button_of(actions.item("black-out"), "Black-out", this));
+    connect(input_, &QComboBox::activated, this, [this](int index) {
+        studio_.wish([&](Wishes& wishes) { wishes.input = static_cast<Input>(index); });
+    });
+    connect(master_, &QSlider::valueChanged, this, [this](int percent) {
+        const float share = static_cast<float>(percent) / 100.0f;
+        if (std::lround(studio_.wishes().master * 100) != percent)
+            studio_.wish([&](Wishes& wishes) { wishes.master = share; });
+    });
+    for (const auto signal : {&Studio::rig_came, &Studio::wishes_changed})
+        connect(&studio_, signal, this, &TransportPanel::refresh);
+    refresh();
+}
+
+void TransportPanel::refresh() {
+    play_->setIconText(studio_.wishes().transport.playing ? "\u275A\u275A" : "\u25B6"); // what it will do
+    const double length_s = studio_.rig().recording_s;
+    place_->setEnabled(length_s > 0 && !studio_.rig().from_desk);
+    time_->setText(studio_.rig().from_desk ? QString("desk")
+                   : length_s > 0          ? clock_of(studio_.rig().at_s) + " / " + clock_of(length_s)
+                                           : QString("no recording"));
+    input_->setCurrentIndex(static_cast<int>(studio_.wishes().input));
+    master_->setValue(static_cast<int>(std::lround(studio_.wishes().master * 100)));
+}
+
+} // namespace ghost::ui

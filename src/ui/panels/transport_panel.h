@@ -1,0 +1,35 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// TransportPanel: the show's recording: play, pause, jump, loop, and which input is shown; black-out and
+// master. Window thread.
+
+#include "ui/actions/actions.h"
+#include "ui/model/studio.h"
+#include "ui/panels/waveform.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QSlider>
+#include <QWidget>
+
+namespace ghost::ui {
+
+class TransportPanel : public QWidget {
+    Q_OBJECT
+public:
+    // actions: has "play", "to-start" and "black-out".
+    TransportPanel(Studio& studio, const Actions& actions, QWidget* parent);
+
+private:
+    void refresh();
+
+    Studio& studio_;
+    Waveform* place_;
+    QLabel* time_;
+    QAction* play_;
+    QComboBox* input_;
+    QSlider* master_;
+};
+
+} // namespace ghost::ui

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/value_panel.h"
+
+#include "ui/widgets/theme.h"
+
+#include <QHeaderView>
+#include <QPainter>
+#include <QRegularExpression>
+#include <QSplitter>
+#include <QStyledItemDelegate>
+#include <QVBoxLayout>
+
+namespace ghost::ui {
+namespace {
+
+// A channel's value before a bar as long as its share of the most.
+class BarPainter : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override {
+        const QRectF all = QRectF(option.rect).adjusted(4, 3, -4, -3);
+        painter->fillRect(all, QColor(52, 52, 56));
+        const double share = index.data(ChannelModel::kShare).toDouble();
+        painter->fillRect(QRectF(all.x(), all.y(), all.width() * share, all.height()), QColor(58, 88, 128));
+        painter->setPen(index.data(Qt::ForegroundRole).isValid() ? faint()
+                                                                 : option.palette.color(QPalette::Text));
+        painter->drawText(option.rect.adjusted(0, 0, -8, 0), Qt::AlignRight | Qt::AlignVCenter,
+                          index.data().toString());
+    }
+    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+        return QStyledItemDelegate::sizeHint(option, index) + QSize(12, 0); // around the bar
+    }
+};
+
+double share_of(const scene::ChannelFacts& channel) {
+    const auto bytes = static_cast<int>(channel.places.size());
+    const double most = bytes <= 1 ? 255.0 : bytes == 2 ? 65535.0 : bytes == 3 ? 16777215.0 : 4294967295.0;
+    return std::clamp(static_cast<double>(channel.reading.raw) / most, 0.0, 1.0);
+}
+
+// The attribute without the geometry that every row would repeat.
+QString attribute_of(const scene::ChannelFacts& channel) {
+    return QString::fromStdString(channel.attribute.empty() ? channel.name : channel.attribute);
+}
+
+// As the list of fixtures has it: "1.023".
+QString padded(QString addresses) {
+    static const QRegularExpression kAddress("(\\d+)\\.(\\d{1,2})(?!\\d)");
+    for (auto found = kAddress.match(addresses); found.hasMatch(); found = kAddress.match(addresses))
+        addresses.replace(found.capturedStart(2), found.capturedLength(2),
+                          found.captured(2).rightJustified(3, '0'));
+    return addresses;
+}
+
+// What a hand sets in this channel's place.
+QString words_by_hand(const scene::ChannelFacts& channel, const fixture::Manual& manual) {
+    using fixture::Role;
+    const auto degrees = [](const std::optional<float>& value) {
+        return value ? QString("%1\u00b0").arg(static_cast<double>(*value), 0, 'f', 1) : QString();
+    };
+    const auto share = manual.channels.find(channel.name);
+    if (share != manual.channels.end())
+        return QString("%1 %").arg(100 * static_cast<double>(share->second), 0, 'f', 0);
+    switch (channel.role) {
+    case Role::dimmer:
+        return manual.intensity ? QString("%1 %").arg(100 * static_cast<double>(*manual.intensity), 0, 'f', 0)
+                                : QString();
+    case Role::shutter:
+    case Role::strobe:
+    case Role::strobe_random:
+    case Role::strobe_pulse:
+        return manual.intensity ? QString("open") : QString();
+    case Role::zoom:
+        return degrees(manual.zoom_deg);
+    case Role::pan:
+        return degrees(manual.pan_deg);
+    case Role::tilt:
+        return degrees(manual.tilt_deg);
+    case Role::gobo_wheel:
+        return manual.gobo ? QString("slot %1").arg(*manual.gobo) : QString();
+    case Role::color_add:
+    case Role::color_sub_c:
+    case Role::color_sub_m:
+    case Role::color_sub_y:
+    case Role::color_wheel:
+    case Role::color_rgb:
+        return manual.colour ? QString("colour") : QString();
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+void ChannelModel::show(const scene::Explanation& explanation, const fixture::Manual& manual) {
+    const bool same = channels_.size() == explanation.channels.size();
+    if (!same) beginResetModel();
+    channels_ = explanation.channels;
+    manual_ = manual;
+    if (!same)
+        endResetModel();
+    else if (!channels_.empty())
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+}
+
+int ChannelModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(channels_.size());
+}
+
+int ChannelModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : kColumns;
+}
+
+QVariant ChannelModel::data(const QModelIndex& index, int role) const {
+    const auto row = static_cast<std::size_t>(index.row());
+    if (row >= channels_.size()) return {};
+    const scene::ChannelFacts& channel = channels_[row];
+    if (role == kShare) return share_of(channel);
+    if (role == Qt::ToolTipRole) return QString::fromStdString(channel.name + ": " + channel.function);
+    if (role == Qt::ForegroundRole && index.column() == by_hand) return accent();
+    if (role == Qt::ForegroundRole && !channel.reading.received) return faint();
+    if (role != Qt::DisplayRole) return {};
+    switch (index.column()) {
+    case address:
+        return padded(QString::fromStdString(channel.addresses));
+    case attribute:
+        return attribute_of(channel);
+    case value:
+        return QString::fromStdString(channel.value);
+    case meaning:
+        return QString::fromStdString(channel.meaning);
+    case by_hand:
+        return words_by_hand(channel, manual_);
+    default:
+        return {};
+    }
+}
+
+QVariant ChannelModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    static const char* const kTitles[kColumns] = {"Address", "Attribute", "DMX", "Means", "By hand"};
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    return kTitles[section];
+}
+
+ValuePanel::ValuePanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    title_ = new QLabel(this);
+    QFont font = title_->font();
+    font.setBold(true);
+    title_->setFont(font);
+    verdict_ = new QLabel(this);
+    verdict_->setWordWrap(true);
+    model_ = new ChannelModel(this);
+    table_ = new QTableView(this);
+    table_->setModel(model_);
+    table_->setAccessibleName("Channels");
+    table_->setItemDelegateForColumn(ChannelModel::value, new BarPainter(this));
+    table_->setShowGrid(false);
+    table_->setAlternatingRowColors(true);
+    table_->setSelectionMode(QAbstractItemView::NoSelection);
+    table_->setFocusPolicy(Qt::NoFocus);
+    table_->verticalHeader()->hide();
+    // What a channel means may take two lines.
+    table_->verticalHeader()->setMinimumSectionSize(table_->fontMetrics().height() + 7);
+    table_->verticalHeader()->setResizeContentsPrecision(0);
+    table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setStretchLastSection(true);
+    for (const int column : {ChannelModel::address, ChannelModel::value})
+        table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    table_->horizontalHeader()->setResizeContentsPrecision(0);
+    table_->setColumnWidth(ChannelModel::attribute, 14 * table_->fontMetrics().averageCharWidth());
+    words_ = new QPlainTextEdit(this);
+    words_->setReadOnly(true);
+    words_->setLineWrapMode(QPlainTextEdit::WidgetWidth);
+    auto* splitter = new QSplitter(Qt::Vertical, this);
+    splitter->addWidget(table_);
+    splitter->addWidget(words_);
+    splitter->setStretchFactor(0, 3);
+    splitter->setStretchFactor(1, 2);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 6, 6);
+    layout->addWidget(title_);
+    layout->addWidget(verdict_);
+    layout->addWidget(splitter, 1);
+    for (const auto signal :
+         {&Studio::explanation_came, &Studio::selection_changed, &Studio::opened_show, &Studio::look_changed})
+        connect(&studio_, signal, this, &ValuePanel::refresh);
+    refresh();
+}
+
+void ValuePanel::refresh() {
+    const auto current = studio_.current();
+    if (!studio_.show() || !current) {
+        title_->setText("No fixture is selected");
+        verdict_->setText("Click a lamp in the picture or a row of the list.");
+        model_->show({}, {});
+        words_->clear();
+        return;
+    }
+    QString title = QString::fromStdString(studio_.show()->fixtures[*current].name);
+    if (studio_.selection().size() > 1) title += QString(" and %1 more").arg(studio_.selection().size() - 1);
+    title_->setText(title);
+    const Explained& explained = studio_.explained();
+    if (explained.fixture != *current || explained.words.empty()) return; // it comes
+    verdict_->setText(QString::fromStdString(explained.explanation.verdict));
+    verdict_->setStyleSheet(
+        QString("color: %1")
+            .arg((explained.explanation.visibility == scene::Visibility::lit ? good() : bad()).name()));
+    const auto by_hand = studio_.look().fixtures.find(*current);
+    model_->show(explained.explanation,
+                 by_hand == studio_.look().fixtures.end() ? fixture::Manual{} : by_hand->second);
+    table_->setColumnHidden(ChannelModel::by_hand, by_hand == studio_.look().fixtures.end());
+    const QString words = QString::fromStdString(explained.words);
+    if (words != words_->toPlainText() && !words_->textCursor().hasSelection()) words_->setPlainText(words);
+}
+
+} // namespace ghost::ui

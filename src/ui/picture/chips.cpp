@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/picture/private/chips.h"
+
+#include "ui/actions/hand.h"
+#include "ui/widgets/theme.h"
+
+#include <QFontMetricsF>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::ui {
+namespace {
+
+constexpr double kGap_px = 6, kEdge_px = 8;
+constexpr double kLoud = 1.5; // times the letters of the others
+
+QString clock_of(double seconds) {
+    const int whole = static_cast<int>(std::floor(std::max(seconds, 0.0)));
+    return QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
+}
+
+Chip of_input(const Studio& studio) {
+    const RigNow& rig = studio.rig();
+    if (rig.from_desk && !rig.universes.list.empty()) return {"LIVE DESK", good()};
+    if (rig.recording_s > 0) return {"REC " + clock_of(rig.at_s), {}};
+    return {"NO DESK YET", {}};
+}
+
+} // namespace
+
+std::vector<Chip> chips_of(const Studio& studio) {
+    const Picture& picture = studio.picture();
+    const Wishes& wishes = studio.wishes();
+    std::vector<Chip> chips;
+    if (wishes.black_out) chips.push_back({"BLACK-OUT", bad(), true});
+    if (wishes.frozen) chips.push_back({"FROZEN", QColor(110, 190, 255), true});
+    chips.push_back(of_input(studio));
+    if (studio.rig().recorded_s >= 0)
+        chips.push_back({"RECORDING " + clock_of(studio.rig().recorded_s), bad()});
+    if (picture.has_work_light) chips.push_back({"WORK LIGHT", QColor(255, 236, 190)});
+    chips.push_back({QString("EV %1").arg(static_cast<double>(picture.ev100), 0, 'f', 1), {}});
+    if (wishes.master < 1)
+        chips.push_back({QString("MASTER %1 %").arg(std::lround(100 * wishes.master)), accent()});
+    if (!studio.look().is_empty()) chips.push_back({"by hand: " + words_of(studio.look()), accent()});
+    if (picture.missing_maps > 0)
+        chips.push_back({QString("%1 lights throw no shadows yet").arg(picture.missing_maps), {}});
+    return chips;
+}
+
+void paint_chips(QPainter& painter, const QSizeF& widget, const std::vector<Chip>& chips, double lift_px) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QFont usual = painter.font();
+    double x = kEdge_px, bottom = widget.height() - kEdge_px - lift_px;
+    for (const Chip& chip : chips) {
+        QFont font = usual;
+        font.setPointSizeF(usual.pointSizeF() * (chip.is_loud ? kLoud : 0.9));
+        font.setBold(chip.is_loud);
+        painter.setFont(font);
+        const QFontMetricsF metrics(font);
+        const QSizeF size(metrics.horizontalAdvance(chip.text) + 16, metrics.height() + 6);
+        if (x > kEdge_px && x + size.width() > widget.width() - kEdge_px) { // another row
+            x = kEdge_px;
+            bottom -= metrics.height() + 6 + kGap_px;
+        }
+        const QRectF box(x, bottom - size.height(), size.width(), size.height());
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(chip.ground.isValid() ? chip.ground : QColor(0, 0, 0, 150));
+        painter.drawRoundedRect(box, 4, 4);
+        painter.setPen(chip.ground.isValid() ? QColor(15, 15, 15) : QColor(225, 225, 225));
+        painter.drawText(box, Qt::AlignCenter, chip.text);
+        x += size.width() + kGap_px;
+    }
+    painter.restore();
+}
+
+} // namespace ghost::ui

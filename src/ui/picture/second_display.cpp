@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/picture/second_display.h"
+
+#include "ui/picture/overlays.h"
+
+#include <QCloseEvent>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QPainter>
+
+#include <cmath>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kRest_ms = 150; // of a window that is being resized
+constexpr QSize kWindow(960, 540);
+
+QString names_of_screens() {
+    QStringList names;
+    for (const QScreen* screen : QGuiApplication::screens())
+        names << QString("%1 (%2, %3x%4)")
+                     .arg(names.size() + 1)
+                     .arg(screen->name())
+                     .arg(screen->size().width())
+                     .arg(screen->size().height());
+    return names.join(", ");
+}
+
+} // namespace
+
+PictureWindow::PictureWindow(Studio& studio) : studio_(studio) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setWindowTitle("Ghostlight, the picture");
+    setMinimumSize(16, 16);
+    resize_timer_.setSingleShot(true);
+    resize_timer_.setInterval(kRest_ms);
+    connect(&resize_timer_, &QTimer::timeout, this, [this] {
+        const double ratio = asked_ratio_ = devicePixelRatioF();
+        studio_.set_second_size({static_cast<int>(std::lround(width() * ratio)),
+                                 static_cast<int>(std::lround(height() * ratio))});
+    });
+    connect(&studio_, &Studio::picture_came, this, qOverload<>(&QWidget::update));
+}
+
+void PictureWindow::paintEvent(QPaintEvent*) {
+    if (asked_ratio_ > 0 && asked_ratio_ != devicePixelRatioF() && !resize_timer_.isActive())
+        resize_timer_.start();
+    QPainter painter(this);
+    painter.fillRect(rect(), Qt::black);
+    const Picture& picture = studio_.picture();
+    if (!studio_.show() || !picture.image) return;
+    paint_picture(painter, picture_rect(size(), picture.camera, picture.framed), *picture.image);
+    if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
+}
+
+void PictureWindow::resizeEvent(QResizeEvent*) {
+    resize_timer_.start();
+}
+
+void PictureWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape)
+        close();
+    else
+        QWidget::keyPressEvent(event);
+}
+
+void PictureWindow::closeEvent(QCloseEvent* event) {
+    event->accept();
+    Q_EMIT closed();
+}
+
+SecondDisplay::SecondDisplay(Studio& studio) : studio_(studio) {
+    auto* application = qGuiApp;
+    connect(application, &QGuiApplication::screenAdded, this, &SecondDisplay::look_for_screen);
+    connect(application, &QGuiApplication::screenRemoved, this, &SecondDisplay::leave_screen);
+}
+
+Result<void> SecondDisplay::open(const QString& which, const QScreen* main) {
+    const QList<QScreen*> screens = QGuiApplication::screens();
+    if (which == "window") {
+        wanted_.clear();
+        show_on(nullptr);
+        return {};
+    }
+    bool is_number = false;
+    const int number = which.toInt(&is_number);
+    for (int i = 0; i < screens.size(); ++i) {
+        const bool meant = which.isEmpty() ? screens[i] != main
+                           : is_number     ? number == i + 1
+                                           : screens[i]->name().compare(which, Qt::CaseInsensitive) == 0;
+        if (!meant) continue;
+        wanted_ = screens[i]->name();
+        show_on(screens[i]);
+        return {};
+    }
+    if (which.isEmpty())
+        return Error{"there is one display only; View has 'The picture in a second window' (in a script: "
+                     "second-display window)",
+                     ""};
+    return Error{"there is no display '" + which.toStdString() + "'; there are " +
+                     names_of_screens().toStdString(),
+                 ""};
+}
+
+void SecondDisplay::close() {
+    wanted_.clear();
+    screen_.clear();
+    window_.reset();
+    studio_.set_second_size({});
+    Q_EMIT changed("");
+}
+
+void SecondDisplay::show_on(QScreen* screen) {
+    if (!window_) {
+        window_ = std::make_unique<PictureWindow>(studio_);
+        // Not at once: it is in the middle of its own event.
+        connect(window_.get(), &PictureWindow::closed, this, &SecondDisplay::close, Qt::QueuedConnection);
+    }
+    screen_ = screen;
+    if (screen) {
+        window_->setCursor(Qt::BlankCursor);
+        window_->setWindowFlag(Qt::FramelessWindowHint);
+        window_->setGeometry(screen->geometry());
+        window_->showFullScreen();
+    } else {
+        window_->resize(kWindow);
+        window_->show();
+    }
+    Q_EMIT changed("The picture is on " + words());
+}
+
+QString SecondDisplay::words() const {
+    if (screen_) return screen_->name();
+    if (window_) return "a window of its own";
+    return wanted_.isEmpty() ? QString() : wanted_ + ", which is unplugged";
+}
+
+void SecondDisplay::look_for_screen(QScreen* screen) {
+    if (waits() && screen->name() == wanted_) show_on(screen);
+}
+
+void SecondDisplay::leave_screen(QScreen* screen) {
+    if (!window_ || screen_ != screen) return;
+    screen_.clear();
+    // A window that covers what is left would hide the desk of who works there.
+    window_.reset();
+    studio_.set_second_size({});
+    Q_EMIT changed(QString("The display %1 is gone; the picture comes back with it").arg(wanted_));
+}
+
+} // namespace ghost::ui

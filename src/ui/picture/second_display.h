@@ -1,0 +1,67 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// SecondDisplay: a second window with the picture alone, for the director or the house: full screen on one
+// display, or a window of its own. Where its display is unplugged it goes, and comes back with it. Window
+// thread.
+
+#include "base/result.h"
+#include "ui/model/studio.h"
+
+#include <QPointer>
+#include <QScreen>
+#include <QString>
+#include <QWidget>
+
+#include <memory>
+
+namespace ghost::ui {
+
+class PictureWindow : public QWidget {
+    Q_OBJECT
+public:
+    explicit PictureWindow(Studio& studio);
+
+Q_SIGNALS:
+    void closed(); // by a person
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
+    void closeEvent(QCloseEvent*) override;
+
+private:
+    Studio& studio_;
+    QTimer resize_timer_;
+    double asked_ratio_ = 0; // as in View
+};
+
+class SecondDisplay : public QObject {
+    Q_OBJECT
+public:
+    explicit SecondDisplay(Studio& studio);
+
+    // "2", a display's name, "window"; empty: the first display that the main window is not on.
+    Result<void> open(const QString& which, const QScreen* main);
+    void close();
+    bool is_open() const { return window_ != nullptr; }
+    // Where it is, in words; where it waits for its display, that too.
+    QString words() const;
+    // Waits for a display that was unplugged.
+    bool waits() const { return window_ == nullptr && !wanted_.isEmpty(); }
+
+Q_SIGNALS:
+    void changed(const QString& what);
+
+private:
+    void show_on(QScreen* screen);
+    void look_for_screen(QScreen* screen);
+    void leave_screen(QScreen* screen);
+
+    Studio& studio_;
+    std::unique_ptr<PictureWindow> window_;
+    QPointer<QScreen> screen_; // it covers; null: a window
+    QString wanted_;           // name of the display; empty: none, or a window
+};
+
+} // namespace ghost::ui

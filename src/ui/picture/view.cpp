@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/picture/view.h"
+
+#include "show/camera_moves.h"
+#include "ui/picture/private/chips.h"
+#include "ui/widgets/theme.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kRest_ms = 150; // of a window that is being resized
+constexpr int kFly_ms = 16;
+constexpr float kFly_m_s = 4;
+constexpr float kFastFly = 4;
+
+// Right, forward, up of a key that flies.
+glm::vec3 way_of(int key) {
+    switch (key) {
+    case Qt::Key_W:
+    case Qt::Key_Up:
+        return {0, 1, 0};
+    case Qt::Key_S:
+    case Qt::Key_Down:
+        return {0, -1, 0};
+    case Qt::Key_D:
+    case Qt::Key_Right:
+        return {1, 0, 0};
+    case Qt::Key_A:
+    case Qt::Key_Left:
+        return {-1, 0, 0};
+    case Qt::Key_E:
+    case Qt::Key_PageUp:
+        return {0, 0, 1};
+    case Qt::Key_Q:
+    case Qt::Key_PageDown:
+        return {0, 0, -1};
+    default:
+        return {0, 0, 0};
+    }
+}
+
+} // namespace
+
+View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio), figures_(studio) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 90);
+    setMouseTracking(true); // for the probe
+    setAccessibleName("Picture of the stage");
+    resize_timer_.setSingleShot(true);
+    resize_timer_.setInterval(kRest_ms);
+    connect(&resize_timer_, &QTimer::timeout, this, &View::ask_for_size);
+    rest_timer_.setSingleShot(true);
+    connect(&rest_timer_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
+    fly_timer_.setInterval(kFly_ms);
+    connect(&fly_timer_, &QTimer::timeout, this, &View::fly);
+    connect(&studio_, &Studio::picture_came, this, &View::take_picture);
+    connect(&studio_, &Studio::opened_show, this, [this] {
+        if (studio_.opened().is_edit) return;
+        // A newer version of what was open: the picture goes on from where it was seen.
+        if (!studio_.opened().again) studio_.cut_to(studio_.show()->cameras.front());
+        ask_for_size();
+    });
+    // Marks and aims move with the rig, figures with everything.
+    connect(&studio_, &Studio::rig_came, this, [this] {
+        if (overlays.aims || overlays.names || overlays.addresses || hovered_ || !studio_.selection().empty())
+            update();
+    });
+    connect(&studio_, &Studio::picked_came, this, &View::select_picked);
+    connect(&studio_, &Studio::opened_show, this, [this] {
+        hovered_.reset();
+        if (!studio_.opened().is_edit && !studio_.opened().again) wipe_.end();
+        if (drag_ == Drag::lamp) drag_ = Drag::none;
+    });
+    for (const auto signal : {&Studio::selection_changed, &Studio::marked_changed, &Studio::activity_came,
+                              &Studio::opened_show, &Studio::probe_came})
+        connect(&studio_, signal, this, qOverload<>(&QWidget::update));
+}
+
+void View::ask_for_size() {
+    if (!studio_.show()) return;
+    const double ratio = asked_ratio_ = devicePixelRatioF();
+    studio_.set_size(std::max(static_cast<int>(std::lround(width() * ratio)), 16),
+                     std::max(static_cast<int>(std::lround(height() * ratio)), 16));
+}
+
+void View::take_picture() {
+    if (arrival_.count() == 0) arrival_ = studio_.picture().arrival;
+    picture_waits_ = true;
+    figures_.count_picture();
+    rest_timer_.start(figures_.rest_ms());
+    update();
+}
+
+void View::resizeEvent(QResizeEvent*) {
+    resize_timer_.start();
+}
+
+void View::paintEvent(QPaintEvent*) {
+    QElapsedTimer clock;
+    clock.start();
+    // Another display, or another scale of this one, often leaves the window its size.
+    if (asked_ratio_ > 0 && asked_ratio_ != devicePixelRatioF() && !resize_timer_.isActive())
+        resize_timer_.start();
+    QPainter painter(this);
+    const Picture& picture = studio_.picture();
+    if (!studio_.show() || !picture.image) {
+        painter.fillRect(rect(), QColor(12, 12, 13));
+        const bool waits = !studio_.activity().empty() || studio_.show();
+        paint_notice(painter, size(),
+                     waits ? QString::fromStdString(studio_.activity()) : QString("No show is open"),
+                     QString());
+        paint_box(painter);
+        return;
+    }
+    const QRectF place = rect_of_picture();
+    if (!place.adjusted(-1, -1, 1, 1).contains(rect())) painter.fillRect(rect(), Qt::black);
+    paint_picture(painter, place, *picture.image);
+    wipe_.paint(painter, size());
+    if (overlays.frame) paint_frame(painter, place, frame_rect(size(), studio_.wishes().frame));
+    paint_fixtures(painter, place, picture.camera, *studio_.show(), studio_.rig(), studio_.selection(),
+                   hovered_, overlays);
+    if (drag_ == Drag::lamp)
+        paint_moved(painter, place, picture.camera, studio_.rig(), studio_.selection(), moved_by_m_, drag_at_,
+                    lamp_->words(moved_by_m_));
+    if (const auto object = studio_.marked(); object && overlays.marks)
+        paint_object(painter, place, picture.camera, studio_.opened().objects[*object]);
+    if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
+    const double figures_px = overlays.figures ? paint_figures(painter, size(), figures_.lines()) : 0;
+    if (overlays.chips) paint_chips(painter, size(), chips_of(studio_), figures_px);
+    if (overlays.probe && studio_.probed()) paint_probe(painter, place, size(), *studio_.probed());
+    paint_box(painter);
+    painter.end();
+    paint_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
+    if (std::exchange(picture_waits_, false))
+        studio_.count_window(std::chrono::nanoseconds(clock.nsecsElapsed()));
+    if (arrival_.count() > 0) {
+        const auto latency =
+            std::chrono::steady_clock::now().time_since_epoch() - std::exchange(arrival_, {});
+        figures_.take_latency(latency);
+        studio_.count_latency(latency);
+    }
+}
+
+Result<void> View::begin_wipe(double share) {
+    if (!studio_.picture().image) return Error{"there is no picture yet", ""};
+    if (!wipe_.is_on()) wipe_.keep(studio_.picture());
+    wipe_.set_share(share);
+    update();
+    return {};
+}
+
+void View::end_wipe() {
+    wipe_.end();
+    update();
+}
+
+void View::paint_box(QPainter& painter) const {
+    if (drag_ != Drag::box) return;
+    painter.setPen(QPen(accent(), 1));
+    painter.setBrush(QColor(255, 179, 71, 40));
+    painter.drawRect(QRectF(drag_from_, drag_at_).normalized());
+}
+
+scene::Camera View::camera_of_picture() const {
+    return studio_.picture().image ? studio_.picture().camera
+                                   : scene::with_frame(studio_.camera(), studio_.wishes().frame);
+}
+
+QRectF View::rect_of_picture() const {
+    const Picture& picture = studio_.picture();
+    if (picture.image) return picture_rect(size(), picture.camera, picture.framed);
+    const scene::Camera& camera = studio_.camera();
+    const glm::ivec2& frame = studio_.wishes().frame;
+    return picture_rect(size(), camera, {frame, scene::share_of_frame(camera, frame)});
+}
+
+void View::keyPressEvent(QKeyEvent* event) {
+    if (way_of(event->key()) == glm::vec3(0) ||
+        event->modifiers() & (Qt::ControlModifier | Qt::AltModifier)) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    if (event->isAutoRepeat()) return;
+    held_.insert(event->key());
+    if (fly_timer_.isActive()) return;
+    fly_clock_.start();
+    fly_timer_.start();
+}
+
+void View::keyReleaseEvent(QKeyEvent* event) {
+    if (event->isAutoRepeat() || !held_.contains(event->key())) {
+        QWidget::keyReleaseEvent(event);
+        return;
+    }
+    fly(); // what is left of the way
+    held_.remove(event->key());
+    if (held_.isEmpty()) fly_timer_.stop();
+}
+
+void View::focusOutEvent(QFocusEvent*) {
+    held_.clear();
+    fly_timer_.stop();
+}
+
+void View::fly() {
+    const float dt_s = static_cast<float>(fly_clock_.restart()) * 1e-3f;
+    glm::vec3 way(0);
+    for (const int key : held_) way += way_of(key);
+    if (way == glm::vec3(0) || dt_s <= 0) return;
+    const bool fast = QGuiApplication::keyboardModifiers() & Qt::ShiftModifier;
+    studio_.set_camera(scene::flown(studio_.camera(), way * (dt_s * kFly_m_s * (fast ? kFastFly : 1.0f))));
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,95 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// View: the picture with its overlays, and the mouse and keys that move the camera in it. It scales the
+// newest picture to its size at once; the engine draws the new size when the window rests. Window thread.
+
+#include "ui/model/figures.h"
+#include "ui/model/lamp_drag.h"
+#include "ui/model/studio.h"
+#include "ui/picture/overlays.h"
+#include "ui/picture/wipe.h"
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QSet>
+#include <QWidget>
+
+namespace ghost::ui {
+
+class View : public QWidget {
+    Q_OBJECT
+public:
+    View(Studio& studio, QWidget* parent);
+
+    OverlayChoice overlays;
+    // The selected fixtures were dragged so far, in metres of the world; none: they cannot be.
+    std::function<void(const glm::vec3& by_m)> on_move;
+    // Shift and a click: the selected heads shall point at what the picture shows there, (0, 0) its top left
+    // corner.
+    std::function<void(const glm::vec2& place)> on_aim;
+    // What is seen now stays left of a line that the mouse drags; Error: there is no picture.
+    Result<void> begin_wipe(double share);
+    void end_wipe();
+    const Wipe& wipe() const { return wipe_; }
+    const Figures& figures() const { return figures_; }
+    void reset_figures() { figures_.reset(); }
+    double paint_ms() const { return paint_ms_; }
+    // Measures there from now on, until the mouse moves.
+    void probe_at(const QPointF& place);
+    void end_probe();
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void resizeEvent(QResizeEvent*) override;
+    void mousePressEvent(QMouseEvent*) override;
+    void mouseMoveEvent(QMouseEvent*) override;
+    void mouseReleaseEvent(QMouseEvent*) override;
+    void mouseDoubleClickEvent(QMouseEvent*) override;
+    void wheelEvent(QWheelEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
+    void keyReleaseEvent(QKeyEvent*) override;
+    void focusOutEvent(QFocusEvent*) override;
+    void leaveEvent(QEvent*) override;
+
+private:
+    enum class Drag { none, undecided, orbit, turn, pan, box, lamp, wipe };
+
+    void take_picture();
+    void ask_for_size();
+    void fly();
+    // Of the picture that is shown; before the first one, that which is asked for.
+    scene::Camera camera_of_picture() const;
+    QRectF rect_of_picture() const;
+    void paint_box(QPainter& painter) const;
+    glm::vec3 way_of_mouse(const QPointF& place) const; // unit vector, from the eye
+    std::optional<std::size_t> lamp_at(const QPointF& place) const;
+    Drag drag_of_left(Qt::KeyboardModifiers keys);
+    void drag_lamp(bool upright);
+    void hover_at(const QPointF& place);
+    void click(const QPointF& place, Qt::KeyboardModifiers keys);
+    void select_one(std::size_t fixture, bool adds);
+    void select_picked();
+
+    Studio& studio_;
+    QTimer resize_timer_;
+    double asked_ratio_ = 0; // pixels of the display to one of the window, when the size was asked for
+    Drag drag_ = Drag::none;
+    QPointF drag_from_, drag_at_;
+    Wipe wipe_;
+    std::optional<LampDrag> lamp_; // that is dragged
+    glm::vec3 moved_by_m_{0};
+    std::optional<std::size_t> hovered_; // fixture
+    std::uint64_t picked_ = 0;           // number of the pick that a click waits for; 0: none
+    bool adds_picked_ = false;
+    QSet<int> held_; // keys that fly
+    QTimer fly_timer_;
+    QElapsedTimer fly_clock_;
+
+    bool picture_waits_ = false;          // a new one, to be painted
+    std::chrono::nanoseconds arrival_{0}; // of the first packet that no painted picture shows; 0: none waits
+    double paint_ms_ = 0;
+    Figures figures_;
+    QTimer rest_timer_; // until the figures may say that it rests
+};
+
+} // namespace ghost::ui

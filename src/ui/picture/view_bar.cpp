@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/picture/view_bar.h"
+
+#include "ui/widgets/following.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+
+namespace ghost::ui {
+namespace {
+
+constexpr double kLeastEv = -10, kMostEv = 20;
+
+} // namespace
+
+ViewBar::ViewBar(Studio& studio, Actions& actions, QWidget* parent)
+    : QWidget(parent), studio_(studio), camera_(new QComboBox(this)), exposure_(new QDoubleSpinBox(this)),
+      automatic_(new QToolButton(this)), tone_(new QComboBox(this)) {
+    setObjectName("view-bar");
+    camera_->setAccessibleName("Camera");
+    camera_->setToolTip("The cameras of the show: 1 to 9; Ctrl+K keeps this one");
+    camera_->setPlaceholderText("free camera");
+    camera_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    camera_->setMinimumContentsLength(11); // a line of menus does not learn of another width
+    exposure_->setRange(kLeastEv, kMostEv);
+    exposure_->setSingleStep(0.5);
+    exposure_->setDecimals(1);
+    exposure_->setPrefix("EV ");
+    exposure_->setKeyboardTracking(false);
+    exposure_->setAccessibleName("Exposure");
+    exposure_->setToolTip("Exposure: + and - by half a stop; a smaller number is brighter");
+    automatic_->setDefaultAction(actions.item("auto-exposure"));
+    automatic_->setText("Auto");
+    tone_->setAccessibleName("Tone curve");
+    tone_->setToolTip("Tone curve (T)");
+    tone_->addItems({"AgX", "ACES", "no curve"});
+    auto* work_light = new QToolButton(this);
+    work_light->setDefaultAction(actions.item("work-light"));
+    work_light->setText("Work light");
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 4, 0);
+    layout->setSpacing(4);
+    for (QWidget* const one :
+         std::initializer_list<QWidget*>{camera_, exposure_, automatic_, tone_, work_light}) {
+        one->setFocusPolicy(one == exposure_ ? Qt::ClickFocus : Qt::NoFocus);
+        layout->addWidget(one);
+    }
+    // The words of the menu are longer.
+    const auto keep_words = [this, work_light] {
+        automatic_->setText("Auto");
+        work_light->setText("Work light");
+    };
+    for (QToolButton* const button : {automatic_, work_light})
+        connect(button->defaultAction(), &QAction::changed, this, keep_words);
+    connect(camera_, &QComboBox::activated, this,
+            [&actions](int index) { actions.choose(QString("camera %1").arg(index + 1)); });
+    connect(exposure_, &QDoubleSpinBox::valueChanged, this, [this, &actions](double ev) {
+        if (!follows_) actions.choose(QString("exposure %1").arg(ev));
+    });
+    connect(tone_, &QComboBox::activated, this, [&actions](int index) {
+        actions.choose(
+            "tone " + QString::fromStdString(image::name_of(image::kTones[static_cast<std::size_t>(index)])));
+    });
+    connect(&studio_, &Studio::opened_show, this, &ViewBar::name_cameras);
+    for (const auto signal : {&Studio::wishes_changed, &Studio::picture_came})
+        connect(&studio_, signal, this, &ViewBar::refresh);
+    setEnabled(false);
+}
+
+void ViewBar::name_cameras() {
+    {
+        const Following following(follows_);
+        camera_->clear();
+        for (const scene::Camera& camera : studio_.show()->cameras)
+            camera_->addItem(QString::fromStdString(camera.name));
+    }
+    setEnabled(true);
+    refresh();
+}
+
+// The stored camera where the picture is seen from, if it is one.
+void ViewBar::refresh() {
+    if (!studio_.show() || follows_) return;
+    const Following following(follows_);
+    const scene::Camera& now = studio_.camera();
+    int index = -1;
+    const std::vector<scene::Camera>& cameras = studio_.show()->cameras;
+    for (std::size_t i = 0; i < cameras.size() && index < 0; ++i)
+        if (cameras[i].position_m == now.position_m && cameras[i].target_m == now.target_m)
+            index = static_cast<int>(i);
+    if (camera_->currentIndex() != index) camera_->setCurrentIndex(index);
+    const double ev = static_cast<double>(now.auto_exposure ? studio_.picture().ev100 : now.ev100);
+    if (!exposure_->hasFocus() && std::abs(exposure_->value() - ev) > 0.04) exposure_->setValue(ev);
+    tone_->setCurrentIndex(static_cast<int>(studio_.wishes().tone));
+}
+
+} // namespace ghost::ui

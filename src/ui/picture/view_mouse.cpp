@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+// The mouse in the picture: it selects, aims, drags lamps, and moves the camera.
+#include "show/camera_moves.h"
+#include "ui/picture/view.h"
+
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ghost::ui {
+namespace {
+
+constexpr double kClick_px = 4;
+constexpr float kAround_m = 2;
+constexpr float kOrbit_rad_px = 0.006f;
+constexpr float kTurn_rad_px = 0.003f;
+
+} // namespace
+
+glm::vec3 View::way_of_mouse(const QPointF& place) const {
+    const QRectF picture = rect_of_picture();
+    return scene::way_through(
+        camera_of_picture(),
+        {static_cast<float>((place.x() - picture.left()) / std::max(picture.width(), 1.0)),
+         static_cast<float>((place.y() - picture.top()) / std::max(picture.height(), 1.0))});
+}
+
+std::optional<std::size_t> View::lamp_at(const QPointF& place) const {
+    return fixture_at(rect_of_picture(), camera_of_picture(), studio_.rig(), place);
+}
+
+void View::mousePressEvent(QMouseEvent* event) {
+    drag_from_ = drag_at_ = event->position();
+    if (event->button() == Qt::MiddleButton)
+        drag_ = Drag::pan;
+    else if (event->button() == Qt::RightButton)
+        drag_ = Drag::turn;
+    else if (event->button() == Qt::LeftButton)
+        drag_ = wipe_.is_near(size(), event->position().x()) ? Drag::wipe : Drag::undecided;
+}
+
+// What a drag with the left button is that has begun: of a selected lamp, of a box, of the camera.
+View::Drag View::drag_of_left(Qt::KeyboardModifiers keys) {
+    if (keys & Qt::ControlModifier) return Drag::box;
+    const auto hit = lamp_at(drag_from_);
+    if (hit && on_move && studio_.selection().contains(*hit)) {
+        const auto drag_of = [&](std::size_t index) {
+            return LampDrag(studio_.rig().fixtures[index].light_m, studio_.opened().objects);
+        };
+        lamp_ = drag_of(*hit);
+        for (const std::size_t index : studio_.selection())
+            if (index < studio_.rig().fixtures.size()) lamp_->take_along(drag_of(index));
+        moved_by_m_ = glm::vec3(0);
+        return Drag::lamp;
+    }
+    return keys & Qt::ShiftModifier ? Drag::pan : Drag::orbit;
+}
+
+void View::mouseMoveEvent(QMouseEvent* event) {
+    const QPointF moved = event->position() - drag_at_;
+    if (drag_ == Drag::undecided && QLineF(drag_from_, event->position()).length() > kClick_px)
+        drag_ = drag_of_left(event->modifiers());
+    if (drag_ != Drag::none) hovered_.reset();
+    if (drag_ == Drag::none) {
+        if (overlays.probe) probe_at(event->position());
+        hover_at(event->position());
+    }
+    if (drag_ == Drag::none || drag_ == Drag::undecided) return;
+    drag_at_ = event->position();
+    const auto x = static_cast<float>(moved.x()), y = static_cast<float>(moved.y());
+    const scene::Camera& camera = studio_.camera();
+    const auto height =
+        static_cast<float>(std::max(frame_rect(size(), studio_.wishes().frame).height(), 1.0));
+    if (drag_ == Drag::orbit)
+        studio_.set_camera(scene::orbited(camera, kOrbit_rad_px * x, kOrbit_rad_px * y));
+    else if (drag_ == Drag::turn)
+        studio_.set_camera(scene::turned(camera, -kTurn_rad_px * x, -kTurn_rad_px * y));
+    else if (drag_ == Drag::pan)
+        studio_.set_camera(scene::panned(camera, -x / height, y / height));
+    else if (drag_ == Drag::lamp)
+        drag_lamp(event->modifiers() & Qt::ShiftModifier);
+    else if (drag_ == Drag::wipe)
+        wipe_.set_share(drag_at_.x() / std::max(width(), 1));
+    if (drag_ == Drag::lamp || drag_ == Drag::box || drag_ == Drag::wipe) update();
+}
+
+// The place that was taken hold of stays under the mouse.
+void View::drag_lamp(bool upright) {
+    const glm::vec3 eye_m = camera_of_picture().position_m;
+    moved_by_m_ = lamp_->by_m(eye_m, way_of_mouse(drag_at_), upright) -
+                  lamp_->by_m(eye_m, way_of_mouse(drag_from_), upright);
+}
+
+void View::hover_at(const QPointF& place) {
+    const auto hit = studio_.show() ? lamp_at(place) : std::nullopt;
+    const bool moves = hit && on_move && studio_.selection().contains(*hit);
+    setCursor(wipe_.is_near(size(), place.x()) ? Qt::SplitHCursor
+              : moves                          ? Qt::SizeAllCursor
+                                               : Qt::ArrowCursor);
+    if (hit != std::exchange(hovered_, hit)) update();
+}
+
+void View::leaveEvent(QEvent*) {
+    if (std::exchange(hovered_, std::nullopt)) update();
+}
+
+void View::probe_at(const QPointF& place) {
+    const QRectF picture = rect_of_picture();
+    if (!studio_.show() || picture.isEmpty()) return;
+    overlays.probe = true;
+    studio_.wish([&](Wishes& wishes) {
+        wishes.probe = glm::clamp(glm::vec2((place.x() - picture.left()) / picture.width(),
+                                            (place.y() - picture.top()) / picture.height()),
+                                  0.0f, 1.0f);
+    });
+}
+
+void View::end_probe() {
+    overlays.probe = false;
+    studio_.wish([](Wishes& wishes) { wishes.probe.reset(); });
+    update();
+}
+
+// Where no lamp is near, whatever is met there may be the body of one: the engine says it (select_picked).
+void View::click(const QPointF& place, Qt::KeyboardModifiers keys) {
+    if (!studio_.show()) return;
+    const QRectF picture = rect_of_picture();
+    if (keys & Qt::ShiftModifier) {
+        if (on_aim && !picture.isEmpty())
+            on_aim(glm::clamp(glm::vec2((place.x() - picture.left()) / picture.width(),
+                                        (place.y() - picture.top()) / picture.height()),
+                              0.0f, 1.0f));
+        return;
+    }
+    const bool adds = keys & Qt::ControlModifier;
+    if (const auto hit = lamp_at(place)) {
+        select_one(*hit, adds);
+        return;
+    }
+    if (!adds) studio_.select({});
+    adds_picked_ = adds;
+    picked_ = studio_.pick(camera_of_picture().position_m, way_of_mouse(place));
+}
+
+void View::select_one(std::size_t fixture, bool adds) {
+    std::set<std::size_t> selection = adds ? studio_.selection() : std::set<std::size_t>{};
+    if (!selection.insert(fixture).second) selection.erase(fixture);
+    studio_.select(std::move(selection));
+}
+
+void View::select_picked() {
+    const Picked& picked = studio_.picked();
+    if (picked.number != picked_ || !picked.fixture) return;
+    picked_ = 0;
+    if (*picked.fixture < studio_.show()->fixtures.size()) select_one(*picked.fixture, adds_picked_);
+}
+
+void View::mouseReleaseEvent(QMouseEvent* event) {
+    const Drag drag = std::exchange(drag_, Drag::none);
+    if (drag == Drag::undecided) {
+        click(event->position(), event->modifiers());
+    } else if (drag == Drag::lamp) {
+        if (moved_by_m_ != glm::vec3(0)) on_move(moved_by_m_);
+        update();
+    } else if (drag == Drag::box) {
+        std::set<std::size_t> selection =
+            event->modifiers() & Qt::ControlModifier ? studio_.selection() : std::set<std::size_t>{};
+        selection.merge(fixtures_in(rect_of_picture(), camera_of_picture(), studio_.rig(),
+                                    QRectF(drag_from_, event->position()).normalized()));
+        studio_.select(std::move(selection));
+        update();
+    }
+}
+
+void View::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (!studio_.show()) return;
+    if (const auto hit = lamp_at(event->position()))
+        studio_.look_at(studio_.rig().fixtures[*hit].light_m, kAround_m);
+}
+
+void View::wheelEvent(QWheelEvent* event) {
+    const float notches = static_cast<float>(event->angleDelta().y()) / 120.0f;
+    studio_.set_camera(scene::dollied(studio_.camera(), std::pow(0.88f, notches)));
+}
+
+} // namespace ghost::ui

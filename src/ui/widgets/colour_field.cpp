@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/colour_field.h"
+
+#include "image/colour.h"
+#include "ui/actions/hand.h"
+#include "ui/model/gel_book.h"
+#include "ui/widgets/value_row.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPixmap>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kFieldHeight_px = 84;
+constexpr float kStep = 0.01f;  // of the arrow keys
+constexpr float kLamp_k = 3200; // that a conversion filter is put before
+constexpr float kUsual_k = 5600;
+
+const std::pair<const char*, QColor> kSwatches[] = {
+    {"White", QColor(255, 255, 255)},    {"Warm white", QColor(255, 180, 107)},
+    {"Red", QColor(255, 0, 0)},          {"Amber", QColor(255, 126, 0)},
+    {"Yellow", QColor(255, 230, 0)},     {"Green", QColor(0, 255, 60)},
+    {"Cyan", QColor(0, 220, 255)},       {"Blue", QColor(0, 40, 255)},
+    {"Lavender", QColor(160, 120, 255)}, {"Magenta", QColor(255, 0, 180)},
+};
+
+QIcon icon_of(const QColor& colour, int size) {
+    QPixmap picture(size, size);
+    picture.fill(colour);
+    return QIcon(picture);
+}
+
+} // namespace
+
+HueField::HueField(QWidget* parent) : QWidget(parent) {
+    setFixedHeight(kFieldHeight_px);
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::CrossCursor);
+    setAccessibleName("Hue and saturation");
+    setToolTip("Hue across, saturation down; arrow keys move it");
+}
+
+void HueField::show_colour(const QColor& colour) {
+    if (colour.hsvSaturationF() > 0) hue_ = std::max(colour.hsvHueF(), 0.0f); // grey has none
+    saturation_ = colour.hsvSaturationF();
+    update();
+}
+
+void HueField::choose(float hue, float saturation) {
+    hue_ = std::clamp(hue, 0.0f, 0.999f);
+    saturation_ = std::clamp(saturation, 0.0f, 1.0f);
+    update();
+    if (on_change) on_change(QColor::fromHsvF(hue_, saturation_, 1));
+}
+
+void HueField::resizeEvent(QResizeEvent*) {
+    field_ = QImage(size(), QImage::Format_RGB32);
+    for (int y = 0; y < height(); ++y)
+        for (int x = 0; x < width(); ++x)
+            field_.setPixelColor(x, y,
+                                 QColor::fromHsvF(static_cast<float>(x) / static_cast<float>(width()),
+                                                  static_cast<float>(y) / static_cast<float>(height()), 1));
+}
+
+void HueField::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setOpacity(isEnabled() ? 1 : 0.3);
+    painter.drawImage(0, 0, field_);
+    const QPointF at(static_cast<double>(hue_) * width(), static_cast<double>(saturation_) * height());
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(Qt::black, 3));
+    painter.drawEllipse(at, 6, 6);
+    painter.setPen(QPen(Qt::white, 1.5));
+    painter.drawEllipse(at, 6, 6);
+    if (!hasFocus()) return;
+    painter.setPen(QPen(palette().color(QPalette::Link), 2));
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+void HueField::mousePressEvent(QMouseEvent* event) {
+    mouseMoveEvent(event);
+}
+
+void HueField::mouseMoveEvent(QMouseEvent* event) {
+    if ((event->buttons() & Qt::LeftButton) == 0) return;
+    choose(static_cast<float>(event->position().x() / std::max(width(), 1)),
+           static_cast<float>(event->position().y() / std::max(height(), 1)));
+}
+
+void HueField::keyPressEvent(QKeyEvent* event) {
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return choose(hue_ - kStep, saturation_);
+    case Qt::Key_Right:
+        return choose(hue_ + kStep, saturation_);
+    case Qt::Key_Up:
+        return choose(hue_, saturation_ - kStep);
+    case Qt::Key_Down:
+        return choose(hue_, saturation_ + kStep);
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+ColourField::ColourField(QWidget* parent)
+    : QWidget(parent), hues_(new HueField(this)),
+      kelvin_(new ValueRow("White", {2000, 10000, 0, " K"}, this)), gels_(new QComboBox(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 4);
+    layout->setSpacing(4);
+    auto* swatches = new QHBoxLayout;
+    swatches->setSpacing(2);
+    for (const auto& [name, colour] : kSwatches) {
+        auto* button = new QToolButton(this);
+        button->setIcon(icon_of(colour, 16));
+        button->setToolTip(name);
+        button->setAccessibleName(name);
+        button->setAutoRaise(true);
+        button->setMinimumWidth(16);
+        connect(button, &QToolButton::clicked, this, [this, colour = colour] { choose(colour); });
+        swatches->addWidget(button);
+    }
+    gels_->setAccessibleName("Gel");
+    gels_->setToolTip("Lee's conversions before a lamp of 3200 K; its colours as they look on a screen");
+    gels_->addItem("Gel ...");
+    for (const Gel& gel : gel_book())
+        gels_->addItem(icon_of(screen_colour(colour_of(gel, kLamp_k)), 14),
+                       QString::fromUtf8(gel.number.data(), static_cast<qsizetype>(gel.number.size())) +
+                           "  " +
+                           QString::fromUtf8(gel.name.data(), static_cast<qsizetype>(gel.name.size())));
+    gels_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    gels_->setMinimumContentsLength(8);
+    layout->addWidget(hues_);
+    layout->addLayout(swatches);
+    layout->addWidget(kelvin_);
+    layout->addWidget(gels_);
+    kelvin_->show_value(static_cast<double>(kUsual_k), false);
+    hues_->on_change = [this](const QColor& colour) {
+        if (on_change) on_change(colour);
+    };
+    kelvin_->on_change = [this](double kelvin) {
+        choose(screen_colour(image::cct_to_rec2020(static_cast<float>(kelvin))));
+    };
+    connect(gels_, &QComboBox::activated, this, [this](int index) {
+        if (index > 0)
+            choose(screen_colour(colour_of(gel_book()[static_cast<std::size_t>(index - 1)], kLamp_k)));
+    });
+}
+
+void ColourField::show_colour(const QColor& colour) {
+    hues_->show_colour(colour);
+}
+
+void ColourField::choose(const QColor& colour) {
+    hues_->show_colour(colour);
+    if (on_change) on_change(colour);
+}
+
+} // namespace ghost::ui

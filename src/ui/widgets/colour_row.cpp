@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/colour_row.h"
+
+#include "ui/widgets/colour_field.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/value_row.h"
+
+#include <QHBoxLayout>
+
+namespace ghost::ui {
+
+ColourRow::ColourRow(const QString& name, QWidget* parent)
+    : QWidget(parent), label_(new QLabel(name, this)), button_(new QPushButton(this)),
+      release_(new QToolButton(this)), column_(new QVBoxLayout(this)) {
+    label_->setFixedWidth(ValueRow::label_width(*this));
+    button_->setAccessibleName(name);
+    button_->setCheckable(true);
+    button_->setToolTip("Unfolds the colours");
+    release_->setText("\u21BA"); // back
+    release_->setToolTip("Give it back to the show and the desk");
+    release_->setAccessibleName("Give back " + name);
+    column_->setContentsMargins(0, 0, 0, 0);
+    auto* row = new QHBoxLayout;
+    row->addWidget(label_);
+    row->addWidget(button_, 1);
+    row->addWidget(release_);
+    column_->addLayout(row);
+    connect(button_, &QPushButton::toggled, this, &ColourRow::unfold);
+    connect(release_, &QToolButton::clicked, this, [this] {
+        if (on_release) on_release();
+    });
+    show_colour(Qt::white, false);
+}
+
+void ColourRow::unfold(bool on) {
+    if (!field_) {
+        field_ = new ColourField(this);
+        field_->on_change = [this](const QColor& colour) {
+            if (on_change) on_change(colour);
+        };
+        field_->show_colour(colour_);
+        column_->addWidget(field_);
+    }
+    field_->setVisible(on);
+}
+
+void ColourRow::show_colour(const QColor& colour, bool by_hand, bool mixed) {
+    colour_ = colour;
+    if (field_) field_->show_colour(colour);
+    button_->setText(mixed ? "mixed" : by_hand ? "By hand" : "");
+    const QString style =
+        QString("QPushButton { background: %1; color: %2; border: 1px solid #55555a; padding: 4px; } "
+                "QPushButton:focus { border: 2px solid %3; }")
+            .arg(colour.name(), colour.lightnessF() > 0.5f ? "#111111" : "#eeeeee", accent().name());
+    if (style != button_->styleSheet()) button_->setStyleSheet(style); // it costs a layout
+    release_->setEnabled(by_hand);
+    QPalette colours = palette();
+    if (by_hand) colours.setColor(QPalette::WindowText, accent());
+    label_->setPalette(colours);
+}
+
+} // namespace ghost::ui

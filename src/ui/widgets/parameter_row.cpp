@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/parameter_row.h"
+
+#include "ui/widgets/following.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/value_row.h"
+
+#include <QHBoxLayout>
+#include <QMenu>
+
+#include <cmath>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kSteps = 1020; // of the slider: four to a value of eight bits
+
+} // namespace
+
+ParameterRow::ParameterRow(const HeadParameter& parameter, QWidget* parent)
+    : QWidget(parent), label_(new QLabel(parameter.name, this)), slider_(new QSlider(Qt::Horizontal, this)),
+      meaning_(new QToolButton(this)), release_(new QToolButton(this)) {
+    label_->setFixedWidth(ValueRow::label_width(*this));
+    label_->setToolTip(parameter.name + " (" + QString::fromStdString(parameter.attribute) + ")");
+    slider_->setRange(0, kSteps);
+    slider_->setMinimumWidth(40);
+    slider_->setAccessibleName(parameter.name);
+    meaning_->setAccessibleName(parameter.name + ": what it can be");
+    meaning_->setFixedWidth(fontMetrics().averageCharWidth() * 14);
+    meaning_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    meaning_->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(meaning_);
+    for (const ParameterRange& range : parameter.ranges)
+        connect(menu->addAction(range.name), &QAction::triggered, this, [this, range] {
+            if (on_change) on_change(0.5f * (range.from + range.to));
+        });
+    meaning_->setMenu(menu);
+    release_->setText("\u21BA"); // back
+    release_->setToolTip("Give it back to the show and the desk");
+    release_->setAccessibleName("Give back " + parameter.name);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(label_);
+    layout->addWidget(slider_, 1);
+    layout->addWidget(meaning_);
+    layout->addWidget(release_);
+    connect(slider_, &QSlider::valueChanged, this, [this](int at) {
+        if (!follows_ && on_change) on_change(static_cast<float>(at) / kSteps);
+    });
+    connect(release_, &QToolButton::clicked, this, [this] {
+        if (on_release) on_release();
+    });
+}
+
+void ParameterRow::show_value(const ParameterValue& value, bool mixed) {
+    {
+        const Following following(follows_);
+        if (!slider_->isSliderDown())
+            slider_->setValue(static_cast<int>(std::lround(kSteps * static_cast<double>(value.share))));
+    }
+    const QString words = mixed ? QString("mixed") : value.words;
+    meaning_->setText(meaning_->fontMetrics().elidedText(words, Qt::ElideRight, meaning_->width() - 22));
+    meaning_->setToolTip(words);
+    release_->setEnabled(value.by_hand);
+    QPalette colours = palette();
+    if (value.by_hand) colours.setColor(QPalette::WindowText, accent());
+    label_->setPalette(colours);
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,35 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// ParameterRow: one parameter of heads under the hand: its name, a slider over the whole channel, what it
+// means there, which is also the list of all that it can mean, and a button that gives it back. Window
+// thread.
+
+#include "ui/model/head_parameters.h"
+
+#include <QLabel>
+#include <QSlider>
+#include <QToolButton>
+#include <QWidget>
+
+#include <functional>
+
+namespace ghost::ui {
+
+class ParameterRow : public QWidget {
+    Q_OBJECT
+public:
+    ParameterRow(const HeadParameter& parameter, QWidget* parent);
+    // Does not call back.
+    void show_value(const ParameterValue& value, bool mixed);
+    std::function<void(float share)> on_change; // a person moved it
+    std::function<void()> on_release;
+
+private:
+    QLabel* label_;
+    QSlider* slider_;
+    QToolButton* meaning_;
+    QToolButton* release_;
+    bool follows_ = false; // it is being set, not moved
+};
+
+} // namespace ghost::ui

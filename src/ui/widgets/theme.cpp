@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/theme.h"
+
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace ghost::ui {
+
+void set_theme(QApplication& application) {
+    application.setStyle(QStyleFactory::create("Fusion")); // the same on every system
+    QPalette palette;
+    const QColor ground(30, 30, 33), deep(22, 22, 24), text(222, 222, 222), grey(142, 142, 145),
+        placeholder(164, 164, 168);
+    palette.setColor(QPalette::Window, ground);
+    palette.setColor(QPalette::WindowText, text);
+    palette.setColor(QPalette::Base, deep);
+    palette.setColor(QPalette::AlternateBase, QColor(27, 27, 30));
+    palette.setColor(QPalette::ToolTipBase, QColor(48, 48, 52));
+    palette.setColor(QPalette::ToolTipText, text);
+    palette.setColor(QPalette::PlaceholderText, placeholder);
+    palette.setColor(QPalette::Text, text);
+    palette.setColor(QPalette::Button, QColor(46, 46, 50));
+    palette.setColor(QPalette::ButtonText, text);
+    // Fusion derives outlines from these, which shine in a dark room otherwise.
+    palette.setColor(QPalette::Light, QColor(62, 62, 67));
+    palette.setColor(QPalette::Midlight, QColor(54, 54, 58));
+    palette.setColor(QPalette::Mid, QColor(38, 38, 41));
+    palette.setColor(QPalette::Dark, QColor(20, 20, 22));
+    palette.setColor(QPalette::Shadow, QColor(8, 8, 9));
+    palette.setColor(QPalette::BrightText, bad());
+    palette.setColor(QPalette::Link, accent());
+    palette.setColor(QPalette::Highlight, QColor(112, 78, 30));
+    palette.setColor(QPalette::HighlightedText, QColor(255, 240, 220));
+    for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, grey);
+    // What cannot be typed into has no ground of its own, so that it looks other than an empty line.
+    palette.setColor(QPalette::Disabled, QPalette::Base, ground);
+    palette.setColor(QPalette::Disabled, QPalette::Button, QColor(36, 36, 39));
+    application.setPalette(palette);
+    application.setStyleSheet(
+        "QToolTip { color: #dedede; background: #303034; border: 1px solid #55555a; padding: 3px; }"
+        "QDockWidget::title { background: #28282b; padding: 5px 8px; }"
+        "QMainWindow::separator { background: #141416; width: 4px; height: 4px; }"
+        "QHeaderView::section { background: #28282b; color: #b4b4b8; border: 0; padding: 4px 6px; }"
+        "QTableView, QTreeView, QPlainTextEdit, QTextBrowser { border: 0; }"
+        "QTabBar::tab { padding: 6px 7px; }"
+        "QTabBar { qproperty-elideMode: ElideNone; qproperty-usesScrollButtons: true; }"
+        "QStatusBar { background: #18181a; color: #b4b4b8; }");
+}
+
+} // namespace ghost::ui

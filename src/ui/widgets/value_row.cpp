@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/widgets/value_row.h"
+
+#include "ui/widgets/following.h"
+#include "ui/widgets/theme.h"
+
+#include <QHBoxLayout>
+#include <QLineEdit>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kSteps = 1000; // of the slider
+
+} // namespace
+
+MixedSpinBox::MixedSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+        if (std::exchange(is_mixed_, false)) is_typed_over_ = true;
+    });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        if (std::exchange(is_typed_over_, false) && on_typed_over) on_typed_over(value());
+    });
+}
+
+void MixedSpinBox::set_mixed(bool mixed) {
+    if (mixed == is_mixed_) return;
+    is_mixed_ = mixed;
+    lineEdit()->setText(prefix() + textFromValue(value()) + (mixed ? QString() : suffix()));
+}
+
+QString MixedSpinBox::textFromValue(double value) const {
+    return is_mixed_ ? QString("mixed") : QDoubleSpinBox::textFromValue(value);
+}
+
+double MixedSpinBox::valueFromText(const QString& text) const {
+    return text.contains("mixed") ? value() : QDoubleSpinBox::valueFromText(text);
+}
+
+QValidator::State MixedSpinBox::validate(QString& text, int& place) const {
+    return text.contains("mixed") ? QValidator::Acceptable : QDoubleSpinBox::validate(text, place);
+}
+
+ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent)
+    : QWidget(parent), range_(range), label_(new QLabel(name, this)),
+      slider_(new QSlider(Qt::Horizontal, this)), field_(new MixedSpinBox(this)),
+      release_(new QToolButton(this)) {
+    label_->setFixedWidth(label_width(*this));
+    slider_->setRange(0, kSteps);
+    slider_->setAccessibleName(name);
+    field_->setRange(range.low, range.high);
+    field_->setDecimals(range.decimals);
+    field_->setSingleStep((range.high - range.low) / 100);
+    field_->setSuffix(range.unit);
+    field_->setKeyboardTracking(false);
+    field_->setAccessibleName(name);
+    field_->setFixedWidth(fontMetrics().averageCharWidth() * 14);
+    release_->setText("\u21BA"); // back
+    release_->setToolTip("Give it back to the show and the desk");
+    release_->setEnabled(false);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(label_);
+    layout->addWidget(slider_, 1);
+    layout->addWidget(field_);
+    layout->addWidget(release_);
+    connect(slider_, &QSlider::valueChanged, this, [this](int at) {
+        if (!follows_ && on_change) on_change(from_slider(at));
+    });
+    connect(field_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+        if (!follows_ && on_change) on_change(value);
+    });
+    field_->on_typed_over = [this](double value) {
+        if (on_change) on_change(value);
+    };
+    connect(release_, &QToolButton::clicked, this, [this] {
+        if (on_release) on_release();
+    });
+}
+
+int ValueRow::label_width(const QWidget& widget) {
+    return widget.fontMetrics().averageCharWidth() * 14;
+}
+
+int ValueRow::to_slider(double value) const {
+    const double share = range_.by_ratio ? std::log(std::max(value, range_.low) / range_.low) /
+                                               std::log(range_.high / range_.low)
+                                         : (value - range_.low) / (range_.high - range_.low);
+    return static_cast<int>(std::lround(kSteps * std::clamp(share, 0.0, 1.0)));
+}
+
+double ValueRow::from_slider(int at) const {
+    const double share = static_cast<double>(at) / kSteps;
+    return range_.by_ratio ? range_.low * std::pow(range_.high / range_.low, share)
+                           : range_.low + share * (range_.high - range_.low);
+}
+
+void ValueRow::set_reach(double low, double high) {
+    if (low == range_.low && high == range_.high) return;
+    const Following following(follows_);
+    range_.low = low;
+    range_.high = high;
+    field_->setRange(low, high);
+    field_->setSingleStep((high - low) / 100);
+}
+
+void ValueRow::show_value(double value, bool by_hand, bool mixed) {
+    {
+        const Following following(follows_);
+        if (!slider_->isSliderDown()) slider_->setValue(to_slider(value));
+        if (!field_->is_typed_over() && (!field_->hasFocus() || by_hand || !on_release)) {
+            field_->set_mixed(mixed);
+            field_->setValue(value);
+        }
+    }
+    release_->setVisible(on_release != nullptr);
+    release_->setEnabled(by_hand);
+    QPalette colours = palette();
+    if (by_hand) colours.setColor(QPalette::WindowText, accent());
+    label_->setPalette(colours);
+}
+
+} // namespace ghost::ui

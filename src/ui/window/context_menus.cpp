@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/context_menus.h"
+
+#include "ui/picture/overlays.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QMouseEvent>
+
+#include <algorithm>
+
+namespace ghost::ui {
+
+ContextMenus::ContextMenus(Menus& menus, Studio& studio, QWidget* view)
+    : QObject(view), menus_(menus), studio_(studio), view_(view) {
+    view->installEventFilter(this);
+}
+
+void ContextMenus::serve(QWidget* list) {
+    list->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(list, &QWidget::customContextMenuRequested, this, [this, list](const QPoint& at) {
+        auto* const table = qobject_cast<QAbstractItemView*>(list);
+        pop_up(list, (table ? table->viewport() : list)->mapToGlobal(at));
+    });
+}
+
+// The right button also looks around: only where it stayed is a menu meant.
+bool ContextMenus::eventFilter(QObject* object, QEvent* event) {
+    if (object != view_ || !studio_.show()) return false;
+    if (event->type() == QEvent::ContextMenu) {
+        const auto* const asked = static_cast<QContextMenuEvent*>(event);
+        if (asked->reason() != QContextMenuEvent::Keyboard) return false;
+        pop_up(view_, view_->mapToGlobal(view_->rect().center()));
+        return true;
+    }
+    if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseButtonRelease)
+        return false;
+    const auto* const mouse = static_cast<QMouseEvent*>(event);
+    if (mouse->button() != Qt::RightButton) return false;
+    const QPoint at = mouse->position().toPoint();
+    if (event->type() == QEvent::MouseButtonPress) {
+        pressed_ = at;
+        return false;
+    }
+    if ((at - pressed_).manhattanLength() >= QApplication::startDragDistance()) return false;
+    const QPoint on_screen = mouse->globalPosition().toPoint();
+    const Picture& picture = studio_.picture();
+    const auto lamp = fixture_at(picture_rect(view_->size(), picture.camera, picture.framed), picture.camera,
+                                 studio_.rig(), mouse->position());
+    if (lamp && !studio_.selection().contains(*lamp)) studio_.select({*lamp});
+    // After the view has ended its drag.
+    QMetaObject::invokeMethod(
+        this, [this, on_screen] { pop_up(view_, on_screen); }, Qt::QueuedConnection);
+    return false;
+}
+
+void ContextMenus::pop_up(QWidget* over, const QPoint& at) {
+    auto* menu = new QMenu(over);
+    menu->setObjectName("context");
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menus_.fill_for_fixtures(*menu);
+    menu->popup(at);
+}
+
+void add_selection_actions(Actions& actions, Studio& studio) {
+    actions.add(
+        {"select-similar",
+         "Edit",
+         "Select all of this type",
+         "Ctrl+Shift+A",
+         "",
+         [&studio](const QStringList&) -> Result<void> {
+             if (studio.selection().empty()) return Error{"no fixture is selected", ""};
+             const std::vector<scene::PatchedFixture>& fixtures = studio.show()->fixtures;
+             std::set<std::size_t> similar;
+             for (std::size_t i = 0; i < fixtures.size(); ++i)
+                 if (std::any_of(studio.selection().begin(), studio.selection().end(), [&](std::size_t one) {
+                         return fixtures[one].gdtf == fixtures[i].gdtf &&
+                                fixtures[one].type == fixtures[i].type;
+                     }))
+                     similar.insert(i);
+             studio.select(std::move(similar));
+             return {};
+         },
+         {}});
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/menus.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+#include <set>
+
+namespace ghost::ui {
+namespace {
+
+// Order and groups; an action that is not named here stands at the end of its menu.
+constexpr std::pair<const char*, const char*> kMenus[] = {
+    {"Show",
+     "new open @recent import-plot open-demo - save save-as save-copy reload - save-picture screenshot "
+     "panel-export cancel-jobs - take-plot - quit"},
+    {"Edit",
+     "undo redo - select-all select-none select-similar find - release release-all - add-fixture "
+     "duplicate remove unpatch hang aim-through - distribute align-x align-y align-z - set-stage add-model "
+     "add-hazer substitute - take-changes drop-changes take-over"},
+    {"View",
+     "work-light black-out - false-lux false-luminance probe wipe - chips figures frame names addresses aims "
+     "marks - full-screen second-display second-window"},
+    {"Camera",
+     "camera-1 camera-2 camera-3 camera-4 camera-5 camera-6 camera-7 camera-8 camera-9 - keep-camera "
+     "focus see-all - brighter darker auto-exposure tone tone-agx tone-aces tone-linear - baked"},
+    {"Play", "play to-start freeze - cue-go cue-back cue-follow - look-next look-before solo - "
+             "input-automatic input-desk "
+             "input-recording - record play-recorded play-file play-own"},
+    {"Quality",
+     "fps-15 fps-25 fps-30 fps-44 fps-60 - resolution-0 resolution-100 resolution-50 resolution-25 "
+     "resolution-10"},
+    {"Panels", ""},
+    {"Help", "shortcuts documentation - about"},
+};
+
+const std::set<QString> kNeedNothing{
+    "new",           "open",  "import-plot", "open-demo", "quit",           "screenshot",   "shortcuts",
+    "documentation", "about", "full-screen", "chips",     "figures",        "frame",        "names",
+    "addresses",     "aims",  "marks",       "find",      "second-display", "second-window"};
+const std::set<QString> kNeedSelection{"select-none", "select-similar", "duplicate",  "remove",
+                                       "unpatch",     "hang",           "distribute", "align-x",
+                                       "align-y",     "align-z",        "focus",      "aim-through"};
+const std::set<QString> kNeedEditable{"add-fixture", "duplicate", "remove",      "unpatch", "hang",
+                                      "distribute",  "align-x",   "align-y",     "align-z", "set-stage",
+                                      "add-model",   "add-hazer", "keep-camera", "save",    "substitute"};
+
+} // namespace
+
+Menus::Menus(Actions& actions, Studio& studio, ShowDocument& document, RecentShows& recent)
+    : actions_(actions), studio_(studio), document_(document), recent_(recent) {}
+
+void Menus::fill(QMenuBar& bar) {
+    for (const auto& [title, names] : kMenus) {
+        QMenu* menu = bar.addMenu(title);
+        add(*menu, names);
+        // Panels, and what nobody has put in its place; quit stays the last, as everywhere.
+        const bool ends_with_quit = QString(names).endsWith("quit");
+        bool parted = menu->isEmpty();
+        for (const Action& action : actions_.all()) {
+            QAction* const item = actions_.item(action.name);
+            if (action.menu != title || menu->actions().contains(item)) continue;
+            if (!parted && !ends_with_quit) menu->addSeparator();
+            parted = true;
+            menu->insertAction(ends_with_quit ? menu->actions().last() : nullptr, item);
+        }
+        grey(*menu);
+    }
+}
+
+void Menus::add(QMenu& menu, const QString& names) {
+    for (const QString& name : names.split(' ', Qt::SkipEmptyParts)) {
+        if (name == "-")
+            menu.addSeparator();
+        else if (name == "@recent")
+            add_recent(*menu.addMenu("Open recent"));
+        else if (QAction* const item = actions_.item(name))
+            menu.addAction(item);
+    }
+}
+
+void Menus::add_recent(QMenu& menu) {
+    const auto refill = [this, &menu] {
+        menu.clear();
+        for (const RecentShows::One& one : recent_.all()) {
+            const QString folder = QFileInfo(one.path).path();
+            connect(menu.addAction(one.name + "    " + folder), &QAction::triggered, this,
+                    [this, path = one.path] { actions_.choose("open \"" + path + "\""); });
+        }
+        menu.menuAction()->setEnabled(!recent_.all().empty());
+    };
+    connect(&recent_, &RecentShows::changed, &menu, refill);
+    refill();
+}
+
+void Menus::fill_for_fixtures(QMenu& menu) {
+    if (studio_.selection().empty())
+        add(menu, "select-all find - see-all keep-camera work-light - add-fixture add-model");
+    else
+        add(menu, "select-similar select-none - focus solo aim-through - release panel-hand panel-values - "
+                  "hang duplicate "
+                  "unpatch remove - substitute");
+    grey(menu);
+}
+
+// An item that is grey has no key, so they are grey only while they are looked at.
+void Menus::grey(QMenu& menu) {
+    connect(&menu, &QMenu::aboutToShow, this, [this, &menu] {
+        for (const Action& action : actions_.all())
+            if (QAction* const item = actions_.item(action.name); menu.actions().contains(item))
+                item->setEnabled(can(action.name));
+    });
+    connect(&menu, &QMenu::aboutToHide, this, [&menu] {
+        for (QAction* const item : menu.actions())
+            if (!item->menu()) item->setEnabled(true);
+    });
+}
+
+bool Menus::can(const QString& name) const {
+    if (name.startsWith("panel-") || kNeedNothing.contains(name)) return true;
+    if (name == "take-plot") return studio_.plot().number > 0;
+    if (name == "cancel-jobs") return studio_.jobs().is_busy();
+    if (!studio_.show()) return false;
+    if (name == "undo") return studio_.undo_stack().canUndo();
+    if (name == "redo") return studio_.undo_stack().canRedo();
+    if (name == "take-changes" || name == "drop-changes") return document_.has_draft();
+    if (name == "take-over") return document_.is_read_only();
+    if (name == "save-picture") return studio_.picture().image != nullptr;
+    if (name == "release")
+        return std::any_of(studio_.selection().begin(), studio_.selection().end(),
+                           [&](std::size_t one) { return studio_.look().fixtures.contains(one); });
+    if (name == "release-all") return !studio_.look().is_empty();
+    if (name == "solo") return !studio_.selection().empty() || !studio_.look().solo.empty();
+    if (name == "play-recorded") return !studio_.recorded().file.empty() && !studio_.recorded().error;
+    if (kNeedSelection.contains(name) && studio_.selection().empty()) return false;
+    return !kNeedEditable.contains(name) || document_.check_editable().ok();
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,36 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Menus: the table of actions as menus: those of one kind together, and what cannot be done now is grey while
+// a menu is open. Keys and scripts still run it, and hear why it cannot be done. Window thread.
+
+#include "ui/actions/actions.h"
+#include "ui/model/recent_shows.h"
+#include "ui/model/show_document.h"
+
+#include <QMenu>
+#include <QMenuBar>
+
+namespace ghost::ui {
+
+class Menus : public QObject {
+    Q_OBJECT
+public:
+    Menus(Actions& actions, Studio& studio, ShowDocument& document, RecentShows& recent);
+    void fill(QMenuBar& bar);
+    // What the right button brings up over the picture and over the list of fixtures.
+    void fill_for_fixtures(QMenu& menu);
+
+private:
+    // "-" is a line between groups, "@recent" the shows of the last time.
+    void add(QMenu& menu, const QString& names);
+    void add_recent(QMenu& menu);
+    void grey(QMenu& menu);
+    bool can(const QString& name) const;
+
+    Actions& actions_;
+    Studio& studio_;
+    ShowDocument& document_;
+    RecentShows& recent_;
+};
+
+} // namespace ghost::ui

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/private/notice_bar.h"
+
+#include "ui/model/fixture_groups.h"
+#include "ui/model/shortened.h"
+
+#include <QFileInfo>
+#include <QLabel>
+#include <QRegularExpression>
+
+#include <utility>
+
+namespace ghost::ui {
+
+NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, Studio& studio, QWidget* parent)
+    : QToolBar("Notice", parent), actions_(actions), document_(document), studio_(studio) {
+    connect(&studio_, &Studio::messages_came, this, &NoticeBar::look_at_messages);
+    setObjectName("notice");
+    setMovable(false);
+    toggleViewAction()->setVisible(false);
+    hide();
+    connect(&document_, &ShowDocument::draft_found, this, [this](const QString& words) {
+        ask(words, {{"Take them", "take-changes"}, {"Drop them", "drop-changes"}});
+    });
+    connect(&document_, &ShowDocument::found_changed_outside, this, [this](const QString& words) {
+        ask(words, {{"Take what the file says", "reload"}, {"Save mine over it", "save over"}});
+    });
+    connect(&document_, &ShowDocument::found_gone, this, [this](const QString& words) {
+        ask(words, {{"Save it there again", "save"}, {"Save a copy elsewhere...", "save-copy"}});
+    });
+    connect(&document_, &ShowDocument::found_held, this, [this](const QString& words) {
+        ask(words, {{"Take it over", "take-over"}});
+    });
+    connect(&document_, &ShowDocument::save_failed, this, [this](const QString& words) {
+        ask(words, {{"Try again", "save"}, {"Save a copy elsewhere...", "save-copy"}});
+    });
+    connect(&document_, &ShowDocument::keep_failed, this, [this](const QString& words) {
+        ask(words, {{"Save a copy elsewhere...", "save-copy"}, {"Close and lose them", "quit anyway"}});
+    });
+    connect(&document_, &ShowDocument::changed, this, [this] {
+        if (!document_.waits_for_answer() && !says_not_opened_) hide();
+    });
+    connect(&studio_, &Studio::not_opened, this, &NoticeBar::say_not_opened);
+    connect(&studio_, &Studio::opened_show, this, [this] {
+        if (studio_.opened().is_edit) return;
+        if (std::exchange(says_not_opened_, false) && !document_.waits_for_answer()) hide();
+        say_without_optics();
+    });
+}
+
+void NoticeBar::say_without_optics() {
+    if (isVisible() || !document_.check_editable().ok()) return;
+    std::size_t heads = 0;
+    for (const FixtureGroup& group : without_optics(*studio_.show())) heads += group.fixtures.size();
+    if (heads > 0)
+        ask(QString("%1 %2 no optics in %3: what is seen of their light is assumed.")
+                .arg(heads)
+                .arg(heads == 1 ? "head has" : "heads have", heads == 1 ? "its file" : "their files"),
+            {{"Substitute...", "substitute"}, {"All messages", "panel-messages on"}, {"Close", ""}});
+}
+
+void NoticeBar::say_not_opened() {
+    const Error& error = *studio_.open_error();
+    static const QRegularExpression kLine("(:\\d+)+$"); // "show.toml:12"
+    const QString file = QString::fromStdString(error.where).remove(kLine);
+    std::vector<std::pair<QString, QString>> buttons;
+    if (QFileInfo(file).isFile()) buttons.emplace_back("Open the file", "open-outside \"" + file + "\"");
+    buttons.emplace_back("Close", "");
+    const QString stays = studio_.show() ? " What was open stays open." : "";
+    ask("Not opened: " + shortened(QString::fromStdString(error.text()), 120) + "." + stays, buttons,
+        Kind::fault);
+    says_not_opened_ = true;
+}
+
+void NoticeBar::look_at_messages() {
+    std::set<std::string> errors;
+    QStringList anew;
+    for (const Message& message : studio_.messages()) {
+        if (message.severity != Severity::error) continue;
+        if (errors.insert(message.what).second && !errors_.contains(message.what))
+            anew << QString::fromStdString(message.where + ": " + message.what);
+    }
+    errors_ = std::move(errors);
+    if (!studio_.opened().is_edit || anew.isEmpty()) return;
+    const QString more = anew.size() == 1 ? QString() : QString(" (and %1 more)").arg(anew.size() - 1);
+    ask("Since this edit: " + anew.front() + more, {{"Undo", "undo"}, {"All messages", "panel-messages on"}});
+}
+
+void NoticeBar::ask(const QString& words, const std::vector<std::pair<QString, QString>>& buttons_and_lines,
+                    Kind kind) {
+    clear();
+    words_ = words;
+    says_not_opened_ = false;
+    setStyleSheet(kind == Kind::fault ? "QToolBar { background: #6e2119; }" : "");
+    auto* label = new QLabel(words, this);
+    label->setContentsMargins(8, 0, 8, 0);
+    label->setWordWrap(true);
+    label->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    addWidget(label);
+    for (const auto& [text, line] : buttons_and_lines)
+        connect(addAction(text), &QAction::triggered, this, [this, line = line] {
+            if (line.isEmpty()) {
+                says_not_opened_ = false;
+                hide();
+            } else {
+                actions_.choose(line);
+            }
+        });
+    show();
+}
+
+} // namespace ghost::ui

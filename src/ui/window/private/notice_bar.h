@@ -1,0 +1,40 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// NoticeBar: a line over the picture that says what waits for a decision about the show file, or that a show
+// could not be opened (red), with a button for each way. Nobody has to answer it. Window thread.
+
+#include "ui/actions/actions.h"
+#include "ui/model/show_document.h"
+
+#include <QToolBar>
+
+#include <set>
+#include <string>
+
+namespace ghost::ui {
+
+class NoticeBar : public QToolBar {
+    Q_OBJECT
+public:
+    NoticeBar(Actions& actions, ShowDocument& document, Studio& studio, QWidget* parent);
+    QString words() const { return isVisible() ? words_ : QString(); }
+
+private:
+    // Errors that an edit brought with it, as a stage that cannot be read.
+    void look_at_messages();
+    enum class Kind { question, fault };
+    // A line of a script for each button; empty: it puts the line away.
+    void ask(const QString& words, const std::vector<std::pair<QString, QString>>& buttons_and_lines,
+             Kind kind = Kind::question);
+    void say_not_opened();
+    void say_without_optics();
+
+    Actions& actions_;
+    ShowDocument& document_;
+    Studio& studio_;
+    QString words_;
+    bool says_not_opened_ = false;
+    std::set<std::string> errors_; // of the show that was open, without their lines, which move
+};
+
+} // namespace ghost::ui

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/private/state_json.h"
+
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace ghost::ui {
+namespace {
+
+QJsonArray array_of(const glm::vec3& values) {
+    return {static_cast<double>(values.x), static_cast<double>(values.y), static_cast<double>(values.z)};
+}
+
+template <class T>
+void put(QJsonObject& object, const char* key, const std::optional<T>& value) {
+    if (!value) return;
+    if constexpr (std::is_same_v<T, glm::vec3>)
+        object[key] = array_of(*value);
+    else if constexpr (std::is_same_v<T, float>)
+        object[key] = static_cast<double>(*value);
+    else
+        object[key] = *value;
+}
+
+QJsonObject camera_json(const scene::Camera& camera) {
+    return {{"name", QString::fromStdString(camera.name)},
+            {"position_m", array_of(camera.position_m)},
+            {"target_m", array_of(camera.target_m)},
+            {"fov_y_deg", static_cast<double>(camera.fov_y_deg)},
+            {"ev100", static_cast<double>(camera.ev100)},
+            {"auto_exposure", camera.auto_exposure},
+            {"width", camera.width},
+            {"height", camera.height}};
+}
+
+QJsonObject look_json(const Look& look, const scene::Show& show) {
+    QJsonObject fixtures;
+    for (const auto& [index, manual] : look.fixtures) {
+        if (index >= show.fixtures.size()) continue; // of an edit that is not open yet
+        QJsonObject one;
+        put(one, "intensity", manual.intensity);
+        put(one, "colour", manual.colour);
+        put(one, "zoom_deg", manual.zoom_deg);
+        put(one, "pan_deg", manual.pan_deg);
+        put(one, "tilt_deg", manual.tilt_deg);
+        put(one, "gobo", manual.gobo);
+        put(one, "gel", manual.gel);
+        put(one, "lamp", manual.lamp);
+        put(one, "lamp_k", manual.lamp_k);
+        if (!manual.levels.empty()) one["levels"] = static_cast<int>(manual.levels.size());
+        QJsonObject channels;
+        for (const auto& [name, share] : manual.channels)
+            channels[QString::fromStdString(name)] = static_cast<double>(share);
+        if (!channels.isEmpty()) one["channels"] = channels;
+        fixtures[QString::fromStdString(show.fixtures[index].name)] = one;
+    }
+    QJsonObject scene;
+    put(scene, "smoke", look.scene.smoke);
+    put(scene, "ambient_lux", look.scene.ambient_lux);
+    put(scene, "ambient_colour", look.scene.ambient_colour);
+    put(scene, "attenuation", look.scene.attenuation);
+    put(scene, "shadows", look.scene.shadows);
+    QJsonArray solo;
+    for (const std::size_t index : look.solo)
+        if (index < show.fixtures.size()) solo.append(QString::fromStdString(show.fixtures[index].name));
+    return {{"fixtures", fixtures},
+            {"scene", scene},
+            {"solo", solo},
+            {"objects", static_cast<int>(look.shown.size())},
+            {"surfaces", static_cast<int>(look.surfaces.size())}};
+}
+
+} // namespace
+
+QJsonObject latency_json(const dmx::Latency& latency) {
+    return {{"count", static_cast<qint64>(latency.count())},
+            {"p50", latency.percentile_ms(0.5)},
+            {"p99", latency.percentile_ms(0.99)},
+            {"max", latency.max_ms()}};
+}
+
+QJsonObject state_json(const Studio& studio, const View& view) {
+    if (!studio.show()) return {{"show", QJsonValue()}};
+    const scene::Show& show = *studio.show();
+    QJsonArray selection;
+    for (const std::size_t index : studio.selection())
+        if (index < show.fixtures.size()) selection.append(QString::fromStdString(show.fixtures[index].name));
+    const Picture& picture = studio.picture();
+    const QPoint corner = view.mapToGlobal(QPoint(0, 0));
+    QJsonObject patch;
+    for (const scene::PatchedFixture& fixture : show.fixtures)
+        patch[QString::fromStdString(fixture.name)] =
+            QJsonObject{{"universe", fixture.universe},
+                        {"address", fixture.address},
+                        {"position_m", array_of(fixture.position_m)}};
+    QJsonObject lamps;
+    for (std::size_t i = 0; i < std::min(studio.rig().fixtures.size(), show.fixtures.size()); ++i)
+        if (const auto at = to_widget(picture_rect(view.size(), picture.camera, picture.framed),
+                                      picture.camera, studio.rig().fixtures[i].light_m))
+            lamps[QString::fromStdString(show.fixtures[i].name)] = QJsonArray{at->x(), at->y()};
+    const QRectF frame = frame_rect(view.size(), studio.wishes().frame); // in the view
+    QJsonArray universes;
+    for (const dmx::Universe& universe : studio.rig().universes.list) universes.append(universe.number);
+    const QJsonObject of_picture{{"camera", camera_json(picture.camera)},
+                                 {"draw_ms", picture.draw_ms},
+                                 {"coarse", picture.is_coarse},
+                                 {"lights_drawn", picture.lights_drawn},
+                                 {"missing_maps", static_cast<int>(picture.missing_maps)},
+                                 {"paint_ms", view.paint_ms()},
+                                 {"pictures_per_s", view.figures().pictures_per_s()},
+                                 {"baked", picture.is_baked},
+                                 {"work_light", picture.has_work_light},
+                                 {"supply", QString::fromStdString(picture.supply)},
+                                 {"false_colour", static_cast<int>(picture.false_colour.measure)},
+                                 {"latency_ms", view.figures().latency_ms()}};
+    QJsonObject probe;
+    if (const std::optional<Probed>& probed = studio.probed();
+        probed && studio.wishes().probe == probed->place)
+        probe = {{"cd_m2", static_cast<double>(probed->cd_m2)},
+                 {"lux", probed->hit ? QJsonValue(static_cast<double>(probed->lux)) : QJsonValue()},
+                 {"at_m", array_of(probed->at_m)},
+                 {"object", QString::fromStdString(probed->object)}};
+    QJsonArray diagnosis;
+    for (const scene::Sentence& sentence : studio.diagnosis())
+        diagnosis.append(QJsonObject{{"trouble", scene::trouble_name(sentence.trouble)},
+                                     {"problem", sentence.is_problem},
+                                     {"text", QString::fromStdString(sentence.text)}});
+    return {{"show", QString::fromStdString(show.file.string())},
+            {"device", QString::fromStdString(studio.opened().device)},
+            {"camera", camera_json(studio.camera())},
+            {"fixtures", static_cast<int>(show.fixtures.size())},
+            {"received_plot", QString::fromStdString(studio.plot().file)},
+            {"selection", selection},
+            {"by_hand", look_json(studio.look(), show)},
+            {"fades", studio.fades()},
+            {"black_out", studio.wishes().black_out},
+            {"tone", QString::fromStdString(image::name_of(studio.wishes().tone))},
+            {"master", static_cast<double>(studio.wishes().master)},
+            {"playing", studio.wishes().transport.playing},
+            {"at_s", studio.rig().at_s},
+            {"recording_s", studio.rig().recording_s},
+            {"recorded_s", studio.rig().recorded_s},
+            {"recorded", QString::fromStdString(studio.recorded().file)},
+            {"from_desk", studio.rig().from_desk},
+            {"universes", universes},
+            {"view", QJsonArray{corner.x(), corner.y(), view.width(), view.height()}},
+            {"frame", QJsonArray{frame.x(), frame.y(), frame.width(), frame.height()}},
+            {"lamps", lamps},
+            {"patch", patch},
+            {"messages", static_cast<int>(studio.messages().size())},
+            {"picture", of_picture},
+            {"probe", probe},
+            {"saved", static_cast<qint64>(studio.saved())},
+            {"packet_to_window_ms", latency_json(studio.latency())},
+            {"window_ms", latency_json(studio.window_cost())},
+            {"draws_ms", latency_json(view.figures().draws())},
+            {"network", diagnosis}};
+}
+
+} // namespace ghost::ui

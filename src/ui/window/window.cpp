@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/window.h"
+
+#include "ui/actions/aiming.h"
+#include "ui/actions/export_actions.h"
+#include "ui/actions/hand.h"
+#include "ui/actions/hang_edit.h"
+#include "ui/actions/look_actions.h"
+#include "ui/actions/patch_actions.h"
+#include "ui/actions/patch_edit.h"
+#include "ui/actions/show_actions.h"
+#include "ui/actions/tone_actions.h"
+#include "ui/model/shortened.h"
+#include "ui/panels/air_panel.h"
+#include "ui/panels/cue_panel.h"
+#include "ui/panels/export_panel.h"
+#include "ui/panels/fixture_panel.h"
+#include "ui/panels/hand_panel.h"
+#include "ui/panels/look_panel.h"
+#include "ui/panels/message_panel.h"
+#include "ui/panels/network_panel.h"
+#include "ui/panels/scene_panel.h"
+#include "ui/panels/transport_panel.h"
+#include "ui/panels/value_panel.h"
+#include "ui/picture/view_bar.h"
+#include "ui/widgets/focus_guide.h"
+#include "ui/widgets/wheel_guard.h"
+#include "ui/window/private/meter_actions.h"
+#include "ui/window/private/notice_bar.h"
+#include "ui/window/private/welcome.h"
+#include "ui/window/substitute.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QScreen>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStatusBar>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kLayoutVersion = 3;        // another number: a layout of an older program is not taken
+constexpr int kTwoColumnsFrom_px = 2200; // of the window; a narrower one has all panels at its left
+constexpr double kDemoBegins_s = 55;     // its first eight seconds are dark
+
+} // namespace
+
+Window::Window(Link& link, const WindowOptions& options)
+    : options_(options), studio_(link), document_(studio_), looks_(studio_),
+      cues_(studio_, document_, looks_), exporter_(studio_, document_), second_(studio_), actions_(*this),
+      view_(new View(studio_, this)), recent_(studio_, options.remembers),
+      menus_(actions_, studio_, document_, recent_), toast_(new Toast(view_)),
+      status_input_(new QLabel(this)), status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)),
+      status_device_(new QLabel(this)) {
+    setWindowTitle("Ghostlight");
+    setAcceptDrops(true);
+    qApp->installEventFilter(new WheelGuard(this));
+    setDockNestingEnabled(true);
+    setCentralWidget(view_);
+    statusBar()->addWidget(status_input_, 1);
+    statusBar()->addPermanentWidget(status_jobs_);
+    statusBar()->addPermanentWidget(status_supply_);
+    statusBar()->addPermanentWidget(status_device_);
+    actions_.complain = [this](const Error& error) { say(QString::fromStdString(error.text()), 8000); };
+    cues_.complain = actions_.complain;
+    add_panels();
+    add_window_actions();
+    add_view_switches();
+    add_meter_actions(actions_, studio_, *view_);
+    add_hand_actions(actions_, studio_);
+    add_camera_actions(actions_, studio_);
+    add_tone_actions(actions_, studio_);
+    add_play_actions(actions_, studio_);
+    add_look_actions(actions_, studio_, looks_);
+    add_cue_actions(actions_, cues_);
+    add_export_actions(actions_, studio_, exporter_);
+    add_patch_actions(actions_, studio_, document_);
+    add_hang_action(actions_, studio_, document_);
+    auto* aiming = new Aiming(studio_, actions_, this);
+    add_aim_actions(actions_, studio_, *aiming);
+    view_->on_aim = [this, aiming](const glm::vec2& place) {
+        if (const auto done = aiming->aim_through(place); !done.ok()) actions_.complain(done.error());
+    };
+    view_->on_move = [this](const glm::vec3& by_m) {
+        if (const auto done = PatchEdit(studio_, document_).move_by(by_m); !done.ok())
+            actions_.complain(done.error());
+    };
+    add_air_actions(actions_, studio_, document_);
+    add_document_actions(actions_, document_);
+    add_show_actions(actions_, studio_, document_, options_.docs, *this);
+    add_selection_actions(actions_, studio_);
+    add_substitute_action(actions_, studio_, document_, options_.fixtures, *this);
+    new FocusGuide(view_);
+    menus_.fill(*menuBar());
+    menuBar()->setCornerWidget(new ViewBar(studio_, actions_, menuBar()), Qt::TopRightCorner);
+    auto* context_menus = new ContextMenus(menus_, studio_, view_);
+    context_menus->serve(fixtures_->table());
+    actions_.on_done = [this](const Action& action) { say_done(action); };
+    connect(&studio_, &Studio::look_changed, this, &Window::say_hand_taken);
+    transport_ = new QToolBar("Transport", this);
+    transport_->setObjectName("transport");
+    transport_->setMovable(false);
+    transport_->addWidget(new TransportPanel(studio_, actions_, transport_));
+    addToolBar(Qt::BottomToolBarArea, transport_);
+    notice_ = new NoticeBar(actions_, document_, studio_, this);
+    addToolBar(Qt::TopToolBarArea, notice_);
+    fixtures_->model().complain = actions_.complain;
+    connect(&document_, &ShowDocument::changed, this, [this] { setWindowModified(document_.is_changed()); });
+    connect(&studio_, &Studio::opened_show, this, &Window::name_cameras);
+    connect(&studio_, &Studio::opened_show, this, [this] {
+        setWindowTitle(QString::fromStdString(studio_.show()->name.empty() ? studio_.show()->file.string()
+                                                                           : studio_.show()->name) +
+                       "[*] - Ghostlight");
+        if (studio_.opened().is_edit) return;
+        end_waiting();
+        begin_where_there_is_light();
+        view_->setFocus();
+        if (!options_.remembers || !QSettings().contains("layout version"))
+            say(QString("Press ? for all keys.") +
+                    (options_.takes_desk && studio_.wishes().input == Input::automatic
+                         ? " A desk that sends sACN or Art-Net takes over by itself."
+                         : ""),
+                20000);
+    });
+    connect(&studio_, &Studio::failed, this, [this](const QString& what) { say(what, 15000); });
+    connect(&studio_, &Studio::plot_came, this, [this] {
+        const ReceivedPlot& plot = studio_.plot();
+        say(QString::fromStdString(plot.from + " sent a plot (" +
+                                   (plot.comment.empty() ? plot.file : plot.comment) +
+                                   "): Show, Take the received plot, Ctrl+T"));
+    });
+    connect(&studio_, &Studio::wishes_changed, this, [this] { actions_.refresh(); });
+    connect(&studio_, &Studio::rig_came, this, &Window::show_status);
+    connect(&studio_, &Studio::picture_came, this, [this] {
+        const QString supply = QString::fromStdString(studio_.picture().supply);
+        if (supply != status_supply_->text()) status_supply_->setText(supply);
+    });
+    connect(&studio_, &Studio::picture_saved, this, [this](const QString& error) {
+        say(error.isEmpty() ? QString("The picture is saved") : error, 8000);
+    });
+    connect(&studio_, &Studio::recording_ended, this, [this] {
+        const Recorded& recorded = studio_.recorded();
+        say(recorded.error ? QString::fromStdString(recorded.error->text())
+                           : QString("Recorded %1 s to %2: Play, Play what was recorded last")
+                                 .arg(recorded.seconds, 0, 'f', 1)
+                                 .arg(QString::fromStdString(recorded.file)),
+            20000);
+        actions_.refresh();
+    });
+    connect(&second_, &SecondDisplay::changed, this, [this](const QString& what) {
+        if (!what.isEmpty()) say(what, 15000);
+        actions_.refresh();
+    });
+    connect(&reach_, &Reach::moved, this, [this](const QString& what) { say(what, 15000); });
+    connect(&studio_.jobs(), &Jobs::changed, this, &Window::show_jobs);
+    connect(&studio_.jobs(), &Jobs::ended, this, [this](const Job& job) {
+        QString words = job.title + ": " + state_name(job.state);
+        if (job.state == Job::State::failed) words += ". " + job.last_said;
+        say(words, 15000);
+    });
+    const QSize room = screen()->availableSize();
+    resize(room.isEmpty() ? QSize(1280, 760) : room);
+    if (options_.width == 0) setWindowState(Qt::WindowMaximized);
+    QSettings settings;
+    if (const auto tone = image::tone_from(settings.value("tone").toString().toStdString());
+        options_.remembers && tone.ok())
+        studio_.wish([&](Wishes& wishes) { wishes.tone = *tone; });
+    if (options_.remembers && settings.value("layout version").toInt() == kLayoutVersion) {
+        restoreGeometry(settings.value("geometry").toByteArray());
+        restoreState(settings.value("docks").toByteArray(), kLayoutVersion);
+        if (options_.width > 0) resize(options_.width, options_.height);
+    } else {
+        if (options_.width > 0) resize(options_.width, options_.height);
+        const QSize asked = size();
+        lay_out();
+        layout()->activate();
+        resize(asked); // while panels changed places they needed more
+    }
+    new Welcome(actions_, studio_, recent_, !options_.demo.empty(), view_);
+    if (options_.show.empty()) wait_for_show();
+    actions_.refresh();
+}
+
+// Qt closes a window that goes, and its panels would speak to what went before them.
+Window::~Window() {
+    for (QDockWidget* const panel : findChildren<QDockWidget*>()) {
+        panel->disconnect(this);
+        delete panel;
+    }
+    delete takeCentralWidget();
+}
+
+QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidget* panel,
+                               Qt::DockWidgetArea area) {
+    auto* dock = new QDockWidget(title, this);
+    dock->setObjectName(name); // the layout is remembered by it
+    // One that is tall or wide must not make the window so.
+    auto* scrolls = new QScrollArea(dock);
+    scrolls->setFrameShape(QFrame::NoFrame);
+    scrolls->setWidgetResizable(true);
+    scrolls->setFocusPolicy(Qt::NoFocus);
+    scrolls->setWidget(panel);
+    dock->setWidget(scrolls);
+    addDockWidget(area, dock);
+    docks_.push_back(dock);
+    const QString key = docks_.size() <= 9 ? QString("Ctrl+%1").arg(docks_.size()) : QString();
+    actions_.add({"panel-" + name, "Panels", title, key, "[on|off]",
+                  [dock](const QStringList& words) -> Result<void> {
+                      // One that lies behind another's tab counts as visible, but nobody sees it.
+                      const bool is_seen = dock->isVisible() && !dock->visibleRegion().isEmpty();
+                      dock->setVisible(words.isEmpty() ? !is_seen : words[0] == "on");
+                      if (dock->isVisible()) dock->raise();
+                      return {};
+                  },
+                  [dock] { return dock->isVisible(); }});
+    connect(dock, &QDockWidget::visibilityChanged, this, [this] { actions_.refresh(); });
+    return dock;
+}
+
+void Window::add_panels() {
+    setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    fixtures_ = new FixturePanel(studio_, document_, this);
+    add_panel("fixtures", "Fixtures", fixtures_, Qt::LeftDockWidgetArea);
+    QDockWidget* values =
+        add_panel("values", "Values", new ValuePanel(studio_, this), Qt::RightDockWidgetArea);
+    QDockWidget* hand = add_panel("hand", "By hand", new HandPanel(studio_, this), Qt::RightDockWidgetArea);
+    auto* scene_panel = new ScenePanel(studio_, this);
+    QDockWidget* scene = add_panel("scene", "Scene", scene_panel, Qt::RightDockWidgetArea);
+    tabifyDockWidget(values, hand);
+    tabifyDockWidget(hand, scene);
+    hand->raise();
+    QDockWidget* network =
+        add_panel("network", "Network", new NetworkPanel(studio_, this), Qt::BottomDockWidgetArea);
+    QDockWidget* messages =
+        add_panel("messages", "Messages", new MessagePanel(studio_, this), Qt::BottomDockWidgetArea);
+    tabifyDockWidget(network, messages);
+    // Behind the others, whose keys people know.
+    QDockWidget* looks =
+        add_panel("looks", "Looks", new LookPanel(studio_, looks_, actions_, this), Qt::RightDockWidgetArea);
+    tabifyDockWidget(scene, looks);
+    QDockWidget* exports =
+        add_panel("export", "Export", new ExportPanel(studio_, actions_, this), Qt::RightDockWidgetArea);
+    tabifyDockWidget(looks, exports);
+    auto* air_panel = new AirPanel(studio_, document_, actions_, this);
+    air_panel->complain = actions_.complain;
+    QDockWidget* air = add_panel("air", "Air", air_panel, Qt::RightDockWidgetArea);
+    tabifyDockWidget(exports, air);
+    connect(scene_panel, &ScenePanel::asks_for_air, air, [air] {
+        air->show();
+        air->raise();
+    });
+    connect(scene_panel, &ScenePanel::asks_to_hang, this, [this](std::size_t object) {
+        if (const Result<void> done = hang_under(studio_, document_, object); !done.ok())
+            actions_.complain(done.error());
+    });
+    QDockWidget* cues = add_panel("cues", "Cues", new CuePanel(studio_, cues_, looks_, actions_, this),
+                                  Qt::RightDockWidgetArea);
+    tabifyDockWidget(looks, cues);
+    exports->hide();
+    air->hide();
+    cues->hide();
+    hand->raise();
+    network->hide();
+    messages->hide();
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+}
+
+// The picture first: of a window of 1366x768, 1920x1080 and 2560x1440 it has 60, 70 and 75 %.
+void Window::lay_out() {
+    const int column_px = std::clamp(width() * 22 / 100, 240, 330);
+    QDockWidget* const list = docks_.front();
+    const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
+    if (width() < kTwoColumnsFrom_px) {
+        splitDockWidget(list, dock("values"), Qt::Vertical);
+        for (const char* const name : {"hand", "scene", "looks", "cues", "export", "air"})
+            tabifyDockWidget(dock("values"), dock(name));
+        dock("hand")->raise();
+        resizeDocks({list}, {column_px}, Qt::Horizontal);
+        resizeDocks({list, dock("hand")}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
+    } else {
+        resizeDocks({list, dock("hand")}, {240, 260}, Qt::Horizontal);
+    }
+}
+
+// Panels round a picture that is not there help nobody.
+void Window::wait_for_show() {
+    for (QDockWidget* const one : docks_) {
+        if (one->isHidden()) continue;
+        docks_waiting_.push_back(one);
+        one->hide();
+    }
+    transport_->hide();
+}
+
+void Window::end_waiting() {
+    for (QDockWidget* const one : docks_waiting_) one->show();
+    for (QDockWidget* const one : docks_waiting_)
+        if (one->objectName() == "hand") one->raise();
+    docks_waiting_.clear();
+    if (!isFullScreen()) transport_->show();
+}
+
+void Window::begin_where_there_is_light() {
+    std::error_code code;
+    if (!studio_.opened().again && !options_.demo.empty() &&
+        std::filesystem::equivalent(studio_.show()->folder, options_.demo, code))
+        studio_.wish([](Wishes& wishes) {
+            ++wishes.transport.seeks;
+            wishes.transport.at_s = kDemoBegins_s;
+        });
+}
+
+// What else would show nothing.
+void Window::say_done(const Action& action) {
+    static const std::set<QString> kSays{"keep-camera", "hang",       "duplicate",   "remove",
+                                         "unpatch",     "distribute", "add-fixture", "add-model",
+                                         "set-stage",   "substitute"};
+    if (action.name == "save")
+        toast_->say("Saved: " + QString::fromStdString(studio_.show()->file.filename().string()));
+    else if (kSays.contains(action.name))
+        toast_->say(studio_.undo_stack().undoText(), [this] { actions_.choose("undo"); });
+}
+
+void Window::say_hand_taken() {
+    const std::size_t count = studio_.look().fixtures.size();
+    const bool has_hand = count > 0;
+    if (has_hand && !had_hand_ && !studio_.fades())
+        toast_->say(QString("By hand now: %1. R gives back what is selected, Shift+R all")
+                        .arg(words_of(studio_.look())),
+                    [this] { actions_.choose("undo"); });
+    had_hand_ = has_hand;
+}
+
+void Window::name_cameras() {
+    const std::vector<scene::Camera>& cameras = studio_.show()->cameras;
+    for (std::size_t number = 1; number <= 9; ++number) {
+        QAction* item = actions_.item(QString("camera-%1").arg(number));
+        item->setVisible(number <= cameras.size());
+        if (number <= cameras.size()) item->setText(QString::fromStdString(cameras[number - 1].name));
+    }
+    status_device_->setText(QString::fromStdString(studio_.opened().device));
+}
+
+void Window::show_status() {
+    const RigNow& rig = studio_.rig();
+    const bool listens = options_.takes_desk;
+    QString text;
+    if (rig.from_desk)
+        text = rig.universes.list.empty()
+                   ? QString(listens ? "Listening for a desk: nothing has come yet"
+                                     : "No input: started with --no-desk")
+                   : QString("A desk: %1 %2")
+                         .arg(rig.universes.list.size())
+                         .arg(rig.universes.list.size() == 1 ? "universe" : "universes");
+    else if (rig.recording_s <= 0)
+        text = studio_.wishes().input == Input::recording
+                   ? "No recording: the show has none; a desk is not taken (Play menu)"
+               : listens ? "No recording; a desk that sends sACN or Art-Net takes over by itself"
+                         : "No recording, and no desk: started with --no-desk";
+    else
+        text = QString("Recording, %1 of %2 s").arg(rig.at_s, 0, 'f', 1).arg(rig.recording_s, 0, 'f', 1);
+    if (rig.recorded_s >= 0) text += QString("; RECORDING, %1 s").arg(rig.recorded_s, 0, 'f', 1);
+    status_input_->setText(text);
+}
+
+void Window::show_jobs() {
+    QString words;
+    for (const Job& job : studio_.jobs().all())
+        if (job.state == Job::State::runs)
+            words = QString("%1: %2 %").arg(job.title).arg(static_cast<int>(100 * job.share)) +
+                    (job.left.isEmpty() ? QString() : ", " + job.left + " left");
+    status_jobs_->setText(words);
+}
+
+void Window::say(const QString& what, int for_ms) {
+    const int room_px = status_jobs_->x(); // what always stands there begins there
+    statusBar()->showMessage(shortened(what, room_px / fontMetrics().averageCharWidth()), for_ms);
+    statusBar()->setToolTip(what);
+}
+
+void Window::closeEvent(QCloseEvent* event) {
+    if (const Result<void> kept = document_.keep(); !kept.ok() && !closes_anyway_) {
+        Q_EMIT document_.keep_failed("Not closed, for changes are not saved and cannot be kept: " +
+                                     QString::fromStdString(kept.error().text()));
+        event->ignore();
+        return;
+    }
+    if (options_.remembers)
+        QSettings().setValue("tone", QString::fromStdString(image::name_of(studio_.wishes().tone)));
+    if (options_.remembers && !isFullScreen()) {
+        end_waiting(); // panels that waited are part of the layout
+        QSettings settings;
+        settings.setValue("layout version", kLayoutVersion);
+        settings.setValue("geometry", saveGeometry());
+        settings.setValue("docks", saveState(kLayoutVersion));
+    }
+    second_.close(); // the last window that closes ends the program
+    event->accept();
+}
+
+void Window::dragEnterEvent(QDragEnterEvent* event) {
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (std::any_of(urls.begin(), urls.end(), [](const QUrl& url) { return url.isLocalFile(); }))
+        event->acceptProposedAction();
+}
+
+void Window::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    for (const QUrl& url : event->mimeData()->urls())
+        if (url.isLocalFile()) take_file(url.toLocalFile());
+}
+
+// Of an open show a fixture, a model or a plot becomes a part; all else is opened.
+void Window::take_file(const QString& file) {
+    const QString ending = QFileInfo(file).suffix().toLower();
+    const bool is_fixture = ending == "gdtf" || ending == "qxf" || (ending == "json" && studio_.show());
+    const bool is_model_file = is_model(file.toStdString());
+    const bool is_plot =
+        ending == "mvr" && document_.check_editable().ok() && studio_.show()->plot_file.empty();
+    const bool has_stage =
+        studio_.show() && (!studio_.show()->stage_file.empty() || !studio_.show()->plot_file.empty());
+    const QString action = is_fixture                   ? "add-fixture"
+                           : is_model_file && has_stage ? "add-model"
+                           : is_model_file              ? "set-stage"
+                                                        : "set-plot";
+    if (!is_fixture && !is_model_file && !is_plot) {
+        studio_.open(file.toStdString());
+        return;
+    }
+    actions_.choose(action + " \"" + file + "\"");
+}
+
+} // namespace ghost::ui

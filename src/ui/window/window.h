@@ -1,0 +1,99 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Window: the picture in the middle, panels around it, menus made from the table of actions. It remembers its
+// layout. Window thread.
+
+#include "ui/actions/actions.h"
+#include "ui/actions/cue_list.h"
+#include "ui/actions/exporter.h"
+#include "ui/model/looks.h"
+#include "ui/model/recent_shows.h"
+#include "ui/model/show_document.h"
+#include "ui/model/studio.h"
+#include "ui/picture/second_display.h"
+#include "ui/picture/view.h"
+#include "ui/widgets/loop_watch.h"
+#include "ui/widgets/reach.h"
+#include "ui/widgets/toast.h"
+#include "ui/window/context_menus.h"
+#include "ui/window/menus.h"
+#include "ui/window/open_window.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QMainWindow>
+#include <QToolBar>
+
+namespace ghost::ui {
+
+class FixturePanel;
+class NoticeBar;
+
+class Window : public QMainWindow {
+    Q_OBJECT
+public:
+    Window(Link& link, const WindowOptions& options);
+    ~Window() override;
+
+    Studio& studio() { return studio_; }
+    Actions& actions() { return actions_; }
+
+protected:
+    void closeEvent(QCloseEvent*) override;
+    void dragEnterEvent(QDragEnterEvent*) override;
+    void dropEvent(QDropEvent*) override;
+
+private:
+    void take_file(const QString& file);
+    QDockWidget* add_panel(const QString& name, const QString& title, QWidget* panel,
+                           Qt::DockWidgetArea area);
+    void add_panels();
+    void add_window_actions();
+    void add_view_switches();
+    void lay_out();
+    void wait_for_show();
+    void end_waiting();
+    void begin_where_there_is_light();
+    void say_done(const Action& action);
+    void say_hand_taken();
+    void name_cameras();
+    void show_status();
+    void show_jobs();
+    // In the status line, whole as its tool tip.
+    void say(const QString& what, int for_ms = 0);
+    void set_full_screen(bool full);
+    void show_shortcuts();
+    Result<void> save_picture(const QString& file);
+    Result<void> save_state(const QStringList& arguments);
+
+    WindowOptions options_;
+    Studio studio_;
+    ShowDocument document_;
+    Looks looks_;
+    CueList cues_;
+    Exporter exporter_;
+    SecondDisplay second_;
+    Reach reach_;
+    Actions actions_;
+    LoopWatch* const loop_ = new LoopWatch(this);
+    View* view_;
+    RecentShows recent_;
+    Menus menus_;
+    Toast* toast_;
+    bool had_hand_ = false; // something was set by hand when it was last looked at
+    FixturePanel* fixtures_ = nullptr;
+    std::vector<QDockWidget*> docks_;
+    std::vector<QDockWidget*> docks_waiting_; // shown with the first show
+    std::vector<bool> docks_shown_;           // before full screen
+    std::vector<QDockWidget*> in_front_;      // likewise, of those behind one another
+    NoticeBar* notice_ = nullptr;
+    QToolBar* transport_ = nullptr;
+    bool transport_shown_ = true; // likewise
+    bool closes_anyway_ = false;  // with changes that can be written nowhere
+    QLabel* status_input_;
+    QLabel* status_supply_;
+    QLabel* status_jobs_;
+    QLabel* status_device_;
+};
+
+} // namespace ghost::ui

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: Apache-2.0
+// The actions of the window itself: open, save a picture, full screen, overlays.
+#include "ui/window/window.h"
+
+#include "files/files.h"
+#include "image/ldr.h"
+#include "ui/panels/fixture_panel.h"
+#include "ui/window/private/notice_bar.h"
+#include "ui/window/private/shortcut_sheet.h"
+#include "ui/window/private/state_json.h"
+
+#include <QDesktopServices>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QLayout>
+#include <QMenuBar>
+#include <QStatusBar>
+#include <QUrl>
+
+#include <algorithm>
+
+namespace ghost::ui {
+
+void Window::add_window_actions() {
+    actions_.add({"open",
+                  "Show",
+                  "Open a show...",
+                  "Ctrl+O",
+                  "PATH",
+                  [this](const QStringList& words) -> Result<void> {
+                      studio_.open(words[0].toStdString());
+                      return {};
+                  },
+                  {},
+                  {"Open a show", "Shows (show.toml *.mvr);;All files (*)", ""}});
+    actions_.add({"open-outside",
+                  "",
+                  "open-outside",
+                  "",
+                  "FILE",
+                  [](const QStringList& words) -> Result<void> {
+                      if (QDesktopServices::openUrl(QUrl::fromLocalFile(words.value(0)))) return {};
+                      return Error{"no program was found that opens it", words.value(0).toStdString()};
+                  },
+                  {}});
+    actions_.add({"open-demo",
+                  "Show",
+                  "Open the demo",
+                  "Ctrl+Shift+O",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      if (options_.demo.empty())
+                          return Error{"there is no folder 'demo' beside this program (assets/demo, or "
+                                       "share/ghostlight/demo)",
+                                       ""};
+                      studio_.open(options_.demo);
+                      return {};
+                  },
+                  {}});
+    actions_.add({"take-plot",
+                  "Show",
+                  "Take the received plot",
+                  "Ctrl+T",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      if (studio_.plot().number == 0)
+                          return Error{"no plot came from the network (MVR-xchange)", ""};
+                      studio_.wish([&](Wishes& wishes) { wishes.take_plot = studio_.plot().number; });
+                      statusBar()->clearMessage();
+                      return {};
+                  },
+                  {}});
+    actions_.add({"save-picture",
+                  "Show",
+                  "Save the picture...",
+                  "Ctrl+Shift+S",
+                  "FILE",
+                  [this](const QStringList& words) { return save_picture(words[0]); },
+                  {},
+                  {"Save the picture", "Pictures (*.png *.exr)", "picture.png"}});
+    actions_.add({"screenshot",
+                  "Show",
+                  "Save a picture of the window...",
+                  "",
+                  "FILE",
+                  [this](const QStringList& words) -> Result<void> {
+                      if (grab().save(words[0], "PNG")) return {};
+                      return Error{"the picture cannot be written", words[0].toStdString()};
+                  },
+                  {},
+                  {"Save a picture of the window", "Pictures (*.png)", "window.png"}});
+    actions_.add({"state",
+                  "",
+                  "state",
+                  "",
+                  "FILE",
+                  [this](const QStringList& words) { return save_state(words); },
+                  {}});
+    actions_.add({"quit",
+                  "Show",
+                  "Quit",
+                  "Ctrl+Q",
+                  "[anyway]",
+                  [this](const QStringList& words) -> Result<void> {
+                      closes_anyway_ = words.value(0) == "anyway";
+                      if (!close())
+                          return Error{"changes are saved nowhere: save a copy elsewhere, or close and lose "
+                                       "them (in a script: quit anyway)",
+                                       ""};
+                      return {};
+                  },
+                  {}});
+    actions_.add({"undo",
+                  "Edit",
+                  "Undo",
+                  "Ctrl+Z",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      if (!studio_.undo_stack().canUndo()) return Error{"there is nothing to undo", ""};
+                      studio_.undo_stack().undo();
+                      return {};
+                  },
+                  {}});
+    actions_.add({"redo",
+                  "Edit",
+                  "Redo",
+                  "Ctrl+Shift+Z; Ctrl+Y",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      if (!studio_.undo_stack().canRedo()) return Error{"there is nothing to redo", ""};
+                      studio_.undo_stack().redo();
+                      return {};
+                  },
+                  {}});
+    actions_.add({"find",
+                  "Edit",
+                  "Find a fixture",
+                  "Ctrl+F",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      TRY_VOID(actions_.run("panel-fixtures on"));
+                      fixtures_->find();
+                      return {};
+                  },
+                  {}});
+    actions_.add({"shortcuts",
+                  "Help",
+                  "Keys",
+                  "?; F1",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      show_shortcuts();
+                      return {};
+                  },
+                  {}});
+}
+
+void Window::add_view_switches() {
+    actions_.add({"full-screen", "View", "Full screen, the picture alone", "F11", "",
+                  [this](const QStringList&) -> Result<void> {
+                      set_full_screen(!isFullScreen());
+                      return {};
+                  },
+                  [this] { return isFullScreen(); }});
+    actions_.add(
+        {"second-display", "View", "The picture on a second display", "Shift+F11", "[off|window|NUMBER|NAME]",
+         [this](const QStringList& words) -> Result<void> {
+             const bool closes = words.isEmpty() ? second_.is_open() || second_.waits() : words[0] == "off";
+             if (!closes) return second_.open(words.value(0), screen());
+             second_.close();
+             return {};
+         },
+         [this] { return second_.is_open(); }});
+    actions_.add({"second-window", "View", "The picture in a second window", "", "",
+                  [this](const QStringList&) -> Result<void> {
+                      if (!second_.is_open()) return second_.open("window", screen());
+                      second_.close();
+                      return {};
+                  },
+                  [this] { return second_.is_open(); }});
+    actions_.add({"reset-figures",
+                  "",
+                  "reset-figures",
+                  "",
+                  "",
+                  [this](const QStringList&) -> Result<void> {
+                      studio_.reset_figures();
+                      view_->reset_figures();
+                      loop_->reset();
+                      return {};
+                  },
+                  {}});
+    actions_.add({"black-out", "View", "Black-out", "B", "",
+                  [this](const QStringList&) -> Result<void> {
+                      studio_.wish([](Wishes& wishes) { wishes.black_out = !wishes.black_out; });
+                      return {};
+                  },
+                  [this] { return studio_.wishes().black_out; }});
+    actions_.add({"work-light", "View", "Work light: see the stage where nothing shines", "K",
+                  "[on|off|auto]",
+                  [this](const QStringList& words) -> Result<void> {
+                      const QString word = words.value(0, studio_.picture().has_work_light ? "off" : "on");
+                      if (word != "on" && word != "off" && word != "auto")
+                          return Error{"'" + word.toStdString() + "' is none of on, off and auto", ""};
+                      const WorkLight wanted = word == "on"    ? WorkLight::on
+                                               : word == "off" ? WorkLight::off
+                                                               : WorkLight::automatic;
+                      studio_.wish([&](Wishes& wishes) { wishes.work_light = wanted; });
+                      return {};
+                  },
+                  [this] { return studio_.picture().has_work_light; }});
+    actions_.add({"master",
+                  "",
+                  "master",
+                  "",
+                  "SHARE",
+                  [this](const QStringList& words) -> Result<void> {
+                      TRY(const double share, number_of(words, 0, "share", 0, 1));
+                      studio_.wish([&](Wishes& wishes) { wishes.master = static_cast<float>(share); });
+                      return {};
+                  },
+                  {}});
+    const auto add = [this](const QString& name, const QString& text, const QString& key,
+                            bool OverlayChoice::*one) {
+        actions_.add({name, "View", text, key, "",
+                      [this, one](const QStringList&) -> Result<void> {
+                          view_->overlays.*one = !(view_->overlays.*one);
+                          view_->update();
+                          return {};
+                      },
+                      [this, one] { return view_->overlays.*one; }});
+    };
+    add("chips", "Where levels come from, exposure, what hands hold", "", &OverlayChoice::chips);
+    add("figures", "Frame time and latency", "I", &OverlayChoice::figures);
+    add("names", "Names of fixtures", "N", &OverlayChoice::names);
+    add("addresses", "Addresses of fixtures", "U", &OverlayChoice::addresses);
+    add("aims", "Where fixtures point", "L", &OverlayChoice::aims);
+    add("frame", "Frame of the camera", "G", &OverlayChoice::frame);
+    add("marks", "Marks of the selection", "M", &OverlayChoice::marks);
+}
+
+void Window::set_full_screen(bool full) {
+    if (full) {
+        docks_shown_.clear();
+        in_front_.clear();
+        for (QDockWidget* dock : docks_) {
+            docks_shown_.push_back(dock->isVisible());
+            if (!dock->visibleRegion().isEmpty()) in_front_.push_back(dock);
+        }
+        for (QDockWidget* dock : docks_) dock->hide();
+        transport_shown_ = transport_->isVisible();
+    }
+    menuBar()->setVisible(!full);
+    transport_->setVisible(!full && transport_shown_);
+    statusBar()->setVisible(!full);
+    if (full) {
+        // What is left may need more width than a window has whose display got another scale; Qt resizes it
+        // then, which would end the full screen.
+        layout()->activate();
+        showFullScreen();
+    } else {
+        showNormal();
+        reach_.look(); // its display may have gone meanwhile
+        for (std::size_t i = 0; i < docks_shown_.size(); ++i) docks_[i]->setVisible(docks_shown_[i]);
+        for (QDockWidget* dock : in_front_) dock->raise();
+    }
+    view_->setFocus();
+}
+
+void Window::show_shortcuts() {
+    auto* sheet = new ShortcutSheet(actions_, this);
+    sheet->setAttribute(Qt::WA_DeleteOnClose);
+    sheet->show();
+}
+
+Result<void> Window::save_picture(const QString& file) {
+    if (!studio_.picture().image) return Error{"there is no picture yet", ""};
+    if (file.endsWith(".exr", Qt::CaseInsensitive)) {
+        // The engine has the linear values; it says when they are there.
+        studio_.wish([&](Wishes& wishes) {
+            ++wishes.save_frame.number;
+            wishes.save_frame.file = file.toStdString();
+        });
+        return {};
+    }
+    return image::write_png(file.toStdString(), *studio_.picture().image);
+}
+
+Result<void> Window::save_state(const QStringList& arguments) {
+    QJsonObject state = state_json(studio_, *view_);
+    QJsonArray looks;
+    for (const scene::StoredLook& look : looks_.all()) looks.append(QString::fromStdString(look.name));
+    state["looks"] = looks;
+    state["look"] = QString::fromStdString(looks_.current());
+    if (cues_.current()) state["cue"] = QString::fromStdString(cues_.all()[*cues_.current()].name);
+    state["toast"] = toast_->words();
+    state["notice"] = notice_->words();
+    state["dark"] = static_cast<int>(
+        std::count_if(studio_.verdicts().begin(), studio_.verdicts().end(),
+                      [](const Verdict& verdict) { return verdict.visibility != scene::Visibility::lit; }));
+    QJsonArray jobs;
+    for (const Job& job : studio_.jobs().all())
+        jobs.append(QJsonObject{{"title", job.title},
+                                {"state", state_name(job.state)},
+                                {"share", job.share},
+                                {"left", job.left},
+                                {"said", job.last_said}});
+    state["jobs"] = jobs;
+    QJsonArray panels;
+    for (const QDockWidget* dock : docks_)
+        if (dock->isVisible() && !dock->visibleRegion().isEmpty()) panels.append(dock->objectName());
+    state["panels"] = panels;                             // that are seen
+    state["event_loop_ms"] = latency_json(loop_->busy()); // busy at a stretch
+    state["second_display"] = second_.words();
+    state["unsaved"] = document_.is_changed();
+    state["changes_wait"] = document_.has_draft();
+    state["read_only"] = document_.is_read_only();
+    const QByteArray text = QJsonDocument(state).toJson();
+    return write_file_atomic(arguments.value(0).toStdString(), text.toStdString());
+}
+
+} // namespace ghost::ui

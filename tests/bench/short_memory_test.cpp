@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// 400 lights on devices with less and less memory: the picture gets coarser, one line says what was lowered,
+// nothing fails.
+#include "bench/bench_views.h"
+#include "support/live_picture.h"
+
+#include <algorithm>
+
+namespace ghost::app {
+namespace {
+
+constexpr int kLights = 400;
+constexpr int kMapSide = 128;
+constexpr std::uint64_t kMB = 1u << 20;
+
+struct Scene {
+    scene::Stage stage = empty_stage();
+    scene::Camera camera;
+    std::vector<shared::Light> lights;
+    scene::DistanceMaps maps;
+};
+
+const Scene& scene_of_400() {
+    static const Scene one = [] {
+        Scene made;
+        add_box(made.stage, {-12, -12, -0.2f}, {12, 8, 0});
+        add_box(made.stage, {-12, 8, 0}, {12, 8.2f, 10});
+        for (int k = 0; k < 6; ++k) {
+            const float x = 3.0f * static_cast<float>(k) - 8;
+            add_box(made.stage, {x, 1, 0}, {x + 0.8f, 1.8f, 2.5f});
+        }
+        made.camera.position_m = {0, -11, 3};
+        made.camera.target_m = {0, 3, 2.5f};
+        made.camera.fov_y_deg = 50;
+        made.camera.width = 96;
+        made.camera.height = 54;
+        for (int k = 0; k < kLights; ++k) {
+            const float x = static_cast<float>(k % 40) * 0.5f - 10;
+            const float y = static_cast<float>(k / 40) * 0.8f - 2;
+            shared::Light light = aimed_light({x, y, 7}, {x * 0.6f, y + 1.5f, 0}, 12, k % 2 == 0);
+            light.intensity_cd *= 0.05f;
+            made.lights.push_back(light);
+        }
+        const bake::Tracer tracer(made.stage);
+        made.maps = trace_maps(tracer, made.lights, kMapSide);
+        return made;
+    }();
+    return one;
+}
+
+struct Outcome {
+    image::ImageF picture;
+    std::uint64_t before_bytes = 0; // stage and camera, which cannot be lowered
+    std::uint64_t used_bytes = 0;
+    std::uint32_t side = 0;
+    std::string messages;
+};
+
+Outcome drawn_with(std::uint64_t limit_bytes) {
+    auto device = gpu::Device::create({.validation = true, .memory_limit_bytes = limit_bytes});
+    EXPECT_TRUE(device.ok()) << device.error().text();
+    const gpu::Device& gpu = **device;
+    const Scene& scene = scene_of_400();
+    Outcome outcome;
+    testing::internal::CaptureStderr();
+    {
+        Report report;
+        const render::StageModel model(gpu, scene.stage, report);
+        render::GBuffer g_buffer(gpu, scene.camera.width, scene.camera.height);
+        render::Settings settings = bench_settings();
+        settings.image_memory_bytes = 64 * kMB;
+        g_buffer.draw(model,
+                      {scene::camera_to_world(scene.camera), scene.camera.fov_y_deg, scene.camera.width,
+                       scene.camera.height},
+                      {glm::vec3(0), settings.haze});
+        outcome.before_bytes = gpu.memory_used_bytes();
+        const render::DistanceImages distances(gpu, scene.maps);
+        outcome.side = distances.side();
+        shared::Gobos gobos = bench_gobos();
+        render::Relighter relighter(gpu, g_buffer, &distances, gobos, kLights, settings);
+        outcome.used_bytes = gpu.memory_used_bytes();
+        // Two frames, so that kept images are used.
+        std::vector<shared::Light> lights = scene.lights;
+        relighter.draw(lights);
+        lights[7].intensity_cd *= 2.0f;
+        EXPECT_GT(relighter.draw(lights).drawn, 0);
+        outcome.picture = relighter.frame();
+    }
+    outcome.messages = testing::internal::GetCapturedStderr();
+    EXPECT_EQ(gpu.validation_errors(), 0u);
+    EXPECT_EQ(gpu.memory_used_bytes(), 0u);
+    return outcome;
+}
+
+std::size_t warnings_in(const std::string& text) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find("warning:"); at != std::string::npos; at = text.find("warning:", at + 1))
+        ++count;
+    return count;
+}
+
+// Mean difference as a share of the mean.
+double apart(const image::ImageF& a, const image::ImageF& b) {
+    double sum = 0, difference = 0;
+    for (std::size_t k = 0; k < a.samples.size(); ++k) {
+        sum += b.samples[k];
+        difference += std::abs(a.samples[k] - b.samples[k]);
+    }
+    return difference / sum;
+}
+
+TEST(ShortMemory, four_hundred_lights_are_drawn_with_less) {
+    const Outcome all = drawn_with(0);
+    EXPECT_EQ(all.side, static_cast<std::uint32_t>(kMapSide));
+    EXPECT_EQ(all.messages, "");
+    const std::uint64_t lights_bytes = all.used_bytes - all.before_bytes;
+    std::uint32_t side = all.side;
+    for (const double share : {0.2, 0.1, 0.08}) { // without tables, which go first, twice as much and more
+        const std::uint64_t limit =
+            all.before_bytes + static_cast<std::uint64_t>(share * static_cast<double>(lights_bytes));
+        const Outcome less = drawn_with(limit);
+        EXPECT_LE(less.used_bytes, limit);
+        EXPECT_LE(less.side, side);
+        side = less.side;
+        EXPECT_EQ(warnings_in(less.messages), 1u) << less.messages;
+        EXPECT_EQ(std::count(less.messages.begin(), less.messages.end(), '\n'), 1) << less.messages;
+        EXPECT_NE(less.messages.find("short for 400 lights"), std::string::npos) << less.messages;
+        EXPECT_NE(less.messages.find("kept images instead of"), std::string::npos) << less.messages;
+        EXPECT_EQ(less.messages.find("shadow maps of") != std::string::npos, less.side < all.side)
+            << less.messages;
+        EXPECT_LT(apart(less.picture, all.picture), less.side == all.side ? 0.002 : 0.08) << share;
+        std::printf("[ %4.1f MB ] %s", static_cast<double>(limit) / kMB, less.messages.c_str());
+    }
+    EXPECT_LT(side, all.side);
+}
+
+} // namespace
+} // namespace ghost::app

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names of channel sets against their numbers; wheels of which only the slots say what they do; the levels
+// that show what a fixture's channels do.
+#include "fixture/decode.h"
+#include "fixture/manual.h"
+#include "fixture/sweep.h"
+#include "support/tiny_gdtf.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::fixture {
+namespace {
+
+std::string channel(int offset, const std::string& functions) {
+    return "<DMXChannel Offset=\"" + std::to_string(offset) +
+           "\" Geometry=\"Beam\"><LogicalChannel Attribute=\"X\">" + functions +
+           "</LogicalChannel></DMXChannel>";
+}
+
+std::string function(const std::string& attribute, const std::string& more, const std::string& sets) {
+    return "<ChannelFunction Name=\"" + attribute + "\" Attribute=\"" + attribute + "\" " + more + ">" +
+           sets + "</ChannelFunction>";
+}
+
+std::string set(int from, const std::string& name, int slot = 0, const std::string& more = "") {
+    return "<ChannelSet DMXFrom=\"" + std::to_string(from) + "/1\" Name=\"" + name + "\" WheelSlotIndex=\"" +
+           std::to_string(slot) + "\" " + more + "/>";
+}
+
+std::string physical(float value) {
+    const std::string text = std::to_string(value);
+    return "PhysicalFrom=\"" + text + "\" PhysicalTo=\"" + text + "\"";
+}
+
+struct Tiny {
+    LoadedType loaded;
+    Patch patch;
+    explicit Tiny(const std::string& channels, const std::string& wheels = "")
+        : loaded([&] {
+              Description description;
+              description.channels = channels;
+              description.wheels = wheels;
+              return std::move(load_xml(description.xml()).value());
+          }()) {
+        patch = {.name = "tiny", .type = &loaded.type, .mode = 0, .addresses = {{1, 1}}};
+    }
+    Tiny(const Tiny&) = delete;
+    Tiny& operator=(const Tiny&) = delete;
+    Optics at(std::vector<std::uint8_t> levels) const { return decode_levels(patch, levels).beams.at(0); }
+};
+
+TEST(NamedRanges, AnIrisIsOpenWhereItIsCalledSo) {
+    const Tiny tiny(channel(
+        1, function("Iris", "PhysicalFrom=\"0\" PhysicalTo=\"1\"",
+                    set(0, "Open", 0, physical(0)) + set(1, "") + set(250, "Closed", 0, physical(1)))));
+    EXPECT_FLOAT_EQ(tiny.at({0}).iris, 1.0f);
+    EXPECT_NEAR(tiny.at({125}).iris, 0.5f, 0.02f);
+    EXPECT_FLOAT_EQ(tiny.at({255}).iris, 0.0f);
+    EXPECT_TRUE(says(tiny.loaded, {"iris is named open", "1 function"}));
+    // As most files have it: nothing is touched.
+    const Tiny usual(channel(1, function("Iris", "PhysicalFrom=\"1\" PhysicalTo=\"0\"",
+                                         set(0, "Open") + set(1, "") + set(250, "Closed"))));
+    EXPECT_FLOAT_EQ(usual.at({0}).iris, 1.0f);
+    EXPECT_FLOAT_EQ(usual.at({255}).iris, 0.0f);
+    EXPECT_FALSE(says(usual.loaded, {"iris is named"}));
+}
+
+TEST(NamedRanges, AnIrisBelowClosedIsSaid) {
+    const Tiny tiny(channel(1, function("Iris", "PhysicalFrom=\"1\" PhysicalTo=\"-0.5\"", "")));
+    EXPECT_FLOAT_EQ(tiny.at({0}).iris, 1.0f);
+    EXPECT_FLOAT_EQ(tiny.at({255}).iris, 0.0f);
+    EXPECT_TRUE(says(tiny.loaded, {"iris goes below 0", "1 function"}));
+    const Tiny in_a_set(channel(1, function("Iris", "", set(0, "Wide", 0, physical(30)))));
+    EXPECT_TRUE(says(in_a_set.loaded, {"iris goes below 0 or above 1"}));
+    EXPECT_FALSE(
+        says(Tiny(channel(1, function("Iris", "", set(0, "Open") + set(9, "")))).loaded, {"iris goes"}));
+}
+
+TEST(NamedRanges, AFocusIsFarWhereItIsCalledSo) {
+    const Tiny tiny(channel(
+        1, function("Focus1", "PhysicalFrom=\"0\" PhysicalTo=\"1\"",
+                    set(0, "Focus far") + set(1, "Focus from far to near") + set(255, "Focus near"))));
+    EXPECT_GT(tiny.at({0}).focus, 0.99f);
+    EXPECT_LT(tiny.at({255}).focus, 0.01f);
+    const Tiny unnamed(channel(
+        1, function("Focus1", "PhysicalFrom=\"0\" PhysicalTo=\"1\"", set(0, "min") + set(255, "max"))));
+    EXPECT_LT(unnamed.at({0}).focus, 0.01f);
+}
+
+TEST(NamedRanges, KelvinInTheNamesCount) {
+    const Tiny tiny(channel(
+        1, function("CTC", "PhysicalFrom=\"0\" PhysicalTo=\"1\"",
+                    set(0, "off") + set(1, "8000 K") + set(2, "7978 K -> 2722 K") + set(255, "2700K"))));
+    EXPECT_FLOAT_EQ(tiny.at({0}).cct_k, 0.0f);
+    EXPECT_FLOAT_EQ(tiny.at({1}).cct_k, 8000.0f);
+    EXPECT_NEAR(tiny.at({128}).cct_k, 5360.0f, 30.0f);
+    EXPECT_FLOAT_EQ(tiny.at({255}).cct_k, 2700.0f);
+    EXPECT_TRUE(says(tiny.loaded, {"named in kelvin"}));
+}
+
+TEST(NamedRanges, AnAnimationWheelMovesIn) {
+    const std::string wheels =
+        "<Wheel Name=\"Animation\"><Slot Name=\"Open\"/><Slot Name=\"Waves\"/></Wheel>";
+    const Tiny tiny(
+        channel(1, function("AnimationWheel1Pos", "PhysicalFrom=\"0\" PhysicalTo=\"1\" Wheel=\"Animation\"",
+                            set(0, "Open", 1) + set(20, "Proportional indexing min", 2) + set(21, "") +
+                                set(127, "Proportional indexing max", 2) + set(128, "Ramping", 2))),
+        wheels);
+    EXPECT_FLOAT_EQ(tiny.at({0}).animations.at(0).in, 0.0f);
+    EXPECT_FLOAT_EQ(tiny.at({20}).animations.at(0).in, 0.0f);
+    EXPECT_NEAR(tiny.at({74}).animations.at(0).in, 0.5f, 0.02f);
+    EXPECT_FLOAT_EQ(tiny.at({127}).animations.at(0).in, 1.0f);
+    EXPECT_FLOAT_EQ(tiny.at({200}).animations.at(0).in, 1.0f);
+}
+
+const char* const kEffects =
+    "<Wheel Name=\"Prisms\"><Slot Name=\"Open\"/><Slot Name=\"3\"><Facet/><Facet/><Facet/></Slot></Wheel>"
+    "<Wheel Name=\"Effects\"><Slot Name=\"Open\"/><Slot Name=\"Heavy frost\"/>"
+    "<Slot Name=\"Bars\"><Facet/><Facet/></Slot><Slot Name=\"Light frost\"/><Slot Name=\"Mystery\"/></Wheel>";
+
+TEST(SlotMeanings, AnEffectGlassIsWhatItsSlotHolds) {
+    const std::string sets =
+        set(0, "", 1) + set(50, "", 2) + set(100, "", 3) + set(150, "", 4) + set(200, "", 5);
+    const Tiny tiny(
+        channel(1, function("Effects1", "Wheel=\"Effects\"", sets)) +
+            channel(2, function("Effects1Pos", "PhysicalFrom=\"0\" PhysicalTo=\"360\"", "")) +
+            channel(3, function("Prism1", "Wheel=\"Prisms\"", set(0, "Open", 1) + set(128, "3", 2))),
+        kEffects);
+    const Optics open = tiny.at({10, 90, 0});
+    EXPECT_EQ(open.frost, 0.0f);
+    ASSERT_EQ(open.prisms.size(), 2u);
+    EXPECT_EQ(open.prisms[1].number, 2); // behind the file's own
+    EXPECT_EQ(open.prisms[1].in, 0.0f);
+    const Optics heavy = tiny.at({60, 90, 0});
+    EXPECT_EQ(heavy.frost, 1.0f);
+    EXPECT_FLOAT_EQ(heavy.frost_full_deg, 8.0f);
+    EXPECT_EQ(heavy.prisms[1].in, 0.0f);
+    const Optics bars = tiny.at({110, 90, 0});
+    EXPECT_EQ(bars.frost, 0.0f);
+    EXPECT_EQ(bars.prisms[1].in, 1.0f);
+    EXPECT_EQ(bars.prisms[1].slot, 2);
+    EXPECT_NEAR(bars.prisms[1].deg, 90.0f / 255.0f * 360.0f, 0.1f);
+    EXPECT_EQ(bars.prisms[0].in, 0.0f);
+    const Optics light = tiny.at({160, 90, 255});
+    EXPECT_FLOAT_EQ(light.frost_full_deg, 1.0f);
+    EXPECT_EQ(light.prisms[0].in, 1.0f);
+    const Optics nothing = tiny.at({255, 90, 0});
+    EXPECT_EQ(nothing.frost, 0.0f);
+    EXPECT_EQ(nothing.prisms[1].in, 0.0f);
+}
+
+TEST(SlotMeanings, WithoutAWheelEffectsDoNothing) {
+    const Tiny tiny(channel(1, function("Effects1", "", set(0, "Off") + set(10, "Pattern 1"))));
+    EXPECT_TRUE(tiny.at({200}).prisms.empty());
+    EXPECT_TRUE(tiny.at({200}).gobo_wheels.empty());
+}
+
+TEST(SlotMeanings, AFrostWheelTakesTheFrostOfItsSlot) {
+    const Tiny tiny(
+        channel(1, function("Frost1", "PhysicalFrom=\"0\" PhysicalTo=\"1\" Wheel=\"Frost\"",
+                            set(0, "Open", 1) + set(80, "Light Frost", 2) + set(160, "Heavy Frost", 3))),
+        "<Wheel Name=\"Frost\"><Slot Name=\"Open\"/><Slot Name=\"Light Frost\"/><Slot Name=\"Heavy "
+        "Frost\"/></Wheel>");
+    EXPECT_EQ(tiny.at({10}).frost, 0.0f);
+    EXPECT_EQ(tiny.at({100}).frost, 1.0f);
+    EXPECT_FLOAT_EQ(tiny.at({100}).frost_full_deg, 1.0f);
+    EXPECT_FLOAT_EQ(tiny.at({200}).frost_full_deg, 8.0f);
+}
+
+TEST(SlotMeanings, ACorrectionWheelIsAWheelOfColours) {
+    const std::string sets = set(0, "Open", 1, physical(0)) + set(128, "3000K", 2, physical(0));
+    const Tiny tiny(
+        channel(1, function("CTO", "PhysicalFrom=\"0\" PhysicalTo=\"1\" Wheel=\"CTO\"", sets)),
+        "<Wheel Name=\"CTO\"><Slot Name=\"Open\"/><Slot Name=\"3000K\" Color=\"0.37,0.355,67\"/></Wheel>");
+    ASSERT_EQ(tiny.at({0}).color_wheels.size(), 1u);
+    EXPECT_EQ(tiny.at({0}).color_wheels[0].position, 0.0f);
+    EXPECT_EQ(tiny.at({200}).color_wheels[0].position, 1.0f);
+}
+
+// At rest it shines; each channel is tried at its ends, and with what it needs to be seen.
+TEST(Sweep, TriesEachChannelWithWhatItNeeds) {
+    const Tiny tiny(
+        channel(1, function("Dimmer", "PhysicalFrom=\"0\" PhysicalTo=\"1\"", "")) +
+            channel(2, function("Shutter1", "PhysicalFrom=\"0\" PhysicalTo=\"1\"",
+                                set(0, "Closed") + set(200, "Open"))) +
+            channel(3, function("Prism1", "Wheel=\"Prisms\"", set(0, "Open", 1) + set(128, "3", 2))) +
+            channel(4, function("Prism1Pos", "PhysicalFrom=\"0\" PhysicalTo=\"360\"", "")) +
+            channel(5, function("Control1", "", "")),
+        kEffects);
+    const Sweep sweep = sweep_of(tiny.patch, 16);
+    const Optics rest = tiny.at(sweep.rest);
+    EXPECT_EQ(rest.dimmer, 1.0f);
+    EXPECT_EQ(rest.shutter, 1.0f);
+    ASSERT_EQ(sweep.channels.size(), 5u);
+    EXPECT_EQ(tiny.at(sweep.channels[0].trials.front().levels).dimmer, 0.0f);
+    EXPECT_EQ(tiny.at(sweep.channels[0].trials.back().levels).dimmer, 1.0f);
+    ASSERT_EQ(sweep.channels[2].trials.size(), 2u);
+    EXPECT_EQ(tiny.at(sweep.channels[2].trials[1].levels).prisms.at(0).in, 1.0f);
+    EXPECT_EQ(sweep.channels[2].trials[1].caption, "191: 3");
+    for (const Trial& trial : sweep.channels[3].trials)
+        EXPECT_EQ(tiny.at(trial.levels).prisms.at(0).in, 1.0f);
+    EXPECT_TRUE(sweep.channels[4].trials.empty());
+    EXPECT_NE(sweep.channels[4].title.find("not drawn: Control1"), std::string::npos);
+    EXPECT_LE(sweep_of(tiny.patch, 2).channels[0].trials.size(), 2u);
+}
+
+} // namespace
+} // namespace ghost::fixture

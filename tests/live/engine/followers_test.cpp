@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+// Objects that go with a tracker: the picture, shadows included, is that of a show in which they stand there.
+#include "live/engine/followers.h"
+#include "live/session/live_view.h"
+#include "project/load_show.h"
+#include "support/demo_copy.h"
+#include "support/live_picture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace ghost::app {
+namespace {
+
+const std::vector<std::string> kWho = {"performer_singer", "mic_in_hand"};
+
+scene::Show demo_show() {
+    Report report;
+    auto show = scene::load_show(DemoCopy::show(), true, report);
+    EXPECT_TRUE(show.ok()) << show.error().text();
+    show->distance_map_size = 256;
+    return std::move(*show);
+}
+
+scene::Camera camera_of(const scene::Show& show) {
+    scene::Camera camera = show.cameras[1]; // close
+    camera.width = 256;
+    camera.height = 144;
+    return camera;
+}
+
+// All lamps lit, heads in the middle.
+dmx::Universes levels(const scene::Show& show) {
+    dmx::Levels values{};
+    for (const scene::PatchedFixture& fixture : show.fixtures) {
+        const auto first = static_cast<std::size_t>(fixture.address - 1);
+        values[first] = 255;
+        values[first + 1] = values[first + 3] = 128;
+        values[first + 11] = values[first + 16] = 255;
+    }
+    dmx::Universes universes;
+    universes.at(static_cast<std::uint16_t>(show.fixtures[0].universe)).levels =
+        std::make_shared<const dmx::Levels>(values);
+    return universes;
+}
+
+// A show, lit, and its view; the addresses must stay.
+struct Stage {
+    explicit Stage(scene::Show opened) : show(std::move(opened)), rig(show) {
+        auto made = LiveView::open(live_device(), show, camera_of(show), {true, false, true, false}, report);
+        EXPECT_TRUE(made.ok()) << made.error().text();
+        view = std::move(*made);
+        gobos = scene::build_gobos(show, report);
+        show.motion = fixture::Motion::as_commanded;
+        const glm::vec3 aim_m{-0.75f, 2.0f, 1.2f};
+        for (std::size_t i = 0; i < show.fixtures.size(); ++i) rig.aim_at(i, aim_m);
+        rig.step(levels(show), 0.1);
+        view->follow(rig);
+    }
+    image::ImageF picture() const {
+        const std::vector<shared::Light> lights = rig.lights(gobos, view->maps());
+        render::Relighter relighter(live_device(), view->g_buffer(), view->distances(), gobos.images,
+                                    static_cast<int>(lights.size()), {});
+        relighter.draw(lights);
+        return relighter.frame();
+    }
+    // Until all maps are those of now.
+    bool settle() {
+        view->follow(rig);
+        const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
+        do {
+            (void)view->take_maps(report);
+            if (!view->is_making_maps()) return true;
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        } while (std::chrono::steady_clock::now() < end);
+        return false;
+    }
+    Report report;
+    scene::Show show;
+    scene::Rig rig;
+    scene::GoboStack gobos;
+    std::unique_ptr<LiveView> view;
+};
+
+// Share of the samples that differ by more than a fiftieth of the brightest tenth.
+double differing(const image::ImageF& a, const image::ImageF& b) {
+    EXPECT_EQ(a.samples.size(), b.samples.size());
+    std::vector<float> sorted = a.samples;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10),
+                     sorted.end());
+    const float step = sorted[sorted.size() * 9 / 10] / 50;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < a.samples.size(); ++k)
+        count += std::abs(a.samples[k] - b.samples[k]) > step ? 1 : 0;
+    return static_cast<double>(count) / static_cast<double>(a.samples.size());
+}
+
+TEST(Followers, an_object_goes_with_its_tracker_and_so_does_its_shadow) {
+    const glm::vec3 by_m{1.2f, -0.6f, 0.0f};
+    scene::Show there = demo_show();
+    for (const std::string& name : kWho) {
+        scene::ObjectSettings moved;
+        moved.name = name;
+        moved.move_m = by_m;
+        there.objects.push_back(moved);
+    }
+    const Stage expected(std::move(there));
+    ASSERT_FALSE(expected.report.lost_anything());
+
+    Stage tracked(demo_show());
+    const image::ImageF before = tracked.picture();
+    const image::ImageF wanted = expected.picture();
+    const double apart = differing(before, wanted);
+    EXPECT_GT(apart, 0.01) << "it must be seen that somebody moved";
+
+    const auto home_m = tracked.view->track(kWho);
+    ASSERT_TRUE(home_m.has_value());
+    tracked.view->move_tracked(kWho, by_m);
+    ASSERT_TRUE(tracked.settle());
+    EXPECT_LT(differing(tracked.picture(), wanted), 0.02 * apart);
+    // And back again.
+    tracked.view->move_tracked(kWho, glm::vec3(0));
+    ASSERT_TRUE(tracked.settle());
+    EXPECT_LT(differing(tracked.picture(), before), 0.02 * apart);
+    EXPECT_FALSE(tracked.view->track({"nobody*"}).has_value());
+}
+
+TEST(Followers, a_camera_turns_to_its_tracker) {
+    scene::Show show;
+    scene::TrackerUse use;
+    use.id = 3;
+    use.camera = "close";
+    use.offset_m = {0, 0, 0.5f};
+    show.tracking.uses = {use};
+    scene::Camera camera;
+    camera.name = "close";
+    dmx::Trackers trackers;
+    EXPECT_EQ(follow(camera, show, trackers).target_m, camera.target_m);
+    dmx::PsnPacket packet;
+    packet.positions.push_back({3, {1.0f, 2.0f, -3.0f}});
+    trackers.feed(packet, std::chrono::seconds(1));
+    EXPECT_EQ(follow(camera, show, trackers).target_m, glm::vec3(1.0f, 3.0f, 2.5f));
+    camera.name = "another";
+    EXPECT_EQ(follow(camera, show, trackers).target_m, camera.target_m);
+}
+
+} // namespace
+} // namespace ghost::app

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Films of a plot's archive on the disk: as many as a show has media, once for all versions, gone when no
+// plot needs them.
+#include "support/plot_files.h"
+
+namespace ghost::scene {
+namespace {
+
+std::string screen(int number, const std::string& file) {
+    return "<VideoScreen uuid=\"" + uuid(number) + "\" name=\"Screen " + std::to_string(number) + "\">" +
+           matrix(kIdentity + "{1000,2000,3000}") +
+           "<Geometries><Geometry3D fileName=\"Sail.glb\"/></Geometries><Sources><Source type=\"File\">" +
+           file + "</Source></Sources></VideoScreen>\n";
+}
+
+std::size_t files_below(const fs::path& folder) {
+    std::size_t count = 0;
+    if (fs::exists(folder))
+        for (const auto& entry : fs::recursive_directory_iterator(folder))
+            count += entry.path().extension() == ".mp4";
+    return count;
+}
+
+std::string write_plot(const fs::path& path, int films, const std::string& of) {
+    std::string screens;
+    Members members;
+    for (int k = 0; k < films; ++k) {
+        const std::string name = "film" + std::to_string(k) + ".mp4";
+        screens += screen(40 + k, name);
+        members.push_back({name, of + std::to_string(k)});
+    }
+    write_mvr(path, small_xml(screens), members);
+    Report report;
+    opened(path, report);
+    return messages_of(report);
+}
+
+TEST(PlotMedia, NoMoreFilmsAreUnpackedThanAShowHasMedia) {
+    const fs::path folder = scratch("media_cap");
+    const std::string said = write_plot(folder / "plot.mvr", static_cast<int>(kMaxMedia) + 20, "film ");
+    EXPECT_NE(said.find("more than 64 media in one show"), std::string::npos) << said;
+    EXPECT_EQ(files_below(folder / ".ghost"), kMaxMedia);
+}
+
+TEST(PlotMedia, VersionsOfAPlotShareTheirFilms) {
+    const fs::path folder = scratch("media_share");
+    write_plot(folder / "one.mvr", 3, "film ");
+    write_plot(folder / "two.mvr", 3, "film ");
+    EXPECT_EQ(files_below(folder / ".ghost"), 3u);
+}
+
+TEST(PlotMedia, WhatNoPlotNeedsAnyMoreIsRemoved) {
+    const fs::path folder = scratch("media_clean");
+    write_plot(folder / "one.mvr", 3, "old ");
+    write_plot(folder / "two.mvr", 2, "old ");
+    write_plot(folder / "one.mvr", 3, "new "); // the plot has come again
+    EXPECT_EQ(files_below(folder / ".ghost"), 5u) << "two.mvr needs its own still";
+    const fs::path own = folder / ".ghost" / "media" / "holiday.mp4";
+    const fs::path link = folder / ".ghost" / "media" / "0123abcd-link.mp4";
+    std::ofstream(own) << "not ours";
+    fs::create_symlink("holiday.mp4", link);
+    fs::remove(folder / "two.mvr");
+    write_plot(folder / "one.mvr", 3, "new ");
+    EXPECT_EQ(files_below(folder / ".ghost"), 5u) << "three films, and two files that we did not write";
+    EXPECT_TRUE(fs::exists(own) && fs::is_symlink(link));
+}
+
+TEST(PlotMedia, NothingIsUnpackedThroughALink) {
+    const fs::path folder = scratch("media_link");
+    fs::create_directories(folder / "elsewhere");
+    fs::create_directory_symlink("elsewhere", folder / ".ghost");
+    const std::string said = write_plot(folder / "plot.mvr", 1, "film ");
+    EXPECT_NE(said.find("is a link"), std::string::npos) << said;
+    EXPECT_TRUE(fs::is_empty(folder / "elsewhere"));
+}
+
+} // namespace
+} // namespace ghost::scene

@@ -1,0 +1,64 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Hand-made shows in a folder of their own that goes away.
+
+#include "bake/bake_show.h"
+#include "fixture/type.h"
+#include "support/test_stage.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <string>
+#include <unistd.h>
+
+namespace ghost::bake {
+
+class TestFolder {
+public:
+    TestFolder() {
+        path = std::filesystem::temp_directory_path() /
+               ("ghost_bake_" + std::to_string(::getpid()) + "_" + std::to_string(counter_++));
+        std::filesystem::create_directories(path);
+    }
+    ~TestFolder() {
+        std::error_code code;
+        std::filesystem::remove_all(path, code);
+    }
+    TestFolder(const TestFolder&) = delete;
+    TestFolder& operator=(const TestFolder&) = delete;
+    std::filesystem::path path;
+
+private:
+    static inline int counter_ = 0;
+};
+
+inline void add_fixture(scene::Show& show, const std::string& name, const glm::vec3& position_m) {
+    static const auto type = [] {
+        auto made = std::make_shared<fixture::Type>();
+        made->modes.emplace_back();
+        return made;
+    }();
+    scene::PatchedFixture fixture;
+    fixture.name = name;
+    fixture.type = type;
+    fixture.position_m = position_m;
+    show.fixtures.push_back(std::move(fixture));
+}
+
+// Bytes of every file below.
+inline std::map<std::string, std::string> contents(const std::filesystem::path& folder) {
+    std::map<std::string, std::string> result;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file()) continue;
+        std::ifstream file(entry.path(), std::ios::binary);
+        result[std::filesystem::relative(entry.path(), folder).string()] =
+            std::string(std::istreambuf_iterator<char>(file), {});
+    }
+    return result;
+}
+
+} // namespace ghost::bake

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// The cue list: one cue after the other, what follows by itself, edits that are undone to the same bytes.
+#include "project/load_show.h"
+#include "support/test_desk.h"
+#include "ui/actions/cue_list.h"
+#include "ui/panels/cue_panel.h"
+
+namespace ghost::ui {
+namespace {
+
+const std::string kCues = R"(
+[[cue]] # the beginning
+name = "Dark"
+look = "Blue"
+follow_s = 0.3
+
+[[cue]]
+name = "Solo"
+camera = "front"
+notes = "when she turns round"
+)";
+const std::string kLooks = R"([[look]]
+name = "Blue"
+[[look.fixture]]
+name = "Lamp 1"
+intensity = 0.25
+)";
+
+struct CueDesk : Desk {
+    CueDesk() {
+        EXPECT_TRUE(write_file_atomic(file, kShow + kCues).ok());
+        EXPECT_TRUE(write_file_atomic(file.parent_path() / "looks.toml", kLooks).ok());
+        open();
+    }
+    std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        for (const scene::Cue& cue : cues.all()) all.push_back(cue.name);
+        return all;
+    }
+    Looks looks{studio};
+    CueList cues{studio, document, looks};
+};
+
+TEST(CueList, go_recalls_the_look_and_what_follows_goes_by_itself) {
+    CueDesk desk;
+    EXPECT_EQ(desk.names(), (std::vector<std::string>{"Dark", "Solo"}));
+    EXPECT_NE(desk.cues.back().error().text().find("first cue"), std::string::npos);
+    ASSERT_TRUE(desk.cues.go().ok());
+    EXPECT_EQ(desk.cues.current(), 0u);
+    EXPECT_EQ(desk.studio.look().fixtures.at(0).intensity, 0.25f);
+    EXPECT_GE(desk.cues.follows_in_s(), 0);
+    wait_ms(600);
+    EXPECT_EQ(desk.cues.current(), 1u) << "it followed";
+    EXPECT_LT(desk.cues.follows_in_s(), 0);
+    EXPECT_EQ(desk.studio.camera().name, "front");
+    EXPECT_NE(desk.cues.go().error().text().find("last cue"), std::string::npos);
+    ASSERT_TRUE(desk.cues.back().ok());
+    EXPECT_EQ(desk.cues.current(), 0u);
+}
+
+TEST(CueList, edits_keep_comments_and_are_undone_to_the_same_bytes) {
+    CueDesk desk;
+    const std::string before = desk.document.text();
+    ASSERT_TRUE(desk.cues.set(0, "fade", "2.5").ok());
+    desk.follow();
+    EXPECT_EQ(desk.cues.all()[0].fade_s, 2.5f);
+    EXPECT_NE(desk.document.text().find("# the beginning"), std::string::npos);
+    ASSERT_TRUE(desk.cues.move(1, -1).ok());
+    desk.follow();
+    EXPECT_EQ(desk.names(), (std::vector<std::string>{"Solo", "Dark"}));
+    ASSERT_TRUE(desk.cues.add("", "Blue").ok());
+    desk.follow();
+    EXPECT_EQ(desk.names(), (std::vector<std::string>{"Solo", "Dark", "Blue"}));
+    ASSERT_TRUE(desk.cues.remove(0).ok());
+    desk.follow();
+    EXPECT_EQ(desk.names(), (std::vector<std::string>{"Dark", "Blue"}));
+    while (desk.studio.undo_stack().canUndo()) desk.studio.undo_stack().undo();
+    EXPECT_EQ(desk.document.text(), before);
+}
+
+TEST(CueList, what_a_cue_cannot_be_is_refused_in_words) {
+    CueDesk desk;
+    const auto error = [&](std::size_t index, const char* what, const char* words) {
+        const Result<void> done = desk.cues.set(index, what, words);
+        return done.ok() ? std::string() : done.error().text();
+    };
+    EXPECT_NE(error(0, "name", "Solo").find("another cue is called 'Solo'"), std::string::npos);
+    EXPECT_NE(error(0, "look", "Blu").find("did you mean 'Blue'"), std::string::npos);
+    EXPECT_NE(error(0, "fade", "4000").find("from 0 to 3600"), std::string::npos);
+    EXPECT_NE(error(0, "follow", "soon").find("is no number of seconds"), std::string::npos);
+    EXPECT_NE(error(0, "look", "").find("needs a look, a camera or a place"), std::string::npos);
+    EXPECT_NE(error(0, "colour", "1").find("is none of name, look"), std::string::npos);
+    EXPECT_NE(error(7, "name", "x").find("no cue number 8"), std::string::npos);
+}
+
+TEST(CueList, with_the_recording_cues_come_by_at_their_seconds) {
+    CueDesk desk;
+    ASSERT_TRUE(desk.cues.set(1, "at", "10").ok());
+    desk.follow();
+    desk.cues.set_follows_recording(true);
+    const auto play = [&](double at_s) {
+        RigNow rig = four_lit();
+        rig.recording_s = 60;
+        rig.at_s = at_s;
+        desk.link.rig.put(std::move(rig));
+        desk.link.on_news();
+        settle();
+    };
+    play(9.9);
+    EXPECT_FALSE(desk.cues.current());
+    const std::uint64_t seeks = desk.studio.wishes().transport.seeks;
+    play(10.02);
+    EXPECT_EQ(desk.cues.current(), 1u);
+    EXPECT_EQ(desk.studio.wishes().transport.seeks, seeks) << "it is there already";
+}
+
+TEST(Cues, a_show_file_says_what_is_wrong_with_them) {
+    QTemporaryDir folder;
+    const std::filesystem::path file = folder.filePath("show.toml").toStdString();
+    ASSERT_TRUE(write_file_atomic(file,
+                                  "[show]\n[[camera]]\nname = \"front\"\n[[cue]]\nname = \"A\"\nlook = "
+                                  "\"None\"\nfollow_s = -1\n[[cue]]\nname = \"B\"\nnotes = \"nowhere\"\n")
+                    .ok());
+    Report report;
+    const auto show = scene::load_show(file, false, report);
+    ASSERT_TRUE(show.ok());
+    std::string all;
+    for (const Message& message : report.messages) all += message.where + ": " + message.what + "\n";
+    EXPECT_NE(all.find("show.toml:4: [[cue]] names look 'None'"), std::string::npos) << all;
+    EXPECT_NE(all.find("follow_s"), std::string::npos) << all;
+    EXPECT_NE(all.find("show.toml:8: [[cue]] at_s is missing"), std::string::npos) << all;
+}
+
+} // namespace
+} // namespace ghost::ui

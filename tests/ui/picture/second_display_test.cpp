@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The picture on a second display: it is drawn for the larger window, goes when its display is unplugged, and
+// comes back with it.
+#include "support/test_window.h"
+#include "ui/picture/second_display.h"
+
+#include <QGuiApplication>
+#include <QPixmap>
+#include <QScreen>
+
+namespace ghost::ui {
+namespace {
+
+struct Displayed {
+    Displayed() {
+        bench.open();
+        bench.studio.set_size(320, 180);
+        scene::Camera camera = bench.studio.camera();
+        bench.show_picture(camera);
+        QObject::connect(&display, &SecondDisplay::changed, [this](const QString& what) { said = what; });
+    }
+    ~Displayed() { display.close(); }
+    PictureWindow* window() const {
+        for (QWidget* widget : QApplication::topLevelWidgets())
+            if (auto* found = qobject_cast<PictureWindow*>(widget)) return found;
+        return nullptr;
+    }
+    static void wait_ms(int ms) {
+        QElapsedTimer clock;
+        clock.start();
+        while (clock.elapsed() < ms) QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+    }
+
+    Bench bench;
+    SecondDisplay display{bench.studio};
+    QString said;
+};
+
+TEST(SecondDisplay, a_window_of_its_own_shows_the_picture_and_sets_its_size) {
+    Displayed displayed;
+    ASSERT_TRUE(displayed.display.open("window", nullptr).ok());
+    ASSERT_TRUE(displayed.window());
+    displayed.wait_ms(300);
+    EXPECT_EQ(displayed.bench.studio.camera().width, 960);
+    const QImage shown = displayed.window()->grab().toImage();
+    EXPECT_EQ(shown.pixelColor(shown.width() / 2, shown.height() / 2).red(), 200)
+        << "the picture of the bench is red";
+    displayed.window()->close();
+    settle();
+    EXPECT_FALSE(displayed.display.is_open());
+    EXPECT_EQ(displayed.bench.studio.camera().width, 320) << "the size of the view again";
+}
+
+TEST(SecondDisplay, an_unplugged_display_takes_the_window_along_and_brings_it_back) {
+    Displayed displayed;
+    QScreen* const screen = QGuiApplication::primaryScreen();
+    ASSERT_TRUE(displayed.display.open(screen->name().isEmpty() ? "1" : screen->name(), nullptr).ok());
+    ASSERT_TRUE(displayed.window());
+    EXPECT_EQ(displayed.window()->geometry().size(), screen->geometry().size());
+    Q_EMIT qGuiApp->screenRemoved(screen);
+    EXPECT_EQ(displayed.window(), nullptr);
+    EXPECT_FALSE(displayed.display.is_open());
+    EXPECT_TRUE(displayed.said.contains("is gone")) << displayed.said.toStdString();
+    if (!screen->name().isEmpty()) {
+        EXPECT_TRUE(displayed.display.waits());
+        Q_EMIT qGuiApp->screenAdded(screen);
+        EXPECT_TRUE(displayed.window());
+    }
+    displayed.display.close();
+    EXPECT_FALSE(displayed.display.waits());
+}
+
+TEST(SecondDisplay, without_a_name_it_is_the_one_where_the_window_is_not) {
+    Displayed displayed;
+    const QList<QScreen*> screens = QGuiApplication::screens();
+    ASSERT_EQ(screens.size(), 2);
+    ASSERT_TRUE(displayed.display.open("", screens[0]).ok());
+    EXPECT_EQ(displayed.display.words(), "second");
+    displayed.wait_ms(300);
+    const QSize pixels = screens[1]->size() * screens[1]->devicePixelRatio();
+    EXPECT_EQ(displayed.bench.studio.camera().width, pixels.width()) << "all that the display has";
+    EXPECT_EQ(displayed.bench.studio.camera().height, pixels.height());
+}
+
+TEST(SecondDisplay, what_is_not_there_is_a_sentence) {
+    Displayed displayed;
+    const Result<void> seventh = displayed.display.open("7", nullptr);
+    ASSERT_FALSE(seventh.ok());
+    EXPECT_NE(seventh.error().text().find("there are 1 (first"), std::string::npos) << seventh.error().text();
+}
+
+} // namespace
+} // namespace ghost::ui

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fixtures hung under trusses in the window: spread evenly under the chosen or the nearest one, in the text
+// of the show, undone byte for byte.
+#include "support/test_desk.h"
+
+#include "ui/actions/hang_edit.h"
+#include "ui/panels/scene_panel.h"
+
+namespace ghost::ui {
+namespace {
+
+// Front truss at y 0 of two pieces, back truss at y 8, a tower, and a wall.
+struct Stage : Desk {
+    Stage() {
+        open();
+        add_hang_action(actions, studio, document);
+        Opened opened = studio.opened();
+        opened.is_edit = false;
+        const auto add = [&](const char* name, std::optional<scene::Bar> bar) {
+            Object object;
+            object.name = name;
+            object.instance = opened.objects.size();
+            object.bar = bar;
+            opened.objects.push_back(object);
+        };
+        add("front 1", scene::Bar{{-4, 0, 6}, {0, 0, 6}, 0.4f});
+        add("front 2", scene::Bar{{0, 0, 6}, {2, 0, 6}, 0.4f});
+        add("back", scene::Bar{{-4, 8, 5.5f}, {4, 8, 5.5f}, 0.4f});
+        add("tower", std::nullopt);
+        add("wall", scene::Bar{{-6, 3, 0}, {6, 3, 0}, 5});
+        link.opened.put(std::move(opened));
+        link.on_news();
+        settle();
+    }
+    std::string complaint(const QString& line) {
+        const Result<void> done = actions.run(line);
+        follow();
+        return done.ok() ? "" : done.error().text();
+    }
+
+    QWidget widget;
+    Actions actions{widget};
+};
+
+TEST(Hang, the_nearest_truss_with_all_its_pieces_takes_them_evenly) {
+    Stage stage;
+    stage.studio.select({0, 1, 2});
+    ASSERT_EQ(stage.complaint("hang"), "");
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_EQ(stage.fixture(i).position_m, glm::vec3(-3 + 2 * static_cast<float>(i), 0, 6)) << i;
+    EXPECT_NE(stage.document.text().find("position_m = [-3, 0, 6]"), std::string::npos)
+        << stage.document.text();
+    stage.studio.undo_stack().undo();
+    EXPECT_EQ(stage.document.text(), kShow);
+}
+
+TEST(Hang, one_that_is_named_and_one_lamp_alone) {
+    Stage stage;
+    stage.studio.select({1}); // at x -1
+    ASSERT_EQ(stage.complaint("hang back"), "");
+    EXPECT_EQ(stage.fixture(1).position_m, glm::vec3(-1, 8, 5.5f));
+    EXPECT_EQ(stage.fixture(0).position_m, glm::vec3(-3, 0, 4));
+}
+
+TEST(Hang, what_is_no_truss_is_said_and_nothing_moves) {
+    Stage stage;
+    EXPECT_NE(stage.complaint("hang").find("no fixture is selected"), std::string::npos);
+    stage.studio.select({0});
+    EXPECT_NE(stage.complaint("hang tower").find("is no truss or pipe"), std::string::npos);
+    EXPECT_NE(stage.complaint("hang wall").find("is no truss or pipe"), std::string::npos);
+    EXPECT_NE(stage.complaint("hang pier").find("there is no object 'pier'"), std::string::npos);
+    EXPECT_FALSE(hang_under(stage.studio, stage.document, 3).ok());
+    EXPECT_FALSE(hang_under(stage.studio, stage.document, 99).ok());
+    EXPECT_EQ(stage.document.text(), kShow);
+    EXPECT_FALSE(stage.studio.undo_stack().canUndo());
+}
+
+TEST(Hang, the_scene_panel_offers_it_for_what_lies) {
+    Stage stage;
+    ScenePanel of_stage(stage.studio, nullptr);
+    std::optional<std::size_t> asked;
+    QObject::connect(&of_stage, &ScenePanel::asks_to_hang, [&](std::size_t object) { asked = object; });
+    // It was made after the show was opened.
+    stage.link.opened.put([&] {
+        Opened opened = stage.studio.opened();
+        opened.is_edit = false;
+        return opened;
+    }());
+    stage.link.on_news();
+    settle();
+    QPushButton* hang = nullptr;
+    for (auto* button : of_stage.findChildren<QPushButton*>())
+        if (button->text().startsWith("Hang")) hang = button;
+    ASSERT_NE(hang, nullptr);
+    auto* objects = of_stage.findChild<QTreeWidget*>();
+    const auto choose = [&](const char* name) {
+        objects->setCurrentItem(objects->findItems(name, Qt::MatchExactly | Qt::MatchRecursive).value(0));
+    };
+    EXPECT_FALSE(hang->isEnabled()) << "nothing is chosen";
+    choose("back");
+    EXPECT_FALSE(hang->isEnabled()) << "no fixture is selected";
+    stage.studio.select({0, 2});
+    EXPECT_TRUE(hang->isEnabled());
+    choose("tower");
+    EXPECT_FALSE(hang->isEnabled()) << "a tower stands";
+    choose("back");
+    hang->click();
+    EXPECT_EQ(asked, 2u);
+}
+
+} // namespace
+} // namespace ghost::ui

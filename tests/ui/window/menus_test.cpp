@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+// Menus, what the right button brings up, the first screen and what is said of things that show nothing else:
+// in the window itself.
+#include "project/load_show.h"
+#include "support/test_window.h"
+#include "ui/actions/script.h"
+#include "ui/window/window.h"
+
+#include "files/files.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QSettings>
+
+#include <map>
+
+namespace ghost::ui {
+namespace {
+
+struct InWindow {
+    explicit InWindow(WindowOptions options = {.remembers = false, .width = 900, .height = 600})
+        : window(link, options) {
+        window.show();
+        settle();
+    }
+    void open(Opened opened = four_lamps()) {
+        link.opened.put(std::move(opened));
+        link.rig.put(four_lit());
+        link.on_news();
+        settle();
+    }
+    QMenu* menu(const QString& title) {
+        for (QAction* const one : window.menuBar()->actions())
+            if (one->text() == title) return one->menu();
+        return nullptr;
+    }
+    // As it is while the menu is open.
+    std::map<QString, bool> enabled(const QString& title) {
+        std::map<QString, bool> items;
+        Q_EMIT menu(title)->aboutToShow();
+        for (const Action& action : window.actions().all())
+            if (const QAction* item = window.actions().item(action.name);
+                menu(title)->actions().contains(item))
+                items[action.name] = item->isEnabled();
+        Q_EMIT menu(title)->aboutToHide();
+        return items;
+    }
+    std::string error_of(const QString& line) {
+        const Result<void> done = window.actions().run(line);
+        return done.ok() ? "" : done.error().text();
+    }
+    QString toast() { return window.findChild<Toast*>()->words(); }
+
+    Link link;
+    Window window;
+};
+
+TEST(Menus, every_action_with_a_menu_stands_in_it_once_and_groups_are_parted) {
+    InWindow in;
+    for (const Action& action : in.window.actions().all()) {
+        if (action.menu.isEmpty()) continue;
+        SCOPED_TRACE(action.name.toStdString());
+        ASSERT_TRUE(in.menu(action.menu));
+        EXPECT_EQ(in.menu(action.menu)->actions().count(in.window.actions().item(action.name)), 1);
+    }
+    for (const char* const title : {"Show", "Edit", "View", "Camera", "Play"}) {
+        const QList<QAction*> items = in.menu(title)->actions();
+        EXPECT_GE(
+            std::count_if(items.begin(), items.end(), [](const QAction* one) { return one->isSeparator(); }),
+            2)
+            << title;
+        EXPECT_FALSE(items.first()->isSeparator() || items.last()->isSeparator()) << title;
+    }
+    EXPECT_EQ(in.menu("Show")->actions().last(), in.window.actions().item("quit"));
+}
+
+TEST(Menus, what_cannot_be_done_is_grey_while_the_menu_is_open_and_keys_still_say_why) {
+    InWindow in;
+    auto items = in.enabled("Edit");
+    for (const char* const name : {"undo", "select-all", "release", "hang", "add-fixture"})
+        EXPECT_FALSE(items.at(name)) << name;
+    EXPECT_TRUE(in.enabled("Show").at("open"));
+    EXPECT_TRUE(in.enabled("Show").at("new"));
+    EXPECT_FALSE(in.enabled("Show").at("save"));
+    in.open();
+    items = in.enabled("Edit");
+    EXPECT_TRUE(items.at("select-all"));
+    EXPECT_FALSE(items.at("release"));
+    EXPECT_FALSE(items.at("undo"));
+    EXPECT_EQ(in.error_of("select *"), "");
+    EXPECT_EQ(in.error_of("intensity 1"), "");
+    items = in.enabled("Edit");
+    EXPECT_TRUE(items.at("release"));
+    EXPECT_TRUE(items.at("undo"));
+    EXPECT_EQ(in.error_of("select-none"), "");
+    EXPECT_FALSE(in.enabled("Edit").at("release"));
+    EXPECT_TRUE(in.window.actions().item("release")->isEnabled()) << "its key says why it does nothing";
+}
+
+void click(QWidget* view, Qt::MouseButton button, const QPoint& press, const QPoint& release) {
+    for (const auto& [type, at] : {std::pair{QEvent::MouseButtonPress, press},
+                                   {QEvent::MouseMove, release},
+                                   {QEvent::MouseButtonRelease, release}}) {
+        QMouseEvent event(type, QPointF(at), QPointF(view->mapToGlobal(at)),
+                          type == QEvent::MouseMove ? Qt::NoButton : button,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : button, Qt::NoModifier);
+        QCoreApplication::sendEvent(view, &event);
+    }
+    settle();
+}
+
+TEST(ContextMenu, the_right_button_brings_one_up_where_it_was_not_dragged) {
+    InWindow in;
+    in.open();
+    auto* const view = in.window.findChild<View*>();
+    const auto menu = [&] { return qobject_cast<QMenu*>(QApplication::activePopupWidget()); };
+    click(view, Qt::RightButton, {50, 60}, {160, 90});
+    EXPECT_FALSE(menu()) << "it looked around";
+    click(view, Qt::RightButton, {50, 60}, {51, 60});
+    ASSERT_TRUE(menu());
+    EXPECT_TRUE(menu()->actions().contains(in.window.actions().item("select-all")));
+    menu()->close();
+    settle();
+    EXPECT_EQ(in.error_of("select \"Lamp 2\""), "");
+    click(view, Qt::RightButton, {50, 60}, {50, 60});
+    ASSERT_TRUE(menu());
+    for (const char* const name :
+         {"select-similar", "hang", "focus", "release", "panel-values", "substitute"})
+        EXPECT_TRUE(menu()->actions().contains(in.window.actions().item(name))) << name;
+    menu()->close();
+    settle();
+}
+
+TEST(ContextMenu, all_of_a_type_are_selected) {
+    InWindow in;
+    in.open();
+    EXPECT_EQ(in.error_of("select-similar"), "select-similar: no fixture is selected");
+    EXPECT_EQ(in.error_of("select \"Lamp 2\""), "");
+    EXPECT_EQ(in.error_of("select-similar"), "");
+    EXPECT_EQ(in.window.studio().selection().size(), 4u);
+}
+
+TEST(FirstScreen, three_ways_to_a_show_and_no_panels_until_one_is_there) {
+    InWindow in({.demo = "assets/demo", .remembers = false, .width = 900, .height = 600});
+    auto* const welcome = in.window.findChild<QWidget*>("welcome");
+    ASSERT_TRUE(welcome);
+    EXPECT_TRUE(welcome->isVisible());
+    EXPECT_EQ(welcome->findChildren<QPushButton*>().size(), 3);
+    for (const QDockWidget* const dock : in.window.findChildren<QDockWidget*>())
+        EXPECT_FALSE(dock->isVisible()) << dock->objectName().toStdString();
+    in.open();
+    EXPECT_FALSE(welcome->isVisible());
+    EXPECT_TRUE(in.window.findChild<QDockWidget*>("fixtures")->isVisible());
+    EXPECT_EQ(in.window.studio().wishes().transport.seeks, 0u) << "not the demo";
+    Opened demo = four_lamps();
+    auto show = std::make_shared<scene::Show>(*demo.show);
+    show->folder = "assets/demo";
+    demo.show = show;
+    in.open(std::move(demo));
+    EXPECT_EQ(in.window.studio().wishes().transport.at_s, 55);
+}
+
+TEST(FirstScreen, shows_of_the_last_time_are_there_the_next_time_with_their_pictures) {
+    QTemporaryDir home;
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
+    ASSERT_TRUE(qputenv("XDG_CACHE_HOME", home.path().toUtf8()));
+    const QString file = home.filePath("tour/show.toml");
+    ASSERT_TRUE(QDir().mkpath(home.filePath("tour")));
+    ASSERT_TRUE(write_file_atomic(file.toStdString(), "[show]\n").ok());
+    {
+        InWindow in({.width = 900, .height = 600});
+        Opened tour = four_lamps();
+        auto show = std::make_shared<scene::Show>(*tour.show);
+        show->file = file.toStdString();
+        show->name = "Tour";
+        tour.show = show;
+        in.open(std::move(tour));
+        Picture picture;
+        picture.image = std::make_shared<image::Image8>(64, 36, 4);
+        in.link.picture.put(std::move(picture));
+        in.link.on_news();
+        settle();
+    }
+    InWindow in({.width = 900, .height = 600});
+    auto* const list = in.window.findChild<QWidget*>("welcome")->findChild<QListWidget*>();
+    ASSERT_EQ(list->count(), 1);
+    EXPECT_EQ(list->item(0)->text(), "Tour");
+    EXPECT_TRUE(QFile::exists(RecentShows(in.window.studio(), true).all().front().picture));
+    Q_EMIT list->itemActivated(list->item(0));
+    EXPECT_EQ(in.window.studio().wishes().show, file.toStdString());
+    EXPECT_EQ(InWindow().window.findChild<QWidget*>("welcome")->findChild<QListWidget*>()->count(), 0)
+        << "--forget";
+    qunsetenv("XDG_CACHE_HOME");
+}
+
+TEST(NewShow, a_folder_with_a_stage_that_opens_and_nothing_that_is_there_is_overwritten) {
+    QTemporaryDir home;
+    InWindow in;
+    const QString folder = home.filePath("My tour");
+    EXPECT_EQ(in.error_of("new \"" + folder + "\""), "");
+    EXPECT_EQ(in.window.studio().wishes().show, folder.toStdString());
+    Report report;
+    const auto show = scene::load_show(folder.toStdString(), true, report);
+    ASSERT_TRUE(show.ok()) << show.error().text();
+    EXPECT_TRUE(report.messages.empty()) << report.messages.front().what;
+    EXPECT_EQ(show->name, "My tour");
+    EXPECT_EQ(show->stage.instances.size(), 2u);
+    EXPECT_NE(in.error_of("new \"" + folder + "\"").find("is there already"), std::string::npos);
+    EXPECT_NE(in.error_of("import-plot \"" + folder + "/show.toml\"").find("is no .mvr"), std::string::npos);
+    EXPECT_NE(in.error_of("import-plot nothing.mvr").find("no such file"), std::string::npos);
+}
+
+TEST(Toast, what_shows_nothing_else_is_said_with_a_way_back) {
+    InWindow in;
+    in.open();
+    EXPECT_EQ(in.toast(), "");
+    EXPECT_EQ(in.error_of("select \"Lamp 1\""), "");
+    EXPECT_EQ(in.error_of("intensity 0.5"), "");
+    EXPECT_TRUE(in.toast().contains("By hand now: 1 fixture")) << in.toast().toStdString();
+    auto* const undo = in.window.findChild<Toast*>()->findChild<QToolButton*>();
+    ASSERT_TRUE(undo->isVisible());
+    undo->click();
+    EXPECT_TRUE(in.window.studio().look().is_empty());
+    EXPECT_EQ(in.toast(), "");
+    EXPECT_EQ(in.error_of("intensity 0.5"), "");
+    EXPECT_NE(in.toast(), "");
+    wait_ms(2300);
+    EXPECT_EQ(in.toast(), "") << "two seconds";
+}
+
+// A choice for the show before says nothing of this one.
+TEST(InputChoice, another_show_begins_with_the_automatic_one) {
+    InWindow in;
+    in.open();
+    EXPECT_EQ(in.error_of("input-recording"), "");
+    EXPECT_EQ(in.window.studio().wishes().input, Input::recording);
+    in.open();
+    EXPECT_EQ(in.window.studio().wishes().input, Input::automatic);
+}
+
+TEST(Socket, a_folder_of_that_name_is_said) {
+    InWindow in;
+    QTemporaryDir folder;
+    RemoteControl remote(in.window.actions(), in.window.studio(), nullptr);
+    const Result<void> made = remote.listen(folder.path());
+    ASSERT_FALSE(made.ok());
+    EXPECT_NE(made.error().text().find("is a folder; expected the name of a socket"), std::string::npos)
+        << made.error().text();
+}
+
+} // namespace
+} // namespace ghost::ui

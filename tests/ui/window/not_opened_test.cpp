@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+// A show that cannot be opened while another one is: the window says so in red where people look, with a way
+// on, and keeps it in Messages until a show opens.
+#include "support/test_window.h"
+#include "ui/panels/message_panel.h"
+#include "ui/window/private/notice_bar.h"
+#include "ui/window/window.h"
+
+#include <QLabel>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+
+namespace ghost::ui {
+namespace {
+
+struct Failing {
+    Failing() {
+        window.show();
+        settle();
+    }
+    void open_one() {
+        link.opened.put(four_lamps());
+        link.on_news();
+        settle();
+    }
+    void fail(const Error& error) {
+        window.studio().open(error.where);
+        link.not_opened.put(error);
+        link.on_news();
+        settle();
+    }
+    QString words_of_bar() const {
+        const auto labels = bar->findChildren<QLabel*>();
+        return labels.isEmpty() ? QString() : labels.first()->text();
+    }
+    QAction* button(const QString& text) const {
+        for (QAction* const one : bar->actions())
+            if (one->text() == text) return one;
+        return nullptr;
+    }
+    QString first_message() const {
+        const auto* list = window.findChild<MessagePanel*>()->findChild<QTreeWidget*>();
+        return list->topLevelItemCount() > 0 ? list->topLevelItem(0)->text(1) : QString();
+    }
+
+    Link link;
+    Window window{link, WindowOptions{.remembers = false, .width = 900, .height = 600}};
+    NoticeBar* bar = window.findChild<NoticeBar*>();
+};
+
+TEST(NotOpened, a_show_that_fails_beside_an_open_one_is_said_in_the_bar_and_stays_in_messages) {
+    QTemporaryDir folder;
+    const QString file = folder.filePath("show.toml");
+    QFile(file).open(QIODevice::WriteOnly);
+    Failing failing;
+    failing.open_one();
+    ASSERT_FALSE(failing.bar->isVisible());
+    failing.fail({"is not TOML: a quotation mark is missing", file.toStdString() + ":6"});
+    EXPECT_TRUE(failing.bar->isVisible());
+    EXPECT_TRUE(failing.words_of_bar().contains("show.toml:6: is not TOML: a quotation mark is missing"))
+        << failing.words_of_bar().toStdString();
+    EXPECT_TRUE(failing.words_of_bar().contains("What was open stays open"));
+    EXPECT_FALSE(failing.bar->styleSheet().isEmpty()) << "red";
+    EXPECT_TRUE(failing.button("Open the file"));
+    EXPECT_TRUE(failing.first_message().contains("a quotation mark is missing"));
+    // An edit of the open show takes neither away.
+    Opened edit = four_lamps();
+    edit.is_edit = true;
+    failing.link.opened.put(std::move(edit));
+    failing.link.on_news();
+    settle();
+    EXPECT_TRUE(failing.bar->isVisible());
+    failing.button("Close")->trigger();
+    settle();
+    EXPECT_FALSE(failing.bar->isVisible());
+    EXPECT_TRUE(failing.first_message().contains("a quotation mark is missing")) << "until a show opens";
+    failing.window.studio().open("another");
+    failing.open_one();
+    EXPECT_FALSE(failing.first_message().contains("quotation mark"));
+}
+
+TEST(NotOpened, without_a_file_there_is_nothing_to_open_and_the_next_show_takes_the_line_away) {
+    Failing failing;
+    failing.fail({"no such file or folder", "/nowhere/show.toml"});
+    EXPECT_TRUE(failing.bar->isVisible());
+    EXPECT_FALSE(failing.button("Open the file"));
+    EXPECT_FALSE(failing.words_of_bar().contains("stays open"));
+    failing.window.studio().open("another");
+    failing.open_one();
+    EXPECT_FALSE(failing.bar->isVisible());
+}
+
+} // namespace
+} // namespace ghost::ui

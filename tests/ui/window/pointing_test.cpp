@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fixtures and the mouse in the picture: heads aimed at a place, lamps dragged along what they hang under,
+// bodies that are clicked, names that do not lie on each other.
+#include "support/test_picture.h"
+#include "ui/actions/aiming.h"
+#include "ui/model/lamp_drag.h"
+#include "ui/picture/fixture_labels.h"
+
+#include "fixture_files/gdtf/gdtf.h"
+#include "show/camera_moves.h"
+
+#include <QImage>
+
+namespace ghost::ui {
+namespace {
+
+// Four heads that turn, 4 m above the stage.
+struct Heads : Bench {
+    Heads() {
+        Opened opened = four_lamps();
+        auto show = std::make_shared<scene::Show>(*opened.show);
+        const auto spot = fixture::load_gdtf(std::filesystem::path(GHOST_SOURCE_DIR) /
+                                             "assets/fixtures/Vari-Lite@VL2500_Spot.gdtf");
+        EXPECT_TRUE(spot.ok());
+        for (scene::PatchedFixture& fixture : show->fixtures)
+            fixture.type = std::make_shared<fixture::Type>(spot->type);
+        show->fixtures[3].rotation_deg = {180, 0, 30}; // stands
+        opened.show = std::move(show);
+        link.opened.put(std::move(opened));
+        link.rig.put(four_lit());
+        link.on_news();
+        settle();
+    }
+    // Where the beam of a head goes that was turned so.
+    glm::vec3 direction(std::size_t index) const {
+        const fixture::Manual& manual = studio.look().fixtures.at(index);
+        const float pan = glm::radians(*manual.pan_deg), tilt = glm::radians(*manual.tilt_deg);
+        const glm::vec3 own(-std::sin(pan) * std::sin(tilt), std::cos(pan) * std::sin(tilt), -std::cos(tilt));
+        return glm::mat3(scene::fixture_to_world(studio.show()->fixtures[index], 0)) * own;
+    }
+};
+
+TEST(Aim, every_head_points_at_the_place) {
+    Heads heads;
+    EXPECT_FALSE(aim_selected(heads.studio, {0, 0, 0}).ok()) << "nothing is selected";
+    heads.studio.select({0, 1, 2, 3});
+    const glm::vec3 at_m(1, 2.5f, 0.5f);
+    const Result<int> beyond = aim_selected(heads.studio, at_m);
+    ASSERT_TRUE(beyond.ok()) << beyond.error().text();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::vec3 way = glm::normalize(at_m - heads.studio.show()->fixtures[i].position_m);
+        EXPECT_GT(glm::dot(heads.direction(i), way), 0.99999f) << i;
+    }
+    heads.studio.undo_stack().undo();
+    EXPECT_TRUE(heads.studio.look().fixtures.empty()) << "one step";
+}
+
+TEST(Aim, a_spread_gives_each_its_own_place_in_their_order) {
+    Heads heads;
+    heads.studio.select({0, 1, 2});
+    ASSERT_TRUE(aim_selected(heads.studio, {0, 0, 0}, -6).ok());
+    for (std::size_t i = 0; i < 3; ++i) {
+        const glm::vec3 at_m(3 - 3 * static_cast<float>(i), 0, 0); // crossed
+        const glm::vec3 way = glm::normalize(at_m - heads.studio.show()->fixtures[i].position_m);
+        EXPECT_GT(glm::dot(heads.direction(i), way), 0.99999f) << i;
+    }
+}
+
+TEST(Aim, who_does_not_turn_is_named_and_who_does_not_reach_counted) {
+    Bench lamps;
+    lamps.open();
+    lamps.studio.select({0});
+    EXPECT_EQ(aim_selected(lamps.studio, {0, 0, 0}).error().what, "nothing that is selected turns both ways");
+    Heads heads;
+    heads.studio.select({0});
+    const Result<int> beyond = aim_selected(heads.studio, {-3, 0, 10}); // straight up, behind its own base
+    ASSERT_TRUE(beyond.ok());
+    EXPECT_EQ(*beyond, 1);
+    EXPECT_LT(std::abs(*heads.studio.look().fixtures.at(0).tilt_deg), 179);
+}
+
+TEST(Aim, through_the_picture_as_soon_as_the_engine_says_what_is_there) {
+    Heads heads;
+    QWidget widget;
+    Actions actions(widget);
+    std::string said;
+    actions.complain = [&](const Error& error) { said = error.text(); };
+    Aiming aiming(heads.studio, actions, nullptr);
+    heads.studio.select({1});
+    EXPECT_FALSE(aiming.aim_through({0.5f, 0.5f}).ok()) << "no picture";
+    scene::Camera camera = heads.studio.camera();
+    camera.width = 320;
+    camera.height = 180;
+    heads.show_picture(camera);
+    ASSERT_TRUE(aiming.aim_through({0.5f, 0.5f}).ok());
+    const Pick pick = heads.studio.wishes().pick;
+    EXPECT_EQ(pick.from_m, camera.position_m);
+    EXPECT_NEAR(glm::distance(pick.way, glm::vec3(0, 1, 0)), 0, 1e-5f);
+    heads.link.picked.put({pick.number - 1, true, {9, 9, 9}, std::nullopt, "of an older request"});
+    heads.link.on_news();
+    settle();
+    EXPECT_TRUE(heads.studio.look().fixtures.empty());
+    heads.link.picked.put({pick.number, true, {0, 3, 2}, std::nullopt, "wall"});
+    heads.link.on_news();
+    settle();
+    ASSERT_EQ(heads.studio.look().fixtures.size(), 1u);
+    EXPECT_EQ(said, "");
+    ASSERT_TRUE(aiming.aim_through({0.5f, 0}).ok());
+    heads.link.picked.put({heads.studio.wishes().pick.number, false, {}, std::nullopt, ""});
+    heads.link.on_news();
+    settle();
+    EXPECT_EQ(said, "there is nothing but air to aim at");
+}
+
+std::vector<Object> truss() {
+    Object truss;
+    truss.name = "truss_mid";
+    truss.bar = scene::Bar{{-4, 0, 4.2f}, {4, 0, 4.2f}, 0.4f, 0.4f};
+    return {truss};
+}
+
+TEST(LampDrag, goes_along_its_truss_to_its_end_and_on_the_level_without_one) {
+    const LampDrag hung({-1, 0, 4}, truss()), free({-1, 3, 4}, truss());
+    const glm::vec3 eye(0, -10, 2);
+    const auto towards = [&](const glm::vec3& at) { return glm::normalize(at - eye); };
+    EXPECT_NEAR(glm::distance(hung.by_m(eye, towards({1.234f, 0, 4}), false), {2.23f, 0, 0}), 0, 0.011f);
+    EXPECT_EQ(hung.by_m(eye, towards({90, 0, 4}), false), glm::vec3(5, 0, 0)) << "its end";
+    EXPECT_EQ(hung.words({2, 0, 0}), "2.00 m along truss_mid");
+    EXPECT_NEAR(glm::distance(free.by_m(eye, towards({1, 5, 4}), false), {2, 2, 0}), 0, 0.02f);
+    EXPECT_EQ(free.words({3, 4, 0}), "5.00 m");
+    EXPECT_NEAR(glm::distance(hung.by_m(eye, towards({-1, 0, 5.5f}), true), {0, 0, 1.5f}), 0, 0.02f);
+    EXPECT_EQ(hung.words({0, 0, -1.5f}), "1.50 m down");
+    EXPECT_EQ(free.by_m(eye, {0, 1, 0}, false), glm::vec3(0)) << "never meets the level";
+    EXPECT_LE(glm::length(free.by_m(eye, glm::normalize(glm::vec3(0, 1, 0.021f)), false)), 100.1f);
+}
+
+TEST(LampDrag, takes_others_along_as_far_as_all_of_them_hang) {
+    LampDrag drag({-1, 0, 4}, truss());
+    drag.take_along(LampDrag({2.5f, 0, 4}, truss()));
+    drag.take_along(LampDrag({3, 7, 4}, truss())); // hangs under nothing
+    const glm::vec3 eye(0, -10, 2);
+    EXPECT_EQ(drag.by_m(eye, glm::normalize(glm::vec3(90, 0, 4) - eye), false), glm::vec3(1.5f, 0, 0));
+    EXPECT_EQ(drag.by_m(eye, glm::normalize(glm::vec3(-90, 0, 4) - eye), false), glm::vec3(-3, 0, 0));
+}
+
+TEST(Pointing, a_body_far_from_its_lamp_is_selected_when_the_engine_says_whose_it_is) {
+    Watched seen;
+    seen.bench.studio.select({0});
+    seen.click({160, 150});
+    EXPECT_TRUE(seen.bench.studio.selection().empty());
+    const std::uint64_t number = seen.bench.studio.wishes().pick.number;
+    ASSERT_GT(number, 0u);
+    seen.bench.link.picked.put({number, true, {0, 0, 1}, std::size_t{2}, "Lamp 3 yoke"});
+    seen.bench.link.on_news();
+    settle();
+    EXPECT_EQ(seen.bench.studio.selection(), std::set<std::size_t>{2});
+    seen.click({160, 150}, Qt::ControlModifier);
+    seen.bench.link.picked.put({seen.bench.studio.wishes().pick.number, true, {}, std::size_t{1}, ""});
+    seen.bench.link.on_news();
+    settle();
+    EXPECT_EQ(seen.bench.studio.selection(), (std::set<std::size_t>{1, 2}));
+}
+
+TEST(Pointing, a_drag_of_a_selected_lamp_moves_it_and_of_another_the_camera) {
+    Watched seen;
+    std::vector<glm::vec3> moves;
+    seen.view.on_move = [&](const glm::vec3& by_m) { moves.push_back(by_m); };
+    const scene::Camera before = seen.bench.studio.camera();
+    seen.bench.studio.select({1, 2});
+    seen.drag(seen.lamp(1), seen.lamp(1) + QPointF(30, 0), Qt::LeftButton);
+    ASSERT_EQ(moves.size(), 1u);
+    EXPECT_GT(moves[0].x, 0.2f);
+    EXPECT_EQ(moves[0].z, 0);
+    EXPECT_EQ(seen.bench.studio.camera().position_m, before.position_m);
+    seen.drag(seen.lamp(0), seen.lamp(0) + QPointF(30, 0), Qt::LeftButton);
+    EXPECT_EQ(moves.size(), 1u);
+    EXPECT_NE(seen.bench.studio.camera().position_m, before.position_m);
+}
+
+TEST(Pointing, shift_and_a_click_aims_and_selects_nothing) {
+    Watched seen;
+    std::vector<glm::vec2> places;
+    seen.view.on_aim = [&](const glm::vec2& place) { places.push_back(place); };
+    seen.bench.studio.select({1});
+    seen.click({240, 45}, Qt::ShiftModifier);
+    ASSERT_EQ(places.size(), 1u);
+    EXPECT_NEAR(places[0].x, 0.75f, 0.01f);
+    EXPECT_NEAR(places[0].y, 0.25f, 0.01f);
+    EXPECT_EQ(seen.bench.studio.selection(), std::set<std::size_t>{1});
+}
+
+TEST(Wipe, keeps_what_was_seen_left_of_a_line_that_is_dragged) {
+    Watched seen;
+    ASSERT_TRUE(seen.view.begin_wipe(0.5).ok());
+    scene::Camera camera = seen.bench.studio.picture().camera;
+    Picture green;
+    auto image = std::make_shared<image::Image8>(camera.width, camera.height, 4);
+    for (std::size_t i = 0; i < image->samples.size(); i += 4) image->samples[i + 1] = 200;
+    green.image = image;
+    green.camera = camera;
+    seen.bench.link.picture.put(std::move(green));
+    seen.bench.link.on_news();
+    settle();
+    const auto colour_at = [&](int x) { return seen.view.grab().toImage().pixelColor(x, 120); };
+    EXPECT_GT(colour_at(100).red(), 150);
+    EXPECT_GT(colour_at(220).green(), 150);
+    const scene::Camera before = seen.bench.studio.camera();
+    seen.drag({161, 90}, {260, 90}, Qt::LeftButton);
+    EXPECT_EQ(seen.bench.studio.camera().position_m, before.position_m);
+    EXPECT_NEAR(seen.view.wipe().share(), 260.0 / 320, 0.01);
+    EXPECT_GT(colour_at(220).red(), 150);
+    seen.view.end_wipe();
+    EXPECT_GT(colour_at(100).green(), 150);
+}
+
+TEST(Labels, lie_beside_each_other_or_are_left_out) {
+    QImage image(400, 300, QImage::Format_RGB32);
+    QPainter painter(&image);
+    FixtureLabels labels(painter, QRectF(0, 0, 400, 300));
+    int painted = 0;
+    for (int k = 0; k < 20; ++k)
+        painted += labels.paint({200.0 + k, 150}, {"Wash " + QString::number(k)}, Qt::white) ? 1 : 0;
+    EXPECT_GE(painted, 3);
+    EXPECT_LE(painted, 6);
+    EXPECT_FALSE(labels.paint({-50, -50}, {"outside"}, Qt::white));
+    EXPECT_TRUE(labels.paint({60, 280}, {"elsewhere"}, Qt::white));
+}
+
+} // namespace
+} // namespace ghost::ui

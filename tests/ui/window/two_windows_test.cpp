@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+// Two windows on one show: one edits, the other reads and may take over; nothing that was not saved is lost.
+// And what saving does where the show file is a link, or cannot be read.
+#include "support/test_desk.h"
+
+#include <QDir>
+
+#include <fstream>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kUntilKept_ms = 700, kUntilSeen_ms = 1300;
+
+void rename_first(Desk& desk, const QString& name) {
+    desk.studio.select({0});
+    const Result<void> renamed = desk.edit.rename(name);
+    ASSERT_TRUE(renamed.ok()) << renamed.error().text();
+    desk.follow();
+}
+
+// Texts of what a window kept that another one took over.
+std::vector<std::string> kept_aside(const Desk& desk) {
+    std::vector<std::string> texts;
+    for (const auto& entry : fs::directory_iterator(fs::path(desk.folder) / ".ghost"))
+        if (entry.path().filename().string().starts_with("draft-"))
+            texts.push_back(*read_text_file(entry.path(), 1 << 20));
+    return texts;
+}
+
+TEST(TwoWindows, the_second_is_told_who_has_the_show_and_loses_no_draft) {
+    QTemporaryDir place;
+    Desk first(place.path().toStdString());
+    first.open();
+    rename_first(first, "Mine");
+    wait_ms(kUntilKept_ms);
+    const fs::path draft = fs::path(first.folder) / ".ghost" / "draft.toml";
+    ASSERT_TRUE(fs::exists(draft));
+    {
+        Desk second(place.path().toStdString());
+        QString held;
+        QObject::connect(&second.document, &ShowDocument::found_held,
+                         [&](const QString& words) { held = words; });
+        second.open();
+        EXPECT_TRUE(held.contains(QString("process %1 on ").arg(QCoreApplication::applicationPid())))
+            << held.toStdString();
+        EXPECT_TRUE(second.document.is_read_only());
+        second.studio.select({0});
+        const Result<void> renamed = second.edit.rename("Theirs");
+        ASSERT_FALSE(renamed.ok());
+        EXPECT_NE(renamed.error().text().find("is open in another window: process "), std::string::npos);
+        EXPECT_FALSE(second.document.save(false).ok());
+        EXPECT_FALSE(second.document.has_draft());
+        wait_ms(kUntilKept_ms);
+    }
+    EXPECT_TRUE(fs::exists(draft)) << "the window that only read has closed";
+    ASSERT_TRUE(first.document.save(false).ok());
+    EXPECT_NE(first.on_disk().find("Mine"), std::string::npos);
+}
+
+TEST(TwoWindows, who_is_taken_over_keeps_what_it_had_not_saved) {
+    QTemporaryDir place;
+    Desk first(place.path().toStdString()), second(place.path().toStdString());
+    first.open();
+    rename_first(first, "Mine");
+    wait_ms(kUntilKept_ms);
+    second.open();
+    ASSERT_TRUE(second.document.take_over().ok());
+    EXPECT_FALSE(second.document.is_read_only());
+    EXPECT_TRUE(second.document.has_draft()) << "what the first one had not saved is offered";
+    QString held;
+    QObject::connect(&first.document, &ShowDocument::found_held, [&](const QString& words) { held = words; });
+    wait_ms(kUntilSeen_ms);
+    EXPECT_TRUE(held.contains("took this show over")) << held.toStdString();
+    EXPECT_TRUE(first.document.is_read_only());
+    EXPECT_FALSE(first.document.save(false).ok());
+    ASSERT_EQ(kept_aside(first).size(), 1u);
+    EXPECT_NE(kept_aside(first)[0].find("Mine"), std::string::npos);
+
+    ASSERT_TRUE(second.document.drop_draft().ok());
+    rename_first(second, "Theirs");
+    ASSERT_TRUE(second.document.save(false).ok());
+    EXPECT_EQ(first.document.text(), kept_aside(first)[0]) << "it stays in sight";
+    QTemporaryDir elsewhere;
+    EXPECT_TRUE(first.document.save_copy(fs::path(elsewhere.path().toStdString()) / "mine.toml").ok());
+}
+
+TEST(TwoWindows, who_reads_follows_and_edits_when_the_other_one_closed) {
+    QTemporaryDir place;
+    auto first = std::make_unique<Desk>(place.path().toStdString());
+    first->open();
+    Desk second(place.path().toStdString());
+    second.open();
+    rename_first(*first, "Saved");
+    ASSERT_TRUE(first->document.save(false).ok());
+    wait_ms(kUntilKept_ms);
+    EXPECT_NE(second.document.text().find("Saved"), std::string::npos);
+    rename_first(*first, "Not saved");
+    first.reset();
+    wait_ms(kUntilSeen_ms);
+    EXPECT_FALSE(second.document.is_read_only());
+    EXPECT_TRUE(second.document.has_draft());
+    EXPECT_TRUE(second.document.take_draft().ok());
+    EXPECT_NE(second.document.text().find("Not saved"), std::string::npos);
+}
+
+TEST(Saving, a_linked_show_file_stays_a_link_and_keeps_its_permissions) {
+    QTemporaryDir place;
+    const fs::path folder = place.path().toStdString(), target = folder / "tour.toml";
+    ASSERT_TRUE(write_file_atomic(target, kShow).ok());
+    fs::permissions(target, fs::perms::owner_read | fs::perms::owner_write);
+    fs::create_symlink("tour.toml", folder / "show.toml");
+    Desk desk(folder.string());
+    desk.open();
+    rename_first(desk, "Mine");
+    ASSERT_TRUE(desk.document.save(false).ok());
+    EXPECT_TRUE(fs::is_symlink(folder / "show.toml"));
+    EXPECT_NE(read_text_file(target, 1 << 20)->find("Mine"), std::string::npos);
+    EXPECT_EQ(fs::status(target).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+}
+
+TEST(Saving, nothing_is_written_through_a_link_out_of_the_folder) {
+    QTemporaryDir place, elsewhere;
+    const fs::path folder = place.path().toStdString(),
+                   target = fs::path(elsewhere.path().toStdString()) / "a";
+    ASSERT_TRUE(write_file_atomic(target, kShow).ok());
+    fs::create_symlink(target, folder / "show.toml");
+    Desk desk(folder.string());
+    desk.open();
+    rename_first(desk, "Mine");
+    const Result<void> saved = desk.document.save(false);
+    ASSERT_FALSE(saved.ok());
+    EXPECT_NE(saved.error().text().find("show.toml: is a link to"), std::string::npos)
+        << saved.error().text();
+    EXPECT_EQ(*read_text_file(target, 1 << 20), kShow);
+}
+
+TEST(Saving, a_file_that_cannot_be_read_is_not_taken_for_unchanged) {
+    Desk desk;
+    desk.open();
+    rename_first(desk, "Mine");
+    const std::string large(std::size_t{17} << 20, '#');
+    ASSERT_TRUE(write_file_atomic(desk.file, large).ok());
+    const Result<void> saved = desk.document.save(false);
+    ASSERT_FALSE(saved.ok());
+    EXPECT_NE(saved.error().text().find("nobody can say whether another program changed it"),
+              std::string::npos)
+        << saved.error().text();
+    EXPECT_EQ(fs::file_size(desk.file), large.size());
+    EXPECT_TRUE(desk.document.save(true).ok());
+}
+
+TEST(Drafts, one_behind_a_link_is_neither_taken_nor_removed) {
+    QTemporaryDir place, elsewhere;
+    const fs::path folder = place.path().toStdString(), other = elsewhere.path().toStdString();
+    ASSERT_TRUE(write_file_atomic(other / "draft.toml", std::string_view("another show's")).ok());
+    fs::create_directory_symlink(other, folder / ".ghost");
+    {
+        Desk desk(folder.string());
+        desk.open();
+        EXPECT_FALSE(desk.document.has_draft());
+        rename_first(desk, "Mine");
+        wait_ms(kUntilKept_ms);
+        ASSERT_TRUE(desk.document.save(false).ok());
+    }
+    EXPECT_EQ(*read_text_file(other / "draft.toml", 1000), "another show's");
+    EXPECT_EQ(std::distance(fs::directory_iterator(other), fs::directory_iterator()), 1);
+}
+
+} // namespace
+} // namespace ghost::ui
