@@ -4,7 +4,7 @@
 
 usage: make_festival.py --out FOLDER [--fixtures 400] [--seconds 30] [--seed 1]
 
-Needs only Python and this source tree (the band comes from assets/demo/stage.glb, the lamps from assets/fixtures). docs/festival.md.
+Needs only Python and this source tree (the band comes from assets/demo/stage.glb, the lamps from assets/fixtures). docs/guide/festival.md.
 """
 import argparse
 import random

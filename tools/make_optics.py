@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes the show of docs/optics.md: a hall of a floor and a wall, and a recording in which every optic of the fixture
+"""Writes the show of docs/design/optics.md: a hall of a floor and a wall, and a recording in which every optic of the fixture
 assets/fixtures/Ghostlight@Optics_Profile.gdtf has its turn; and that fixture's animation disc. Same bytes each time.
 
 usage: make_optics.py [--out FOLDER]     default: assets/optics, and the disc into the fixture's own wheels/

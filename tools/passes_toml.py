@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Writes passes.toml (docs/foreign-passes.md), the list of pictures that another renderer made for one camera.
+"""Writes passes.toml (docs/reference/foreign-passes.md), the list of pictures that another renderer made for one camera.
 
     python3 tools/passes_toml.py DIR/passes.json [-o DIR/passes.toml]
 

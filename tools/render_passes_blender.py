@@ -12,7 +12,7 @@ In:   --stage   .glb, .gltf or .blend, metres
       --intensity CANDELA of the source, --only NAME,NAME
 Out:  DIR/P.exr            float RGBA: world X Y Z of the surface at the pixel's centre, metres, z up; A is 1 on a surface, 0 beside it
       DIR/light_000.exr ..  half RGB, radiance in linear Rec.709
-      DIR/passes.toml       what they are (docs/foreign-passes.md)
+      DIR/passes.toml       what they are (docs/reference/foreign-passes.md)
 
 Units. A Cycles point light of P watts sends P / (4 pi) W/sr everywhere, and a matt surface of albedo rho at distance d and angle t then
 shows rho / pi * P / (4 pi) * cos t / d^2, with no other factor. So I candela are rendered with 4 pi I watts. The default, 1024 cd, keeps

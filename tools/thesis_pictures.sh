@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
-# The pictures of docs/thesis.md, drawn by the tests that prove what they show: tools/thesis_pictures.sh [BUILD] [FOLDER]
+# The pictures of docs/measurements/thesis.md, drawn by the tests that prove what they show: tools/thesis_pictures.sh [BUILD] [FOLDER]
 set -e
 cd "$(dirname "$0")/.."
 folder=${2:-docs/images/thesis}

@@ -105,7 +105,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=10)
     parser.add_argument("--fps", type=float, default=25)
     parser.add_argument("--screen", default="1920x1080")
-    parser.add_argument("--do", action="append", default=[], help="a line of docs/window.md, when the film begins")
+    parser.add_argument("--do", action="append", default=[], help="a line of docs/guide/window.md, when the film begins")
     given = parser.parse_args()
     given.folder.mkdir(parents=True, exist_ok=True)
     screen = Screen(given.screen)

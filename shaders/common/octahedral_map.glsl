@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Distance maps (docs/distance-maps.md): how far light gets from each hanging position, as a texture array. Light::map is the
+// Distance maps (docs/design/distance-maps.md): how far light gets from each hanging position, as a texture array. Light::map is the
 // layer plus one; 0: no map, nothing is in the way. Who includes this defines DISTANCE_MAPS, their binding.
 #include "shared/octahedral.h"
 

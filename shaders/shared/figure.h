@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The figure that a laser sweeps through the gate of a light: what the eye sees of it, the mean over the scanner's round. A curve
-// of Gaussian cross-section; its light is that of the beam which draws it, whatever its blur: docs/lasers.md has the formulas.
+// of Gaussian cross-section; its light is that of the beam which draws it, whatever its blur: docs/design/lasers.md has the formulas.
 #ifndef GHOST_SHARED_FIGURE_H
 #define GHOST_SHARED_FIGURE_H
 #include "shared/types.h"
@@ -24,7 +24,7 @@ SHARED_FN float figure_slant(float tan_field, float radius2) {
 }
 
 // Length that the light is spread over where it is brightest, gate units.
-SHARED_FN float figure_length(Figure figure) {
+SHARED_FN float figure_length(LaserCurve figure) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
@@ -45,7 +45,7 @@ SHARED_FN float figure_share(Light light, vec2 gate, float blur) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    Figure figure = light.figure;
+    LaserCurve figure = light.figure;
     float deviation = sqrt(figure.deviation * figure.deviation + 0.25f * blur * blur);
     vec2 at = vec2(figure.cosine * gate.x + figure.sine * gate.y, figure.cosine * gate.y - figure.sine * gate.x);
     vec2 size = figure.half_size;

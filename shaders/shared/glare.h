@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Light at the lens: lenses seen from within their beams, and glare, the light that a camera's own lens or an eye scatters
-// (docs/glare.md). What C++ and the shaders share. Pixels are as in shared::View, y down.
+// (docs/design/glare.md). What C++ and the shaders share. Pixels are as in shared::View, y down.
 #ifndef GHOST_SHARED_GLARE_H
 #define GHOST_SHARED_GLARE_H
 #include "shared/types.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// LED walls (docs/led-walls.md): a rectangle of emissive pixels that show a moving picture. What shines are the surfaces that lie on it,
+// LED walls (docs/design/led-walls.md): a rectangle of emissive pixels that show a moving picture. What shines are the surfaces that lie on it,
 // so that whatever stands before it hides it. What C++ and the shader share.
 #ifndef GHOST_SHARED_LED_WALL_H
 #define GHOST_SHARED_LED_WALL_H

@@ -79,7 +79,7 @@ struct Slide {
 SHARED_SIZE(Slide, 112);
 
 // A curve that a laser's scanner sweeps, about the gate's middle (shared/figure.h).
-struct Figure {
+struct LaserCurve {
     uint kind;       // 0: the light is no swept laser
     vec2 half_size;  // gate units; of a wave: half its length, its height
     float cosine;    // its turn, seen along the beam
@@ -88,7 +88,7 @@ struct Figure {
     float phase;     // of a wave, radians
     float waves;     // that it has
 };
-SHARED_SIZE(Figure, 32);
+SHARED_SIZE(LaserCurve, 32);
 
 // What one fixture emits now. Gate coordinates: q = (along axis_u, along axis_v, along axis_w) from the apex;
 // (q.x, q.y) / (q.z tan_field) is 1 at the field angle.
@@ -128,7 +128,7 @@ struct Light {
                            // is the end of a frosted field, which no focus makes softer
     float panel_m;         // radius of a piece of a LED wall, which throws light as near_share has it; 0: it does as its apex does
     Slide slide;           // in the plane of depth 0
-    Figure figure;         // in place of profile, wheels and slide
+    LaserCurve figure;         // in place of profile, wheels and slide
 };
 SHARED_SIZE(Light, 484);
 

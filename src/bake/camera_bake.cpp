@@ -2,7 +2,7 @@
 #include "bake/private/camera_bake.h"
 
 #include "bake/private/pictures.h"
-#include "emitters/light_places.h"
+#include "beam_groups/light_places.h"
 
 #include "files/files.h"
 #include "files/own_folder.h"

@@ -12,7 +12,7 @@
 namespace ghost::bake {
 
 inline constexpr int kMaxFragments = 4;
-// A part may be this many pixel widths deep; see docs/baking.md for what other values cost and gain.
+// A part may be this many pixel widths deep; see docs/guide/baking.md for what other values cost and gain.
 inline constexpr float kFragmentDepthPixels = 3.0f;
 
 // part[k]: fragment of sample k, or -1 where nothing was hit; fragment 0 has most samples. pixel_m: width of

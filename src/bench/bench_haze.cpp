@@ -105,8 +105,8 @@ Result<EqualError> equal_error(HazeDrawer& drawer, Beams beams, const shared::Li
                                const References& references, double psnr_db, int frames) {
     for (int samples = 1; samples <= kMostSteps; samples *= 2) {
         if (interrupted()) return stopped();
-        TRY(const Quality quality,
-            quality_of(drawer.picture(beams, light, samples), references.samples, references.counts));
+        TRY(const Accuracy quality,
+            accuracy_of(drawer.picture(beams, light, samples), references.samples, references.counts));
         if (quality.psnr_db >= psnr_db)
             return EqualError{static_cast<double>(samples),
                               drawer.haze_time_ms(beams, light, samples, frames)};
@@ -130,8 +130,8 @@ Result<EqualTime> equal_time(HazeDrawer& drawer, Beams beams, const shared::Ligh
     const double samples = std::floor(kFew + (ms - few_ms) / sample_ms);
     if (samples < 1) return EqualTime{}; // not even one fits
     const int count = static_cast<int>(std::min(samples, double{kMostSteps}));
-    TRY(const Quality quality,
-        quality_of(drawer.picture(beams, light, count), references.samples, references.counts));
+    TRY(const Accuracy quality,
+        accuracy_of(drawer.picture(beams, light, count), references.samples, references.counts));
     return EqualTime{static_cast<double>(count), drawer.haze_time_ms(beams, light, count, frames),
                      quality.psnr_db};
 }
@@ -144,8 +144,8 @@ Result<void> integrators_of_view(BenchStages& stages, std::size_t index, HazeDra
     const std::string note = "256x144, haze only, no shadows in the air";
 
     const double gate_ms = drawer.haze_time_ms(Beams::gate, view.light, 0, frames);
-    TRY(const Quality gate,
-        quality_of(drawer.picture(Beams::gate, view.light, 0), references.gate, references.counts));
+    TRY(const Accuracy gate,
+        accuracy_of(drawer.picture(Beams::gate, view.light, 0), references.gate, references.counts));
     sink({"integrators",
           view.name + ": gate",
           {{"samples", kNever},
@@ -158,10 +158,10 @@ Result<void> integrators_of_view(BenchStages& stages, std::size_t index, HazeDra
     for (const Beams beams : {Beams::cone, Beams::march}) {
         if (interrupted()) return stopped();
         const int samples = beams == Beams::cone ? static_cast<int>(view.light.haze_samples)
-                                                 : render::HazeSettings{}.march_steps;
+                                                 : render::HazeIntegrator{}.march_steps;
         const double ms = drawer.haze_time_ms(beams, view.light, samples, frames);
-        TRY(const Quality quality,
-            quality_of(drawer.picture(beams, view.light, samples), references.samples, references.counts));
+        TRY(const Accuracy quality,
+            accuracy_of(drawer.picture(beams, view.light, samples), references.samples, references.counts));
         TRY(const EqualError error, equal_error(drawer, beams, view.light, references, gate.psnr_db, frames));
         TRY(const EqualTime time, equal_time(drawer, beams, view.light, references, gate_ms, frames));
         sink({"integrators",
@@ -238,9 +238,9 @@ Result<void> bench_thesis(const BenchOptions& options, const BenchSink& sink) {
                                                        : row.steps;
         const double haze_ms = drawer.haze_time_ms(row.beams, view.light, samples, options.frames);
         const bool gate = row.beams == Beams::gate;
-        TRY(const Quality quality,
-            quality_of(drawer.picture(row.beams, view.light, samples),
-                       gate ? references.gate : references.samples, references.counts));
+        TRY(const Accuracy quality,
+            accuracy_of(drawer.picture(row.beams, view.light, samples),
+                        gate ? references.gate : references.samples, references.counts));
         sink({"thesis",
               gate                       ? "gate"
               : row.beams == Beams::cone ? "cone, " + std::to_string(samples) + " samples"

@@ -204,10 +204,10 @@ Result<void> fade_row(const BenchOptions& options, const BenchSink& sink) {
     std::vector<double> total;
     std::map<std::string, std::vector<double>> spans;
     int redrawn = 0;
-    const scene::Lit lit = session.lit();
+    const scene::FrameLights lit = session.lit();
     for (int frame = 0; frame < kFadeFrames + kWarmUp; ++frame) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
-        scene::Lit faded = lit;
+        scene::FrameLights faded = lit;
         for (std::size_t k = 0; k < faded.lights.size(); ++k) {
             const double phase = 2 * kFade_s * frame + static_cast<double>(k);
             const glm::vec3 share(0.6 + 0.4 * std::sin(phase), 0.6 + 0.4 * std::sin(1.3 * phase),

@@ -3,14 +3,14 @@
 // LED wall beside them; and 400 beams with nothing, a gobo and everything in the gate.
 #include "base/interrupt.h"
 #include "base/text.h"
+#include "beam_groups/prism.h"
 #include "bench/bench.h"
-#include "emitters/prism.h"
 #include "fixture_files/common/laser_type.h"
 #include "fixture_files/common/wall_type.h"
 #include "fixture_files/gdtf/gdtf.h"
+#include "light/frame_lights.h"
 #include "light/laser_rays.h"
 #include "light/led_wall_light.h"
-#include "light/lit.h"
 #include "show/show.h"
 
 #include <algorithm>
@@ -117,7 +117,7 @@ int first_beam(const fixture::Type& type) {
     return 0;
 }
 
-std::vector<shared::Light> lasers_at(const fixture::Figure& figure, double seconds) {
+std::vector<shared::Light> lasers_at(const fixture::LaserCurve& figure, double seconds) {
     const std::shared_ptr<const fixture::Type> type = fixture::show_laser_type();
     fixture::BeamState beam;
     beam.geometry = first_beam(*type);
@@ -126,7 +126,7 @@ std::vector<shared::Light> lasers_at(const fixture::Figure& figure, double secon
     std::vector<shared::Light> lights;
     scene::ProfileTable profiles;
     for (int k = 0; k < kBeams; ++k) {
-        fixture::Figure turned = figure;
+        fixture::LaserCurve turned = figure;
         turned.deg = static_cast<float>(seconds * 40 + k * 30);
         shared::Light light = scene::light_from(*type, beam, place_of(k, seconds), {}, profiles);
         light.pass = static_cast<std::uint32_t>(k);
@@ -235,8 +235,8 @@ Result<void> bench_optics(const BenchOptions& options, const BenchSink& sink) {
         if (interrupted()) return {};
         measure(row.name, beams_with(row.set, kBeams), few);
     }
-    using enum fixture::FigureKind;
-    const std::pair<const char*, fixture::Figure> figures[] = {
+    using enum fixture::LaserCurveKind;
+    const std::pair<const char*, fixture::LaserCurve> figures[] = {
         {"laser: beam", {.kind = beam}},
         {"laser: fan of 12", {.kind = fan, .count = 12, .size_deg = {60, 0}}},
         {"laser: line", {.kind = line, .size_deg = {60, 0}}},

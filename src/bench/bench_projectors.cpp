@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Figure 8 of Screen Space Re-Rendering: ten VL2500S as video projectors. The show, its films and its baked
-// passes are made in <show>/.ghost/projectors and stay there: `ghostlight render` draws it as any other.
+// LaserCurve 8 of Screen Space Re-Rendering: ten VL2500S as video projectors. The show, its films and its
+// baked passes are made in <show>/.ghost/projectors and stay there: `ghostlight render` draws it as any
+// other.
 #include "base/interrupt.h"
 #include "bench/bench.h"
 #include "project/load_show.h"

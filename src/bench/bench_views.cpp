@@ -342,8 +342,8 @@ Result<References> reference_haze(const BenchView& view, const bake::Tracer& tra
     return references;
 }
 
-Result<Quality> quality_of(image::ImageF picture, const image::ImageF& reference,
-                           const std::vector<std::uint8_t>& counts) {
+Result<Accuracy> accuracy_of(image::ImageF picture, const image::ImageF& reference,
+                             const std::vector<std::uint8_t>& counts) {
     TRY(image::PicturePair pair, image::pair_up(std::move(picture), reference, {}));
     pair.counted = 0;
     for (std::size_t p = 0; p < counts.size(); ++p) {
@@ -351,8 +351,8 @@ Result<Quality> quality_of(image::ImageF picture, const image::ImageF& reference
         pair.counted += pair.counts[p];
     }
     if (pair.counted == 0) return Error{"every pixel of the view is at a silhouette", "bench"};
-    return Quality{image::psnr_db(pair, image::p75_curve(pair)), 100 * image::relative_errors(pair).bias,
-                   100 * static_cast<double>(pair.counted) / static_cast<double>(counts.size())};
+    return Accuracy{image::psnr_db(pair, image::p75_curve(pair)), 100 * image::relative_errors(pair).bias,
+                    100 * static_cast<double>(pair.counted) / static_cast<double>(counts.size())};
 }
 
 } // namespace ghost::app

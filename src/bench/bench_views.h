@@ -71,12 +71,12 @@ struct References {
 };
 Result<References> reference_haze(const BenchView& view, const bake::Tracer& tracer, int air_samples);
 
-struct Quality {
+struct Accuracy {
     double psnr_db = 0; // behind 1 - exp(-L / (2 p75))
     double bias_percent = 0;
     double compared_percent = 0; // of the pixels
 };
-Result<Quality> quality_of(image::ImageF picture, const image::ImageF& reference,
-                           const std::vector<std::uint8_t>& counts);
+Result<Accuracy> accuracy_of(image::ImageF picture, const image::ImageF& reference,
+                             const std::vector<std::uint8_t>& counts);
 
 } // namespace ghost::app

@@ -3,7 +3,8 @@
 // What light meets when it bounces: a room cut into cells of air and surfels, and the links along which light
 // goes between them. Made once for a stage (bake/bounce.h), whatever the lamps and the haze do; solved
 // whenever a light changed (bounce/bounce_solver.h). Two levels: fine cells and surfels, and blocks of 2x2x2
-// cells with the surfels in them, for light that goes far. The design: docs/bounce.md. Plain values; metres.
+// cells with the surfels in them, for light that goes far. The design: docs/design/bounce.md. Plain values;
+// metres.
 
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Light that bounces, and how finely (docs/bounce.md).
+// Light that bounces, and how finely (docs/design/bounce.md).
 
 namespace ghost::scene {
 

@@ -83,7 +83,8 @@ int run_bench(const BenchArguments& arguments) {
 } // namespace
 
 void add_bench(CLI::App& app, int& exit_code) {
-    CLI::App* command = app.add_subcommand("bench", "measure the published tables (docs/performance.md)");
+    CLI::App* command =
+        app.add_subcommand("bench", "measure the published tables (docs/measurements/performance.md)");
     const auto a = std::make_shared<BenchArguments>();
     std::vector<std::string> names;
     for (const Table& table : kTables) names.emplace_back(table.name);

@@ -81,7 +81,7 @@ void add_open(CLI::App& app, int& exit_code) {
                         "folder with show.toml, or an .mvr; without one, drop it on the window");
     command->add_option("--size", a->size, "WIDTHxHEIGHT of the window")->type_name("WxH");
     command->add_flag("--full-screen", a->window.full_screen, "begin with the picture alone");
-    command->add_option("--script", a->window.script, "do these lines of actions (docs/window.md)")
+    command->add_option("--script", a->window.script, "do these lines of actions (docs/guide/window.md)")
         ->type_name("FILE");
     command->add_option("--socket", a->window.socket, "take lines of actions from this local socket")
         ->type_name("NAME");

@@ -85,7 +85,7 @@ Result<std::vector<Row>> rows_of(const Session& session, const SheetArguments& a
         scene::check_look(look, show, file.string(), report);
         Row& row = rows.emplace_back();
         row.name = look.name;
-        row.look.fixtures = scene::manual_of(look, show);
+        row.look.fixtures = scene::programmer_of(look, show);
         row.look.scene = look.scene;
         row.at_s = arguments.at_s;
     }
@@ -130,7 +130,8 @@ Result<void> draw_sheet(SheetArguments& arguments) {
     std::optional<dmx::Player> player;
     if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.at_s >= 0; }) &&
         !session->show->recording.empty()) {
-        TRY(dmx::Recording recording, dmx::open_recording(session->show->recording, {}, arguments.session.quiet));
+        TRY(dmx::Recording recording,
+            dmx::open_recording(session->show->recording, {}, arguments.session.quiet));
         player.emplace(std::move(recording));
     }
     const auto columns = static_cast<int>(cameras.size()), lines = static_cast<int>(rows.size());

@@ -15,7 +15,7 @@ namespace ghost::scene {
 // note: odd, nothing is lost; warning: repaired or guessed; error: lost.
 struct Finding {
     Severity severity = Severity::warning;
-    std::string kind;  // "overlap", "unpatched", "missing_media", ...; docs/import-doctor.md lists all
+    std::string kind;  // "overlap", "unpatched", "missing_media", ...; docs/guide/import-doctor.md lists all
     std::string where; // as Message::where
     std::string what;
     std::string advice;  // what to do; empty: nothing that we know

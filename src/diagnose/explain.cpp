@@ -121,20 +121,20 @@ const Reason* first_blocking(const std::vector<Reason>& findings) {
 
 // "draws a fan of 12 rays, 60 deg wide", as the rig chooses between show file and desk; "" where it draws
 // none.
-std::string figure_text(const PatchedFixture& fixture, const std::optional<fixture::Figure>& chosen) {
-    std::optional<fixture::Figure> figure = chosen;
+std::string figure_text(const PatchedFixture& fixture, const std::optional<fixture::LaserCurve>& chosen) {
+    std::optional<fixture::LaserCurve> figure = chosen;
     if (fixture.laser && fixture.laser->has_figure && (!chosen || fixture.address == 0))
         figure = fixture.laser->figure;
-    if (!figure || figure->kind == fixture::FigureKind::beam) return {};
+    if (!figure || figure->kind == fixture::LaserCurveKind::beam) return {};
     const auto deg = [](float value) { return number(static_cast<double>(value), 1); };
     std::string text =
         "draws a " + std::string(fixture::kFigureNames[static_cast<std::size_t>(figure->kind)]);
-    if (figure->kind == fixture::FigureKind::wave)
+    if (figure->kind == fixture::LaserCurveKind::wave)
         text += " of " + std::to_string(figure->count) + (figure->count == 1 ? " length" : " lengths");
     else if (!fixture::is_swept(figure->kind))
         text += " of " + std::to_string(figure->count) + " rays";
     const bool is_flat =
-        figure->kind == fixture::FigureKind::fan || figure->kind == fixture::FigureKind::line;
+        figure->kind == fixture::LaserCurveKind::fan || figure->kind == fixture::LaserCurveKind::line;
     text += ", " + deg(figure->size_deg.x) + (is_flat ? "" : " x " + deg(figure->size_deg.y)) + " deg";
     if (figure->deg_s != 0.0f) text += ", turning at " + deg(figure->deg_s) + " deg/s";
     return text;
@@ -256,7 +256,7 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
     result.looked = input_.stage != nullptr && input_.first_hit != nullptr;
     float quick_sum_lm = 0, most_cd = 0;
     for (std::size_t b = 0; b < state.beams.size(); ++b) {
-        const Face& face = faces_[first_face_[index] + b];
+        const LensFace& face = faces_[first_face_[index] + b];
         const shared::Light& light = face.light;
         quick_sum_lm += quick_lm(light);
         most_cd = std::max(most_cd, glm::dot(light.intensity_cd, kLuminance));
@@ -274,8 +274,8 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
         }
         if (const std::string figure = figure_text(fixture, state.beams[b].optics.figure); !figure.empty())
             facts.optics.insert(facts.optics.begin(), figure);
-        const Emitters& emitters = input_.rig.emitters(index);
-        if (const int light_index = emitter_of(emitters, static_cast<int>(b)); light_index >= 0)
+        const BeamGroups& emitters = input_.rig.emitters(index);
+        if (const int light_index = beam_group_of(emitters, static_cast<int>(b)); light_index >= 0)
             facts.grouped =
                 static_cast<int>(emitters.lights[static_cast<std::size_t>(light_index)].beams.size());
         if (result.looked && !face.glows) look(input_, light, facts);

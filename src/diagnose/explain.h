@@ -212,7 +212,7 @@ public:
 private:
     const ExplainInput& input_;
     fixture::Levels levels_;
-    std::vector<Face> faces_;
+    std::vector<LensFace> faces_;
     std::vector<std::size_t> first_face_; // per fixture, and one past the end
     std::vector<fixture::Patch> patches_; // of fixtures with a type; type null else
     std::vector<fixture::Overlap> overlaps_;

@@ -3,7 +3,7 @@
 // so that it holds whatever the optics do.
 #include "diagnose/explain_parts.h"
 
-#include "emitters/prism.h"
+#include "beam_groups/prism.h"
 #include "photometry/photometry.h"
 #include "shared/beam.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys are listed in docs/user-guide.md and stay.
+// Keys are listed in docs/guide/user-guide.md and stay.
 #include "diagnose/explain_parts.h"
 #include "diagnose/explain_print.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Explanations for people and for programs: the same facts twice. Units as in explain.h; keys of the JSON:
-// docs/user-guide.md. Names of the network and of files are made fit for a terminal. Pure.
+// docs/guide/user-guide.md. Names of the network and of files are made fit for a terminal. Pure.
 
 #include "diagnose/explain.h"
 

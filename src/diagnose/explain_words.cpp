@@ -219,7 +219,7 @@ std::string beam_lines(const Explanation& explanation) {
     text += row("hits", hits_text(explanation, beam));
     if (beam.grouped > 1)
         text += row("drawn", "as a glow of its own; its beam is part of one light for " +
-                                 std::to_string(beam.grouped) + " cells (docs/multi-cell.md)");
+                                 std::to_string(beam.grouped) + " cells (docs/design/multi-cell.md)");
     if (explanation.beams.size() < 2) return text;
     text +=
         row("beams", "this is '" + beam.name + "'; all " + std::to_string(explanation.beams.size()) + ":");

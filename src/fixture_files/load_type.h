@@ -4,9 +4,9 @@
 // What the file holds decides, its name only helps where that is unclear. Messages and limits are those of
 // the readers (gdtf.h, qxf.h, ofl.h). Any thread.
 
-#include "fixture_files/common/loaded_type.h"
 #include "base/byte_reader.h"
 #include "base/result.h"
+#include "fixture_files/common/loaded_type.h"
 
 #include <filesystem>
 

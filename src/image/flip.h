@@ -3,7 +3,8 @@
 // FLIP: the difference a viewer sees when two pictures alternate, per pixel 0 (none) .. 1. After Andersson et
 // al., "FLIP: A Difference Evaluator for Alternating Images" (2020), and "Visualizing Errors in Rendered High
 // Dynamic Range Images" (2021). Pictures are linear Rec.2020; FLIP itself works in Rec.709, what lies outside
-// is clipped. Pixels that do not count are 0 in the map. Formulas: docs/compare.md. Pure, any thread.
+// is clipped. Pixels that do not count are 0 in the map. Formulas: docs/reference/compare.md. Pure, any
+// thread.
 
 #include "image/image.h"
 #include "image/metrics.h"

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // How far a picture is from a reference: relative errors, bias, PSNR behind a tone curve. Formulas:
-// docs/compare.md. Pictures are linear Rec.2020 of any one unit, or display values 0..1 where the function
-// says so. FLIP stands in flip.h. Pure, any thread.
+// docs/reference/compare.md. Pictures are linear Rec.2020 of any one unit, or display values 0..1 where the
+// function says so. FLIP stands in flip.h. Pure, any thread.
 
 #include "base/result.h"
 #include "image/image.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // BeamShape: measured light in place of the profile that beam and field angle make: the candela of a
 // photometric file as a picture in the gate (256 x 256, 8 bits of the peak), so that ovals, rings and hot
-// spots are as they were measured. Pure. docs/photometry.md.
+// spots are as they were measured. Pure. docs/reference/photometry.md.
 
 #include "base/result.h"
 #include "fixture_files/photometric/photometric.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/laser_rays.h"
 
-#include "emitters/prism.h"
+#include "beam_groups/prism.h"
 #include "shared/figure.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ constexpr float kFlattest = 0.1f;
 constexpr float kLeast_deg = 0.1f; // of a curve that is no point
 constexpr float kEdge = 1e-5f;     // nothing has an edge there, but blur is divided by
 
-vec2 half_tangents(const fixture::Figure& figure) {
+vec2 half_tangents(const fixture::LaserCurve& figure) {
     return glm::tan(0.5f *
                     glm::radians(glm::clamp(figure.size_deg, vec2(0.0f), vec2(fixture::kWidestFigure_deg))));
 }
@@ -38,14 +38,14 @@ float place(int index, int count) {
 }
 
 // Even in angle, as a scanner is driven.
-vec2 way_to(const fixture::Figure& figure, const vec2& share) {
+vec2 way_to(const fixture::LaserCurve& figure, const vec2& share) {
     return glm::tan(0.5f * glm::radians(figure.size_deg) * share);
 }
 
-std::vector<vec2> ways_of(const fixture::Figure& figure) {
+std::vector<vec2> ways_of(const fixture::LaserCurve& figure) {
     const int count = std::clamp(figure.count, 1, fixture::kMostRays);
     std::vector<vec2> ways;
-    if (figure.kind == fixture::FigureKind::grid) {
+    if (figure.kind == fixture::LaserCurveKind::grid) {
         // As many columns and rows as look even, every row full.
         const vec2 size = glm::max(figure.size_deg, vec2(1e-3f));
         const int columns = std::clamp(
@@ -57,7 +57,7 @@ std::vector<vec2> ways_of(const fixture::Figure& figure) {
     }
     for (int k = 0; k < count; ++k) {
         const float angle = 2.0f * shared::kPi * static_cast<float>(k) / static_cast<float>(count);
-        ways.push_back(figure.kind == fixture::FigureKind::ring
+        ways.push_back(figure.kind == fixture::LaserCurveKind::ring
                            ? half_tangents(figure) * vec2(std::cos(angle), std::sin(angle))
                            : way_to(figure, {place(k, count), 0.0f}));
     }
@@ -66,8 +66,8 @@ std::vector<vec2> ways_of(const fixture::Figure& figure) {
 
 } // namespace
 
-std::vector<Copy> rays_of(const fixture::Figure& figure, float tan_field) {
-    if (figure.kind == fixture::FigureKind::beam) return {Copy{}};
+std::vector<Copy> rays_of(const fixture::LaserCurve& figure, float tan_field) {
+    if (figure.kind == fixture::LaserCurveKind::beam) return {Copy{}};
     std::vector<Copy> rays;
     const std::vector<vec2> ways = ways_of(figure);
     const glm::vec3 share(1.0f / static_cast<float>(ways.size()));
@@ -75,16 +75,16 @@ std::vector<Copy> rays_of(const fixture::Figure& figure, float tan_field) {
     return rays;
 }
 
-shared::Light swept(const shared::Light& beam, const fixture::Figure& figure) {
-    using fixture::FigureKind;
+shared::Light swept(const shared::Light& beam, const fixture::LaserCurve& figure) {
+    using fixture::LaserCurveKind;
     vec2 half = half_tangents(figure);
     const float least = std::tan(0.5f * glm::radians(kLeast_deg));
-    const bool is_circle = figure.kind == FigureKind::circle;
+    const bool is_circle = figure.kind == LaserCurveKind::circle;
     if (std::max(half.x, is_circle ? half.y : 0.0f) < least) return beam;
     // Standard deviation of a round beam, across: half its radius.
     const float deviation = 0.5f * beam.tan_field;
     if (is_circle) half = glm::max(half, vec2(kFlattest * std::max(half.x, half.y)));
-    if (figure.kind == FigureKind::line) half.y = 0.0f;
+    if (figure.kind == LaserCurveKind::line) half.y = 0.0f;
     const float reach = is_circle ? std::max(half.x, half.y) : glm::length(half);
     shared::Light light = beam;
     light.tan_field = (reach + kDeviations * deviation) / (1.0f - kMargin);
@@ -104,10 +104,10 @@ shared::Light swept(const shared::Light& beam, const fixture::Figure& figure) {
     const glm::vec3 moved_m = (beam.lens_m - light.lens_m) * light.axis_w;
     light.position_m += moved_m;
     light.off_map_m += moved_m;
-    shared::Figure& curve = light.figure;
-    curve.kind = is_circle                         ? shared::kCircleFigure
-                 : figure.kind == FigureKind::wave ? shared::kWaveFigure
-                                                   : shared::kLineFigure;
+    shared::LaserCurve& curve = light.figure;
+    curve.kind = is_circle                             ? shared::kCircleFigure
+                 : figure.kind == LaserCurveKind::wave ? shared::kWaveFigure
+                                                       : shared::kLineFigure;
     curve.half_size = half / light.tan_field;
     curve.cosine = std::cos(glm::radians(figure.deg));
     curve.sine = std::sin(glm::radians(figure.deg));

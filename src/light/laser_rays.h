@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lasers: what a scanner makes of the beam of a laser. Rays that it jumps between are a light each, with an
 // even share of the flux; a curve that it sweeps is one light with that curve in its gate
-// (shaders/shared/figure.h). The eye sees the mean of a round of the scanner. Pure. docs/lasers.md.
+// (shaders/shared/figure.h). The eye sees the mean of a round of the scanner. Pure. docs/design/lasers.md.
 
-#include "fixture/figure.h"
+#include "fixture/laser_curve.h"
 #include "fixture/state.h"
 #include "fixture/type.h"
 #include "shared/types.h"
@@ -19,9 +19,9 @@ namespace ghost::scene {
 struct Copy; // prism.h
 
 // Directions of the rays of a figure that is not swept, as copies of a beam of this field.
-std::vector<Copy> rays_of(const fixture::Figure& figure, float tan_field);
+std::vector<Copy> rays_of(const fixture::LaserCurve& figure, float tan_field);
 
 // The beam, swept along the curve of a figure; the beam itself where the figure is smaller than it is wide.
-shared::Light swept(const shared::Light& beam, const fixture::Figure& figure);
+shared::Light swept(const shared::Light& beam, const fixture::LaserCurve& figure);
 
 } // namespace ghost::scene

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // LED walls: a fixture whose front shows a moving picture as pixels of a stated luminance. The camera sees
 // the picture on it (shared/led_wall.h); stage and haze are lit by the mean colour of each cell of a coarse
-// grid, one wide light a cell (fixture_files/common/wall_type.h). Metres, cd/m^2. Pure. docs/led-walls.md.
+// grid, one wide light a cell (fixture_files/common/wall_type.h). Metres, cd/m^2. Pure.
+// docs/design/led-walls.md.
 
 #include "light/projector_beam.h"
 #include "show/led_wall.h"

@@ -2,7 +2,7 @@
 // Physical values of a fixture -> shared::Light. Order of the optics: source and its correction
 // (beam_colour.h), dimmer and shutter, flags, colour wheels, gate (gate.h), zoom, focus, frost.
 #include "light/beam_shape.h"
-#include "light/lit.h"
+#include "light/frame_lights.h"
 #include "light/private/beam_colour.h"
 #include "light/private/gate.h"
 #include "photometry/photometry.h"

@@ -3,7 +3,7 @@
 // Video projectors: any fixture whose gate holds a moving picture instead of a lamp's round field. Optical
 // geometry as makers state it: throw ratio (distance over width), lens shift in shares of the picture, the
 // panel that is lit a little where it is black. What the beam then is: shaders/shared/beam.h, slide_share.
-// Pure. docs/projectors.md.
+// Pure. docs/design/projectors.md.
 
 #include "fixture/state.h"
 #include "shared/types.h"

@@ -2,13 +2,13 @@
 #include "light/rig.h"
 
 #include "base/check.h"
-#include "emitters/light_places.h"
-#include "emitters/prism.h"
+#include "beam_groups/light_places.h"
+#include "beam_groups/prism.h"
 #include "fixture_files/common/laser_type.h"
 #include "image/colour.h"
 #include "light/aim.h"
-#include "light/led_wall_light.h"
 #include "light/laser_rays.h"
+#include "light/led_wall_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,31 +22,31 @@ namespace {
 constexpr float kLeastWhite = 1e-4f; // of a component that is divided by
 
 // Every beam that shines, on its own.
-Emitters apart(const Emitters& emitters) {
-    Emitters result = emitters;
+BeamGroups apart(const BeamGroups& emitters) {
+    BeamGroups result = emitters;
     result.lights.clear();
-    for (const Emitter& emitter : emitters.lights)
+    for (const BeamGroup& emitter : emitters.lights)
         for (const int beam : emitter.beams)
             result.lights.push_back({{beam}, {1.0f}, emitter.place, emitter.copies});
     return result;
 }
 
 // What another lamp and a gel make of the light of a beam.
-glm::vec3 swap_factor(const fixture::Manual& manual, const fixture::Beam& beam) {
-    glm::vec3 factor = glm::max(manual.gel.value_or(glm::vec3(1.0f)), glm::vec3(0.0f));
-    factor *= std::max(manual.lamp.value_or(1.0f), 0.0f);
-    if (manual.lamp_k)
-        factor *= image::cct_to_rec2020(*manual.lamp_k) /
+glm::vec3 swap_factor(const fixture::Programmer& programmer, const fixture::Beam& beam) {
+    glm::vec3 factor = glm::max(programmer.gel.value_or(glm::vec3(1.0f)), glm::vec3(0.0f));
+    factor *= std::max(programmer.lamp.value_or(1.0f), 0.0f);
+    if (programmer.lamp_k)
+        factor *= image::cct_to_rec2020(*programmer.lamp_k) /
                   glm::max(image::cct_to_rec2020(beam.color_temperature_k), glm::vec3(kLeastWhite));
     return factor;
 }
 
 // The lights of an emitter: as many as its prisms or its scanner may ever need, dark ones among them. What
 // the camera sees in its lens, where it is split, is added to the faces.
-std::vector<shared::Light> split_light(const shared::Light& light, const Emitter& emitter,
+std::vector<shared::Light> split_light(const shared::Light& light, const BeamGroup& emitter,
                                        const fixture::Type& type, const fixture::State& state,
-                                       const std::optional<fixture::Figure>& figure, std::vector<Face>& faces,
-                                       std::vector<Face>& facets) {
+                                       const std::optional<fixture::LaserCurve>& figure,
+                                       std::vector<LensFace>& faces, std::vector<LensFace>& facets) {
     std::vector<shared::Light> lights{light};
     if (emitter.copies == 1) return lights;
     const auto beam = static_cast<std::size_t>(emitter.beams.front());
@@ -70,7 +70,7 @@ std::vector<shared::Light> split_light(const shared::Light& light, const Emitter
     for (std::size_t k = 0; k < copies.size(); ++k) lights[k] = copied(light, copies[k]);
     faces[beam].split = true;
     for (const Copy& copy : copies) {
-        Face& facet = facets.emplace_back(faces[beam]);
+        LensFace& facet = facets.emplace_back(faces[beam]);
         facet.split = false;
         facet.light = copied(facet.light, copy);
         facet.light.bounce_cd = glm::vec3(0.0f);
@@ -80,14 +80,14 @@ std::vector<shared::Light> split_light(const shared::Light& light, const Emitter
 
 // The watts are those of the whole fixture.
 void colour_laser(const Laser& laser, const fixture::Type& type, const fixture::State& state,
-                  std::vector<Face>& faces) {
+                  std::vector<LensFace>& faces) {
     float lumens = 0.0f;
     for (const fixture::BeamState& beam : state.beams)
         lumens += type.geometries[static_cast<std::size_t>(beam.geometry)].beam->luminous_flux_lm;
     const float power =
         laser.watts > 0.0f && lumens > 0.0f ? laser.watts * fixture::kLaserLumensPerWatt / lumens : 1.0f;
     const glm::vec3 factor = laser.colour.value_or(glm::vec3(1.0f)) * power;
-    for (Face& face : faces) {
+    for (LensFace& face : faces) {
         face.light.intensity_cd *= factor;
         face.light.bounce_cd *= factor;
     }
@@ -104,28 +104,28 @@ struct Rig::Between {
     glm::vec3 next_m{0};
 
     // Where it is, if those are the places of the two stops.
-    Hung hung(const glm::vec3& at_stop_m, const glm::vec3& at_next_m) const {
-        Hung result{to_world, glm::mix(at_stop_m, at_next_m, share)};
+    FixturePose hung(const glm::vec3& at_stop_m, const glm::vec3& at_next_m) const {
+        FixturePose result{to_world, glm::mix(at_stop_m, at_next_m, share)};
         result.to_world[3] += glm::vec4(result.middle_m - stop_m, 0.0f);
         return result;
     }
 };
 
 Rig::Rig(const Show& show) : show_(show), track_(show.fixtures.size(), 0.0f), aims_(show.fixtures.size()) {
-    std::map<std::tuple<const fixture::Type*, int, bool>, std::shared_ptr<const Emitters>> known;
+    std::map<std::tuple<const fixture::Type*, int, bool>, std::shared_ptr<const BeamGroups>> known;
     for (const PatchedFixture& fixture : show.fixtures) {
         patches_.push_back(fixture.patch());
         projectors_.push_back(fixture.projector);
-        figures_.push_back(fixture.laser ? fixture.laser->figure : fixture::Figure{});
+        figures_.push_back(fixture.laser ? fixture.laser->figure : fixture::LaserCurve{});
         walls_.push_back(fixture.wall);
         states_.push_back(fixture.type ? fixture::make_state(patches_.back()) : fixture::State{});
         auto& emitters =
             known[{fixture.type.get(), fixture.type ? fixture.mode : 0, fixture.laser.has_value()}];
         if (!emitters)
-            emitters = std::make_shared<const Emitters>(
+            emitters = std::make_shared<const BeamGroups>(
                 fixture.type
-                    ? emitters_of(*fixture.type, patches_.back().mode_of(), fixture.laser.has_value())
-                    : Emitters{});
+                    ? beam_groups_of(*fixture.type, patches_.back().mode_of(), fixture.laser.has_value())
+                    : BeamGroups{});
         emitters_.push_back(emitters);
     }
 }
@@ -171,16 +171,16 @@ void Rig::follow(std::size_t fixture, fixture::Targets& targets) const {
 }
 
 void Rig::step(const dmx::Universes& universes, double dt_s,
-               const std::map<std::size_t, fixture::Manual>& manual) {
+               const std::map<std::size_t, fixture::Programmer>& programmer) {
     fixture::Levels levels;
     for (const dmx::Universe& universe : universes.list) levels.set(universe.number, *universe.levels);
-    manual_ = manual;
+    programmer_ = programmer;
     asked_.clear();
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         if (!patches_[i].type) continue;
         fixture::Targets targets = fixture::decode(patches_[i], levels);
         if (aims_[i]) follow(i, targets);
-        if (const auto found = manual.find(i); found != manual.end()) {
+        if (const auto found = programmer.find(i); found != programmer.end()) {
             asked_[i] = fixture::asked_for(targets, patches_[i]);
             if (found->second.sets_levels()) {
                 targets = fixture::decode_levels(patches_[i],
@@ -215,17 +215,17 @@ void Rig::choose_medium(std::size_t fixture, const dmx::Universes& universes) {
 
 // What the scanner of a laser draws: what its channels choose; the show file's where it has none, or they are
 // not patched.
-std::optional<fixture::Figure> Rig::figure_of(std::size_t index, const Emitter& emitter) const {
+std::optional<fixture::LaserCurve> Rig::figure_of(std::size_t index, const BeamGroup& emitter) const {
     const PatchedFixture& fixture = show_.fixtures[index];
     const auto beam = static_cast<std::size_t>(emitter.beams.front());
-    const std::optional<fixture::Figure>& chosen = states_[index].beams[beam].optics.figure;
+    const std::optional<fixture::LaserCurve>& chosen = states_[index].beams[beam].optics.figure;
     if (fixture.laser && fixture.laser->has_figure && (!chosen || fixture.address == 0))
         return figures_[index];
     return chosen;
 }
 
 // The cells of a wall, as bright as the picture there.
-void Rig::light_wall(std::size_t index, const GoboStack& gobos, std::vector<Face>& faces) const {
+void Rig::light_wall(std::size_t index, const GoboStack& gobos, std::vector<LensFace>& faces) const {
     const LedWall& wall = *walls_[index];
     const auto media = static_cast<std::size_t>(wall.media);
     const bool shows = media < gobos.showing.size() && media < gobos.images.slides.size();
@@ -240,16 +240,17 @@ void Rig::light_wall(std::size_t index, const GoboStack& gobos, std::vector<Face
 }
 
 // What the camera sees of it.
-void Rig::add_wall(std::size_t index, const Hung& hung, const GoboStack& gobos, Lit& lit) const {
+void Rig::add_wall(std::size_t index, const FixturePose& hung, const GoboStack& gobos,
+                   FrameLights& lit) const {
     if (!walls_[index] || states_[index].beams.empty()) return;
     const LedWall& wall = *walls_[index];
     const auto media = static_cast<std::size_t>(wall.media);
     if (media >= gobos.showing.size()) return;
     const fixture::BeamState& beam = states_[index].beams.front();
     glm::vec3 factor(beam.optics.dimmer * beam.optics.shutter);
-    if (const auto manual = manual_.find(index); manual != manual_.end())
+    if (const auto programmer = programmer_.find(index); programmer != programmer_.end())
         factor *= swap_factor(
-            manual->second,
+            programmer->second,
             *show_.fixtures[index].type->geometries[static_cast<std::size_t>(beam.geometry)].beam);
     const glm::mat4 place = show_.fixtures[index].type->modes.front().nodes.front().local;
     lit.walls.push_back(seen_wall(wall, hung.to_world * place, gobos.showing[media], factor));
@@ -269,39 +270,39 @@ Rig::Between Rig::between(std::size_t index) const {
     return result;
 }
 
-std::vector<Face> Rig::faces(std::size_t index, const Hung& hung, const GoboStack& gobos) const {
+std::vector<LensFace> Rig::faces(std::size_t index, const FixturePose& hung, const GoboStack& gobos) const {
     const fixture::Type& type = *show_.fixtures[index].type;
-    std::vector<Face> faces = faces_of(type, states_[index].beams, hung.to_world, gobos, profiles_,
-                                       projector_of(index), show_.fixtures[index].shape.get());
+    std::vector<LensFace> faces = faces_of(type, states_[index].beams, hung.to_world, gobos, profiles_,
+                                           projector_of(index), show_.fixtures[index].shape.get());
     if (walls_[index]) light_wall(index, gobos, faces);
     if (show_.fixtures[index].laser) colour_laser(*show_.fixtures[index].laser, type, states_[index], faces);
-    const auto manual = manual_.find(index);
-    if (manual == manual_.end()) return faces;
+    const auto programmer = programmer_.find(index);
+    if (programmer == programmer_.end()) return faces;
     for (std::size_t k = 0; k < faces.size(); ++k) {
         const auto geometry = static_cast<std::size_t>(states_[index].beams[k].geometry);
-        const glm::vec3 factor = swap_factor(manual->second, *type.geometries[geometry].beam);
+        const glm::vec3 factor = swap_factor(programmer->second, *type.geometries[geometry].beam);
         faces[k].light.intensity_cd *= factor;
         faces[k].light.bounce_cd *= factor;
     }
     return faces;
 }
 
-Lit Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) const {
-    Lit lit;
-    std::vector<Face> facets;
+FrameLights Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) const {
+    FrameLights lit;
+    std::vector<LensFace> facets;
     profiles_.trim();
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         const PatchedFixture& fixture = show_.fixtures[i];
         if (!fixture.type) continue;
         const Between track = between(i);
-        const Hung hung = track.hung(track.stop_m, track.next_m);
-        const Emitters emitters = cells == Cells::apart ? apart(*emitters_[i]) : *emitters_[i];
-        std::vector<Face> faces = this->faces(i, hung, gobos);
+        const FixturePose hung = track.hung(track.stop_m, track.next_m);
+        const BeamGroups emitters = cells == Cells::apart ? apart(*emitters_[i]) : *emitters_[i];
+        std::vector<LensFace> faces = this->faces(i, hung, gobos);
         const auto stop = static_cast<int>(track.share < 0.5f ? track.stop : track.next);
         std::vector<int> map_of;
         for (int place = 0; place < static_cast<int>(emitters.places_m.size()); ++place)
             map_of.push_back(maps.find(fixture.name, stop, place));
-        for (const Emitter& emitter : emitters.lights) {
+        for (const BeamGroup& emitter : emitters.lights) {
             shared::Light light = light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung));
             light.map = static_cast<std::uint32_t>(map_of[static_cast<std::size_t>(emitter.place)] + 1);
             const std::vector<shared::Light> lights =
@@ -315,9 +316,9 @@ Lit Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) cons
     return lit;
 }
 
-Lit Rig::lit(const GoboStack& gobos, const Passes& passes) const {
-    Lit lit;
-    std::vector<Face> facets;
+FrameLights Rig::lit(const GoboStack& gobos, const Passes& passes) const {
+    FrameLights lit;
+    std::vector<LensFace> facets;
     profiles_.trim();
     const auto dark_pass = static_cast<std::uint32_t>(passes.lights.size());
     for (std::size_t i = 0; i < patches_.size(); ++i) {
@@ -333,10 +334,11 @@ Lit Rig::lit(const GoboStack& gobos, const Passes& passes) const {
             return pass < dark_pass ? passes.lights[pass].position_m : shown_m;
         };
         const Between track = between(i);
-        const Hung hung = track.hung(place_of(track.stop, track.stop_m), place_of(track.next, track.next_m));
-        const Emitters& emitters = *emitters_[i];
-        std::vector<Face> faces = this->faces(i, hung, gobos);
-        for (const Emitter& emitter : emitters.lights) {
+        const FixturePose hung =
+            track.hung(place_of(track.stop, track.stop_m), place_of(track.next, track.next_m));
+        const BeamGroups& emitters = *emitters_[i];
+        std::vector<LensFace> faces = this->faces(i, hung, gobos);
+        for (const BeamGroup& emitter : emitters.lights) {
             shared::Light whole = light_of(emitter, faces, hung_place_m(emitters, emitter.place, hung));
             whole.pass = pass_of(track.stop);
             for (shared::Light& light : split_light(whole, emitter, *fixture.type, states_[i],

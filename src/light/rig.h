@@ -3,11 +3,11 @@
 // Rig: the live side of a show. DMX levels in, what every fixture does now, lights out. The same levels and
 // time steps give the same bits. Refers to the show, which must outlive it. Main thread.
 
+#include "beam_groups/beam_groups.h"
 #include "dmx/wire/universes.h"
-#include "emitters/emitters.h"
-#include "fixture/manual.h"
+#include "fixture/programmer.h"
+#include "light/frame_lights.h"
 #include "light/gobos.h"
-#include "light/lit.h"
 #include "passes/distance_maps.h"
 #include "passes/passes.h"
 #include "photometry/photometry.h"
@@ -26,10 +26,10 @@ class Rig {
 public:
     explicit Rig(const Show& show);
 
-    // Decodes the levels and moves every fixture on by dt_s, as Show::motion says. manual: by index of the
-    // fixture, what a person wants instead; its gels and lamps are in the light, not in the state.
+    // Decodes the levels and moves every fixture on by dt_s, as Show::motion says. programmer: by index of
+    // the fixture, what a person wants instead; its gels and lamps are in the light, not in the state.
     void step(const dmx::Universes& universes, double dt_s,
-              const std::map<std::size_t, fixture::Manual>& manual = {});
+              const std::map<std::size_t, fixture::Programmer>& programmer = {});
 
     // Fixtures go on from where they were in another rig: motors, wheels that turn, lamps. from: for each
     // fixture here its index there, or nothing. One of another type or mode starts anew.
@@ -42,11 +42,11 @@ public:
     // All that shines, in the order of the show: the lights of each fixture's emitters, the face of each of
     // its beams. Fixtures without a readable type have none. A light whose pass is missing points at pass
     // number passes.lights.size(), the dark one.
-    Lit lit(const GoboStack& gobos, const Passes& passes) const;
+    FrameLights lit(const GoboStack& gobos, const Passes& passes) const;
 
     // The same for a free camera: the shadows of a light are in its distance map (between two stops: the
     // nearer one's), if there is one.
-    Lit lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells = Cells::grouped) const;
+    FrameLights lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells = Cells::grouped) const;
 
     // Of these the lights alone.
     std::vector<shared::Light> lights(const GoboStack& gobos, const Passes& passes) const;
@@ -54,12 +54,12 @@ public:
 
     const std::vector<fixture::State>& states() const { return states_; }
     // What the last step's levels asked of a fixture that had values by hand; null where it had none.
-    const fixture::Manual* asked(std::size_t fixture) const {
+    const fixture::Programmer* asked(std::size_t fixture) const {
         const auto found = asked_.find(fixture);
         return found == asked_.end() ? nullptr : &found->second;
     }
     // How the beams of a fixture are grouped; nothing where it has no type.
-    const Emitters& emitters(std::size_t fixture) const { return *emitters_[fixture]; }
+    const BeamGroups& emitters(std::size_t fixture) const { return *emitters_[fixture]; }
     // Place along the track in stops, 0 where there is none.
     float track_position(std::size_t fixture) const { return track_[fixture]; }
 
@@ -68,11 +68,12 @@ private:
     Between between(std::size_t fixture) const;
 
     void follow(std::size_t fixture, fixture::Targets& targets) const;
-    std::vector<Face> faces(std::size_t fixture, const Hung& hung, const GoboStack& gobos) const;
+    std::vector<LensFace> faces(std::size_t fixture, const FixturePose& hung, const GoboStack& gobos) const;
     void choose_medium(std::size_t fixture, const dmx::Universes& universes);
-    std::optional<fixture::Figure> figure_of(std::size_t fixture, const Emitter& emitter) const;
-    void light_wall(std::size_t fixture, const GoboStack& gobos, std::vector<Face>& faces) const;
-    void add_wall(std::size_t fixture, const Hung& hung, const GoboStack& gobos, Lit& lit) const;
+    std::optional<fixture::LaserCurve> figure_of(std::size_t fixture, const BeamGroup& emitter) const;
+    void light_wall(std::size_t fixture, const GoboStack& gobos, std::vector<LensFace>& faces) const;
+    void add_wall(std::size_t fixture, const FixturePose& hung, const GoboStack& gobos,
+                  FrameLights& lit) const;
     const Projector* projector_of(std::size_t fixture) const {
         return projectors_[fixture] ? &*projectors_[fixture] : nullptr;
     }
@@ -82,11 +83,11 @@ private:
     std::vector<fixture::State> states_;
     std::vector<float> track_;
     std::vector<std::optional<Projector>> projectors_; // with the medium that the desk has chosen
-    std::vector<fixture::Figure> figures_;      // of lasers whose show file has it, where it has turned to
+    std::vector<fixture::LaserCurve> figures_;  // of lasers whose show file has it, where it has turned to
     std::vector<std::optional<LedWall>> walls_; // the same
-    std::vector<std::shared_ptr<const Emitters>> emitters_; // one for all fixtures of a type and mode
+    std::vector<std::shared_ptr<const BeamGroups>> emitters_; // one for all fixtures of a type and mode
     std::vector<std::optional<glm::vec3>> aims_;
-    std::map<std::size_t, fixture::Manual> manual_, asked_; // of the last step
+    std::map<std::size_t, fixture::Programmer> programmer_, asked_; // of the last step
     mutable ProfileTable profiles_; // of frames before, too: a light is the same with it and without
 };
 

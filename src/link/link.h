@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Link: all that passes between the window and the engine, which draws on a thread of its own. Wishes go in,
-// news come out; both are plain values, the newest wins, nobody waits. Metres, degrees, seconds.
+// Link: all that passes between the window and the engine, which draws on a thread of its own. ViewRequest go
+// in, news come out; both are plain values, the newest wins, nobody waits. Metres, degrees, seconds.
 
 #include "base/mailbox.h"
 #include "base/signal.h"
@@ -42,10 +42,10 @@ struct Transport {
     bool operator==(const Transport&) const = default;
 };
 
-struct Quality {
+struct PictureQuality {
     int fps = 25;    // the picture gets coarser while it moves, to hold this
     int percent = 0; // of the window's pixels; 0: as many as fps allows
-    bool operator==(const Quality&) const = default;
+    bool operator==(const PictureQuality&) const = default;
 };
 
 // What the picture shows: what the camera sees, or a quantity as false colours.
@@ -78,7 +78,7 @@ struct Pick {
 };
 
 // What the window wants to see, whole.
-struct Wishes {
+struct ViewRequest {
     std::uint64_t number = 0;                // grows with every change
     std::string show;                        // path; another one is opened
     std::uint64_t opens = 0;                 // grows when it is to be opened, perhaps once more
@@ -94,7 +94,7 @@ struct Wishes {
     Transport transport;
     std::string recording; // that is played; empty: the show's own
     std::string record_to; // what the desk sends is recorded there; empty: it is not
-    Quality quality;
+    PictureQuality quality;
     std::optional<std::size_t> explained; // fixture
     bool explains_all = false;            // all of them, in short, every few seconds
     image::Tone tone = image::Tone::agx;
@@ -127,9 +127,9 @@ struct Opened {
     float radius_m = 10;
     std::string device;
     double recording_s = 0;  // 0: the show has none
-    std::uint64_t opens = 0; // of the wishes that asked for it
+    std::uint64_t opens = 0; // of the request that asked for it
     bool is_edit = false;    // the show that was open, edited: camera, look and undo list stay
-    std::shared_ptr<const std::string> text; // of show.toml, where the wishes had one
+    std::shared_ptr<const std::string> text; // of show.toml, where the request had one
     bool again = false;                      // a newer version of the show that was open: the camera stays
 };
 
@@ -157,7 +157,7 @@ struct Framed {
 struct Picture {
     std::shared_ptr<const image::Image8> image;
     scene::Camera camera; // it was drawn from; its size is that of the image
-    Framed framed;        // what of it the frame of the wishes has
+    Framed framed;        // what of it the frame of the request has
     float ev100 = 0;
     double draw_ms = 0;
     int lights_drawn = 0;
@@ -181,8 +181,8 @@ struct FixtureNow {
     float tilt_deg = 0;
     float dimmer = 0; // of the brightest beam, shutter included
     float zoom_deg = 0;
-    std::optional<int> gobo; // slot of the first wheel; nothing: it has none, or it turns
-    fixture::Manual asked;   // what desk or recording ask for, as values that a hand could set
+    std::optional<int> gobo;   // slot of the first wheel; nothing: it has none, or it turns
+    fixture::Programmer asked; // what desk or recording ask for, as values that a hand could set
 };
 
 struct RigNow {
@@ -209,7 +209,7 @@ struct Verdict {
 
 // What the probe meets.
 struct Probed {
-    glm::vec2 place{0}; // as in the wishes
+    glm::vec2 place{0}; // as in the request
     float cd_m2 = 0;    // that the camera sees there
     bool hit = false;   // a surface; what follows is of it
     float lux = 0;
@@ -239,19 +239,19 @@ struct Saved {
 };
 
 struct Link {
-    Mailbox<Wishes> wishes;
-    Signal wake; // of the engine: after wishes were put
+    Mailbox<ViewRequest> request;
+    Signal wake; // of the engine: after a request was put
 
     Mailbox<Opened> opened;
-    Mailbox<Error> not_opened; // the show of the wishes could not be; what was open stays
+    Mailbox<Error> not_opened; // the show of the request could not be; what was open stays
     Mailbox<Error> failed;     // something else that the window asked for
     Mailbox<Picture> picture;
     Mailbox<RigNow> rig;
     Mailbox<dmx::Statistics> network;
     Mailbox<Explained> explained;
-    Mailbox<std::vector<Verdict>> verdicts; // of all fixtures, where the wishes want them
+    Mailbox<std::vector<Verdict>> verdicts; // of all fixtures, where the request wants them
     Mailbox<std::vector<Message>> messages; // all of the show that is open
-    // Number of the wishes whose picture is there, at rest: nothing moves, all pixels, all shadows.
+    // Number of the request whose picture is there, at rest: nothing moves, all pixels, all shadows.
     Mailbox<std::uint64_t> settled;
     Mailbox<std::string> activity; // what takes long now; empty: nothing
     Mailbox<ReceivedPlot> plot;

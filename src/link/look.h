@@ -4,7 +4,7 @@
 // fixtures, air, even light, objects, surfaces. An empty look is the show as it is. Values that can be
 // compared, so one undo step is the look before. Units as in the show; colours linear Rec.2020.
 
-#include "fixture/manual.h"
+#include "fixture/programmer.h"
 #include "show/looks.h"
 
 #include <cstddef>
@@ -30,7 +30,7 @@ struct SurfaceLook {
 };
 
 struct Look {
-    std::map<std::size_t, fixture::Manual> fixtures; // by index of the show; no empty ones
+    std::map<std::size_t, fixture::Programmer> fixtures; // by index of the show; no empty ones
     SceneLook scene;
     std::map<std::size_t, bool> shown;           // by index of the object
     std::map<std::size_t, SurfaceLook> surfaces; // by index of the material; no empty ones

@@ -3,7 +3,8 @@
 // DistanceMaps: how far it is from each hanging position of lights to the first surface, in all directions
 // (shaders/shared/octahedral.h). The baker makes them (bake/distance_maps.h) and keeps them in
 // .ghost/distances/SIZE/; they tell which parts of a beam are in shadow, in haze and for any camera. Metres;
-// half floats, so within 0.05 %. Fixture bodies stop nothing. Plain values. Files: docs/distance-maps.md.
+// half floats, so within 0.05 %. Fixture bodies stop nothing. Plain values. Files:
+// docs/design/distance-maps.md.
 
 #include "base/report.h"
 #include "base/result.h"
@@ -23,7 +24,7 @@ inline constexpr std::uint16_t kNoSurface = 0x7b53;
 struct DistanceMap {
     std::string fixture;
     int stop = 0;  // of its track
-    int place = 0; // Emitters::places_m
+    int place = 0; // BeamGroups::places_m
     glm::vec3 position_m{0};
     std::vector<std::uint16_t> distance; // half floats, size x size, row by row; kNoSurface
     float nearest_m = kNoSurface_m;      // of what is hit; both kNoSurface_m where nothing is

@@ -3,7 +3,7 @@
 
 #include "base/check.h"
 #include "base/json.h"
-#include "emitters/light_places.h"
+#include "beam_groups/light_places.h"
 #include "files/files.h"
 #include "image/exr.h"
 #include "passes/passes_file.h"

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// The files of distance maps, in .ghost/distances/SIZE/ (docs/distance-maps.md). Each map says for which
-// place and which stage it was made; stage.json says what the present stage consists of and which maps of
-// earlier stages are right for it too. Every file is a true statement by itself, so nothing that is
+// The files of distance maps, in .ghost/distances/SIZE/ (docs/design/distance-maps.md). Each map says for
+// which place and which stage it was made; stage.json says what the present stage consists of and which maps
+// of earlier stages are right for it too. Every file is a true statement by itself, so nothing that is
 // interrupted between two of them can make a map count for a stage that it does not show. Any thread.
 
 #include "passes/distance_maps.h"

@@ -65,7 +65,7 @@ struct Passes {
 // radiance empty (it is dark); an error only where nothing can be shown.
 Result<Passes> load_passes(const std::filesystem::path& folder, bool with_radiance, Report& report);
 
-// passes.toml of pictures rendered elsewhere (docs/foreign-passes.md): one fragment a pixel.
+// passes.toml of pictures rendered elsewhere (docs/reference/foreign-passes.md): one fragment a pixel.
 Result<Passes> load_foreign_passes(const std::filesystem::path& toml, Report& report);
 
 } // namespace ghost::scene

@@ -1,6 +1,6 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// The files of baked passes, written by the baker and read by load_passes (docs/baking.md). In
+// The files of baked passes, written by the baker and read by load_passes (docs/guide/baking.md). In
 // .ghost/passes/<camera>/: manifest.json, and in the folder that it names: fragments.exr (X Y Z coverage
 // pixel), P N albedo depth.exr (pixel centres), ambient.exr, emission.exr, light_<fixture>_<stop>.exr (the
 // whole anti-aliased picture under kPictureCandela), beside each picture NAME.extra.exr with the share of the

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// passes.toml (docs/foreign-passes.md): what it says, without the pictures. load_foreign_passes (passes.h)
-// reads those too. Metres, Z up, camera as columns right, up, backward, eye. Pure.
+// passes.toml (docs/reference/foreign-passes.md): what it says, without the pictures. load_foreign_passes
+// (passes.h) reads those too. Metres, Z up, camera as columns right, up, backward, eye. Pure.
 
 #include "base/report.h"
 #include "base/result.h"

@@ -3,7 +3,7 @@
 // FrostFlux: frost scatters what the gate lets through, and nothing is lost. The beam blurs each plane of the
 // gate and the field by itself (shaders/shared/beam.h), and their product carries more or less light than the
 // gate let through where they hang together: a blade that covers the middle, a gobo under an iris. So both
-// are measured, and the frosted beam gets the lumens of the clear one. docs/optics.md. One thread.
+// are measured, and the frosted beam gets the lumens of the clear one. docs/design/optics.md. One thread.
 
 #include "shared/gobos.h"
 #include "shared/types.h"

@@ -253,9 +253,9 @@ std::vector<Camera> default_cameras(const Show& show) {
 }
 
 float default_extinction_per_m(const std::vector<Camera>& cameras) {
-    if (cameras.empty()) return HazeSettings{}.extinction_per_m;
+    if (cameras.empty()) return HazeMedium{}.extinction_per_m;
     const float way_m = glm::distance(cameras.front().position_m, cameras.front().target_m);
-    return std::clamp(kOpticalDepth / std::max(way_m, 1.0f), 0.002f, HazeSettings{}.extinction_per_m);
+    return std::clamp(kOpticalDepth / std::max(way_m, 1.0f), 0.002f, HazeMedium{}.extinction_per_m);
 }
 
 } // namespace ghost::scene

@@ -6,8 +6,8 @@
 #include "fixture/values.h"
 #include "mvr/mvr_write.h"
 #include "project/plot_stage.h"
-#include "show_file/show_toml.h"
 #include "project/private/plot_changes.h"
+#include "show_file/show_toml.h"
 
 #include <cstdint>
 #include <string>

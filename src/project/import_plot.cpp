@@ -6,8 +6,8 @@
 #include "mvr/mvr_load.h"
 #include "project/load_show.h"
 #include "project/plot_stage.h"
-#include "show_file/show_toml.h"
 #include "project/private/plot_changes.h"
+#include "show_file/show_toml.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -133,12 +133,13 @@ Result<void> merge_into(const fs::path& show_file, const Show& opened, Report& r
 } // namespace
 
 std::string show_text(const Show& show, const std::string& plot_name) {
-    std::string text = "# Made from the plot " + comment(plot_name) +
-                       ". Yours to change: importing a newer version of the plot leaves it as it is.\n"
-                       "# What every key means: docs/show-file.md and docs/mvr.md.\n\n[show]\nname = " +
-                       quoted(show.name) + "\nplot = " + quoted(plot_name) +
-                       "\nambient_lux = " + number(show.ambient_lux, "%g") +
-                       "\n\n[haze]\nextinction_per_m = " + number(show.haze.extinction_per_m, "%.4f") + "\n";
+    std::string text =
+        "# Made from the plot " + comment(plot_name) +
+        ". Yours to change: importing a newer version of the plot leaves it as it is.\n"
+        "# What every key means: docs/reference/show-file.md and docs/reference/mvr.md.\n\n[show]\nname = " +
+        quoted(show.name) + "\nplot = " + quoted(plot_name) +
+        "\nambient_lux = " + number(show.ambient_lux, "%g") +
+        "\n\n[haze]\nextinction_per_m = " + number(show.haze.extinction_per_m, "%.4f") + "\n";
     for (const Camera& camera : show.cameras)
         text += "\n[[camera]]\nname = " + quoted(camera.name) + "\nposition_m = " + point(camera.position_m) +
                 "\ntarget_m = " + point(camera.target_m) + "\nfov_y_deg = " + number(camera.fov_y_deg, "%g") +

@@ -19,11 +19,11 @@
 #include "project/plot_show.h"
 #include "project/plot_types.h"
 #include "project/private/default_cameras.h"
+#include "project/private/plot_changes.h"
 #include "show_file/show_edit.h"
 #include "show_file/show_toml.h"
 #include "stage/model_reader.h"
 #include "toml/toml_reader.h"
-#include "project/private/plot_changes.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "project/place_checks.h"
 
 #include "base/text.h"
-#include "emitters/light_places.h"
+#include "beam_groups/light_places.h"
 #include "fixture/decode.h"
 #include "stage/stage_checks.h"
 

@@ -12,7 +12,6 @@
 namespace ghost::scene {
 namespace {
 
-
 // As fixture_to_world turns, with the size of the axes it had.
 glm::dmat3 turned(const glm::dmat3& axes, const glm::vec3& rotation_deg) {
     const glm::dvec3 turn_rad = glm::radians(glm::dvec3(rotation_deg));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "fixture_files/common/laser_type.h"
+#include "fixture_files/common/projector_type.h"
+#include "fixture_files/common/wall_type.h"
+#include "fixture_files/load_type.h"
 #include "light/led_wall_light.h"
 #include "project/load_show.h"
 #include "show/plot_entries.h"
 #include "show_file/show_toml.h"
-#include "fixture_files/load_type.h"
-#include "fixture_files/common/laser_type.h"
-#include "fixture_files/common/projector_type.h"
-#include "fixture_files/common/wall_type.h"
 
 #include <algorithm>
 #include <map>

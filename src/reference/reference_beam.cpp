@@ -200,7 +200,7 @@ dvec3 ReferenceBeam::slide_colour(const dvec2& gate, double blur) const {
 
 // A normal distribution across the curve that the scanner draws; its unit is a figure of 1/128 gate radius.
 double ReferenceBeam::figure_share(const dvec2& gate, double blur) const {
-    const shared::Figure& figure = light_.figure;
+    const shared::LaserCurve& figure = light_.figure;
     const double c = figure.cosine, s = figure.sine, a = figure.half_size.x, b = figure.half_size.y;
     const double own = figure.deviation, sigma = std::hypot(own, 0.5 * blur);
     const dvec2 at(c * gate.x + s * gate.y, c * gate.y - s * gate.x);

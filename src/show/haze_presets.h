@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // How thick haze is, by the names a stagehand uses. Droplets in mg/m^3, extinction in 1/m, for a fluid of
-// glycol, glycerine or oil in droplets of 1 to 2 um: 3 to 6 m^2/g by Mie's theory (docs/show-file.md says
-// what each name means). Their scattering is the default of HazeSettings. Pure.
+// glycol, glycerine or oil in droplets of 1 to 2 um: 3 to 6 m^2/g by Mie's theory
+// (docs/reference/show-file.md says what each name means). Their scattering is the default of HazeMedium.
+// Pure.
 
 #include <span>
 #include <string>

@@ -40,7 +40,8 @@ std::optional<glm::vec3> light_colour(TableReader& reader, const std::string& ke
 }
 
 // channels = { "Head_Iris" = 0.5 }
-void read_channels(TableReader& reader, const std::string& file, fixture::Manual& manual, Report& report) {
+void read_channels(TableReader& reader, const std::string& file, fixture::Programmer& programmer,
+                   Report& report) {
     const toml::table* const table = reader.table("channels");
     if (table == nullptr) return;
     if (table->size() > kMostChannels) {
@@ -51,29 +52,29 @@ void read_channels(TableReader& reader, const std::string& file, fixture::Manual
     TableReader channels(*table, "[[look.fixture]] channels", file, report);
     for (const auto& [key, value] : *table)
         if (const auto share = channels.number(std::string(key.str()), 0, 1))
-            manual.channels[std::string(key.str())] = static_cast<float>(*share);
+            programmer.channels[std::string(key.str())] = static_cast<float>(*share);
 }
 
-std::optional<std::pair<std::string, fixture::Manual>> read_fixture(const toml::table& table,
-                                                                    const std::string& file, Report& report) {
+std::optional<std::pair<std::string, fixture::Programmer>>
+read_fixture(const toml::table& table, const std::string& file, Report& report) {
     TableReader reader(table, "[[look.fixture]]", file, report);
     const auto name = reader.text("name");
     if (!reader.has("name")) reader.missing("name", "that of a fixture of the show");
-    fixture::Manual manual;
-    put(manual.intensity, reader.number("intensity", 0, 1));
-    manual.colour = light_colour(reader, "colour_rec2020");
-    put(manual.zoom_deg, reader.number("zoom_deg", 0, 180));
-    put(manual.pan_deg, reader.number("pan_deg", -kMost_deg, kMost_deg));
-    put(manual.tilt_deg, reader.number("tilt_deg", -kMost_deg, kMost_deg));
-    manual.gobo = reader.integer("gobo", 0, 255);
-    manual.gel = light_colour(reader, "gel_rec2020");
-    put(manual.lamp, reader.number("lamp", 0, kMostLamp));
-    put(manual.lamp_k, reader.number("lamp_k", kLeastLamp_k, kMostLamp_k));
-    manual.levels = reader.bytes("levels", kMostLevels).value_or(std::vector<std::uint8_t>{});
-    read_channels(reader, file, manual, report);
+    fixture::Programmer programmer;
+    put(programmer.intensity, reader.number("intensity", 0, 1));
+    programmer.colour = light_colour(reader, "colour_rec2020");
+    put(programmer.zoom_deg, reader.number("zoom_deg", 0, 180));
+    put(programmer.pan_deg, reader.number("pan_deg", -kMost_deg, kMost_deg));
+    put(programmer.tilt_deg, reader.number("tilt_deg", -kMost_deg, kMost_deg));
+    programmer.gobo = reader.integer("gobo", 0, 255);
+    programmer.gel = light_colour(reader, "gel_rec2020");
+    put(programmer.lamp, reader.number("lamp", 0, kMostLamp));
+    put(programmer.lamp_k, reader.number("lamp_k", kLeastLamp_k, kMostLamp_k));
+    programmer.levels = reader.bytes("levels", kMostLevels).value_or(std::vector<std::uint8_t>{});
+    read_channels(reader, file, programmer, report);
     reader.finish();
-    if (!name || manual.is_empty()) return std::nullopt;
-    return std::pair{*name, manual};
+    if (!name || programmer.is_empty()) return std::nullopt;
+    return std::pair{*name, programmer};
 }
 
 std::optional<StoredLook> read_look(const toml::table& table, const std::string& file, Report& report) {
@@ -138,9 +139,9 @@ public:
 };
 
 // Levels are of one mode; those of another one would mean something else.
-bool fits(const fixture::Manual& manual, const PatchedFixture& fixture) {
-    return manual.levels.empty() ||
-           (fixture.type && manual.levels.size() == fixture::level_count(fixture.patch().mode_of()));
+bool fits(const fixture::Programmer& programmer, const PatchedFixture& fixture) {
+    return programmer.levels.empty() ||
+           (fixture.type && programmer.levels.size() == fixture::level_count(fixture.patch().mode_of()));
 }
 
 } // namespace
@@ -194,8 +195,8 @@ Result<std::vector<StoredLook>> load_looks(const std::filesystem::path& file, Re
 
 std::string text_of(const std::vector<StoredLook>& looks) {
     Lines lines;
-    lines.text =
-        "# Looks of a show, written by the window of ghostlight (docs/window.md). Comments do not stay.\n";
+    lines.text = "# Looks of a show, written by the window of ghostlight (docs/guide/window.md). Comments do "
+                 "not stay.\n";
     for (const StoredLook& look : looks) {
         lines.text += "\n[[look]]\nname = " + toml_text(look.name) + "\n";
         if (look.fade_s > 0) lines.add("fade_s", std::optional(look.fade_s));
@@ -204,19 +205,19 @@ std::string text_of(const std::vector<StoredLook>& looks) {
         lines.add("ambient_rec2020", look.scene.ambient_colour);
         lines.add("attenuation", look.scene.attenuation);
         lines.add("shadows", look.scene.shadows);
-        for (const auto& [name, manual] : look.fixtures) {
+        for (const auto& [name, programmer] : look.fixtures) {
             lines.text += "\n[[look.fixture]]\nname = " + toml_text(name) + "\n";
-            lines.add("intensity", manual.intensity);
-            lines.add("colour_rec2020", manual.colour);
-            lines.add("zoom_deg", manual.zoom_deg);
-            lines.add("pan_deg", manual.pan_deg);
-            lines.add("tilt_deg", manual.tilt_deg);
-            lines.add("gobo", manual.gobo);
-            lines.add("gel_rec2020", manual.gel);
-            lines.add("lamp", manual.lamp);
-            lines.add("lamp_k", manual.lamp_k);
-            lines.add("levels", manual.levels);
-            lines.add("channels", manual.channels);
+            lines.add("intensity", programmer.intensity);
+            lines.add("colour_rec2020", programmer.colour);
+            lines.add("zoom_deg", programmer.zoom_deg);
+            lines.add("pan_deg", programmer.pan_deg);
+            lines.add("tilt_deg", programmer.tilt_deg);
+            lines.add("gobo", programmer.gobo);
+            lines.add("gel_rec2020", programmer.gel);
+            lines.add("lamp", programmer.lamp);
+            lines.add("lamp_k", programmer.lamp_k);
+            lines.add("levels", programmer.levels);
+            lines.add("channels", programmer.channels);
         }
     }
     return lines.text;
@@ -239,20 +240,20 @@ Result<std::size_t> find_look(const std::vector<StoredLook>& looks, const std::s
     return Error{"there is no look '" + name + "'" + did_you_mean(name, names), ""};
 }
 
-std::map<std::size_t, fixture::Manual> manual_of(const StoredLook& look, const Show& show) {
-    std::map<std::size_t, fixture::Manual> manual;
+std::map<std::size_t, fixture::Programmer> programmer_of(const StoredLook& look, const Show& show) {
+    std::map<std::size_t, fixture::Programmer> programmer;
     for (std::size_t i = 0; i < show.fixtures.size(); ++i)
         if (const auto found = look.fixtures.find(show.fixtures[i].name); found != look.fixtures.end()) {
-            fixture::Manual one = found->second;
+            fixture::Programmer one = found->second;
             if (!fits(one, show.fixtures[i])) one.levels.clear();
-            if (!one.is_empty()) manual[i] = std::move(one);
+            if (!one.is_empty()) programmer[i] = std::move(one);
         }
-    return manual;
+    return programmer;
 }
 
 void check_look(const StoredLook& look, const Show& show, const std::string& file, Report& report) {
     std::vector<std::string> missing;
-    for (const auto& [name, manual] : look.fixtures)
+    for (const auto& [name, programmer] : look.fixtures)
         if (std::ranges::find(show.fixtures, name, &PatchedFixture::name) == show.fixtures.end())
             missing.push_back(name);
     if (!missing.empty())
@@ -269,16 +270,16 @@ void check_look(const StoredLook& look, const Show& show, const std::string& fil
                    "look '" + look.name +
                        "' has levels of another mode, which are left out (store it again) for: " +
                        name_list(others));
-    for (const auto& [name, manual] : look.fixtures) {
+    for (const auto& [name, programmer] : look.fixtures) {
         const auto fixture = std::ranges::find(show.fixtures, name, &PatchedFixture::name);
-        if (!manual.gobo || fixture == show.fixtures.end() || !fixture->type) continue;
+        if (!programmer.gobo || fixture == show.fixtures.end() || !fixture->type) continue;
         const auto slots = static_cast<int>(fixture::gobo_names(fixture->patch()).size());
-        if (*manual.gobo < std::max(slots, 1)) continue;
-        report.add(Severity::warning, file,
-                   "look '" + look.name + "': gobo " + std::to_string(*manual.gobo) + " of '" + name + "', " +
-                       (slots > 0
-                            ? "whose wheel has 0 to " + std::to_string(slots - 1) + "; it shows the last one"
-                            : "which has no gobo wheel"));
+        if (*programmer.gobo < std::max(slots, 1)) continue;
+        report.add(
+            Severity::warning, file,
+            "look '" + look.name + "': gobo " + std::to_string(*programmer.gobo) + " of '" + name + "', " +
+                (slots > 0 ? "whose wheel has 0 to " + std::to_string(slots - 1) + "; it shows the last one"
+                           : "which has no gobo wheel"));
     }
 }
 

@@ -1,12 +1,12 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Looks: what hands set, kept under a name in a file beside the show (looks.toml, docs/window.md): values of
-// fixtures, air and even light. Fixtures go by name, so a look outlives edits of the patch. Degrees, seconds,
-// lux; colours linear Rec.2020. Values; any thread.
+// Looks: what hands set, kept under a name in a file beside the show (looks.toml, docs/guide/window.md):
+// values of fixtures, air and even light. Fixtures go by name, so a look outlives edits of the patch.
+// Degrees, seconds, lux; colours linear Rec.2020. Values; any thread.
 
 #include "base/report.h"
 #include "base/result.h"
-#include "fixture/manual.h"
+#include "fixture/programmer.h"
 #include "show/show.h"
 
 #include <cstddef>
@@ -38,7 +38,7 @@ struct StoredLook {
     std::string name;
     float fade_s = 0; // of the crossfade when it is recalled
     SceneLook scene;
-    std::map<std::string, fixture::Manual> fixtures; // by name
+    std::map<std::string, fixture::Programmer> fixtures; // by name
 
     bool operator==(const StoredLook&) const = default;
 };
@@ -60,7 +60,7 @@ Result<void> check_look_name(const std::string& name);
 Result<std::size_t> find_look(const std::vector<StoredLook>& looks, const std::string& name);
 // Of the fixtures that the show has, by index; levels whose number is not that of the fixture's mode are left
 // out.
-std::map<std::size_t, fixture::Manual> manual_of(const StoredLook& look, const Show& show);
+std::map<std::size_t, fixture::Programmer> programmer_of(const StoredLook& look, const Show& show);
 // A warning where the look has values for fixtures that the show has not, or levels of another mode. file:
 // that the look is from.
 void check_look(const StoredLook& look, const Show& show, const std::string& file, Report& report);

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Moving pictures of a show: what [[media]] says, and what each of them shows now. The pictures themselves
-// are decoded elsewhere (video/source.h). Values only. docs/projectors.md.
+// are decoded elsewhere (video/source.h). Values only. docs/design/projectors.md.
 
 #include <cstdint>
 #include <filesystem>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "show/plot_entries.h"
 
-#include "toml/toml_reader.h"
-#include "show/show.h"
 #include "dmx/wire/universes.h"
+#include "show/show.h"
+#include "toml/toml_reader.h"
 
 namespace ghost::scene {
 namespace {

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Video projectors as a show sets them; what their beam then is: light/projector_beam.h. docs/projectors.md.
-// Values only.
+// Video projectors as a show sets them; what their beam then is: light/projector_beam.h.
+// docs/design/projectors.md. Values only.
 
 #include "show/media.h"
 

@@ -39,11 +39,11 @@ struct Camera {
     float ev100 = 6; // exposure
     bool auto_exposure = false;
     std::filesystem::path
-        foreign_passes; // a passes.toml rendered elsewhere (docs/foreign-passes.md), or empty
+        foreign_passes; // a passes.toml rendered elsewhere (docs/reference/foreign-passes.md), or empty
 };
 
 // mean: see docs; extinction covers the way lamp -> surface -> camera.
-struct HazeSettings {
+struct HazeMedium {
     float extinction_per_m = 0.015f;
     float albedo = 1.0f; // scattering / extinction
     float forward_g = 0.77f;
@@ -144,7 +144,7 @@ struct Show {
     std::filesystem::path recording; // the show's own DMX recording, or empty
     float ambient_lux = 0.0f;        // even light from everywhere, so that the house is not pitch black
     glm::vec3 ambient_colour{1.0f};  // of it: linear Rec.2020, luminance 1
-    HazeSettings haze;
+    HazeMedium haze;
     std::vector<Hazer> hazers;
     Attenuation attenuation;
     bool shadows = true;

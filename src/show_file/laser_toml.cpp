@@ -10,12 +10,12 @@
 namespace ghost::scene {
 namespace {
 
-void read_kind(TableReader& reader, fixture::Figure& figure) {
+void read_kind(TableReader& reader, fixture::LaserCurve& figure) {
     const auto name = reader.text("figure");
     if (!name) return;
     const auto* const found = std::find(fixture::kFigureNames.begin(), fixture::kFigureNames.end(), *name);
     if (found != fixture::kFigureNames.end()) {
-        figure.kind = static_cast<fixture::FigureKind>(found - fixture::kFigureNames.begin());
+        figure.kind = static_cast<fixture::LaserCurveKind>(found - fixture::kFigureNames.begin());
         return;
     }
     const std::vector<std::string> names(fixture::kFigureNames.begin(), fixture::kFigureNames.end());
@@ -30,7 +30,7 @@ Laser read_laser(const toml::table& table, const std::string& section, const std
                  Report& report) {
     TableReader reader(table, section + " laser", file, report);
     Laser laser;
-    fixture::Figure& figure = laser.figure;
+    fixture::LaserCurve& figure = laser.figure;
     const auto put = [](float& target, const std::optional<double>& value) {
         if (value) target = static_cast<float>(*value);
     };

@@ -54,7 +54,7 @@ void read_scene(const toml::table& table, const std::string& file, const std::st
 }
 
 // The most exact of the ways to say how thick it is wins.
-void read_density(TableReader& reader, HazeSettings& haze) {
+void read_density(TableReader& reader, HazeMedium& haze) {
     const auto from_milligrams = [&](const std::string& key) {
         auto value = reader.number(key, 0, kMaxMilligrams_per_m3);
         if (value) *value *= kExtinctionPerMilligram;
@@ -93,7 +93,7 @@ void read_density(TableReader& reader, HazeSettings& haze) {
                            " cm");
 }
 
-void read_haze(const toml::table& table, const std::string& file, HazeSettings& haze, Report& report) {
+void read_haze(const toml::table& table, const std::string& file, HazeMedium& haze, Report& report) {
     TableReader reader(table, "[haze]", file, report);
     read_density(reader, haze);
     put(haze.albedo, reader.number("albedo", 0, 1));

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edits of show.toml as text: what an edit is not about stays byte for byte, comments and order too, so that
 // people and programs can work on one file. Each function gives the whole new text; it has been read again
-// and says what was asked for and nothing else. Units as in docs/show-file.md. Pure unless said, any thread.
+// and says what was asked for and nothing else. Units as in docs/reference/show-file.md. Pure unless said,
+// any thread.
 
 #include "base/report.h"
 #include "base/result.h"

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// show.toml -> Show, without opening any other file (docs/show-file.md says what each key means). Pure.
+// show.toml -> Show, without opening any other file (docs/reference/show-file.md says what each key means).
+// Pure.
 
 #include "base/report.h"
 #include "base/result.h"

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // What a show changes about objects of its stage without touching the model: surface, place, seen or not
-// ([[object]] in docs/show-file.md). Metres, Z up; colours linear Rec.2020. Pure functions; what matches
-// nothing goes to the report.
+// ([[object]] in docs/reference/show-file.md). Metres, Z up; colours linear Rec.2020. Pure functions; what
+// matches nothing goes to the report.
 
 #include "base/report.h"
 #include "stage/stage.h"

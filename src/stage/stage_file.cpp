@@ -19,11 +19,11 @@
 #include <cctype>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <set>
 #include <utility>
-#include <filesystem>
 
 namespace ghost::scene {
 namespace {

@@ -3,7 +3,7 @@
 // Xchange: a station of MVR-xchange (DIN SPEC 15801, TCP mode) on a thread of its own: finds the stations of
 // a group by mDNS, joins them, saves the plots that they commit, and gives out those that we share. Anyone on
 // the network can be a station: what they send is bounded, lands in one folder, and never takes the place of
-// a file that is there. docs/xchange.md.
+// a file that is there. docs/guide/xchange.md.
 
 #include "base/result.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // 77 GDTF files of other makers (see the folder's manifest for their licences: they are not ours to ship):
-// every mode of every file is driven, and the hard cases of docs/gdtf.md do what stands there. What the files
-// should hold is compared in oracle_test.cpp.
+// every mode of every file is driven, and the hard cases of docs/reference/gdtf.md do what stands there. What
+// the files should hold is compared in oracle_test.cpp.
 #include "fixture/decode.h"
 #include "support/tiny_gdtf.h"
 

@@ -17,9 +17,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const auto& look : *looks) {
         CHECK(ghost::scene::check_look_name(look.name).ok());
         CHECK(look.fade_s >= 0 && look.fade_s <= ghost::scene::kLongestFade_s);
-        for (const auto& [name, manual] : look.fixtures) {
-            CHECK(!manual.is_empty());
-            CHECK(!manual.intensity || (*manual.intensity >= 0 && *manual.intensity <= 1));
+        for (const auto& [name, programmer] : look.fixtures) {
+            CHECK(!programmer.is_empty());
+            CHECK(!programmer.intensity || (*programmer.intensity >= 0 && *programmer.intensity <= 1));
         }
     }
     ghost::Report again;

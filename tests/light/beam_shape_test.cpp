@@ -51,7 +51,7 @@ shared::Light light_of(const Show& show, const GoboStack& gobos) {
     Rig rig(show);
     dmx::Universes universes;
     rig.step(universes, 0);
-    std::map<std::size_t, fixture::Manual> full;
+    std::map<std::size_t, fixture::Programmer> full;
     full[0].intensity = 1.0f;
     rig.step(universes, 0, full);
     return rig.lights(gobos, DistanceMaps{}).front();

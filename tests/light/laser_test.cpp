@@ -2,11 +2,11 @@
 // Lasers: where their figures are, that the lumens stay, and what channels and show file make of them.
 #include "light/laser_rays.h"
 
+#include "beam_groups/prism.h"
 #include "diagnose/explain_parts.h"
-#include "emitters/prism.h"
 #include "fixture_files/common/laser_type.h"
+#include "light/frame_lights.h"
 #include "light/gobos.h"
-#include "light/lit.h"
 #include "light/rig.h"
 #include "shared/beam.h"
 #include "show_file/show_toml.h"
@@ -18,8 +18,8 @@
 namespace ghost::scene {
 namespace {
 
-using fixture::Figure;
-using fixture::FigureKind;
+using fixture::LaserCurve;
+using fixture::LaserCurveKind;
 using glm::vec2;
 using glm::vec3;
 
@@ -72,10 +72,10 @@ TEST(Laser, ASweptFigureHasTheLumensOfItsBeam) {
     const shared::Light beam = beam_of(0.8f);
     const double expected = lumens(beam, 0.01f);
     EXPECT_NEAR(expected / (4.0 * M_PI * static_cast<double>(beam.bounce_cd.y)), 1.0, 5e-3);
-    for (const FigureKind kind : {FigureKind::line, FigureKind::circle, FigureKind::wave})
+    for (const LaserCurveKind kind : {LaserCurveKind::line, LaserCurveKind::circle, LaserCurveKind::wave})
         for (const vec2& size : {vec2(60, 20), vec2(20, 60), vec2(100, 10)})
             for (const float turn : {0.0f, 33.0f}) {
-                Figure figure{.kind = kind, .count = 2, .size_deg = size, .deg = turn};
+                LaserCurve figure{.kind = kind, .count = 2, .size_deg = size, .deg = turn};
                 figure.phase = 0.3f;
                 const shared::Light light = swept(beam, figure);
                 ASSERT_NE(light.figure.kind, shared::kNoFigure);
@@ -90,7 +90,8 @@ TEST(Laser, ASweptFigureHasTheLumensOfItsBeam) {
 TEST(Laser, RaysShareTheLumens) {
     const shared::Light beam = beam_of(0.8f);
     const double expected = lumens(beam, 0.01f);
-    for (const FigureKind kind : {FigureKind::beam, FigureKind::fan, FigureKind::grid, FigureKind::ring}) {
+    for (const LaserCurveKind kind :
+         {LaserCurveKind::beam, LaserCurveKind::fan, LaserCurveKind::grid, LaserCurveKind::ring}) {
         double sum = 0;
         vec3 bounced(0);
         for (const Copy& ray : rays_of({.kind = kind, .count = 12}, beam.tan_field)) {
@@ -104,7 +105,7 @@ TEST(Laser, RaysShareTheLumens) {
 }
 
 // Angles of the axes of the rays, to the right and up.
-std::vector<vec2> angles(const Figure& figure) {
+std::vector<vec2> angles(const LaserCurve& figure) {
     const shared::Light beam = beam_of(0.05f);
     std::vector<vec2> result;
     for (const Copy& ray : rays_of(figure, beam.tan_field)) {
@@ -115,7 +116,7 @@ std::vector<vec2> angles(const Figure& figure) {
 }
 
 TEST(Laser, RaysStandAtTheirAngles) {
-    const std::vector<vec2> fan = angles({.kind = FigureKind::fan, .count = 5, .size_deg = {40, 20}});
+    const std::vector<vec2> fan = angles({.kind = LaserCurveKind::fan, .count = 5, .size_deg = {40, 20}});
     ASSERT_EQ(fan.size(), 5u);
     for (int k = 0; k < 5; ++k) {
         EXPECT_NEAR(fan[static_cast<std::size_t>(k)].x, -20.0f + 10.0f * static_cast<float>(k), 0.02f);
@@ -123,22 +124,22 @@ TEST(Laser, RaysStandAtTheirAngles) {
     }
     // Turned counter-clockwise as seen from the laser: the first one, at its left, goes down.
     const std::vector<vec2> upright =
-        angles({.kind = FigureKind::fan, .count = 2, .size_deg = {40, 0}, .deg = 90});
+        angles({.kind = LaserCurveKind::fan, .count = 2, .size_deg = {40, 0}, .deg = 90});
     EXPECT_NEAR(upright[0].y, -20.0f, 0.02f);
     EXPECT_NEAR(upright[1].y, 20.0f, 0.02f);
-    const std::vector<vec2> grid = angles({.kind = FigureKind::grid, .count = 12, .size_deg = {40, 30}});
+    const std::vector<vec2> grid = angles({.kind = LaserCurveKind::grid, .count = 12, .size_deg = {40, 30}});
     ASSERT_EQ(grid.size(), 12u);
     EXPECT_NEAR(grid.front().x, -20.0f, 0.02f);
     EXPECT_NEAR(grid.front().y, -15.0f, 0.02f);
     EXPECT_NEAR(grid.back().x, 20.0f, 0.02f);
     EXPECT_NEAR(grid.back().y, 15.0f, 0.02f);
-    for (const vec2& at : angles({.kind = FigureKind::ring, .count = 9, .size_deg = {30, 30}}))
+    for (const vec2& at : angles({.kind = LaserCurveKind::ring, .count = 9, .size_deg = {30, 30}}))
         EXPECT_NEAR(glm::length(glm::tan(glm::radians(at))), std::tan(glm::radians(15.0f)), 1e-3f);
 }
 
 TEST(Laser, CurvesAreWhereTheirAnglesSay) {
     const shared::Light beam = beam_of(0.05f);
-    const shared::Light line = swept(beam, {.kind = FigureKind::line, .size_deg = {60, 10}});
+    const shared::Light line = swept(beam, {.kind = LaserCurveKind::line, .size_deg = {60, 10}});
     const float middle = candela(line, {0, 0});
     for (const float deg : {-29.0f, -12.0f, 12.0f, 29.0f}) {
         const float cosine = std::cos(glm::radians(deg)); // as many lux everywhere on a wall across it
@@ -147,25 +148,25 @@ TEST(Laser, CurvesAreWhereTheirAnglesSay) {
     EXPECT_LT(candela(line, {31, 0}), 1e-3f * middle);
     EXPECT_LT(candela(line, {0, 0.1f}), 1e-3f * middle);
 
-    const shared::Light circle = swept(beam, {.kind = FigureKind::circle, .size_deg = {30, 30}});
+    const shared::Light circle = swept(beam, {.kind = LaserCurveKind::circle, .size_deg = {30, 30}});
     for (const vec2& at : {vec2(15, 0), vec2(0, 15), vec2(-15, 0), vec2(0, -15)})
         EXPECT_GT(candela(circle, at), 0.9f * candela(circle, {15, 0}));
     for (const float deg : {0.0f, 14.8f, 15.2f})
         EXPECT_LT(candela(circle, {deg, 0}), 1e-3f * candela(circle, {15, 0}));
 
     // One wave of half its height up at a quarter of its length, which is even on a wall.
-    const shared::Light wave = swept(beam, {.kind = FigureKind::wave, .count = 1, .size_deg = {40, 10}});
+    const shared::Light wave = swept(beam, {.kind = LaserCurveKind::wave, .count = 1, .size_deg = {40, 10}});
     const float quarter = glm::degrees(std::atan(0.5f * std::tan(glm::radians(20.0f))));
     EXPECT_GT(candela(wave, {quarter, 5}), 0.5f * candela(wave, {-quarter, -5}));
     EXPECT_LT(candela(wave, {quarter, -5}), 1e-3f * candela(wave, {quarter, 5}));
     // A figure smaller than the beam is wide is the beam.
-    EXPECT_EQ(swept(beam, {.kind = FigureKind::line, .size_deg = {0.05f, 60}}).figure.kind,
+    EXPECT_EQ(swept(beam, {.kind = LaserCurveKind::line, .size_deg = {0.05f, 60}}).figure.kind,
               shared::kNoFigure);
 }
 
 // As thick as at its lens, and wider by its divergence: the standard deviation on a wall 2 m away.
 TEST(Laser, ALineIsAsThickAsItsBeam) {
-    const shared::Light line = swept(beam_of(0.05f), {.kind = FigureKind::line, .size_deg = {40, 0}});
+    const shared::Light line = swept(beam_of(0.05f), {.kind = LaserCurveKind::line, .size_deg = {40, 0}});
     double sum = 0, squares = 0;
     for (int k = -4000; k < 4000; ++k) {
         const double y_m = (k + 0.5) * 5e-6;
@@ -248,7 +249,7 @@ TEST(Laser, ChannelsChooseTheFigure) {
     const auto curve = [&](std::uint8_t figure) {
         const auto lights = send({255, 255, 0, 255, 0, figure, 0, 85, 43, 0, 128, 255}, 0.01);
         EXPECT_EQ(lights.size(), 1u);
-        return lights.empty() ? shared::Figure{} : lights.front().figure;
+        return lights.empty() ? shared::LaserCurve{} : lights.front().figure;
     };
     EXPECT_EQ(curve(150).kind, shared::kLineFigure);
     EXPECT_EQ(curve(200).kind, shared::kCircleFigure);

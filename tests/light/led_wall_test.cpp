@@ -5,9 +5,9 @@
 #include "fixture_files/common/wall_type.h"
 #include "image/pyramid.h"
 #include "light/bodies.h"
+#include "light/frame_lights.h"
 #include "light/gobos.h"
 #include "light/illuminance.h"
-#include "light/lit.h"
 #include "light/rig.h"
 #include "shared/beam.h"
 #include "show_file/show_toml.h"
@@ -76,7 +76,7 @@ TEST(LedWall, ThrowsTheLumensOfItsPixels) {
     const GoboStack stack = white();
     Rig rig(show);
     rig.step({}, 0);
-    const Lit lit = rig.lit(stack, DistanceMaps{});
+    const FrameLights lit = rig.lit(stack, DistanceMaps{});
     EXPECT_EQ(lit.lights.size(), 6u); // 3 x 2 cells
     double lumens = 0;
     for (const shared::Light& light : lit.lights) {
@@ -87,11 +87,11 @@ TEST(LedWall, ThrowsTheLumensOfItsPixels) {
     EXPECT_NEAR(lumens / (std::numbers::pi * 1000.0 * 8.0 * 4.5), 1.0, 5e-3);
     ASSERT_EQ(lit.walls.size(), 1u);
     EXPECT_FLOAT_EQ(lit.walls[0].radiance.y, 1000.0f);
-    for (const Face& face : lit.faces) EXPECT_TRUE(face.of_wall);
+    for (const LensFace& face : lit.faces) EXPECT_TRUE(face.of_wall);
 }
 
 // Of what a surface that is equally bright from all sides throws there, by the integral over its area.
-double share_of_lambert(const Lit& lit, const GoboStack& stack, const vec2& size_m, const vec3& at,
+double share_of_lambert(const FrameLights& lit, const GoboStack& stack, const vec2& size_m, const vec3& at,
                         const vec3& normal) {
     double lux = 0, expected = 0;
     for (const shared::Light& light : lit.lights)
@@ -123,7 +123,7 @@ TEST(LedWall, LightsAsItsAreaDoes) {
         const GoboStack stack = white();
         Rig rig(show);
         rig.step({}, 0);
-        const Lit lit = rig.lit(stack, DistanceMaps{});
+        const FrameLights lit = rig.lit(stack, DistanceMaps{});
         const float floor_z = -0.5f * size.size_m.y - 1.0f;
         const vec3 to_wall(0, 1, 0), up(0, 0, 1);
         for (const auto& [at, normal] :
@@ -217,7 +217,7 @@ TEST(LedWall, TheDeskDimsItAndChoosesItsPicture) {
     GoboStack stack = white();
     stack.images.slides.push_back(stack.images.slides[0]);
     stack.showing.push_back(stack.showing[0]);
-    const Lit lit = rig.lit(stack, DistanceMaps{});
+    const FrameLights lit = rig.lit(stack, DistanceMaps{});
     ASSERT_EQ(lit.walls.size(), 1u);
     EXPECT_NEAR(lit.walls[0].radiance.y, 200.0f, 1.0f);
     EXPECT_EQ(lit.walls[0].layer, 2u);
@@ -331,7 +331,7 @@ name = "Front*"
     expect_near(show.fixtures[0].position_m, {1, 2, 3});
     Rig rig(show);
     rig.step({}, 0);
-    const Lit lit = rig.lit(white(), DistanceMaps{});
+    const FrameLights lit = rig.lit(white(), DistanceMaps{});
     ASSERT_EQ(lit.walls.size(), 1u);
     const shared::LedWall& seen = lit.walls[0];
     EXPECT_FLOAT_EQ(seen.radiance.y, 4000.0f);

@@ -143,7 +143,7 @@ TEST(Prism, AFixtureKeepsTheNumberOfItsLights) {
         dmx::Universes universes;
         universes.at(1).levels = std::make_shared<const dmx::Levels>(levels);
         rig.step(universes, 10.0);
-        const Lit lit = rig.lit(gobos(), DistanceMaps{});
+        const FrameLights lit = rig.lit(gobos(), DistanceMaps{});
         if (count == 0) count = lit.lights.size();
         EXPECT_EQ(lit.lights.size(), count);
         const auto shining =

@@ -4,7 +4,7 @@
 #include "light/rig.h"
 
 #include "base/text.h"
-#include "emitters/light_places.h"
+#include "beam_groups/light_places.h"
 #include "fixture_files/gdtf/gdtf.h"
 #include "shared/beam.h"
 

@@ -3,7 +3,7 @@
 // here.
 #include "support/plot_files.h"
 
-#include "emitters/light_places.h"
+#include "beam_groups/light_places.h"
 #include "fixture/decode.h"
 #include "light/rig.h"
 #include "project/load_show.h"

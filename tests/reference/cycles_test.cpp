@@ -51,7 +51,8 @@ protected:
             if (instance.name.starts_with("FXB_")) instance.fixture = 0;
     }
 
-    // passes.toml as docs/foreign-passes.md has it, with absolute names: the reference is read-only.
+    // passes.toml as docs/reference/foreign-passes.md has it, with absolute names: the reference is
+    // read-only.
     scene::Passes foreign(const std::vector<int>& lights, Report& report) const {
         const TestFolder folder;
         std::ofstream toml(folder.path / "passes.toml");

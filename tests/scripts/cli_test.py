@@ -251,7 +251,7 @@ class Pictures(Case):
         self.fails(run("render", WORK / "demo", "-o", out / "a.mp4", "--from", "1", "--to", "2", "--hold-fps", "25"), 2, "--live")
 
     def test_live_and_baked_pictures_agree(self):
-        """What is left is silhouettes and shadows in the air: docs/live-accuracy.md."""
+        """What is left is silhouettes and shadows in the air: docs/measurements/live-accuracy.md."""
         out = self.out()
         common = ("--size", "256x75", "--at", "50", "--glare", "0")
         self.works(run("render", WORK / "demo", "-o", out / "baked.exr", *common))

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What files that mean harm cost: `ghostlight check` on each, its peak memory against a stated limit, and what it must say.
 Usage: hostile_test.py SOURCE_FOLDER BUILD_FOLDER [WORDS]; WORDS: only the cases whose name has them. It prints the table of
-docs/import-doctor.md."""
+docs/guide/import-doctor.md."""
 import json
 import os
 import pathlib

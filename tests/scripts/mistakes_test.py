@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The table of mistakes (lib/mistakes.py): each is made, in network namespaces of its own, with a desk of a few lines; `monitor` and
 `explain` must name it, in the same words, and name nothing where all is well. Arguments: source folder, build folder; then, if wanted,
---write FILE for the table and the confusion matrix (docs/mistakes.md), or names of rows. Exit 77: skipped, with the reason."""
+--write FILE for the table and the confusion matrix (docs/reference/mistakes.md), or names of rows. Exit 77: skipped, with the reason."""
 import concurrent.futures
 import json
 import os
@@ -233,7 +233,7 @@ def be_well(number, name, setup):
 def write(path, outcomes, well):
     true = sum(o.named == o.wanted and not o.faults for o in outcomes)
     lines = ["# Mistakes, and what is said of them", "",
-             "Written by `tests/scripts/mistakes_test.py SOURCE BUILD --write docs/mistakes.md` from what `monitor` and `explain` said; the same sentences",
+             "Written by `tests/scripts/mistakes_test.py SOURCE BUILD --write docs/reference/mistakes.md` from what `monitor` and `explain` said; the same sentences",
              "stand in the window and in the JSON of both. Each mistake was made in network namespaces of its own, with a desk that sends real packets.", "",
              f"**{true} of {len(outcomes)} named truly. Of {len(well)} set-ups where all is well, {sum(not said for _, said in well)} without a word of trouble.**", "",
              "## The table", "", "| what was done wrong | named | in words |", "|---|---|---|"]

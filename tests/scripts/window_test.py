@@ -23,7 +23,7 @@ class MouseAndKeys(unittest.TestCase):
     def test_real_mouse_and_keys(self):
         window = Window("--size", "900x600", "--no-desk", "--quiet")
         try:
-            window.do("wait opened", "panel-values off", "panel-hand off", "panel-scene off", "panel-looks off", "resolution 10", "jump 36", "wait 0.2", "freeze on",
+            window.do("wait opened", "panel-values off", "panel-programmer off", "panel-scene off", "panel-looks off", "resolution 10", "jump 36", "wait 0.2", "freeze on",
                       "wait settled")
             start = window.state()
             self.assertEqual(start["selection"], [])
@@ -90,7 +90,7 @@ class Controls(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.window = Window("--size", "720x480", "--no-desk", "--quiet")
-        cls.window.do("wait opened", *[f"panel-{one} off" for one in ("fixtures", "values", "hand", "scene", "looks")], "resolution 12",
+        cls.window.do("wait opened", *[f"panel-{one} off" for one in ("fixtures", "values", "programmer", "scene", "looks")], "resolution 12",
                       "freeze on", "jump 36", "camera close", "wait settled", "exposure 6.5", "wait settled")
         cls.show = cls.window.picture("show")
 
@@ -207,7 +207,7 @@ class Desk(unittest.TestCase):
         window = Window("--size", "640x400", "--quiet", "--protocols", "artnet", "--artnet-offset", offset, "--no-poll-reply")
         play = None
         try:
-            window.do("wait opened", "resolution 10", "panel-values off", "panel-hand off", "panel-scene off", "panel-looks off", "panel-fixtures off",
+            window.do("wait opened", "resolution 10", "panel-values off", "panel-programmer off", "panel-scene off", "panel-looks off", "panel-fixtures off",
                       "panel-network on")
             self.assertFalse(window.state()["from_desk"])
             play = subprocess.Popen([str(PROGRAM), "play", str(SOURCE / "assets/demo/demo.show"), "--protocol", "artnet", "--to",

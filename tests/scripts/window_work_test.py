@@ -20,7 +20,7 @@ import numpy  # noqa: E402
 from PIL import Image  # noqa: E402
 
 WORK = None
-PANELS = ("fixtures", "values", "hand", "scene", "looks", "export")
+PANELS = ("fixtures", "values", "programmer", "scene", "looks", "export")
 
 
 def read(file):

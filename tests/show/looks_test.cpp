@@ -122,10 +122,10 @@ TEST(Looks, bad_values_are_said_and_the_rest_stays) {
 TEST(Looks, fixtures_go_by_name) {
     Show show;
     for (const char* const name : {"Wash 2", "Other", "Spot 1"}) show.fixtures.emplace_back().name = name;
-    const auto manual = manual_of(verse(), show);
-    ASSERT_EQ(manual.size(), 2u);
-    EXPECT_EQ(manual.at(2).gobo, 4);
-    EXPECT_EQ(manual.at(0).intensity, 0.0f);
+    const auto programmer = programmer_of(verse(), show);
+    ASSERT_EQ(programmer.size(), 2u);
+    EXPECT_EQ(programmer.at(2).gobo, 4);
+    EXPECT_EQ(programmer.at(0).intensity, 0.0f);
 }
 
 // Wheels, prisms, blades, frost, iris, strobes, turning gobos: a look that was stored has the light that a
@@ -164,7 +164,7 @@ TEST(Looks, levels_bring_every_attribute_back) {
             // 10 ms: what turns and strobes is somewhere on its way.
             for (int step = 0; step < 3; ++step) {
                 by_desk.step(desk, 0.01);
-                by_look.step({}, 0.01, manual_of(read->front(), show));
+                by_look.step({}, 0.01, programmer_of(read->front(), show));
                 const auto wanted = lights(by_desk), found = lights(by_look);
                 ASSERT_EQ(wanted.size(), found.size());
                 for (std::size_t i = 0; i < wanted.size(); ++i) {
@@ -188,7 +188,7 @@ TEST(Looks, levels_of_another_mode_are_said_and_left_out) {
     spot.type = std::make_shared<fixture::Type>(loaded->type);
     StoredLook look{.name = "A"};
     look.fixtures["Spot 1"] = {.intensity = 0.5f, .levels = {1, 2, 3}};
-    EXPECT_EQ(manual_of(look, show).at(0), fixture::Manual{.intensity = 0.5f});
+    EXPECT_EQ(programmer_of(look, show).at(0), fixture::Programmer{.intensity = 0.5f});
     Report report;
     check_look(look, show, "looks.toml", report);
     ASSERT_EQ(report.messages.size(), 1u);
@@ -196,7 +196,7 @@ TEST(Looks, levels_of_another_mode_are_said_and_left_out) {
     look.fixtures["Spot 1"].levels.resize(fixture::level_count(spot.patch().mode_of()));
     check_look(look, show, "looks.toml", report);
     EXPECT_EQ(report.messages.size(), 1u);
-    EXPECT_EQ(manual_of(look, show).at(0), look.fixtures["Spot 1"]);
+    EXPECT_EQ(programmer_of(look, show).at(0), look.fixtures["Spot 1"]);
 }
 
 // A gel takes its share of the light, a lamp multiplies it, and both are in the light alone.
@@ -210,8 +210,8 @@ TEST(Looks, another_lamp_and_a_gel_change_the_light_by_their_factors) {
     spot.type = std::make_shared<fixture::Type>(loaded->type);
     show.motion = fixture::Motion::as_commanded;
     Rig rig(show);
-    const auto light_of = [&](const fixture::Manual& manual) {
-        rig.step({}, 0, {{0, manual}});
+    const auto light_of = [&](const fixture::Programmer& programmer) {
+        rig.step({}, 0, {{0, programmer}});
         return rig.lights({}, DistanceMaps{}).front().intensity_cd;
     };
     const glm::vec3 own = light_of({.intensity = 1.0f});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "emitters/light_places.h"
+#include "beam_groups/light_places.h"
 #include "files/files.h"
 #include "light/bodies.h"
 #include "project/load_show.h"

@@ -52,7 +52,7 @@ TEST(AirEdit, wind_and_clouds_are_written_below_haze) {
     ASSERT_TRUE(edited.ok()) << edited.error().text();
     EXPECT_EQ(*edited,
               with(kText, "intensity = 2\n", "intensity = 2\nunevenness = 0.5\nwind_m_s = [0.25, -1, 0]\n"));
-    const HazeSettings haze = read(*edited).haze;
+    const HazeMedium haze = read(*edited).haze;
     EXPECT_EQ(haze.unevenness, 0.5f);
     EXPECT_EQ(haze.wind_m_s, glm::vec3(0.25f, -1, 0));
     EXPECT_FLOAT_EQ(haze.extinction_per_m, 0.045f) << "the preset stays, and its intensity";

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // For tests: beams of our own fixture with every optic (Ghostlight@Optics_Profile.gdtf).
 
-#include "emitters/prism.h"
+#include "beam_groups/prism.h"
 #include "fixture_files/gdtf/gdtf.h"
+#include "light/frame_lights.h"
 #include "light/gobos.h"
-#include "light/lit.h"
 #include "shared/beam.h"
 #include "show/show.h"
 

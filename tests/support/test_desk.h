@@ -69,7 +69,7 @@ struct Desk {
     // What the engine does with the newest wish.
     void follow() {
         settle();
-        if (const auto wishes = link.wishes.take(); wishes && wishes->text) answer(*wishes->text, true);
+        if (const auto request = link.request.take(); request && request->text) answer(*request->text, true);
     }
     void answer(const std::string& text, bool is_edit) {
         Report report;
@@ -83,21 +83,21 @@ struct Desk {
         Opened opened;
         opened.show = std::make_shared<const scene::Show>(std::move(parsed->show));
         opened.is_edit = is_edit;
-        opened.text = studio.wishes().text;
+        opened.text = app.request().text;
         link.opened.put(std::move(opened));
         link.on_news();
         settle();
     }
-    const scene::PatchedFixture& fixture(std::size_t index) { return studio.show()->fixtures[index]; }
+    const scene::PatchedFixture& fixture(std::size_t index) { return app.show()->fixtures[index]; }
     std::string on_disk() { return *read_text_file(file, 1 << 20); }
 
     QTemporaryDir own;
     std::string folder;
     fs::path file;
     Link link;
-    Studio studio{link};
-    ShowDocument document{studio};
-    PatchEdit edit{studio, document};
+    AppModel app{link};
+    ShowDocument document{app};
+    PatchEdit edit{app, document};
     QString draft;
 };
 

@@ -68,11 +68,11 @@ public:
           glare_(device(), view_.width, view_.height, glare) {}
 
     void draw(const std::vector<shared::Light>& lights) {
-        std::vector<scene::Face> faces;
+        std::vector<scene::LensFace> faces;
         for (const shared::Light& light : lights) faces.push_back({light});
         draw(faces);
     }
-    void draw(const std::vector<scene::Face>& faces) {
+    void draw(const std::vector<scene::LensFace>& faces) {
         gpu::Commands commands(device());
         commands.begin();
         commands.clear(frame_);

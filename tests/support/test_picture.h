@@ -15,7 +15,7 @@ struct Watched {
         view.resize(320, 180);
         view.show();
         bench.open();
-        scene::Camera camera = bench.studio.camera();
+        scene::Camera camera = bench.app.camera();
         camera.width = 320;
         camera.height = 180;
         bench.show_picture(camera);
@@ -38,13 +38,13 @@ struct Watched {
         mouse(QEvent::MouseButtonRelease, to, button, keys);
     }
     QPointF lamp(std::size_t index) {
-        const Picture& picture = bench.studio.picture();
+        const Picture& picture = bench.app.picture();
         return *to_widget(picture_rect(view.size(), picture.camera), picture.camera,
-                          bench.studio.rig().fixtures[index].light_m);
+                          bench.app.rig().fixtures[index].light_m);
     }
 
     Bench bench;
-    View view{bench.studio, nullptr};
+    View view{bench.app, nullptr};
 };
 
 } // namespace ghost::ui

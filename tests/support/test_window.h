@@ -3,7 +3,7 @@
 // For tests of the window: Qt without a screen, a show of four lamps made here, and an engine that is only
 // the other end of the link.
 
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QApplication>
 #include <QCoreApplication>
@@ -103,7 +103,7 @@ inline RigNow four_lit() {
 // The other end: what the window wished for last, and news for it.
 struct Bench {
     Link link;
-    Studio studio{link};
+    AppModel app{link};
 
     void open() {
         link.opened.put(four_lamps());

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // One stage, its lights and one relighter for many cameras: what the tests of the thesis's list
-// (docs/thesis.md) draw, and the pictures in that document. Pictures are written to the folder that
-// GHOST_THESIS_PICTURES names (tools/thesis_pictures.sh) by cases that are disabled, as no tests.
+// (docs/measurements/thesis.md) draw, and the pictures in that document. Pictures are written to the folder
+// that GHOST_THESIS_PICTURES names (tools/thesis_pictures.sh) by cases that are disabled, as no tests.
 
 #include "bench/bench_views.h"
 #include "image/ldr.h"
@@ -161,7 +161,7 @@ inline std::size_t non_finite_of(const image::ImageF& picture) {
     return count;
 }
 
-// Where pictures for docs/thesis.md go; nothing in an ordinary run.
+// Where pictures for docs/measurements/thesis.md go; nothing in an ordinary run.
 inline std::optional<std::filesystem::path> picture_folder() {
     const char* folder = std::getenv("GHOST_THESIS_PICTURES");
     return folder ? std::optional<std::filesystem::path>(folder) : std::nullopt;

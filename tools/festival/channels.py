@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Looks as DMX levels of the VL2500 Spot (22 channels) and Wash (15), see docs/fixtures.md, and the recording of a whole show."""
+"""Looks as DMX levels of the VL2500 Spot (22 channels) and Wash (15), see docs/reference/fixtures.md, and the recording of a whole show."""
 from demo_show.rig import edge_dmx, pan_tilt_dmx, rotation_dmx
 
 FIXED = {name: 18 * i for i, name in enumerate(("open", "pebbles", "dust", "circles", "night sky", "leaves", "bars", "wave", "blocks",

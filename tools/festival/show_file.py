@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""show.toml of the festival. What every key means: docs/show-file.md."""
+"""show.toml of the festival. What every key means: docs/reference/show-file.md."""
 import math
 
 WIDE_EYE = (-2.5, -20.0, 2.35)
@@ -27,7 +27,7 @@ def cameras(fixtures):
 
 def text(fixtures, seed):
     lines = ["# SPDX-License-Identifier: Apache-2.0",
-             f"# Made by tools/make_festival.py --fixtures {len(fixtures)} --seed {seed}. What every key means: docs/show-file.md.", "",
+             f"# Made by tools/make_festival.py --fixtures {len(fixtures)} --seed {seed}. What every key means: docs/reference/show-file.md.", "",
              "[show]", f'name = "Festival, {len(fixtures)} lamps"', 'stage = "stage.glb"', 'recording = "festival.show"',
              f"ambient_lux = {ambient_lux(len(fixtures))}", "", "[haze]", "extinction_per_m = 0.012", ""]
     for name, why, eye, target, angle, size, ev in cameras(len(fixtures)):

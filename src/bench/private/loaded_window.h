@@ -17,7 +17,7 @@ struct LoadedWindow {
     static constexpr int kWidth = 1280, kHeight = 760;
     static constexpr double kRate_hz = 44;
 
-    std::string script; // lines of docs/window.md; it begins with "wait opened" and ends with "quit"
+    std::string script; // lines of docs/guide/window.md; it begins with "wait opened" and ends with "quit"
     std::function<void()> on_tick; // ten times a second on the window's thread; may be empty
 };
 

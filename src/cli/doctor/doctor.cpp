@@ -2,10 +2,10 @@
 #include "cli/doctor/doctor.h"
 
 #include "base/text.h"
+#include "beam_groups/prism.h"
 #include "cli/doctor/doctor_files.h"
 #include "diagnose/doctor_show.h"
 #include "dmx/record/recording.h"
-#include "emitters/prism.h"
 #include "fixture/values.h"
 #include "fixture_files/load_type.h"
 #include "light/bodies.h"
@@ -62,8 +62,7 @@ void check_type(const fs::path& path, Checked& result) {
         result.findings.push_back(lost(loaded.error().where, loaded.error().what));
         return;
     }
-    for (const Message& message : loaded->messages)
-        result.findings.push_back(scene::finding_of(message));
+    for (const Message& message : loaded->messages) result.findings.push_back(scene::finding_of(message));
     const fixture::Type& type = loaded->type;
     Report report;
     scene::check_models(type, path.filename().string(), report);

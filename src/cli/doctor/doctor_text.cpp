@@ -9,7 +9,6 @@
 namespace ghost::app {
 namespace {
 
-
 constexpr std::size_t kColumns = 79; // a terminal of 80 breaks no line
 constexpr std::size_t kListedFiles = 12;
 constexpr std::size_t kListedFaults = 5;

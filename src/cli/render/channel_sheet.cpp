@@ -192,10 +192,10 @@ Result<void> draw_channel_sheet(const ChannelSheetOptions& options) {
     Progress progress("contact sheet", options.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
                       now_s());
     const auto draw = [&](const std::vector<std::uint8_t>& levels) {
-        fixture::Manual manual;
-        manual.levels = levels;
+        fixture::Programmer programmer;
+        programmer.levels = levels;
         for (int step = 0; step < kSettleSteps; ++step)
-            session->rig->step({}, kSettle_s / kSettleSteps, {{0, manual}});
+            session->rig->step({}, kSettle_s / kSettleSteps, {{0, programmer}});
         session->draw();
         return session->relighter->picture();
     };

@@ -49,7 +49,7 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
         arguments.replay.empty() ? session.show->recording : std::filesystem::path(arguments.replay);
     std::optional<dmx::Player> player;
     // A look needs no desk.
-    if (!file.empty() || session.manual.empty()) {
+    if (!file.empty() || session.programmer.empty()) {
         TRY(dmx::Recording recording,
             open_recording(file, capture_options(arguments.input), arguments.session.quiet));
         player.emplace(std::move(recording));
@@ -89,7 +89,7 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
     for (long frame = begin_at(first, fps); frame <= draws_to; ++frame) {
         if (interrupted()) break;
         session.rig->step(player ? player->at(static_cast<double>(frame) / fps) : dmx::Universes{}, 1.0 / fps,
-                          session.manual);
+                          session.programmer);
         if (frame < draws_from) continue;
         if (!pace && frame % kBlockFrames == 0) session.relighter->forget();
         scene::Camera camera = start;

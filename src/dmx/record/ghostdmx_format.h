@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// The bytes of a .ghostdmx recording, as docs/recording.md describes them: a header, pieces, and at the end
-// an index with a trailer that finds it. Little-endian. One or more pieces make a block, which is one zstd
-// stream, starts with the levels of every universe and needs nothing that stands before it. A piece holds
-// whole frames and is written at once, so a recording can be cut between any two. Pure functions.
+// The bytes of a .ghostdmx recording, as docs/reference/recording.md describes them: a header, pieces, and at
+// the end an index with a trailer that finds it. Little-endian. One or more pieces make a block, which is one
+// zstd stream, starts with the levels of every universe and needs nothing that stands before it. A piece
+// holds whole frames and is written at once, so a recording can be cut between any two. Pure functions.
 
 #include "base/byte_reader.h"
 #include "base/result.h"

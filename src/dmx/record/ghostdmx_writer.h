@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Writes a .ghostdmx recording, forwards only (docs/recording.md). What was flushed can be read, whatever
-// happens after. Memory: one block. One thread.
+// Writes a .ghostdmx recording, forwards only (docs/reference/recording.md). What was flushed can be read,
+// whatever happens after. Memory: one block. One thread.
 
 #include "dmx/record/ghostdmx_block.h"
 #include "dmx/record/zstd_stream.h"

@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Recordings of every format that Ghostlight reads: its own (.ghostdmx), OLA show files, and captures of the
-// network (pcap, pcapng); found out by their first bytes, not by their names. docs/recording.md. A .ghostdmx
-// recording is read where it lies, block by block; one of another format is packed into memory in the same
-// form, so everything behind this knows one format only. One thread at a time.
+// network (pcap, pcapng); found out by their first bytes, not by their names. docs/reference/recording.md. A
+// .ghostdmx recording is read where it lies, block by block; one of another format is packed into memory in
+// the same form, so everything behind this knows one format only. One thread at a time.
 
 #include "dmx/record/capture.h"
 #include "dmx/record/ghostdmx_reader.h"

@@ -8,8 +8,8 @@
 #include "dmx/record/player.h"
 #include "dmx/record/recorder.h"
 
-#include <filesystem>
 #include <cstdint>
+#include <filesystem>
 
 namespace ghost::dmx {
 

@@ -17,7 +17,7 @@ namespace ghost::fixture {
 namespace {
 
 // What a hostile file can make us hold is the sum of these, the pictures (gdtf_parts.cpp) and the nodes
-// (gdtf_geometry.cpp): docs/gdtf.md states it. The largest real files are 3 MB with 1 MB of XML.
+// (gdtf_geometry.cpp): docs/reference/gdtf.md states it. The largest real files are 3 MB with 1 MB of XML.
 constexpr std::uintmax_t kMaxFileBytes = 128u << 20;
 constexpr ArchiveLimits kLimits{.entries = 4096, .entry_bytes = 64u << 20, .total_bytes = 256u << 20};
 constexpr std::size_t kMaxXmlBytes = 32u << 20;

@@ -1,13 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // load_ofl: reads a fixture of the Open Fixture Library (JSON, schema 12) into a Type. It has no geometry:
-// bodies are invented, and words like "slow" estimated (docs/fixture-formats.md). What cannot be kept is
-// listed as a Message, with file and JSON pointer; an Error only where nothing can be kept. Hard limits on
-// size, depth and counts: ofl.cpp. Any thread.
+// bodies are invented, and words like "slow" estimated (docs/reference/fixture-formats.md). What cannot be
+// kept is listed as a Message, with file and JSON pointer; an Error only where nothing can be kept. Hard
+// limits on size, depth and counts: ofl.cpp. Any thread.
 
-#include "fixture_files/common/loaded_type.h"
 #include "base/byte_reader.h"
 #include "base/result.h"
+#include "fixture_files/common/loaded_type.h"
 
 #include <filesystem>
 #include <string>

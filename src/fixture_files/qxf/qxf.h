@@ -1,13 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // load_qxf: reads a fixture definition of QLC+ 4 and 5 (.qxf) into a Type. It has no geometry and few
-// physical values: bodies are invented, rates estimated (docs/fixture-formats.md). What cannot be kept is
-// listed as a Message, with file and line; an Error only where nothing can be kept. Hard limits on sizes:
-// qxf.cpp. Any thread. Follows the presets of QLC+ 4.12 to 4.14.
+// physical values: bodies are invented, rates estimated (docs/reference/fixture-formats.md). What cannot be
+// kept is listed as a Message, with file and line; an Error only where nothing can be kept. Hard limits on
+// sizes: qxf.cpp. Any thread. Follows the presets of QLC+ 4.12 to 4.14.
 
-#include "fixture_files/common/loaded_type.h"
 #include "base/byte_reader.h"
 #include "base/result.h"
+#include "fixture_files/common/loaded_type.h"
 
 #include <filesystem>
 #include <string>

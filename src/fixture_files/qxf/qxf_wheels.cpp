@@ -180,7 +180,7 @@ void QxfSketcher::make_wheel() {
         if (index >= 0) wheel = type.wheels[static_cast<std::size_t>(index)];
     }
     wheel.name = channel_.name;
-    std::vector<SlotWish> wishes;
+    std::vector<SlotWish> request;
     std::vector<float> halves;
     const std::vector<QxfCapability> ranges = capabilities();
     for (const QxfCapability& capability : ranges) {
@@ -192,11 +192,12 @@ void QxfSketcher::make_wheel() {
             if (sketch_.subject == Subject::gobo) wish = wish_gobo(wheel, capability);
             if (sketch_.subject == Subject::prism) wish = wish_prism(wheel, capability);
         }
-        wishes.push_back(wish);
+        request.push_back(wish);
     }
-    for (const SlotWish& wish : wishes)
+    for (const SlotWish& wish : request)
         halves.push_back(wish.second >= 0 && wish.second != wish.first ? between(wheel, wish) : -1.0f);
-    sketch_.slots = std::any_of(wishes.begin(), wishes.end(), [](SlotWish wish) { return wish.first >= 0; });
+    sketch_.slots =
+        std::any_of(request.begin(), request.end(), [](SlotWish wish) { return wish.first >= 0; });
     if (known == reader_.wheels.end()) {
         if (!wheel.slots.empty()) {
             index = static_cast<int>(type.wheels.size());
@@ -212,8 +213,8 @@ void QxfSketcher::make_wheel() {
         if (halves[i] >= 0.0f) {
             const float degrees = 360.0f * halves[i] / count;
             add(capability, "Color#WheelIndex", {degrees, degrees});
-        } else if (wishes[i].first >= 0) {
-            add_slot(capability, attribute, wishes[i].first);
+        } else if (request[i].first >= 0) {
+            add_slot(capability, attribute, request[i].first);
         } else if (sketch_.subject != Subject::prism && wheel_turns(capability)) {
             convert_turn(capability, "", attribute + "WheelSpin", 1.0f, kSlowWheel_deg_s, kFastWheel_deg_s);
         } else {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The colour of a beam in linear Rec.2020, in the order of the light's way: source (lamp, or emitters, or an
 // indirect colour), correction (CTO, CTC, CTB, tint), flags, wheels. Luminance 1 is the Beam's luminous flux,
-// before dimmer and shutter. Components are never negative. Formulas, defaults, sources: docs/colour.md.
-// Pure.
+// before dimmer and shutter. Components are never negative. Formulas, defaults, sources:
+// docs/design/colour.md. Pure.
 
 #include "fixture/state.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The gate of a beam: gobo wheels, animation wheel, iris and framing blades, each in its own plane, as
 // shaders/shared/beam.h draws them. No file says where the planes stand: the depths are ours. Pure.
-// docs/optics.md.
+// docs/design/optics.md.
 
 #include "fixture/state.h"
 #include "fixture/type.h"

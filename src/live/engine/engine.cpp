@@ -51,7 +51,7 @@ void Engine::run() {
             wait(begin_s);
         }
     } catch (const std::exception& problem) { // no memory, as a rule
-        link_.failed.put({std::string("the picture stopped: ") + problem.what(), wishes_.show});
+        link_.failed.put({std::string("the picture stopped: ") + problem.what(), request_.show});
         link_.on_news();
     }
 }
@@ -69,15 +69,15 @@ void Engine::wait(double step_begin_s) {
 
 void Engine::step() {
     listen();
-    if (std::optional<ui::Wishes> newest = link_.wishes.take()) {
-        wishes_ = std::move(*newest);
-        if (wishes_.show != tried_ || wishes_.opens != opens_) open(wishes_.show);
+    if (std::optional<ui::ViewRequest> newest = link_.request.take()) {
+        request_ = std::move(*newest);
+        if (request_.show != tried_ || request_.opens != opens_) open(request_.show);
     }
-    if (session_ && wishes_.text && wishes_.text != text_) take_edit();
+    if (session_ && request_.text && request_.text != text_) take_edit();
     look_for_plots();
     if (session_) choose_recording();
     record();
-    if (session_ && wishes_.camera.width > 0) frame();
+    if (session_ && request_.camera.width > 0) frame();
 }
 
 // The show is opened again on whatever device there is now; nothing that the window knows changes.
@@ -154,8 +154,8 @@ void Engine::listen_to_patch() {
 
 void Engine::open(const std::string& path) {
     tried_ = path;
-    opens_ = wishes_.opens;
-    text_ = wishes_.text;
+    opens_ = request_.opens;
+    text_ = request_.text;
     link_.activity.put("opening " + path);
     link_.on_news();
     auto opened = open_session(session_options(path));
@@ -201,7 +201,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
     input_ = std::make_unique<LiveInput>(receiver_.get(), timecode_.get());
     listen_to_patch();
     if (opening == Opening::another) {
-        wishes_.recording.clear();
+        request_.recording.clear();
         played_.clear();
     }
     const std::filesystem::path played =
@@ -219,11 +219,11 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
     last_step_s_ = now_s();
     messages_sent_ = 0;
     if (opening != Opening::edit) { // those of the show before are none of this one
-        wishes_.look = {};
-        wishes_.explained.reset();
+        request_.look = {};
+        request_.explained.reset();
     }
     if (opening == Opening::another) {
-        wishes_.camera.width = 0;
+        request_.camera.width = 0;
         clean();
     }
     publish_opened(opening);
@@ -245,7 +245,7 @@ void Engine::begin_controls() {
     for (const scene::Camera& camera : session_->show->cameras) cameras.push_back(camera.name);
     if (remote_) { // its faders stay where they are
         remote_->know(std::move(cameras), session_->show->cues);
-        session_->live->set_haze(remote_wishes_.haze);
+        session_->live->set_haze(remote_request_.haze);
         return;
     }
     const auto port = parse_port(options_.controls.osc, "--osc");

@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Engine: the thread behind the window. It owns the session, the desk's receiver and the rig, draws what the
-// wishes ask for and puts news into the link; the window never waits for it. While the picture moves it has
-// as many pixels as the wanted rate allows (live/engine/pace.h); when it rests it is drawn once more, with
-// all of them.
+// the request asks for and puts news into the link; the window never waits for it. While the picture moves it
+// has as many pixels as the wanted rate allows (live/engine/pace.h); when it rests it is drawn once more,
+// with all of them.
 
 #include "link/link.h"
 #include "live/engine/followers.h"
@@ -31,7 +31,7 @@
 namespace ghost::app {
 
 struct EngineOptions {
-    SessionOptions session; // show, view and size come from the wishes
+    SessionOptions session; // show, view and size come from the request
     dmx::ReceiverOptions receiver;
     bool listens = true;                   // to a desk
     LiveControlOptions controls;           // remote control and trackers
@@ -128,15 +128,15 @@ private:
     ui::Link& link_;
     EngineOptions options_;
     const Clock::time_point start_ = Clock::now();
-    ui::Wishes wishes_;
+    ui::ViewRequest request_;
     std::string tried_;                       // the show that was asked for last, open or not
-    std::uint64_t opens_ = 0;                 // of the wishes then
+    std::uint64_t opens_ = 0;                 // of the request then
     std::shared_ptr<const std::string> text_; // of it, likewise
     // What the desk sends is recorded; the receiver's thread brings it.
     std::mutex recording_mutex_;
     std::unique_ptr<RunningRecording> recording_; // with recording_mutex_
-    std::string recording_to_;                    // as the wishes had it
-    std::string played_;                          // of the wishes: what is played instead of the show's own
+    std::string recording_to_;                    // as the request had it
+    std::string played_;                          // of the request: what is played instead of the show's own
     std::unique_ptr<TimeCodeInput> timecode_;     // the receiver feeds it, and goes first
     std::unique_ptr<dmx::Receiver> receiver_;
     scene::PatchMap patch_; // of the session's show
@@ -168,13 +168,13 @@ private:
     std::uint64_t picked_ = 0;      // likewise
     std::unique_ptr<RemoteInput> remote_;
     Followers followers_;
-    RemoteWishes remote_wishes_;         // those that hold
-    scene::Camera wanted_camera_;        // of the wishes, turned to the tracker that it follows
+    RemoteRequest remote_request_;       // those that hold
+    scene::Camera wanted_camera_;        // of the request, turned to the tracker that it follows
     scene::Camera drawn_from_;           // the picture that is shown
     ui::Framed framed_;                  // likewise
     scene::Camera live_from_;            // the live one, which may not be shown
     glm::ivec2 whole_{0}, whole_for_{0}; // pixels that memory holds of those that are wanted; of which wish
-    scene::Lit drawn_;
+    scene::FrameLights drawn_;
     Pace pace_{0};
     render::HazeQuality haze_;                                 // of the relighter
     fixture::Motion motion_ = fixture::Motion::as_the_machine; // of the show
@@ -198,7 +198,7 @@ private:
     double explained_s_ = 0;
     double verdicts_s_ = 0;
     std::size_t messages_sent_ = 0;
-    std::uint64_t settled_ = 0;           // number of wishes
+    std::uint64_t settled_ = 0;           // number of the request
     std::chrono::nanoseconds arrival_{0}; // of packets that no picture shows yet
 
     std::atomic<bool> stop_{false};

@@ -34,15 +34,15 @@ std::string stamp_of(const scene::Show& show, const scene::Camera& camera) {
 
 // Why the picture has to be drawn live whatever is baked; empty: it need not be.
 std::string Engine::needs_live() const {
-    const ui::Look& look = wishes_.look;
-    if (!wishes_.takes_baked) return "baked pictures are turned off";
+    const ui::Look& look = request_.look;
+    if (!request_.takes_baked) return "baked pictures are turned off";
     if (has_work_light()) return "the work light is on";
-    if (wishes_.quality.percent > 0) return "a share of the pixels is asked for";
-    if (wishes_.false_colour.measure == ui::Measure::lux) return "lux are measured on surfaces";
+    if (request_.quality.percent > 0) return "a share of the pixels is asked for";
+    if (request_.false_colour.measure == ui::Measure::lux) return "lux are measured on surfaces";
     if (!look.shown.empty()) return "objects are hidden or shown by hand";
     if (!look.surfaces.empty()) return "surfaces are set by hand";
     if (!(look.scene == ui::SceneLook{})) return "air, even light or shadows are set by hand";
-    if (remote_wishes_.haze != 1.0f) return "a remote control sets the haze";
+    if (remote_request_.haze != 1.0f) return "a remote control sets the haze";
     if (trackers_) return "trackers may move what is on stage";
     if (is_unsaved_) return "the show has changes that are not saved";
     return "";
@@ -53,7 +53,7 @@ bool Engine::choose_baked(double now_s) {
     const scene::Camera* stands = nullptr;
     for (std::size_t i = 0; i < cameras.size() && !stands; ++i)
         if (i != session_->camera && stands_as(cameras[i], wanted_camera_) &&
-            cameras[i].fov_y_deg == wishes_.camera.fov_y_deg)
+            cameras[i].fov_y_deg == request_.camera.fov_y_deg)
             stands = &cameras[i];
     if (!stands) {
         supply_ = "live: a free camera";

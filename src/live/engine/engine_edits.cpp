@@ -24,8 +24,8 @@ void Engine::take_edit() {
     if (reopening_.valid()) return; // later
     forget_baked();
     const std::string& path = session_->options.show;
-    const bool is_quick = differs_in_quick_things_only(*session_, text_, *wishes_.text);
-    text_ = wishes_.text;
+    const bool is_quick = differs_in_quick_things_only(*session_, text_, *request_.text);
+    text_ = request_.text;
     if (is_quick) {
         Report report;
         const auto edited = open_show(path, false, true, report, text_);

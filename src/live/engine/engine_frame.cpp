@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One frame of the engine: from wishes and levels to the picture that is published.
+// One frame of the engine: from request and levels to the picture that is published.
 #include "live/engine/engine.h"
 #include "live/session/picture_room.h"
 #include "show/camera_moves.h"
@@ -24,13 +24,14 @@ bool same_view(const scene::Camera& a, const scene::Camera& b) {
            a.width == b.width && a.height == b.height;
 }
 
-bool same_lit(const scene::Lit& a, const scene::Lit& b) {
+bool same_lit(const scene::FrameLights& a, const scene::FrameLights& b) {
     const auto same = [](const shared::Light& x, const shared::Light& y) {
         return std::memcmp(&x, &y, sizeof x) == 0;
     };
     return std::equal(a.lights.begin(), a.lights.end(), b.lights.begin(), b.lights.end(), same) &&
-           std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(),
-                      [&](const scene::Face& x, const scene::Face& y) { return same(x.light, y.light); }) &&
+           std::equal(
+               a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(),
+               [&](const scene::LensFace& x, const scene::LensFace& y) { return same(x.light, y.light); }) &&
            std::equal(a.walls.begin(), a.walls.end(), b.walls.begin(), b.walls.end(),
                       [](const shared::LedWall& x, const shared::LedWall& y) {
                           return std::memcmp(&x, &y, sizeof x) == 0;
@@ -40,21 +41,21 @@ bool same_lit(const scene::Lit& a, const scene::Lit& b) {
 } // namespace
 
 bool Engine::apply_controls(double now_s) {
-    wanted_camera_ = wishes_.camera;
+    wanted_camera_ = request_.camera;
     bool sees_else = false;
     if (remote_) {
-        const RemoteWishes& wishes = remote_->poll(now_s);
-        if (wishes.calls != remote_wishes_.calls) {
-            link_.camera_call.put({session_->show->cameras[wishes.camera->index], wishes.camera->flight_s});
+        const RemoteRequest& request = remote_->poll(now_s);
+        if (request.calls != remote_request_.calls) {
+            link_.camera_call.put({session_->show->cameras[request.camera->index], request.camera->flight_s});
             link_.on_news();
         }
-        if (wishes.jumps != remote_wishes_.jumps) input_->jump(wishes.at_s);
-        sees_else = wishes.haze != remote_wishes_.haze;
-        if (sees_else) session_->live->set_haze(wishes.haze);
-        remote_wishes_ = wishes;
+        if (request.jumps != remote_request_.jumps) input_->jump(request.at_s);
+        sees_else = request.haze != remote_request_.haze;
+        if (sees_else) session_->live->set_haze(request.haze);
+        remote_request_ = request;
     }
-    if (remote_wishes_.ev100) {
-        wanted_camera_.ev100 = *remote_wishes_.ev100;
+    if (remote_request_.ev100) {
+        wanted_camera_.ev100 = *remote_request_.ev100;
         wanted_camera_.auto_exposure = false;
     }
     if (trackers_) {
@@ -62,7 +63,7 @@ bool Engine::apply_controls(double now_s) {
         followers_.apply(*session_, trackers);
         wanted_camera_ = follow(wanted_camera_, *session_->show, trackers);
     }
-    wanted_camera_ = scene::with_frame(wanted_camera_, wishes_.frame);
+    wanted_camera_ = scene::with_frame(wanted_camera_, request_.frame);
     return sees_else;
 }
 
@@ -90,15 +91,15 @@ void Engine::fit_into_memory() {
 }
 
 bool Engine::is_moving(double now_s) const {
-    return now_s - last_change_s_ < kRest_s || (is_uneven(*session_->show) && !wishes_.frozen);
+    return now_s - last_change_s_ < kRest_s || (is_uneven(*session_->show) && !request_.frozen);
 }
 
 scene::Camera Engine::camera_for(double now_s) {
     fit_into_memory();
     scene::Camera camera = wanted_camera_;
-    const double share = wishes_.quality.percent > 0 ? std::sqrt(wishes_.quality.percent / 100.0)
-                         : is_moving(now_s)          ? pace_.level().sides
-                                                     : 1.0;
+    const double share = request_.quality.percent > 0 ? std::sqrt(request_.quality.percent / 100.0)
+                         : is_moving(now_s)           ? pace_.level().sides
+                                                      : 1.0;
     const auto pixels = [&](int wanted) {
         return std::clamp(static_cast<int>(std::lround(wanted * share)), kLeastPixels, kMostPixels);
     };
@@ -112,8 +113,8 @@ scene::Camera Engine::camera_for(double now_s) {
 
 // What is measured is the light of the show.
 bool Engine::has_work_light() const {
-    if (wishes_.false_colour.measure != ui::Measure::none) return false;
-    if (wishes_.work_light != ui::WorkLight::automatic) return wishes_.work_light == ui::WorkLight::on;
+    if (request_.false_colour.measure != ui::Measure::none) return false;
+    if (request_.work_light != ui::WorkLight::automatic) return request_.work_light == ui::WorkLight::on;
     return input_->recording_s() == 0 && input_->desk().list.empty();
 }
 
@@ -143,8 +144,8 @@ render::FrameStatistics Engine::draw_live(double begin_s, double air_s) {
         nothing.stopped = true;
         return nothing;
     }
-    const bool uses_coarse = moves && wishes_.quality.percent == 0 && pace_.level().coarse_light &&
-                             wishes_.false_colour.measure == ui::Measure::none;
+    const bool uses_coarse = moves && request_.quality.percent == 0 && pace_.level().coarse_light &&
+                             request_.false_colour.measure == ui::Measure::none;
     const bool is_other_size =
         camera.width != session_->relighter->width() || camera.height != session_->relighter->height();
     was_resized_ = is_other_size || uses_coarse != session_->relighter->is_coarse();
@@ -155,13 +156,13 @@ render::FrameStatistics Engine::draw_live(double begin_s, double air_s) {
         live_from_ = camera;
     }
     drawn_from_ = camera;
-    framed_ = {wishes_.frame, scene::share_of_frame(wanted_camera_, wishes_.frame)};
+    framed_ = {request_.frame, scene::share_of_frame(wanted_camera_, request_.frame)};
     haze_.grid = moves;
     session_->use_coarse_light(uses_coarse);
     session_->relighter->set_quality(haze_);
     session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
     session_->relighter->set_tone(session_->options.tone);
-    session_->relighter->set_most_lights(moves ? lights_in(1000.0 / wishes_.quality.fps) : 0);
+    session_->relighter->set_most_lights(moves ? lights_in(1000.0 / request_.quality.fps) : 0);
     return session_->draw(air_s, moves ? std::function<bool()>{} : stop_of(begin_s));
 }
 
@@ -173,7 +174,7 @@ render::FrameStatistics Engine::draw_baked(double begin_s, double air_s) {
 
 // Ends a picture of what rests as soon as something else is to be shown.
 std::function<bool()> Engine::stop_of(double begin_s) {
-    return [this, begin_s, plays = wishes_.transport.playing && !wishes_.frozen] {
+    return [this, begin_s, plays = request_.transport.playing && !request_.frozen] {
         return link_.wake.is_raised() || stop_ || (plays && input_->plays_else_in(now_s() - begin_s));
     };
 }
@@ -194,22 +195,22 @@ void Engine::learn_light_ms(const render::FrameStatistics& statistics, double dr
 
 void Engine::frame() {
     const double begin_s = now_s();
-    const double dt_s = wishes_.frozen ? 0.0 : std::clamp(begin_s - last_step_s_, 0.0, kLongestStep_s);
+    const double dt_s = request_.frozen ? 0.0 : std::clamp(begin_s - last_step_s_, 0.0, kLongestStep_s);
     last_step_s_ = begin_s;
     const bool thicker = apply_controls(begin_s);
-    input_->step(wishes_.input, wishes_.transport, dt_s);
+    input_->step(request_.input, request_.transport, dt_s);
     // Motors, too, would wait for ever where time stands still.
-    session_->show->motion = wishes_.frozen ? fixture::Motion::as_commanded : motion_;
-    session_->rig->step(input_->universes(), dt_s, wishes_.look.fixtures);
+    session_->show->motion = request_.frozen ? fixture::Motion::as_commanded : motion_;
+    session_->rig->step(input_->universes(), dt_s, request_.look.fixtures);
     if (arrival_.count() == 0) arrival_ = input_->arrival();
     session_->master =
-        wishes_.black_out ? 0.0f : std::clamp(wishes_.master, 0.0f, 1.0f) * remote_wishes_.light();
-    const bool sees_else = look_->apply(wishes_.look, *session_) || thicker;
+        request_.black_out ? 0.0f : std::clamp(request_.master, 0.0f, 1.0f) * remote_request_.light();
+    const bool sees_else = look_->apply(request_.look, *session_) || thicker;
     sees_else_ = sees_else_ || sees_else;
     session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
-    session_->options.tone = remote_wishes_.tone.value_or(wishes_.tone); // of pictures that are made anew
+    session_->options.tone = remote_request_.tone.value_or(request_.tone); // of pictures that are made anew
     session_->relighter->set_tone(session_->options.tone);
-    if (const int segments = std::clamp(wishes_.look.haze_samples.value_or(ui::kHazeSamples), 1, 256);
+    if (const int segments = std::clamp(request_.look.haze_samples.value_or(ui::kHazeSamples), 1, 256);
         segments != std::exchange(haze_.most_segments, segments)) {
         session_->relighter->set_quality(haze_);
         session_->relighter->draw_anew();
@@ -219,13 +220,13 @@ void Engine::frame() {
     // Films run with the recording, where it is shown, else with the network's time code, once it is heard.
     if (input_->recording_s() > 0 && !input_->shows_desk())
         session_->media_s = input_->at_s();
-    else if (!wishes_.frozen)
+    else if (!request_.frozen)
         session_->media_s = timecode_ ? timecode_->at_s(kLongestFilm_s) : std::nullopt;
     session_->show_media(air_s_ + dt_s);
     const bool baked = choose_baked(begin_s);
     const bool switched = baked != std::exchange(shows_baked_, baked);
     if (switched) frame_ = {};
-    scene::Lit lit = session_->lit();
+    scene::FrameLights lit = session_->lit();
     if (switched || sees_else || !same_lit(lit, drawn_)) last_change_s_ = begin_s;
     drawn_ = std::move(lit);
     air_s_ += dt_s;
@@ -240,13 +241,13 @@ void Engine::frame() {
     const double draw_ms = 1e3 * (now_s() - begin_s);
     // Spans: of what the device did; a picture that is the same does nothing.
     const bool drew = !statistics.spans.empty() && !statistics.stopped;
-    if (drew || wishes_.false_colour != false_colour_ || supply_ != supply_sent_)
+    if (drew || request_.false_colour != false_colour_ || supply_ != supply_sent_)
         publish_picture(statistics, draw_ms);
     if (drew) {
         // A new size costs what no other frame does.
         const bool counts = !was_resized_ && last_change_s_ == begin_s;
         if (counts && !baked) {
-            pace_.add(draw_ms, wishes_.quality.fps);
+            pace_.add(draw_ms, request_.quality.fps);
             learn_light_ms(statistics, draw_ms);
         }
     } else if (!statistics.stopped) {

@@ -3,8 +3,8 @@
 // read it.
 #include "live/engine/engine.h"
 
+#include "beam_groups/light_places.h"
 #include "diagnose/explain_print.h"
-#include "emitters/light_places.h"
 #include "photometry/photometry.h"
 
 #include <algorithm>
@@ -47,21 +47,21 @@ void Engine::publish_opened(Opening opening) {
 }
 
 void Engine::publish_rest(double now_s, bool drew) {
-    const bool has_text = !wishes_.text || wishes_.text == text_;
+    const bool has_text = !request_.text || request_.text == text_;
     const bool rests = !drew && has_text && !reopening_.valid() && now_s - last_change_s_ >= kRest_s &&
                        !session_->live->is_making_maps() && !baked_loading_.valid();
-    if (!rests || settled_ == wishes_.number) return;
-    settled_ = wishes_.number;
+    if (!rests || settled_ == request_.number) return;
+    settled_ = request_.number;
     link_.settled.put(settled_);
     link_.on_news();
 }
 
 void Engine::publish_picture(const render::FrameStatistics& statistics, double draw_ms) {
     ui::Picture picture;
-    picture.image = wishes_.false_colour.measure == ui::Measure::none
+    picture.image = request_.false_colour.measure == ui::Measure::none
                         ? std::make_shared<const image::Image8>(relighter().picture())
                         : false_colours();
-    picture.false_colour = false_colour_ = wishes_.false_colour;
+    picture.false_colour = false_colour_ = request_.false_colour;
     picture.camera = drawn_from_;
     picture.framed = framed_;
     picture.ev100 = relighter().ev100_used();
@@ -69,7 +69,7 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
     picture.lights_drawn = statistics.drawn;
     picture.is_baked = shows_baked_;
     picture.supply = supply_sent_ = supply_;
-    picture.is_coarse = !shows_baked_ && wishes_.quality.percent == 0 && drawn_from_.width < whole_.x;
+    picture.is_coarse = !shows_baked_ && request_.quality.percent == 0 && drawn_from_.width < whole_.x;
     picture.missing_maps = session_->live->missing_maps();
     picture.has_work_light = !shows_baked_ && work_lux_ > 0;
     picture.arrival = std::exchange(arrival_, std::chrono::nanoseconds{0});
@@ -118,7 +118,7 @@ void Engine::publish_rig(double now_s) {
                      .zoom_deg = now.zoom_deg,
                      .pan_deg = now.pan_deg,
                      .tilt_deg = now.tilt_deg};
-        if (const fixture::Manual* asked = session_->rig->asked(i)) now.asked = *asked;
+        if (const fixture::Programmer* asked = session_->rig->asked(i)) now.asked = *asked;
         rig.fixtures.push_back(now);
     }
     link_.rig.put(std::move(rig));
@@ -126,9 +126,9 @@ void Engine::publish_rig(double now_s) {
 }
 
 void Engine::publish_explanation(double now_s) {
-    const bool explains_one = wishes_.explained && *wishes_.explained < session_->show->fixtures.size() &&
+    const bool explains_one = request_.explained && *request_.explained < session_->show->fixtures.size() &&
                               now_s - explained_s_ >= kExplainEvery_s;
-    const bool explains_all = wishes_.explains_all && now_s - verdicts_s_ >= kVerdictsEvery_s;
+    const bool explains_all = request_.explains_all && now_s - verdicts_s_ >= kVerdictsEvery_s;
     if (!explains_one && !explains_all) return;
     const bake::DenormalsOff mode;
     const scene::Stage& stage = tracer().stage();
@@ -152,7 +152,7 @@ void Engine::publish_explanation(double now_s) {
     if (explains_one) {
         explained_s_ = now_s;
         ui::Explained explained;
-        explained.fixture = *wishes_.explained;
+        explained.fixture = *request_.explained;
         explained.explanation = explainer.explain(explained.fixture);
         explained.words = scene::words_of(explained.explanation, reception);
         link_.explained.put(std::move(explained));

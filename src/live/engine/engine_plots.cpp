@@ -54,7 +54,7 @@ void Engine::look_for_plots() {
 }
 
 void Engine::take_plot() {
-    const bool wanted = options_.takes_plots || wishes_.take_plot == plot_.number;
+    const bool wanted = options_.takes_plots || request_.take_plot == plot_.number;
     if (!wanted || plot_.number == plot_taken_ || reopening_.valid()) return;
     plot_taken_ = plot_.number;
     const scene::Show* const show = session_ ? session_->show.get() : nullptr;

@@ -16,7 +16,7 @@ constexpr double kProbeEvery_s = 0.05;
 } // namespace
 
 std::shared_ptr<const image::Image8> Engine::false_colours() {
-    const ui::FalseColour& wanted = wishes_.false_colour;
+    const ui::FalseColour& wanted = request_.false_colour;
     image::ImageF values;
     if (wanted.measure == ui::Measure::luminance) {
         values = luminance_of(relighter().frame());
@@ -40,20 +40,20 @@ const bake::Tracer& Engine::tracer() {
 
 void Engine::publish_probe(double now_s, bool drew) {
     if (drew) frame_ = {};
-    if (!wishes_.probe) {
+    if (!request_.probe) {
         probed_place_.reset();
         return;
     }
-    if ((!drew && wishes_.probe == probed_place_) || now_s - probed_s_ < kProbeEvery_s) return;
-    probed_place_ = wishes_.probe;
+    if ((!drew && request_.probe == probed_place_) || now_s - probed_s_ < kProbeEvery_s) return;
+    probed_place_ = request_.probe;
     probed_s_ = now_s;
     if (frame_.empty()) frame_ = luminance_of(relighter().frame());
-    const glm::vec2 place = glm::clamp(*wishes_.probe, 0.0f, 1.0f);
+    const glm::vec2 place = glm::clamp(*request_.probe, 0.0f, 1.0f);
     const auto pixel = [](float share, int count) {
         return std::clamp(static_cast<int>(std::floor(share * static_cast<float>(count))), 0, count - 1);
     };
     ui::Probed probed;
-    probed.place = *wishes_.probe;
+    probed.place = *request_.probe;
     probed.cd_m2 = *frame_.at(pixel(place.x, frame_.width), pixel(place.y, frame_.height));
     const bake::DenormalsOff mode;
     const bake::Surface surface = surface_at(drawn_from_, place, tracer());
@@ -69,7 +69,7 @@ void Engine::publish_probe(double now_s, bool drew) {
 }
 
 void Engine::publish_picked() {
-    const ui::Pick& pick = wishes_.pick;
+    const ui::Pick& pick = request_.pick;
     if (pick.number == picked_) return;
     picked_ = pick.number;
     ui::Picked picked;
@@ -89,9 +89,9 @@ void Engine::publish_picked() {
 }
 
 void Engine::save_frame() {
-    if (wishes_.save_frame.number == saved_frame_) return;
-    saved_frame_ = wishes_.save_frame.number;
-    const Result<void> written = write_picture(wishes_.save_frame.file, relighter().frame(),
+    if (request_.save_frame.number == saved_frame_) return;
+    saved_frame_ = request_.save_frame.number;
+    const Result<void> written = write_picture(request_.save_frame.file, relighter().frame(),
                                                relighter().ev100_used(), relighter().tone());
     link_.saved.put({saved_frame_, written.ok() ? std::nullopt : std::optional(written.error())});
     link_.on_news();

@@ -21,9 +21,9 @@ void Engine::hear(const dmx::Universes& universes, std::chrono::nanoseconds now)
 }
 
 void Engine::record() {
-    if (wishes_.record_to != recording_to_) {
+    if (request_.record_to != recording_to_) {
         end_recording();
-        recording_to_ = wishes_.record_to;
+        recording_to_ = request_.record_to;
         if (recording_to_.empty()) return;
         auto begun = receiver_
                          ? RunningRecording::create(recording_to_, dmx::asked_universes(options_.receiver))
@@ -65,8 +65,8 @@ void Engine::end_recording() {
 }
 
 void Engine::choose_recording() {
-    if (wishes_.recording == played_) return;
-    played_ = wishes_.recording;
+    if (request_.recording == played_) return;
+    played_ = request_.recording;
     const std::filesystem::path file =
         played_.empty() ? session_->show->recording : std::filesystem::path(played_);
     if (auto loaded = input_->load_recording(file, session_->report); !loaded.ok()) {

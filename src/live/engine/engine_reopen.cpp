@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// GCC 12 takes the result inside of std::async, which is placed in memory of the future, for one on the stack.
+// GCC 12 takes the result inside of std::async, which is placed in memory of the future, for one on the
+// stack.
 #pragma GCC diagnostic ignored "-Wfree-nonheap-object"
 #include "live/engine/engine.h"
 

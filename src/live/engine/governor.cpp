@@ -32,7 +32,7 @@ double median(std::array<double, count> values) {
 
 } // namespace
 
-std::vector<render::HazeQuality> quality_levels(const render::HazeSettings& full) {
+std::vector<render::HazeQuality> quality_levels(const render::HazeIntegrator& full) {
     std::vector<render::HazeQuality> levels{{full.curvature, full.most_segments, 1}};
     if (full.beams != render::Beams::gate) return levels;
     // Segments go with the inverse root of the curvature: seven tenths, one half, a third of them.

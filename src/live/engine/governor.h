@@ -17,7 +17,7 @@
 namespace ghost::app {
 
 // Best first: the settings' own quality, then what may be drawn instead.
-std::vector<render::HazeQuality> quality_levels(const render::HazeSettings& full);
+std::vector<render::HazeQuality> quality_levels(const render::HazeIntegrator& full);
 
 class Governor {
 public:

@@ -35,14 +35,14 @@ Result<LiveControls> LiveControls::open(const LiveControlOptions& options, const
 }
 
 // A camera that was asked for, at once or on its way.
-void LiveControls::fly(Session& session, const RemoteWishes& wishes, double now_s) {
-    if (wishes.calls != calls_) {
-        calls_ = wishes.calls;
+void LiveControls::fly(Session& session, const RemoteRequest& request, double now_s) {
+    if (request.calls != calls_) {
+        calls_ = request.calls;
         const scene::Camera& from = session.live->camera();
-        scene::Camera to = session.show->cameras[wishes.camera->index];
+        scene::Camera to = session.show->cameras[request.camera->index];
         to.width = from.width; // the picture's size stays
         to.height = from.height;
-        flight_ = Flight{from, to, now_s, static_cast<double>(wishes.camera->flight_s)};
+        flight_ = Flight{from, to, now_s, static_cast<double>(request.camera->flight_s)};
     }
     if (!flight_) return;
     const double share = flight_->length_s > 0 ? (now_s - flight_->start_s) / flight_->length_s : 1.0;
@@ -69,22 +69,22 @@ void LiveControls::apply(Session& session, const dmx::Trackers& trackers) {
     if (camera.target_m != session.live->camera().target_m) session.look_from(camera);
 }
 
-void LiveControls::apply(Session& session, const RemoteWishes& wishes, double now_s) {
-    session.master = wishes.light();
-    const bool moves = wishes.calls != calls_ || wishes.haze != haze_ || flight_;
+void LiveControls::apply(Session& session, const RemoteRequest& request, double now_s) {
+    session.master = request.light();
+    const bool moves = request.calls != calls_ || request.haze != haze_ || flight_;
     if (moves && session.live) {
-        const bool denser = wishes.haze != haze_;
-        session.live->set_haze(haze_ = wishes.haze);
-        if (denser && !flight_ && wishes.calls == calls_) session.look_from(session.live->camera());
-        fly(session, wishes, now_s);
+        const bool denser = request.haze != haze_;
+        session.live->set_haze(haze_ = request.haze);
+        if (denser && !flight_ && request.calls == calls_) session.look_from(session.live->camera());
+        fly(session, request, now_s);
     } else if (moves && !said_passes_) {
         log_warning("remote control: baked passes know one camera and one haze; --live draws any");
         said_passes_ = true;
     }
     const scene::Camera& camera = exposed_ ? *exposed_ : session.show->cameras[session.camera];
-    const std::optional<float> fixed = wishes.ev100 ? wishes.ev100 : ev100_;
+    const std::optional<float> fixed = request.ev100 ? request.ev100 : ev100_;
     session.relighter->set_exposure(fixed.value_or(camera.ev100), camera.auto_exposure && !fixed);
-    session.relighter->set_tone(wishes.tone.value_or(session.options.tone));
+    session.relighter->set_tone(request.tone.value_or(session.options.tone));
 }
 
 } // namespace ghost::app

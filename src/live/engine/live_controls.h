@@ -31,11 +31,11 @@ public:
     // Before the rig's step.
     void before_frame(Session& session, double now_s);
     // The same with what was heard, for tests.
-    void apply(Session& session, const RemoteWishes& wishes, double now_s);
+    void apply(Session& session, const RemoteRequest& request, double now_s);
     void apply(Session& session, const dmx::Trackers& trackers);
 
 private:
-    void fly(Session& session, const RemoteWishes& wishes, double now_s);
+    void fly(Session& session, const RemoteRequest& request, double now_s);
 
     struct Flight {
         scene::Camera from, to;

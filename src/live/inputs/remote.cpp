@@ -48,8 +48,8 @@ Result<void> Remote::recall_camera(const dmx::OscMessage& message) {
     if (message.arguments.size() > 1) {
         TRY(flight_s, number_of(message, 1, 0.0f, kLongestFlight_s));
     }
-    wishes_.camera = RemoteCamera{index, flight_s};
-    ++wishes_.calls;
+    request_.camera = RemoteCamera{index, flight_s};
+    ++request_.calls;
     return {};
 }
 
@@ -80,13 +80,13 @@ Result<void> Remote::call_cue(const dmx::OscMessage& message, int steps) {
     cue_ = index;
     const scene::Cue& cue = cues_[index];
     if (cue.at_s) {
-        wishes_.at_s = *cue.at_s;
-        ++wishes_.jumps;
+        request_.at_s = *cue.at_s;
+        ++request_.jumps;
     }
     const auto camera = std::find(cameras_.begin(), cameras_.end(), cue.camera);
     if (camera == cameras_.end()) return {}; // none, or one that the show does not have, which was said
-    wishes_.camera = RemoteCamera{static_cast<std::size_t>(camera - cameras_.begin()), cue.flight_s};
-    ++wishes_.calls;
+    request_.camera = RemoteCamera{static_cast<std::size_t>(camera - cameras_.begin()), cue.flight_s};
+    ++request_.calls;
     return {};
 }
 
@@ -105,31 +105,31 @@ Result<void> Remote::apply(const dmx::OscMessage& message) {
         return call_cue(message, what == "cue/go" ? 1 : -1);
     }
     if (what == "master") {
-        TRY(wishes_.master, number_of(message, 0, 0.0f, 1.0f));
+        TRY(request_.master, number_of(message, 0, 0.0f, 1.0f));
     } else if (what == "haze") {
-        TRY(wishes_.haze, number_of(message, 0, 0.0f, kThickestHaze));
+        TRY(request_.haze, number_of(message, 0, 0.0f, kThickestHaze));
     } else if (what == "recording") {
         TRY(const float at_s, number_of(message, 0, 0.0f, kLatest_s));
-        wishes_.at_s = static_cast<double>(at_s);
-        ++wishes_.jumps;
+        request_.at_s = static_cast<double>(at_s);
+        ++request_.jumps;
     } else if (what == "exposure") {
-        TRY(wishes_.ev100, number_of(message, 0, -10.0f, 20.0f));
+        TRY(request_.ev100, number_of(message, 0, -10.0f, 20.0f));
     } else if (what == "exposure/auto") {
-        wishes_.ev100.reset();
+        request_.ev100.reset();
     } else if (what == "tone" && message.arguments.empty()) {
-        wishes_.tone.reset();
+        request_.tone.reset();
     } else if (what == "tone") {
         const std::string* name = std::get_if<std::string>(&message.arguments[0]);
         const Result<image::Tone> tone = image::tone_from(name ? *name : "");
         if (!tone.ok()) return Error{tone.error().what, message.address};
-        wishes_.tone = *tone;
+        request_.tone = *tone;
     } else if (what == "blackout") {
         // A button without a value blacks out; faders and buttons send 0 or 1.
         if (message.arguments.empty()) {
-            wishes_.blackout = true;
+            request_.blackout = true;
         } else {
             TRY(const float value, number_of(message, 0, 0.0f, 1.0f));
-            wishes_.blackout = value >= 0.5f;
+            request_.blackout = value >= 0.5f;
         }
     } else {
         return Error{

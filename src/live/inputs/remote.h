@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Remote: what a remote control asks of a live picture, by the OSC addresses of docs/inputs.md. Knows no
-// socket and no picture: messages in, wishes out. It changes what is seen, never a file.
+// Remote: what a remote control asks of a live picture, by the OSC addresses of docs/reference/inputs.md.
+// Knows no socket and no picture: messages in, a request out. It changes what is seen, never a file.
 
 #include "base/result.h"
 #include "dmx/wire/osc.h"
@@ -23,7 +23,7 @@ struct RemoteCamera {
     float flight_s = 0;    // 0: a cut
 };
 
-struct RemoteWishes {
+struct RemoteRequest {
     float master = 1; // 0..1, of all lamps
     bool blackout = false;
     float haze = 1;                     // times the show's density
@@ -43,10 +43,10 @@ public:
     explicit Remote(std::vector<std::string> cameras, std::vector<scene::Cue> cues = {})
         : cameras_(std::move(cameras)), cues_(std::move(cues)) {}
 
-    // Error: an address that is none of ours, or a value that it does not take; wishes stay as they were.
+    // Error: an address that is none of ours, or a value that it does not take; the request stays as it was.
     Result<void> apply(const dmx::OscMessage& message);
-    const RemoteWishes& wishes() const { return wishes_; }
-    // Another show's; the wishes stay.
+    const RemoteRequest& request() const { return request_; }
+    // Another show's; the request stays.
     void know(std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
         cameras_ = std::move(cameras);
         cues_ = std::move(cues);
@@ -60,7 +60,7 @@ private:
     std::vector<std::string> cameras_;
     std::vector<scene::Cue> cues_;
     std::optional<std::size_t> cue_; // called last
-    RemoteWishes wishes_;
+    RemoteRequest request_;
 };
 
 } // namespace ghost::app

@@ -61,7 +61,7 @@ void RemoteInput::complain(const std::string& text, double now_s) {
     unsaid_ = 0;
 }
 
-const RemoteWishes& RemoteInput::poll(double now_s) {
+const RemoteRequest& RemoteInput::poll(double now_s) {
     for (int batch = 0; batch < kMostBatchesPerPoll; ++batch) {
         const auto datagrams = socket_->receive();
         if (datagrams.empty()) break;
@@ -74,7 +74,7 @@ const RemoteWishes& RemoteInput::poll(double now_s) {
                     complain(done.error().text(), now_s);
         }
     }
-    return remote_.wishes();
+    return remote_.request();
 }
 
 } // namespace ghost::app

@@ -31,7 +31,7 @@ public:
         remote_.know(std::move(cameras), std::move(cues));
     }
     // Takes what has arrived. now_s: any steady seconds.
-    const RemoteWishes& poll(double now_s);
+    const RemoteRequest& poll(double now_s);
 
 private:
     RemoteInput(std::unique_ptr<dmx::UdpSocket> socket, Remote remote)

@@ -30,7 +30,7 @@ private:
     bool apply_objects(const ui::Look& look, Session& session);
     bool apply_surfaces(const ui::Look& look, Session& session);
 
-    scene::HazeSettings haze_;
+    scene::HazeMedium haze_;
     scene::Attenuation attenuation_;
     float ambient_lux_;
     glm::vec3 ambient_colour_;

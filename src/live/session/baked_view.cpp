@@ -81,14 +81,14 @@ BakedView::BakedView(const Session& session, BakedPasses baked)
     }
 }
 
-scene::Lit BakedView::lit() const {
-    scene::Lit lit = session_.rig->lit(session_.gobos, passes_);
+scene::FrameLights BakedView::lit() const {
+    scene::FrameLights lit = session_.rig->lit(session_.gobos, passes_);
     const auto dim = [&](shared::Light& light) {
         light.intensity_cd *= session_.master;
         light.bounce_cd *= session_.master;
     };
     for (shared::Light& light : lit.lights) dim(light);
-    for (scene::Face& face : lit.faces) dim(face.light);
+    for (scene::LensFace& face : lit.faces) dim(face.light);
     for (shared::LedWall& wall : lit.walls) wall.radiance *= session_.master;
     return lit;
 }

@@ -39,7 +39,7 @@ public:
 
 private:
     BakedView(const Session& session, BakedPasses baked);
-    scene::Lit lit() const;
+    scene::FrameLights lit() const;
 
     const Session& session_;
     scene::Camera camera_;

@@ -33,7 +33,7 @@ LightMeter::LightMeter(const Session& session) : session_(session) {
                                                      static_cast<int>(session.lit().lights.size()), settings);
 }
 
-image::ImageF LightMeter::lux_picture(const scene::Lit& lit) {
+image::ImageF LightMeter::lux_picture(const scene::FrameLights& lit) {
     relighter_->set_air(air_of(*session_.show, 0));
     relighter_->set_slides(session_.gobos.images.slides);
     relighter_->draw(lit);
@@ -78,7 +78,7 @@ float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights
     return shared::luminance_of(sum) + even_lux(show);
 }
 
-float lux_at(const bake::Surface& surface, const scene::Lit& lit, const Session& session,
+float lux_at(const bake::Surface& surface, const scene::FrameLights& lit, const Session& session,
              const bake::Tracer& tracer) {
     return lux_at(surface, lit.lights, *session.show, session.gobos, session.shadows ? &tracer : nullptr);
 }

@@ -21,7 +21,7 @@ public:
     explicit LightMeter(const Session& session);
 
     // One channel. lit: what Session::lit gives.
-    image::ImageF lux_picture(const scene::Lit& lit);
+    image::ImageF lux_picture(const scene::FrameLights& lit);
 
 private:
     const Session& session_;
@@ -38,7 +38,7 @@ bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, co
 // tracer: null: nothing throws a shadow.
 float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const scene::Show& show,
              const scene::GoboStack& gobos, const bake::Tracer* tracer);
-float lux_at(const bake::Surface& surface, const scene::Lit& lit, const Session& session,
+float lux_at(const bake::Surface& surface, const scene::FrameLights& lit, const Session& session,
              const bake::Tracer& tracer);
 
 } // namespace ghost::app

@@ -3,8 +3,8 @@
 
 #include "bake/bake_show.h"
 #include "base/interrupt.h"
-#include "emitters/light_places.h"
-#include "emitters/prism.h"
+#include "beam_groups/light_places.h"
+#include "beam_groups/prism.h"
 #include "live/session/made_session.h"
 #include "live/session/passes_sources.h"
 #include "live/session/picture_room.h"
@@ -87,7 +87,7 @@ Result<void> take_look(const SessionOptions& options, scene::Show& show, Session
     const Result<std::size_t> index = scene::find_look(looks, options.look);
     if (!index.ok()) return Error{index.error().what, file.string()};
     scene::check_look(looks[*index], show, file.string(), report);
-    session.manual = scene::manual_of(looks[*index], show);
+    session.programmer = scene::programmer_of(looks[*index], show);
     apply(looks[*index].scene, show, session.shadows);
     return {};
 }
@@ -193,7 +193,7 @@ void print_report(const Report& report, std::size_t skip) {
 }
 
 shared::Haze haze_of(const scene::Show& show) {
-    const scene::HazeSettings& haze = show.haze;
+    const scene::HazeMedium& haze = show.haze;
     return {haze.extinction_per_m, haze.extinction_per_m * haze.albedo, haze.forward_g, haze.back_g,
             haze.back_weight};
 }
@@ -236,14 +236,14 @@ render::Settings draw_settings(const scene::Show& show, const scene::Camera& cam
     return settings;
 }
 
-scene::Lit Session::lit() const {
-    scene::Lit lit = live ? rig->lit(gobos, live->maps()) : rig->lit(gobos, passes);
+scene::FrameLights Session::lit() const {
+    scene::FrameLights lit = live ? rig->lit(gobos, live->maps()) : rig->lit(gobos, passes);
     for (shared::Light& light : lit.lights) {
         light.intensity_cd *= master;
         light.bounce_cd *= master;
         if (live && !shadows) light.map = 0;
     }
-    for (scene::Face& face : lit.faces) {
+    for (scene::LensFace& face : lit.faces) {
         face.light.intensity_cd *= master;
         face.light.bounce_cd *= master;
     }
@@ -356,7 +356,7 @@ void Session::set_bounce(scene::BounceDetail level) {
     if (live->set_forward_per_m(0)) look_from(live->camera(), flies);
 }
 
-void Session::update_bounce(const scene::Lit& lit) {
+void Session::update_bounce(const scene::FrameLights& lit) {
     if (!bounce) return;
     const shared::Haze haze = live->haze();
     const auto solved = bounce->update(lit.lights, gobos.images, haze, live->camera().position_m,
@@ -395,7 +395,7 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
             spans = live->g_buffer().spans();
         }
     }
-    const scene::Lit shining = lit();
+    const scene::FrameLights shining = lit();
     update_bounce(shining);
     const double before_ms = 1e3 * (steady_now_s() - start_s);
     render::FrameStatistics statistics = relighter->draw(shining, stop);

@@ -35,7 +35,7 @@ struct SessionOptions {
     bool bake = true; // false: missing passes are an error
     bool quiet = false;
     bool plays_recording = false; // the show's own: an error where it has none
-    render::HazeSettings beams;
+    render::HazeIntegrator beams;
     std::optional<fixture::Motion> motion; // instead of the show's
     std::optional<float> ev100;            // instead of the camera's
     image::Tone tone = image::Tone::agx;
@@ -84,16 +84,16 @@ struct Session {
     std::unique_ptr<render::Relighter> other_light;
     std::unique_ptr<render::Relighter> parked, parked_other_light; // those of a picture of another size
     bool maps_changed_since_parked = false;
-    std::map<std::size_t, fixture::Manual> manual; // of options.look, for Rig::step
-    float master = 1;                              // share of all light
-    bool shadows = true;                           // live only
-    bool flies = false;                            // look_from
-    SessionOptions options;                        // as it was opened
+    std::map<std::size_t, fixture::Programmer> programmer; // of options.look, for Rig::step
+    float master = 1;                                      // share of all light
+    bool shadows = true;                                   // live only
+    bool flies = false;                                    // look_from
+    SessionOptions options;                                // as it was opened
 
     // Moves the moving pictures on to this time, or to media_s; draw does so, too.
     void show_media(double time_s);
     // With the master, and without shadows where those are off.
-    scene::Lit lit() const;
+    scene::FrameLights lit() const;
     // One frame of what the rig does now; time_s moves the haze. Live: heads turn, maps that were made
     // meanwhile throw their shadows.
     render::FrameStatistics draw(double time_s = 0, const std::function<bool()>& stop = {});
@@ -119,7 +119,7 @@ struct Session {
 private:
     bool parks(const scene::Camera& from) const;
     std::unique_ptr<render::Relighter> make_relighter(const scene::Camera& from, bool coarse) const;
-    void update_bounce(const scene::Lit& lit);
+    void update_bounce(const scene::FrameLights& lit);
     scene::BounceDetail bounce_detail_ = scene::BounceDetail::off;
     bool is_short_ = false; // render/relight/light_budget.h, of the last picture
     int behind_ = 0;        // pictures since heads turned

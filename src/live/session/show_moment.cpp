@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/session/show_moment.h"
 
+#include "beam_groups/prism.h"
 #include "dmx/record/recording_tasks.h"
-#include "emitters/prism.h"
 #include "light/bodies.h"
 #include "live/session/media_player.h"
 

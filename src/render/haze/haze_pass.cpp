@@ -56,7 +56,7 @@ float shade_doubt_rad(std::uint32_t map_side) {
 
 } // namespace
 
-HazePass::HazePass(const gpu::Device& device, const HazeSettings& settings, const Fragments& fragments,
+HazePass::HazePass(const gpu::Device& device, const HazeIntegrator& settings, const Fragments& fragments,
                    std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances,
                    FanDetail detail)
     : settings_(settings), batch_size_(batch_size), distances_(distances),

@@ -25,7 +25,7 @@ enum class Beams {
     march, // the thesis: equal steps along the whole ray
 };
 
-struct HazeSettings {
+struct HazeIntegrator {
     Beams beams = Beams::gate;
     int march_steps = 110;
     float curvature = 0.12f;          // of gate: how much phase and transmittance may bend over one segment
@@ -39,7 +39,7 @@ class HazePass {
 public:
     // light_count: of the show; at most so many fans are needed at a time. distances: null: nothing throws
     // shadows into haze; gate only. Must outlive this. detail: of its tables; those of many lights are plain.
-    HazePass(const gpu::Device& device, const HazeSettings& settings, const Fragments& fragments,
+    HazePass(const gpu::Device& device, const HazeIntegrator& settings, const Fragments& fragments,
              std::uint32_t batch_size, std::uint32_t light_count, const DistanceImages* distances,
              FanDetail detail);
 
@@ -64,13 +64,13 @@ private:
     // Along a beam, from its apex, beyond which nothing of it is lit.
     float reach_m(const shared::Light& light, const Fragments& fragments) const;
 
-    HazeSettings settings_;
+    HazeIntegrator settings_;
     std::uint32_t batch_size_;
     std::array<gpu::LateProgram, shared::kBeamClasses> samples_, fill_;
     std::array<gpu::LateProgram, 3> gate_, wide_gate_, thin_gate_; // by kFocus of gate.comp
     gpu::LateProgram panel_gate_, wide_panel_gate_;                // which have nothing in focus
     std::unique_ptr<gpu::Program> shade_fill_;
-    std::unique_ptr<GridPass> grid_; // null: HazeSettings::grid is off, or many lights share a dispatch
+    std::unique_ptr<GridPass> grid_; // null: HazeIntegrator::grid is off, or many lights share a dispatch
     bool uses_grid_ = false;
     const DistanceImages* distances_;
     FanDetail detail_;

@@ -7,8 +7,8 @@
 namespace ghost::render {
 
 struct HazeQuality {
-    float curvature = 0.12f;          // see HazeSettings
-    int most_segments = 24;           // see HazeSettings
+    float curvature = 0.12f;          // see HazeIntegrator
+    int most_segments = 24;           // see HazeIntegrator
     std::uint32_t wide_beam_step = 1; // pixels from one ray to the next in beams that are wide: 1, 2 or 4
     bool grid =
         false; // rays take what their neighbours agree on from a grid (render/haze/private/haze_grid.h)

@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Glare: light that the camera's lens, or an eye, scatters around whatever is bright (docs/glare.md). An
-// energy-conserving sum of ever wider blurs with the weights of the CIE's general disability glare function
-// (CIE 146:2002; after Spencer et al. 1995). The result is a texture of its own: kept images never contain
-// glare. Main thread; the device must outlive it.
+// Glare: light that the camera's lens, or an eye, scatters around whatever is bright (docs/design/glare.md).
+// An energy-conserving sum of ever wider blurs with the weights of the CIE's general disability glare
+// function (CIE 146:2002; after Spencer et al. 1995). The result is a texture of its own: kept images never
+// contain glare. Main thread; the device must outlive it.
 
 #include "gpu/commands.h"
 #include "gpu/texture.h"

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// LED walls as the camera sees them (docs/led-walls.md): their pictures on the surfaces that lie on them,
-// added to the finished frame, before lenses and glare. Never part of a kept image. Main thread; the device
-// must outlive it.
+// LED walls as the camera sees them (docs/design/led-walls.md): their pictures on the surfaces that lie on
+// them, added to the finished frame, before lenses and glare. Never part of a kept image. Main thread; the
+// device must outlive it.
 
 #include "gpu/commands.h"
 #include "gpu/texture.h"

@@ -48,7 +48,7 @@ float covered_px(const vec2& centre_px, const vec3& spread, const glm::ivec2& lo
 
 } // namespace
 
-bool lens_in_view(const scene::Face& face, const shared::View& view, const LensSettings& settings,
+bool lens_in_view(const scene::LensFace& face, const shared::View& view, const LensSettings& settings,
                   LensInView& seen) {
     const shared::Light& light = face.light;
     // On the axis of Lambert's law, per cd of bounce_cd: a few lumens of a lamp, all of what glows.
@@ -182,7 +182,7 @@ void LensPass::upload() {
 }
 
 void LensPass::record(gpu::Commands& commands, const Fragments& fragments, const shared::View& view,
-                      const std::vector<scene::Face>& faces, const gpu::Texture& gobos,
+                      const std::vector<scene::LensFace>& faces, const gpu::Texture& gobos,
                       const gpu::Texture& slides, const gpu::Texture& frame) {
     lens_values_.clear();
     list_values_.clear();
@@ -192,7 +192,7 @@ void LensPass::record(gpu::Commands& commands, const Fragments& fragments, const
     const std::uint32_t blocks_x = (view.width + shared::kLensBlockWidth - 1) / shared::kLensBlockWidth;
     for (std::uint32_t kind = 0; settings_.on && kind < shared::kBeamClasses; ++kind) {
         std::vector<LensInView> seen;
-        for (const scene::Face& face : faces) {
+        for (const scene::LensFace& face : faces) {
             LensInView one;
             if (shared::beam_class(face.light) != kind || !lens_in_view(face, view, settings_, one)) continue;
             brightest_ += one.brightest;

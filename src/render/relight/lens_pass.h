@@ -1,13 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Lenses that shine at the camera (docs/glare.md): discs with the luminance that their candela imply, the
-// gobo seen in them, added to the finished frame. Never part of a kept image: images are added, and a lens
-// may be brighter than a half float holds. Main thread; the device must outlive it.
+// Lenses that shine at the camera (docs/design/glare.md): discs with the luminance that their candela imply,
+// the gobo seen in them, added to the finished frame. Never part of a kept image: images are added, and a
+// lens may be brighter than a half float holds. Main thread; the device must outlive it.
 
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/texture.h"
-#include "light/lit.h"
+#include "light/frame_lights.h"
 #include "render/geometry/fragments.h"
 #include "shared/glare.h"
 #include "shared/optics.h"
@@ -38,7 +38,7 @@ struct LensInView {
 };
 
 // False where nothing can be seen of it: dark, turned away, beside its beam, outside the picture.
-bool lens_in_view(const scene::Face& face, const shared::View& view, const LensSettings& settings,
+bool lens_in_view(const scene::LensFace& face, const shared::View& view, const LensSettings& settings,
                   LensInView& seen);
 
 class LensPass {
@@ -47,8 +47,8 @@ public:
 
     // Adds to layer 0 of frame, once a frame, after all lights are summed. faces: all of the show.
     void record(gpu::Commands& commands, const Fragments& fragments, const shared::View& view,
-                const std::vector<scene::Face>& faces, const gpu::Texture& gobos, const gpu::Texture& slides,
-                const gpu::Texture& frame);
+                const std::vector<scene::LensFace>& faces, const gpu::Texture& gobos,
+                const gpu::Texture& slides, const gpu::Texture& frame);
 
     // Of the last record: cd/m^2 that the lenses of a pixel reach at most, together; lenses drawn.
     float brightest() const { return brightest_; }

@@ -45,9 +45,9 @@ std::uint32_t batch_size(const gpu::Device& device, const Settings& settings) {
     return device.is_cpu() ? 1 : shared::kLightsPerChunk;
 }
 
-bool same_faces(const std::vector<scene::Face>& a, const std::vector<scene::Face>& b) {
+bool same_faces(const std::vector<scene::LensFace>& a, const std::vector<scene::LensFace>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const scene::Face& one, const scene::Face& other) {
+                      [](const scene::LensFace& one, const scene::LensFace& other) {
                           return one.glows == other.glows && one.split == other.split &&
                                  std::memcmp(&one.light, &other.light, sizeof one.light) == 0;
                       });
@@ -118,7 +118,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
                                 {kUniform, kUniform, kStorage, kStorage, kSampled, kSampled, kStored, kStored,
                                  kUniform, kStorage, kStored},
                                 {0u, batch_size_ == 1 ? 1u : 0u});
-    if (g_buffer) mender_ = std::make_unique<Mender>(device, fragments(), rooms());
+    if (g_buffer) dirty_tiles_ = std::make_unique<DirtyTiles>(device, fragments(), rooms());
     if (settings.beams.beams == Beams::gate && settings.beams.most_wide_step > 1)
         wide_ = std::make_unique<WideBeams>(device, fragments().width, fragments().height);
     // In one frame every light is drawn at most three times, into an image to keep, into the frame and where
@@ -222,7 +222,7 @@ void Relighter::forget() {
 
 void Relighter::draw_anew() {
     tree_.invalidate_all();
-    if (mender_) mender_->forget();
+    if (dirty_tiles_) dirty_tiles_->forget();
     wide_prepared_ = silhouettes_known_ = false;
     units_.forget();
 }
@@ -244,7 +244,7 @@ void Relighter::touch() {
     wide_prepared_ = silhouettes_known_ = false;
     touched_ = touched_ || !rects.empty();
     tree_.invalidate_frame();
-    if (!mender_->touch(rects)) draw_anew();
+    if (!dirty_tiles_->touch(rects)) draw_anew();
 }
 
 Relighter::~Relighter() = default;
@@ -350,12 +350,12 @@ void Relighter::make_images() {
 }
 
 FrameStatistics Relighter::draw(const std::vector<shared::Light>& lights) {
-    scene::Lit lit{lights, {}, {}};
+    scene::FrameLights lit{lights, {}, {}};
     for (const shared::Light& light : lights) lit.faces.push_back({light});
     return draw(lit);
 }
 
-FrameStatistics Relighter::draw(const scene::Lit& lit, const std::function<bool()>& stop) {
+FrameStatistics Relighter::draw(const scene::FrameLights& lit, const std::function<bool()>& stop) {
     const auto start = std::chrono::steady_clock::now();
     const std::vector<shared::Light>& lights = lit.lights;
     CHECK_EQ(static_cast<int>(lights.size()), light_count_);
@@ -417,7 +417,7 @@ bool Relighter::make_images_of(const Plan& plan, FrameStatistics& statistics) {
     for (std::size_t k = 0; k < plan.sums.size(); ++k) {
         const ImageSum& sum = plan.sums[k];
         // While something moves an image that was mended would be stale in the next frame, too.
-        const bool patches = mender_ && touched_ && !stop_ && sum.target < 0;
+        const bool patches = dirty_tiles_ && touched_ && !stop_ && sum.target < 0;
         if (!patches)
             for (const Addend& addend : sum.addends) statistics.mended += mend(addend.slot);
         draw_sum(sum);
@@ -426,7 +426,7 @@ bool Relighter::make_images_of(const Plan& plan, FrameStatistics& statistics) {
             tree_.unmake(std::span(plan.sums).subspan(k));
             return false;
         }
-        if (mender_) mender_->made(sum);
+        if (dirty_tiles_) dirty_tiles_->made(sum);
     }
     return true;
 }
@@ -447,9 +447,9 @@ bool Relighter::wants_stop() {
 
 // Draws an image again where it is stale.
 int Relighter::mend(int slot) {
-    if (!mender_ || !mender_->is_stale(slot)) return 0;
-    const ImageSum sum = mender_->mend(slot, units_.lights());
-    mended_tiles_ = mender_->record(commands_, slot);
+    if (!dirty_tiles_ || !dirty_tiles_->is_stale(slot)) return 0;
+    const ImageSum sum = dirty_tiles_->mend(slot, units_.lights());
+    mended_tiles_ = dirty_tiles_->record(commands_, slot);
     draw_sum(sum);
     mended_tiles_ = 0;
     return static_cast<int>(sum.lights.size());
@@ -458,21 +458,21 @@ int Relighter::mend(int slot) {
 // Draws the frame again where images are stale that it was summed from.
 int Relighter::patch(const ImageSum& sum) {
     TileSet tiles;
-    const ImageSum patch = mender_->patch(sum, units_.lights(), tiles);
+    const ImageSum patch = dirty_tiles_->patch(sum, units_.lights(), tiles);
     if (tiles.empty()) return 0;
-    if (tiles.count() > Mender::kMostTiles) {
+    if (tiles.count() > DirtyTiles::kMostTiles) {
         int mended = 0;
         for (const Addend& addend : sum.addends) mended += mend(addend.slot);
         draw_sum(sum);
         return mended;
     }
-    mended_tiles_ = mender_->record(commands_, tiles);
+    mended_tiles_ = dirty_tiles_->record(commands_, tiles);
     draw_sum(patch);
     mended_tiles_ = 0;
     return static_cast<int>(patch.lights.size() - sum.lights.size());
 }
 
-void Relighter::develop(const scene::Lit& lit) {
+void Relighter::develop(const scene::FrameLights& lit) {
     const Fragments& f = seen();
     if (coarse_) coarse_->spread(commands_, frame_);
     if (room_light_) room_light_->record(commands_, *g_buffer_, settings_.illuminance, frame_);
@@ -551,7 +551,7 @@ std::uint64_t Relighter::memory_bytes() const {
 std::uint64_t Relighter::picture_bytes() const {
     std::uint64_t sum =
         lens_.memory_bytes() + glare_.memory_bytes() + (wide_ ? wide_->memory_bytes() : 0) +
-        (visibility_ ? visibility_->memory_bytes() : 0) + (mender_ ? mender_->memory_bytes() : 0) +
+        (visibility_ ? visibility_->memory_bytes() : 0) + (dirty_tiles_ ? dirty_tiles_->memory_bytes() : 0) +
         (room_light_ ? room_light_->memory_bytes() : 0) + (coarse_ ? coarse_->memory_bytes() : 0);
     for (const gpu::Buffer* buffer : {&masks_, &lists_, &pixels_}) sum += buffer->bytes();
     for (const gpu::Texture* texture : {&frame_, &kept_, &drawn_, &haze_sources_, &picture_})

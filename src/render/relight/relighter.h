@@ -11,7 +11,7 @@
 #include "gpu/texture.h"
 #include "image/image.h"
 #include "image/tone.h"
-#include "light/lit.h"
+#include "light/frame_lights.h"
 #include "passes/passes.h"
 #include "render/geometry/g_buffer.h"
 #include "render/geometry/pass_images.h"
@@ -19,13 +19,13 @@
 #include "render/haze/haze_pass.h"
 #include "render/haze/visibility.h"
 #include "render/relight/coarse_light.h"
+#include "render/relight/dirty_tiles.h"
 #include "render/relight/glare_pass.h"
 #include "render/relight/led_wall_pass.h"
 #include "render/relight/lens_pass.h"
 #include "render/relight/light_budget.h"
 #include "render/relight/light_tree.h"
 #include "render/relight/light_units.h"
-#include "render/relight/mender.h"
 #include "render/relight/room_light.h"
 #include "shared/air.h"
 #include "shared/gobos.h"
@@ -50,7 +50,7 @@ struct Settings {
     shared::Haze haze{};
     shared::Air air_field = even_air();
     glm::vec3 ambient{0}; // even light: colour times lux
-    HazeSettings beams;
+    HazeIntegrator beams;
     LensSettings lens{.on = false};
     GlareSettings glare{.strength = 0};
     float ev100 = 6;
@@ -100,7 +100,7 @@ public:
 
     // The faces that the camera sees may be other than the lights, and more. stop: asked after each light;
     // where it says so the picture before stays, and what was made of this one is kept for the next draw.
-    FrameStatistics draw(const scene::Lit& lit, const std::function<bool()>& stop = {});
+    FrameStatistics draw(const scene::FrameLights& lit, const std::function<bool()>& stop = {});
     // Each light has its own face.
     FrameStatistics draw(const std::vector<shared::Light>& lights);
     // The camera moved, or shadows changed: the G-buffer was drawn again.
@@ -109,8 +109,8 @@ public:
     void draw_anew();
     // Something moved before the camera (GBuffer::update): kept images are mended where it did.
     void touch();
-    // Of haze by gate, from the next frame on; at most HazeSettings::most_wide_step. Images of resting lights
-    // stay as they were drawn, but for those from the grid when it is left.
+    // Of haze by gate, from the next frame on; at most HazeIntegrator::most_wide_step. Images of resting
+    // lights stay as they were drawn, but for those from the grid when it is left.
     void set_quality(const HazeQuality& quality);
     // Lights that may turn from a frame to the next one, 0: all (render/relight/light_budget.h).
     void set_most_lights(int most) { most_lights_ = most; }
@@ -159,7 +159,7 @@ private:
     // Both: false where it was stopped.
     bool draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
     bool record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
-    void develop(const scene::Lit& lit);
+    void develop(const scene::FrameLights& lit);
     const Fragments& seen() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
     const Fragments& fragments() const { return coarse_ ? coarse_->fragments() : seen(); } // lights fall on
     // Of a G-buffer: where the extra fragments of tiles lie that lights fall on, and normals.
@@ -179,15 +179,15 @@ private:
     std::unique_ptr<Visibility> visibility_; // null: from passes, or without shadows
     bool pages_full_ = false;
     bool keeps_visibility_ = true;
-    std::unique_ptr<Mender> mender_; // null: from passes, in which nothing moves
-    std::uint32_t mended_tiles_ = 0; // above 0: only these tiles, of mender_, are drawn now
-    bool touched_ = false;           // since the last draw
+    std::unique_ptr<DirtyTiles> dirty_tiles_; // null: from passes, in which nothing moves
+    std::uint32_t mended_tiles_ = 0;          // above 0: only these tiles, of mender_, are drawn now
+    bool touched_ = false;                    // since the last draw
     LightUnits units_;
     LightBudget budget_;
     int most_lights_ = 0;
     std::function<bool()> stop_;         // of the draw that runs
     FrameStatistics* drawing_ = nullptr; // likewise
-    std::vector<scene::Face> last_faces_;
+    std::vector<scene::LensFace> last_faces_;
     std::vector<shared::LedWall> last_walls_;
     std::uint64_t lights_used_ = 0;  // bytes of lights_, in this frame
     std::uint64_t addends_used_ = 0; // likewise
@@ -205,7 +205,7 @@ private:
     gpu::LateProgram visible_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<gpu::Program>> sums_; // sum_of
     HazePass haze_;
-    std::unique_ptr<WideBeams> wide_; // null: HazeSettings::most_wide_step is 1
+    std::unique_ptr<WideBeams> wide_; // null: HazeIntegrator::most_wide_step is 1
     std::uint32_t wide_step_ = 1;
     bool uses_grid_ = false;
     bool wide_prepared_ = false;

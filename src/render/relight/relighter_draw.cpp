@@ -68,7 +68,7 @@ void Relighter::draw_sum(const ImageSum& sum) {
     }
     if (any_wide) wide_->spread(commands_, drawn_);
     const gpu::Buffer& tile_list =
-        mender_ ? mender_->tiles() : f.tile_bounds; // only read where tiles are mended
+        dirty_tiles_ ? dirty_tiles_->tiles() : f.tile_bounds; // only read where tiles are mended
     if (!sum.lights.empty() && f.edge_count > 0) {
         commands_.begin_span("fold");
         if (settings_.air && !std::exchange(silhouettes_known_, true)) {
@@ -90,7 +90,7 @@ void Relighter::draw_sum(const ImageSum& sum) {
 
 void Relighter::add_images(const ImageSum& sum) {
     const Fragments& f = fragments();
-    const gpu::Buffer& tile_list = mender_ ? mender_->tiles() : f.tile_bounds;
+    const gpu::Buffer& tile_list = dirty_tiles_ ? dirty_tiles_->tiles() : f.tile_bounds;
     CHECK(sum.addends.size() <= shared::kMostAddends);
     shared::SumPush push{};
     push.target = static_cast<std::uint32_t>(std::max(sum.target, 0));
@@ -157,7 +157,7 @@ bool Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
                                                              {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}}));
     commands_.dispatch(cull_, cull,
                        {gpu::uniform(f.view), gpu::uniform(lights_, offset),
-                        gpu::storage(mended_tiles_ > 0 ? mender_->bounds() : f.tile_bounds),
+                        gpu::storage(mended_tiles_ > 0 ? dirty_tiles_->bounds() : f.tile_bounds),
                         gpu::storage(masks_), gpu::storage(groups_), gpu::storage(lists_),
                         gpu::storage(work_),
                         gpu::uniform(visibility_ ? visibility_->keeps() : nothing_, kept.offset),

@@ -1,6 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Reads the keys `laser` of a [[fixture]] (docs/show-file.md). What is wrong goes to the report. Pure.
+// Reads the keys `laser` of a [[fixture]] (docs/reference/show-file.md). What is wrong goes to the report.
+// Pure.
 
 #include "base/report.h"
 #include "light/laser_rays.h"

@@ -3,7 +3,7 @@
 
 #include "light/aim.h"
 #include "show/camera_moves.h"
-#include "ui/actions/hand.h"
+#include "ui/actions/programmer_actions.h"
 
 #include <algorithm>
 #include <vector>
@@ -15,75 +15,76 @@ constexpr double kMost_m = 10000;
 constexpr float kNear_deg = 0.01f; // a reach is held to that
 
 // Those that turn both ways, from left to right.
-std::vector<std::size_t> heads_of(const Studio& studio) {
+std::vector<std::size_t> heads_of(const AppModel& app) {
     std::vector<std::size_t> heads;
-    for (const std::size_t index : studio.selection()) {
-        const scene::PatchedFixture& fixture = studio.show()->fixtures[index];
-        if (!fixture.type || index >= studio.rig().fixtures.size()) continue;
+    for (const std::size_t index : app.selection()) {
+        const scene::PatchedFixture& fixture = app.show()->fixtures[index];
+        if (!fixture.type || index >= app.rig().fixtures.size()) continue;
         const fixture::Patch patch = fixture.patch();
         if (fixture::reach_of(patch, fixture::Role::pan) && fixture::reach_of(patch, fixture::Role::tilt))
             heads.push_back(index);
     }
     std::stable_sort(heads.begin(), heads.end(), [&](std::size_t a, std::size_t b) {
-        return studio.rig().fixtures[a].light_m.x < studio.rig().fixtures[b].light_m.x;
+        return app.rig().fixtures[a].light_m.x < app.rig().fixtures[b].light_m.x;
     });
     return heads;
 }
 
 } // namespace
 
-Result<int> aim_selected(Studio& studio, const glm::vec3& at_m, float spread_m) {
-    if (studio.selection().empty()) return Error{"no fixture is selected", ""};
-    const std::vector<std::size_t> heads = heads_of(studio);
+Result<int> aim_selected(AppModel& app, const glm::vec3& at_m, float spread_m) {
+    if (app.selection().empty()) return Error{"no fixture is selected", ""};
+    const std::vector<std::size_t> heads = heads_of(app);
     if (heads.empty()) return Error{"nothing that is selected turns both ways", ""};
-    Look look = studio.look();
+    Look look = app.look();
     int beyond = 0;
     for (std::size_t k = 0; k < heads.size(); ++k) {
-        const scene::PatchedFixture& fixture = studio.show()->fixtures[heads[k]];
-        const FixtureNow& now = studio.rig().fixtures[heads[k]];
-        fixture::Manual& manual = look.fixtures[heads[k]];
+        const scene::PatchedFixture& fixture = app.show()->fixtures[heads[k]];
+        const FixtureNow& now = app.rig().fixtures[heads[k]];
+        fixture::Programmer& programmer = look.fixtures[heads[k]];
         const float share =
             heads.size() > 1 ? static_cast<float>(k) / static_cast<float>(heads.size() - 1) - 0.5f : 0.0f;
         const glm::vec3 way = at_m + glm::vec3(share * spread_m, 0, 0) - now.light_m;
         const glm::mat3 to_fixture = glm::inverse(glm::mat3(scene::fixture_to_world(fixture, 0)));
-        const scene::PanTilt wanted = scene::aim(
-            to_fixture * way, {manual.pan_deg.value_or(now.pan_deg), manual.tilt_deg.value_or(now.tilt_deg)});
+        const scene::PanTilt wanted =
+            scene::aim(to_fixture * way, {programmer.pan_deg.value_or(now.pan_deg),
+                                          programmer.tilt_deg.value_or(now.tilt_deg)});
         const fixture::Patch patch = fixture.patch();
         const auto held = [&](float deg, fixture::Role role) {
-            const fixture::Reach reach = *fixture::reach_of(patch, role);
+            const fixture::AxisRange reach = *fixture::reach_of(patch, role);
             return std::clamp(deg, std::min(reach.low, reach.high), std::max(reach.low, reach.high));
         };
-        manual.pan_deg = held(wanted.pan_deg, fixture::Role::pan);
-        manual.tilt_deg = held(wanted.tilt_deg, fixture::Role::tilt);
-        if (std::abs(*manual.pan_deg - wanted.pan_deg) > kNear_deg ||
-            std::abs(*manual.tilt_deg - wanted.tilt_deg) > kNear_deg)
+        programmer.pan_deg = held(wanted.pan_deg, fixture::Role::pan);
+        programmer.tilt_deg = held(wanted.tilt_deg, fixture::Role::tilt);
+        if (std::abs(*programmer.pan_deg - wanted.pan_deg) > kNear_deg ||
+            std::abs(*programmer.tilt_deg - wanted.tilt_deg) > kNear_deg)
             ++beyond;
     }
-    studio.set_look(std::move(look), "aim");
+    app.set_look(std::move(look), "aim");
     return beyond;
 }
 
-Aiming::Aiming(Studio& studio, Actions& actions, QObject* parent)
-    : QObject(parent), studio_(studio), actions_(actions) {
-    connect(&studio_, &Studio::picked_came, this, &Aiming::take_picked);
+Aiming::Aiming(AppModel& app, Actions& actions, QObject* parent)
+    : QObject(parent), app_(app), actions_(actions) {
+    connect(&app_, &AppModel::picked_came, this, &Aiming::take_picked);
 }
 
 Result<void> Aiming::aim_through(const glm::vec2& place, float spread_m) {
-    if (studio_.selection().empty()) return Error{"no fixture is selected", ""};
-    if (heads_of(studio_).empty()) return Error{"nothing that is selected turns both ways", ""};
-    if (!studio_.picture().image) return Error{"there is no picture yet", ""};
-    const scene::Camera& camera = studio_.picture().camera;
+    if (app_.selection().empty()) return Error{"no fixture is selected", ""};
+    if (heads_of(app_).empty()) return Error{"nothing that is selected turns both ways", ""};
+    if (!app_.picture().image) return Error{"there is no picture yet", ""};
+    const scene::Camera& camera = app_.picture().camera;
     spread_m_ = spread_m;
-    number_ = studio_.pick(camera.position_m, scene::way_through(camera, place));
+    number_ = app_.pick(camera.position_m, scene::way_through(camera, place));
     return {};
 }
 
 void Aiming::take_picked() {
-    const Picked& picked = studio_.picked();
+    const Picked& picked = app_.picked();
     if (picked.number != number_) return;
     number_ = 0;
     if (picked.hit)
-        say(aim_selected(studio_, picked.at_m, spread_m_));
+        say(aim_selected(app_, picked.at_m, spread_m_));
     else if (actions_.complain)
         actions_.complain(Error{"there is nothing but air to aim at", ""});
 }
@@ -98,14 +99,14 @@ void Aiming::say(const Result<int>& beyond) {
                                 ""});
 }
 
-void add_aim_actions(Actions& actions, Studio& studio, Aiming& aiming) {
+void add_aim_actions(Actions& actions, AppModel& app, Aiming& aiming) {
     actions.add(
         {"aim",
          "",
          "aim",
          "",
          "X Y Z [SPREAD_M]",
-         [&studio](const QStringList& words) -> Result<void> {
+         [&app](const QStringList& words) -> Result<void> {
              glm::vec3 at_m(0);
              for (int axis = 0; axis < 3; ++axis) {
                  TRY(const double place, number_of(words, axis, "place in metres", -kMost_m, kMost_m));
@@ -115,7 +116,7 @@ void add_aim_actions(Actions& actions, Studio& studio, Aiming& aiming) {
              if (words.size() > 3) {
                  TRY(spread_m, number_of(words, 3, "spread in metres", -kMost_m, kMost_m));
              }
-             TRY(const int beyond, aim_selected(studio, at_m, static_cast<float>(spread_m)));
+             TRY(const int beyond, aim_selected(app, at_m, static_cast<float>(spread_m)));
              if (beyond > 0)
                  return Error{std::to_string(beyond) + " of them do not reach that far, and turned as "
                                                        "far as possible",

@@ -8,7 +8,7 @@
 namespace ghost::ui {
 namespace {
 
-// As the show file takes them (docs/show-file.md).
+// As the show file takes them (docs/reference/show-file.md).
 constexpr double kMost_m = 10000;
 constexpr double kMostWind_m_s = 20;
 constexpr double kMostExtinction_per_m = 10;
@@ -22,10 +22,10 @@ Result<glm::vec3> vector_of(const QStringList& words, int from, const char* what
     return numbers;
 }
 
-Result<std::size_t> hazer_of(const Studio& studio, const QString& word) {
+Result<std::size_t> hazer_of(const AppModel& app, const QString& word) {
     bool is_number = false;
     const int number = word.toInt(&is_number);
-    const std::size_t count = studio.show() ? studio.show()->hazers.size() : 0;
+    const std::size_t count = app.show() ? app.show()->hazers.size() : 0;
     if (!is_number || number < 1 || static_cast<std::size_t>(number) > count)
         return Error{"there is no hazer '" + word.toStdString() + "'; the show has " + std::to_string(count),
                      ""};
@@ -38,7 +38,7 @@ using Run = std::function<Result<void>(AirEdit& edit, const QStringList& words)>
 
 Result<void> AirEdit::edit(const QString& what, const Result<std::string>& text, Kind kind) {
     TRY_VOID(text);
-    return document_.edit(what, {*text, studio_.look(), studio_.selection()}, static_cast<int>(kind));
+    return document_.edit(what, {*text, app_.look(), app_.selection()}, static_cast<int>(kind));
 }
 
 Result<void> AirEdit::set_haze(const QString& words) {
@@ -75,7 +75,7 @@ Result<void> AirEdit::set_wind(const glm::vec3& wind_m_s) {
 
 Result<void> AirEdit::edit_hazer(std::size_t index, const scene::HazerEdit& hazer) {
     TRY_VOID(document_.check_editable());
-    return edit("Hazer", scene::edit_hazer(document_.text(), studio_.show()->hazers, index, hazer));
+    return edit("Hazer", scene::edit_hazer(document_.text(), app_.show()->hazers, index, hazer));
 }
 
 Result<void> AirEdit::add_hazer(const glm::vec3& position_m) {
@@ -87,7 +87,7 @@ Result<void> AirEdit::add_hazer(const glm::vec3& position_m) {
 
 Result<void> AirEdit::remove_hazer(std::size_t index) {
     TRY_VOID(document_.check_editable());
-    return edit("Remove a hazer", scene::remove_hazer(document_.text(), studio_.show()->hazers, index));
+    return edit("Remove a hazer", scene::remove_hazer(document_.text(), app_.show()->hazers, index));
 }
 
 Result<scene::HazerEdit> hazer_edit(const QString& what, const QStringList& numbers) {
@@ -120,15 +120,15 @@ Result<scene::HazerEdit> hazer_edit(const QString& what, const QStringList& numb
     return edit;
 }
 
-void add_air_actions(Actions& actions, Studio& studio, ShowDocument& document) {
+void add_air_actions(Actions& actions, AppModel& app, ShowDocument& document) {
     const auto add = [&](const QString& name, const QString& text, const QString& arguments, const Run& run) {
         actions.add({name,
                      text.isEmpty() ? "" : "Edit",
                      text.isEmpty() ? name : text,
                      "",
                      arguments,
-                     [&studio, &document, run](const QStringList& words) -> Result<void> {
-                         AirEdit edit(studio, document);
+                     [&app, &document, run](const QStringList& words) -> Result<void> {
+                         AirEdit edit(app, document);
                          return run(edit, words);
                      },
                      {}});
@@ -148,22 +148,22 @@ void add_air_actions(Actions& actions, Studio& studio, ShowDocument& document) {
         return edit.set_wind(wind_m_s);
     });
     add("hazer", "", "NUMBER place|direction|rate|spread|reach NUMBERS",
-        [&studio](AirEdit& edit, const QStringList& words) -> Result<void> {
-            TRY(const std::size_t index, hazer_of(studio, words.value(0)));
+        [&app](AirEdit& edit, const QStringList& words) -> Result<void> {
+            TRY(const std::size_t index, hazer_of(app, words.value(0)));
             TRY(const scene::HazerEdit change, hazer_edit(words.value(1), words.mid(2)));
             return edit.edit_hazer(index, change);
         });
     add("add-hazer", "Add a hazer", "[X Y Z]",
-        [&studio](AirEdit& edit, const QStringList& words) -> Result<void> {
-            glm::vec3 place_m = studio.camera().target_m;
+        [&app](AirEdit& edit, const QStringList& words) -> Result<void> {
+            glm::vec3 place_m = app.camera().target_m;
             place_m.z = 0; // they stand on the floor
             if (!words.isEmpty()) {
                 TRY(place_m, vector_of(words, 0, "metres", kMost_m));
             }
             return edit.add_hazer(place_m);
         });
-    add("remove-hazer", "", "NUMBER", [&studio](AirEdit& edit, const QStringList& words) -> Result<void> {
-        TRY(const std::size_t index, hazer_of(studio, words.value(0)));
+    add("remove-hazer", "", "NUMBER", [&app](AirEdit& edit, const QStringList& words) -> Result<void> {
+        TRY(const std::size_t index, hazer_of(app, words.value(0)));
         return edit.remove_hazer(index);
     });
 }

@@ -12,7 +12,7 @@ namespace ghost::ui {
 
 class AirEdit {
 public:
-    AirEdit(Studio& studio, ShowDocument& document) : studio_(studio), document_(document) {}
+    AirEdit(AppModel& app, ShowDocument& document) : app_(app), document_(document) {}
 
     // A preset's name ("haze", "fog") or the extinction per metre.
     Result<void> set_haze(const QString& words);
@@ -28,12 +28,12 @@ private:
     enum class Kind : int { step = 0, clouds, cloud_size, wind };
     Result<void> edit(const QString& what, const Result<std::string>& text, Kind kind = Kind::step);
 
-    Studio& studio_;
+    AppModel& app_;
     ShowDocument& document_;
 };
 
 // "haze fog", "wind 0.5 0 0", "add-hazer", "hazer 1 place 0 2 0" and so on.
-void add_air_actions(Actions& actions, Studio& studio, ShowDocument& document);
+void add_air_actions(Actions& actions, AppModel& app, ShowDocument& document);
 
 // What can be said of a hazer by name: "place", "direction", "rate", "spread", "reach", with its numbers.
 Result<scene::HazerEdit> hazer_edit(const QString& what, const QStringList& numbers);

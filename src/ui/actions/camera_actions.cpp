@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "show/camera_moves.h"
 #include "stage/overrides.h"
-#include "ui/actions/hand.h"
+#include "ui/actions/programmer_actions.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -13,8 +13,8 @@ namespace {
 constexpr float kPerson_m = 2; // radius of what is looked at around one fixture
 constexpr double kMostEv = 20, kLeastEv = -10;
 
-Result<void> need_show(const Studio& studio) {
-    if (studio.show()) return {};
+Result<void> need_show(const AppModel& app) {
+    if (app.show()) return {};
     return Error{"no show is open", ""};
 }
 
@@ -28,60 +28,60 @@ Result<std::vector<float>> numbers(const QStringList& words, int count, double m
     return values;
 }
 
-Result<void> go_to(Studio& studio, const QString& which) {
-    TRY_VOID(need_show(studio));
-    const std::vector<scene::Camera>& cameras = studio.show()->cameras;
+Result<void> go_to(AppModel& app, const QString& which) {
+    TRY_VOID(need_show(app));
+    const std::vector<scene::Camera>& cameras = app.show()->cameras;
     bool is_number = false;
     const int number = which.toInt(&is_number);
     if (is_number && number >= 1 && number <= static_cast<int>(cameras.size())) {
-        studio.travel_to_stored(cameras[static_cast<std::size_t>(number - 1)]);
+        app.travel_to_stored(cameras[static_cast<std::size_t>(number - 1)]);
         return {};
     }
     if (is_number)
         return Error{"the show has " + std::to_string(cameras.size()) + " cameras, no number " +
                          which.toStdString(),
                      ""};
-    TRY(const std::size_t found, studio.show()->find_camera(which.toStdString()));
-    studio.travel_to_stored(cameras[found]);
+    TRY(const std::size_t found, app.show()->find_camera(which.toStdString()));
+    app.travel_to_stored(cameras[found]);
     return {};
 }
 
-Result<void> focus(Studio& studio, bool all) {
-    TRY_VOID(need_show(studio));
-    const std::vector<FixtureNow>& fixtures = studio.rig().fixtures;
+Result<void> focus(AppModel& app, bool all) {
+    TRY_VOID(need_show(app));
+    const std::vector<FixtureNow>& fixtures = app.rig().fixtures;
     glm::vec3 low_m(1e9f), high_m(-1e9f);
-    for (const std::size_t index : studio.selection()) {
+    for (const std::size_t index : app.selection()) {
         if (index >= fixtures.size()) continue;
         low_m = glm::min(low_m, fixtures[index].light_m);
         high_m = glm::max(high_m, fixtures[index].light_m);
     }
-    if (const auto object = studio.marked(); !all && studio.selection().empty() && object) {
-        const Object& one = studio.opened().objects[*object];
-        studio.look_at(one.centre_m, kPerson_m + one.radius_m);
+    if (const auto object = app.marked(); !all && app.selection().empty() && object) {
+        const Object& one = app.opened().objects[*object];
+        app.look_at(one.centre_m, kPerson_m + one.radius_m);
         return {};
     }
     if (all || low_m.x > high_m.x)
-        studio.look_at(studio.opened().centre_m, studio.opened().radius_m);
+        app.look_at(app.opened().centre_m, app.opened().radius_m);
     else
-        studio.look_at(0.5f * (low_m + high_m), kPerson_m + 0.5f * glm::length(high_m - low_m));
+        app.look_at(0.5f * (low_m + high_m), kPerson_m + 0.5f * glm::length(high_m - low_m));
     return {};
 }
 
-Result<void> expose(Studio& studio, double ev100, bool automatic) {
-    studio.set_exposure(static_cast<float>(std::clamp(ev100, kLeastEv, kMostEv)), automatic);
+Result<void> expose(AppModel& app, double ev100, bool automatic) {
+    app.set_exposure(static_cast<float>(std::clamp(ev100, kLeastEv, kMostEv)), automatic);
     return {};
 }
 
-void add_moves(Actions& actions, Studio& studio) {
+void add_moves(Actions& actions, AppModel& app) {
     const auto move = [&](const QString& name, const QString& arguments, int count, double most, auto f) {
         actions.add({name,
                      "",
                      name,
                      "",
                      arguments,
-                     [&studio, count, most, f](const QStringList& words) -> Result<void> {
+                     [&app, count, most, f](const QStringList& words) -> Result<void> {
                          TRY(const std::vector<float> values, numbers(words, count, most));
-                         studio.set_camera(f(studio.camera(), values));
+                         app.set_camera(f(app.camera(), values));
                          return {};
                      },
                      {}});
@@ -103,9 +103,9 @@ void add_moves(Actions& actions, Studio& studio) {
                  "dolly",
                  "",
                  "FACTOR",
-                 [&studio](const QStringList& words) -> Result<void> {
+                 [&app](const QStringList& words) -> Result<void> {
                      TRY(const double factor, number_of(words, 0, "factor", 0.001, 1000));
-                     studio.set_camera(scene::dollied(studio.camera(), static_cast<float>(factor)));
+                     app.set_camera(scene::dollied(app.camera(), static_cast<float>(factor)));
                      return {};
                  },
                  {}});
@@ -114,9 +114,9 @@ void add_moves(Actions& actions, Studio& studio) {
                  "look",
                  "",
                  "X Y Z TARGET-X TARGET-Y TARGET-Z [FOV-DEG]",
-                 [&studio](const QStringList& words) -> Result<void> {
+                 [&app](const QStringList& words) -> Result<void> {
                      TRY(const Values v, numbers(words, 6, 10000));
-                     scene::Camera camera = studio.camera();
+                     scene::Camera camera = app.camera();
                      camera.position_m = {v[0], v[1], v[2]};
                      camera.target_m = {v[3], v[4], v[5]};
                      if (glm::distance(camera.position_m, camera.target_m) < 1e-3f)
@@ -125,7 +125,7 @@ void add_moves(Actions& actions, Studio& studio) {
                          TRY(const double fov, number_of(words, 6, "field of view", 1, 150));
                          camera.fov_y_deg = static_cast<float>(fov);
                      }
-                     studio.set_camera(camera);
+                     app.set_camera(camera);
                      return {};
                  },
                  {}});
@@ -133,13 +133,13 @@ void add_moves(Actions& actions, Studio& studio) {
 
 } // namespace
 
-void add_camera_actions(Actions& actions, Studio& studio) {
+void add_camera_actions(Actions& actions, AppModel& app) {
     actions.add({"camera",
                  "",
                  "camera",
                  "",
                  "NAME|NUMBER",
-                 [&studio](const QStringList& words) { return go_to(studio, words.value(0)); },
+                 [&app](const QStringList& words) { return go_to(app, words.value(0)); },
                  {}});
     for (int number = 1; number <= 9; ++number)
         actions.add({QString("camera-%1").arg(number),
@@ -147,31 +147,31 @@ void add_camera_actions(Actions& actions, Studio& studio) {
                      QString("Camera %1").arg(number),
                      QString::number(number),
                      "",
-                     [&studio, number](const QStringList&) { return go_to(studio, QString::number(number)); },
+                     [&app, number](const QStringList&) { return go_to(app, QString::number(number)); },
                      {}});
     actions.add({"focus",
                  "Camera",
                  "Look at the selection",
                  "F",
                  "",
-                 [&studio](const QStringList&) { return focus(studio, false); },
+                 [&app](const QStringList&) { return focus(app, false); },
                  {}});
     actions.add({"see-all",
                  "Camera",
                  "Look at the whole rig",
                  "Home",
                  "",
-                 [&studio](const QStringList&) { return focus(studio, true); },
+                 [&app](const QStringList&) { return focus(app, true); },
                  {}});
-    add_moves(actions, studio);
+    add_moves(actions, app);
     actions.add({"exposure",
                  "",
                  "exposure",
                  "",
                  "EV100",
-                 [&studio](const QStringList& words) -> Result<void> {
+                 [&app](const QStringList& words) -> Result<void> {
                      TRY(const double ev100, number_of(words, 0, "EV100", kLeastEv, kMostEv));
-                     return expose(studio, ev100, false);
+                     return expose(app, ev100, false);
                  },
                  {}});
     actions.add({"brighter",
@@ -179,8 +179,8 @@ void add_camera_actions(Actions& actions, Studio& studio) {
                  "Expose brighter",
                  "+; =",
                  "",
-                 [&studio](const QStringList&) {
-                     return expose(studio, static_cast<double>(studio.camera().ev100) - 0.5, false);
+                 [&app](const QStringList&) {
+                     return expose(app, static_cast<double>(app.camera().ev100) - 0.5, false);
                  },
                  {}});
     actions.add({"darker",
@@ -188,50 +188,48 @@ void add_camera_actions(Actions& actions, Studio& studio) {
                  "Expose darker",
                  "-",
                  "",
-                 [&studio](const QStringList&) {
-                     return expose(studio, static_cast<double>(studio.camera().ev100) + 0.5, false);
+                 [&app](const QStringList&) {
+                     return expose(app, static_cast<double>(app.camera().ev100) + 0.5, false);
                  },
                  {}});
     actions.add({"auto-exposure", "Camera", "Automatic exposure", "X", "",
-                 [&studio](const QStringList&) {
-                     const bool automatic = studio.camera().auto_exposure;
+                 [&app](const QStringList&) {
+                     const bool automatic = app.camera().auto_exposure;
                      // What the picture has now is where the hand goes on.
-                     return expose(
-                         studio,
-                         static_cast<double>(automatic ? studio.picture().ev100 : studio.camera().ev100),
-                         !automatic);
+                     return expose(app,
+                                   static_cast<double>(automatic ? app.picture().ev100 : app.camera().ev100),
+                                   !automatic);
                  },
-                 [&studio] { return studio.camera().auto_exposure; }});
+                 [&app] { return app.camera().auto_exposure; }});
     actions.add({"baked", "Camera", "Baked pictures where they are fresh", "", "[on|off]",
-                 [&studio](const QStringList& words) -> Result<void> {
-                     const QString word = words.value(0, studio.wishes().takes_baked ? "off" : "on");
+                 [&app](const QStringList& words) -> Result<void> {
+                     const QString word = words.value(0, app.request().takes_baked ? "off" : "on");
                      if (word != "on" && word != "off")
                          return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
-                     studio.wish([&](Wishes& wishes) { wishes.takes_baked = word == "on"; });
+                     app.wish([&](ViewRequest& request) { request.takes_baked = word == "on"; });
                      return {};
                  },
-                 [&studio] { return studio.wishes().takes_baked; }});
+                 [&app] { return app.request().takes_baked; }});
     actions.add({"select",
                  "",
                  "select",
                  "",
                  "NAME...",
-                 [&studio](const QStringList& words) -> Result<void> {
-                     TRY_VOID(need_show(studio));
-                     if (studio.show()->fixtures.empty()) return Error{"the show has no fixtures", ""};
+                 [&app](const QStringList& words) -> Result<void> {
+                     TRY_VOID(need_show(app));
+                     if (app.show()->fixtures.empty()) return Error{"the show has no fixtures", ""};
                      std::set<std::size_t> wanted;
                      for (const QString& word : words) {
                          const std::size_t before = wanted.size();
-                         for (std::size_t i = 0; i < studio.show()->fixtures.size(); ++i)
-                             if (matches(word.toStdString(), studio.show()->fixtures[i].name))
-                                 wanted.insert(i);
+                         for (std::size_t i = 0; i < app.show()->fixtures.size(); ++i)
+                             if (matches(word.toStdString(), app.show()->fixtures[i].name)) wanted.insert(i);
                          if (wanted.size() == before)
                              return Error{
                                  (before > 0 ? "no further fixture is called '" : "no fixture is called '") +
                                      word.toStdString() + "'",
                                  ""};
                      }
-                     studio.select(std::move(wanted));
+                     app.select(std::move(wanted));
                      return {};
                  },
                  {}});
@@ -240,11 +238,11 @@ void add_camera_actions(Actions& actions, Studio& studio) {
                  "Select all fixtures",
                  "Ctrl+A",
                  "",
-                 [&studio](const QStringList&) -> Result<void> {
+                 [&app](const QStringList&) -> Result<void> {
                      std::set<std::size_t> all;
-                     for (std::size_t i = 0; studio.show() && i < studio.show()->fixtures.size(); ++i)
+                     for (std::size_t i = 0; app.show() && i < app.show()->fixtures.size(); ++i)
                          all.insert(i);
-                     studio.select(std::move(all));
+                     app.select(std::move(all));
                      return {};
                  },
                  {}});
@@ -253,8 +251,8 @@ void add_camera_actions(Actions& actions, Studio& studio) {
                  "Select nothing",
                  "Esc",
                  "",
-                 [&studio](const QStringList&) -> Result<void> {
-                     studio.select({});
+                 [&app](const QStringList&) -> Result<void> {
+                     app.select({});
                      return {};
                  },
                  {}});

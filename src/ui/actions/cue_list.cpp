@@ -20,25 +20,25 @@ Result<std::optional<float>> seconds_of(const QString& words, double most_s) {
 
 } // namespace
 
-CueList::CueList(Studio& studio, ShowDocument& document, Looks& looks)
-    : studio_(studio), document_(document), looks_(looks) {
+CueList::CueList(AppModel& app, ShowDocument& document, Looks& looks)
+    : app_(app), document_(document), looks_(looks) {
     follow_.setSingleShot(true);
     connect(&follow_, &QTimer::timeout, this, [this] {
         if (const Result<void> done = go(); !done.ok() && complain) complain(done.error());
     });
-    connect(&studio_, &Studio::opened_show, this, [this] {
-        if (!studio_.opened().is_edit || (current_ && *current_ >= all().size())) {
+    connect(&app_, &AppModel::opened_show, this, [this] {
+        if (!app_.opened().is_edit || (current_ && *current_ >= all().size())) {
             current_.reset();
             follow_.stop();
         }
         Q_EMIT changed();
     });
-    connect(&studio_, &Studio::rig_came, this, &CueList::look_at_recording);
+    connect(&app_, &AppModel::rig_came, this, &CueList::look_at_recording);
 }
 
 const std::vector<scene::Cue>& CueList::all() const {
     static const std::vector<scene::Cue> kNone;
-    return studio_.show() ? studio_.show()->cues : kNone;
+    return app_.show() ? app_.show()->cues : kNone;
 }
 
 double CueList::follows_in_s() const {
@@ -68,16 +68,16 @@ Result<void> CueList::call(std::size_t index, Place place) {
     if (!cue.look.empty())
         TRY_VOID(looks_.recall(cue.look, cue.fade_s ? static_cast<double>(*cue.fade_s) : -1));
     if (!cue.camera.empty()) {
-        TRY(const std::size_t camera, studio_.show()->find_camera(cue.camera));
+        TRY(const std::size_t camera, app_.show()->find_camera(cue.camera));
         if (cue.flight_s > 0)
-            studio_.travel_to_stored(studio_.show()->cameras[camera], static_cast<int>(1000 * cue.flight_s));
+            app_.travel_to_stored(app_.show()->cameras[camera], static_cast<int>(1000 * cue.flight_s));
         else
-            studio_.cut_to(studio_.show()->cameras[camera]);
+            app_.cut_to(app_.show()->cameras[camera]);
     }
     if (cue.at_s && place == Place::goes_there)
-        studio_.wish([&](Wishes& wishes) {
-            ++wishes.transport.seeks;
-            wishes.transport.at_s = *cue.at_s;
+        app_.wish([&](ViewRequest& request) {
+            ++request.transport.seeks;
+            request.transport.at_s = *cue.at_s;
         });
     current_ = index;
     follow_.stop();
@@ -90,13 +90,13 @@ Result<void> CueList::call(std::size_t index, Place place) {
 
 void CueList::set_follows_recording(bool follows) {
     follows_recording_ = follows;
-    seen_s_ = studio_.rig().at_s;
+    seen_s_ = app_.rig().at_s;
     Q_EMIT changed();
 }
 
 void CueList::look_at_recording() {
-    const double before_s = std::exchange(seen_s_, studio_.rig().at_s);
-    if (!follows_recording_ || studio_.rig().from_desk || seen_s_ <= before_s ||
+    const double before_s = std::exchange(seen_s_, app_.rig().at_s);
+    if (!follows_recording_ || app_.rig().from_desk || seen_s_ <= before_s ||
         seen_s_ - before_s > kPassesWithin_s)
         return;
     for (std::size_t i = 0; i < all().size(); ++i) {
@@ -109,7 +109,7 @@ void CueList::look_at_recording() {
 
 Result<void> CueList::edit(const QString& what, const Result<std::string>& text) {
     TRY_VOID(text);
-    return document_.edit(what, {*text, studio_.look(), studio_.selection()});
+    return document_.edit(what, {*text, app_.look(), app_.selection()});
 }
 
 Result<void> CueList::add(const QString& name, const QString& look) {
@@ -118,10 +118,10 @@ Result<void> CueList::add(const QString& name, const QString& look) {
     cue.look = look.toStdString();
     if (!cue.look.empty()) TRY_VOID(scene::find_look(looks_.all(), cue.look));
     // Without a look it is the moment of the recording, or else the camera.
-    if (cue.look.empty() && studio_.rig().recording_s > 0 && !studio_.rig().from_desk)
-        cue.at_s = std::round(studio_.rig().at_s * 10) / 10;
+    if (cue.look.empty() && app_.rig().recording_s > 0 && !app_.rig().from_desk)
+        cue.at_s = std::round(app_.rig().at_s * 10) / 10;
     else if (cue.look.empty())
-        cue.camera = studio_.show()->cameras.empty() ? "" : studio_.show()->cameras.front().name;
+        cue.camera = app_.show()->cameras.empty() ? "" : app_.show()->cameras.front().name;
     const auto is_taken = [&](const std::string& wanted) {
         return std::any_of(all().begin(), all().end(),
                            [&](const scene::Cue& one) { return one.name == wanted; });
@@ -150,7 +150,7 @@ Result<void> CueList::set(std::size_t index, const QString& what, const QString&
         if (!cue.look.empty()) TRY_VOID(scene::find_look(looks_.all(), cue.look));
     } else if (what == "camera") {
         cue.camera = words.toStdString();
-        if (!cue.camera.empty()) TRY_VOID(studio_.show()->find_camera(cue.camera));
+        if (!cue.camera.empty()) TRY_VOID(app_.show()->find_camera(cue.camera));
     } else if (what == "at") {
         TRY(const std::optional<float> at_s, seconds_of(words, 366.0 * 86400.0));
         cue.at_s = at_s ? std::optional(words.toDouble()) : std::nullopt;

@@ -18,7 +18,7 @@ namespace ghost::ui {
 class CueList : public QObject {
     Q_OBJECT
 public:
-    CueList(Studio& studio, ShowDocument& document, Looks& looks);
+    CueList(AppModel& app, ShowDocument& document, Looks& looks);
 
     const std::vector<scene::Cue>& all() const;
     std::optional<std::size_t> current() const { return current_; } // that was called last
@@ -48,7 +48,7 @@ private:
     void look_at_recording();
     Result<void> edit(const QString& what, const Result<std::string>& text);
 
-    Studio& studio_;
+    AppModel& app_;
     ShowDocument& document_;
     Looks& looks_;
     std::optional<std::size_t> current_;

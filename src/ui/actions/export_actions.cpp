@@ -71,7 +71,7 @@ Result<QSize> size_of(const QString& words) {
     return Error{"'" + words.toStdString() + "' is no size like 1920x1080, 16 to 8192 each way", ""};
 }
 
-void add_export_actions(Actions& actions, Studio& studio, Exporter& exporter) {
+void add_export_actions(Actions& actions, AppModel& app, Exporter& exporter) {
     const auto add = [&](const QString& name, const QString& arguments, const Run& run) {
         actions.add({name, "", name, "", arguments, run, {}});
     };
@@ -91,9 +91,9 @@ void add_export_actions(Actions& actions, Studio& studio, Exporter& exporter) {
                  "Cancel what runs in the background",
                  "",
                  "",
-                 [&studio](const QStringList&) -> Result<void> {
-                     if (!studio.jobs().is_busy()) return Error{"nothing runs in the background", ""};
-                     studio.jobs().cancel_all();
+                 [&app](const QStringList&) -> Result<void> {
+                     if (!app.jobs().is_busy()) return Error{"nothing runs in the background", ""};
+                     app.jobs().cancel_all();
                      return {};
                  },
                  {}});

@@ -9,7 +9,7 @@
 
 namespace ghost::ui {
 
-void add_export_actions(Actions& actions, Studio& studio, Exporter& exporter);
+void add_export_actions(Actions& actions, AppModel& app, Exporter& exporter);
 
 // "1920x1080", 16 to 8192 each way.
 Result<QSize> size_of(const QString& words);

@@ -33,29 +33,29 @@ Result<void> check_file(const QString& file, const QStringList& endings) {
 
 } // namespace
 
-Exporter::Exporter(Studio& studio, ShowDocument& document) : studio_(studio), document_(document) {
+Exporter::Exporter(AppModel& app, ShowDocument& document) : app_(app), document_(document) {
     // Looks that were written for a job go with it.
-    connect(&studio_.jobs(), &Jobs::ended, this, [](const Job& job) {
+    connect(&app_.jobs(), &Jobs::ended, this, [](const Job& job) {
         const auto at = job.arguments.indexOf("--looks");
         if (at >= 0 && at + 1 < job.arguments.size()) QFile::remove(job.arguments[at + 1]);
     });
 }
 
 Result<QString> Exporter::show_file() const {
-    if (!studio_.show()) return Error{"no show is open", ""};
+    if (!app_.show()) return Error{"no show is open", ""};
     if (document_.is_changed() || document_.has_draft())
         return Error{"save the show first (Ctrl+S): what runs in the background reads its file",
-                     studio_.show()->file.string()};
-    return QString::fromStdString(std::filesystem::absolute(studio_.show()->file).string());
+                     app_.show()->file.string()};
+    return QString::fromStdString(std::filesystem::absolute(app_.show()->file).string());
 }
 
 QStringList Exporter::tone_arguments() const {
-    return {"--tone", QString::fromStdString(image::name_of(studio_.wishes().tone))};
+    return {"--tone", QString::fromStdString(image::name_of(app_.request().tone))};
 }
 
 QStringList Exporter::eye_arguments() const {
-    const scene::Camera& camera = studio_.camera();
-    const float ev100 = camera.auto_exposure ? studio_.picture().ev100 : camera.ev100;
+    const scene::Camera& camera = app_.camera();
+    const float ev100 = camera.auto_exposure ? app_.picture().ev100 : camera.ev100;
     QStringList words{"--eye"};
     for (int axis = 0; axis < 3; ++axis) words << metres(camera.position_m[axis]);
     words << "--target";
@@ -65,17 +65,17 @@ QStringList Exporter::eye_arguments() const {
 }
 
 Result<QStringList> Exporter::look_arguments() {
-    Look look = studio_.look();
-    leave_solo(look, studio_.show()->fixtures.size());
+    Look look = app_.look();
+    leave_solo(look, app_.show()->fixtures.size());
     scene::StoredLook stored;
     stored.name = kLookName;
     stored.scene = look.scene;
-    for (const auto& [index, manual] : look.fixtures)
-        if (index < studio_.show()->fixtures.size())
-            stored.fixtures[studio_.show()->fixtures[index].name] = manual;
+    for (const auto& [index, programmer] : look.fixtures)
+        if (index < app_.show()->fixtures.size())
+            stored.fixtures[app_.show()->fixtures[index].name] = programmer;
     if (stored.fixtures.empty() && stored.scene == SceneLook{}) return QStringList{};
-    const std::filesystem::path folder = studio_.show()->cache_folder();
-    TRY_VOID(make_folders(folder, studio_.show()->cache_home()));
+    const std::filesystem::path folder = app_.show()->cache_folder();
+    TRY_VOID(make_folders(folder, app_.show()->cache_home()));
     const std::filesystem::path file = temporary_beside(folder / kLookFile); // one for each job
     TRY_VOID(scene::write_looks(file, scene::text_of({stored})));
     return QStringList{"--looks", QString::fromStdString(std::filesystem::absolute(file).string()), "--look",
@@ -87,11 +87,11 @@ Result<int> Exporter::bake(const BakeWish& wish) {
     QStringList words{
         "bake", show, "--spp", QString::number(wish.spp), "--bounces", QString::number(wish.bounces)};
     if (!wish.camera.isEmpty()) {
-        TRY_VOID(studio_.show()->find_camera(wish.camera.toStdString()));
+        TRY_VOID(app_.show()->find_camera(wish.camera.toStdString()));
         words << "--view" << wish.camera;
     }
-    return studio_.jobs().start(wish.camera.isEmpty() ? QString("Bake all cameras") : "Bake " + wish.camera,
-                                words);
+    return app_.jobs().start(wish.camera.isEmpty() ? QString("Bake all cameras") : "Bake " + wish.camera,
+                             words);
 }
 
 Result<int> Exporter::render(const PictureWish& wish) {
@@ -104,12 +104,12 @@ Result<int> Exporter::render(const PictureWish& wish) {
         words << "--size" << QString("%1x%2").arg(wish.width).arg(wish.height) << "--supersample"
               << QString::number(wish.supersample);
     } else {
-        TRY_VOID(studio_.show()->find_camera(wish.camera.toStdString()));
+        TRY_VOID(app_.show()->find_camera(wish.camera.toStdString()));
         words << "--view" << wish.camera;
     }
     words += tone_arguments();
-    const std::string& played = studio_.wishes().recording;
-    const bool plays = !studio_.show()->recording.empty() || !played.empty();
+    const std::string& played = app_.request().recording;
+    const bool plays = !app_.show()->recording.empty() || !played.empty();
     if (!played.empty()) words << "--replay" << QString::fromStdString(played);
     if (is_film) {
         if (!plays) return Error{"a film shows the recording of the show, and it has none", ""};
@@ -117,7 +117,7 @@ Result<int> Exporter::render(const PictureWish& wish) {
         words << "--from" << QString::number(wish.from_s) << "--to" << QString::number(wish.to_s) << "--fps"
               << QString::number(wish.fps);
     } else if (plays) {
-        words << "--at" << QString::number(studio_.rig().at_s);
+        words << "--at" << QString::number(app_.rig().at_s);
     }
     TRY(const QStringList look, look_arguments());
     if (!plays && look.isEmpty())
@@ -125,7 +125,7 @@ Result<int> Exporter::render(const PictureWish& wish) {
                      "'save-picture' saves what a desk does now",
                      ""};
     words += look;
-    return studio_.jobs().start((is_film ? "Film " : "Still ") + QFileInfo(wish.file).fileName(), words);
+    return app_.jobs().start((is_film ? "Film " : "Still ") + QFileInfo(wish.file).fileName(), words);
 }
 
 Result<int> Exporter::sheet(const QString& file, int width, int height) {
@@ -135,10 +135,10 @@ Result<int> Exporter::sheet(const QString& file, int width, int height) {
                       "-o",     QFileInfo(file).absoluteFilePath(),
                       "--size", QString("%1x%2").arg(width).arg(height)};
     // What looks leave alone does what the window's recording does now.
-    const bool plays = !studio_.show()->recording.empty() && !studio_.rig().from_desk;
-    if (plays && studio_.wishes().recording.empty()) words << "--at" << QString::number(studio_.rig().at_s);
+    const bool plays = !app_.show()->recording.empty() && !app_.rig().from_desk;
+    if (plays && app_.request().recording.empty()) words << "--at" << QString::number(app_.rig().at_s);
     words += tone_arguments();
-    return studio_.jobs().start("Contact sheet " + QFileInfo(file).fileName(), words);
+    return app_.jobs().start("Contact sheet " + QFileInfo(file).fileName(), words);
 }
 
 } // namespace ghost::ui

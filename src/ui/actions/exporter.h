@@ -5,8 +5,8 @@
 // the show from its file, so it must be saved. Errors: why a job cannot begin. Window thread.
 
 #include "base/result.h"
+#include "ui/model/app_model.h"
 #include "ui/model/show_document.h"
-#include "ui/model/studio.h"
 
 #include <QObject>
 #include <QString>
@@ -31,7 +31,7 @@ struct PictureWish {
 class Exporter : public QObject {
     Q_OBJECT
 public:
-    Exporter(Studio& studio, ShowDocument& document);
+    Exporter(AppModel& app, ShowDocument& document);
 
     // Each gives the number of its job.
     Result<int> bake(const BakeWish& wish);
@@ -44,7 +44,7 @@ private:
     QStringList tone_arguments() const;
     QStringList eye_arguments() const;
 
-    Studio& studio_;
+    AppModel& app_;
     ShowDocument& document_;
 };
 

@@ -14,20 +14,19 @@ glm::vec3 in_millimetres(const glm::vec3& place_m) {
     return glm::round(place_m * 1000.0f) / 1000.0f;
 }
 
-Result<std::vector<glm::vec3>> places_of_selection(const Studio& studio, const ShowDocument& document) {
+Result<std::vector<glm::vec3>> places_of_selection(const AppModel& app, const ShowDocument& document) {
     TRY_VOID(document.check_editable());
     std::vector<glm::vec3> places;
-    for (const std::size_t index : studio.selection())
-        places.push_back(studio.show()->fixtures[index].position_m);
+    for (const std::size_t index : app.selection()) places.push_back(app.show()->fixtures[index].position_m);
     if (places.empty()) return Error{"no fixture is selected", ""};
     return places;
 }
 
 } // namespace
 
-Result<void> hang_under(Studio& studio, ShowDocument& document, std::size_t object) {
-    TRY(const std::vector<glm::vec3> are_m, places_of_selection(studio, document));
-    const std::vector<Object>& objects = studio.opened().objects;
+Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t object) {
+    TRY(const std::vector<glm::vec3> are_m, places_of_selection(app, document));
+    const std::vector<Object>& objects = app.opened().objects;
     if (object >= objects.size() || !objects[object].bar)
         return Error{"does not lie like a truss or a pipe, so nothing hangs under it",
                      object < objects.size() ? objects[object].name : ""};
@@ -36,15 +35,15 @@ Result<void> hang_under(Studio& studio, ShowDocument& document, std::size_t obje
         if (one.bar && scene::is_slender(*one.bar)) pieces.push_back(*one.bar);
     std::vector<glm::vec3> places = scene::places_under(scene::joined(*objects[object].bar, pieces), are_m);
     for (glm::vec3& place_m : places) place_m = in_millimetres(place_m);
-    return PatchEdit(studio, document)
+    return PatchEdit(app, document)
         .set_positions("Hang under '" + QString::fromStdString(objects[object].name) + "'", places);
 }
 
-Result<void> hang(Studio& studio, ShowDocument& document, const QString& pattern) {
-    TRY(const std::vector<glm::vec3> are_m, places_of_selection(studio, document));
+Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern) {
+    TRY(const std::vector<glm::vec3> are_m, places_of_selection(app, document));
     glm::vec3 middle_m(0);
     for (const glm::vec3& place_m : are_m) middle_m += place_m / static_cast<float>(are_m.size());
-    const std::vector<Object>& objects = studio.opened().objects;
+    const std::vector<Object>& objects = app.opened().objects;
     std::vector<scene::Bar> bars;
     std::vector<std::size_t> of_bar;
     bool is_called_so = false;
@@ -62,18 +61,17 @@ Result<void> hang(Studio& studio, ShowDocument& document, const QString& pattern
         return Error{pattern.isEmpty() ? "the stage has no truss or pipe to hang them under"
                                        : "'" + pattern.toStdString() + "' is no truss or pipe that lies",
                      ""};
-    return hang_under(studio, document, of_bar[*nearest]);
+    return hang_under(app, document, of_bar[*nearest]);
 }
 
-void add_hang_action(Actions& actions, Studio& studio, ShowDocument& document) {
-    actions.add(
-        {"hang",
-         "Edit",
-         "Hang under the nearest truss",
-         "Ctrl+H",
-         "[OBJECT]",
-         [&studio, &document](const QStringList& words) { return hang(studio, document, words.value(0)); },
-         {}});
+void add_hang_action(Actions& actions, AppModel& app, ShowDocument& document) {
+    actions.add({"hang",
+                 "Edit",
+                 "Hang under the nearest truss",
+                 "Ctrl+H",
+                 "[OBJECT]",
+                 [&app, &document](const QStringList& words) { return hang(app, document, words.value(0)); },
+                 {}});
 }
 
 } // namespace ghost::ui

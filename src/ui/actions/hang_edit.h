@@ -11,11 +11,11 @@
 namespace ghost::ui {
 
 // object: of Opened::objects.
-Result<void> hang_under(Studio& studio, ShowDocument& document, std::size_t object);
+Result<void> hang_under(AppModel& app, ShowDocument& document, std::size_t object);
 // Under the truss nearest to them; pattern: of the objects called so, if it is not empty.
-Result<void> hang(Studio& studio, ShowDocument& document, const QString& pattern);
+Result<void> hang(AppModel& app, ShowDocument& document, const QString& pattern);
 
 // "hang [OBJECT]".
-void add_hang_action(Actions& actions, Studio& studio, ShowDocument& document);
+void add_hang_action(Actions& actions, AppModel& app, ShowDocument& document);
 
 } // namespace ghost::ui

@@ -11,19 +11,19 @@ namespace {
 
 using Run = std::function<Result<void>(const QStringList& words)>;
 
-Result<void> need_selection(const Studio& studio) {
-    if (!studio.selection().empty()) return {};
+Result<void> need_selection(const AppModel& app) {
+    if (!app.selection().empty()) return {};
     return Error{"no fixture is selected", ""};
 }
 
-Result<void> set_solo(Studio& studio, const QStringList& words) {
-    Look look = studio.look();
+Result<void> set_solo(AppModel& app, const QStringList& words) {
+    Look look = app.look();
     const bool on = words.isEmpty() ? look.solo.empty() : words[0] == "on";
     if (!words.isEmpty() && words[0] != "on" && words[0] != "off")
         return Error{"'" + words[0].toStdString() + "' is neither on nor off", ""};
-    if (on) TRY_VOID(need_selection(studio));
-    look.solo = on ? studio.selection() : std::set<std::size_t>{};
-    studio.set_look(std::move(look), on ? "solo" : "end of solo");
+    if (on) TRY_VOID(need_selection(app));
+    look.solo = on ? app.selection() : std::set<std::size_t>{};
+    app.set_look(std::move(look), on ? "solo" : "end of solo");
     return {};
 }
 
@@ -36,8 +36,8 @@ glm::vec3 transmission_of(const QColor& colour) {
                     glm::vec3(0));
 }
 
-Result<void> set_gel(Studio& studio, const QStringList& words) {
-    TRY_VOID(need_selection(studio));
+Result<void> set_gel(AppModel& app, const QStringList& words) {
+    TRY_VOID(need_selection(app));
     std::optional<glm::vec3> gel;
     if (words.value(0) != "off") {
         const QColor colour(words.value(0));
@@ -46,12 +46,13 @@ Result<void> set_gel(Studio& studio, const QStringList& words) {
                          ""};
         gel = transmission_of(colour);
     }
-    change_selected(studio, "gel", Hand::gel, [&](fixture::Manual& manual) { manual.gel = gel; });
+    change_selected(app, "gel", ProgrammerStep::gel,
+                    [&](fixture::Programmer& programmer) { programmer.gel = gel; });
     return {};
 }
 
-Result<void> set_lamp(Studio& studio, const QStringList& words) {
-    TRY_VOID(need_selection(studio));
+Result<void> set_lamp(AppModel& app, const QStringList& words) {
+    TRY_VOID(need_selection(app));
     std::optional<float> factor, white_k;
     if (words.value(0) != "off") {
         TRY(const double times, number_of(words, 0, "factor", 0, 1000));
@@ -61,16 +62,16 @@ Result<void> set_lamp(Studio& studio, const QStringList& words) {
             white_k = static_cast<float>(kelvin);
         }
     }
-    change_selected(studio, "lamp", Hand::lamp, [&](fixture::Manual& manual) {
-        manual.lamp = factor;
-        manual.lamp_k = white_k;
+    change_selected(app, "lamp", ProgrammerStep::lamp, [&](fixture::Programmer& programmer) {
+        programmer.lamp = factor;
+        programmer.lamp_k = white_k;
     });
     return {};
 }
 
 } // namespace
 
-void add_look_actions(Actions& actions, Studio& studio, Looks& looks) {
+void add_look_actions(Actions& actions, AppModel& app, Looks& looks) {
     const auto add = [&](const QString& name, const QString& text, const QString& key,
                          const QString& arguments, const Run& run) {
         actions.add(
@@ -98,11 +99,11 @@ void add_look_actions(Actions& actions, Studio& studio, Looks& looks) {
     add("look-before", "Look before", "Ctrl+PgUp", "",
         [&looks](const QStringList&) { return looks.step(-1); });
     actions.add({"solo", "Play", "Solo: the selected fixtures alone shine", "O", "[on|off]",
-                 [&studio](const QStringList& words) { return set_solo(studio, words); },
-                 [&studio] { return !studio.look().solo.empty(); }});
-    add("gel", "", "", "#RRGGBB|off", [&studio](const QStringList& words) { return set_gel(studio, words); });
+                 [&app](const QStringList& words) { return set_solo(app, words); },
+                 [&app] { return !app.look().solo.empty(); }});
+    add("gel", "", "", "#RRGGBB|off", [&app](const QStringList& words) { return set_gel(app, words); });
     add("lamp", "", "", "FACTOR [KELVIN]|off",
-        [&studio](const QStringList& words) { return set_lamp(studio, words); });
+        [&app](const QStringList& words) { return set_lamp(app, words); });
 }
 
 } // namespace ghost::ui

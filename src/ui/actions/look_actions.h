@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // "look-store Verse", "look-recall Verse 3", "solo", "gel #4060ff", "lamp 2 3200" and so on. Window thread.
 
-#include "ui/actions/hand.h"
+#include "ui/actions/programmer_actions.h"
 #include "ui/model/looks.h"
 
 namespace ghost::ui {
 
-void add_look_actions(Actions& actions, Studio& studio, Looks& looks);
+void add_look_actions(Actions& actions, AppModel& app, Looks& looks);
 
 } // namespace ghost::ui

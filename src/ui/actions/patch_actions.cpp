@@ -36,7 +36,7 @@ Result<fixture::Address> address_of(const QString& words) {
     return fixture::Address{universe, channel};
 }
 
-void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document) {
+void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document) {
     const auto add = [&](const QString& name, const QString& text, const QString& key,
                          const QString& arguments, const Run& run, const FileQuestion& asks = {}) {
         actions.add({name,
@@ -44,8 +44,8 @@ void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document)
                      text.isEmpty() ? name : text,
                      key,
                      arguments,
-                     [&studio, &document, run](const QStringList& words) -> Result<void> {
-                         PatchEdit edit(studio, document);
+                     [&app, &document, run](const QStringList& words) -> Result<void> {
+                         PatchEdit edit(app, document);
                          return run(edit, words);
                      },
                      {},
@@ -93,8 +93,8 @@ void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document)
         return edit.set_address({1, 0});
     });
     add("add-fixture", "Add a fixture...", "", "FILE",
-        [&studio](PatchEdit& edit, const QStringList& words) {
-            glm::vec3 place_m = studio.camera().target_m;
+        [&app](PatchEdit& edit, const QStringList& words) {
+            glm::vec3 place_m = app.camera().target_m;
             place_m.z = std::max(place_m.z, 3.0f);
             return edit.add(words[0].toStdString(), place_m);
         },
@@ -104,16 +104,16 @@ void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document)
                  "Keep this camera",
                  "Ctrl+K",
                  "[NAME]",
-                 [&studio, &document](const QStringList& words) {
-                     return PatchEdit(studio, document).keep_camera(words.value(0));
+                 [&app, &document](const QStringList& words) {
+                     return PatchEdit(app, document).keep_camera(words.value(0));
                  },
                  {}});
     add("set-stage", "Choose the stage...", "", "MODEL",
         [](PatchEdit& edit, const QStringList& words) { return edit.set_stage(words[0].toStdString()); },
         {"A model becomes the stage of the show", kModels, ""});
     add("add-model", "Add a model...", "", "MODEL [X Y Z]",
-        [&studio](PatchEdit& edit, const QStringList& words) -> Result<void> {
-            glm::vec3 place_m = studio.camera().target_m;
+        [&app](PatchEdit& edit, const QStringList& words) -> Result<void> {
+            glm::vec3 place_m = app.camera().target_m;
             place_m.z = 0; // on the floor
             if (words.size() > 1) {
                 TRY(place_m, vector_of(words.mid(1), "metres", kMost_m));

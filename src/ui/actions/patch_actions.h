@@ -7,7 +7,7 @@
 
 namespace ghost::ui {
 
-void add_patch_actions(Actions& actions, Studio& studio, ShowDocument& document);
+void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document);
 void add_document_actions(Actions& actions, ShowDocument& document);
 
 // "2.101" (universe.channel), "101" (of universe 1), "none".

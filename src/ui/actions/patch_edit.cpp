@@ -43,8 +43,8 @@ template <class F>
 Look counted_anew(const Look& look, F&& f) {
     Look anew = look;
     anew.fixtures.clear();
-    for (const auto& [index, manual] : look.fixtures)
-        if (const std::optional<std::size_t> now = f(index)) anew.fixtures[*now] = manual;
+    for (const auto& [index, programmer] : look.fixtures)
+        if (const std::optional<std::size_t> now = f(index)) anew.fixtures[*now] = programmer;
     anew.solo.clear();
     for (const std::size_t index : look.solo)
         if (const std::optional<std::size_t> now = f(index)) anew.solo.insert(*now);
@@ -55,7 +55,7 @@ Look counted_anew(const Look& look, F&& f) {
 
 Result<void> PatchEdit::check() const {
     TRY_VOID(document_.check_editable());
-    if (studio_.selection().empty()) return Error{"no fixture is selected", ""};
+    if (app_.selection().empty()) return Error{"no fixture is selected", ""};
     return {};
 }
 
@@ -71,14 +71,14 @@ template <class F>
 Result<void> PatchEdit::edit_each(const QString& what, F&& f) {
     TRY_VOID(check());
     std::vector<std::pair<scene::FixturePlace, scene::FixtureEdit>> edits;
-    for (const std::size_t index : studio_.selection()) {
+    for (const std::size_t index : app_.selection()) {
         if (index >= fixtures().size()) continue;
         scene::FixtureEdit edit;
         TRY_VOID(f(fixtures()[index], edit));
         edits.emplace_back(scene::place_of(fixtures()[index], index), edit);
     }
     TRY(std::string text, scene::edit_fixtures(document_.text(), edits));
-    return document_.edit(what, {std::move(text), studio_.look(), studio_.selection()});
+    return document_.edit(what, {std::move(text), app_.look(), app_.selection()});
 }
 
 Result<void> PatchEdit::set_address(fixture::Address from) {
@@ -96,13 +96,13 @@ Result<void> PatchEdit::set_address(fixture::Address from) {
 
 Result<void> PatchEdit::rename(const QString& name) {
     std::set<std::string> taken;
-    for (std::size_t i = 0; i < (studio_.show() ? fixtures().size() : 0); ++i)
-        if (!studio_.selection().contains(i)) taken.insert(fixtures()[i].name);
+    for (std::size_t i = 0; i < (app_.show() ? fixtures().size() : 0); ++i)
+        if (!app_.selection().contains(i)) taken.insert(fixtures()[i].name);
     std::string next = name.trimmed().toStdString();
     if (next.empty() || next.size() > 100 || next.front() == '.' ||
         next.find_first_of("/\\:*?\"<>|") != std::string::npos)
         return Error{"'" + next + "' is no name: 1 to 100 bytes, no leading dot, none of /\\:*?\"<>|", ""};
-    const bool several = studio_.selection().size() > 1;
+    const bool several = app_.selection().size() > 1;
     if (!several && taken.contains(next)) return Error{"another fixture is called '" + next + "'", ""};
     return edit_each("Name", [&](const scene::PatchedFixture&, scene::FixtureEdit& edit) -> Result<void> {
         if (several) {
@@ -171,7 +171,7 @@ Result<void> PatchEdit::set_rotation(const glm::vec3& rotation_deg) {
 
 Result<void> PatchEdit::align(int axis) {
     TRY_VOID(check());
-    return set_axis(axis, fixtures()[*studio_.current()].position_m[axis]);
+    return set_axis(axis, fixtures()[*app_.current()].position_m[axis]);
 }
 
 Result<void> PatchEdit::set_axis(int axis, float place_m) {
@@ -187,7 +187,7 @@ Result<void> PatchEdit::set_axis(int axis, float place_m) {
 
 Result<void> PatchEdit::distribute() {
     TRY_VOID(check());
-    const std::set<std::size_t>& chosen = studio_.selection();
+    const std::set<std::size_t>& chosen = app_.selection();
     if (chosen.size() < 3) return Error{"three fixtures or more can be spread evenly", ""};
     const glm::vec3 first_m = fixtures()[*chosen.begin()].position_m;
     const glm::vec3 last_m = fixtures()[*chosen.rbegin()].position_m;
@@ -204,7 +204,7 @@ Result<void> PatchEdit::duplicate(const glm::vec3& by_m) {
     for (const scene::PatchedFixture& fixture : fixtures()) taken.insert(fixture.name);
     std::vector<fixture::Patch> patched = patches();
     std::vector<std::pair<std::size_t, scene::FixtureEdit>> copies;
-    for (const std::size_t index : studio_.selection()) {
+    for (const std::size_t index : app_.selection()) {
         const scene::PatchedFixture& fixture = fixtures()[index];
         if (!fixture.uuid.empty())
             return Error{"is of the plot, which only its own program can add to", fixture.name};
@@ -233,14 +233,14 @@ Result<void> PatchEdit::duplicate(const glm::vec3& by_m) {
     };
     std::set<std::size_t> selection;
     for (const auto& copy : copies) selection.insert(*place(copy.first) + 1);
-    return document_.edit("Duplicate", {std::move(text), counted_anew(studio_.look(), place), selection});
+    return document_.edit("Duplicate", {std::move(text), counted_anew(app_.look(), place), selection});
 }
 
 Result<void> PatchEdit::remove() {
     TRY_VOID(check());
     std::vector<std::size_t> numbers;
     std::vector<std::pair<scene::FixturePlace, scene::FixtureEdit>> hidden;
-    for (const std::size_t index : studio_.selection()) {
+    for (const std::size_t index : app_.selection()) {
         const scene::PatchedFixture& fixture = fixtures()[index];
         if (fixture.uuid.empty())
             numbers.push_back(index);
@@ -251,16 +251,16 @@ Result<void> PatchEdit::remove() {
     if (!numbers.empty()) {
         TRY(text, scene::remove_fixtures(text, numbers));
     }
-    const std::set<std::size_t>& gone = studio_.selection();
+    const std::set<std::size_t>& gone = app_.selection();
     const auto place = [&](std::size_t index) -> std::optional<std::size_t> {
         if (gone.contains(index)) return std::nullopt;
         return index - static_cast<std::size_t>(std::distance(gone.begin(), gone.lower_bound(index)));
     };
-    return document_.edit("Remove", {std::move(text), counted_anew(studio_.look(), place), {}});
+    return document_.edit("Remove", {std::move(text), counted_anew(app_.look(), place), {}});
 }
 
 Result<std::string> PatchEdit::beside_show(const fs::path& file, std::uintmax_t most_bytes) const {
-    const fs::path& folder = studio_.show()->folder;
+    const fs::path& folder = app_.show()->folder;
     std::error_code code;
     fs::path inside = fs::relative(file, folder, code);
     if (!code && !inside.empty() && *inside.begin() != "..") return inside.generic_string();
@@ -288,21 +288,21 @@ Result<void> PatchEdit::set_file(const QString& what, const std::string& key, co
     TRY_VOID(document_.check_editable());
     TRY(const std::string inside, beside_show(file, kMostModelBytes));
     TRY(std::string text, scene::set_of_show(document_.text(), key, inside));
-    Look look = studio_.look(); // objects and materials are others now
+    Look look = app_.look(); // objects and materials are others now
     look.shown.clear();
     look.surfaces.clear();
-    return document_.edit(what, {std::move(text), std::move(look), studio_.selection()});
+    return document_.edit(what, {std::move(text), std::move(look), app_.selection()});
 }
 
 Result<void> PatchEdit::keep_camera(const QString& name) {
     TRY_VOID(document_.check_editable());
-    const std::vector<scene::Camera>& cameras = studio_.show()->cameras;
+    const std::vector<scene::Camera>& cameras = app_.show()->cameras;
     std::set<std::string> taken;
     for (const scene::Camera& camera : cameras) taken.insert(camera.name);
-    scene::Camera camera = studio_.camera();
-    if (studio_.wishes().frame != glm::ivec2(0)) { // what its frame holds
-        camera.width = studio_.wishes().frame.x;
-        camera.height = studio_.wishes().frame.y;
+    scene::Camera camera = app_.camera();
+    if (app_.request().frame != glm::ivec2(0)) { // what its frame holds
+        camera.width = app_.request().frame.x;
+        camera.height = app_.request().frame.y;
     }
     camera.name =
         name.isEmpty() ? next_name("Camera " + std::to_string(cameras.size()), taken) : name.toStdString();
@@ -312,7 +312,7 @@ Result<void> PatchEdit::keep_camera(const QString& name) {
         return Error{"another camera is called '" + camera.name + "'", ""};
     TRY(std::string text, scene::add_camera(document_.text(), camera));
     return document_.edit("Keep camera '" + QString::fromStdString(camera.name) + "'",
-                          {std::move(text), studio_.look(), studio_.selection()});
+                          {std::move(text), app_.look(), app_.selection()});
 }
 
 bool is_model(const fs::path& file) {
@@ -340,12 +340,12 @@ Result<void> PatchEdit::add_model(const fs::path& file, const glm::vec3& positio
     TRY_VOID(check_model(file));
     TRY(const std::string inside, beside_show(file, kMostModelBytes));
     TRY(std::string text, scene::add_model(document_.text(), inside, position_m));
-    return document_.edit("Add a model", {std::move(text), studio_.look(), studio_.selection()});
+    return document_.edit("Add a model", {std::move(text), app_.look(), app_.selection()});
 }
 
 Result<void> PatchEdit::set_plot(const fs::path& file) {
     TRY_VOID(document_.check_editable());
-    if (!studio_.show()->plot_file.empty())
+    if (!app_.show()->plot_file.empty())
         return Error{"the show has a plot; 'ghostlight import' into its folder merges a newer one",
                      file.string()};
     if (lower(file.extension().string()) != ".mvr") return Error{"is no plot, expected .mvr", file.string()};
@@ -374,7 +374,7 @@ Result<void> PatchEdit::add(const fs::path& file, const glm::vec3& position_m) {
     const auto place = [&](std::size_t index) -> std::optional<std::size_t> {
         return index < of_file ? index : index + 1;
     };
-    return document_.edit("Add", {std::move(text), counted_anew(studio_.look(), place), {of_file}});
+    return document_.edit("Add", {std::move(text), counted_anew(app_.look(), place), {of_file}});
 }
 
 } // namespace ghost::ui

@@ -15,7 +15,7 @@ bool is_model(const std::filesystem::path& file);
 
 class PatchEdit {
 public:
-    PatchEdit(Studio& studio, ShowDocument& document) : studio_(studio), document_(document) {}
+    PatchEdit(AppModel& app, ShowDocument& document) : app_(app), document_(document) {}
 
     // The first gets it, the others follow one behind the other, in the order of the show; channel 0: not
     // patched.
@@ -53,7 +53,7 @@ public:
 private:
     using Fixtures = std::vector<scene::PatchedFixture>;
     Result<void> check() const; // something is selected that can be edited
-    const Fixtures& fixtures() const { return studio_.show()->fixtures; }
+    const Fixtures& fixtures() const { return app_.show()->fixtures; }
     template <class F>
     Result<void> edit_each(const QString& what, F&& f);
     std::vector<fixture::Patch> patches() const;
@@ -61,7 +61,7 @@ private:
     Result<std::string> beside_show(const std::filesystem::path& file, std::uintmax_t most_bytes) const;
     Result<void> set_file(const QString& what, const std::string& key, const std::filesystem::path& file);
 
-    Studio& studio_;
+    AppModel& app_;
     ShowDocument& document_;
 };
 

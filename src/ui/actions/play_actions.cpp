@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The actions that are about the recording, the input, and how finely the picture is drawn.
-#include "ui/actions/hand.h"
+#include "ui/actions/programmer_actions.h"
 
 #include "dmx/record/recording.h"
 
@@ -11,50 +11,50 @@ namespace ghost::ui {
 namespace {
 
 // Beside the show, and never over another one.
-std::string new_recording(const Studio& studio) {
+std::string new_recording(const AppModel& app) {
     const QString name =
         "recording-" + QDateTime::currentDateTime().toString("yyyyMMdd-hhmmss") + ".ghostdmx";
-    return (studio.show()->folder / name.toStdString()).string();
+    return (app.show()->folder / name.toStdString()).string();
 }
 
-Result<void> record(Studio& studio, const QStringList& words) {
-    if (!studio.show()) return Error{"no show is open", ""};
-    const bool runs = !studio.wishes().record_to.empty();
+Result<void> record(AppModel& app, const QStringList& words) {
+    if (!app.show()) return Error{"no show is open", ""};
+    const bool runs = !app.request().record_to.empty();
     const bool ends = words.isEmpty() ? runs : words[0] == "off";
-    if (!ends && runs) return Error{"a recording runs; 'record off' ends it", studio.wishes().record_to};
-    const std::string file = ends ? "" : words.isEmpty() ? new_recording(studio) : words[0].toStdString();
-    studio.wish([&](Wishes& wishes) { wishes.record_to = file; });
+    if (!ends && runs) return Error{"a recording runs; 'record off' ends it", app.request().record_to};
+    const std::string file = ends ? "" : words.isEmpty() ? new_recording(app) : words[0].toStdString();
+    app.wish([&](ViewRequest& request) { request.record_to = file; });
     return {};
 }
 
-Result<void> play_file(Studio& studio, const std::string& file) {
+Result<void> play_file(AppModel& app, const std::string& file) {
     // What is no recording must not stop the one that plays.
     if (!file.empty()) TRY_VOID(dmx::read_recording(file));
-    studio.wish([&](Wishes& wishes) {
-        wishes.recording = file;
-        wishes.input = Input::recording;
-        wishes.transport.playing = true;
-        wishes.transport.loop_from_s = wishes.transport.loop_to_s = 0;
-        ++wishes.transport.seeks;
-        wishes.transport.at_s = 0;
+    app.wish([&](ViewRequest& request) {
+        request.recording = file;
+        request.input = Input::recording;
+        request.transport.playing = true;
+        request.transport.loop_from_s = request.transport.loop_to_s = 0;
+        ++request.transport.seeks;
+        request.transport.at_s = 0;
     });
     return {};
 }
 
-void add_recorder(Actions& actions, Studio& studio) {
+void add_recorder(Actions& actions, AppModel& app) {
     actions.add({"record", "Play", "Record what the desk sends", "Ctrl+R", "[FILE|off]",
-                 [&studio](const QStringList& words) { return record(studio, words); },
-                 [&studio] { return !studio.wishes().record_to.empty(); }});
+                 [&app](const QStringList& words) { return record(app, words); },
+                 [&app] { return !app.request().record_to.empty(); }});
     actions.add({"play-recorded",
                  "Play",
                  "Play what was recorded last",
                  "",
                  "",
-                 [&studio](const QStringList&) -> Result<void> {
-                     const Recorded& recorded = studio.recorded();
+                 [&app](const QStringList&) -> Result<void> {
+                     const Recorded& recorded = app.recorded();
                      if (recorded.file.empty() || recorded.error)
                          return Error{"nothing was recorded in this window", ""};
-                     return play_file(studio, recorded.file);
+                     return play_file(app, recorded.file);
                  },
                  {}});
     actions.add({"play-file",
@@ -62,44 +62,43 @@ void add_recorder(Actions& actions, Studio& studio) {
                  "Play a recording...",
                  "",
                  "FILE|own",
-                 [&studio](const QStringList& words) -> Result<void> {
-                     return play_file(studio, words[0] == "own" ? "" : words[0].toStdString());
+                 [&app](const QStringList& words) -> Result<void> {
+                     return play_file(app, words[0] == "own" ? "" : words[0].toStdString());
                  },
                  {},
                  {"Play a recording", "Recordings (*.ghostdmx *.show *.pcap *.pcapng);;All files (*)", ""}});
-    actions.add({"play-own", "Play", "Play the show's own recording", "", "",
-                 [&studio](const QStringList&) { return play_file(studio, ""); },
-                 [&studio] {
-                     return studio.wishes().recording.empty() && studio.wishes().input == Input::recording;
-                 }});
+    actions.add(
+        {"play-own", "Play", "Play the show's own recording", "", "",
+         [&app](const QStringList&) { return play_file(app, ""); },
+         [&app] { return app.request().recording.empty() && app.request().input == Input::recording; }});
 }
 
 } // namespace
 
-void add_play_actions(Actions& actions, Studio& studio) {
+void add_play_actions(Actions& actions, AppModel& app) {
     actions.add({"play", "Play", "Play or pause the recording", "Space", "[on|off]",
-                 [&studio](const QStringList& words) -> Result<void> {
-                     const bool plays = studio.wishes().transport.playing;
+                 [&app](const QStringList& words) -> Result<void> {
+                     const bool plays = app.request().transport.playing;
                      const QString word = words.value(0, plays ? "off" : "on");
                      if (word != "on" && word != "off")
                          return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
-                     studio.wish([&](Wishes& wishes) { wishes.transport.playing = word == "on"; });
+                     app.wish([&](ViewRequest& request) { request.transport.playing = word == "on"; });
                      return {};
                  },
-                 [&studio] { return studio.wishes().transport.playing; }});
+                 [&app] { return app.request().transport.playing; }});
     actions.add({"freeze", "Play", "Freeze: time stands still", "Z", "[on|off]",
-                 [&studio](const QStringList& words) -> Result<void> {
-                     const QString word = words.value(0, studio.wishes().frozen ? "off" : "on");
+                 [&app](const QStringList& words) -> Result<void> {
+                     const QString word = words.value(0, app.request().frozen ? "off" : "on");
                      if (word != "on" && word != "off")
                          return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
-                     studio.wish([&](Wishes& wishes) { wishes.frozen = word == "on"; });
+                     app.wish([&](ViewRequest& request) { request.frozen = word == "on"; });
                      return {};
                  },
-                 [&studio] { return studio.wishes().frozen; }});
-    const auto jump = [&studio](double at_s) {
-        studio.wish([&](Wishes& wishes) {
-            ++wishes.transport.seeks;
-            wishes.transport.at_s = at_s;
+                 [&app] { return app.request().frozen; }});
+    const auto jump = [&app](double at_s) {
+        app.wish([&](ViewRequest& request) {
+            ++request.transport.seeks;
+            request.transport.at_s = at_s;
         });
     };
     actions.add({"jump",
@@ -113,22 +112,22 @@ void add_play_actions(Actions& actions, Studio& studio) {
                      return {};
                  },
                  {}});
-    add_recorder(actions, studio);
+    add_recorder(actions, app);
     actions.add({"loop",
                  "",
                  "loop",
                  "",
                  "FROM TO|off",
-                 [&studio](const QStringList& words) -> Result<void> {
+                 [&app](const QStringList& words) -> Result<void> {
                      double from_s = 0, to_s = 0;
                      if (words.value(0) != "off") {
                          TRY(from_s, number_of(words, 0, "first second", 0, 1e7));
                          TRY(to_s, number_of(words, 1, "last second", 0, 1e7));
                          if (to_s <= from_s) return Error{"it must end after it begins", ""};
                      }
-                     studio.wish([&](Wishes& wishes) {
-                         wishes.transport.loop_from_s = from_s;
-                         wishes.transport.loop_to_s = to_s;
+                     app.wish([&](ViewRequest& request) {
+                         request.transport.loop_from_s = from_s;
+                         request.transport.loop_to_s = to_s;
                      });
                      return {};
                  },
@@ -148,53 +147,55 @@ void add_play_actions(Actions& actions, Studio& studio) {
           std::tuple{"desk", "What a desk sends", Input::desk},
           std::tuple{"recording", "The recording of the show", Input::recording}}) {
         actions.add({QString("input-") + name, "Play", text, "", "",
-                     [&studio, wanted = wanted](const QStringList&) -> Result<void> {
-                         studio.wish([&](Wishes& wishes) { wishes.input = wanted; });
+                     [&app, wanted = wanted](const QStringList&) -> Result<void> {
+                         app.wish([&](ViewRequest& request) { request.input = wanted; });
                          return {};
                      },
-                     [&studio, wanted = wanted] { return studio.wishes().input == wanted; }});
+                     [&app, wanted = wanted] { return app.request().input == wanted; }});
     }
     actions.add({"fps",
                  "",
                  "fps",
                  "",
                  "PICTURES-PER-SECOND",
-                 [&studio](const QStringList& words) -> Result<void> {
+                 [&app](const QStringList& words) -> Result<void> {
                      TRY(const double fps, number_of(words, 0, "number of pictures a second", 1, 240));
-                     studio.wish([&](Wishes& wishes) { wishes.quality.fps = static_cast<int>(fps); });
+                     app.wish([&](ViewRequest& request) { request.quality.fps = static_cast<int>(fps); });
                      return {};
                  },
                  {}});
     for (const int fps : {15, 25, 30, 44, 60}) {
-        actions.add({QString("fps-%1").arg(fps), "Quality", QString("%1 pictures a second").arg(fps), "", "",
-                     [&studio, fps](const QStringList&) -> Result<void> {
-                         studio.wish([&](Wishes& wishes) { wishes.quality.fps = fps; });
+        actions.add({QString("fps-%1").arg(fps), "PictureQuality", QString("%1 pictures a second").arg(fps),
+                     "", "",
+                     [&app, fps](const QStringList&) -> Result<void> {
+                         app.wish([&](ViewRequest& request) { request.quality.fps = fps; });
                          return {};
                      },
-                     [&studio, fps] { return studio.wishes().quality.fps == fps; }});
+                     [&app, fps] { return app.request().quality.fps == fps; }});
     }
     actions.add({"resolution",
                  "",
                  "resolution",
                  "",
                  "PERCENT",
-                 [&studio](const QStringList& words) -> Result<void> {
+                 [&app](const QStringList& words) -> Result<void> {
                      TRY(const double percent,
                          number_of(words, 0, "share of the pixels in percent, 0 for automatic,", 0, 100));
-                     studio.wish([&](Wishes& wishes) { wishes.quality.percent = static_cast<int>(percent); });
+                     app.wish(
+                         [&](ViewRequest& request) { request.quality.percent = static_cast<int>(percent); });
                      return {};
                  },
                  {}});
     for (const int percent : {0, 100, 50, 25, 10}) {
-        actions.add({QString("resolution-%1").arg(percent), "Quality",
+        actions.add({QString("resolution-%1").arg(percent), "PictureQuality",
                      percent == 0 ? QString("As fine as the rate allows, full when at rest")
                                   : QString("%1 % of the pixels").arg(percent),
                      percent == 0 ? "Ctrl+0" : "", "",
-                     [&studio, percent](const QStringList&) -> Result<void> {
-                         studio.wish([&](Wishes& wishes) { wishes.quality.percent = percent; });
+                     [&app, percent](const QStringList&) -> Result<void> {
+                         app.wish([&](ViewRequest& request) { request.quality.percent = percent; });
                          return {};
                      },
-                     [&studio, percent] { return studio.wishes().quality.percent == percent; }});
+                     [&app, percent] { return app.request().quality.percent == percent; }});
     }
 }
 

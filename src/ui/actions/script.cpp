@@ -15,8 +15,8 @@ constexpr qint64 kLongestLine = 65536;
 
 } // namespace
 
-Script::Script(Actions& actions, Studio& studio, QObject* parent)
-    : QObject(parent), actions_(actions), studio_(studio) {
+Script::Script(Actions& actions, AppModel& app, QObject* parent)
+    : QObject(parent), actions_(actions), app_(app) {
     timer_.setInterval(kPoll_ms);
     connect(&timer_, &QTimer::timeout, this, &Script::step);
 }
@@ -57,19 +57,19 @@ Result<bool> Script::is_over(const QStringList& words) {
     const QString what = words.size() == 2 ? words[1] : QString();
     const double waited_s = static_cast<double>(waited_.elapsed()) * 1e-3;
     if (what == "settled" && waited_s < kPatience_s) return false;
-    if (what == "opened" && studio_.open_error())
-        return Error{"the show is not open: " + studio_.open_error()->text(), "wait opened"};
-    if (what == "opened" && !studio_.show() && studio_.wishes().show.empty())
+    if (what == "opened" && app_.open_error())
+        return Error{"the show is not open: " + app_.open_error()->text(), "wait opened"};
+    if (what == "opened" && !app_.show() && app_.request().show.empty())
         return Error{"no show is being opened", "wait opened"};
     if (what == "opened" || what == "settled") {
-        const bool is_open = studio_.show() && !studio_.is_opening();
-        if (what == "opened" ? is_open : studio_.is_settled()) return true;
+        const bool is_open = app_.show() && !app_.is_opening();
+        if (what == "opened" ? is_open : app_.is_settled()) return true;
         if (waited_s < kLongestWait_s) return false;
         return Error{"a quarter of an hour went by without it", "wait " + what.toStdString()};
     }
-    if (what == "jobs") return !studio_.jobs().is_busy();
+    if (what == "jobs") return !app_.jobs().is_busy();
     if (what == "saved") {
-        if (studio_.saved() == studio_.wishes().save_frame.number) return true;
+        if (app_.saved() == app_.request().save_frame.number) return true;
         if (waited_s < kLongestWait_s) return false;
         return Error{"a quarter of an hour went by without it", "wait saved"};
     }
@@ -78,8 +78,8 @@ Result<bool> Script::is_over(const QStringList& words) {
     return waited_s >= wanted_s;
 }
 
-RemoteControl::RemoteControl(Actions& actions, Studio& studio, QObject* parent)
-    : QObject(parent), actions_(actions), studio_(studio) {
+RemoteControl::RemoteControl(Actions& actions, AppModel& app, QObject* parent)
+    : QObject(parent), actions_(actions), app_(app) {
     connect(&server_, &QLocalServer::newConnection, this, &RemoteControl::accept);
 }
 
@@ -97,7 +97,7 @@ Result<void> RemoteControl::listen(const QString& name) {
 
 void RemoteControl::accept() {
     while (QLocalSocket* socket = server_.nextPendingConnection()) {
-        auto* script = new Script(actions_, studio_, socket);
+        auto* script = new Script(actions_, app_, socket);
         script->on_line = [socket](const Result<void>& done) {
             const std::string answer = done.ok() ? "ok\n" : "error: " + done.error().text() + "\n";
             socket->write(answer.data(), static_cast<qint64>(answer.size()));

@@ -1,12 +1,12 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Script: lines of actions, done one after the other, as a test or another program wants them
-// (docs/window.md). Beside the actions: "wait SECONDS", "wait opened", "wait settled", "wait saved", "wait
-// jobs". Blank lines and lines that begin with # are left out. RemoteControl takes the same lines from a
-// local socket and answers each with "ok" or "error: ...". Window thread.
+// (docs/guide/window.md). Beside the actions: "wait SECONDS", "wait opened", "wait settled", "wait saved",
+// "wait jobs". Blank lines and lines that begin with # are left out. RemoteControl takes the same lines from
+// a local socket and answers each with "ok" or "error: ...". Window thread.
 
 #include "ui/actions/actions.h"
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QElapsedTimer>
 #include <QLocalServer>
@@ -21,7 +21,7 @@ namespace ghost::ui {
 class Script : public QObject {
     Q_OBJECT
 public:
-    Script(Actions& actions, Studio& studio, QObject* parent);
+    Script(Actions& actions, AppModel& app, QObject* parent);
 
     void add(const QString& line);
     // Forgets the lines that are left.
@@ -36,7 +36,7 @@ private:
     Result<bool> is_over(const QStringList& words);
 
     Actions& actions_;
-    Studio& studio_;
+    AppModel& app_;
     std::deque<QString> lines_;
     bool runs_ = false; // an action may bring up a dialog, whose loop calls step again
     QElapsedTimer waited_;
@@ -47,7 +47,7 @@ private:
 class RemoteControl : public QObject {
     Q_OBJECT
 public:
-    RemoteControl(Actions& actions, Studio& studio, QObject* parent);
+    RemoteControl(Actions& actions, AppModel& app, QObject* parent);
     // A name, or a path of a socket; only this user may connect. Error: it cannot be made.
     Result<void> listen(const QString& name);
 
@@ -55,7 +55,7 @@ private:
     void accept();
 
     Actions& actions_;
-    Studio& studio_;
+    AppModel& app_;
     QLocalServer server_;
 };
 

@@ -44,7 +44,7 @@ f 11//4 12//4 8//4 7//4
 f 12//5 9//5 5//5 8//5
 )";
 
-const char* const kShow = R"(# docs/show-file.md says what each key means.
+const char* const kShow = R"(# docs/reference/show-file.md says what each key means.
 
 [show]
 stage = "stage.obj"
@@ -57,7 +57,7 @@ target_m = [0, 2, 3]
 fov_y_deg = 40
 )";
 
-Result<void> make_show(Studio& studio, const QString& folder) {
+Result<void> make_show(AppModel& app, const QString& folder) {
     const fs::path path = folder.toStdString();
     std::error_code code;
     if (fs::exists(path, code) && !(fs::is_directory(path, code) && fs::is_empty(path, code)))
@@ -67,28 +67,28 @@ Result<void> make_show(Studio& studio, const QString& folder) {
     TRY_VOID(write_file_atomic(path / "stage.obj", kStage));
     TRY(const std::string text, scene::set_of_show(kShow, "name", path.filename().string()));
     TRY_VOID(write_file_atomic(path / "show.toml", text));
-    studio.open(path.string());
+    app.open(path.string());
     return {};
 }
 
 // What a show names lies beside it, so it can only go on beside the file that is open.
-Result<void> save_as(Studio& studio, ShowDocument& document, const QString& words) {
-    if (!studio.show()) return Error{"no show is open", ""};
+Result<void> save_as(AppModel& app, ShowDocument& document, const QString& words) {
+    if (!app.show()) return Error{"no show is open", ""};
     fs::path file = words.toStdString();
     if (file.extension() != ".toml") file += ".toml";
-    if (file.is_relative()) file = studio.show()->folder / file;
+    if (file.is_relative()) file = app.show()->folder / file;
     std::error_code code;
-    if (!fs::equivalent(file.parent_path(), studio.show()->folder, code))
+    if (!fs::equivalent(file.parent_path(), app.show()->folder, code))
         return Error{"what a show names lies beside it, so under another name it stays in " +
-                         studio.show()->folder.string() +
+                         app.show()->folder.string() +
                          "; a copy of the file alone: Save a copy of the show file",
                      file.string()};
     TRY_VOID(document.save_copy(file));
-    studio.open(file.string());
+    app.open(file.string());
     return {};
 }
 
-void about(QWidget& window, const Studio& studio) {
+void about(QWidget& window, const AppModel& app) {
     auto* box = new QMessageBox(
         QMessageBox::NoIcon, "About Ghostlight",
         QString(
@@ -96,8 +96,7 @@ void about(QWidget& window, const Studio& studio) {
             "<p>Drawn on: %2</p><p>Qt %3</p><p>Apache License 2.0. VARI*LITE and VL2500 are marks of their "
             "owners, who have no part in this.</p>")
             .arg(GHOST_VERSION,
-                 QString::fromStdString(studio.opened().device.empty() ? "nothing yet"
-                                                                       : studio.opened().device)
+                 QString::fromStdString(app.opened().device.empty() ? "nothing yet" : app.opened().device)
                      .toHtmlEscaped(),
                  qVersion()),
         QMessageBox::Close, &window);
@@ -113,31 +112,31 @@ QString folder_for_plot(const QString& plot) {
     return file.absolutePath() + "/" + file.completeBaseName();
 }
 
-Result<void> import_plot(Studio& studio, const QString& plot) {
+Result<void> import_plot(AppModel& app, const QString& plot) {
     if (!QFileInfo(plot).isFile()) return Error{"no such file", plot.toStdString()};
     if (QFileInfo(plot).suffix().toLower() != "mvr")
         return Error{"is no .mvr, as Vectorworks, Capture, grandMA3 and Production Assist export it",
                      plot.toStdString()};
     const QString folder = folder_for_plot(plot);
     const int number =
-        studio.jobs().start("import " + QFileInfo(plot).fileName(), {"import", plot, "-o", folder});
-    auto* const waits = new QObject(&studio);
-    QObject::connect(&studio.jobs(), &Jobs::ended, waits, [&studio, waits, number, folder](const Job& job) {
+        app.jobs().start("import " + QFileInfo(plot).fileName(), {"import", plot, "-o", folder});
+    auto* const waits = new QObject(&app);
+    QObject::connect(&app.jobs(), &Jobs::ended, waits, [&app, waits, number, folder](const Job& job) {
         if (job.number != number) return;
         waits->deleteLater();
-        if (job.state == Job::State::done) studio.open(folder.toStdString());
+        if (job.state == Job::State::done) app.open(folder.toStdString());
     });
     return {};
 }
 
-void add_show_actions(Actions& actions, Studio& studio, ShowDocument& document, const std::string& docs,
+void add_show_actions(Actions& actions, AppModel& app, ShowDocument& document, const std::string& docs,
                       QWidget& window) {
     actions.add({"new",
                  "Show",
                  "New show...",
                  "Ctrl+N",
                  "FOLDER",
-                 [&studio](const QStringList& words) { return make_show(studio, words[0]); },
+                 [&app](const QStringList& words) { return make_show(app, words[0]); },
                  {},
                  {"A new show: its folder", "Folders (*)", "My show"}});
     actions.add({"import-plot",
@@ -145,18 +144,17 @@ void add_show_actions(Actions& actions, Studio& studio, ShowDocument& document, 
                  "Import a plot...",
                  "Ctrl+I",
                  "FILE.mvr",
-                 [&studio](const QStringList& words) { return import_plot(studio, words[0]); },
+                 [&app](const QStringList& words) { return import_plot(app, words[0]); },
                  {},
                  {"A plot becomes a show", "Plots (*.mvr)", ""}});
-    actions.add(
-        {"save-as",
-         "Show",
-         "Save as...",
-         "",
-         "FILE",
-         [&studio, &document](const QStringList& words) { return save_as(studio, document, words[0]); },
-         {},
-         {"Save the show under another name beside it", "Show files (*.toml)", "show-2.toml"}});
+    actions.add({"save-as",
+                 "Show",
+                 "Save as...",
+                 "",
+                 "FILE",
+                 [&app, &document](const QStringList& words) { return save_as(app, document, words[0]); },
+                 {},
+                 {"Save the show under another name beside it", "Show files (*.toml)", "show-2.toml"}});
     actions.add({"documentation",
                  "Help",
                  "Documentation",
@@ -174,8 +172,8 @@ void add_show_actions(Actions& actions, Studio& studio, ShowDocument& document, 
                  "About Ghostlight",
                  "",
                  "",
-                 [&window, &studio](const QStringList&) -> Result<void> {
-                     about(window, studio);
+                 [&window, &app](const QStringList&) -> Result<void> {
+                     about(window, app);
                      return {};
                  },
                  {}});

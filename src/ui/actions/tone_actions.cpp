@@ -3,30 +3,30 @@
 
 namespace ghost::ui {
 
-void add_tone_actions(Actions& actions, Studio& studio) {
+void add_tone_actions(Actions& actions, AppModel& app) {
     actions.add({"tone",
                  "Camera",
                  "The next tone curve",
                  "T",
                  "[agx|aces|linear]",
-                 [&studio](const QStringList& words) -> Result<void> {
+                 [&app](const QStringList& words) -> Result<void> {
                      const auto next =
-                         (static_cast<std::size_t>(studio.wishes().tone) + 1) % image::kTones.size();
+                         (static_cast<std::size_t>(app.request().tone) + 1) % image::kTones.size();
                      image::Tone tone = image::kTones[next];
                      if (!words.isEmpty()) {
                          TRY(tone, image::tone_from(words[0].toStdString()));
                      }
-                     studio.wish([&](Wishes& wishes) { wishes.tone = tone; });
+                     app.wish([&](ViewRequest& request) { request.tone = tone; });
                      return {};
                  },
                  {}});
     const auto add = [&](const QString& text, image::Tone tone) {
         actions.add({"tone-" + QString::fromStdString(image::name_of(tone)), "Camera", text, "", "",
-                     [&studio, tone](const QStringList&) -> Result<void> {
-                         studio.wish([&](Wishes& wishes) { wishes.tone = tone; });
+                     [&app, tone](const QStringList&) -> Result<void> {
+                         app.wish([&](ViewRequest& request) { request.tone = tone; });
                          return {};
                      },
-                     [&studio, tone] { return studio.wishes().tone == tone; }});
+                     [&app, tone] { return app.request().tone == tone; }});
     };
     add("Tone curve: AgX, like film", image::Tone::agx);
     add("Tone curve: ACES, more contrast", image::Tone::aces);

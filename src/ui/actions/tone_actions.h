@@ -3,10 +3,10 @@
 // The actions that choose the tone curve of the picture. Window thread.
 
 #include "ui/actions/actions.h"
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 namespace ghost::ui {
 
-void add_tone_actions(Actions& actions, Studio& studio);
+void add_tone_actions(Actions& actions, AppModel& app);
 
 } // namespace ghost::ui

@@ -13,7 +13,7 @@ constexpr double kLate = 2.5; // frames' time without a picture, after which non
 } // namespace
 
 void Figures::count_picture() {
-    draws_.add(std::chrono::nanoseconds(std::llround(1e6 * studio_.picture().draw_ms)));
+    draws_.add(std::chrono::nanoseconds(std::llround(1e6 * app_.picture().draw_ms)));
     // What lay between a rest and this picture is no time that a picture took.
     if (!since_count_.isValid() || since_picture_.elapsed() >= rest_ms()) {
         since_count_.start();
@@ -33,11 +33,11 @@ void Figures::take_latency(std::chrono::nanoseconds latency) {
 }
 
 int Figures::rest_ms() const {
-    return std::max(kCounted_ms, static_cast<int>(kLate * studio_.picture().draw_ms));
+    return std::max(kCounted_ms, static_cast<int>(kLate * app_.picture().draw_ms));
 }
 
 QStringList Figures::lines() const {
-    const Picture& picture = studio_.picture();
+    const Picture& picture = app_.picture();
     QStringList lines;
     const bool rests = since_picture_.isValid() && since_picture_.elapsed() >= rest_ms();
     const QString pace = rests          ? QString("at rest, drawn in %1 ms")
@@ -48,9 +48,9 @@ QStringList Figures::lines() const {
     frame += QString(", %1x%2").arg(picture.camera.width).arg(picture.camera.height);
     if (picture.is_coarse) frame += " while it moves";
     lines << frame;
-    if (studio_.wishes().tone != image::Tone::agx)
-        lines << "tone curve " + QString::fromStdString(image::name_of(studio_.wishes().tone));
-    const dmx::Latency &latency = studio_.latency(), &cost = studio_.window_cost();
+    if (app_.request().tone != image::Tone::agx)
+        lines << "tone curve " + QString::fromStdString(image::name_of(app_.request().tone));
+    const dmx::Latency &latency = app_.latency(), &cost = app_.window_cost();
     if (latency_ms_ >= 0)
         lines << QString("packet to window %1 ms (half within %2, 99 % within %3)")
                      .arg(latency_ms_, 0, 'f', 0)

@@ -3,7 +3,7 @@
 // Figures: what the corner of the picture says of it: how long it took, how many come, how old its packets
 // are, what differs from the show. Window thread.
 
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QElapsedTimer>
 #include <QStringList>
@@ -14,7 +14,7 @@ namespace ghost::ui {
 
 class Figures {
 public:
-    explicit Figures(const Studio& studio) : studio_(studio) {}
+    explicit Figures(const AppModel& app) : app_(app) {}
 
     void count_picture(); // one came
     // Packet to window, of the newest picture that packets changed.
@@ -31,7 +31,7 @@ public:
     QStringList lines() const;
 
 private:
-    const Studio& studio_;
+    const AppModel& app_;
     double latency_ms_ = -1;
     dmx::Latency draws_;
     QElapsedTimer since_picture_, since_count_;

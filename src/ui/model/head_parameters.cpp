@@ -253,7 +253,7 @@ std::vector<HeadParameter> parameters_of(const scene::Show& show, const std::set
 }
 
 std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture& fixture,
-                                                     const fixture::Manual& manual,
+                                                     const fixture::Programmer& programmer,
                                                      const fixture::Levels& levels,
                                                      const std::vector<HeadParameter>& parameters) {
     std::vector<std::optional<ParameterValue>> values(parameters.size());
@@ -266,8 +266,8 @@ std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture
             return attribute_of(one) == parameters[i].attribute;
         });
         if (found == channels.end()) continue;
-        const auto by_hand = manual.channels.find(found->name);
-        const bool is_by_hand = by_hand != manual.channels.end();
+        const auto by_hand = programmer.channels.find(found->name);
+        const bool is_by_hand = by_hand != programmer.channels.end();
         const std::uint32_t raw = is_by_hand
                                       ? fixture::raw_of(*found, by_hand->second)
                                       : readings[static_cast<std::size_t>(found - channels.begin())].raw;
@@ -277,18 +277,18 @@ std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture
 }
 
 void set_parameter(const scene::PatchedFixture& fixture, const std::string& attribute,
-                   std::optional<float> share, fixture::Manual& manual) {
+                   std::optional<float> share, fixture::Programmer& programmer) {
     if (!fixture.type) return;
     const fixture::Patch patch = fixture.patch();
     for (const Channel& channel : patch.mode_of().channels) {
         if (attribute_of(channel) != attribute) continue;
         const QString group = group_of(role_of(channel));
-        if (share && group == "Colour") manual.colour.reset();
-        if (share && group == "Gobo") manual.gobo.reset();
+        if (share && group == "Colour") programmer.colour.reset();
+        if (share && group == "Gobo") programmer.gobo.reset();
         if (share)
-            manual.channels[channel.name] = *share;
+            programmer.channels[channel.name] = *share;
         else
-            manual.channels.erase(channel.name);
+            programmer.channels.erase(channel.name);
     }
 }
 

@@ -42,12 +42,12 @@ struct ParameterValue {
 };
 // In the order of the parameters; nothing: the fixture does not have it.
 std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture& fixture,
-                                                     const fixture::Manual& manual,
+                                                     const fixture::Programmer& programmer,
                                                      const fixture::Levels& levels,
                                                      const std::vector<HeadParameter>& parameters);
 // All channels of that attribute; share nothing: given back. Who asks for a colour channel gives a colour by
 // hand back, which would win over it.
 void set_parameter(const scene::PatchedFixture& fixture, const std::string& attribute,
-                   std::optional<float> share, fixture::Manual& manual);
+                   std::optional<float> share, fixture::Programmer& programmer);
 
 } // namespace ghost::ui

@@ -4,7 +4,7 @@
 namespace ghost::ui {
 namespace {
 
-using fixture::Manual;
+using fixture::Programmer;
 
 // otherwise: what is there where the one or the other side does not set it.
 template <class T>
@@ -36,14 +36,14 @@ struct Faded {
 };
 
 // What a side asks for where its hands do not: what its levels say, else the desk.
-Manual asked_by(const Manual& side, const Faded& faded) {
+Programmer asked_by(const Programmer& side, const Faded& faded) {
     if (!side.sets_levels() || !faded.fixture || !faded.fixture->type) return faded.now.asked;
     const fixture::Patch patch = faded.fixture->patch();
     return fixture::asked_for(fixture::decode_levels(patch, fixture::levels_by_hand(side, patch, faded.desk)),
                               patch);
 }
 
-std::vector<std::uint8_t> mixed_levels(const Manual& from, const Manual& to, const Faded& faded,
+std::vector<std::uint8_t> mixed_levels(const Programmer& from, const Programmer& to, const Faded& faded,
                                        float share) {
     if ((!from.sets_levels() && !to.sets_levels()) || !faded.fixture || !faded.fixture->type) return {};
     const fixture::Patch patch = faded.fixture->patch();
@@ -51,13 +51,13 @@ std::vector<std::uint8_t> mixed_levels(const Manual& from, const Manual& to, con
                                  fixture::levels_by_hand(to, patch, faded.desk), share);
 }
 
-Manual mixed(const Manual& from, const Manual& to, const Faded& faded, float share) {
-    const auto colour = [&](const Manual& side) -> std::optional<glm::vec3> {
+Programmer mixed(const Programmer& from, const Programmer& to, const Faded& faded, float share) {
+    const auto colour = [&](const Programmer& side) -> std::optional<glm::vec3> {
         if (side.sets_levels() || faded.now.colour == glm::vec3(0)) return std::nullopt;
         return faded.now.colour;
     };
-    const Manual a = asked_by(from, faded), b = asked_by(to, faded);
-    Manual result;
+    const Programmer a = asked_by(from, faded), b = asked_by(to, faded);
+    Programmer result;
     result.intensity = between(from.intensity, to.intensity, a.intensity, b.intensity, share);
     result.colour = between(from.colour, to.colour, colour(from), colour(to), share);
     result.zoom_deg = between(from.zoom_deg, to.zoom_deg, a.zoom_deg, b.zoom_deg, share);
@@ -82,11 +82,11 @@ Look faded(const Look& from, const Look& to, const scene::Show& show, const RigN
     if (share >= 1) return to;
     Look look = to;
     std::set<std::size_t> fixtures;
-    for (const auto& [index, manual] : from.fixtures) fixtures.insert(index);
-    for (const auto& [index, manual] : to.fixtures) fixtures.insert(index);
+    for (const auto& [index, programmer] : from.fixtures) fixtures.insert(index);
+    for (const auto& [index, programmer] : to.fixtures) fixtures.insert(index);
     const auto of = [](const Look& one, std::size_t index) {
         const auto found = one.fixtures.find(index);
-        return found == one.fixtures.end() ? Manual{} : found->second;
+        return found == one.fixtures.end() ? Programmer{} : found->second;
     };
     fixture::Levels desk;
     for (const dmx::Universe& universe : now.universes.list) desk.set(universe.number, *universe.levels);
@@ -109,26 +109,26 @@ Look faded(const Look& from, const Look& to, const scene::Show& show, const RigN
 void keep_changes(Look& from, const Look& before, const Look& after) {
     const auto of = [](const Look& look, std::size_t index) {
         const auto found = look.fixtures.find(index);
-        return found == look.fixtures.end() ? Manual{} : found->second;
+        return found == look.fixtures.end() ? Programmer{} : found->second;
     };
     std::set<std::size_t> fixtures;
-    for (const auto& [index, manual] : before.fixtures) fixtures.insert(index);
-    for (const auto& [index, manual] : after.fixtures) fixtures.insert(index);
+    for (const auto& [index, programmer] : before.fixtures) fixtures.insert(index);
+    for (const auto& [index, programmer] : after.fixtures) fixtures.insert(index);
     for (const std::size_t index : fixtures) {
-        const Manual was = of(before, index), is = of(after, index);
+        const Programmer was = of(before, index), is = of(after, index);
         if (was == is) continue;
-        Manual& manual = from.fixtures[index];
-        keep(manual.intensity, was.intensity, is.intensity);
-        keep(manual.colour, was.colour, is.colour);
-        keep(manual.zoom_deg, was.zoom_deg, is.zoom_deg);
-        keep(manual.pan_deg, was.pan_deg, is.pan_deg);
-        keep(manual.tilt_deg, was.tilt_deg, is.tilt_deg);
-        keep(manual.gobo, was.gobo, is.gobo);
-        keep(manual.gel, was.gel, is.gel);
-        keep(manual.lamp, was.lamp, is.lamp);
-        keep(manual.lamp_k, was.lamp_k, is.lamp_k);
-        if (was.levels != is.levels) manual.levels = is.levels;
-        if (was.channels != is.channels) manual.channels = is.channels;
+        Programmer& programmer = from.fixtures[index];
+        keep(programmer.intensity, was.intensity, is.intensity);
+        keep(programmer.colour, was.colour, is.colour);
+        keep(programmer.zoom_deg, was.zoom_deg, is.zoom_deg);
+        keep(programmer.pan_deg, was.pan_deg, is.pan_deg);
+        keep(programmer.tilt_deg, was.tilt_deg, is.tilt_deg);
+        keep(programmer.gobo, was.gobo, is.gobo);
+        keep(programmer.gel, was.gel, is.gel);
+        keep(programmer.lamp, was.lamp, is.lamp);
+        keep(programmer.lamp_k, was.lamp_k, is.lamp_k);
+        if (was.levels != is.levels) programmer.levels = is.levels;
+        if (was.channels != is.channels) programmer.channels = is.channels;
     }
     const SceneLook &was = before.scene, &is = after.scene;
     keep(from.scene.smoke, was.smoke, is.smoke);

@@ -33,17 +33,17 @@ public:
 private:
     void put(const Looks::List& list) {
         if (!looks_.damage_.empty()) {
-            Q_EMIT looks_.studio_.failed("Looks stay as the file has them until this is mended: " +
-                                         QString::fromStdString(looks_.damage_));
+            Q_EMIT looks_.app_.failed("Looks stay as the file has them until this is mended: " +
+                                      QString::fromStdString(looks_.damage_));
             return;
         }
         if (text_in(looks_.file_) != looks_.known_) {
-            Q_EMIT looks_.studio_.failed("Looks were changed by another program, which is not undone: " +
-                                         QString::fromStdString(looks_.file_.string()));
+            Q_EMIT looks_.app_.failed("Looks were changed by another program, which is not undone: " +
+                                      QString::fromStdString(looks_.file_.string()));
             return;
         }
         if (const Result<void> done = looks_.write(list); !done.ok())
-            Q_EMIT looks_.studio_.failed(QString::fromStdString(done.error().text()));
+            Q_EMIT looks_.app_.failed(QString::fromStdString(done.error().text()));
     }
 
     Looks& looks_;
@@ -51,9 +51,9 @@ private:
     bool is_new_ = true;
 };
 
-Looks::Looks(Studio& studio) : studio_(studio) {
-    connect(&studio_, &Studio::opened_show, this, [this] {
-        if (!studio_.opened().is_edit) read();
+Looks::Looks(AppModel& app) : app_(app) {
+    connect(&app_, &AppModel::opened_show, this, [this] {
+        if (!app_.opened().is_edit) read();
     });
     // The folder, for the file may not be there yet, and programs put another one in its place.
     for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
@@ -61,7 +61,7 @@ Looks::Looks(Studio& studio) : studio_(studio) {
 }
 
 void Looks::read() {
-    file_ = scene::looks_file(*studio_.show());
+    file_ = scene::looks_file(*app_.show());
     last_.clear();
     const QStringList watched = watcher_.files() + watcher_.directories();
     if (!watched.isEmpty()) watcher_.removePaths(watched);
@@ -71,11 +71,11 @@ void Looks::read() {
 }
 
 bool Looks::take_changes() {
-    if (!studio_.show() || text_in(file_) == known_) return false;
+    if (!app_.show() || text_in(file_) == known_) return false;
     List before = looks_;
     load();
     if (damage_.empty() && before != looks_)
-        studio_.undo_stack().push(new LooksStep(*this, std::move(before), looks_, "looks from the file"));
+        app_.undo_stack().push(new LooksStep(*this, std::move(before), looks_, "looks from the file"));
     return true;
 }
 
@@ -97,11 +97,11 @@ void Looks::load() {
                 damage_ = message.where + ": " + message.what;
     Report strangers;
     for (const scene::StoredLook& look : looks_)
-        scene::check_look(look, *studio_.show(), file_.string(), strangers);
+        scene::check_look(look, *app_.show(), file_.string(), strangers);
     if (!damage_.empty())
-        Q_EMIT studio_.failed(QString::fromStdString(damage_));
+        Q_EMIT app_.failed(QString::fromStdString(damage_));
     else if (!strangers.messages.empty())
-        Q_EMIT studio_.failed(
+        Q_EMIT app_.failed(
             QString::fromStdString(strangers.messages[0].where + ": " + strangers.messages[0].what));
     Q_EMIT changed();
 }
@@ -116,7 +116,7 @@ Result<void> Looks::write(const List& looks) {
 }
 
 Result<void> Looks::edit(const QString& what, List after) {
-    if (!studio_.show()) return Error{"no show is open", ""};
+    if (!app_.show()) return Error{"no show is open", ""};
     const bool changed_outside = take_changes();
     if (!damage_.empty())
         return Error{"looks cannot be stored before this is mended, for that would lose it: " + damage_, ""};
@@ -127,7 +127,7 @@ Result<void> Looks::edit(const QString& what, List after) {
         return Error{"there are " + std::to_string(scene::kMostLooks) + " looks; remove one first", ""};
     List before = looks_;
     TRY_VOID(write(after));
-    studio_.undo_stack().push(new LooksStep(*this, std::move(before), std::move(after), what));
+    app_.undo_stack().push(new LooksStep(*this, std::move(before), std::move(after), what));
     return {};
 }
 
@@ -150,47 +150,47 @@ Result<void> Looks::put_in(scene::StoredLook look) {
 }
 
 Result<void> Looks::store(const std::string& name) {
-    if (!studio_.show()) return Error{"no show is open", ""};
+    if (!app_.show()) return Error{"no show is open", ""};
     scene::StoredLook look;
     look.name = name;
-    look.scene = studio_.look().scene;
-    for (const auto& [index, manual] : studio_.look().fixtures)
-        if (index < studio_.show()->fixtures.size())
-            look.fixtures[studio_.show()->fixtures[index].name] = manual;
+    look.scene = app_.look().scene;
+    for (const auto& [index, programmer] : app_.look().fixtures)
+        if (index < app_.show()->fixtures.size())
+            look.fixtures[app_.show()->fixtures[index].name] = programmer;
     if (look.fixtures.empty() && look.scene == scene::SceneLook{})
         return Error{"nothing is set by hand; 'look-capture' stores what a desk or recording does", ""};
     return put_in(std::move(look));
 }
 
 Result<void> Looks::store_as_it_shines(const std::string& name) {
-    if (!studio_.show()) return Error{"no show is open", ""};
+    if (!app_.show()) return Error{"no show is open", ""};
     scene::StoredLook look;
     look.name = name;
-    look.scene = studio_.look().scene;
+    look.scene = app_.look().scene;
     fixture::Levels levels;
-    const dmx::Universes& universes = studio_.rig().universes;
+    const dmx::Universes& universes = app_.rig().universes;
     for (const dmx::Universe& universe : universes.list) levels.set(universe.number, *universe.levels);
-    const std::set<std::size_t>& chosen = studio_.selection();
-    for (std::size_t i = 0; i < studio_.show()->fixtures.size(); ++i) {
-        const scene::PatchedFixture& fixture = studio_.show()->fixtures[i];
+    const std::set<std::size_t>& chosen = app_.selection();
+    for (std::size_t i = 0; i < app_.show()->fixtures.size(); ++i) {
+        const scene::PatchedFixture& fixture = app_.show()->fixtures[i];
         if (!fixture.type || (!chosen.empty() && !chosen.contains(i))) continue;
-        const auto by_hand = studio_.look().fixtures.find(i);
-        fixture::Manual manual =
-            by_hand == studio_.look().fixtures.end() ? fixture::Manual{} : by_hand->second;
-        if (manual.levels.empty()) manual.levels = fixture::levels_of(fixture.patch(), levels);
-        look.fixtures[fixture.name] = std::move(manual);
+        const auto by_hand = app_.look().fixtures.find(i);
+        fixture::Programmer programmer =
+            by_hand == app_.look().fixtures.end() ? fixture::Programmer{} : by_hand->second;
+        if (programmer.levels.empty()) programmer.levels = fixture::levels_of(fixture.patch(), levels);
+        look.fixtures[fixture.name] = std::move(programmer);
     }
     return put_in(std::move(look));
 }
 
 Result<void> Looks::recall(const std::string& name, double seconds) {
-    if (!studio_.show()) return Error{"no show is open", ""};
+    if (!app_.show()) return Error{"no show is open", ""};
     TRY(const std::size_t index, scene::find_look(looks_, name));
-    Look look = studio_.look();
-    look.fixtures = scene::manual_of(looks_[index], *studio_.show());
+    Look look = app_.look();
+    look.fixtures = scene::programmer_of(looks_[index], *app_.show());
     look.scene = looks_[index].scene;
-    studio_.fade_to(std::move(look), "look " + QString::fromStdString(name),
-                    seconds < 0 ? static_cast<double>(looks_[index].fade_s) : seconds);
+    app_.fade_to(std::move(look), "look " + QString::fromStdString(name),
+                 seconds < 0 ? static_cast<double>(looks_[index].fade_s) : seconds);
     last_ = name;
     Q_EMIT changed();
     return {};
@@ -233,10 +233,10 @@ Result<void> Looks::remove(const std::string& name) {
 }
 
 std::string Looks::current() const {
-    if (!studio_.show()) return "";
+    if (!app_.show()) return "";
     const auto is_there = [&](const scene::StoredLook& look) {
-        return studio_.look().scene == look.scene &&
-               studio_.look().fixtures == scene::manual_of(look, *studio_.show());
+        return app_.look().scene == look.scene &&
+               app_.look().fixtures == scene::programmer_of(look, *app_.show());
     };
     // Of two that are alike the one that was asked for.
     if (const Result<std::size_t> last = scene::find_look(looks_, last_);

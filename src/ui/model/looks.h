@@ -6,7 +6,7 @@
 // not written, for that would lose them. Errors go to who asked. Window thread.
 
 #include "show/looks.h"
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QFileSystemWatcher>
 #include <QObject>
@@ -20,7 +20,7 @@ namespace ghost::ui {
 class Looks : public QObject {
     Q_OBJECT
 public:
-    explicit Looks(Studio& studio);
+    explicit Looks(AppModel& app);
 
     const std::vector<scene::StoredLook>& all() const { return looks_; }
     // The one that was stored or recalled last, while nothing was changed by hand since; empty: none.
@@ -53,7 +53,7 @@ private:
     Result<void> edit(const QString& what, List after);
     Result<void> write(const List& looks);
 
-    Studio& studio_;
+    AppModel& app_;
     std::filesystem::path file_; // empty: no show
     List looks_;
     std::string known_;  // text of the file as it was read or written here

@@ -21,7 +21,7 @@ QString picture_of(const QString& path) {
 
 } // namespace
 
-RecentShows::RecentShows(Studio& studio, bool remembers) : studio_(studio), remembers_(remembers) {
+RecentShows::RecentShows(AppModel& app, bool remembers) : app_(app), remembers_(remembers) {
     if (!remembers_) return;
     QSettings settings;
     const int count = std::min(settings.beginReadArray("recent shows"), kMost);
@@ -31,8 +31,8 @@ RecentShows::RecentShows(Studio& studio, bool remembers) : studio_(studio), reme
         if (QFileInfo::exists(path))
             shows_.push_back({path, settings.value("name").toString(), picture_of(path)});
     }
-    connect(&studio_, &Studio::opened_show, this, &RecentShows::take_opened);
-    connect(&studio_, &Studio::picture_came, this, [this] { has_picture_ = true; });
+    connect(&app_, &AppModel::opened_show, this, &RecentShows::take_opened);
+    connect(&app_, &AppModel::picture_came, this, [this] { has_picture_ = true; });
 }
 
 RecentShows::~RecentShows() {
@@ -40,10 +40,10 @@ RecentShows::~RecentShows() {
 }
 
 void RecentShows::take_opened() {
-    if (studio_.opened().is_edit) return;
-    keep_picture(); // of the one before, which the studio still has
+    if (app_.opened().is_edit) return;
+    keep_picture(); // of the one before, which the model still has
     has_picture_ = false;
-    const scene::Show& show = *studio_.show();
+    const scene::Show& show = *app_.show();
     open_ = QFileInfo(QString::fromStdString(show.file.string())).absoluteFilePath();
     std::erase_if(shows_, [this](const One& one) { return one.path == open_; });
     shows_.insert(shows_.begin(), {open_, QString::fromStdString(show.name), picture_of(open_)});
@@ -60,7 +60,7 @@ void RecentShows::take_opened() {
 }
 
 void RecentShows::keep_picture() {
-    const auto image = studio_.picture().image;
+    const auto image = app_.picture().image;
     if (!remembers_ || !has_picture_ || open_.isEmpty() || !image || image->channels != 4 ||
         image->width <= 0)
         return;

@@ -3,7 +3,7 @@
 // RecentShows: the shows that were opened last, newest first, each with a small picture of how it looked when
 // it was left. Kept in the user's settings and cache, never in the show. Window thread.
 
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QObject>
 #include <QString>
@@ -16,7 +16,7 @@ class RecentShows : public QObject {
     Q_OBJECT
 public:
     // remembers false: none are known, and none are kept.
-    RecentShows(Studio& studio, bool remembers);
+    RecentShows(AppModel& app, bool remembers);
     ~RecentShows() override; // keeps the picture of the open one
 
     struct One {
@@ -34,7 +34,7 @@ private:
     void take_opened();
     void keep_picture();
 
-    Studio& studio_;
+    AppModel& app_;
     bool remembers_;
     std::vector<One> shows_;
     QString open_;             // path

@@ -46,7 +46,7 @@ private:
     QElapsedTimer age_;
 };
 
-ShowDocument::ShowDocument(Studio& studio) : studio_(studio) {
+ShowDocument::ShowDocument(AppModel& app) : app_(app) {
     draft_timer_.setSingleShot(true);
     // No watcher tells of a folder that is renamed, or of a disk that is taken out.
     gone_timer_.start(kLookAgain_ms);
@@ -57,9 +57,9 @@ ShowDocument::ShowDocument(Studio& studio) : studio_(studio) {
     connect(&draft_timer_, &QTimer::timeout, this, &ShowDocument::keep_draft);
     for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
         connect(&watcher_, signal, this, &ShowDocument::look_at_file);
-    connect(&studio_, &Studio::opened_show, this, [this] {
-        const bool goes_on = studio_.opened().again && studio_.show()->file == file_;
-        if (!studio_.opened().is_edit && !goes_on) read_opened();
+    connect(&app_, &AppModel::opened_show, this, [this] {
+        const bool goes_on = app_.opened().again && app_.show()->file == file_;
+        if (!app_.opened().is_edit && !goes_on) read_opened();
     });
 }
 
@@ -81,8 +81,8 @@ void ShowDocument::watch() {
 void ShowDocument::read_opened() {
     if (draft_timer_.isActive()) keep_draft(); // of the show that was open
     hold_.reset();
-    file_ = studio_.show()->file;
-    drafts_ = Drafts(*studio_.show());
+    file_ = app_.show()->file;
+    drafts_ = Drafts(*app_.show());
     text_.clear();
     copied_.clear();
     draft_.reset();
@@ -156,12 +156,12 @@ void ShowDocument::find_draft() {
 }
 
 Result<void> ShowDocument::check_editable() const {
-    if (!studio_.show()) return Error{"no show is open", ""};
+    if (!app_.show()) return Error{"no show is open", ""};
     if (file_.empty())
         return Error{
             "a plot that is opened as it is cannot be edited; 'ghostlight import' makes a show of it, "
             "whose changes outlive the designer's next version",
-            studio_.show()->file.string()};
+            app_.show()->file.string()};
     if (is_read_only())
         return Error{"is open in another window: " + hold_->holder() +
                          "; close it there, or take it over (in a script: take-over)",
@@ -175,17 +175,17 @@ Result<void> ShowDocument::check_editable() const {
 Result<void> ShowDocument::edit(const QString& what, Edit edit, int kind) {
     TRY_VOID(check_editable());
     if (edit.text == text_) return {};
-    TRY_VOID(scene::preview_edit(*studio_.show(), edit.text)); // one that opens
-    Edit before{text_, studio_.look(), studio_.selection()};
-    studio_.undo_stack().push(new EditStep(*this, std::move(before), std::move(edit), what, kind));
+    TRY_VOID(scene::preview_edit(*app_.show(), edit.text)); // one that opens
+    Edit before{text_, app_.look(), app_.selection()};
+    app_.undo_stack().push(new EditStep(*this, std::move(before), std::move(edit), what, kind));
     return {};
 }
 
 void ShowDocument::put(const Edit& edit) {
     text_ = edit.text;
-    if (auto preview = scene::preview_edit(*studio_.show(), text_); preview.ok())
-        studio_.put_edit(std::make_shared<const std::string>(text_), std::move(*preview), edit.look,
-                         edit.selection);
+    if (auto preview = scene::preview_edit(*app_.show(), text_); preview.ok())
+        app_.put_edit(std::make_shared<const std::string>(text_), std::move(*preview), edit.look,
+                      edit.selection);
     // Who types on must not put it off.
     if (!draft_timer_.isActive() || draft_timer_.remainingTime() > kDraftAfter_ms)
         draft_timer_.start(kDraftAfter_ms);
@@ -236,9 +236,9 @@ void ShowDocument::look_at_file() {
         return;
     }
     if (is_read_only() && !is_changed()) { // it follows the other window
-        if (!scene::preview_edit(*studio_.show(), *now).ok()) return;
+        if (!scene::preview_edit(*app_.show(), *now).ok()) return;
         saved_ = *now;
-        put({*now, studio_.look(), studio_.selection()});
+        put({*now, app_.look(), app_.selection()});
         return;
     }
     changed_outside_ = outside;
@@ -317,13 +317,13 @@ Result<void> ShowDocument::reload() {
     if (now == text_) { // perhaps the files that it names are others
         saved_ = std::move(now);
         changed_outside_ = false;
-        put({text_, studio_.look(), studio_.selection()});
+        put({text_, app_.look(), app_.selection()});
         return {};
     }
     // Before the step, which asks what is saved.
     std::string before = std::exchange(saved_, now);
     const bool was_outside = std::exchange(changed_outside_, false);
-    Result<void> done = edit("Reload", {std::move(now), studio_.look(), studio_.selection()});
+    Result<void> done = edit("Reload", {std::move(now), app_.look(), app_.selection()});
     if (!done.ok()) {
         saved_ = std::move(before); // what cannot be taken must not be written over unasked
         changed_outside_ = was_outside;
@@ -335,7 +335,7 @@ Result<void> ShowDocument::take_draft() {
     if (!draft_) return Error{"there are no changes of an earlier time", ""};
     std::string text = std::move(*draft_);
     draft_.reset();
-    return edit("Take changes", {std::move(text), studio_.look(), studio_.selection()});
+    return edit("Take changes", {std::move(text), app_.look(), app_.selection()});
 }
 
 Result<void> ShowDocument::take_over() {

@@ -6,8 +6,8 @@
 // the next time it is offered. Errors go to who asked. Window thread.
 
 #include "files/hold.h"
+#include "ui/model/app_model.h"
 #include "ui/model/drafts.h"
-#include "ui/model/studio.h"
 
 #include <QFileSystemWatcher>
 #include <QObject>
@@ -23,7 +23,7 @@ namespace ghost::ui {
 class ShowDocument : public QObject {
     Q_OBJECT
 public:
-    explicit ShowDocument(Studio& studio);
+    explicit ShowDocument(AppModel& app);
     ~ShowDocument() override; // writes the draft that waits
 
     const std::string& text() const { return text_; }
@@ -91,7 +91,7 @@ private:
     void begin_editing();
     void watch();
 
-    Studio& studio_;
+    AppModel& app_;
     std::filesystem::path file_; // empty: nothing that can be edited
     Drafts drafts_;
     std::optional<Hold> hold_; // none: nothing can be written there

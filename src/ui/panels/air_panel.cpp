@@ -27,7 +27,7 @@ constexpr Column kColumns[] = {
     {"Blows to", "direction", "X Y Z; any length: 0 0 1 is up"},
     {"Rate", "rate", "Density 1 m before the nozzle, as a multiple of the room's"},
     {"Spread°", "spread", "Full angle of the plume"},
-    {"Reach m", "reach", "From here on it is as thin as the room"},
+    {"OnScreen m", "reach", "From here on it is as thin as the room"},
 };
 
 QString words(float number) {
@@ -55,15 +55,15 @@ QString text_of(const scene::Hazer& hazer, int column) {
 
 } // namespace
 
-AirPanel::AirPanel(Studio& studio, ShowDocument& document, Actions& actions, QWidget* parent)
-    : QWidget(parent), studio_(studio), document_(document) {
+AirPanel::AirPanel(AppModel& app, ShowDocument& document, Actions& actions, QWidget* parent)
+    : QWidget(parent), app_(app), document_(document) {
     auto* layout = new QVBoxLayout(this);
     auto* about = new QLabel("The air as the show has it: saved with it. Smoke by hand is in Scene.", this);
     about->setWordWrap(true);
     layout->addWidget(about);
     add_rows(layout);
     add_hazers(layout, actions);
-    connect(&studio_, &Studio::opened_show, this, &AirPanel::refresh);
+    connect(&app_, &AppModel::opened_show, this, &AirPanel::refresh);
     connect(&document_, &ShowDocument::changed, this, &AirPanel::refresh);
     setEnabled(false);
 }
@@ -78,7 +78,7 @@ void AirPanel::add_rows(QLayout* layout) {
     haze_->setAccessibleName("Haze");
     connect(haze_, &QComboBox::activated, this, [this](int index) {
         const QString preset = haze_->itemData(index).toString();
-        if (!preset.isEmpty()) take(AirEdit(studio_, document_).set_haze(preset));
+        if (!preset.isEmpty()) take(AirEdit(app_, document_).set_haze(preset));
     });
     auto* haze_row = new QWidget(this);
     auto* haze_layout = new QHBoxLayout(haze_row);
@@ -92,11 +92,11 @@ void AirPanel::add_rows(QLayout* layout) {
     clouds_ = new ValueRow("Clouds", {0, 1, 2, ""}, this);
     clouds_->setToolTip("0: the same everywhere; 1: from nothing to twice as thick");
     clouds_->on_change = [this](double value) {
-        take(AirEdit(studio_, document_).set_clouds(static_cast<float>(value)));
+        take(AirEdit(app_, document_).set_clouds(static_cast<float>(value)));
     };
     size_ = new ValueRow("Cloud size", {0.1, 100, 1, " m", true}, this);
     size_->on_change = [this](double value) {
-        take(AirEdit(studio_, document_).set_cloud_size(static_cast<float>(value)));
+        take(AirEdit(app_, document_).set_cloud_size(static_cast<float>(value)));
     };
     wind_ = new ValueRow("Wind", {0, 28, 2, " m/s"}, this);
     wind_->setToolTip("Clouds drift with it, along the floor");
@@ -104,7 +104,7 @@ void AirPanel::add_rows(QLayout* layout) {
     towards_ = new ValueRow("Wind towards", {-180, 180, 0, "°"}, this);
     towards_->setToolTip("0: to the right as the house sees it, 90: up-stage, -90: into the house");
     towards_->on_change = [this](double value) {
-        const glm::vec3& wind_m_s = studio_.show()->haze.wind_m_s;
+        const glm::vec3& wind_m_s = app_.show()->haze.wind_m_s;
         blow(static_cast<double>(glm::length(glm::vec2(wind_m_s))), value);
     };
     for (ValueRow* row : {clouds_, size_, wind_, towards_}) layout->addWidget(row);
@@ -137,7 +137,7 @@ void AirPanel::add_hazers(QLayout* layout, Actions& actions) {
     remove_->setEnabled(false);
     connect(remove_, &QPushButton::clicked, this, [this] {
         if (hazers_->currentRow() >= 0)
-            take(AirEdit(studio_, document_).remove_hazer(static_cast<std::size_t>(hazers_->currentRow())));
+            take(AirEdit(app_, document_).remove_hazer(static_cast<std::size_t>(hazers_->currentRow())));
     });
     layout->addWidget(add);
     layout->addWidget(remove_);
@@ -149,9 +149,9 @@ void AirPanel::blow(double speed_m_s, double towards_deg) {
     const auto angle_rad = static_cast<float>(towards_deg * M_PI / 180);
     const auto speed = static_cast<float>(speed_m_s);
     const glm::vec3 wind_m_s(std::cos(angle_rad) * speed, std::sin(angle_rad) * speed,
-                             studio_.show()->haze.wind_m_s.z);
+                             app_.show()->haze.wind_m_s.z);
     // Thousandths: who reads the file reads "0.5", not "0.49999997".
-    take(AirEdit(studio_, document_)
+    take(AirEdit(app_, document_)
              .set_wind(glm::clamp(glm::round(wind_m_s * 1000.0f) / 1000.0f, -kMostWind_m_s, kMostWind_m_s)));
 }
 
@@ -159,14 +159,14 @@ void AirPanel::edit_cell(int row, int column) {
     if (follows_) return;
     const QStringList numbers = hazers_->item(row, column)->text().split(' ', Qt::SkipEmptyParts);
     const Result<scene::HazerEdit> edit = hazer_edit(kColumns[column].what, numbers);
-    take(edit.ok() ? AirEdit(studio_, document_).edit_hazer(static_cast<std::size_t>(row), *edit)
+    take(edit.ok() ? AirEdit(app_, document_).edit_hazer(static_cast<std::size_t>(row), *edit)
                    : Result<void>(edit.error()));
 }
 
 void AirPanel::refresh() {
-    if (!studio_.show()) return;
+    if (!app_.show()) return;
     setEnabled(document_.check_editable().ok());
-    const scene::HazeSettings& haze = studio_.show()->haze;
+    const scene::HazeMedium& haze = app_.show()->haze;
     const Following following(follows_);
     show_haze();
     const glm::vec2 along(haze.wind_m_s);
@@ -185,7 +185,7 @@ void AirPanel::refresh() {
 
 // By name, or as a number where it is none of them.
 void AirPanel::show_haze() {
-    const double is_per_m = static_cast<double>(studio_.show()->haze.extinction_per_m);
+    const double is_per_m = static_cast<double>(app_.show()->haze.extinction_per_m);
     int found = -1;
     haze_->clear();
     for (const scene::HazePreset& preset : scene::haze_presets()) {
@@ -203,7 +203,7 @@ void AirPanel::show_haze() {
 }
 
 void AirPanel::show_hazers() {
-    const std::vector<scene::Hazer>& hazers = studio_.show()->hazers;
+    const std::vector<scene::Hazer>& hazers = app_.show()->hazers;
     hazers_->setRowCount(static_cast<int>(hazers.size()));
     for (int row = 0; row < hazers_->rowCount(); ++row)
         for (int column = 0; column < hazers_->columnCount(); ++column) {

@@ -19,7 +19,7 @@ namespace ghost::ui {
 class AirPanel : public QWidget {
     Q_OBJECT
 public:
-    AirPanel(Studio& studio, ShowDocument& document, Actions& actions, QWidget* parent);
+    AirPanel(AppModel& app, ShowDocument& document, Actions& actions, QWidget* parent);
 
     // Where what went wrong is said.
     std::function<void(const Error&)> complain;
@@ -34,7 +34,7 @@ private:
     void edit_cell(int row, int column);
     void take(const Result<void>& done);
 
-    Studio& studio_;
+    AppModel& app_;
     ShowDocument& document_;
     QComboBox* haze_;
     ValueRow *clouds_, *size_, *wind_, *towards_;

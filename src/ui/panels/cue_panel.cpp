@@ -66,9 +66,9 @@ private:
 
 } // namespace
 
-CuePanel::CuePanel(Studio& studio, CueList& cues, Looks& looks, Actions& actions, QWidget* parent)
-    : QWidget(parent), studio_(studio), cues_(cues), looks_(looks), actions_(actions),
-      next_(new QLabel(this)), table_(new QTableWidget(0, kColumns, this)) {
+CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions, QWidget* parent)
+    : QWidget(parent), app_(app), cues_(cues), looks_(looks), actions_(actions), next_(new QLabel(this)),
+      table_(new QTableWidget(0, kColumns, this)) {
     next_->setWordWrap(true);
     table_->setAccessibleName("Cues");
     table_->setHorizontalHeaderLabels(
@@ -94,7 +94,7 @@ CuePanel::CuePanel(Studio& studio, CueList& cues, Looks& looks, Actions& actions
     table_->setItemDelegateForColumn(camera, new ChoiceDelegate(
                                                  [this] {
                                                      QStringList names;
-                                                     for (const scene::Camera& one : studio_.show()->cameras)
+                                                     for (const scene::Camera& one : app_.show()->cameras)
                                                          names << QString::fromStdString(one.name);
                                                      return names;
                                                  },
@@ -160,7 +160,7 @@ QString CuePanel::chosen() const {
 }
 
 void CuePanel::fill() {
-    setEnabled(studio_.show() != nullptr);
+    setEnabled(app_.show() != nullptr);
     const Following following(follows_);
     const std::vector<scene::Cue>& cues = cues_.all();
     const int row_before = table_->currentRow();

@@ -16,7 +16,7 @@ namespace ghost::ui {
 class CuePanel : public QWidget {
     Q_OBJECT
 public:
-    CuePanel(Studio& studio, CueList& cues, Looks& looks, Actions& actions, QWidget* parent);
+    CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions, QWidget* parent);
 
 private:
     QPushButton* add_button(const QString& text, const QString& tip, std::function<QString()> line);
@@ -24,7 +24,7 @@ private:
     void show_next();
     QString chosen() const; // number of the row that is current, from 1; empty: none
 
-    Studio& studio_;
+    AppModel& app_;
     CueList& cues_;
     Looks& looks_;
     Actions& actions_;

@@ -39,8 +39,8 @@ QSpinBox* number_box(int low, int high, int value, const QString& name, QWidget*
 
 } // namespace
 
-ExportPanel::ExportPanel(Studio& studio, Actions& actions, QWidget* parent)
-    : QWidget(parent), studio_(studio), actions_(actions) {
+ExportPanel::ExportPanel(AppModel& app, Actions& actions, QWidget* parent)
+    : QWidget(parent), app_(app), actions_(actions) {
     auto* inside = new QWidget(this);
     auto* layout = new QVBoxLayout(inside);
     layout->addWidget(make_bake());
@@ -56,8 +56,8 @@ ExportPanel::ExportPanel(Studio& studio, Actions& actions, QWidget* parent)
     auto* whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
     whole->addWidget(scroll);
-    connect(&studio_, &Studio::opened_show, this, &ExportPanel::name_cameras);
-    connect(&studio_.jobs(), &Jobs::changed, this, &ExportPanel::show_jobs);
+    connect(&app_, &AppModel::opened_show, this, &ExportPanel::name_cameras);
+    connect(&app_.jobs(), &Jobs::changed, this, &ExportPanel::show_jobs);
 }
 
 QWidget* ExportPanel::make_bake() {
@@ -156,13 +156,13 @@ void ExportPanel::name_cameras() {
         const QString before = box->currentText();
         box->clear();
         box->addItem(first);
-        for (const scene::Camera& camera : studio_.show()->cameras)
+        for (const scene::Camera& camera : app_.show()->cameras)
             box->addItem(QString::fromStdString(camera.name));
         box->setCurrentText(before.isEmpty() ? first : before);
     };
     fill(bake_camera_, "All cameras");
     fill(camera_, "As the window sees it");
-    if (!studio_.opened().is_edit) to_->setValue(studio_.opened().recording_s);
+    if (!app_.opened().is_edit) to_->setValue(app_.opened().recording_s);
 }
 
 ExportPanel::Row ExportPanel::add_row(const Job& job) {
@@ -178,7 +178,7 @@ ExportPanel::Row ExportPanel::add_row(const Job& job) {
     row.bar->setTextVisible(false);
     row.cancel = new QPushButton("Cancel", row.widget);
     connect(row.cancel, &QPushButton::clicked, this,
-            [this, number = job.number] { studio_.jobs().cancel(number); });
+            [this, number = job.number] { app_.jobs().cancel(number); });
     auto* line = new QHBoxLayout;
     line->addWidget(row.bar, 1);
     line->addWidget(row.cancel);
@@ -190,7 +190,7 @@ ExportPanel::Row ExportPanel::add_row(const Job& job) {
 
 void ExportPanel::show_jobs() {
     std::set<int> there;
-    for (const Job& job : studio_.jobs().all()) {
+    for (const Job& job : app_.jobs().all()) {
         there.insert(job.number);
         if (!rows_.contains(job.number)) rows_[job.number] = add_row(job);
         const Row& row = rows_.at(job.number);

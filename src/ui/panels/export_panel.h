@@ -4,7 +4,7 @@
 // its progress, to be watched and cancelled. Window thread.
 
 #include "ui/actions/actions.h"
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -24,7 +24,7 @@ class ExportPanel : public QWidget {
     Q_OBJECT
 public:
     // Buttons run actions, so that what goes wrong is said where it is for keys.
-    ExportPanel(Studio& studio, Actions& actions, QWidget* parent);
+    ExportPanel(AppModel& app, Actions& actions, QWidget* parent);
 
 private:
     // A job in the list.
@@ -44,7 +44,7 @@ private:
     void show_jobs();
     Row add_row(const Job& job);
 
-    Studio& studio_;
+    AppModel& app_;
     Actions& actions_;
     QComboBox *bake_camera_, *camera_, *size_;
     QSpinBox *spp_, *bounces_, *fps_;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/fixture_panel.h"
 
-#include "ui/actions/hand.h"
 #include "ui/actions/patch_actions.h"
+#include "ui/actions/programmer_actions.h"
 #include "ui/widgets/fixture_table.h"
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
@@ -24,22 +24,22 @@ QString number(float value) {
 // Modes are chosen from those that the fixture has.
 class ModeDelegate : public QStyledItemDelegate {
 public:
-    ModeDelegate(Studio& studio, QObject* parent) : QStyledItemDelegate(parent), studio_(studio) {}
+    ModeDelegate(AppModel& app, QObject* parent) : QStyledItemDelegate(parent), app_(app) {}
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override {
         const auto* sorted = qobject_cast<const QSortFilterProxyModel*>(index.model());
         const auto row = static_cast<std::size_t>(sorted->mapToSource(index).row());
-        if (!studio_.show() || row >= studio_.show()->fixtures.size() || !studio_.show()->fixtures[row].type)
+        if (!app_.show() || row >= app_.show()->fixtures.size() || !app_.show()->fixtures[row].type)
             return QStyledItemDelegate::createEditor(parent, option, index);
         auto* modes = new QComboBox(parent);
-        for (const fixture::Mode& mode : studio_.show()->fixtures[row].type->modes)
+        for (const fixture::Mode& mode : app_.show()->fixtures[row].type->modes)
             modes->addItem(QString::fromStdString(mode.name));
         modes->setCurrentText(index.data().toString());
         return modes;
     }
 
 private:
-    Studio& studio_;
+    AppModel& app_;
 };
 
 // The colour of the light, which the mark of a chosen row leaves free.
@@ -93,20 +93,20 @@ QString text_of(const scene::PatchedFixture& fixture, int column) {
 
 } // namespace
 
-FixtureModel::FixtureModel(Studio& studio, ShowDocument& document, QObject* parent)
-    : QAbstractTableModel(parent), studio_(studio), document_(document) {
-    connect(&studio_, &Studio::opened_show, this, &FixtureModel::take_show);
+FixtureModel::FixtureModel(AppModel& app, ShowDocument& document, QObject* parent)
+    : QAbstractTableModel(parent), app_(app), document_(document) {
+    connect(&app_, &AppModel::opened_show, this, &FixtureModel::take_show);
     const auto refresh = [this] {
         if (rowCount() > 0) Q_EMIT dataChanged(index(0, level), index(rowCount() - 1, colour));
     };
-    connect(&studio_, &Studio::rig_came, this, refresh);
-    connect(&studio_, &Studio::look_changed, this, refresh);
+    connect(&app_, &AppModel::rig_came, this, refresh);
+    connect(&app_, &AppModel::look_changed, this, refresh);
 }
 
 void FixtureModel::take_show() {
-    const std::vector<scene::PatchedFixture>& fixtures = studio_.show()->fixtures;
+    const std::vector<scene::PatchedFixture>& fixtures = app_.show()->fixtures;
     // Rows that stay keep their place, and who types in one goes on.
-    const bool stays = studio_.opened().is_edit && rows_ == static_cast<int>(fixtures.size());
+    const bool stays = app_.opened().is_edit && rows_ == static_cast<int>(fixtures.size());
     if (!stays) beginResetModel();
     rows_ = static_cast<int>(fixtures.size());
     shared_.clear();
@@ -135,9 +135,9 @@ int FixtureModel::columnCount(const QModelIndex& parent) const {
 
 QVariant FixtureModel::data(const QModelIndex& index, int role) const {
     const auto row = static_cast<std::size_t>(index.row());
-    if (!studio_.show() || row >= studio_.show()->fixtures.size()) return {};
-    const scene::PatchedFixture& fixture = studio_.show()->fixtures[row];
-    const FixtureNow* now = row < studio_.rig().fixtures.size() ? &studio_.rig().fixtures[row] : nullptr;
+    if (!app_.show() || row >= app_.show()->fixtures.size()) return {};
+    const scene::PatchedFixture& fixture = app_.show()->fixtures[row];
+    const FixtureNow* now = row < app_.rig().fixtures.size() ? &app_.rig().fixtures[row] : nullptr;
     if (role == Qt::DisplayRole && index.column() == level)
         return now ? QString("%1 %").arg(100 * static_cast<double>(now->dimmer), 0, 'f', 0) : QString();
     if (role == Qt::DisplayRole || role == Qt::EditRole) return text_of(fixture, index.column());
@@ -148,11 +148,11 @@ QVariant FixtureModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::ForegroundRole) {
         if (index.column() == patch && (fixture.address <= 0 || shared_.contains(row))) return bad();
         if (index.column() == type && !fixture.type) return bad();
-        if (index.column() == level && studio_.look().fixtures.contains(row)) return accent();
+        if (index.column() == level && app_.look().fixtures.contains(row)) return accent();
     }
     if (role == Qt::ToolTipRole) {
         if (shared_.contains(row)) return "Another fixture reads a channel of this one.";
-        if (studio_.look().fixtures.contains(row)) return "Set by hand; R releases it.";
+        if (app_.look().fixtures.contains(row)) return "Set by hand; R releases it.";
         return QString::fromStdString(fixture.gdtf.string());
     }
     return {};
@@ -175,14 +175,14 @@ bool FixtureModel::setData(const QModelIndex& index, const QVariant& value, int 
     const auto row = static_cast<std::size_t>(index.row());
     const QString words = value.toString().trimmed();
     if (role != Qt::EditRole || words == data(index, Qt::EditRole).toString()) return false;
-    if (!studio_.selection().contains(row)) studio_.select({row});
+    if (!app_.selection().contains(row)) app_.select({row});
     const Result<void> done = edit(index.column(), words);
     if (!done.ok() && complain) complain(done.error());
     return done.ok();
 }
 
 Result<void> FixtureModel::edit(int column, const QString& words) {
-    PatchEdit edit(studio_, document_);
+    PatchEdit edit(app_, document_);
     const QStringList parts = words.split(' ', Qt::SkipEmptyParts);
     constexpr double kMost_m = 100000;
     switch (column) {
@@ -220,8 +220,8 @@ bool FixtureFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
     return QSortFilterProxyModel::filterAcceptsRow(row, parent);
 }
 
-FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* parent)
-    : QWidget(parent), studio_(studio) {
+FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* parent)
+    : QWidget(parent), app_(app) {
     search_ = new QLineEdit(this);
     search_->setPlaceholderText("Search");
     search_->setToolTip("In names, addresses, types and modes");
@@ -238,7 +238,7 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     dark_->setText("Dark");
     dark_->setCheckable(true);
     dark_->setToolTip("Only fixtures that do not shine, by reasons");
-    model_ = new FixtureModel(studio, document, this);
+    model_ = new FixtureModel(app, document, this);
     sorted_ = new FixtureFilter(this);
     sorted_->setSourceModel(model_);
     sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
@@ -254,7 +254,7 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     table_->setTextElideMode(Qt::ElideMiddle); // numbers that tell lamps apart stand at the end
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     table_->setItemDelegate(new CellPainter(table_));
-    table_->setItemDelegateForColumn(FixtureModel::mode, new ModeDelegate(studio, table_));
+    table_->setItemDelegateForColumn(FixtureModel::mode, new ModeDelegate(app, table_));
     table_->setItemDelegateForColumn(FixtureModel::colour, new SwatchPainter(table_));
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
@@ -280,16 +280,16 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
     layout->addWidget(title_);
     layout->addLayout(choice);
     layout->addWidget(table_);
-    connect(&studio_, &Studio::opened_show, this, &FixturePanel::list_groups);
-    connect(&studio_, &Studio::verdicts_came, this, [this] {
+    connect(&app_, &AppModel::opened_show, this, &FixturePanel::list_groups);
+    connect(&app_, &AppModel::verdicts_came, this, [this] {
         if (dark_->isChecked()) list_groups();
     });
     connect(dark_, &QToolButton::toggled, this, [this](bool on) {
-        studio_.wish([on](Wishes& wishes) { wishes.explains_all = on; });
+        app_.wish([on](ViewRequest& request) { request.explains_all = on; });
         list_groups();
     });
     connect(group_, &QComboBox::activated, this, &FixturePanel::show_group);
-    connect(&studio_, &Studio::selection_changed, this, &FixturePanel::count);
+    connect(&app_, &AppModel::selection_changed, this, &FixturePanel::count);
     count();
     // What is searched away stays selected, and rows that go say nothing: each would be a selection.
     connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
@@ -306,7 +306,7 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
         table_->selectAll();
         take_selection(); // where they were selected already, the table says nothing
     });
-    connect(&studio_, &Studio::selection_changed, this, &FixturePanel::show_selection);
+    connect(&app_, &AppModel::selection_changed, this, &FixturePanel::show_selection);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &FixturePanel::take_selection);
 }
@@ -314,15 +314,15 @@ FixturePanel::FixturePanel(Studio& studio, ShowDocument& document, QWidget* pare
 // The chosen group stays chosen where it is still there.
 void FixturePanel::list_groups() {
     const QString before = group_->currentData().toString();
-    groups_ = !studio_.show()      ? std::vector<FixtureGroup>{}
-              : dark_->isChecked() ? dark_groups_of(studio_.verdicts())
-                                   : groups_of(*studio_.show(), studio_.opened().objects);
+    groups_ = !app_.show()         ? std::vector<FixtureGroup>{}
+              : dark_->isChecked() ? dark_groups_of(app_.verdicts())
+                                   : groups_of(*app_.show(), app_.opened().objects);
     group_->clear();
     std::size_t dark = 0;
     for (const FixtureGroup& group : groups_) dark += group.fixtures.size();
-    group_->addItem(!dark_->isChecked()          ? QString("All fixtures")
-                    : studio_.verdicts().empty() ? QString("Asking why ...")
-                                                 : QString("All %1 that are dark").arg(dark));
+    group_->addItem(!dark_->isChecked()       ? QString("All fixtures")
+                    : app_.verdicts().empty() ? QString("Asking why ...")
+                                              : QString("All %1 that are dark").arg(dark));
     for (const FixtureGroup& group : groups_)
         group_->addItem(QString("%1 (%2)").arg(group.title).arg(group.fixtures.size()), group.title);
     group_->setCurrentIndex(before.isEmpty() ? 0 : std::max(group_->findData(before), 0));
@@ -335,7 +335,7 @@ void FixturePanel::show_group() {
     const int index = group_->currentIndex() - 1;
     if (index >= 0 && static_cast<std::size_t>(index) < groups_.size()) {
         only = groups_[static_cast<std::size_t>(index)].fixtures;
-    } else if (dark_->isChecked() && !studio_.verdicts().empty()) {
+    } else if (dark_->isChecked() && !app_.verdicts().empty()) {
         only.emplace();
         for (const FixtureGroup& group : groups_) only->insert(group.fixtures.begin(), group.fixtures.end());
     }
@@ -347,16 +347,16 @@ void FixturePanel::show_group() {
 }
 
 void FixturePanel::count() {
-    const std::size_t all = studio_.show() ? studio_.show()->fixtures.size() : 0;
+    const std::size_t all = app_.show() ? app_.show()->fixtures.size() : 0;
     QString words = QString("%1 %2").arg(all).arg(all == 1 ? "fixture" : "fixtures");
-    if (!studio_.selection().empty()) words += QString(", %1 selected").arg(studio_.selection().size());
+    if (!app_.selection().empty()) words += QString(", %1 selected").arg(app_.selection().size());
     title_->setText(words);
 }
 
 void FixturePanel::show_selection() {
     QItemSelection rows;
     QModelIndex first;
-    for (const std::size_t fixture : studio_.selection()) {
+    for (const std::size_t fixture : app_.selection()) {
         const QModelIndex index = sorted_->mapFromSource(model_->index(static_cast<int>(fixture), 0));
         if (!index.isValid()) continue; // searched away
         rows.select(index, index);
@@ -375,7 +375,7 @@ void FixturePanel::take_selection() {
     std::set<std::size_t> selection;
     for (const QModelIndex& index : table_->selectionModel()->selectedRows())
         selection.insert(static_cast<std::size_t>(sorted_->mapToSource(index).row()));
-    studio_.select(std::move(selection));
+    app_.select(std::move(selection));
 }
 
 } // namespace ghost::ui

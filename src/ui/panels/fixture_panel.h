@@ -24,7 +24,7 @@ public:
     enum Column { name, patch, level, colour, type, mode, x, y, z, turn, kColumns };
     static constexpr int kSwatch = Qt::UserRole; // colour of the light, where there is one
 
-    FixtureModel(Studio& studio, ShowDocument& document, QObject* parent);
+    FixtureModel(AppModel& app, ShowDocument& document, QObject* parent);
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -39,7 +39,7 @@ private:
     void take_show();
     Result<void> edit(int column, const QString& words);
 
-    Studio& studio_;
+    AppModel& app_;
     ShowDocument& document_;
     int rows_ = 0;
     std::set<std::size_t> shared_; // fixtures that read a channel of another one
@@ -62,7 +62,7 @@ private:
 class FixturePanel : public QWidget {
     Q_OBJECT
 public:
-    FixturePanel(Studio& studio, ShowDocument& document, QWidget* parent);
+    FixturePanel(AppModel& app, ShowDocument& document, QWidget* parent);
     void find() { search_->setFocus(); }
     FixtureModel& model() { return *model_; }
     QTableView* table() { return table_; }
@@ -74,7 +74,7 @@ private:
     void show_group();
     void count();
 
-    Studio& studio_;
+    AppModel& app_;
     QLabel* title_;
     QLineEdit* search_;
     QComboBox* group_;
@@ -83,7 +83,7 @@ private:
     QTableView* table_;
     FixtureModel* model_;
     FixtureFilter* sorted_;
-    bool follows_ = false; // the table is being changed by the studio
+    bool follows_ = false; // the table is being changed by the model
 };
 
 } // namespace ghost::ui

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/look_panel.h"
 
-#include "ui/actions/hand.h"
+#include "ui/actions/programmer_actions.h"
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
 
@@ -17,8 +17,8 @@ QString quoted(const QString& words) {
 
 } // namespace
 
-LookPanel::LookPanel(Studio& studio, Looks& looks, Actions& actions, QWidget* parent)
-    : QWidget(parent), studio_(studio), looks_(looks), actions_(actions) {
+LookPanel::LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* parent)
+    : QWidget(parent), app_(app), looks_(looks), actions_(actions) {
     auto* layout = new QVBoxLayout(this);
     list_ = new QListWidget(this);
     list_->setAccessibleName("Looks");
@@ -66,8 +66,8 @@ LookPanel::LookPanel(Studio& studio, Looks& looks, Actions& actions, QWidget* pa
     add_what_if(layout);
 
     connect(&looks_, &Looks::changed, this, &LookPanel::fill);
-    for (const auto signal : {&Studio::selection_changed, &Studio::look_changed})
-        connect(&studio_, signal, this, &LookPanel::refresh);
+    for (const auto signal : {&AppModel::selection_changed, &AppModel::look_changed})
+        connect(&app_, signal, this, &LookPanel::refresh);
     setEnabled(false);
 }
 
@@ -87,25 +87,26 @@ void LookPanel::add_what_if(QLayout* layout) {
     gel_->setToolTip("A filter in front of the selected fixtures, on top of all else");
     gel_->on_change = [this](const QColor& colour) { run("gel " + colour.name()); };
     gel_->on_release = [this] {
-        change_selected(studio_, "release gel", Hand::step,
-                        [](fixture::Manual& manual) { manual.gel.reset(); });
+        change_selected(app_, "release gel", ProgrammerStep::step,
+                        [](fixture::Programmer& programmer) { programmer.gel.reset(); });
     };
     lamp_ = new ValueRow("Lamp", {0, 4, 2, " x"}, this);
     lamp_->setToolTip("Another lamp: how many times as much light");
     lamp_k_ = new ValueRow("Its white", {2000, 10000, 0, " K"}, this);
     const auto connect_row = [this](ValueRow* row, const QString& what,
-                                    std::optional<float> fixture::Manual::*value) {
+                                    std::optional<float> fixture::Programmer::*value) {
         row->on_change = [this, what, value](double number) {
-            change_selected(studio_, what, Hand::lamp,
-                            [&](fixture::Manual& manual) { manual.*value = static_cast<float>(number); });
+            change_selected(app_, what, ProgrammerStep::lamp, [&](fixture::Programmer& programmer) {
+                programmer.*value = static_cast<float>(number);
+            });
         };
         row->on_release = [this, what, value] {
-            change_selected(studio_, "release " + what, Hand::step,
-                            [&](fixture::Manual& manual) { (manual.*value).reset(); });
+            change_selected(app_, "release " + what, ProgrammerStep::step,
+                            [&](fixture::Programmer& programmer) { (programmer.*value).reset(); });
         };
     };
-    connect_row(lamp_, "lamp", &fixture::Manual::lamp);
-    connect_row(lamp_k_, "white of the lamp", &fixture::Manual::lamp_k);
+    connect_row(lamp_, "lamp", &fixture::Programmer::lamp);
+    connect_row(lamp_k_, "white of the lamp", &fixture::Programmer::lamp_k);
     for (QWidget* widget : std::initializer_list<QWidget*>{solo_, what_if_, gel_, lamp_, lamp_k_})
         layout->addWidget(widget);
 }
@@ -127,7 +128,7 @@ QString LookPanel::new_name() const {
 }
 
 void LookPanel::fill() {
-    setEnabled(studio_.show() != nullptr);
+    setEnabled(app_.show() != nullptr);
     {
         const Following following(follows_);
         list_names();
@@ -153,7 +154,7 @@ void LookPanel::list_names() {
 }
 
 void LookPanel::refresh() {
-    if (!studio_.show() || follows_) return;
+    if (!app_.show() || follows_) return;
     const Following following(follows_);
     const QString current = QString::fromStdString(looks_.current());
     for (int i = 0; i < list_->count(); ++i) {
@@ -164,24 +165,24 @@ void LookPanel::refresh() {
     for (QWidget* widget : std::initializer_list<QWidget*>{recall_, update_, remove_, fade_})
         widget->setEnabled(index.ok());
     if (index.ok()) fade_->setValue(static_cast<double>(looks_.all()[*index].fade_s));
-    solo_->setChecked(!studio_.look().solo.empty());
-    const std::size_t count = studio_.selection().size();
-    solo_->setText(studio_.look().solo.empty() ? "Solo"
-                                               : QString("Solo: %1 shine").arg(studio_.look().solo.size()));
-    solo_->setEnabled(count > 0 || !studio_.look().solo.empty());
+    solo_->setChecked(!app_.look().solo.empty());
+    const std::size_t count = app_.selection().size();
+    solo_->setText(app_.look().solo.empty() ? "Solo"
+                                            : QString("Solo: %1 shine").arg(app_.look().solo.size()));
+    solo_->setEnabled(count > 0 || !app_.look().solo.empty());
     what_if_->setText(count == 0   ? "What if: select fixtures to try another gel or lamp"
                       : count == 1 ? QString("What if this fixture had")
                                    : QString("What if %1 fixtures had").arg(count));
     for (QWidget* widget : std::initializer_list<QWidget*>{gel_, lamp_, lamp_k_})
         widget->setEnabled(count > 0);
-    fixture::Manual manual;
-    if (studio_.current())
-        if (const auto found = studio_.look().fixtures.find(*studio_.current());
-            found != studio_.look().fixtures.end())
-            manual = found->second;
-    gel_->show_colour(screen_colour(manual.gel.value_or(glm::vec3(1))), manual.gel.has_value());
-    lamp_->show_value(static_cast<double>(manual.lamp.value_or(1)), manual.lamp.has_value());
-    lamp_k_->show_value(static_cast<double>(manual.lamp_k.value_or(6000)), manual.lamp_k.has_value());
+    fixture::Programmer programmer;
+    if (app_.current())
+        if (const auto found = app_.look().fixtures.find(*app_.current());
+            found != app_.look().fixtures.end())
+            programmer = found->second;
+    gel_->show_colour(screen_colour(programmer.gel.value_or(glm::vec3(1))), programmer.gel.has_value());
+    lamp_->show_value(static_cast<double>(programmer.lamp.value_or(1)), programmer.lamp.has_value());
+    lamp_k_->show_value(static_cast<double>(programmer.lamp_k.value_or(6000)), programmer.lamp_k.has_value());
 }
 
 } // namespace ghost::ui

@@ -21,7 +21,7 @@ class LookPanel : public QWidget {
     Q_OBJECT
 public:
     // Buttons run actions, so that what goes wrong is said where it is for keys.
-    LookPanel(Studio& studio, Looks& looks, Actions& actions, QWidget* parent);
+    LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* parent);
 
 private:
     QPushButton* add_button(const QString& text, const QString& tip, std::function<QString()> line);
@@ -33,7 +33,7 @@ private:
     QString chosen() const;   // name of the row that is current; empty: none
     QString new_name() const; // that nobody has
 
-    Studio& studio_;
+    AppModel& app_;
     Looks& looks_;
     Actions& actions_;
     QListWidget* list_;

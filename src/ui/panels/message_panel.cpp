@@ -40,7 +40,7 @@ private:
 
 } // namespace
 
-MessagePanel::MessagePanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+MessagePanel::MessagePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
     list_ = new QTreeWidget(this);
     list_->setHeaderLabels({"", "What", "Where", "What to do"});
     list_->setAccessibleName("Messages");
@@ -58,8 +58,8 @@ MessagePanel::MessagePanel(Studio& studio, QWidget* parent) : QWidget(parent), s
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(list_);
-    for (const auto signal : {&Studio::messages_came, &Studio::not_opened, &Studio::opened_show})
-        connect(&studio_, signal, this, &MessagePanel::refresh);
+    for (const auto signal : {&AppModel::messages_came, &AppModel::not_opened, &AppModel::opened_show})
+        connect(&app_, signal, this, &MessagePanel::refresh);
     connect(list_, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) { go_to(*item); });
     list_->setToolTip("Double click or Enter: the fixtures that it is about, else the file.");
 }
@@ -71,12 +71,12 @@ void MessagePanel::go_to(const QTreeWidgetItem& item) {
     for (auto found = kQuoted.globalMatch(item.text(1) + " " + item.text(2)); found.hasNext();)
         names.insert(found.next().captured(1).toStdString());
     std::set<std::size_t> fixtures;
-    for (std::size_t i = 0; studio_.show() && i < studio_.show()->fixtures.size(); ++i)
-        if (names.contains(studio_.show()->fixtures[i].name)) fixtures.insert(i);
+    for (std::size_t i = 0; app_.show() && i < app_.show()->fixtures.size(); ++i)
+        if (names.contains(app_.show()->fixtures[i].name)) fixtures.insert(i);
     if (!fixtures.empty()) {
-        studio_.select(fixtures);
-        if (const std::size_t first = *fixtures.begin(); first < studio_.rig().fixtures.size())
-            studio_.look_at(studio_.rig().fixtures[first].light_m, kAround_m);
+        app_.select(fixtures);
+        if (const std::size_t first = *fixtures.begin(); first < app_.rig().fixtures.size())
+            app_.look_at(app_.rig().fixtures[first].light_m, kAround_m);
         return;
     }
     static const QRegularExpression kLine(":\\d+$"); // "show.toml:12"
@@ -87,13 +87,13 @@ void MessagePanel::go_to(const QTreeWidgetItem& item) {
 void MessagePanel::refresh() {
     std::vector<scene::Finding> findings;
     // Of a show that could not be opened, however long ago: the newest thing first.
-    if (const auto& error = studio_.open_error())
+    if (const auto& error = app_.open_error())
         findings.push_back({.severity = Severity::error,
                             .kind = "not_opened",
                             .where = error->where,
                             .what = "Not opened: " + error->what,
                             .advice = "mend the file and open it again"});
-    for (const Message& message : studio_.messages()) findings.push_back(scene::finding_of(message));
+    for (const Message& message : app_.messages()) findings.push_back(scene::finding_of(message));
     list_->clear();
     for (const scene::FindingGroup& group : scene::grouped(findings)) {
         const scene::Finding& first = group.first;

@@ -19,13 +19,13 @@ constexpr int kColumns = 10;
 
 } // namespace
 
-UniverseGrid::UniverseGrid(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+UniverseGrid::UniverseGrid(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
     clock_.start();
     changed_ms_.fill(-kFresh_ms);
     owner_.fill(-1);
     setMinimumSize(kAcross * 14, kDown * 9);
-    connect(&studio_, &Studio::rig_came, this, &UniverseGrid::take);
-    connect(&studio_, &Studio::opened_show, this, &UniverseGrid::find_owners);
+    connect(&app_, &AppModel::rig_came, this, &UniverseGrid::take);
+    connect(&app_, &AppModel::opened_show, this, &UniverseGrid::find_owners);
 }
 
 QSize UniverseGrid::sizeHint() const {
@@ -43,8 +43,8 @@ void UniverseGrid::set_universe(int number) {
 
 void UniverseGrid::find_owners() {
     owner_.fill(-1);
-    if (!studio_.show()) return;
-    const std::vector<scene::PatchedFixture>& fixtures = studio_.show()->fixtures;
+    if (!app_.show()) return;
+    const std::vector<scene::PatchedFixture>& fixtures = app_.show()->fixtures;
     for (std::size_t i = 0; i < fixtures.size(); ++i) {
         if (!fixtures[i].type) continue;
         const fixture::Patch patch = fixtures[i].patch();
@@ -59,7 +59,7 @@ void UniverseGrid::find_owners() {
 }
 
 void UniverseGrid::take() {
-    const dmx::Universe* universe = studio_.rig().universes.find(static_cast<std::uint16_t>(universe_));
+    const dmx::Universe* universe = app_.rig().universes.find(static_cast<std::uint16_t>(universe_));
     known_ = universe != nullptr;
     const dmx::Levels now = universe ? *universe->levels : dmx::Levels{};
     for (std::size_t slot = 0; slot < now.size(); ++slot)
@@ -89,7 +89,7 @@ void UniverseGrid::paintEvent(QPaintEvent*) {
         const int shade = 30 + level * 70 / 255;
         const bool owned = owner_[index] >= 0;
         painter.fillRect(box, owned ? QColor(shade, shade, shade + 12) : QColor(shade, shade, shade));
-        if (owned && studio_.selection().contains(static_cast<std::size_t>(owner_[index]))) {
+        if (owned && app_.selection().contains(static_cast<std::size_t>(owner_[index]))) {
             painter.setPen(accent());
             painter.drawRect(box.adjusted(0, 0, -1, -1));
         }
@@ -114,8 +114,8 @@ bool UniverseGrid::event(QEvent* event) {
     const int owner = owner_[static_cast<std::size_t>(slot)];
     QString text =
         QString("%1.%2: %3").arg(universe_).arg(slot + 1).arg(levels_[static_cast<std::size_t>(slot)]);
-    if (owner >= 0 && studio_.show())
-        text += "\n" + QString::fromStdString(studio_.show()->fixtures[static_cast<std::size_t>(owner)].name);
+    if (owner >= 0 && app_.show())
+        text += "\n" + QString::fromStdString(app_.show()->fixtures[static_cast<std::size_t>(owner)].name);
     QToolTip::showText(help->globalPos(), text, this);
     return true;
 }
@@ -129,7 +129,7 @@ void NetworkPanel::resizeEvent(QResizeEvent*) {
     halves_->setSizes({400, 600});
 }
 
-NetworkPanel::NetworkPanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+NetworkPanel::NetworkPanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
     diagnosis_ = new QLabel(this);
     diagnosis_->setWordWrap(true);
     diagnosis_->setTextFormat(Qt::RichText);
@@ -148,7 +148,7 @@ NetworkPanel::NetworkPanel(Studio& studio, QWidget* parent) : QWidget(parent), s
     sources_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     sources_->horizontalHeader()->setStretchLastSection(true);
     universes_ = new QComboBox(this);
-    grid_ = new UniverseGrid(studio, this);
+    grid_ = new UniverseGrid(app, this);
     auto* left = new QWidget(this);
     auto* left_layout = new QVBoxLayout(left);
     left_layout->setContentsMargins(0, 0, 0, 0);
@@ -169,10 +169,10 @@ NetworkPanel::NetworkPanel(Studio& studio, QWidget* parent) : QWidget(parent), s
     layout->setContentsMargins(6, 6, 6, 6);
     layout->addWidget(diagnosis_);
     layout->addWidget(halves_, 1);
-    connect(&studio_, &Studio::network_came, this, &NetworkPanel::refresh);
-    connect(&studio_, &Studio::rig_came, this, &NetworkPanel::refresh_universes);
-    connect(&studio_, &Studio::opened_show, this, &NetworkPanel::refresh_universes);
-    connect(&studio_, &Studio::selection_changed, grid_, qOverload<>(&QWidget::update));
+    connect(&app_, &AppModel::network_came, this, &NetworkPanel::refresh);
+    connect(&app_, &AppModel::rig_came, this, &NetworkPanel::refresh_universes);
+    connect(&app_, &AppModel::opened_show, this, &NetworkPanel::refresh_universes);
+    connect(&app_, &AppModel::selection_changed, grid_, qOverload<>(&QWidget::update));
     connect(universes_, &QComboBox::currentIndexChanged, this, [this](int index) {
         if (index >= 0) grid_->set_universe(universes_->itemData(index).toInt());
     });
@@ -186,7 +186,7 @@ void NetworkPanel::refresh() {
 
 void NetworkPanel::refresh_diagnosis() {
     QString text;
-    for (const scene::Sentence& sentence : studio_.diagnosis()) {
+    for (const scene::Sentence& sentence : app_.diagnosis()) {
         const QString words = QString::fromStdString(sentence.text).toHtmlEscaped();
         const QString colour = (sentence.is_problem ? bad() : faint()).name();
         text += QString("<p style='margin:2px; color:%1'>%2</p>").arg(colour, words);
@@ -196,7 +196,7 @@ void NetworkPanel::refresh_diagnosis() {
 }
 
 void NetworkPanel::refresh_sources() {
-    const dmx::Statistics& network = studio_.network();
+    const dmx::Statistics& network = app_.network();
     std::uint64_t dropped = 0;
     for (const std::uint64_t count : network.drops) dropped += count;
     QString text =
@@ -206,7 +206,7 @@ void NetworkPanel::refresh_sources() {
     if (network.overflow > 0) text += QString(", %1 lost in this machine").arg(network.overflow);
     if (network.merge.preview > 0)
         text += QString(", %1 of a desk in preview (blind)").arg(network.merge.preview);
-    if (const dmx::Latency& latency = studio_.latency(); latency.count() > 0)
+    if (const dmx::Latency& latency = app_.latency(); latency.count() > 0)
         text += QString("; packet to picture %1 ms (median), %2 (99 %), %3 at most")
                     .arg(latency.percentile_ms(0.5), 0, 'f', 0)
                     .arg(latency.percentile_ms(0.99), 0, 'f', 0)
@@ -226,7 +226,7 @@ void NetworkPanel::refresh_sources() {
             source.protocol == dmx::Protocol::usb ? QString()
                                                   : QString::fromStdString(dmx::address_text(source.from)),
             QString::fromUtf8(dmx::protocol_name(source.protocol)),
-            studio_.patch().has(source.universe) ? QString("yes") : QString("no"),
+            app_.patch().has(source.universe) ? QString("yes") : QString("no"),
         };
         for (int column = 0; column < cells.size(); ++column) {
             QTableWidgetItem* item = sources_->item(row, column);
@@ -238,10 +238,9 @@ void NetworkPanel::refresh_sources() {
 
 void NetworkPanel::refresh_universes() {
     std::set<int> numbers;
-    for (const dmx::Universe& universe : studio_.rig().universes.list) numbers.insert(universe.number);
-    if (studio_.show())
-        for (const scene::PatchedFixture& fixture : studio_.show()->fixtures)
-            numbers.insert(fixture.universe);
+    for (const dmx::Universe& universe : app_.rig().universes.list) numbers.insert(universe.number);
+    if (app_.show())
+        for (const scene::PatchedFixture& fixture : app_.show()->fixtures) numbers.insert(fixture.universe);
     std::set<int> listed;
     for (int i = 0; i < universes_->count(); ++i) listed.insert(universes_->itemData(i).toInt());
     if (numbers == listed) return;

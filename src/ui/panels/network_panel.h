@@ -3,7 +3,7 @@
 // NetworkPanel: who sends what: what is wrong, in sentences; all sources with their rates and losses; the 512
 // values of one universe as a grid; how late the picture is. Window thread.
 
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -18,7 +18,7 @@ namespace ghost::ui {
 class UniverseGrid : public QWidget {
     Q_OBJECT
 public:
-    UniverseGrid(Studio& studio, QWidget* parent);
+    UniverseGrid(AppModel& app, QWidget* parent);
     void set_universe(int number);
     QSize sizeHint() const override;
 
@@ -30,7 +30,7 @@ private:
     QRectF cell(int slot) const;
     void take();
 
-    Studio& studio_;
+    AppModel& app_;
     int universe_ = 1;
     bool known_ = false;
     dmx::Levels levels_{};
@@ -44,7 +44,7 @@ private:
 class NetworkPanel : public QWidget {
     Q_OBJECT
 public:
-    NetworkPanel(Studio& studio, QWidget* parent);
+    NetworkPanel(AppModel& app, QWidget* parent);
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -55,7 +55,7 @@ private:
     void refresh_sources();
     void refresh_universes();
 
-    Studio& studio_;
+    AppModel& app_;
     QLabel* diagnosis_;
     QLabel* summary_;
     QTableWidget* sources_;

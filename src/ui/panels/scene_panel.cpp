@@ -2,7 +2,7 @@
 #include "ui/panels/scene_panel.h"
 
 #include "stage/overrides.h"
-#include "ui/actions/hand.h"
+#include "ui/actions/programmer_actions.h"
 
 #include <QVBoxLayout>
 
@@ -18,15 +18,15 @@ float shininess_from_roughness(float roughness) {
 }
 
 template <class T>
-ValueRow* scene_row(Studio& studio, const QString& name, const ValueRange& range, QWidget* parent,
+ValueRow* scene_row(AppModel& app, const QString& name, const ValueRange& range, QWidget* parent,
                     std::optional<T> SceneLook::*value) {
     auto* row = new ValueRow(name, range, parent);
-    row->on_change = [&studio, name, value](double number) {
-        change_scene(studio, name.toLower(), Hand::scene,
+    row->on_change = [&app, name, value](double number) {
+        change_scene(app, name.toLower(), ProgrammerStep::scene,
                      [&](SceneLook& scene) { scene.*value = static_cast<T>(number); });
     };
-    row->on_release = [&studio, name, value] {
-        change_scene(studio, "release " + name.toLower(), Hand::step,
+    row->on_release = [&app, name, value] {
+        change_scene(app, "release " + name.toLower(), ProgrammerStep::step,
                      [&](SceneLook& scene) { (scene.*value).reset(); });
     };
     return row;
@@ -34,29 +34,30 @@ ValueRow* scene_row(Studio& studio, const QString& name, const ValueRange& range
 
 } // namespace
 
-ScenePanel::ScenePanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+ScenePanel::ScenePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
     auto* layout = new QVBoxLayout(this);
     add_air(layout);
     add_stage(layout);
-    connect(&studio_, &Studio::opened_show, this, &ScenePanel::fill);
-    for (const auto signal : {&Studio::look_changed, &Studio::wishes_changed, &Studio::selection_changed})
-        connect(&studio_, signal, this, &ScenePanel::refresh);
+    connect(&app_, &AppModel::opened_show, this, &ScenePanel::fill);
+    for (const auto signal :
+         {&AppModel::look_changed, &AppModel::wishes_changed, &AppModel::selection_changed})
+        connect(&app_, signal, this, &ScenePanel::refresh);
     setEnabled(false);
 }
 
 void ScenePanel::add_air(QLayout* layout) {
-    smoke_ = scene_row(studio_, "Smoke", {0, 5, 2, " x"}, this, &SceneLook::smoke);
-    ambient_ = scene_row(studio_, "Even light", {0, 200, 1, " lx"}, this, &SceneLook::ambient_lux);
+    smoke_ = scene_row(app_, "Smoke", {0, 5, 2, " x"}, this, &SceneLook::smoke);
+    ambient_ = scene_row(app_, "Even light", {0, 200, 1, " lx"}, this, &SceneLook::ambient_lux);
     layout->addWidget(smoke_);
     layout->addWidget(ambient_);
     colour_ = new ColourRow("Its colour", this);
     colour_->setToolTip("Of the even light");
     colour_->on_change = [this](const QColor& colour) {
-        change_scene(studio_, "colour of the even light", Hand::scene,
+        change_scene(app_, "colour of the even light", ProgrammerStep::scene,
                      [&](SceneLook& scene) { scene.ambient_colour = filter_from(colour); });
     };
     colour_->on_release = [this] {
-        change_scene(studio_, "release the colour of the even light", Hand::step,
+        change_scene(app_, "release the colour of the even light", ProgrammerStep::step,
                      [](SceneLook& scene) { scene.ambient_colour.reset(); });
     };
     layout->addWidget(colour_);
@@ -67,20 +68,20 @@ void ScenePanel::add_air(QLayout* layout) {
             "Light falls with 1 / (constant + linear d + quadratic d²); 0, 0, 1 is physics.");
         attenuation_[k]->on_change = [this, k](double value) { change_attenuation(k, value); };
         attenuation_[k]->on_release = [this] {
-            change_scene(studio_, "release attenuation", Hand::step,
+            change_scene(app_, "release attenuation", ProgrammerStep::step,
                          [](SceneLook& scene) { scene.attenuation.reset(); });
         };
         layout->addWidget(attenuation_[k]);
     }
     samples_ = new ValueRow("Samples", {1, 64, 0, ""}, this);
     samples_->setToolTip("Of the haze, along a ray through one beam. Fewer are faster.");
-    samples_->on_change = [this](double value) { change_samples(studio_, static_cast<int>(value)); };
-    samples_->on_release = [this] { change_samples(studio_, std::nullopt); };
+    samples_->on_change = [this](double value) { change_samples(app_, static_cast<int>(value)); };
+    samples_->on_release = [this] { change_samples(app_, std::nullopt); };
     layout->addWidget(samples_);
     shadows_ = new QCheckBox("Shadows", this);
     connect(shadows_, &QCheckBox::clicked, this, [this](bool on) {
-        change_scene(studio_, "shadows", Hand::step, [&](SceneLook& scene) {
-            scene.shadows = on == studio_.show()->shadows ? std::nullopt : std::optional(on);
+        change_scene(app_, "shadows", ProgrammerStep::step, [&](SceneLook& scene) {
+            scene.shadows = on == app_.show()->shadows ? std::nullopt : std::optional(on);
         });
     });
     layout->addWidget(shadows_);
@@ -90,7 +91,7 @@ void ScenePanel::add_air(QLayout* layout) {
 }
 
 void ScenePanel::add_stage(QLayout* layout) {
-    stage_ = new StageTree(studio_, this);
+    stage_ = new StageTree(app_, this);
     connect(stage_, &StageTree::chose, this, &ScenePanel::refresh);
     layout->addWidget(stage_);
     hang_ = new QPushButton("Hang the selected fixtures under it", this);
@@ -105,15 +106,15 @@ void ScenePanel::add_stage(QLayout* layout) {
         auto* row = new ValueRow(name, range, this);
         row->on_change = [this, name, value, convert](double number) {
             if (!material()) return;
-            Look look = studio_.look();
+            Look look = app_.look();
             look.surfaces[*material()].*value = convert(static_cast<float>(number));
-            studio_.set_look(std::move(look), name.toLower(), static_cast<int>(Hand::surface));
+            app_.set_look(std::move(look), name.toLower(), static_cast<int>(ProgrammerStep::surface));
         };
         row->on_release = [this, name, value] {
             if (!material()) return;
-            Look look = studio_.look();
+            Look look = app_.look();
             (look.surfaces[*material()].*value).reset();
-            studio_.set_look(std::move(look), "release " + name.toLower());
+            app_.set_look(std::move(look), "release " + name.toLower());
         };
         layout->addWidget(row);
         return row;
@@ -127,17 +128,18 @@ void ScenePanel::add_stage(QLayout* layout) {
 std::optional<std::size_t> ScenePanel::material() const {
     const auto object = stage_->object();
     if (!object) return std::nullopt;
-    const std::size_t index = studio_.opened().objects[*object].material;
-    return index < studio_.opened().materials.size() ? std::optional(index) : std::nullopt;
+    const std::size_t index = app_.opened().objects[*object].material;
+    return index < app_.opened().materials.size() ? std::optional(index) : std::nullopt;
 }
 
 void ScenePanel::change_attenuation(int factor, double value) {
-    const scene::Attenuation& own = studio_.show()->attenuation;
+    const scene::Attenuation& own = app_.show()->attenuation;
     glm::vec3 factors =
-        studio_.look().scene.attenuation.value_or(glm::vec3(own.constant, own.linear, own.quadratic));
+        app_.look().scene.attenuation.value_or(glm::vec3(own.constant, own.linear, own.quadratic));
     factors[factor] = static_cast<float>(value);
     if (factors == glm::vec3(0)) factors[factor] = 0.01f; // light that never falls is none
-    change_scene(studio_, "attenuation", Hand::scene, [&](SceneLook& scene) { scene.attenuation = factors; });
+    change_scene(app_, "attenuation", ProgrammerStep::scene,
+                 [&](SceneLook& scene) { scene.attenuation = factors; });
 }
 
 void ScenePanel::fill() {
@@ -147,9 +149,9 @@ void ScenePanel::fill() {
 }
 
 void ScenePanel::refresh() {
-    if (!studio_.show()) return;
-    const scene::Show& show = *studio_.show();
-    const SceneLook& look = studio_.look().scene;
+    if (!app_.show()) return;
+    const scene::Show& show = *app_.show();
+    const SceneLook& look = app_.look().scene;
     smoke_->show_value(static_cast<double>(look.smoke.value_or(1)), look.smoke.has_value());
     ambient_->show_value(static_cast<double>(look.ambient_lux.value_or(show.ambient_lux)),
                          look.ambient_lux.has_value());
@@ -159,18 +161,18 @@ void ScenePanel::refresh() {
         glm::vec3(show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic));
     for (int k = 0; k < 3; ++k)
         attenuation_[k]->show_value(static_cast<double>(factors[k]), look.attenuation.has_value());
-    const std::optional<int> samples = studio_.look().haze_samples;
+    const std::optional<int> samples = app_.look().haze_samples;
     samples_->show_value(samples.value_or(kHazeSamples), samples.has_value());
     shadows_->setChecked(look.shadows.value_or(show.shadows));
     stage_->refresh();
     const auto object = stage_->object();
-    hang_->setEnabled(object && studio_.opened().objects[*object].bar && !studio_.selection().empty());
+    hang_->setEnabled(object && app_.opened().objects[*object].bar && !app_.selection().empty());
     specular_->setEnabled(material().has_value());
     shininess_->setEnabled(material().has_value());
     if (material()) {
-        const scene::Material& own = studio_.opened().materials[*material()];
-        const auto found = studio_.look().surfaces.find(*material());
-        const SurfaceLook surface = found == studio_.look().surfaces.end() ? SurfaceLook{} : found->second;
+        const scene::Material& own = app_.opened().materials[*material()];
+        const auto found = app_.look().surfaces.find(*material());
+        const SurfaceLook surface = found == app_.look().surfaces.end() ? SurfaceLook{} : found->second;
         specular_->show_value(static_cast<double>(surface.specular.value_or(own.specular)),
                               surface.specular.has_value());
         shininess_->show_value(

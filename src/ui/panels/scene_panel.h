@@ -4,7 +4,7 @@
 // attenuation, shadows, samples; the objects of the stage; specular and roughness of their materials.
 // Window thread.
 
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 #include "ui/panels/stage_tree.h"
 #include "ui/widgets/colour_row.h"
 #include "ui/widgets/value_row.h"
@@ -18,7 +18,7 @@ namespace ghost::ui {
 class ScenePanel : public QWidget {
     Q_OBJECT
 public:
-    ScenePanel(Studio& studio, QWidget* parent);
+    ScenePanel(AppModel& app, QWidget* parent);
 
 Q_SIGNALS:
     void asks_for_air();                   // what the show says of it: AirPanel
@@ -32,7 +32,7 @@ private:
     void change_attenuation(int factor, double value);
     std::optional<std::size_t> material() const; // of the object that is chosen
 
-    Studio& studio_;
+    AppModel& app_;
     ValueRow *smoke_, *ambient_, *samples_;
     ValueRow* attenuation_[3];
     ColourRow* colour_;

@@ -34,8 +34,8 @@ std::string without_number(const std::string& name) {
     return digits == 0 || digits == name.size() || end == std::string::npos ? name : name.substr(0, end + 1);
 }
 
-StageTree::StageTree(Studio& studio, QWidget* parent)
-    : QWidget(parent), studio_(studio), search_(new QLineEdit(this)), tree_(new QTreeWidget(this)) {
+StageTree::StageTree(AppModel& app, QWidget* parent)
+    : QWidget(parent), app_(app), search_(new QLineEdit(this)), tree_(new QTreeWidget(this)) {
     search_->setAccessibleName("Search objects and materials");
     search_->setPlaceholderText("Search objects and materials");
     search_->setClearButtonEnabled(true);
@@ -47,7 +47,7 @@ StageTree::StageTree(Studio& studio, QWidget* parent)
     tree_->setUniformRowHeights(true);
     connect(tree_, &QTreeWidget::itemChanged, this, &StageTree::take_box);
     connect(tree_, &QTreeWidget::currentItemChanged, this, [this] {
-        studio_.mark(object());
+        app_.mark(object());
         if (!follows_) Q_EMIT chose();
     });
     auto* layout = new QVBoxLayout(this);
@@ -59,15 +59,15 @@ StageTree::StageTree(Studio& studio, QWidget* parent)
 std::optional<std::size_t> StageTree::object() const {
     const QTreeWidgetItem* item = tree_->currentItem();
     // Of a show that was just opened the items come later than its objects.
-    if (!item || object_of(item) >= studio_.opened().objects.size()) return std::nullopt;
+    if (!item || object_of(item) >= app_.opened().objects.size()) return std::nullopt;
     return object_of(item);
 }
 
 bool StageTree::is_shown(std::size_t object) const {
-    if (object >= studio_.opened().objects.size()) return true;
-    const Object& one = studio_.opened().objects[object];
-    const auto by_hand = studio_.look().shown.find(one.instance);
-    return by_hand == studio_.look().shown.end() ? one.shown : by_hand->second;
+    if (object >= app_.opened().objects.size()) return true;
+    const Object& one = app_.opened().objects[object];
+    const auto by_hand = app_.look().shown.find(one.instance);
+    return by_hand == app_.look().shown.end() ? one.shown : by_hand->second;
 }
 
 void StageTree::take_box(QTreeWidgetItem* item) {
@@ -78,19 +78,19 @@ void StageTree::take_box(QTreeWidgetItem* item) {
     for_each_object(item, take);
     if (item->isSelected())
         for (QTreeWidgetItem* other : tree_->selectedItems()) for_each_object(other, take);
-    Look look = studio_.look();
+    Look look = app_.look();
     for (const std::size_t index : objects) {
-        const Object& object = studio_.opened().objects[index];
+        const Object& object = app_.opened().objects[index];
         look.shown.erase(object.instance);
         if (on != object.shown) look.shown[object.instance] = on;
     }
     const QString what = objects.size() == 1 ? "object" : QString("%1 objects").arg(objects.size());
-    studio_.set_look(std::move(look), (on ? "show " : "hide ") + what);
+    app_.set_look(std::move(look), (on ? "show " : "hide ") + what);
     refresh();
 }
 
 void StageTree::add(QTreeWidgetItem* parent, std::size_t object) {
-    const Opened& opened = studio_.opened();
+    const Opened& opened = app_.opened();
     const Object& one = opened.objects[object];
     auto* item = new QTreeWidgetItem(parent);
     item->setText(0, QString::fromStdString(one.name));
@@ -112,7 +112,7 @@ void StageTree::add_groups(QTreeWidgetItem* parent, const std::vector<std::size_
     std::map<std::string, std::vector<std::size_t>> groups;
     std::vector<std::string> in_order;
     for (const std::size_t object : objects) {
-        const std::string name = without_number(studio_.opened().objects[object].name);
+        const std::string name = without_number(app_.opened().objects[object].name);
         std::vector<std::size_t>& group = groups[name];
         if (group.empty()) in_order.push_back(name);
         group.push_back(object);
@@ -126,17 +126,17 @@ void StageTree::add_groups(QTreeWidgetItem* parent, const std::vector<std::size_
 
 void StageTree::fill() {
     const Following following(follows_);
-    const std::optional<std::size_t> chosen = studio_.opened().is_edit ? object() : std::nullopt;
+    const std::optional<std::size_t> chosen = app_.opened().is_edit ? object() : std::nullopt;
     open_.clear();
     const auto note_open = [&](QTreeWidgetItem* item, const auto& again) -> void {
         if (item->isExpanded()) open_.insert(item->text(0));
         for (int i = 0; i < item->childCount(); ++i) again(item->child(i), again);
     };
-    if (studio_.opened().is_edit) note_open(tree_->invisibleRootItem(), note_open);
+    if (app_.opened().is_edit) note_open(tree_->invisibleRootItem(), note_open);
     tree_->clear();
     std::map<std::string, std::vector<std::size_t>> layers;
-    for (std::size_t i = 0; i < studio_.opened().objects.size(); ++i)
-        layers[studio_.opened().objects[i].layer].push_back(i);
+    for (std::size_t i = 0; i < app_.opened().objects.size(); ++i)
+        layers[app_.opened().objects[i].layer].push_back(i);
     for (const auto& [layer, objects] : layers)
         add_groups(layer.empty() ? tree_->invisibleRootItem()
                                  : add_group(tree_->invisibleRootItem(), layer, objects.size()),

@@ -5,7 +5,7 @@
 // number at the end in one group: the box of a layer or group is that of all in it, and so is the box of any
 // of several that are selected. What is chosen is marked in the picture. Window thread.
 
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QLineEdit>
 #include <QTreeWidget>
@@ -20,11 +20,11 @@ namespace ghost::ui {
 class StageTree : public QWidget {
     Q_OBJECT
 public:
-    StageTree(Studio& studio, QWidget* parent);
+    StageTree(AppModel& app, QWidget* parent);
 
     // The one that is chosen, of a group its first: index into Opened::objects.
     std::optional<std::size_t> object() const;
-    // After the studio opened a show or its text was edited.
+    // After the model opened a show or its text was edited.
     void fill();
     // After the look changed.
     void refresh();
@@ -40,7 +40,7 @@ private:
     void take_box(QTreeWidgetItem* item);
     bool is_shown(std::size_t object) const;
 
-    Studio& studio_;
+    AppModel& app_;
     QLineEdit* search_;
     QTreeWidget* tree_;
     std::set<QString> open_; // groups, before they were made anew

@@ -25,9 +25,9 @@ QToolButton* button_of(QAction* action, const QString& text, QWidget* parent) {
 
 } // namespace
 
-TransportPanel::TransportPanel(Studio& studio, const Actions& actions, QWidget* parent)
-    : QWidget(parent), studio_(studio) {
-    place_ = new Waveform(studio_, this);
+TransportPanel::TransportPanel(AppModel& app, const Actions& actions, QWidget* parent)
+    : QWidget(parent), app_(app) {
+    place_ = new Waveform(app_, this);
     time_ = new QLabel(this);
     time_->setMinimumWidth(fontMetrics().averageCharWidth() * 17);
     input_ = new QComboBox(this);
@@ -52,27 +52,27 @@ TransportPanel::TransportPanel(Studio& studio, const Actions& actions, QWidget* 
     layout->addWidget(master_);
     layout->addWidget(button_of(actions.item("black-out"), "Black-out", this));
     connect(input_, &QComboBox::activated, this, [this](int index) {
-        studio_.wish([&](Wishes& wishes) { wishes.input = static_cast<Input>(index); });
+        app_.wish([&](ViewRequest& request) { request.input = static_cast<Input>(index); });
     });
     connect(master_, &QSlider::valueChanged, this, [this](int percent) {
         const float share = static_cast<float>(percent) / 100.0f;
-        if (std::lround(studio_.wishes().master * 100) != percent)
-            studio_.wish([&](Wishes& wishes) { wishes.master = share; });
+        if (std::lround(app_.request().master * 100) != percent)
+            app_.wish([&](ViewRequest& request) { request.master = share; });
     });
-    for (const auto signal : {&Studio::rig_came, &Studio::wishes_changed})
-        connect(&studio_, signal, this, &TransportPanel::refresh);
+    for (const auto signal : {&AppModel::rig_came, &AppModel::wishes_changed})
+        connect(&app_, signal, this, &TransportPanel::refresh);
     refresh();
 }
 
 void TransportPanel::refresh() {
-    play_->setIconText(studio_.wishes().transport.playing ? "\u275A\u275A" : "\u25B6"); // what it will do
-    const double length_s = studio_.rig().recording_s;
-    place_->setEnabled(length_s > 0 && !studio_.rig().from_desk);
-    time_->setText(studio_.rig().from_desk ? QString("desk")
-                   : length_s > 0          ? clock_of(studio_.rig().at_s) + " / " + clock_of(length_s)
-                                           : QString("no recording"));
-    input_->setCurrentIndex(static_cast<int>(studio_.wishes().input));
-    master_->setValue(static_cast<int>(std::lround(studio_.wishes().master * 100)));
+    play_->setIconText(app_.request().transport.playing ? "\u275A\u275A" : "\u25B6"); // what it will do
+    const double length_s = app_.rig().recording_s;
+    place_->setEnabled(length_s > 0 && !app_.rig().from_desk);
+    time_->setText(app_.rig().from_desk ? QString("desk")
+                   : length_s > 0       ? clock_of(app_.rig().at_s) + " / " + clock_of(length_s)
+                                        : QString("no recording"));
+    input_->setCurrentIndex(static_cast<int>(app_.request().input));
+    master_->setValue(static_cast<int>(std::lround(app_.request().master * 100)));
 }
 
 } // namespace ghost::ui

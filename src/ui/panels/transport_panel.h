@@ -4,7 +4,7 @@
 // master. Window thread.
 
 #include "ui/actions/actions.h"
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 #include "ui/panels/waveform.h"
 
 #include <QAction>
@@ -19,12 +19,12 @@ class TransportPanel : public QWidget {
     Q_OBJECT
 public:
     // actions: has "play", "to-start" and "black-out".
-    TransportPanel(Studio& studio, const Actions& actions, QWidget* parent);
+    TransportPanel(AppModel& app, const Actions& actions, QWidget* parent);
 
 private:
     void refresh();
 
-    Studio& studio_;
+    AppModel& app_;
     Waveform* place_;
     QLabel* time_;
     QAction* play_;

@@ -54,38 +54,39 @@ QString padded(QString addresses) {
 }
 
 // What a hand sets in this channel's place.
-QString words_by_hand(const scene::ChannelFacts& channel, const fixture::Manual& manual) {
+QString words_by_hand(const scene::ChannelFacts& channel, const fixture::Programmer& programmer) {
     using fixture::Role;
     const auto degrees = [](const std::optional<float>& value) {
         return value ? QString("%1\u00b0").arg(static_cast<double>(*value), 0, 'f', 1) : QString();
     };
-    const auto share = manual.channels.find(channel.name);
-    if (share != manual.channels.end())
+    const auto share = programmer.channels.find(channel.name);
+    if (share != programmer.channels.end())
         return QString("%1 %").arg(100 * static_cast<double>(share->second), 0, 'f', 0);
     switch (channel.role) {
     case Role::dimmer:
-        return manual.intensity ? QString("%1 %").arg(100 * static_cast<double>(*manual.intensity), 0, 'f', 0)
-                                : QString();
+        return programmer.intensity
+                   ? QString("%1 %").arg(100 * static_cast<double>(*programmer.intensity), 0, 'f', 0)
+                   : QString();
     case Role::shutter:
     case Role::strobe:
     case Role::strobe_random:
     case Role::strobe_pulse:
-        return manual.intensity ? QString("open") : QString();
+        return programmer.intensity ? QString("open") : QString();
     case Role::zoom:
-        return degrees(manual.zoom_deg);
+        return degrees(programmer.zoom_deg);
     case Role::pan:
-        return degrees(manual.pan_deg);
+        return degrees(programmer.pan_deg);
     case Role::tilt:
-        return degrees(manual.tilt_deg);
+        return degrees(programmer.tilt_deg);
     case Role::gobo_wheel:
-        return manual.gobo ? QString("slot %1").arg(*manual.gobo) : QString();
+        return programmer.gobo ? QString("slot %1").arg(*programmer.gobo) : QString();
     case Role::color_add:
     case Role::color_sub_c:
     case Role::color_sub_m:
     case Role::color_sub_y:
     case Role::color_wheel:
     case Role::color_rgb:
-        return manual.colour ? QString("colour") : QString();
+        return programmer.colour ? QString("colour") : QString();
     default:
         return {};
     }
@@ -93,11 +94,11 @@ QString words_by_hand(const scene::ChannelFacts& channel, const fixture::Manual&
 
 } // namespace
 
-void ChannelModel::show(const scene::Explanation& explanation, const fixture::Manual& manual) {
+void ChannelModel::show(const scene::Explanation& explanation, const fixture::Programmer& programmer) {
     const bool same = channels_.size() == explanation.channels.size();
     if (!same) beginResetModel();
     channels_ = explanation.channels;
-    manual_ = manual;
+    programmer_ = programmer;
     if (!same)
         endResetModel();
     else if (!channels_.empty())
@@ -131,7 +132,7 @@ QVariant ChannelModel::data(const QModelIndex& index, int role) const {
     case meaning:
         return QString::fromStdString(channel.meaning);
     case by_hand:
-        return words_by_hand(channel, manual_);
+        return words_by_hand(channel, programmer_);
     default:
         return {};
     }
@@ -143,7 +144,7 @@ QVariant ChannelModel::headerData(int section, Qt::Orientation orientation, int 
     return kTitles[section];
 }
 
-ValuePanel::ValuePanel(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+ValuePanel::ValuePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
     title_ = new QLabel(this);
     QFont font = title_->font();
     font.setBold(true);
@@ -182,34 +183,34 @@ ValuePanel::ValuePanel(Studio& studio, QWidget* parent) : QWidget(parent), studi
     layout->addWidget(title_);
     layout->addWidget(verdict_);
     layout->addWidget(splitter, 1);
-    for (const auto signal :
-         {&Studio::explanation_came, &Studio::selection_changed, &Studio::opened_show, &Studio::look_changed})
-        connect(&studio_, signal, this, &ValuePanel::refresh);
+    for (const auto signal : {&AppModel::explanation_came, &AppModel::selection_changed,
+                              &AppModel::opened_show, &AppModel::look_changed})
+        connect(&app_, signal, this, &ValuePanel::refresh);
     refresh();
 }
 
 void ValuePanel::refresh() {
-    const auto current = studio_.current();
-    if (!studio_.show() || !current) {
+    const auto current = app_.current();
+    if (!app_.show() || !current) {
         title_->setText("No fixture is selected");
         verdict_->setText("Click a lamp in the picture or a row of the list.");
         model_->show({}, {});
         words_->clear();
         return;
     }
-    QString title = QString::fromStdString(studio_.show()->fixtures[*current].name);
-    if (studio_.selection().size() > 1) title += QString(" and %1 more").arg(studio_.selection().size() - 1);
+    QString title = QString::fromStdString(app_.show()->fixtures[*current].name);
+    if (app_.selection().size() > 1) title += QString(" and %1 more").arg(app_.selection().size() - 1);
     title_->setText(title);
-    const Explained& explained = studio_.explained();
+    const Explained& explained = app_.explained();
     if (explained.fixture != *current || explained.words.empty()) return; // it comes
     verdict_->setText(QString::fromStdString(explained.explanation.verdict));
     verdict_->setStyleSheet(
         QString("color: %1")
             .arg((explained.explanation.visibility == scene::Visibility::lit ? good() : bad()).name()));
-    const auto by_hand = studio_.look().fixtures.find(*current);
+    const auto by_hand = app_.look().fixtures.find(*current);
     model_->show(explained.explanation,
-                 by_hand == studio_.look().fixtures.end() ? fixture::Manual{} : by_hand->second);
-    table_->setColumnHidden(ChannelModel::by_hand, by_hand == studio_.look().fixtures.end());
+                 by_hand == app_.look().fixtures.end() ? fixture::Programmer{} : by_hand->second);
+    table_->setColumnHidden(ChannelModel::by_hand, by_hand == app_.look().fixtures.end());
     const QString words = QString::fromStdString(explained.words);
     if (words != words_->toPlainText() && !words_->textCursor().hasSelection()) words_->setPlainText(words);
 }

@@ -3,7 +3,7 @@
 // ValuePanel: the current fixture, live: each channel with its DMX value, what that means, and a bar; above
 // them why it shines or not (diagnose/explain.h), below the whole explanation in words. Window thread.
 
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QAbstractTableModel>
 #include <QLabel>
@@ -20,8 +20,8 @@ public:
     static constexpr int kShare = Qt::UserRole; // of the bar behind the value, 0..1
 
     explicit ChannelModel(QObject* parent) : QAbstractTableModel(parent) {}
-    // manual: what hands set of the fixture.
-    void show(const scene::Explanation& explanation, const fixture::Manual& manual);
+    // programmer: what hands set of the fixture.
+    void show(const scene::Explanation& explanation, const fixture::Programmer& programmer);
     int rowCount(const QModelIndex& parent = {}) const override;
     int columnCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -29,18 +29,18 @@ public:
 
 private:
     std::vector<scene::ChannelFacts> channels_;
-    fixture::Manual manual_;
+    fixture::Programmer programmer_;
 };
 
 class ValuePanel : public QWidget {
     Q_OBJECT
 public:
-    ValuePanel(Studio& studio, QWidget* parent);
+    ValuePanel(AppModel& app, QWidget* parent);
 
 private:
     void refresh();
 
-    Studio& studio_;
+    AppModel& app_;
     QLabel* title_;
     QLabel* verdict_;
     ChannelModel* model_;

@@ -17,13 +17,13 @@ constexpr double kShortestLoop_s = 0.2;
 
 } // namespace
 
-Waveform::Waveform(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+Waveform::Waveform(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
     setMinimumSize(120, kHeight_px);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName("The recording: how much changes when, and where it is played");
     setToolTip("Click: go there. Shift+drag: play this part again and again, Shift+click: the whole.");
-    for (const auto signal : {&Studio::rig_came, &Studio::wishes_changed, &Studio::waveform_came})
-        connect(&studio_, signal, this, qOverload<>(&QWidget::update));
+    for (const auto signal : {&AppModel::rig_came, &AppModel::wishes_changed, &AppModel::waveform_came})
+        connect(&app_, signal, this, qOverload<>(&QWidget::update));
 }
 
 QSize Waveform::sizeHint() const {
@@ -31,25 +31,25 @@ QSize Waveform::sizeHint() const {
 }
 
 double Waveform::second_at(double x) const {
-    return std::clamp(x / std::max(width(), 1), 0.0, 1.0) * studio_.rig().recording_s;
+    return std::clamp(x / std::max(width(), 1), 0.0, 1.0) * app_.rig().recording_s;
 }
 
 double Waveform::x_of(double second) const {
-    return second / std::max(studio_.rig().recording_s, 1e-3) * width();
+    return second / std::max(app_.rig().recording_s, 1e-3) * width();
 }
 
 void Waveform::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), QColor(18, 18, 20));
-    if (studio_.rig().recording_s <= 0) return;
-    const Transport& transport = studio_.wishes().transport;
+    if (app_.rig().recording_s <= 0) return;
+    const Transport& transport = app_.request().transport;
     const bool loops = transport.loop_to_s > transport.loop_from_s;
     const double from = loops ? x_of(transport.loop_from_s) : 0,
                  to = loops ? x_of(transport.loop_to_s) : width();
     if (loops) painter.fillRect(QRectF(from, 0, to - from, height()), QColor(255, 179, 71, 40));
-    const std::vector<float>& activity = studio_.waveform();
-    const double at = x_of(studio_.rig().at_s);
-    const bool is_shown = !studio_.rig().from_desk;
+    const std::vector<float>& activity = app_.waveform();
+    const double at = x_of(app_.rig().at_s);
+    const bool is_shown = !app_.rig().from_desk;
     for (int x = 0; x < width() && !activity.empty(); ++x) {
         // The most of all parts that this pixel stands for.
         const auto count = static_cast<double>(activity.size());
@@ -70,18 +70,18 @@ void Waveform::paintEvent(QPaintEvent*) {
 }
 
 void Waveform::seek(double second) {
-    studio_.wish([&](Wishes& wishes) {
-        ++wishes.transport.seeks;
-        wishes.transport.at_s = second;
+    app_.wish([&](ViewRequest& request) {
+        ++request.transport.seeks;
+        request.transport.at_s = second;
     });
 }
 
 void Waveform::loop_to(double second) {
     const double from_s = std::min(mark_from_s_, second), to_s = std::max(mark_from_s_, second);
     const bool is_part = to_s - from_s >= kShortestLoop_s;
-    studio_.wish([&](Wishes& wishes) {
-        wishes.transport.loop_from_s = is_part ? from_s : 0;
-        wishes.transport.loop_to_s = is_part ? to_s : 0;
+    app_.wish([&](ViewRequest& request) {
+        request.transport.loop_from_s = is_part ? from_s : 0;
+        request.transport.loop_to_s = is_part ? to_s : 0;
     });
 }
 

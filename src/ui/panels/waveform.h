@@ -3,7 +3,7 @@
 // Waveform: the recording from its begin to its end, how much changes when, and where it is played. A click
 // or drag goes there, with Shift it marks what is played again and again. Window thread.
 
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QWidget>
 
@@ -12,7 +12,7 @@ namespace ghost::ui {
 class Waveform : public QWidget {
     Q_OBJECT
 public:
-    Waveform(Studio& studio, QWidget* parent);
+    Waveform(AppModel& app, QWidget* parent);
     QSize sizeHint() const override;
 
 protected:
@@ -27,7 +27,7 @@ private:
     void seek(double second);
     void loop_to(double second);
 
-    Studio& studio_;
+    AppModel& app_;
     bool marks_ = false;
     double mark_from_s_ = 0;
 };

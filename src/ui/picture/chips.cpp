@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/picture/private/chips.h"
 
-#include "ui/actions/hand.h"
+#include "ui/actions/programmer_actions.h"
 #include "ui/widgets/theme.h"
 
 #include <QFontMetricsF>
@@ -20,8 +20,8 @@ QString clock_of(double seconds) {
     return QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0'));
 }
 
-Chip of_input(const Studio& studio) {
-    const RigNow& rig = studio.rig();
+Chip of_input(const AppModel& app) {
+    const RigNow& rig = app.rig();
     if (rig.from_desk && !rig.universes.list.empty()) return {"LIVE DESK", good()};
     if (rig.recording_s > 0) return {"REC " + clock_of(rig.at_s), {}};
     return {"NO DESK YET", {}};
@@ -29,20 +29,19 @@ Chip of_input(const Studio& studio) {
 
 } // namespace
 
-std::vector<Chip> chips_of(const Studio& studio) {
-    const Picture& picture = studio.picture();
-    const Wishes& wishes = studio.wishes();
+std::vector<Chip> chips_of(const AppModel& app) {
+    const Picture& picture = app.picture();
+    const ViewRequest& request = app.request();
     std::vector<Chip> chips;
-    if (wishes.black_out) chips.push_back({"BLACK-OUT", bad(), true});
-    if (wishes.frozen) chips.push_back({"FROZEN", QColor(110, 190, 255), true});
-    chips.push_back(of_input(studio));
-    if (studio.rig().recorded_s >= 0)
-        chips.push_back({"RECORDING " + clock_of(studio.rig().recorded_s), bad()});
+    if (request.black_out) chips.push_back({"BLACK-OUT", bad(), true});
+    if (request.frozen) chips.push_back({"FROZEN", QColor(110, 190, 255), true});
+    chips.push_back(of_input(app));
+    if (app.rig().recorded_s >= 0) chips.push_back({"RECORDING " + clock_of(app.rig().recorded_s), bad()});
     if (picture.has_work_light) chips.push_back({"WORK LIGHT", QColor(255, 236, 190)});
     chips.push_back({QString("EV %1").arg(static_cast<double>(picture.ev100), 0, 'f', 1), {}});
-    if (wishes.master < 1)
-        chips.push_back({QString("MASTER %1 %").arg(std::lround(100 * wishes.master)), accent()});
-    if (!studio.look().is_empty()) chips.push_back({"by hand: " + words_of(studio.look()), accent()});
+    if (request.master < 1)
+        chips.push_back({QString("MASTER %1 %").arg(std::lround(100 * request.master)), accent()});
+    if (!app.look().is_empty()) chips.push_back({"by hand: " + words_of(app.look()), accent()});
     if (picture.missing_maps > 0)
         chips.push_back({QString("%1 lights throw no shadows yet").arg(picture.missing_maps), {}});
     return chips;

@@ -29,7 +29,7 @@ QString names_of_screens() {
 
 } // namespace
 
-PictureWindow::PictureWindow(Studio& studio) : studio_(studio) {
+PictureWindow::PictureWindow(AppModel& app) : app_(app) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setWindowTitle("Ghostlight, the picture");
     setMinimumSize(16, 16);
@@ -37,10 +37,10 @@ PictureWindow::PictureWindow(Studio& studio) : studio_(studio) {
     resize_timer_.setInterval(kRest_ms);
     connect(&resize_timer_, &QTimer::timeout, this, [this] {
         const double ratio = asked_ratio_ = devicePixelRatioF();
-        studio_.set_second_size({static_cast<int>(std::lround(width() * ratio)),
-                                 static_cast<int>(std::lround(height() * ratio))});
+        app_.set_second_size({static_cast<int>(std::lround(width() * ratio)),
+                              static_cast<int>(std::lround(height() * ratio))});
     });
-    connect(&studio_, &Studio::picture_came, this, qOverload<>(&QWidget::update));
+    connect(&app_, &AppModel::picture_came, this, qOverload<>(&QWidget::update));
 }
 
 void PictureWindow::paintEvent(QPaintEvent*) {
@@ -48,8 +48,8 @@ void PictureWindow::paintEvent(QPaintEvent*) {
         resize_timer_.start();
     QPainter painter(this);
     painter.fillRect(rect(), Qt::black);
-    const Picture& picture = studio_.picture();
-    if (!studio_.show() || !picture.image) return;
+    const Picture& picture = app_.picture();
+    if (!app_.show() || !picture.image) return;
     paint_picture(painter, picture_rect(size(), picture.camera, picture.framed), *picture.image);
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
 }
@@ -70,7 +70,7 @@ void PictureWindow::closeEvent(QCloseEvent* event) {
     Q_EMIT closed();
 }
 
-SecondDisplay::SecondDisplay(Studio& studio) : studio_(studio) {
+SecondDisplay::SecondDisplay(AppModel& app) : app_(app) {
     auto* application = qGuiApp;
     connect(application, &QGuiApplication::screenAdded, this, &SecondDisplay::look_for_screen);
     connect(application, &QGuiApplication::screenRemoved, this, &SecondDisplay::leave_screen);
@@ -107,13 +107,13 @@ void SecondDisplay::close() {
     wanted_.clear();
     screen_.clear();
     window_.reset();
-    studio_.set_second_size({});
+    app_.set_second_size({});
     Q_EMIT changed("");
 }
 
 void SecondDisplay::show_on(QScreen* screen) {
     if (!window_) {
-        window_ = std::make_unique<PictureWindow>(studio_);
+        window_ = std::make_unique<PictureWindow>(app_);
         // Not at once: it is in the middle of its own event.
         connect(window_.get(), &PictureWindow::closed, this, &SecondDisplay::close, Qt::QueuedConnection);
     }
@@ -145,7 +145,7 @@ void SecondDisplay::leave_screen(QScreen* screen) {
     screen_.clear();
     // A window that covers what is left would hide the desk of who works there.
     window_.reset();
-    studio_.set_second_size({});
+    app_.set_second_size({});
     Q_EMIT changed(QString("The display %1 is gone; the picture comes back with it").arg(wanted_));
 }
 

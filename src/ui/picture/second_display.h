@@ -5,7 +5,7 @@
 // thread.
 
 #include "base/result.h"
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QPointer>
 #include <QScreen>
@@ -19,7 +19,7 @@ namespace ghost::ui {
 class PictureWindow : public QWidget {
     Q_OBJECT
 public:
-    explicit PictureWindow(Studio& studio);
+    explicit PictureWindow(AppModel& app);
 
 Q_SIGNALS:
     void closed(); // by a person
@@ -31,7 +31,7 @@ protected:
     void closeEvent(QCloseEvent*) override;
 
 private:
-    Studio& studio_;
+    AppModel& app_;
     QTimer resize_timer_;
     double asked_ratio_ = 0; // as in View
 };
@@ -39,7 +39,7 @@ private:
 class SecondDisplay : public QObject {
     Q_OBJECT
 public:
-    explicit SecondDisplay(Studio& studio);
+    explicit SecondDisplay(AppModel& app);
 
     // "2", a display's name, "window"; empty: the first display that the main window is not on.
     Result<void> open(const QString& which, const QScreen* main);
@@ -58,7 +58,7 @@ private:
     void look_for_screen(QScreen* screen);
     void leave_screen(QScreen* screen);
 
-    Studio& studio_;
+    AppModel& app_;
     std::unique_ptr<PictureWindow> window_;
     QPointer<QScreen> screen_; // it covers; null: a window
     QString wanted_;           // name of the display; empty: none, or a window

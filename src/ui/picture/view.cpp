@@ -49,7 +49,7 @@ glm::vec3 way_of(int key) {
 
 } // namespace
 
-View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio), figures_(studio) {
+View::View(AppModel& app, QWidget* parent) : QWidget(parent), app_(app), figures_(app) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 90);
@@ -62,38 +62,38 @@ View::View(Studio& studio, QWidget* parent) : QWidget(parent), studio_(studio), 
     connect(&rest_timer_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     fly_timer_.setInterval(kFly_ms);
     connect(&fly_timer_, &QTimer::timeout, this, &View::fly);
-    connect(&studio_, &Studio::picture_came, this, &View::take_picture);
-    connect(&studio_, &Studio::opened_show, this, [this] {
-        if (studio_.opened().is_edit) return;
+    connect(&app_, &AppModel::picture_came, this, &View::take_picture);
+    connect(&app_, &AppModel::opened_show, this, [this] {
+        if (app_.opened().is_edit) return;
         // A newer version of what was open: the picture goes on from where it was seen.
-        if (!studio_.opened().again) studio_.cut_to(studio_.show()->cameras.front());
+        if (!app_.opened().again) app_.cut_to(app_.show()->cameras.front());
         ask_for_size();
     });
     // Marks and aims move with the rig, figures with everything.
-    connect(&studio_, &Studio::rig_came, this, [this] {
-        if (overlays.aims || overlays.names || overlays.addresses || hovered_ || !studio_.selection().empty())
+    connect(&app_, &AppModel::rig_came, this, [this] {
+        if (overlays.aims || overlays.names || overlays.addresses || hovered_ || !app_.selection().empty())
             update();
     });
-    connect(&studio_, &Studio::picked_came, this, &View::select_picked);
-    connect(&studio_, &Studio::opened_show, this, [this] {
+    connect(&app_, &AppModel::picked_came, this, &View::select_picked);
+    connect(&app_, &AppModel::opened_show, this, [this] {
         hovered_.reset();
-        if (!studio_.opened().is_edit && !studio_.opened().again) wipe_.end();
+        if (!app_.opened().is_edit && !app_.opened().again) wipe_.end();
         if (drag_ == Drag::lamp) drag_ = Drag::none;
     });
-    for (const auto signal : {&Studio::selection_changed, &Studio::marked_changed, &Studio::activity_came,
-                              &Studio::opened_show, &Studio::probe_came})
-        connect(&studio_, signal, this, qOverload<>(&QWidget::update));
+    for (const auto signal : {&AppModel::selection_changed, &AppModel::marked_changed,
+                              &AppModel::activity_came, &AppModel::opened_show, &AppModel::probe_came})
+        connect(&app_, signal, this, qOverload<>(&QWidget::update));
 }
 
 void View::ask_for_size() {
-    if (!studio_.show()) return;
+    if (!app_.show()) return;
     const double ratio = asked_ratio_ = devicePixelRatioF();
-    studio_.set_size(std::max(static_cast<int>(std::lround(width() * ratio)), 16),
-                     std::max(static_cast<int>(std::lround(height() * ratio)), 16));
+    app_.set_size(std::max(static_cast<int>(std::lround(width() * ratio)), 16),
+                  std::max(static_cast<int>(std::lround(height() * ratio)), 16));
 }
 
 void View::take_picture() {
-    if (arrival_.count() == 0) arrival_ = studio_.picture().arrival;
+    if (arrival_.count() == 0) arrival_ = app_.picture().arrival;
     picture_waits_ = true;
     figures_.count_picture();
     rest_timer_.start(figures_.rest_ms());
@@ -111,13 +111,12 @@ void View::paintEvent(QPaintEvent*) {
     if (asked_ratio_ > 0 && asked_ratio_ != devicePixelRatioF() && !resize_timer_.isActive())
         resize_timer_.start();
     QPainter painter(this);
-    const Picture& picture = studio_.picture();
-    if (!studio_.show() || !picture.image) {
+    const Picture& picture = app_.picture();
+    if (!app_.show() || !picture.image) {
         painter.fillRect(rect(), QColor(12, 12, 13));
-        const bool waits = !studio_.activity().empty() || studio_.show();
+        const bool waits = !app_.activity().empty() || app_.show();
         paint_notice(painter, size(),
-                     waits ? QString::fromStdString(studio_.activity()) : QString("No show is open"),
-                     QString());
+                     waits ? QString::fromStdString(app_.activity()) : QString("No show is open"), QString());
         paint_box(painter);
         return;
     }
@@ -125,34 +124,34 @@ void View::paintEvent(QPaintEvent*) {
     if (!place.adjusted(-1, -1, 1, 1).contains(rect())) painter.fillRect(rect(), Qt::black);
     paint_picture(painter, place, *picture.image);
     wipe_.paint(painter, size());
-    if (overlays.frame) paint_frame(painter, place, frame_rect(size(), studio_.wishes().frame));
-    paint_fixtures(painter, place, picture.camera, *studio_.show(), studio_.rig(), studio_.selection(),
-                   hovered_, overlays);
+    if (overlays.frame) paint_frame(painter, place, frame_rect(size(), app_.request().frame));
+    paint_fixtures(painter, place, picture.camera, *app_.show(), app_.rig(), app_.selection(), hovered_,
+                   overlays);
     if (drag_ == Drag::lamp)
-        paint_moved(painter, place, picture.camera, studio_.rig(), studio_.selection(), moved_by_m_, drag_at_,
+        paint_moved(painter, place, picture.camera, app_.rig(), app_.selection(), moved_by_m_, drag_at_,
                     lamp_->words(moved_by_m_));
-    if (const auto object = studio_.marked(); object && overlays.marks)
-        paint_object(painter, place, picture.camera, studio_.opened().objects[*object]);
+    if (const auto object = app_.marked(); object && overlays.marks)
+        paint_object(painter, place, picture.camera, app_.opened().objects[*object]);
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
     const double figures_px = overlays.figures ? paint_figures(painter, size(), figures_.lines()) : 0;
-    if (overlays.chips) paint_chips(painter, size(), chips_of(studio_), figures_px);
-    if (overlays.probe && studio_.probed()) paint_probe(painter, place, size(), *studio_.probed());
+    if (overlays.chips) paint_chips(painter, size(), chips_of(app_), figures_px);
+    if (overlays.probe && app_.probed()) paint_probe(painter, place, size(), *app_.probed());
     paint_box(painter);
     painter.end();
     paint_ms_ = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
     if (std::exchange(picture_waits_, false))
-        studio_.count_window(std::chrono::nanoseconds(clock.nsecsElapsed()));
+        app_.count_window(std::chrono::nanoseconds(clock.nsecsElapsed()));
     if (arrival_.count() > 0) {
         const auto latency =
             std::chrono::steady_clock::now().time_since_epoch() - std::exchange(arrival_, {});
         figures_.take_latency(latency);
-        studio_.count_latency(latency);
+        app_.count_latency(latency);
     }
 }
 
 Result<void> View::begin_wipe(double share) {
-    if (!studio_.picture().image) return Error{"there is no picture yet", ""};
-    if (!wipe_.is_on()) wipe_.keep(studio_.picture());
+    if (!app_.picture().image) return Error{"there is no picture yet", ""};
+    if (!wipe_.is_on()) wipe_.keep(app_.picture());
     wipe_.set_share(share);
     update();
     return {};
@@ -171,15 +170,15 @@ void View::paint_box(QPainter& painter) const {
 }
 
 scene::Camera View::camera_of_picture() const {
-    return studio_.picture().image ? studio_.picture().camera
-                                   : scene::with_frame(studio_.camera(), studio_.wishes().frame);
+    return app_.picture().image ? app_.picture().camera
+                                : scene::with_frame(app_.camera(), app_.request().frame);
 }
 
 QRectF View::rect_of_picture() const {
-    const Picture& picture = studio_.picture();
+    const Picture& picture = app_.picture();
     if (picture.image) return picture_rect(size(), picture.camera, picture.framed);
-    const scene::Camera& camera = studio_.camera();
-    const glm::ivec2& frame = studio_.wishes().frame;
+    const scene::Camera& camera = app_.camera();
+    const glm::ivec2& frame = app_.request().frame;
     return picture_rect(size(), camera, {frame, scene::share_of_frame(camera, frame)});
 }
 
@@ -217,7 +216,7 @@ void View::fly() {
     for (const int key : held_) way += way_of(key);
     if (way == glm::vec3(0) || dt_s <= 0) return;
     const bool fast = QGuiApplication::keyboardModifiers() & Qt::ShiftModifier;
-    studio_.set_camera(scene::flown(studio_.camera(), way * (dt_s * kFly_m_s * (fast ? kFastFly : 1.0f))));
+    app_.set_camera(scene::flown(app_.camera(), way * (dt_s * kFly_m_s * (fast ? kFastFly : 1.0f))));
 }
 
 } // namespace ghost::ui

@@ -3,9 +3,9 @@
 // View: the picture with its overlays, and the mouse and keys that move the camera in it. It scales the
 // newest picture to its size at once; the engine draws the new size when the window rests. Window thread.
 
+#include "ui/model/app_model.h"
 #include "ui/model/figures.h"
 #include "ui/model/lamp_drag.h"
-#include "ui/model/studio.h"
 #include "ui/picture/overlays.h"
 #include "ui/picture/wipe.h"
 
@@ -19,7 +19,7 @@ namespace ghost::ui {
 class View : public QWidget {
     Q_OBJECT
 public:
-    View(Studio& studio, QWidget* parent);
+    View(AppModel& app, QWidget* parent);
 
     OverlayChoice overlays;
     // The selected fixtures were dragged so far, in metres of the world; none: they cannot be.
@@ -70,7 +70,7 @@ private:
     void select_one(std::size_t fixture, bool adds);
     void select_picked();
 
-    Studio& studio_;
+    AppModel& app_;
     QTimer resize_timer_;
     double asked_ratio_ = 0; // pixels of the display to one of the window, when the size was asked for
     Drag drag_ = Drag::none;

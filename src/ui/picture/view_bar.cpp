@@ -13,8 +13,8 @@ constexpr double kLeastEv = -10, kMostEv = 20;
 
 } // namespace
 
-ViewBar::ViewBar(Studio& studio, Actions& actions, QWidget* parent)
-    : QWidget(parent), studio_(studio), camera_(new QComboBox(this)), exposure_(new QDoubleSpinBox(this)),
+ViewBar::ViewBar(AppModel& app, Actions& actions, QWidget* parent)
+    : QWidget(parent), app_(app), camera_(new QComboBox(this)), exposure_(new QDoubleSpinBox(this)),
       automatic_(new QToolButton(this)), tone_(new QComboBox(this)) {
     setObjectName("view-bar");
     camera_->setAccessibleName("Camera");
@@ -61,9 +61,9 @@ ViewBar::ViewBar(Studio& studio, Actions& actions, QWidget* parent)
         actions.choose(
             "tone " + QString::fromStdString(image::name_of(image::kTones[static_cast<std::size_t>(index)])));
     });
-    connect(&studio_, &Studio::opened_show, this, &ViewBar::name_cameras);
-    for (const auto signal : {&Studio::wishes_changed, &Studio::picture_came})
-        connect(&studio_, signal, this, &ViewBar::refresh);
+    connect(&app_, &AppModel::opened_show, this, &ViewBar::name_cameras);
+    for (const auto signal : {&AppModel::wishes_changed, &AppModel::picture_came})
+        connect(&app_, signal, this, &ViewBar::refresh);
     setEnabled(false);
 }
 
@@ -71,7 +71,7 @@ void ViewBar::name_cameras() {
     {
         const Following following(follows_);
         camera_->clear();
-        for (const scene::Camera& camera : studio_.show()->cameras)
+        for (const scene::Camera& camera : app_.show()->cameras)
             camera_->addItem(QString::fromStdString(camera.name));
     }
     setEnabled(true);
@@ -80,18 +80,18 @@ void ViewBar::name_cameras() {
 
 // The stored camera where the picture is seen from, if it is one.
 void ViewBar::refresh() {
-    if (!studio_.show() || follows_) return;
+    if (!app_.show() || follows_) return;
     const Following following(follows_);
-    const scene::Camera& now = studio_.camera();
+    const scene::Camera& now = app_.camera();
     int index = -1;
-    const std::vector<scene::Camera>& cameras = studio_.show()->cameras;
+    const std::vector<scene::Camera>& cameras = app_.show()->cameras;
     for (std::size_t i = 0; i < cameras.size() && index < 0; ++i)
         if (cameras[i].position_m == now.position_m && cameras[i].target_m == now.target_m)
             index = static_cast<int>(i);
     if (camera_->currentIndex() != index) camera_->setCurrentIndex(index);
-    const double ev = static_cast<double>(now.auto_exposure ? studio_.picture().ev100 : now.ev100);
+    const double ev = static_cast<double>(now.auto_exposure ? app_.picture().ev100 : now.ev100);
     if (!exposure_->hasFocus() && std::abs(exposure_->value() - ev) > 0.04) exposure_->setValue(ev);
-    tone_->setCurrentIndex(static_cast<int>(studio_.wishes().tone));
+    tone_->setCurrentIndex(static_cast<int>(app_.request().tone));
 }
 
 } // namespace ghost::ui

@@ -4,7 +4,7 @@
 // curve. Window thread.
 
 #include "ui/actions/actions.h"
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -16,13 +16,13 @@ namespace ghost::ui {
 class ViewBar : public QWidget {
     Q_OBJECT
 public:
-    ViewBar(Studio& studio, Actions& actions, QWidget* parent);
+    ViewBar(AppModel& app, Actions& actions, QWidget* parent);
 
 private:
     void name_cameras();
     void refresh();
 
-    Studio& studio_;
+    AppModel& app_;
     QComboBox* camera_;
     QDoubleSpinBox* exposure_;
     QToolButton* automatic_;

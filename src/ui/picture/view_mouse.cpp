@@ -28,7 +28,7 @@ glm::vec3 View::way_of_mouse(const QPointF& place) const {
 }
 
 std::optional<std::size_t> View::lamp_at(const QPointF& place) const {
-    return fixture_at(rect_of_picture(), camera_of_picture(), studio_.rig(), place);
+    return fixture_at(rect_of_picture(), camera_of_picture(), app_.rig(), place);
 }
 
 void View::mousePressEvent(QMouseEvent* event) {
@@ -45,13 +45,13 @@ void View::mousePressEvent(QMouseEvent* event) {
 View::Drag View::drag_of_left(Qt::KeyboardModifiers keys) {
     if (keys & Qt::ControlModifier) return Drag::box;
     const auto hit = lamp_at(drag_from_);
-    if (hit && on_move && studio_.selection().contains(*hit)) {
+    if (hit && on_move && app_.selection().contains(*hit)) {
         const auto drag_of = [&](std::size_t index) {
-            return LampDrag(studio_.rig().fixtures[index].light_m, studio_.opened().objects);
+            return LampDrag(app_.rig().fixtures[index].light_m, app_.opened().objects);
         };
         lamp_ = drag_of(*hit);
-        for (const std::size_t index : studio_.selection())
-            if (index < studio_.rig().fixtures.size()) lamp_->take_along(drag_of(index));
+        for (const std::size_t index : app_.selection())
+            if (index < app_.rig().fixtures.size()) lamp_->take_along(drag_of(index));
         moved_by_m_ = glm::vec3(0);
         return Drag::lamp;
     }
@@ -70,15 +70,14 @@ void View::mouseMoveEvent(QMouseEvent* event) {
     if (drag_ == Drag::none || drag_ == Drag::undecided) return;
     drag_at_ = event->position();
     const auto x = static_cast<float>(moved.x()), y = static_cast<float>(moved.y());
-    const scene::Camera& camera = studio_.camera();
-    const auto height =
-        static_cast<float>(std::max(frame_rect(size(), studio_.wishes().frame).height(), 1.0));
+    const scene::Camera& camera = app_.camera();
+    const auto height = static_cast<float>(std::max(frame_rect(size(), app_.request().frame).height(), 1.0));
     if (drag_ == Drag::orbit)
-        studio_.set_camera(scene::orbited(camera, kOrbit_rad_px * x, kOrbit_rad_px * y));
+        app_.set_camera(scene::orbited(camera, kOrbit_rad_px * x, kOrbit_rad_px * y));
     else if (drag_ == Drag::turn)
-        studio_.set_camera(scene::turned(camera, -kTurn_rad_px * x, -kTurn_rad_px * y));
+        app_.set_camera(scene::turned(camera, -kTurn_rad_px * x, -kTurn_rad_px * y));
     else if (drag_ == Drag::pan)
-        studio_.set_camera(scene::panned(camera, -x / height, y / height));
+        app_.set_camera(scene::panned(camera, -x / height, y / height));
     else if (drag_ == Drag::lamp)
         drag_lamp(event->modifiers() & Qt::ShiftModifier);
     else if (drag_ == Drag::wipe)
@@ -94,8 +93,8 @@ void View::drag_lamp(bool upright) {
 }
 
 void View::hover_at(const QPointF& place) {
-    const auto hit = studio_.show() ? lamp_at(place) : std::nullopt;
-    const bool moves = hit && on_move && studio_.selection().contains(*hit);
+    const auto hit = app_.show() ? lamp_at(place) : std::nullopt;
+    const bool moves = hit && on_move && app_.selection().contains(*hit);
     setCursor(wipe_.is_near(size(), place.x()) ? Qt::SplitHCursor
               : moves                          ? Qt::SizeAllCursor
                                                : Qt::ArrowCursor);
@@ -108,24 +107,24 @@ void View::leaveEvent(QEvent*) {
 
 void View::probe_at(const QPointF& place) {
     const QRectF picture = rect_of_picture();
-    if (!studio_.show() || picture.isEmpty()) return;
+    if (!app_.show() || picture.isEmpty()) return;
     overlays.probe = true;
-    studio_.wish([&](Wishes& wishes) {
-        wishes.probe = glm::clamp(glm::vec2((place.x() - picture.left()) / picture.width(),
-                                            (place.y() - picture.top()) / picture.height()),
-                                  0.0f, 1.0f);
+    app_.wish([&](ViewRequest& request) {
+        request.probe = glm::clamp(glm::vec2((place.x() - picture.left()) / picture.width(),
+                                             (place.y() - picture.top()) / picture.height()),
+                                   0.0f, 1.0f);
     });
 }
 
 void View::end_probe() {
     overlays.probe = false;
-    studio_.wish([](Wishes& wishes) { wishes.probe.reset(); });
+    app_.wish([](ViewRequest& request) { request.probe.reset(); });
     update();
 }
 
 // Where no lamp is near, whatever is met there may be the body of one: the engine says it (select_picked).
 void View::click(const QPointF& place, Qt::KeyboardModifiers keys) {
-    if (!studio_.show()) return;
+    if (!app_.show()) return;
     const QRectF picture = rect_of_picture();
     if (keys & Qt::ShiftModifier) {
         if (on_aim && !picture.isEmpty())
@@ -139,22 +138,22 @@ void View::click(const QPointF& place, Qt::KeyboardModifiers keys) {
         select_one(*hit, adds);
         return;
     }
-    if (!adds) studio_.select({});
+    if (!adds) app_.select({});
     adds_picked_ = adds;
-    picked_ = studio_.pick(camera_of_picture().position_m, way_of_mouse(place));
+    picked_ = app_.pick(camera_of_picture().position_m, way_of_mouse(place));
 }
 
 void View::select_one(std::size_t fixture, bool adds) {
-    std::set<std::size_t> selection = adds ? studio_.selection() : std::set<std::size_t>{};
+    std::set<std::size_t> selection = adds ? app_.selection() : std::set<std::size_t>{};
     if (!selection.insert(fixture).second) selection.erase(fixture);
-    studio_.select(std::move(selection));
+    app_.select(std::move(selection));
 }
 
 void View::select_picked() {
-    const Picked& picked = studio_.picked();
+    const Picked& picked = app_.picked();
     if (picked.number != picked_ || !picked.fixture) return;
     picked_ = 0;
-    if (*picked.fixture < studio_.show()->fixtures.size()) select_one(*picked.fixture, adds_picked_);
+    if (*picked.fixture < app_.show()->fixtures.size()) select_one(*picked.fixture, adds_picked_);
 }
 
 void View::mouseReleaseEvent(QMouseEvent* event) {
@@ -166,23 +165,23 @@ void View::mouseReleaseEvent(QMouseEvent* event) {
         update();
     } else if (drag == Drag::box) {
         std::set<std::size_t> selection =
-            event->modifiers() & Qt::ControlModifier ? studio_.selection() : std::set<std::size_t>{};
-        selection.merge(fixtures_in(rect_of_picture(), camera_of_picture(), studio_.rig(),
+            event->modifiers() & Qt::ControlModifier ? app_.selection() : std::set<std::size_t>{};
+        selection.merge(fixtures_in(rect_of_picture(), camera_of_picture(), app_.rig(),
                                     QRectF(drag_from_, event->position()).normalized()));
-        studio_.select(std::move(selection));
+        app_.select(std::move(selection));
         update();
     }
 }
 
 void View::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (!studio_.show()) return;
+    if (!app_.show()) return;
     if (const auto hit = lamp_at(event->position()))
-        studio_.look_at(studio_.rig().fixtures[*hit].light_m, kAround_m);
+        app_.look_at(app_.rig().fixtures[*hit].light_m, kAround_m);
 }
 
 void View::wheelEvent(QWheelEvent* event) {
     const float notches = static_cast<float>(event->angleDelta().y()) / 120.0f;
-    studio_.set_camera(scene::dollied(studio_.camera(), std::pow(0.88f, notches)));
+    app_.set_camera(scene::dollied(app_.camera(), std::pow(0.88f, notches)));
 }
 
 } // namespace ghost::ui

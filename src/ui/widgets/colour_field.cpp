@@ -2,7 +2,7 @@
 #include "ui/widgets/colour_field.h"
 
 #include "image/colour.h"
-#include "ui/actions/hand.h"
+#include "ui/actions/programmer_actions.h"
 #include "ui/model/gel_book.h"
 #include "ui/widgets/value_row.h"
 

@@ -12,8 +12,8 @@
 
 namespace ghost::ui {
 
-ContextMenus::ContextMenus(Menus& menus, Studio& studio, QWidget* view)
-    : QObject(view), menus_(menus), studio_(studio), view_(view) {
+ContextMenus::ContextMenus(Menus& menus, AppModel& app, QWidget* view)
+    : QObject(view), menus_(menus), app_(app), view_(view) {
     view->installEventFilter(this);
 }
 
@@ -27,7 +27,7 @@ void ContextMenus::serve(QWidget* list) {
 
 // The right button also looks around: only where it stayed is a menu meant.
 bool ContextMenus::eventFilter(QObject* object, QEvent* event) {
-    if (object != view_ || !studio_.show()) return false;
+    if (object != view_ || !app_.show()) return false;
     if (event->type() == QEvent::ContextMenu) {
         const auto* const asked = static_cast<QContextMenuEvent*>(event);
         if (asked->reason() != QContextMenuEvent::Keyboard) return false;
@@ -45,10 +45,10 @@ bool ContextMenus::eventFilter(QObject* object, QEvent* event) {
     }
     if ((at - pressed_).manhattanLength() >= QApplication::startDragDistance()) return false;
     const QPoint on_screen = mouse->globalPosition().toPoint();
-    const Picture& picture = studio_.picture();
+    const Picture& picture = app_.picture();
     const auto lamp = fixture_at(picture_rect(view_->size(), picture.camera, picture.framed), picture.camera,
-                                 studio_.rig(), mouse->position());
-    if (lamp && !studio_.selection().contains(*lamp)) studio_.select({*lamp});
+                                 app_.rig(), mouse->position());
+    if (lamp && !app_.selection().contains(*lamp)) app_.select({*lamp});
     // After the view has ended its drag.
     QMetaObject::invokeMethod(
         this, [this, on_screen] { pop_up(view_, on_screen); }, Qt::QueuedConnection);
@@ -63,24 +63,24 @@ void ContextMenus::pop_up(QWidget* over, const QPoint& at) {
     menu->popup(at);
 }
 
-void add_selection_actions(Actions& actions, Studio& studio) {
+void add_selection_actions(Actions& actions, AppModel& app) {
     actions.add(
         {"select-similar",
          "Edit",
          "Select all of this type",
          "Ctrl+Shift+A",
          "",
-         [&studio](const QStringList&) -> Result<void> {
-             if (studio.selection().empty()) return Error{"no fixture is selected", ""};
-             const std::vector<scene::PatchedFixture>& fixtures = studio.show()->fixtures;
+         [&app](const QStringList&) -> Result<void> {
+             if (app.selection().empty()) return Error{"no fixture is selected", ""};
+             const std::vector<scene::PatchedFixture>& fixtures = app.show()->fixtures;
              std::set<std::size_t> similar;
              for (std::size_t i = 0; i < fixtures.size(); ++i)
-                 if (std::any_of(studio.selection().begin(), studio.selection().end(), [&](std::size_t one) {
+                 if (std::any_of(app.selection().begin(), app.selection().end(), [&](std::size_t one) {
                          return fixtures[one].gdtf == fixtures[i].gdtf &&
                                 fixtures[one].type == fixtures[i].type;
                      }))
                      similar.insert(i);
-             studio.select(std::move(similar));
+             app.select(std::move(similar));
              return {};
          },
          {}});

@@ -14,8 +14,8 @@ namespace ghost::ui {
 class ContextMenus : public QObject {
     Q_OBJECT
 public:
-    ContextMenus(Menus& menus, Studio& studio, QWidget* view);
-    // A table or list whose selection is that of the studio.
+    ContextMenus(Menus& menus, AppModel& app, QWidget* view);
+    // A table or list whose selection is that of the model.
     void serve(QWidget* list);
 
 protected:
@@ -25,12 +25,12 @@ private:
     void pop_up(QWidget* over, const QPoint& at);
 
     Menus& menus_;
-    Studio& studio_;
+    AppModel& app_;
     QWidget* view_;
     QPoint pressed_;
 };
 
 // "select-similar": all fixtures of the type and mode of one that is selected.
-void add_selection_actions(Actions& actions, Studio& studio);
+void add_selection_actions(Actions& actions, AppModel& app);
 
 } // namespace ghost::ui

@@ -27,7 +27,7 @@ constexpr std::pair<const char*, const char*> kMenus[] = {
     {"Play", "play to-start freeze - cue-go cue-back cue-follow - look-next look-before solo - "
              "input-automatic input-desk "
              "input-recording - record play-recorded play-file play-own"},
-    {"Quality",
+    {"PictureQuality",
      "fps-15 fps-25 fps-30 fps-44 fps-60 - resolution-0 resolution-100 resolution-50 resolution-25 "
      "resolution-10"},
     {"Panels", ""},
@@ -47,8 +47,8 @@ const std::set<QString> kNeedEditable{"add-fixture", "duplicate", "remove",     
 
 } // namespace
 
-Menus::Menus(Actions& actions, Studio& studio, ShowDocument& document, RecentShows& recent)
-    : actions_(actions), studio_(studio), document_(document), recent_(recent) {}
+Menus::Menus(Actions& actions, AppModel& app, ShowDocument& document, RecentShows& recent)
+    : actions_(actions), app_(app), document_(document), recent_(recent) {}
 
 void Menus::fill(QMenuBar& bar) {
     for (const auto& [title, names] : kMenus) {
@@ -94,12 +94,13 @@ void Menus::add_recent(QMenu& menu) {
 }
 
 void Menus::fill_for_fixtures(QMenu& menu) {
-    if (studio_.selection().empty())
+    if (app_.selection().empty())
         add(menu, "select-all find - see-all keep-camera work-light - add-fixture add-model");
     else
-        add(menu, "select-similar select-none - focus solo aim-through - release panel-hand panel-values - "
-                  "hang duplicate "
-                  "unpatch remove - substitute");
+        add(menu,
+            "select-similar select-none - focus solo aim-through - release panel-programmer panel-values - "
+            "hang duplicate "
+            "unpatch remove - substitute");
     grey(menu);
 }
 
@@ -118,21 +119,21 @@ void Menus::grey(QMenu& menu) {
 
 bool Menus::can(const QString& name) const {
     if (name.startsWith("panel-") || kNeedNothing.contains(name)) return true;
-    if (name == "take-plot") return studio_.plot().number > 0;
-    if (name == "cancel-jobs") return studio_.jobs().is_busy();
-    if (!studio_.show()) return false;
-    if (name == "undo") return studio_.undo_stack().canUndo();
-    if (name == "redo") return studio_.undo_stack().canRedo();
+    if (name == "take-plot") return app_.plot().number > 0;
+    if (name == "cancel-jobs") return app_.jobs().is_busy();
+    if (!app_.show()) return false;
+    if (name == "undo") return app_.undo_stack().canUndo();
+    if (name == "redo") return app_.undo_stack().canRedo();
     if (name == "take-changes" || name == "drop-changes") return document_.has_draft();
     if (name == "take-over") return document_.is_read_only();
-    if (name == "save-picture") return studio_.picture().image != nullptr;
+    if (name == "save-picture") return app_.picture().image != nullptr;
     if (name == "release")
-        return std::any_of(studio_.selection().begin(), studio_.selection().end(),
-                           [&](std::size_t one) { return studio_.look().fixtures.contains(one); });
-    if (name == "release-all") return !studio_.look().is_empty();
-    if (name == "solo") return !studio_.selection().empty() || !studio_.look().solo.empty();
-    if (name == "play-recorded") return !studio_.recorded().file.empty() && !studio_.recorded().error;
-    if (kNeedSelection.contains(name) && studio_.selection().empty()) return false;
+        return std::any_of(app_.selection().begin(), app_.selection().end(),
+                           [&](std::size_t one) { return app_.look().fixtures.contains(one); });
+    if (name == "release-all") return !app_.look().is_empty();
+    if (name == "solo") return !app_.selection().empty() || !app_.look().solo.empty();
+    if (name == "play-recorded") return !app_.recorded().file.empty() && !app_.recorded().error;
+    if (kNeedSelection.contains(name) && app_.selection().empty()) return false;
     return !kNeedEditable.contains(name) || document_.check_editable().ok();
 }
 

@@ -15,7 +15,7 @@ namespace ghost::ui {
 class Menus : public QObject {
     Q_OBJECT
 public:
-    Menus(Actions& actions, Studio& studio, ShowDocument& document, RecentShows& recent);
+    Menus(Actions& actions, AppModel& app, ShowDocument& document, RecentShows& recent);
     void fill(QMenuBar& bar);
     // What the right button brings up over the picture and over the list of fixtures.
     void fill_for_fixtures(QMenu& menu);
@@ -28,7 +28,7 @@ private:
     bool can(const QString& name) const;
 
     Actions& actions_;
-    Studio& studio_;
+    AppModel& app_;
     ShowDocument& document_;
     RecentShows& recent_;
 };

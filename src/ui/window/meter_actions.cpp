@@ -16,7 +16,7 @@ FalseColour usual(Measure measure) {
     return {measure, measure == Measure::lux ? kLuxScale : kLuminanceScale};
 }
 
-Result<void> set_false_colour(Studio& studio, const QStringList& words) {
+Result<void> set_false_colour(AppModel& app, const QStringList& words) {
     const QString what = words.value(0);
     FalseColour wanted;
     if (what == "lux")
@@ -32,7 +32,7 @@ Result<void> set_false_colour(Studio& studio, const QStringList& words) {
             return Error{"the largest value must be at least half as large again as the least", ""};
         wanted.scale = {static_cast<float>(low), static_cast<float>(high)};
     }
-    studio.wish([&](Wishes& wishes) { wishes.false_colour = wanted; });
+    app.wish([&](ViewRequest& request) { request.false_colour = wanted; });
     return {};
 }
 
@@ -55,7 +55,7 @@ Result<void> set_probe(View& view, const QStringList& words) {
 
 } // namespace
 
-void add_meter_actions(Actions& actions, Studio& studio, View& view) {
+void add_meter_actions(Actions& actions, AppModel& app, View& view) {
     actions.add({"wipe", "View", "Wipe between what is seen now and what comes", "Ctrl+B", "[on|off|SHARE]",
                  [&view](const QStringList& words) -> Result<void> {
                      const QString word = words.value(0, view.wipe().is_on() ? "off" : "on");
@@ -75,18 +75,18 @@ void add_meter_actions(Actions& actions, Studio& studio, View& view) {
                  "false-colour",
                  "",
                  "lux|luminance|off [LEAST LARGEST]",
-                 [&studio](const QStringList& words) { return set_false_colour(studio, words); },
+                 [&app](const QStringList& words) { return set_false_colour(app, words); },
                  {}});
     const auto add = [&](const QString& name, const QString& text, const QString& key, Measure measure) {
         actions.add({name, "View", text, key, "",
-                     [&studio, measure](const QStringList&) -> Result<void> {
-                         studio.wish([&](Wishes& wishes) {
-                             const bool is_on = wishes.false_colour.measure == measure;
-                             wishes.false_colour = is_on ? FalseColour{} : usual(measure);
+                     [&app, measure](const QStringList&) -> Result<void> {
+                         app.wish([&](ViewRequest& request) {
+                             const bool is_on = request.false_colour.measure == measure;
+                             request.false_colour = is_on ? FalseColour{} : usual(measure);
                          });
                          return {};
                      },
-                     [&studio, measure] { return studio.wishes().false_colour.measure == measure; }});
+                     [&app, measure] { return app.request().false_colour.measure == measure; }});
     };
     add("false-lux", "False colours: lux on surfaces", "C", Measure::lux);
     add("false-luminance", "False colours: cd/m²", "V", Measure::luminance);

@@ -12,9 +12,9 @@
 
 namespace ghost::ui {
 
-NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, Studio& studio, QWidget* parent)
-    : QToolBar("Notice", parent), actions_(actions), document_(document), studio_(studio) {
-    connect(&studio_, &Studio::messages_came, this, &NoticeBar::look_at_messages);
+NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QWidget* parent)
+    : QToolBar("Notice", parent), actions_(actions), document_(document), app_(app) {
+    connect(&app_, &AppModel::messages_came, this, &NoticeBar::look_at_messages);
     setObjectName("notice");
     setMovable(false);
     toggleViewAction()->setVisible(false);
@@ -40,9 +40,9 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, Studio& studio, Q
     connect(&document_, &ShowDocument::changed, this, [this] {
         if (!document_.waits_for_answer() && !says_not_opened_) hide();
     });
-    connect(&studio_, &Studio::not_opened, this, &NoticeBar::say_not_opened);
-    connect(&studio_, &Studio::opened_show, this, [this] {
-        if (studio_.opened().is_edit) return;
+    connect(&app_, &AppModel::not_opened, this, &NoticeBar::say_not_opened);
+    connect(&app_, &AppModel::opened_show, this, [this] {
+        if (app_.opened().is_edit) return;
         if (std::exchange(says_not_opened_, false) && !document_.waits_for_answer()) hide();
         say_without_optics();
     });
@@ -51,7 +51,7 @@ NoticeBar::NoticeBar(Actions& actions, ShowDocument& document, Studio& studio, Q
 void NoticeBar::say_without_optics() {
     if (isVisible() || !document_.check_editable().ok()) return;
     std::size_t heads = 0;
-    for (const FixtureGroup& group : without_optics(*studio_.show())) heads += group.fixtures.size();
+    for (const FixtureGroup& group : without_optics(*app_.show())) heads += group.fixtures.size();
     if (heads > 0)
         ask(QString("%1 %2 no optics in %3: what is seen of their light is assumed.")
                 .arg(heads)
@@ -60,13 +60,13 @@ void NoticeBar::say_without_optics() {
 }
 
 void NoticeBar::say_not_opened() {
-    const Error& error = *studio_.open_error();
+    const Error& error = *app_.open_error();
     static const QRegularExpression kLine("(:\\d+)+$"); // "show.toml:12"
     const QString file = QString::fromStdString(error.where).remove(kLine);
     std::vector<std::pair<QString, QString>> buttons;
     if (QFileInfo(file).isFile()) buttons.emplace_back("Open the file", "open-outside \"" + file + "\"");
     buttons.emplace_back("Close", "");
-    const QString stays = studio_.show() ? " What was open stays open." : "";
+    const QString stays = app_.show() ? " What was open stays open." : "";
     ask("Not opened: " + shortened(QString::fromStdString(error.text()), 120) + "." + stays, buttons,
         Kind::fault);
     says_not_opened_ = true;
@@ -75,13 +75,13 @@ void NoticeBar::say_not_opened() {
 void NoticeBar::look_at_messages() {
     std::set<std::string> errors;
     QStringList anew;
-    for (const Message& message : studio_.messages()) {
+    for (const Message& message : app_.messages()) {
         if (message.severity != Severity::error) continue;
         if (errors.insert(message.what).second && !errors_.contains(message.what))
             anew << QString::fromStdString(message.where + ": " + message.what);
     }
     errors_ = std::move(errors);
-    if (!studio_.opened().is_edit || anew.isEmpty()) return;
+    if (!app_.opened().is_edit || anew.isEmpty()) return;
     const QString more = anew.size() == 1 ? QString() : QString(" (and %1 more)").arg(anew.size() - 1);
     ask("Since this edit: " + anew.front() + more, {{"Undo", "undo"}, {"All messages", "panel-messages on"}});
 }

@@ -37,7 +37,7 @@ void take_message(QtMsgType type, const QMessageLogContext&, const QString& text
 // A script's lines in their order; the first that fails ends it, and the window.
 Result<void> run_script(const std::string& file, Window& window, Result<void>& outcome) {
     TRY(const std::string text, read_text_file(file, kMostScriptBytes));
-    auto* script = new Script(window.actions(), window.studio(), &window);
+    auto* script = new Script(window.actions(), window.app(), &window);
     auto line = std::make_shared<int>(0);
     script->on_line = [file, line, script, &window, &outcome](const Result<void>& done) {
         ++*line;
@@ -82,7 +82,7 @@ Result<void> open_window(Link& link, const WindowOptions& options) {
 
     Result<void> outcome;
     Window window(link, options);
-    RemoteControl remote(window.actions(), window.studio(), &window);
+    RemoteControl remote(window.actions(), window.app(), &window);
     if (!options.socket.empty()) TRY_VOID(remote.listen(QString::fromStdString(options.socket)));
     if (!options.script.empty()) TRY_VOID(run_script(options.script, window, outcome));
     QTimer ask;
@@ -95,7 +95,7 @@ Result<void> open_window(Link& link, const WindowOptions& options) {
     });
     ask.start(kAsk_ms);
     const std::shared_ptr<void> engine = options.begin(); // goes before the window does
-    if (!options.show.empty()) window.studio().open(options.show);
+    if (!options.show.empty()) window.app().open(options.show);
     window.show();
     if (options.full_screen) TRY_VOID(window.actions().run("full-screen"));
     QApplication::exec();

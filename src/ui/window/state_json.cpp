@@ -36,21 +36,21 @@ QJsonObject camera_json(const scene::Camera& camera) {
 
 QJsonObject look_json(const Look& look, const scene::Show& show) {
     QJsonObject fixtures;
-    for (const auto& [index, manual] : look.fixtures) {
+    for (const auto& [index, programmer] : look.fixtures) {
         if (index >= show.fixtures.size()) continue; // of an edit that is not open yet
         QJsonObject one;
-        put(one, "intensity", manual.intensity);
-        put(one, "colour", manual.colour);
-        put(one, "zoom_deg", manual.zoom_deg);
-        put(one, "pan_deg", manual.pan_deg);
-        put(one, "tilt_deg", manual.tilt_deg);
-        put(one, "gobo", manual.gobo);
-        put(one, "gel", manual.gel);
-        put(one, "lamp", manual.lamp);
-        put(one, "lamp_k", manual.lamp_k);
-        if (!manual.levels.empty()) one["levels"] = static_cast<int>(manual.levels.size());
+        put(one, "intensity", programmer.intensity);
+        put(one, "colour", programmer.colour);
+        put(one, "zoom_deg", programmer.zoom_deg);
+        put(one, "pan_deg", programmer.pan_deg);
+        put(one, "tilt_deg", programmer.tilt_deg);
+        put(one, "gobo", programmer.gobo);
+        put(one, "gel", programmer.gel);
+        put(one, "lamp", programmer.lamp);
+        put(one, "lamp_k", programmer.lamp_k);
+        if (!programmer.levels.empty()) one["levels"] = static_cast<int>(programmer.levels.size());
         QJsonObject channels;
-        for (const auto& [name, share] : manual.channels)
+        for (const auto& [name, share] : programmer.channels)
             channels[QString::fromStdString(name)] = static_cast<double>(share);
         if (!channels.isEmpty()) one["channels"] = channels;
         fixtures[QString::fromStdString(show.fixtures[index].name)] = one;
@@ -80,13 +80,13 @@ QJsonObject latency_json(const dmx::Latency& latency) {
             {"max", latency.max_ms()}};
 }
 
-QJsonObject state_json(const Studio& studio, const View& view) {
-    if (!studio.show()) return {{"show", QJsonValue()}};
-    const scene::Show& show = *studio.show();
+QJsonObject state_json(const AppModel& app, const View& view) {
+    if (!app.show()) return {{"show", QJsonValue()}};
+    const scene::Show& show = *app.show();
     QJsonArray selection;
-    for (const std::size_t index : studio.selection())
+    for (const std::size_t index : app.selection())
         if (index < show.fixtures.size()) selection.append(QString::fromStdString(show.fixtures[index].name));
-    const Picture& picture = studio.picture();
+    const Picture& picture = app.picture();
     const QPoint corner = view.mapToGlobal(QPoint(0, 0));
     QJsonObject patch;
     for (const scene::PatchedFixture& fixture : show.fixtures)
@@ -95,13 +95,13 @@ QJsonObject state_json(const Studio& studio, const View& view) {
                         {"address", fixture.address},
                         {"position_m", array_of(fixture.position_m)}};
     QJsonObject lamps;
-    for (std::size_t i = 0; i < std::min(studio.rig().fixtures.size(), show.fixtures.size()); ++i)
+    for (std::size_t i = 0; i < std::min(app.rig().fixtures.size(), show.fixtures.size()); ++i)
         if (const auto at = to_widget(picture_rect(view.size(), picture.camera, picture.framed),
-                                      picture.camera, studio.rig().fixtures[i].light_m))
+                                      picture.camera, app.rig().fixtures[i].light_m))
             lamps[QString::fromStdString(show.fixtures[i].name)] = QJsonArray{at->x(), at->y()};
-    const QRectF frame = frame_rect(view.size(), studio.wishes().frame); // in the view
+    const QRectF frame = frame_rect(view.size(), app.request().frame); // in the view
     QJsonArray universes;
-    for (const dmx::Universe& universe : studio.rig().universes.list) universes.append(universe.number);
+    for (const dmx::Universe& universe : app.rig().universes.list) universes.append(universe.number);
     const QJsonObject of_picture{{"camera", camera_json(picture.camera)},
                                  {"draw_ms", picture.draw_ms},
                                  {"coarse", picture.is_coarse},
@@ -115,45 +115,44 @@ QJsonObject state_json(const Studio& studio, const View& view) {
                                  {"false_colour", static_cast<int>(picture.false_colour.measure)},
                                  {"latency_ms", view.figures().latency_ms()}};
     QJsonObject probe;
-    if (const std::optional<Probed>& probed = studio.probed();
-        probed && studio.wishes().probe == probed->place)
+    if (const std::optional<Probed>& probed = app.probed(); probed && app.request().probe == probed->place)
         probe = {{"cd_m2", static_cast<double>(probed->cd_m2)},
                  {"lux", probed->hit ? QJsonValue(static_cast<double>(probed->lux)) : QJsonValue()},
                  {"at_m", array_of(probed->at_m)},
                  {"object", QString::fromStdString(probed->object)}};
     QJsonArray diagnosis;
-    for (const scene::Sentence& sentence : studio.diagnosis())
+    for (const scene::Sentence& sentence : app.diagnosis())
         diagnosis.append(QJsonObject{{"trouble", scene::trouble_name(sentence.trouble)},
                                      {"problem", sentence.is_problem},
                                      {"text", QString::fromStdString(sentence.text)}});
     return {{"show", QString::fromStdString(show.file.string())},
-            {"device", QString::fromStdString(studio.opened().device)},
-            {"camera", camera_json(studio.camera())},
+            {"device", QString::fromStdString(app.opened().device)},
+            {"camera", camera_json(app.camera())},
             {"fixtures", static_cast<int>(show.fixtures.size())},
-            {"received_plot", QString::fromStdString(studio.plot().file)},
+            {"received_plot", QString::fromStdString(app.plot().file)},
             {"selection", selection},
-            {"by_hand", look_json(studio.look(), show)},
-            {"fades", studio.fades()},
-            {"black_out", studio.wishes().black_out},
-            {"tone", QString::fromStdString(image::name_of(studio.wishes().tone))},
-            {"master", static_cast<double>(studio.wishes().master)},
-            {"playing", studio.wishes().transport.playing},
-            {"at_s", studio.rig().at_s},
-            {"recording_s", studio.rig().recording_s},
-            {"recorded_s", studio.rig().recorded_s},
-            {"recorded", QString::fromStdString(studio.recorded().file)},
-            {"from_desk", studio.rig().from_desk},
+            {"by_hand", look_json(app.look(), show)},
+            {"fades", app.fades()},
+            {"black_out", app.request().black_out},
+            {"tone", QString::fromStdString(image::name_of(app.request().tone))},
+            {"master", static_cast<double>(app.request().master)},
+            {"playing", app.request().transport.playing},
+            {"at_s", app.rig().at_s},
+            {"recording_s", app.rig().recording_s},
+            {"recorded_s", app.rig().recorded_s},
+            {"recorded", QString::fromStdString(app.recorded().file)},
+            {"from_desk", app.rig().from_desk},
             {"universes", universes},
             {"view", QJsonArray{corner.x(), corner.y(), view.width(), view.height()}},
             {"frame", QJsonArray{frame.x(), frame.y(), frame.width(), frame.height()}},
             {"lamps", lamps},
             {"patch", patch},
-            {"messages", static_cast<int>(studio.messages().size())},
+            {"messages", static_cast<int>(app.messages().size())},
             {"picture", of_picture},
             {"probe", probe},
-            {"saved", static_cast<qint64>(studio.saved())},
-            {"packet_to_window_ms", latency_json(studio.latency())},
-            {"window_ms", latency_json(studio.window_cost())},
+            {"saved", static_cast<qint64>(app.saved())},
+            {"packet_to_window_ms", latency_json(app.latency())},
+            {"window_ms", latency_json(app.window_cost())},
             {"draws_ms", latency_json(view.figures().draws())},
             {"network", diagnosis}};
 }

@@ -47,19 +47,18 @@ std::vector<fs::path> offers_for(const QString& wanted, const std::vector<fs::pa
 
 } // namespace
 
-Result<void> substitute(Studio& studio, ShowDocument& document, const std::string& wanted,
+Result<void> substitute(AppModel& app, ShowDocument& document, const std::string& wanted,
                         const fs::path& file) {
     TRY_VOID(document.check_editable());
-    TRY(const std::string inside, PatchEdit(studio, document).fixture_beside_show(file));
+    TRY(const std::string inside, PatchEdit(app, document).fixture_beside_show(file));
     TRY(std::string text, scene::set_substitute(document.text(), wanted, inside));
     return document.edit("Substitute '" + QString::fromStdString(wanted) + "'",
-                         {std::move(text), studio.look(), studio.selection()});
+                         {std::move(text), app.look(), app.selection()});
 }
 
-SubstituteDialog::SubstituteDialog(Actions& actions, Studio& studio, const std::string& library,
+SubstituteDialog::SubstituteDialog(Actions& actions, AppModel& app, const std::string& library,
                                    QWidget* parent)
-    : QDialog(parent), actions_(actions), studio_(studio), library_(library),
-      table_(new QTableWidget(0, 3, this)) {
+    : QDialog(parent), actions_(actions), app_(app), library_(library), table_(new QTableWidget(0, 3, this)) {
     setWindowTitle("Substitute fixture files");
     setAttribute(Qt::WA_DeleteOnClose);
     auto* words =
@@ -78,17 +77,17 @@ SubstituteDialog::SubstituteDialog(Actions& actions, Studio& studio, const std::
     layout->addWidget(words);
     layout->addWidget(table_);
     resize(720, 360);
-    connect(&studio_, &Studio::opened_show, this, &SubstituteDialog::fill);
+    connect(&app_, &AppModel::opened_show, this, &SubstituteDialog::fill);
     fill();
 }
 
 void SubstituteDialog::fill() {
     table_->setRowCount(0);
-    if (!studio_.show()) return;
+    if (!app_.show()) return;
     std::vector<fs::path> files;
-    add_files(studio_.show()->folder, files);
+    add_files(app_.show()->folder, files);
     add_files(library_, files);
-    for (const FixtureGroup& group : without_optics(*studio_.show())) {
+    for (const FixtureGroup& group : without_optics(*app_.show())) {
         const int row = table_->rowCount();
         table_->insertRow(row);
         table_->setItem(row, 0, new QTableWidgetItem(group.title));
@@ -120,22 +119,22 @@ void SubstituteDialog::fill() {
     }
 }
 
-void add_substitute_action(Actions& actions, Studio& studio, ShowDocument& document,
+void add_substitute_action(Actions& actions, AppModel& app, ShowDocument& document,
                            const std::string& library, QWidget& window) {
     actions.add({"substitute",
                  "Edit",
                  "Substitute fixture files",
                  "",
                  "[FOR FILE]",
-                 [&actions, &studio, &document, library, &window](const QStringList& words) -> Result<void> {
+                 [&actions, &app, &document, library, &window](const QStringList& words) -> Result<void> {
                      if (words.size() >= 2)
-                         return substitute(studio, document, words[0].toStdString(), words[1].toStdString());
+                         return substitute(app, document, words[0].toStdString(), words[1].toStdString());
                      if (!words.isEmpty())
                          return Error{"it needs the file to stand in, too", words[0].toStdString()};
                      TRY_VOID(document.check_editable());
-                     if (without_optics(*studio.show()).empty())
+                     if (without_optics(*app.show()).empty())
                          return Error{"all fixture files of the plot say what their light is", ""};
-                     (new SubstituteDialog(actions, studio, library, &window))->show();
+                     (new SubstituteDialog(actions, app, library, &window))->show();
                      return {};
                  },
                  {}});

@@ -13,26 +13,26 @@
 namespace ghost::ui {
 
 // file: of the fixtures that the show has, copied beside it if it lies elsewhere.
-Result<void> substitute(Studio& studio, ShowDocument& document, const std::string& wanted,
+Result<void> substitute(AppModel& app, ShowDocument& document, const std::string& wanted,
                         const std::filesystem::path& file);
 
 class SubstituteDialog : public QDialog {
     Q_OBJECT
 public:
     // library: folder with more fixture files; empty: there is none.
-    SubstituteDialog(Actions& actions, Studio& studio, const std::string& library, QWidget* parent);
+    SubstituteDialog(Actions& actions, AppModel& app, const std::string& library, QWidget* parent);
 
 private:
     void fill();
 
     Actions& actions_;
-    Studio& studio_;
+    AppModel& app_;
     std::filesystem::path library_;
     QTableWidget* table_;
 };
 
 // "substitute": the window; "substitute FOR FILE": done at once.
-void add_substitute_action(Actions& actions, Studio& studio, ShowDocument& document,
+void add_substitute_action(Actions& actions, AppModel& app, ShowDocument& document,
                            const std::string& library, QWidget& window);
 
 } // namespace ghost::ui

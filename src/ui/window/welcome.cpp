@@ -17,8 +17,8 @@ constexpr QSize kPicture{176, 99};
 
 } // namespace
 
-Welcome::Welcome(Actions& actions, Studio& studio, RecentShows& recent, bool has_demo, QWidget* over)
-    : QWidget(over), actions_(actions), studio_(studio), recent_(recent), says_(new QLabel(this)),
+Welcome::Welcome(Actions& actions, AppModel& app, RecentShows& recent, bool has_demo, QWidget* over)
+    : QWidget(over), actions_(actions), app_(app), recent_(recent), says_(new QLabel(this)),
       ways_(new QWidget(this)), recent_title_(new QLabel("Opened last", this)),
       recent_list_(new QListWidget(this)) {
     setObjectName("welcome");
@@ -63,8 +63,8 @@ Welcome::Welcome(Actions& actions, Studio& studio, RecentShows& recent, bool has
     });
     connect(recent_list_, &QListWidget::itemClicked, recent_list_, &QListWidget::itemActivated);
     connect(&recent_, &RecentShows::changed, this, &Welcome::fill);
-    for (const auto signal : {&Studio::opened_show, &Studio::activity_came, &Studio::not_opened})
-        connect(&studio_, signal, this, &Welcome::refresh);
+    for (const auto signal : {&AppModel::opened_show, &AppModel::activity_came, &AppModel::not_opened})
+        connect(&app_, signal, this, &Welcome::refresh);
     over->installEventFilter(this);
     resize(over->size());
     fill();
@@ -96,11 +96,11 @@ void Welcome::fill() {
 }
 
 void Welcome::refresh() {
-    if (studio_.show()) {
+    if (app_.show()) {
         hide();
         return;
     }
-    const QString doing = QString::fromStdString(studio_.activity());
+    const QString doing = QString::fromStdString(app_.activity());
     says_->setText(!doing.isEmpty()
                        ? doing + " ..."
                        : "Drop a show, an .mvr or a model anywhere here. A desk that sends sACN or "

@@ -3,11 +3,11 @@
 
 #include "ui/actions/aiming.h"
 #include "ui/actions/export_actions.h"
-#include "ui/actions/hand.h"
 #include "ui/actions/hang_edit.h"
 #include "ui/actions/look_actions.h"
 #include "ui/actions/patch_actions.h"
 #include "ui/actions/patch_edit.h"
+#include "ui/actions/programmer_actions.h"
 #include "ui/actions/show_actions.h"
 #include "ui/actions/tone_actions.h"
 #include "ui/model/shortened.h"
@@ -15,10 +15,10 @@
 #include "ui/panels/cue_panel.h"
 #include "ui/panels/export_panel.h"
 #include "ui/panels/fixture_panel.h"
-#include "ui/panels/hand_panel.h"
 #include "ui/panels/look_panel.h"
 #include "ui/panels/message_panel.h"
 #include "ui/panels/network_panel.h"
+#include "ui/panels/programmer_panel.h"
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/transport_panel.h"
 #include "ui/panels/value_panel.h"
@@ -54,10 +54,9 @@ constexpr double kDemoBegins_s = 55;     // its first eight seconds are dark
 } // namespace
 
 Window::Window(Link& link, const WindowOptions& options)
-    : options_(options), studio_(link), document_(studio_), looks_(studio_),
-      cues_(studio_, document_, looks_), exporter_(studio_, document_), second_(studio_), actions_(*this),
-      view_(new View(studio_, this)), recent_(studio_, options.remembers),
-      menus_(actions_, studio_, document_, recent_), toast_(new Toast(view_)),
+    : options_(options), app_(link), document_(app_), looks_(app_), cues_(app_, document_, looks_),
+      exporter_(app_, document_), second_(app_), actions_(*this), view_(new View(app_, this)),
+      recent_(app_, options.remembers), menus_(actions_, app_, document_, recent_), toast_(new Toast(view_)),
       status_input_(new QLabel(this)), status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)),
       status_device_(new QLabel(this)) {
     setWindowTitle("Ghostlight");
@@ -74,80 +73,80 @@ Window::Window(Link& link, const WindowOptions& options)
     add_panels();
     add_window_actions();
     add_view_switches();
-    add_meter_actions(actions_, studio_, *view_);
-    add_hand_actions(actions_, studio_);
-    add_camera_actions(actions_, studio_);
-    add_tone_actions(actions_, studio_);
-    add_play_actions(actions_, studio_);
-    add_look_actions(actions_, studio_, looks_);
+    add_meter_actions(actions_, app_, *view_);
+    add_programmer_actions(actions_, app_);
+    add_camera_actions(actions_, app_);
+    add_tone_actions(actions_, app_);
+    add_play_actions(actions_, app_);
+    add_look_actions(actions_, app_, looks_);
     add_cue_actions(actions_, cues_);
-    add_export_actions(actions_, studio_, exporter_);
-    add_patch_actions(actions_, studio_, document_);
-    add_hang_action(actions_, studio_, document_);
-    auto* aiming = new Aiming(studio_, actions_, this);
-    add_aim_actions(actions_, studio_, *aiming);
+    add_export_actions(actions_, app_, exporter_);
+    add_patch_actions(actions_, app_, document_);
+    add_hang_action(actions_, app_, document_);
+    auto* aiming = new Aiming(app_, actions_, this);
+    add_aim_actions(actions_, app_, *aiming);
     view_->on_aim = [this, aiming](const glm::vec2& place) {
         if (const auto done = aiming->aim_through(place); !done.ok()) actions_.complain(done.error());
     };
     view_->on_move = [this](const glm::vec3& by_m) {
-        if (const auto done = PatchEdit(studio_, document_).move_by(by_m); !done.ok())
+        if (const auto done = PatchEdit(app_, document_).move_by(by_m); !done.ok())
             actions_.complain(done.error());
     };
-    add_air_actions(actions_, studio_, document_);
+    add_air_actions(actions_, app_, document_);
     add_document_actions(actions_, document_);
-    add_show_actions(actions_, studio_, document_, options_.docs, *this);
-    add_selection_actions(actions_, studio_);
-    add_substitute_action(actions_, studio_, document_, options_.fixtures, *this);
+    add_show_actions(actions_, app_, document_, options_.docs, *this);
+    add_selection_actions(actions_, app_);
+    add_substitute_action(actions_, app_, document_, options_.fixtures, *this);
     new FocusGuide(view_);
     menus_.fill(*menuBar());
-    menuBar()->setCornerWidget(new ViewBar(studio_, actions_, menuBar()), Qt::TopRightCorner);
-    auto* context_menus = new ContextMenus(menus_, studio_, view_);
+    menuBar()->setCornerWidget(new ViewBar(app_, actions_, menuBar()), Qt::TopRightCorner);
+    auto* context_menus = new ContextMenus(menus_, app_, view_);
     context_menus->serve(fixtures_->table());
     actions_.on_done = [this](const Action& action) { say_done(action); };
-    connect(&studio_, &Studio::look_changed, this, &Window::say_hand_taken);
+    connect(&app_, &AppModel::look_changed, this, &Window::say_hand_taken);
     transport_ = new QToolBar("Transport", this);
     transport_->setObjectName("transport");
     transport_->setMovable(false);
-    transport_->addWidget(new TransportPanel(studio_, actions_, transport_));
+    transport_->addWidget(new TransportPanel(app_, actions_, transport_));
     addToolBar(Qt::BottomToolBarArea, transport_);
-    notice_ = new NoticeBar(actions_, document_, studio_, this);
+    notice_ = new NoticeBar(actions_, document_, app_, this);
     addToolBar(Qt::TopToolBarArea, notice_);
     fixtures_->model().complain = actions_.complain;
     connect(&document_, &ShowDocument::changed, this, [this] { setWindowModified(document_.is_changed()); });
-    connect(&studio_, &Studio::opened_show, this, &Window::name_cameras);
-    connect(&studio_, &Studio::opened_show, this, [this] {
-        setWindowTitle(QString::fromStdString(studio_.show()->name.empty() ? studio_.show()->file.string()
-                                                                           : studio_.show()->name) +
+    connect(&app_, &AppModel::opened_show, this, &Window::name_cameras);
+    connect(&app_, &AppModel::opened_show, this, [this] {
+        setWindowTitle(QString::fromStdString(app_.show()->name.empty() ? app_.show()->file.string()
+                                                                        : app_.show()->name) +
                        "[*] - Ghostlight");
-        if (studio_.opened().is_edit) return;
+        if (app_.opened().is_edit) return;
         end_waiting();
         begin_where_there_is_light();
         view_->setFocus();
         if (!options_.remembers || !QSettings().contains("layout version"))
             say(QString("Press ? for all keys.") +
-                    (options_.takes_desk && studio_.wishes().input == Input::automatic
+                    (options_.takes_desk && app_.request().input == Input::automatic
                          ? " A desk that sends sACN or Art-Net takes over by itself."
                          : ""),
                 20000);
     });
-    connect(&studio_, &Studio::failed, this, [this](const QString& what) { say(what, 15000); });
-    connect(&studio_, &Studio::plot_came, this, [this] {
-        const ReceivedPlot& plot = studio_.plot();
+    connect(&app_, &AppModel::failed, this, [this](const QString& what) { say(what, 15000); });
+    connect(&app_, &AppModel::plot_came, this, [this] {
+        const ReceivedPlot& plot = app_.plot();
         say(QString::fromStdString(plot.from + " sent a plot (" +
                                    (plot.comment.empty() ? plot.file : plot.comment) +
                                    "): Show, Take the received plot, Ctrl+T"));
     });
-    connect(&studio_, &Studio::wishes_changed, this, [this] { actions_.refresh(); });
-    connect(&studio_, &Studio::rig_came, this, &Window::show_status);
-    connect(&studio_, &Studio::picture_came, this, [this] {
-        const QString supply = QString::fromStdString(studio_.picture().supply);
+    connect(&app_, &AppModel::wishes_changed, this, [this] { actions_.refresh(); });
+    connect(&app_, &AppModel::rig_came, this, &Window::show_status);
+    connect(&app_, &AppModel::picture_came, this, [this] {
+        const QString supply = QString::fromStdString(app_.picture().supply);
         if (supply != status_supply_->text()) status_supply_->setText(supply);
     });
-    connect(&studio_, &Studio::picture_saved, this, [this](const QString& error) {
+    connect(&app_, &AppModel::picture_saved, this, [this](const QString& error) {
         say(error.isEmpty() ? QString("The picture is saved") : error, 8000);
     });
-    connect(&studio_, &Studio::recording_ended, this, [this] {
-        const Recorded& recorded = studio_.recorded();
+    connect(&app_, &AppModel::recording_ended, this, [this] {
+        const Recorded& recorded = app_.recorded();
         say(recorded.error ? QString::fromStdString(recorded.error->text())
                            : QString("Recorded %1 s to %2: Play, Play what was recorded last")
                                  .arg(recorded.seconds, 0, 'f', 1)
@@ -159,9 +158,9 @@ Window::Window(Link& link, const WindowOptions& options)
         if (!what.isEmpty()) say(what, 15000);
         actions_.refresh();
     });
-    connect(&reach_, &Reach::moved, this, [this](const QString& what) { say(what, 15000); });
-    connect(&studio_.jobs(), &Jobs::changed, this, &Window::show_jobs);
-    connect(&studio_.jobs(), &Jobs::ended, this, [this](const Job& job) {
+    connect(&reach_, &OnScreen::moved, this, [this](const QString& what) { say(what, 15000); });
+    connect(&app_.jobs(), &Jobs::changed, this, &Window::show_jobs);
+    connect(&app_.jobs(), &Jobs::ended, this, [this](const Job& job) {
         QString words = job.title + ": " + state_name(job.state);
         if (job.state == Job::State::failed) words += ". " + job.last_said;
         say(words, 15000);
@@ -172,7 +171,7 @@ Window::Window(Link& link, const WindowOptions& options)
     QSettings settings;
     if (const auto tone = image::tone_from(settings.value("tone").toString().toStdString());
         options_.remembers && tone.ok())
-        studio_.wish([&](Wishes& wishes) { wishes.tone = *tone; });
+        app_.wish([&](ViewRequest& request) { request.tone = *tone; });
     if (options_.remembers && settings.value("layout version").toInt() == kLayoutVersion) {
         restoreGeometry(settings.value("geometry").toByteArray());
         restoreState(settings.value("docks").toByteArray(), kLayoutVersion);
@@ -184,7 +183,7 @@ Window::Window(Link& link, const WindowOptions& options)
         layout()->activate();
         resize(asked); // while panels changed places they needed more
     }
-    new Welcome(actions_, studio_, recent_, !options_.demo.empty(), view_);
+    new Welcome(actions_, app_, recent_, !options_.demo.empty(), view_);
     if (options_.show.empty()) wait_for_show();
     actions_.refresh();
 }
@@ -228,29 +227,29 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
 void Window::add_panels() {
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    fixtures_ = new FixturePanel(studio_, document_, this);
+    fixtures_ = new FixturePanel(app_, document_, this);
     add_panel("fixtures", "Fixtures", fixtures_, Qt::LeftDockWidgetArea);
-    QDockWidget* values =
-        add_panel("values", "Values", new ValuePanel(studio_, this), Qt::RightDockWidgetArea);
-    QDockWidget* hand = add_panel("hand", "By hand", new HandPanel(studio_, this), Qt::RightDockWidgetArea);
-    auto* scene_panel = new ScenePanel(studio_, this);
+    QDockWidget* values = add_panel("values", "Values", new ValuePanel(app_, this), Qt::RightDockWidgetArea);
+    QDockWidget* hand =
+        add_panel("programmer", "Programmer", new ProgrammerPanel(app_, this), Qt::RightDockWidgetArea);
+    auto* scene_panel = new ScenePanel(app_, this);
     QDockWidget* scene = add_panel("scene", "Scene", scene_panel, Qt::RightDockWidgetArea);
     tabifyDockWidget(values, hand);
     tabifyDockWidget(hand, scene);
     hand->raise();
     QDockWidget* network =
-        add_panel("network", "Network", new NetworkPanel(studio_, this), Qt::BottomDockWidgetArea);
+        add_panel("network", "Network", new NetworkPanel(app_, this), Qt::BottomDockWidgetArea);
     QDockWidget* messages =
-        add_panel("messages", "Messages", new MessagePanel(studio_, this), Qt::BottomDockWidgetArea);
+        add_panel("messages", "Messages", new MessagePanel(app_, this), Qt::BottomDockWidgetArea);
     tabifyDockWidget(network, messages);
     // Behind the others, whose keys people know.
     QDockWidget* looks =
-        add_panel("looks", "Looks", new LookPanel(studio_, looks_, actions_, this), Qt::RightDockWidgetArea);
+        add_panel("looks", "Looks", new LookPanel(app_, looks_, actions_, this), Qt::RightDockWidgetArea);
     tabifyDockWidget(scene, looks);
     QDockWidget* exports =
-        add_panel("export", "Export", new ExportPanel(studio_, actions_, this), Qt::RightDockWidgetArea);
+        add_panel("export", "Export", new ExportPanel(app_, actions_, this), Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, exports);
-    auto* air_panel = new AirPanel(studio_, document_, actions_, this);
+    auto* air_panel = new AirPanel(app_, document_, actions_, this);
     air_panel->complain = actions_.complain;
     QDockWidget* air = add_panel("air", "Air", air_panel, Qt::RightDockWidgetArea);
     tabifyDockWidget(exports, air);
@@ -259,11 +258,11 @@ void Window::add_panels() {
         air->raise();
     });
     connect(scene_panel, &ScenePanel::asks_to_hang, this, [this](std::size_t object) {
-        if (const Result<void> done = hang_under(studio_, document_, object); !done.ok())
+        if (const Result<void> done = hang_under(app_, document_, object); !done.ok())
             actions_.complain(done.error());
     });
-    QDockWidget* cues = add_panel("cues", "Cues", new CuePanel(studio_, cues_, looks_, actions_, this),
-                                  Qt::RightDockWidgetArea);
+    QDockWidget* cues =
+        add_panel("cues", "Cues", new CuePanel(app_, cues_, looks_, actions_, this), Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, cues);
     exports->hide();
     air->hide();
@@ -281,13 +280,13 @@ void Window::lay_out() {
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
     if (width() < kTwoColumnsFrom_px) {
         splitDockWidget(list, dock("values"), Qt::Vertical);
-        for (const char* const name : {"hand", "scene", "looks", "cues", "export", "air"})
+        for (const char* const name : {"programmer", "scene", "looks", "cues", "export", "air"})
             tabifyDockWidget(dock("values"), dock(name));
-        dock("hand")->raise();
+        dock("programmer")->raise();
         resizeDocks({list}, {column_px}, Qt::Horizontal);
-        resizeDocks({list, dock("hand")}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
+        resizeDocks({list, dock("programmer")}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);
     } else {
-        resizeDocks({list, dock("hand")}, {240, 260}, Qt::Horizontal);
+        resizeDocks({list, dock("programmer")}, {240, 260}, Qt::Horizontal);
     }
 }
 
@@ -304,18 +303,18 @@ void Window::wait_for_show() {
 void Window::end_waiting() {
     for (QDockWidget* const one : docks_waiting_) one->show();
     for (QDockWidget* const one : docks_waiting_)
-        if (one->objectName() == "hand") one->raise();
+        if (one->objectName() == "programmer") one->raise();
     docks_waiting_.clear();
     if (!isFullScreen()) transport_->show();
 }
 
 void Window::begin_where_there_is_light() {
     std::error_code code;
-    if (!studio_.opened().again && !options_.demo.empty() &&
-        std::filesystem::equivalent(studio_.show()->folder, options_.demo, code))
-        studio_.wish([](Wishes& wishes) {
-            ++wishes.transport.seeks;
-            wishes.transport.at_s = kDemoBegins_s;
+    if (!app_.opened().again && !options_.demo.empty() &&
+        std::filesystem::equivalent(app_.show()->folder, options_.demo, code))
+        app_.wish([](ViewRequest& request) {
+            ++request.transport.seeks;
+            request.transport.at_s = kDemoBegins_s;
         });
 }
 
@@ -325,33 +324,33 @@ void Window::say_done(const Action& action) {
                                          "unpatch",     "distribute", "add-fixture", "add-model",
                                          "set-stage",   "substitute"};
     if (action.name == "save")
-        toast_->say("Saved: " + QString::fromStdString(studio_.show()->file.filename().string()));
+        toast_->say("Saved: " + QString::fromStdString(app_.show()->file.filename().string()));
     else if (kSays.contains(action.name))
-        toast_->say(studio_.undo_stack().undoText(), [this] { actions_.choose("undo"); });
+        toast_->say(app_.undo_stack().undoText(), [this] { actions_.choose("undo"); });
 }
 
 void Window::say_hand_taken() {
-    const std::size_t count = studio_.look().fixtures.size();
+    const std::size_t count = app_.look().fixtures.size();
     const bool has_hand = count > 0;
-    if (has_hand && !had_hand_ && !studio_.fades())
-        toast_->say(QString("By hand now: %1. R gives back what is selected, Shift+R all")
-                        .arg(words_of(studio_.look())),
-                    [this] { actions_.choose("undo"); });
+    if (has_hand && !had_hand_ && !app_.fades())
+        toast_->say(
+            QString("By hand now: %1. R gives back what is selected, Shift+R all").arg(words_of(app_.look())),
+            [this] { actions_.choose("undo"); });
     had_hand_ = has_hand;
 }
 
 void Window::name_cameras() {
-    const std::vector<scene::Camera>& cameras = studio_.show()->cameras;
+    const std::vector<scene::Camera>& cameras = app_.show()->cameras;
     for (std::size_t number = 1; number <= 9; ++number) {
         QAction* item = actions_.item(QString("camera-%1").arg(number));
         item->setVisible(number <= cameras.size());
         if (number <= cameras.size()) item->setText(QString::fromStdString(cameras[number - 1].name));
     }
-    status_device_->setText(QString::fromStdString(studio_.opened().device));
+    status_device_->setText(QString::fromStdString(app_.opened().device));
 }
 
 void Window::show_status() {
-    const RigNow& rig = studio_.rig();
+    const RigNow& rig = app_.rig();
     const bool listens = options_.takes_desk;
     QString text;
     if (rig.from_desk)
@@ -362,7 +361,7 @@ void Window::show_status() {
                          .arg(rig.universes.list.size())
                          .arg(rig.universes.list.size() == 1 ? "universe" : "universes");
     else if (rig.recording_s <= 0)
-        text = studio_.wishes().input == Input::recording
+        text = app_.request().input == Input::recording
                    ? "No recording: the show has none; a desk is not taken (Play menu)"
                : listens ? "No recording; a desk that sends sACN or Art-Net takes over by itself"
                          : "No recording, and no desk: started with --no-desk";
@@ -374,7 +373,7 @@ void Window::show_status() {
 
 void Window::show_jobs() {
     QString words;
-    for (const Job& job : studio_.jobs().all())
+    for (const Job& job : app_.jobs().all())
         if (job.state == Job::State::runs)
             words = QString("%1: %2 %").arg(job.title).arg(static_cast<int>(100 * job.share)) +
                     (job.left.isEmpty() ? QString() : ", " + job.left + " left");
@@ -395,7 +394,7 @@ void Window::closeEvent(QCloseEvent* event) {
         return;
     }
     if (options_.remembers)
-        QSettings().setValue("tone", QString::fromStdString(image::name_of(studio_.wishes().tone)));
+        QSettings().setValue("tone", QString::fromStdString(image::name_of(app_.request().tone)));
     if (options_.remembers && !isFullScreen()) {
         end_waiting(); // panels that waited are part of the layout
         QSettings settings;
@@ -422,18 +421,17 @@ void Window::dropEvent(QDropEvent* event) {
 // Of an open show a fixture, a model or a plot becomes a part; all else is opened.
 void Window::take_file(const QString& file) {
     const QString ending = QFileInfo(file).suffix().toLower();
-    const bool is_fixture = ending == "gdtf" || ending == "qxf" || (ending == "json" && studio_.show());
+    const bool is_fixture = ending == "gdtf" || ending == "qxf" || (ending == "json" && app_.show());
     const bool is_model_file = is_model(file.toStdString());
-    const bool is_plot =
-        ending == "mvr" && document_.check_editable().ok() && studio_.show()->plot_file.empty();
+    const bool is_plot = ending == "mvr" && document_.check_editable().ok() && app_.show()->plot_file.empty();
     const bool has_stage =
-        studio_.show() && (!studio_.show()->stage_file.empty() || !studio_.show()->plot_file.empty());
+        app_.show() && (!app_.show()->stage_file.empty() || !app_.show()->plot_file.empty());
     const QString action = is_fixture                   ? "add-fixture"
                            : is_model_file && has_stage ? "add-model"
                            : is_model_file              ? "set-stage"
                                                         : "set-plot";
     if (!is_fixture && !is_model_file && !is_plot) {
-        studio_.open(file.toStdString());
+        app_.open(file.toStdString());
         return;
     }
     actions_.choose(action + " \"" + file + "\"");

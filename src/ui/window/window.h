@@ -6,14 +6,14 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/cue_list.h"
 #include "ui/actions/exporter.h"
+#include "ui/model/app_model.h"
 #include "ui/model/looks.h"
 #include "ui/model/recent_shows.h"
 #include "ui/model/show_document.h"
-#include "ui/model/studio.h"
 #include "ui/picture/second_display.h"
 #include "ui/picture/view.h"
 #include "ui/widgets/loop_watch.h"
-#include "ui/widgets/reach.h"
+#include "ui/widgets/on_screen.h"
 #include "ui/widgets/toast.h"
 #include "ui/window/context_menus.h"
 #include "ui/window/menus.h"
@@ -35,7 +35,7 @@ public:
     Window(Link& link, const WindowOptions& options);
     ~Window() override;
 
-    Studio& studio() { return studio_; }
+    AppModel& app() { return app_; }
     Actions& actions() { return actions_; }
 
 protected:
@@ -67,13 +67,13 @@ private:
     Result<void> save_state(const QStringList& arguments);
 
     WindowOptions options_;
-    Studio studio_;
+    AppModel app_;
     ShowDocument document_;
     Looks looks_;
     CueList cues_;
     Exporter exporter_;
     SecondDisplay second_;
-    Reach reach_;
+    OnScreen reach_;
     Actions actions_;
     LoopWatch* const loop_ = new LoopWatch(this);
     View* view_;

@@ -28,7 +28,7 @@ void Window::add_window_actions() {
                   "Ctrl+O",
                   "PATH",
                   [this](const QStringList& words) -> Result<void> {
-                      studio_.open(words[0].toStdString());
+                      app_.open(words[0].toStdString());
                       return {};
                   },
                   {},
@@ -53,7 +53,7 @@ void Window::add_window_actions() {
                           return Error{"there is no folder 'demo' beside this program (assets/demo, or "
                                        "share/ghostlight/demo)",
                                        ""};
-                      studio_.open(options_.demo);
+                      app_.open(options_.demo);
                       return {};
                   },
                   {}});
@@ -63,9 +63,9 @@ void Window::add_window_actions() {
                   "Ctrl+T",
                   "",
                   [this](const QStringList&) -> Result<void> {
-                      if (studio_.plot().number == 0)
+                      if (app_.plot().number == 0)
                           return Error{"no plot came from the network (MVR-xchange)", ""};
-                      studio_.wish([&](Wishes& wishes) { wishes.take_plot = studio_.plot().number; });
+                      app_.wish([&](ViewRequest& request) { request.take_plot = app_.plot().number; });
                       statusBar()->clearMessage();
                       return {};
                   },
@@ -116,8 +116,8 @@ void Window::add_window_actions() {
                   "Ctrl+Z",
                   "",
                   [this](const QStringList&) -> Result<void> {
-                      if (!studio_.undo_stack().canUndo()) return Error{"there is nothing to undo", ""};
-                      studio_.undo_stack().undo();
+                      if (!app_.undo_stack().canUndo()) return Error{"there is nothing to undo", ""};
+                      app_.undo_stack().undo();
                       return {};
                   },
                   {}});
@@ -127,8 +127,8 @@ void Window::add_window_actions() {
                   "Ctrl+Shift+Z; Ctrl+Y",
                   "",
                   [this](const QStringList&) -> Result<void> {
-                      if (!studio_.undo_stack().canRedo()) return Error{"there is nothing to redo", ""};
-                      studio_.undo_stack().redo();
+                      if (!app_.undo_stack().canRedo()) return Error{"there is nothing to redo", ""};
+                      app_.undo_stack().redo();
                       return {};
                   },
                   {}});
@@ -184,7 +184,7 @@ void Window::add_view_switches() {
                   "",
                   "",
                   [this](const QStringList&) -> Result<void> {
-                      studio_.reset_figures();
+                      app_.reset_figures();
                       view_->reset_figures();
                       loop_->reset();
                       return {};
@@ -192,23 +192,23 @@ void Window::add_view_switches() {
                   {}});
     actions_.add({"black-out", "View", "Black-out", "B", "",
                   [this](const QStringList&) -> Result<void> {
-                      studio_.wish([](Wishes& wishes) { wishes.black_out = !wishes.black_out; });
+                      app_.wish([](ViewRequest& request) { request.black_out = !request.black_out; });
                       return {};
                   },
-                  [this] { return studio_.wishes().black_out; }});
+                  [this] { return app_.request().black_out; }});
     actions_.add({"work-light", "View", "Work light: see the stage where nothing shines", "K",
                   "[on|off|auto]",
                   [this](const QStringList& words) -> Result<void> {
-                      const QString word = words.value(0, studio_.picture().has_work_light ? "off" : "on");
+                      const QString word = words.value(0, app_.picture().has_work_light ? "off" : "on");
                       if (word != "on" && word != "off" && word != "auto")
                           return Error{"'" + word.toStdString() + "' is none of on, off and auto", ""};
                       const WorkLight wanted = word == "on"    ? WorkLight::on
                                                : word == "off" ? WorkLight::off
                                                                : WorkLight::automatic;
-                      studio_.wish([&](Wishes& wishes) { wishes.work_light = wanted; });
+                      app_.wish([&](ViewRequest& request) { request.work_light = wanted; });
                       return {};
                   },
-                  [this] { return studio_.picture().has_work_light; }});
+                  [this] { return app_.picture().has_work_light; }});
     actions_.add({"master",
                   "",
                   "master",
@@ -216,7 +216,7 @@ void Window::add_view_switches() {
                   "SHARE",
                   [this](const QStringList& words) -> Result<void> {
                       TRY(const double share, number_of(words, 0, "share", 0, 1));
-                      studio_.wish([&](Wishes& wishes) { wishes.master = static_cast<float>(share); });
+                      app_.wish([&](ViewRequest& request) { request.master = static_cast<float>(share); });
                       return {};
                   },
                   {}});
@@ -274,20 +274,20 @@ void Window::show_shortcuts() {
 }
 
 Result<void> Window::save_picture(const QString& file) {
-    if (!studio_.picture().image) return Error{"there is no picture yet", ""};
+    if (!app_.picture().image) return Error{"there is no picture yet", ""};
     if (file.endsWith(".exr", Qt::CaseInsensitive)) {
         // The engine has the linear values; it says when they are there.
-        studio_.wish([&](Wishes& wishes) {
-            ++wishes.save_frame.number;
-            wishes.save_frame.file = file.toStdString();
+        app_.wish([&](ViewRequest& request) {
+            ++request.save_frame.number;
+            request.save_frame.file = file.toStdString();
         });
         return {};
     }
-    return image::write_png(file.toStdString(), *studio_.picture().image);
+    return image::write_png(file.toStdString(), *app_.picture().image);
 }
 
 Result<void> Window::save_state(const QStringList& arguments) {
-    QJsonObject state = state_json(studio_, *view_);
+    QJsonObject state = state_json(app_, *view_);
     QJsonArray looks;
     for (const scene::StoredLook& look : looks_.all()) looks.append(QString::fromStdString(look.name));
     state["looks"] = looks;
@@ -296,10 +296,10 @@ Result<void> Window::save_state(const QStringList& arguments) {
     state["toast"] = toast_->words();
     state["notice"] = notice_->words();
     state["dark"] = static_cast<int>(
-        std::count_if(studio_.verdicts().begin(), studio_.verdicts().end(),
+        std::count_if(app_.verdicts().begin(), app_.verdicts().end(),
                       [](const Verdict& verdict) { return verdict.visibility != scene::Visibility::lit; }));
     QJsonArray jobs;
-    for (const Job& job : studio_.jobs().all())
+    for (const Job& job : app_.jobs().all())
         jobs.append(QJsonObject{{"title", job.title},
                                 {"state", state_name(job.state)},
                                 {"share", job.share},

@@ -25,7 +25,7 @@ TEST(Ghostdmx, any_frames_come_back_as_they_were) {
 
 TEST(Ghostdmx, the_bytes_are_those_of_the_description) {
     const auto bytes = pack({make_frame(0us, 1, {255, 0, 7})}, 1s);
-    // docs/recording.md: header, one piece, index, trailer.
+    // docs/reference/recording.md: header, one piece, index, trailer.
     const std::vector<std::uint8_t> start = {0x89, 'G', 'D', 'M', 'X', '\r', '\n', 0x1A, 1, 0, 0, 0};
     ASSERT_GT(bytes.size(), 24u + 28 + 16 + 28 + 16);
     EXPECT_TRUE(std::equal(start.begin(), start.end(), bytes.begin()));

@@ -2,7 +2,7 @@
 // Names of channel sets against their numbers; wheels of which only the slots say what they do; the levels
 // that show what a fixture's channels do.
 #include "fixture/decode.h"
-#include "fixture/manual.h"
+#include "fixture/programmer.h"
 #include "fixture/sweep.h"
 #include "support/tiny_gdtf.h"
 

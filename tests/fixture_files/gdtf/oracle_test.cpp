@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // 77 GDTF files of other makers against what two other readers and the test suites of three GDTF libraries
-// say about them (see the folder's manifest for the licences: they are not ours to ship). docs/gdtf.md has
-// the reasons where we differ on purpose.
+// say about them (see the folder's manifest for the licences: they are not ours to ship).
+// docs/reference/gdtf.md has the reasons where we differ on purpose.
 #include "base/text.h"
 #include "fixture/decode.h"
 #include "fixture/values.h"
@@ -181,7 +181,7 @@ TEST(oracle, dmx_values_and_addresses_of_libmvrgdtf) {
     EXPECT_EQ(addresses, 4);
 }
 
-// The same faults, line by line; more only where docs/gdtf.md says why.
+// The same faults, line by line; more only where docs/reference/gdtf.md says why.
 TEST(oracle, faults_of_libmvrgdtf) {
     SKIP_WITHOUT_FILES();
     const auto hex = load_named("libmvr_BugInDmxWithHex.gdtf");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our two fixtures, channel by channel, against the chart in docs/fixtures.md.
+// Our two fixtures, channel by channel, against the chart in docs/reference/fixtures.md.
 #include "fixture/decode.h"
 #include "support/tiny_gdtf.h"
 

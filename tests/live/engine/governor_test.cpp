@@ -79,7 +79,7 @@ TEST(QualityLevels, segments_go_first_then_rays_of_wide_beams) {
 }
 
 TEST(QualityLevels, integrators_without_segments_have_one) {
-    render::HazeSettings cone;
+    render::HazeIntegrator cone;
     cone.beams = render::Beams::cone;
     EXPECT_EQ(quality_levels(cone).size(), 1u);
     Governor governor(kFps, quality_levels(cone));

@@ -72,8 +72,8 @@ protected:
         ASSERT_TRUE(controls.ok());
         controls_ = std::move(*controls);
     }
-    image::ImageF draw(const RemoteWishes& wishes, double now_s = 0) {
-        controls_.apply(*session_, wishes, now_s);
+    image::ImageF draw(const RemoteRequest& request, double now_s = 0) {
+        controls_.apply(*session_, request, now_s);
         session_->rig->step(levels(*session_->show), 0.1);
         session_->draw();
         return session_->relighter->frame();
@@ -83,49 +83,49 @@ protected:
 };
 
 TEST_F(LiveControlsTest, master_and_blackout) {
-    RemoteWishes wishes;
-    const double full = mean(draw(wishes));
-    wishes.blackout = true;
-    const double dark = mean(draw(wishes));
-    wishes.blackout = false;
-    wishes.master = 0.5f;
-    const double half = mean(draw(wishes));
-    wishes.master = 1;
+    RemoteRequest request;
+    const double full = mean(draw(request));
+    request.blackout = true;
+    const double dark = mean(draw(request));
+    request.blackout = false;
+    request.master = 0.5f;
+    const double half = mean(draw(request));
+    request.master = 1;
     EXPECT_LT(dark, 0.5 * full);
     EXPECT_NEAR(half, 0.5 * (full + dark), 0.01 * full) << "light is linear";
-    EXPECT_NEAR(mean(draw(wishes)), full, 1e-3 * full);
+    EXPECT_NEAR(mean(draw(request)), full, 1e-3 * full);
 }
 
 TEST_F(LiveControlsTest, haze) {
-    RemoteWishes wishes;
-    const image::ImageF before = draw(wishes);
-    wishes.haze = 0;
-    const image::ImageF clear = draw(wishes);
-    wishes.haze = 2;
-    const double thick = mean(draw(wishes));
-    wishes.haze = 1;
+    RemoteRequest request;
+    const image::ImageF before = draw(request);
+    request.haze = 0;
+    const image::ImageF clear = draw(request);
+    request.haze = 2;
+    const double thick = mean(draw(request));
+    request.haze = 1;
     // Without haze there are no beams, but more light arrives.
     EXPECT_GT(difference(clear, before), 0.01);
     EXPECT_LT(thick, 0.95 * mean(clear));
-    EXPECT_LT(difference(draw(wishes), before), 0.01);
+    EXPECT_LT(difference(draw(request), before), 0.01);
 }
 
 TEST_F(LiveControlsTest, exposure_changes_the_picture_and_not_the_light) {
-    RemoteWishes wishes;
-    const image::ImageF light = draw(wishes);
+    RemoteRequest request;
+    const image::ImageF light = draw(request);
     const double before = mean(session_->relighter->picture());
-    wishes.ev100 = 3.0f;
-    EXPECT_LT(difference(draw(wishes), light), 1e-3);
+    request.ev100 = 3.0f;
+    EXPECT_LT(difference(draw(request), light), 1e-3);
     EXPECT_GT(mean(session_->relighter->picture()), 1.05 * before);
     EXPECT_NEAR(static_cast<double>(session_->relighter->ev100_used()), 3.0, 1e-3);
-    wishes.ev100.reset();
-    (void)draw(wishes);
+    request.ev100.reset();
+    (void)draw(request);
     EXPECT_NEAR(mean(session_->relighter->picture()), before, 0.5);
 }
 
 TEST_F(LiveControlsTest, a_camera_is_recalled_at_once_or_flown_to) {
-    RemoteWishes wishes;
-    const image::ImageF house = draw(wishes);
+    RemoteRequest request;
+    const image::ImageF house = draw(request);
     const auto high = open_demo("high");
     high->rig->step(levels(*high->show), 0.1);
     high->draw();
@@ -134,18 +134,18 @@ TEST_F(LiveControlsTest, a_camera_is_recalled_at_once_or_flown_to) {
 
     const auto index = session_->show->find_camera("high");
     ASSERT_TRUE(index.ok());
-    wishes.camera = RemoteCamera{*index, 0};
-    wishes.calls = 1;
-    EXPECT_LT(difference(draw(wishes), there), 0.01);
-    EXPECT_LT(difference(draw(wishes), there), 0.01) << "and stays";
+    request.camera = RemoteCamera{*index, 0};
+    request.calls = 1;
+    EXPECT_LT(difference(draw(request), there), 0.01);
+    EXPECT_LT(difference(draw(request), there), 0.01) << "and stays";
 
-    wishes.camera = RemoteCamera{*session_->show->find_camera("house"), 10};
-    wishes.calls = 2;
-    EXPECT_LT(difference(draw(wishes, 100), there), 0.03) << "the flight begins here";
-    const image::ImageF midway = draw(wishes, 105);
+    request.camera = RemoteCamera{*session_->show->find_camera("house"), 10};
+    request.calls = 2;
+    EXPECT_LT(difference(draw(request, 100), there), 0.03) << "the flight begins here";
+    const image::ImageF midway = draw(request, 105);
     EXPECT_GT(difference(midway, there), 0.05);
     EXPECT_GT(difference(midway, house), 0.05);
-    EXPECT_LT(difference(draw(wishes, 111), house), 0.01);
+    EXPECT_LT(difference(draw(request, 111), house), 0.01);
 }
 
 TEST_F(LiveControlsTest, heads_and_camera_follow_a_tracker) {

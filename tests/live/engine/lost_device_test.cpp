@@ -46,20 +46,20 @@ TEST(LostDevice, the_picture_comes_back_with_what_hands_did) {
     options.listens = false;
     options.session.quiet = true;
     Engine engine(link, options);
-    ui::Wishes wishes;
-    wishes.show = DemoCopy::show().string();
-    wishes.number = 1;
-    wishes.camera.width = 0;
-    link.wishes.put(wishes);
+    ui::ViewRequest request;
+    request.show = DemoCopy::show().string();
+    request.number = 1;
+    request.camera.width = 0;
+    link.request.put(request);
     std::optional<ui::Opened> opened;
     ASSERT_TRUE(within_a_minute([&] { return (opened = link.opened.take()).has_value(); }));
-    wishes.camera = opened->show->cameras.front();
-    wishes.camera.width = 64;
-    wishes.camera.height = 36;
-    wishes.frozen = true;
-    wishes.look.fixtures[0] = {.intensity = 1.0f, .tilt_deg = 30.0f};
-    wishes.number = 2;
-    link.wishes.put(wishes);
+    request.camera = opened->show->cameras.front();
+    request.camera.width = 64;
+    request.camera.height = 36;
+    request.frozen = true;
+    request.look.fixtures[0] = {.intensity = 1.0f, .tilt_deg = 30.0f};
+    request.number = 2;
+    link.request.put(request);
     std::optional<ui::Picture> before, after;
     ASSERT_TRUE(within_a_minute([&] {
         const auto settled = link.settled.take(); // before its picture, which stands there by then
@@ -70,15 +70,15 @@ TEST(LostDevice, the_picture_comes_back_with_what_hands_did) {
     (void)link.messages.take();
 
     losses = 1;
-    wishes.black_out = true; // something is to be drawn
-    wishes.number = 3;
-    link.wishes.put(wishes);
+    request.black_out = true; // something is to be drawn
+    request.number = 3;
+    link.request.put(request);
     ASSERT_TRUE(within_a_minute([&] { return (opened = link.opened.take()).has_value(); }));
     EXPECT_TRUE(opened->is_edit) << "camera, look and undo list stay";
     EXPECT_EQ(losses.load(), 0);
-    wishes.black_out = false;
-    wishes.number = 4;
-    link.wishes.put(wishes);
+    request.black_out = false;
+    request.number = 4;
+    link.request.put(request);
     ASSERT_TRUE(within_a_minute([&] {
         const auto settled = link.settled.take();
         if (auto picture = link.picture.take()) after = std::move(picture);

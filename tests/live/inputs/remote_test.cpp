@@ -20,40 +20,40 @@ dmx::OscMessage message(const std::string& address, std::vector<dmx::OscArgument
 TEST(Remote, each_address_does_what_it_says) {
     Remote remote({"house", "high"});
     EXPECT_TRUE(remote.apply(message("/ghostlight/master", {0.25})).ok());
-    EXPECT_FLOAT_EQ(remote.wishes().light(), 0.25f);
+    EXPECT_FLOAT_EQ(remote.request().light(), 0.25f);
     EXPECT_TRUE(remote.apply(message("/ghostlight/blackout")).ok());
-    EXPECT_FLOAT_EQ(remote.wishes().light(), 0.0f);
+    EXPECT_FLOAT_EQ(remote.request().light(), 0.0f);
     EXPECT_TRUE(remote.apply(message("/ghostlight/blackout", {0.0})).ok());
-    EXPECT_FLOAT_EQ(remote.wishes().light(), 0.25f);
+    EXPECT_FLOAT_EQ(remote.request().light(), 0.25f);
     EXPECT_TRUE(remote.apply(message("/ghostlight/blackout", {true})).ok());
-    EXPECT_TRUE(remote.wishes().blackout);
+    EXPECT_TRUE(remote.request().blackout);
     EXPECT_TRUE(remote.apply(message("/ghostlight/haze", {2.0})).ok());
-    EXPECT_FLOAT_EQ(remote.wishes().haze, 2.0f);
+    EXPECT_FLOAT_EQ(remote.request().haze, 2.0f);
     EXPECT_TRUE(remote.apply(message("/ghostlight/exposure", {4.5})).ok());
-    EXPECT_FLOAT_EQ(remote.wishes().ev100.value(), 4.5f);
+    EXPECT_FLOAT_EQ(remote.request().ev100.value(), 4.5f);
     EXPECT_TRUE(remote.apply(message("/ghostlight/exposure/auto")).ok());
-    EXPECT_FALSE(remote.wishes().ev100.has_value());
-    EXPECT_FALSE(remote.wishes().tone.has_value());
+    EXPECT_FALSE(remote.request().ev100.has_value());
+    EXPECT_FALSE(remote.request().tone.has_value());
     EXPECT_TRUE(remote.apply(message("/ghostlight/tone", {std::string("aces")})).ok());
-    EXPECT_EQ(remote.wishes().tone, image::Tone::aces);
+    EXPECT_EQ(remote.request().tone, image::Tone::aces);
     for (const std::vector<dmx::OscArgument>& wrong :
          {std::vector<dmx::OscArgument>{1.0}, {std::string("film")}})
         EXPECT_FALSE(remote.apply(message("/ghostlight/tone", wrong)).ok());
-    EXPECT_EQ(remote.wishes().tone, image::Tone::aces);
+    EXPECT_EQ(remote.request().tone, image::Tone::aces);
     EXPECT_TRUE(remote.apply(message("/ghostlight/tone")).ok());
-    EXPECT_FALSE(remote.wishes().tone.has_value());
+    EXPECT_FALSE(remote.request().tone.has_value());
 }
 
 TEST(Remote, cameras_by_name_and_number) {
     Remote remote({"house", "high"});
-    EXPECT_FALSE(remote.wishes().camera.has_value());
+    EXPECT_FALSE(remote.request().camera.has_value());
     EXPECT_TRUE(remote.apply(message("/ghostlight/camera", {std::string("high"), 3.0})).ok());
-    EXPECT_EQ(remote.wishes().camera->index, 1u);
-    EXPECT_FLOAT_EQ(remote.wishes().camera->flight_s, 3.0f);
+    EXPECT_EQ(remote.request().camera->index, 1u);
+    EXPECT_FLOAT_EQ(remote.request().camera->flight_s, 3.0f);
     EXPECT_TRUE(remote.apply(message("/ghostlight/camera", {1.0})).ok());
-    EXPECT_EQ(remote.wishes().camera->index, 0u);
-    EXPECT_FLOAT_EQ(remote.wishes().camera->flight_s, 0.0f);
-    EXPECT_EQ(remote.wishes().calls, 2u);
+    EXPECT_EQ(remote.request().camera->index, 0u);
+    EXPECT_FLOAT_EQ(remote.request().camera->flight_s, 0.0f);
+    EXPECT_EQ(remote.request().calls, 2u);
     for (const std::vector<dmx::OscArgument>& wrong : {std::vector<dmx::OscArgument>{},
                                                        {0.0},
                                                        {3.0},
@@ -62,7 +62,7 @@ TEST(Remote, cameras_by_name_and_number) {
                                                        {1.0, 1e9},
                                                        {std::monostate()}})
         EXPECT_FALSE(remote.apply(message("/ghostlight/camera", wrong)).ok());
-    EXPECT_EQ(remote.wishes().calls, 2u);
+    EXPECT_EQ(remote.request().calls, 2u);
 }
 
 TEST(Remote, cues_by_name_by_number_and_one_after_another) {
@@ -70,36 +70,36 @@ TEST(Remote, cues_by_name_by_number_and_one_after_another) {
         end{"End", {}, "house", 0, ""};
     Remote remote({"house", "high"}, {walk_in, solo, end});
     EXPECT_TRUE(remote.apply(message("/ghostlight/cue", {std::string("Solo")})).ok());
-    EXPECT_EQ(remote.wishes().jumps, 1u);
-    EXPECT_DOUBLE_EQ(remote.wishes().at_s, 61.5);
-    EXPECT_EQ(remote.wishes().camera->index, 1u);
-    EXPECT_FLOAT_EQ(remote.wishes().camera->flight_s, 2.0f);
+    EXPECT_EQ(remote.request().jumps, 1u);
+    EXPECT_DOUBLE_EQ(remote.request().at_s, 61.5);
+    EXPECT_EQ(remote.request().camera->index, 1u);
+    EXPECT_FLOAT_EQ(remote.request().camera->flight_s, 2.0f);
     // The next one has a camera only; then there is none any more.
     EXPECT_TRUE(remote.apply(message("/ghostlight/cue/go")).ok());
-    EXPECT_EQ(remote.wishes().jumps, 1u);
-    EXPECT_EQ(remote.wishes().camera->index, 0u);
-    EXPECT_EQ(remote.wishes().calls, 2u);
+    EXPECT_EQ(remote.request().jumps, 1u);
+    EXPECT_EQ(remote.request().camera->index, 0u);
+    EXPECT_EQ(remote.request().calls, 2u);
     EXPECT_FALSE(remote.apply(message("/ghostlight/cue/go", {1.0})).ok());
     EXPECT_TRUE(remote.apply(message("/ghostlight/cue/back")).ok());
-    EXPECT_DOUBLE_EQ(remote.wishes().at_s, 61.5);
+    EXPECT_DOUBLE_EQ(remote.request().at_s, 61.5);
     EXPECT_TRUE(remote.apply(message("/ghostlight/cue/back", {0.0})).ok()) << "a button let go";
-    EXPECT_DOUBLE_EQ(remote.wishes().at_s, 61.5);
+    EXPECT_DOUBLE_EQ(remote.request().at_s, 61.5);
     EXPECT_TRUE(remote.apply(message("/ghostlight/cue", {1.0})).ok());
-    EXPECT_DOUBLE_EQ(remote.wishes().at_s, 0.0);
+    EXPECT_DOUBLE_EQ(remote.request().at_s, 0.0);
     EXPECT_TRUE(remote.apply(message("/ghostlight/recording", {12.5})).ok());
-    EXPECT_DOUBLE_EQ(remote.wishes().at_s, 12.5);
-    const std::size_t jumps = remote.wishes().jumps;
+    EXPECT_DOUBLE_EQ(remote.request().at_s, 12.5);
+    const std::size_t jumps = remote.request().jumps;
     for (const char* address : {"/ghostlight/cue", "/ghostlight/recording"})
         EXPECT_FALSE(remote.apply(message(address)).ok());
     EXPECT_FALSE(remote.apply(message("/ghostlight/cue", {std::string("solo")})).ok());
     EXPECT_FALSE(remote.apply(message("/ghostlight/cue", {4.0})).ok());
     EXPECT_FALSE(remote.apply(message("/ghostlight/recording", {-1.0})).ok());
-    EXPECT_EQ(remote.wishes().jumps, jumps);
+    EXPECT_EQ(remote.request().jumps, jumps);
     // "go" without a cue before it is the first one.
     Remote fresh({}, {solo});
     EXPECT_TRUE(fresh.apply(message("/ghostlight/cue/go")).ok());
-    EXPECT_DOUBLE_EQ(fresh.wishes().at_s, 61.5);
-    EXPECT_FALSE(fresh.wishes().camera.has_value()) << "the show has no such camera";
+    EXPECT_DOUBLE_EQ(fresh.request().at_s, 61.5);
+    EXPECT_FALSE(fresh.request().camera.has_value()) << "the show has no such camera";
     EXPECT_FALSE(Remote({"house"}).apply(message("/ghostlight/cue/go")).ok());
 }
 
@@ -113,9 +113,9 @@ TEST(Remote, what_is_wrong_changes_nothing) {
     for (const char* address :
          {"/", "/ghostlight", "/ghostlight/", "/ghostlight/master/x", "/other/master", "master"})
         EXPECT_FALSE(remote.apply(message(address, {0.5})).ok()) << address;
-    EXPECT_FLOAT_EQ(remote.wishes().light(), 1.0f);
-    EXPECT_FLOAT_EQ(remote.wishes().haze, 1.0f);
-    EXPECT_FALSE(remote.wishes().ev100.has_value());
+    EXPECT_FLOAT_EQ(remote.request().light(), 1.0f);
+    EXPECT_FLOAT_EQ(remote.request().haze, 1.0f);
+    EXPECT_FALSE(remote.request().ev100.has_value());
 }
 
 TEST(ParsePort, this_machine_alone_unless_an_address_is_given) {

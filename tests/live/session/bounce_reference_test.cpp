@@ -114,8 +114,8 @@ TEST_P(BounceReference, TheSolverSeesWhatCyclesSees) {
     const DisplayFigures found = compare_displayed(scene, live_picture(live, kSupersample));
     std::printf("%s: %.3f of the light, %.1f dB; without bounces %.3f, %.1f dB\n", name.c_str(),
                 found.mean_ratio, found.psnr_db, direct.mean_ratio, direct.psnr_db);
-    // Forward haze (B) keeps a halo round its beams that cells of a metre do not hold: docs/bounce.md. Six
-    // per cent and 31 dB are wanted of both; B misses them, and its limits only keep what there is.
+    // Forward haze (B) keeps a halo round its beams that cells of a metre do not hold: docs/design/bounce.md.
+    // Six per cent and 31 dB are wanted of both; B misses them, and its limits only keep what there is.
     const bool is_forward = scene.haze.forward_g > 0.1f;
     EXPECT_NEAR(found.mean_ratio, 1.0, is_forward ? 0.07 : 0.045);
     EXPECT_GE(found.psnr_db, is_forward ? 27.0 : 32.0);

@@ -53,7 +53,7 @@ struct Meter {
     const shared::Light& light() const { return lit.lights.front(); }
 
     std::unique_ptr<Session> session;
-    scene::Lit lit;
+    scene::FrameLights lit;
 };
 
 TEST(LightMeter, straight_below_a_lamp_it_shows_candela_over_the_square_of_metres) {
@@ -80,10 +80,10 @@ TEST(LightMeter, straight_below_a_lamp_it_shows_candela_over_the_square_of_metre
 
 TEST(LightMeter, the_picture_and_the_rays_say_the_same) {
     Meter meter;
-    std::map<std::size_t, fixture::Manual> manual;
+    std::map<std::size_t, fixture::Programmer> programmer;
     for (std::size_t i = 0; i < meter.session->show->fixtures.size(); ++i)
-        manual[i] = {.intensity = 1.0f, .zoom_deg = 45.0f, .tilt_deg = 20.0f, .gobo = 0};
-    meter.session->rig->step({}, 0, manual);
+        programmer[i] = {.intensity = 1.0f, .zoom_deg = 45.0f, .tilt_deg = 20.0f, .gobo = 0};
+    meter.session->rig->step({}, 0, programmer);
     meter.lit = meter.session->lit();
     meter.look_at({0, -9, 4}, {0, 4, 1});
     const image::ImageF lux = LightMeter(*meter.session).lux_picture(meter.lit);

@@ -70,7 +70,7 @@ std::vector<CannedView> canned_views() {
 }
 
 // Pixels through which one surface is seen, or none: there haze ends at one distance. The live haze ends at
-// the main fragment of a pixel, so that silhouettes are another matter (docs/live-accuracy.md).
+// the main fragment of a pixel, so that silhouettes are another matter (docs/measurements/live-accuracy.md).
 std::vector<std::uint8_t> away_from_silhouettes(const bake::Tracer& tracer, const scene::Camera& camera) {
     const bake::DenormalsOff mode;
     const glm::mat4 world = scene::camera_to_world(camera);
@@ -188,7 +188,7 @@ TEST(live_views, HazeAmongThingsAgreesWithTheReference) {
             100.0 * static_cast<double>(std::count(counts.begin(), counts.end(), 1)) /
                 static_cast<double>(counts.size()),
             away.psnr_db, 100 * away.bias, sharp.psnr_db, 100 * sharp.bias, whole.psnr_db, 100 * whole.bias);
-        // Twice what was measured for most; three views have more, see docs/live-accuracy.md.
+        // Twice what was measured for most; three views have more, see docs/measurements/live-accuracy.md.
         const std::string_view name = view.name;
         const bool two_gobos = name == "two gobos";
         EXPECT_GE(away.psnr_db, 44.0);

@@ -63,8 +63,8 @@ TEST(PictureRoom, a_pixel_takes_what_is_said) {
             return camera;
         }());
         session.draw();
-        session.manual[0].tilt_deg = static_cast<float>(width) * 0.1f;
-        session.rig->step({}, 1.0, session.manual);
+        session.programmer[0].tilt_deg = static_cast<float>(width) * 0.1f;
+        session.rig->step({}, 1.0, session.programmer);
         session.draw();
         const double bytes_per_pixel = static_cast<double>(session.relighter->picture_bytes()) /
                                        (static_cast<double>(width) * static_cast<double>(height));
@@ -91,25 +91,25 @@ TEST(PictureRoom, a_window_of_8k_on_a_device_that_does_not_hold_it) {
     options.session.quiet = true;
     options.session.memory_limit_bytes = 320 * kMB;
     Engine engine(link, options);
-    ui::Wishes wishes;
-    wishes.show = DemoCopy::show().string();
-    wishes.number = 1;
-    wishes.camera.width = 0;
-    link.wishes.put(wishes);
+    ui::ViewRequest request;
+    request.show = DemoCopy::show().string();
+    request.number = 1;
+    request.camera.width = 0;
+    link.request.put(request);
     std::optional<ui::Opened> opened;
     ASSERT_TRUE(within_a_minute([&] { return (opened = link.opened.take()).has_value(); }));
-    wishes.camera = opened->show->cameras.front();
-    wishes.frozen = true;
+    request.camera = opened->show->cameras.front();
+    request.frozen = true;
     std::optional<ui::Picture> picture;
     const auto settle_at = [&](int width, int height) {
-        wishes.camera.width = width;
-        wishes.camera.height = height;
-        ++wishes.number;
-        link.wishes.put(wishes);
+        request.camera.width = width;
+        request.camera.height = height;
+        ++request.number;
+        link.request.put(request);
         return within_a_minute([&] {
             const auto settled = link.settled.take(); // before its picture, which stands there by then
             if (auto newest = link.picture.take()) picture = std::move(newest);
-            return settled && *settled == wishes.number;
+            return settled && *settled == request.number;
         });
     };
     ASSERT_TRUE(settle_at(7680, 4320));

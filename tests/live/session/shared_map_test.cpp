@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lights beside the place of their distance map, as the cells of a bar are: where nothing is in the way the
 // picture is the one with a map of their own, and shadows are where the map's place throws them.
-#include "emitters/emitters.h"
+#include "beam_groups/beam_groups.h"
 #include "support/thesis_scene.h"
 
 namespace ghost::app {

@@ -17,7 +17,7 @@ using glm::vec3;
 
 constexpr int kWidth = 96;
 constexpr int kHeight = 54;
-constexpr int kRotatingGobo = 14; // DMX channels, docs/fixtures.md
+constexpr int kRotatingGobo = 14; // DMX channels, docs/reference/fixtures.md
 constexpr int kGoboIndex = 15;
 constexpr int kZoom = 12;
 
@@ -73,8 +73,8 @@ Spot& spot() {
     return one;
 }
 
-// Which way the head points by the words of docs/fixtures.md, worked out here once more: tilt about X, then
-// pan about Z, hanging; the beam leaves along -Z.
+// Which way the head points by the words of docs/reference/fixtures.md, worked out here once more: tilt about
+// X, then pan about Z, hanging; the beam leaves along -Z.
 mat4 head_frame(float pan_deg, float tilt_deg, const vec3& pivot_m) {
     return glm::translate(mat4(1), pivot_m) * glm::rotate(mat4(1), glm::radians(pan_deg), vec3(0, 0, 1)) *
            glm::rotate(mat4(1), glm::radians(tilt_deg), vec3(1, 0, 0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shadows in the air of what stands right before a large lens: the light comes from an apex far behind it,
-// what is in its way is seen from the head's pivot (docs/optics.md, "From lens to wall"), and both must agree
-// with brute force.
+// what is in its way is seen from the head's pivot (docs/design/optics.md, "From lens to wall"), and both
+// must agree with brute force.
 #include "support/thesis_scene.h"
 
 namespace ghost::app {

@@ -9,8 +9,8 @@ using glm::vec3;
 
 using CellGlow = RelightTest;
 
-scene::Face glowing(const vec3& place_m, const vec3& towards, const vec3& lumens, float radius_m) {
-    scene::Face face{aimed_light(place_m, place_m + towards, 100, 1.0f, false), true};
+scene::LensFace glowing(const vec3& place_m, const vec3& towards, const vec3& lumens, float radius_m) {
+    scene::LensFace face{aimed_light(place_m, place_m + towards, 100, 1.0f, false), true};
     face.light.lens_m = 0;
     face.light.bounce_cd = lumens / (4.0f * shared::kPi);
     face.light.intensity_cd = face.light.bounce_cd;
@@ -42,7 +42,7 @@ TEST_F(CellGlow, ColoursStandInOrderAlongTheBar) {
     const vec3 colours[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0},
                             {0, 1, 1}, {1, 0, 1}, {1, 1, 1}, {0, 0, 0}};
     DarkHall hall(160, 24, 2, 30); // cells are 7 pixels apart
-    std::vector<scene::Face> faces;
+    std::vector<scene::LensFace> faces;
     for (int k = 0; k < 8; ++k)
         faces.push_back(
             glowing({0.1f * (static_cast<float>(k) - 3.5f), 10, 0}, {0, -1, 0}, 10.0f * colours[k], 0.01f));
@@ -73,7 +73,7 @@ TEST_F(CellGlow, FacesThatChangeAloneAreDrawnAndNoLightIs) {
     add_pass(passes, {0, 5, 1}, [](const vec3&) { return vec3(1.0f); });
     Settings settings = clear_air();
     settings.lens.on = true;
-    scene::Lit lit;
+    scene::FrameLights lit;
     lit.lights = {aimed_light({0, 5, 1}, {0, 8, 0}, 60, 100)};
     lit.faces = {glowing({-0.3f, 5, 0}, {0, -1, 0}, {50, 0, 0}, 0.05f),
                  glowing({0.3f, 5, 0}, {0, -1, 0}, {0, 0, 50}, 0.05f)};
@@ -111,7 +111,7 @@ TEST_F(CellGlow, NoLightAtAll) {
     settings.lens.on = true;
     Relighter relighter(device(), passes, test_gobos(), 0, settings);
     const FrameStatistics drawn =
-        relighter.draw(scene::Lit{{}, {glowing({0, 5, 0}, {0, -1, 0}, vec3(50), 0.05f)}, {}});
+        relighter.draw(scene::FrameLights{{}, {glowing({0, 5, 0}, {0, -1, 0}, vec3(50), 0.05f)}, {}});
     EXPECT_EQ(drawn.faces, 1);
     EXPECT_GT(relighter.frame().at(32, 24)[1], 0.0f);
 }

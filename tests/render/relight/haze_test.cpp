@@ -261,7 +261,7 @@ TEST_F(Haze, GateAgreesWithTheReference) {
         const double psnr_db = tone_mapped_psnr(gate, reference);
         std::printf("%-22s gate: bias %6.3f %%, rms %5.2f %% of the mean, tone-mapped PSNR %.1f dB\n",
                     view.name, 100 * difference.mean_bias, 100 * difference.rms, psnr_db);
-        // Several pictures blurred each by itself: see docs/optics.md.
+        // Several pictures blurred each by itself: see docs/design/optics.md.
         const bool mixed = view.lights[0].shaped != 0 && view.lights[0].wheel_count > 0;
         // A thin curve is a small part of what 16 bits of a sum can tell.
         const bool swept = view.lights[0].figure.kind != shared::kNoFigure;

@@ -50,7 +50,7 @@ TEST_F(LedWallView, ShowsItsPictureInCandelaPerSquareMetre) {
     const shared::Gobos gobos = gobos_with_picture(now);
     const scene::Passes passes = wall_passes(eye(), 8.0f);
     Relighter relighter(device(), passes, gobos, 0, clear_air());
-    relighter.draw(scene::Lit{{}, {}, {wall_at(8.0f, now)}});
+    relighter.draw(scene::FrameLights{{}, {}, {wall_at(8.0f, now)}});
     const image::ImageF frame = relighter.frame();
     EXPECT_NEAR(frame.at(37, 27)[1], kNits, 0.01f * kNits);          // above left
     EXPECT_NEAR(frame.at(58, 36)[1], 0.503f * kNits, 0.01f * kNits); // below right: sRGB 188
@@ -70,7 +70,7 @@ TEST_F(LedWallView, IsHiddenByWhatStandsBeforeIt) {
     const shared::Gobos gobos = gobos_with_picture(now);
     const scene::Passes passes = wall_passes(eye(), 5.0f);
     Relighter relighter(device(), passes, gobos, 0, clear_air());
-    relighter.draw(scene::Lit{{}, {}, {wall_at(8.0f, now)}});
+    relighter.draw(scene::FrameLights{{}, {}, {wall_at(8.0f, now)}});
     EXPECT_EQ(relighter.frame().at(37, 27)[1], 0.0f);
 }
 
@@ -82,7 +82,7 @@ TEST_F(LedWallView, HazeWeakensIt) {
     settings.haze.extinction_per_m = 0.1f;
     settings.haze.scattering_per_m = 0.1f;
     Relighter relighter(device(), passes, gobos, 0, settings);
-    relighter.draw(scene::Lit{{}, {}, {wall_at(8.0f, now)}});
+    relighter.draw(scene::FrameLights{{}, {}, {wall_at(8.0f, now)}});
     EXPECT_NEAR(relighter.frame().at(40, 29)[1] / kNits, std::exp(-0.1f * 8.03f), 0.01f);
 }
 
@@ -92,7 +92,7 @@ TEST_F(LedWallView, CostsNoLightWhenItChanges) {
     const shared::Gobos gobos = gobos_with_picture(now);
     const scene::Passes passes = wall_passes(eye(), 8.0f);
     Relighter relighter(device(), passes, gobos, 0, clear_air());
-    scene::Lit lit{{}, {}, {wall_at(8.0f, now)}};
+    scene::FrameLights lit{{}, {}, {wall_at(8.0f, now)}};
     relighter.draw(lit);
     lit.walls[0].radiance *= 0.25f;
     EXPECT_EQ(relighter.draw(lit).drawn, 0);

@@ -14,7 +14,7 @@ import numpy  # noqa: E402
 from PIL import Image  # noqa: E402
 
 WORK = None
-PANELS = ("fixtures", "values", "hand", "scene", "network", "messages", "looks", "export", "air")
+PANELS = ("fixtures", "values", "programmer", "scene", "network", "messages", "looks", "export", "air")
 
 
 class BesideADesk(unittest.TestCase):

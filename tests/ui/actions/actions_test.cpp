@@ -38,7 +38,7 @@ struct Opened4 {
         const Result<void> done = window->actions().run(QString::fromStdString(line));
         return done.ok() ? "" : done.error().text();
     }
-    const Wishes& wishes() { return window->studio().wishes(); }
+    const ViewRequest& request() { return window->app().request(); }
 
     Link link;
     std::unique_ptr<Window> window;
@@ -88,17 +88,17 @@ TEST(Actions, no_name_and_no_key_stands_twice_and_what_is_in_a_menu_has_words) {
 
 TEST(Actions, the_tone_curve_is_chosen_by_name_and_by_key) {
     Opened4 opened;
-    EXPECT_EQ(opened.wishes().tone, image::Tone::agx);
+    EXPECT_EQ(opened.request().tone, image::Tone::agx);
     EXPECT_EQ(opened.error_of("tone linear"), "");
-    EXPECT_EQ(opened.wishes().tone, image::Tone::linear);
+    EXPECT_EQ(opened.request().tone, image::Tone::linear);
     EXPECT_TRUE(opened.window->actions().item("tone-linear")->isChecked());
     EXPECT_EQ(opened.error_of("tone"), "");
-    EXPECT_EQ(opened.wishes().tone, image::Tone::agx) << "round at the end";
+    EXPECT_EQ(opened.request().tone, image::Tone::agx) << "round at the end";
     EXPECT_FALSE(opened.window->actions().item("tone-linear")->isChecked());
     EXPECT_EQ(opened.error_of("tone-aces"), "");
-    EXPECT_EQ(opened.wishes().tone, image::Tone::aces);
+    EXPECT_EQ(opened.request().tone, image::Tone::aces);
     EXPECT_NE(opened.error_of("tone film").find("agx, aces or linear"), std::string::npos);
-    EXPECT_EQ(opened.wishes().tone, image::Tone::aces);
+    EXPECT_EQ(opened.request().tone, image::Tone::aces);
 }
 
 // As the layout is; --forget takes neither.
@@ -108,7 +108,7 @@ TEST(Actions, the_tone_curve_is_there_again_the_next_time) {
     const auto tone_of = [](bool remembers) {
         Link link;
         Window window(link, WindowOptions{.remembers = remembers, .width = 640, .height = 400});
-        return window.studio().wishes().tone;
+        return window.app().request().tone;
     };
     {
         Link link;
@@ -164,35 +164,35 @@ TEST(Actions, a_script_does_what_hands_do) {
     EXPECT_EQ(opened.error_of("colour #ff0000"), "");
     EXPECT_EQ(opened.error_of("tilt -30"), "");
     EXPECT_EQ(opened.error_of("gobo 3"), "");
-    const fixture::Manual manual = opened.wishes().look.fixtures.at(3);
-    EXPECT_EQ(manual.intensity, 0.25f);
-    EXPECT_EQ(manual.tilt_deg, -30.0f);
-    EXPECT_EQ(manual.gobo, 3);
-    EXPECT_EQ(manual.colour->x, 1.0f);
-    EXPECT_LT(manual.colour->z, 0.1f);
-    EXPECT_EQ(opened.wishes().look.fixtures.size(), 2u);
+    const fixture::Programmer programmer = opened.request().look.fixtures.at(3);
+    EXPECT_EQ(programmer.intensity, 0.25f);
+    EXPECT_EQ(programmer.tilt_deg, -30.0f);
+    EXPECT_EQ(programmer.gobo, 3);
+    EXPECT_EQ(programmer.colour->x, 1.0f);
+    EXPECT_LT(programmer.colour->z, 0.1f);
+    EXPECT_EQ(opened.request().look.fixtures.size(), 2u);
     EXPECT_EQ(opened.error_of("smoke 2.5"), "");
-    EXPECT_EQ(opened.wishes().look.scene.smoke, 2.5f);
+    EXPECT_EQ(opened.request().look.scene.smoke, 2.5f);
     EXPECT_EQ(opened.error_of("attenuation 1 0.5 0"), "");
     EXPECT_EQ(opened.error_of("shadows off"), "");
-    EXPECT_EQ(opened.wishes().look.scene.shadows, false);
+    EXPECT_EQ(opened.request().look.scene.shadows, false);
     EXPECT_EQ(opened.error_of("object Wall off"), "");
-    EXPECT_EQ(opened.wishes().look.shown.at(1), false);
+    EXPECT_EQ(opened.request().look.shown.at(1), false);
     EXPECT_EQ(opened.error_of("surface wood specular 0.3"), "");
-    EXPECT_EQ(opened.wishes().look.surfaces.at(0).specular, 0.3f);
+    EXPECT_EQ(opened.request().look.surfaces.at(0).specular, 0.3f);
     EXPECT_EQ(opened.error_of("samples 7"), "");
-    EXPECT_EQ(opened.wishes().look.haze_samples, 7);
+    EXPECT_EQ(opened.request().look.haze_samples, 7);
     EXPECT_EQ(opened.error_of("undo"), "");
-    EXPECT_FALSE(opened.wishes().look.haze_samples);
+    EXPECT_FALSE(opened.request().look.haze_samples);
     EXPECT_EQ(opened.error_of("redo"), "");
     EXPECT_EQ(opened.error_of("release-all"), "");
-    EXPECT_TRUE(opened.wishes().look.is_empty());
+    EXPECT_TRUE(opened.request().look.is_empty());
     EXPECT_EQ(opened.error_of("undo"), "");
-    EXPECT_EQ(opened.wishes().look.scene.smoke, 2.5f);
+    EXPECT_EQ(opened.request().look.scene.smoke, 2.5f);
     EXPECT_EQ(opened.error_of("black-out"), "");
-    EXPECT_TRUE(opened.wishes().black_out);
+    EXPECT_TRUE(opened.request().black_out);
     EXPECT_EQ(opened.error_of("jump 12.5"), "");
-    EXPECT_EQ(opened.wishes().transport.at_s, 12.5);
+    EXPECT_EQ(opened.request().transport.at_s, 12.5);
 }
 
 TEST(Actions, what_cannot_be_done_is_said_with_its_name) {
@@ -213,7 +213,7 @@ TEST(Actions, what_cannot_be_done_is_said_with_its_name) {
     EXPECT_EQ(opened.error_of("redo"), "redo: there is nothing to redo");
     EXPECT_NE(opened.error_of("screenshot /no/such/folder/x.png"), "");
     EXPECT_NE(opened.error_of("select \"Lamp"), "");
-    EXPECT_TRUE(opened.wishes().look.is_empty());
+    EXPECT_TRUE(opened.request().look.is_empty());
 }
 
 TEST(Actions, switches_take_on_and_off_and_nothing_else_is_taken_silently) {
@@ -261,7 +261,7 @@ TEST(Actions, a_menu_does_what_is_chosen_in_it_and_keys_wait_while_one_is_open) 
 
 TEST(Actions, a_script_waits_and_goes_on) {
     Opened4 opened;
-    Script script(opened.window->actions(), opened.window->studio(), nullptr);
+    Script script(opened.window->actions(), opened.window->app(), nullptr);
     std::vector<std::string> answers;
     script.on_line = [&](const Result<void>& done) {
         answers.push_back(done.ok() ? "ok" : done.error().text());
@@ -273,7 +273,7 @@ TEST(Actions, a_script_waits_and_goes_on) {
     ASSERT_EQ(answers.size(), 7u);
     for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(answers[i], "ok") << i;
     EXPECT_NE(answers[6].find("'forever' is no number of seconds"), std::string::npos) << answers[6];
-    EXPECT_EQ(opened.wishes().look.fixtures.size(), 4u);
+    EXPECT_EQ(opened.request().look.fixtures.size(), 4u);
 }
 
 // The message that names two lamps is double clicked.
@@ -286,8 +286,8 @@ TEST(Actions, a_message_leads_to_what_it_is_about) {
     auto* list = opened.window->findChild<MessagePanel*>()->findChild<QTreeWidget*>();
     ASSERT_EQ(list->topLevelItemCount(), 1);
     Q_EMIT list->itemActivated(list->topLevelItem(0), 0);
-    EXPECT_EQ(opened.window->studio().selection(), (std::set<std::size_t>{1, 3}));
-    EXPECT_TRUE(opened.window->studio().travels());
+    EXPECT_EQ(opened.window->app().selection(), (std::set<std::size_t>{1, 3}));
+    EXPECT_TRUE(opened.window->app().travels());
 }
 
 // A panel behind another's tab comes to the front first; closing it there would be what nobody meant.
@@ -297,14 +297,14 @@ TEST(Actions, the_key_of_a_panel_behind_a_tab_brings_it_to_the_front) {
         const auto* dock = opened.window->findChild<QDockWidget*>(name);
         return dock->isVisible() && !dock->visibleRegion().isEmpty();
     };
-    opened.error_of("panel-hand on");
+    opened.error_of("panel-programmer on");
     settle();
-    ASSERT_TRUE(is_seen("hand"));
+    ASSERT_TRUE(is_seen("programmer"));
     ASSERT_FALSE(is_seen("scene"));
     opened.error_of("panel-scene");
     settle();
     EXPECT_TRUE(is_seen("scene"));
-    EXPECT_FALSE(is_seen("hand"));
+    EXPECT_FALSE(is_seen("programmer"));
     opened.error_of("panel-scene");
     settle();
     EXPECT_FALSE(opened.window->findChild<QDockWidget*>("scene")->isVisible());
@@ -320,19 +320,19 @@ TEST(Actions, what_is_dropped_becomes_a_part_of_the_show_or_is_opened) {
         QDropEvent event(QPointF(5, 5), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QCoreApplication::sendEvent(opened.window.get(), &event);
     };
-    const std::string before = opened.wishes().show;
+    const std::string before = opened.request().show;
     // Neither can be read; neither is taken for a show.
     drop("/no/such/lamp.gdtf");
     drop("/no/such/club.glb");
-    EXPECT_EQ(opened.wishes().show, before);
+    EXPECT_EQ(opened.request().show, before);
     drop("/no/such/tour/show.toml");
-    EXPECT_EQ(opened.wishes().show, "/no/such/tour/show.toml");
+    EXPECT_EQ(opened.request().show, "/no/such/tour/show.toml");
 }
 
 // The show that is open is not the one that was asked for.
 TEST(Actions, wait_opened_waits_for_the_show_that_was_asked_for) {
     Opened4 opened;
-    Script script(opened.window->actions(), opened.window->studio(), nullptr);
+    Script script(opened.window->actions(), opened.window->app(), nullptr);
     std::vector<std::string> answers;
     script.on_line = [&](const Result<void>& done) {
         answers.push_back(done.ok() ? "ok" : done.error().text());
@@ -340,9 +340,9 @@ TEST(Actions, wait_opened_waits_for_the_show_that_was_asked_for) {
     for (const char* const line : {"open other/show.toml", "wait opened"}) script.add(line);
     wait_ms(200);
     ASSERT_EQ(answers.size(), 1u);
-    EXPECT_FALSE(opened.window->studio().is_settled());
+    EXPECT_FALSE(opened.window->app().is_settled());
     Opened news = four_lamps();
-    news.opens = opened.wishes().opens;
+    news.opens = opened.request().opens;
     opened.link.opened.put(std::move(news));
     opened.link.on_news();
     wait_ms(100);
@@ -357,17 +357,17 @@ TEST(Actions, wait_opened_waits_for_the_show_that_was_asked_for) {
     ASSERT_EQ(answers.size(), 4u);
     EXPECT_NE(answers[3].find("broken/show.toml:3"), std::string::npos) << answers[3];
     // It was mended meanwhile: once more.
-    const std::uint64_t opens = opened.wishes().opens;
+    const std::uint64_t opens = opened.request().opens;
     script.add("open broken");
     wait_ms(100);
-    EXPECT_EQ(opened.wishes().opens, opens + 1);
-    EXPECT_TRUE(opened.window->studio().is_opening());
+    EXPECT_EQ(opened.request().opens, opens + 1);
+    EXPECT_TRUE(opened.window->app().is_opening());
 }
 
 TEST(Actions, a_local_socket_takes_the_same_lines) {
     Opened4 opened;
     const QTemporaryDir folder;
-    RemoteControl remote(opened.window->actions(), opened.window->studio(), nullptr);
+    RemoteControl remote(opened.window->actions(), opened.window->app(), nullptr);
     const QString name = folder.filePath("socket");
     ASSERT_TRUE(remote.listen(name.toStdString().c_str()).ok());
     QLocalSocket socket;
@@ -380,7 +380,7 @@ TEST(Actions, a_local_socket_takes_the_same_lines) {
         answer += socket.readAll();
     }
     EXPECT_EQ(answer, "ok\nerror: there is no action 'nonsense'\n");
-    EXPECT_EQ(opened.window->studio().selection(), std::set<std::size_t>{2});
+    EXPECT_EQ(opened.window->app().selection(), std::set<std::size_t>{2});
 }
 
 } // namespace

@@ -37,8 +37,8 @@ struct CueDesk : Desk {
         for (const scene::Cue& cue : cues.all()) all.push_back(cue.name);
         return all;
     }
-    Looks looks{studio};
-    CueList cues{studio, document, looks};
+    Looks looks{app};
+    CueList cues{app, document, looks};
 };
 
 TEST(CueList, go_recalls_the_look_and_what_follows_goes_by_itself) {
@@ -47,12 +47,12 @@ TEST(CueList, go_recalls_the_look_and_what_follows_goes_by_itself) {
     EXPECT_NE(desk.cues.back().error().text().find("first cue"), std::string::npos);
     ASSERT_TRUE(desk.cues.go().ok());
     EXPECT_EQ(desk.cues.current(), 0u);
-    EXPECT_EQ(desk.studio.look().fixtures.at(0).intensity, 0.25f);
+    EXPECT_EQ(desk.app.look().fixtures.at(0).intensity, 0.25f);
     EXPECT_GE(desk.cues.follows_in_s(), 0);
     wait_ms(600);
     EXPECT_EQ(desk.cues.current(), 1u) << "it followed";
     EXPECT_LT(desk.cues.follows_in_s(), 0);
-    EXPECT_EQ(desk.studio.camera().name, "front");
+    EXPECT_EQ(desk.app.camera().name, "front");
     EXPECT_NE(desk.cues.go().error().text().find("last cue"), std::string::npos);
     ASSERT_TRUE(desk.cues.back().ok());
     EXPECT_EQ(desk.cues.current(), 0u);
@@ -74,7 +74,7 @@ TEST(CueList, edits_keep_comments_and_are_undone_to_the_same_bytes) {
     ASSERT_TRUE(desk.cues.remove(0).ok());
     desk.follow();
     EXPECT_EQ(desk.names(), (std::vector<std::string>{"Dark", "Blue"}));
-    while (desk.studio.undo_stack().canUndo()) desk.studio.undo_stack().undo();
+    while (desk.app.undo_stack().canUndo()) desk.app.undo_stack().undo();
     EXPECT_EQ(desk.document.text(), before);
 }
 
@@ -108,10 +108,10 @@ TEST(CueList, with_the_recording_cues_come_by_at_their_seconds) {
     };
     play(9.9);
     EXPECT_FALSE(desk.cues.current());
-    const std::uint64_t seeks = desk.studio.wishes().transport.seeks;
+    const std::uint64_t seeks = desk.app.request().transport.seeks;
     play(10.02);
     EXPECT_EQ(desk.cues.current(), 1u);
-    EXPECT_EQ(desk.studio.wishes().transport.seeks, seeks) << "it is there already";
+    EXPECT_EQ(desk.app.request().transport.seeks, seeks) << "it is there already";
 }
 
 TEST(Cues, a_show_file_says_what_is_wrong_with_them) {

@@ -15,9 +15,9 @@ namespace {
 
 TEST(FixtureGroups, a_group_alone_is_listed_and_the_number_of_chosen_ones_stands_above) {
     Desk desk;
-    FixturePanel panel(desk.studio, desk.document, nullptr);
+    FixturePanel panel(desk.app, desk.document, nullptr);
     desk.open();
-    desk.studio.select({0, 1});
+    desk.app.select({0, 1});
     auto* const title = panel.findChild<QLabel*>();
     EXPECT_EQ(title->text(), "3 fixtures, 2 selected");
     auto* const group = panel.findChild<QComboBox*>();
@@ -44,11 +44,11 @@ TEST(FixtureGroups, what_hangs_under_one_truss_belongs_together) {
 
 TEST(FixtureGroups, dark_ones_are_listed_by_reasons_the_most_frequent_first) {
     Desk desk;
-    FixturePanel panel(desk.studio, desk.document, nullptr);
+    FixturePanel panel(desk.app, desk.document, nullptr);
     desk.open();
     auto* const dark = panel.findChild<QToolButton*>();
     dark->click();
-    EXPECT_TRUE(desk.studio.wishes().explains_all);
+    EXPECT_TRUE(desk.app.request().explains_all);
     desk.link.verdicts.put({{scene::Visibility::dark, scene::Cause::not_patched, "has no address"},
                             {scene::Visibility::lit, scene::Cause::none, ""},
                             {scene::Visibility::dark, scene::Cause::dimmer, "the dimmer is at 0"}});
@@ -64,7 +64,7 @@ TEST(FixtureGroups, dark_ones_are_listed_by_reasons_the_most_frequent_first) {
     EXPECT_EQ(table->rowCount(), 1);
     EXPECT_EQ(table->index(0, 0).data().toString(), "Lamp 3");
     dark->click();
-    EXPECT_FALSE(desk.studio.wishes().explains_all);
+    EXPECT_FALSE(desk.app.request().explains_all);
     EXPECT_EQ(table->rowCount(), 3);
 }
 

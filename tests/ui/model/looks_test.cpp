@@ -27,9 +27,9 @@ struct LookBench : Bench {
         settle();
     }
     void set(std::size_t lamp, float intensity) {
-        Look look = studio.look();
+        Look look = app.look();
         look.fixtures[lamp].intensity = intensity;
-        studio.set_look(look, "intensity");
+        app.set_look(look, "intensity");
     }
     std::filesystem::path file() const {
         return std::filesystem::path(folder.path().toStdString()) / "looks.toml";
@@ -40,10 +40,10 @@ struct LookBench : Bench {
     }
 
     QTemporaryDir folder;
-    Looks looks{studio};
+    Looks looks{app};
     LookBench& read() { // the looks came after the show
         link.opened.put([&] {
-            Opened again = studio.opened();
+            Opened again = app.opened();
             again.is_edit = again.again = false;
             return again;
         }());
@@ -64,9 +64,9 @@ TEST(UiLooks, what_is_stored_is_recalled_by_another_window) {
     EXPECT_EQ(bench.looks.current(), "") << "something was changed since";
     bench.read();
     ASSERT_EQ(bench.looks.all().size(), 1u);
-    EXPECT_TRUE(bench.studio.look().is_empty());
+    EXPECT_TRUE(bench.app.look().is_empty());
     ASSERT_TRUE(bench.looks.recall("Verse").ok());
-    EXPECT_EQ(bench.studio.look().fixtures.at(1).intensity, 0.25f);
+    EXPECT_EQ(bench.app.look().fixtures.at(1).intensity, 0.25f);
     EXPECT_NE(bench.looks.recall("Vers").error().text().find("did you mean 'Verse'"), std::string::npos);
 }
 
@@ -85,7 +85,7 @@ TEST(UiLooks, any_sequence_of_changes_is_undone_to_the_same_bytes) {
     EXPECT_FALSE(bench.looks.rename("B", " ").ok());
     ASSERT_TRUE(bench.looks.remove("B").ok());
     const std::string last = bench.text();
-    QUndoStack& undo = bench.studio.undo_stack();
+    QUndoStack& undo = bench.app.undo_stack();
     for (int i = 0; i < 5; ++i) undo.undo(); // remove, rename, fade, store B, lamp 3
     EXPECT_EQ(bench.text(), one);
     undo.undo();
@@ -100,7 +100,7 @@ TEST(UiLooks, a_file_with_mistakes_is_not_written_over) {
     const std::string damaged = "[[look]]\nname = \"A\"\nsmoke = \"thick\"\n";
     ASSERT_TRUE(write_file_atomic(bench.file(), damaged).ok());
     QString said;
-    QObject::connect(&bench.studio, &Studio::failed, [&](const QString& what) { said = what; });
+    QObject::connect(&bench.app, &AppModel::failed, [&](const QString& what) { said = what; });
     bench.read();
     EXPECT_TRUE(said.contains("looks.toml:3")) << said.toStdString();
     bench.set(0, 1);
@@ -122,9 +122,9 @@ TEST(UiLooks, more_than_can_be_read_again_is_not_written) {
     bench.set(0, 1);
     ASSERT_TRUE(bench.looks.store("A").ok());
     const std::string before = bench.text();
-    Look look = bench.studio.look();
+    Look look = bench.app.look();
     for (std::size_t lamp = 0; lamp < 4; ++lamp) look.fixtures[lamp].levels.assign(1'200'000, 200);
-    bench.studio.set_look(look, "levels");
+    bench.app.set_look(look, "levels");
     const Result<void> stored = bench.looks.store("B");
     ASSERT_FALSE(stored.ok());
     EXPECT_NE(stored.error().text().find("at most 16 are read again"), std::string::npos)
@@ -156,21 +156,21 @@ TEST(UiLooks, a_look_from_outside_is_seen_by_itself_and_is_a_step) {
     ASSERT_TRUE(write_file_atomic(bench.file(), std::string("[[look]]\nname = \"Second\"\n")).ok());
     for (int i = 0; i < 200 && bench.looks.all()[0].name != "Second"; ++i) wait_ms(25);
     EXPECT_EQ(bench.looks.all()[0].name, "Second");
-    EXPECT_EQ(bench.studio.undo_stack().count(), 2);
-    bench.studio.undo_stack().undo();
+    EXPECT_EQ(bench.app.undo_stack().count(), 2);
+    bench.app.undo_stack().undo();
     EXPECT_NE(bench.text().find("Theirs"), std::string::npos);
     // What is in the file and not here is not undone away.
     {
         std::ofstream file(bench.file());
         file << "[[look]]\nname = \"Third\"\n";
     }
-    bench.studio.undo_stack().undo();
+    bench.app.undo_stack().undo();
     EXPECT_NE(bench.text().find("Third"), std::string::npos);
 }
 
 TEST(UiLooks, what_is_seen_is_stored_whole_and_hands_win) {
     LookBench bench;
-    auto show = std::make_shared<scene::Show>(*bench.studio.show());
+    auto show = std::make_shared<scene::Show>(*bench.app.show());
     const auto spot = fixture::load_gdtf(std::filesystem::path("assets/fixtures/Vari-Lite@VL2500_Spot.gdtf"));
     ASSERT_TRUE(spot.ok());
     for (std::size_t i = 0; i < show->fixtures.size(); ++i) {
@@ -178,7 +178,7 @@ TEST(UiLooks, what_is_seen_is_stored_whole_and_hands_win) {
         show->fixtures[i].universe = 1;
         show->fixtures[i].address = static_cast<int>(1 + 50 * i);
     }
-    Opened opened = bench.studio.opened();
+    Opened opened = bench.app.opened();
     opened.show = show;
     bench.link.opened.put(std::move(opened));
     RigNow rig = four_lit();
@@ -188,18 +188,18 @@ TEST(UiLooks, what_is_seen_is_stored_whole_and_hands_win) {
     bench.link.rig.put(rig);
     bench.link.on_news();
     settle();
-    bench.studio.select({1, 2});
+    bench.app.select({1, 2});
     bench.set(2, 0.25f);
     ASSERT_TRUE(bench.looks.store_as_it_shines("Seen").ok());
     const auto& fixtures = bench.looks.all()[0].fixtures;
     ASSERT_EQ(fixtures.size(), 2u);
-    const fixture::Manual& second = fixtures.at(show->fixtures[1].name);
+    const fixture::Programmer& second = fixtures.at(show->fixtures[1].name);
     ASSERT_EQ(second.levels.size(), fixture::level_count(show->fixtures[1].patch().mode_of()));
     for (std::size_t k = 0; k < second.levels.size(); ++k) EXPECT_EQ(second.levels[k], (50 + k) % 251);
     EXPECT_FALSE(second.intensity);
     EXPECT_EQ(fixtures.at(show->fixtures[2].name).intensity, 0.25f);
     ASSERT_TRUE(bench.looks.recall("Seen", 0).ok());
-    EXPECT_EQ(bench.studio.wishes().look.fixtures.at(1), second);
+    EXPECT_EQ(bench.app.request().look.fixtures.at(1), second);
 }
 
 TEST(UiLooks, a_fade_goes_from_what_is_there_to_the_look_and_is_one_step) {
@@ -207,23 +207,23 @@ TEST(UiLooks, a_fade_goes_from_what_is_there_to_the_look_and_is_one_step) {
     bench.read();
     bench.set(0, 1);
     ASSERT_TRUE(bench.looks.store("Full").ok());
-    bench.studio.set_look({}, "release");
-    const int steps = bench.studio.undo_stack().count();
+    bench.app.set_look({}, "release");
+    const int steps = bench.app.undo_stack().count();
     ASSERT_TRUE(bench.looks.recall("Full", 0.4).ok());
-    EXPECT_EQ(bench.studio.look().fixtures.at(0).intensity, 1.0f) << "that is what is meant";
+    EXPECT_EQ(bench.app.look().fixtures.at(0).intensity, 1.0f) << "that is what is meant";
     float before = -1;
     int between = 0;
-    while (bench.studio.fades()) {
+    while (bench.app.fades()) {
         QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        const auto& fixtures = bench.studio.wishes().look.fixtures;
+        const auto& fixtures = bench.app.request().look.fixtures;
         const float now = fixtures.at(0).intensity.value();
         EXPECT_GE(now, before);
         before = now;
         between += now > 0.05f && now < 0.95f ? 1 : 0;
     }
     EXPECT_GT(between, 1);
-    EXPECT_EQ(bench.studio.wishes().look, bench.studio.look());
-    EXPECT_EQ(bench.studio.undo_stack().count(), steps + 1);
+    EXPECT_EQ(bench.app.request().look, bench.app.look());
+    EXPECT_EQ(bench.app.undo_stack().count(), steps + 1);
 }
 
 TEST(UiLooks, what_is_let_go_fades_to_what_the_desk_asks_for) {
@@ -247,38 +247,38 @@ TEST(UiLooks, what_a_hand_does_during_a_fade_is_there_at_once) {
     bench.set(0, 1);
     bench.set(1, 1);
     ASSERT_TRUE(bench.looks.store("Both").ok());
-    bench.studio.set_look({}, "release");
+    bench.app.set_look({}, "release");
     ASSERT_TRUE(bench.looks.recall("Both", 100).ok());
     bench.set(1, 0.5f);
-    ASSERT_TRUE(bench.studio.fades());
-    EXPECT_EQ(bench.studio.wishes().look.fixtures.at(1).intensity, 0.5f);
-    EXPECT_LT(bench.studio.wishes().look.fixtures.at(0).intensity.value_or(1), 0.1f);
-    EXPECT_FALSE(bench.studio.is_settled());
+    ASSERT_TRUE(bench.app.fades());
+    EXPECT_EQ(bench.app.request().look.fixtures.at(1).intensity, 0.5f);
+    EXPECT_LT(bench.app.request().look.fixtures.at(0).intensity.value_or(1), 0.1f);
+    EXPECT_FALSE(bench.app.is_settled());
 }
 
 TEST(UiLooks, solo_leaves_the_selected_ones_alone_and_is_a_step) {
     LookBench bench;
     bench.read();
     bench.set(0, 0.5f);
-    Look look = bench.studio.look();
+    Look look = bench.app.look();
     look.solo = {0};
-    bench.studio.set_look(look, "solo");
-    EXPECT_EQ(bench.studio.wishes().look.fixtures.at(0).intensity, 0.5f);
+    bench.app.set_look(look, "solo");
+    EXPECT_EQ(bench.app.request().look.fixtures.at(0).intensity, 0.5f);
     for (const std::size_t dark : {1u, 2u, 3u})
-        EXPECT_EQ(bench.studio.wishes().look.fixtures.at(dark).intensity, 0.0f);
-    EXPECT_EQ(bench.studio.look().fixtures.size(), 1u) << "solo is not what hands set";
-    bench.studio.undo_stack().undo();
-    EXPECT_EQ(bench.studio.wishes().look.fixtures.size(), 1u);
+        EXPECT_EQ(bench.app.request().look.fixtures.at(dark).intensity, 0.0f);
+    EXPECT_EQ(bench.app.look().fixtures.size(), 1u) << "solo is not what hands set";
+    bench.app.undo_stack().undo();
+    EXPECT_EQ(bench.app.request().look.fixtures.size(), 1u);
 }
 
 TEST(UiLooks, exposure_set_during_a_travel_stays) {
     LookBench bench;
     bench.read();
-    bench.studio.travel_to(bench.studio.show()->cameras[1], 100);
-    bench.studio.set_exposure(3, false);
-    while (bench.studio.travels()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    EXPECT_EQ(bench.studio.camera().ev100, 3.0f);
-    EXPECT_EQ(bench.studio.camera().position_m, bench.studio.show()->cameras[1].position_m);
+    bench.app.travel_to(bench.app.show()->cameras[1], 100);
+    bench.app.set_exposure(3, false);
+    while (bench.app.travels()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    EXPECT_EQ(bench.app.camera().ev100, 3.0f);
+    EXPECT_EQ(bench.app.camera().position_m, bench.app.show()->cameras[1].position_m);
 }
 
 } // namespace

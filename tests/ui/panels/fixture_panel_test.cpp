@@ -15,17 +15,17 @@ namespace {
 
 TEST(FixturePanel, what_is_searched_away_stays_selected) {
     Desk desk;
-    FixturePanel panel(desk.studio, desk.document, nullptr);
+    FixturePanel panel(desk.app, desk.document, nullptr);
     desk.open();
-    desk.studio.select({0, 1, 2});
+    desk.app.select({0, 1, 2});
     int selections = 0;
-    QObject::connect(&desk.studio, &Studio::selection_changed, [&] { ++selections; });
+    QObject::connect(&desk.app, &AppModel::selection_changed, [&] { ++selections; });
     auto* search = panel.findChild<QLineEdit*>();
     const auto* table = panel.findChild<QTableView*>();
     search->setText("Lamp 2");
     settle();
     EXPECT_EQ(table->model()->rowCount(), 1);
-    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{0, 1, 2}));
+    EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{0, 1, 2}));
     search->clear();
     settle();
     EXPECT_EQ(table->selectionModel()->selectedRows().size(), 3);
@@ -34,30 +34,30 @@ TEST(FixturePanel, what_is_searched_away_stays_selected) {
 
 TEST(FixturePanel, enter_in_the_search_selects_what_it_found) {
     Desk desk;
-    FixturePanel panel(desk.studio, desk.document, nullptr);
+    FixturePanel panel(desk.app, desk.document, nullptr);
     desk.open();
-    desk.studio.select({0});
+    desk.app.select({0});
     auto* search = panel.findChild<QLineEdit*>();
     search->setText("none of them");
     Q_EMIT search->returnPressed();
-    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{0})) << "nothing was found";
+    EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{0})) << "nothing was found";
     search->setText("Lamp");
     Q_EMIT search->returnPressed();
-    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{0, 1, 2}));
+    EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{0, 1, 2}));
     search->setText("017");
     Q_EMIT search->returnPressed();
-    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{1}));
+    EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{1}));
 }
 
 // The first of its clicks alone leaves one row selected.
 TEST(FixturePanel, a_double_click_edits_all_that_were_selected) {
     Desk desk;
-    FixturePanel panel(desk.studio, desk.document, nullptr);
+    FixturePanel panel(desk.app, desk.document, nullptr);
     desk.open();
     panel.resize(600, 300);
     panel.show();
     settle();
-    desk.studio.select({0, 1, 2});
+    desk.app.select({0, 1, 2});
     auto* table = panel.findChild<QTableView*>();
     const QPointF at = table->visualRect(table->model()->index(1, FixtureModel::patch)).center();
     const auto send = [&](QEvent::Type type, Qt::MouseButtons held) {
@@ -66,23 +66,23 @@ TEST(FixturePanel, a_double_click_edits_all_that_were_selected) {
     };
     send(QEvent::MouseButtonPress, Qt::LeftButton);
     send(QEvent::MouseButtonRelease, Qt::NoButton);
-    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{1})) << "a click is a choice";
+    EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{1})) << "a click is a choice";
     send(QEvent::MouseButtonDblClick, Qt::LeftButton);
-    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{0, 1, 2}));
+    EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{0, 1, 2}));
     auto* field = table->findChild<QLineEdit*>();
     ASSERT_NE(field, nullptr);
     field->setText("4.101");
     QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
     QCoreApplication::sendEvent(field, &enter);
     settle();
-    for (const scene::PatchedFixture& fixture : desk.studio.show()->fixtures)
+    for (const scene::PatchedFixture& fixture : desk.app.show()->fixtures)
         EXPECT_EQ(fixture.universe, 4) << fixture.name;
 }
 
 // The mark of a chosen row covers all but the colour of the light.
 TEST(FixturePanel, a_chosen_row_still_shows_its_colour) {
     Desk desk;
-    FixturePanel panel(desk.studio, desk.document, nullptr);
+    FixturePanel panel(desk.app, desk.document, nullptr);
     desk.open();
     panel.resize(600, 300);
     panel.show();
@@ -102,7 +102,7 @@ TEST(FixturePanel, a_chosen_row_still_shows_its_colour) {
     desk.link.on_news();
     settle();
     EXPECT_TRUE(has_green());
-    desk.studio.select({0});
+    desk.app.select({0});
     EXPECT_TRUE(has_green());
 }
 

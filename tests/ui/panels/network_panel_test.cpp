@@ -9,7 +9,7 @@ namespace {
 
 TEST(NetworkPanel, a_narrow_one_has_its_halves_one_above_the_other) {
     Bench bench;
-    NetworkPanel panel(bench.studio, nullptr);
+    NetworkPanel panel(bench.app, nullptr);
     panel.resize(1200, 400);
     panel.show();
     settle();

@@ -19,7 +19,7 @@ struct Hall : Desk {
                                         {"Seats", "chair 1"}, {"Seats", "chair 2"}, {"Seats", "chair 3"},
                                         {"Seats", "table"}};
     void show(const Names& names) {
-        Opened opened = studio.opened();
+        Opened opened = app.opened();
         opened.is_edit = false;
         opened.objects.clear();
         for (const auto& [layer, name] : names) {
@@ -37,9 +37,9 @@ struct Hall : Desk {
         return tree->findItems(name, Qt::MatchExactly | Qt::MatchRecursive).value(0);
     }
     Qt::CheckState box(const char* name) { return item(name)->checkState(0); }
-    const std::map<std::size_t, bool>& by_hand() { return studio.look().shown; }
+    const std::map<std::size_t, bool>& by_hand() { return app.look().shown; }
 
-    ScenePanel panel{studio, nullptr};
+    ScenePanel panel{app, nullptr};
     QTreeWidget* tree = panel.findChild<QTreeWidget*>();
     QLineEdit* search = panel.findChild<StageTree*>()->findChild<QLineEdit*>();
 };
@@ -73,10 +73,10 @@ TEST(StageTree, a_box_is_that_of_all_in_it_and_one_step) {
     hall.item("Seats (4)")->setCheckState(0, Qt::Unchecked);
     EXPECT_EQ(hall.by_hand().size(), 4u);
     EXPECT_EQ(hall.box("table"), Qt::Unchecked);
-    hall.studio.undo_stack().undo();
+    hall.app.undo_stack().undo();
     EXPECT_EQ(hall.by_hand(), (std::map<std::size_t, bool>{{13, false}}));
     EXPECT_EQ(hall.box("table"), Qt::Checked);
-    hall.studio.undo_stack().undo();
+    hall.app.undo_stack().undo();
     EXPECT_TRUE(hall.by_hand().empty());
     EXPECT_EQ(hall.box("chair 1"), Qt::Checked);
     hall.item("floor")->setSelected(true);
@@ -88,14 +88,14 @@ TEST(StageTree, a_box_is_that_of_all_in_it_and_one_step) {
 TEST(StageTree, an_edit_of_the_patch_hides_nothing) {
     Hall hall;
     hall.tree->setCurrentItem(hall.item("chair 2"));
-    EXPECT_EQ(hall.studio.marked(), 4u);
-    hall.studio.select({0});
-    const int steps = hall.studio.undo_stack().count();
+    EXPECT_EQ(hall.app.marked(), 4u);
+    hall.app.select({0});
+    const int steps = hall.app.undo_stack().count();
     ASSERT_TRUE(hall.edit.set_address({2, 101}).ok());
     hall.follow();
     EXPECT_TRUE(hall.by_hand().empty());
-    EXPECT_EQ(hall.studio.undo_stack().count(), steps + 1);
-    hall.studio.undo_stack().undo();
+    EXPECT_EQ(hall.app.undo_stack().count(), steps + 1);
+    hall.app.undo_stack().undo();
     hall.follow();
     EXPECT_EQ(hall.document.text(), kShow);
     EXPECT_TRUE(hall.by_hand().empty());
@@ -109,7 +109,7 @@ TEST(StageTree, a_show_with_fewer_objects_takes_the_place_of_one_with_more) {
     hall.tree->setCurrentItem(hall.item("floor"));
     hall.show({});
     EXPECT_EQ(hall.tree->topLevelItemCount(), 0);
-    EXPECT_EQ(hall.studio.marked(), std::nullopt);
+    EXPECT_EQ(hall.app.marked(), std::nullopt);
     hall.show(Hall::kNames);
     EXPECT_TRUE(hall.by_hand().empty());
 }

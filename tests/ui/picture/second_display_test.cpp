@@ -14,8 +14,8 @@ namespace {
 struct Displayed {
     Displayed() {
         bench.open();
-        bench.studio.set_size(320, 180);
-        scene::Camera camera = bench.studio.camera();
+        bench.app.set_size(320, 180);
+        scene::Camera camera = bench.app.camera();
         bench.show_picture(camera);
         QObject::connect(&display, &SecondDisplay::changed, [this](const QString& what) { said = what; });
     }
@@ -32,7 +32,7 @@ struct Displayed {
     }
 
     Bench bench;
-    SecondDisplay display{bench.studio};
+    SecondDisplay display{bench.app};
     QString said;
 };
 
@@ -41,14 +41,14 @@ TEST(SecondDisplay, a_window_of_its_own_shows_the_picture_and_sets_its_size) {
     ASSERT_TRUE(displayed.display.open("window", nullptr).ok());
     ASSERT_TRUE(displayed.window());
     displayed.wait_ms(300);
-    EXPECT_EQ(displayed.bench.studio.camera().width, 960);
+    EXPECT_EQ(displayed.bench.app.camera().width, 960);
     const QImage shown = displayed.window()->grab().toImage();
     EXPECT_EQ(shown.pixelColor(shown.width() / 2, shown.height() / 2).red(), 200)
         << "the picture of the bench is red";
     displayed.window()->close();
     settle();
     EXPECT_FALSE(displayed.display.is_open());
-    EXPECT_EQ(displayed.bench.studio.camera().width, 320) << "the size of the view again";
+    EXPECT_EQ(displayed.bench.app.camera().width, 320) << "the size of the view again";
 }
 
 TEST(SecondDisplay, an_unplugged_display_takes_the_window_along_and_brings_it_back) {
@@ -78,8 +78,8 @@ TEST(SecondDisplay, without_a_name_it_is_the_one_where_the_window_is_not) {
     EXPECT_EQ(displayed.display.words(), "second");
     displayed.wait_ms(300);
     const QSize pixels = screens[1]->size() * screens[1]->devicePixelRatio();
-    EXPECT_EQ(displayed.bench.studio.camera().width, pixels.width()) << "all that the display has";
-    EXPECT_EQ(displayed.bench.studio.camera().height, pixels.height());
+    EXPECT_EQ(displayed.bench.app.camera().width, pixels.width()) << "all that the display has";
+    EXPECT_EQ(displayed.bench.app.camera().height, pixels.height());
 }
 
 TEST(SecondDisplay, what_is_not_there_is_a_sentence) {

@@ -16,33 +16,33 @@ namespace {
 
 TEST(View, asks_for_pictures_of_its_own_size) {
     Watched watched;
-    EXPECT_EQ(watched.bench.studio.camera().width, 320);
-    EXPECT_EQ(watched.bench.studio.camera().height, 180);
-    EXPECT_EQ(watched.bench.studio.camera().position_m, four_lamps().show->cameras[0].position_m);
+    EXPECT_EQ(watched.bench.app.camera().width, 320);
+    EXPECT_EQ(watched.bench.app.camera().height, 180);
+    EXPECT_EQ(watched.bench.app.camera().position_m, four_lamps().show->cameras[0].position_m);
 }
 
 TEST(View, a_click_selects_the_lamp_and_beside_it_nothing) {
     Watched watched;
     watched.click(watched.lamp(2) + QPointF(3, -2));
-    EXPECT_EQ(watched.bench.studio.selection(), std::set<std::size_t>{2});
+    EXPECT_EQ(watched.bench.app.selection(), std::set<std::size_t>{2});
     watched.click(watched.lamp(0), Qt::ControlModifier);
-    EXPECT_EQ(watched.bench.studio.selection(), (std::set<std::size_t>{0, 2}));
+    EXPECT_EQ(watched.bench.app.selection(), (std::set<std::size_t>{0, 2}));
     watched.click(watched.lamp(2), Qt::ControlModifier);
-    EXPECT_EQ(watched.bench.studio.selection(), std::set<std::size_t>{0});
+    EXPECT_EQ(watched.bench.app.selection(), std::set<std::size_t>{0});
     watched.click({5, 175});
-    EXPECT_TRUE(watched.bench.studio.selection().empty());
+    EXPECT_TRUE(watched.bench.app.selection().empty());
 }
 
 TEST(View, a_box_selects_all_in_it) {
     Watched watched;
     watched.drag(watched.lamp(1) - QPointF(8, 8), watched.lamp(3) + QPointF(8, 8), Qt::LeftButton,
                  Qt::ControlModifier);
-    EXPECT_EQ(watched.bench.studio.selection(), (std::set<std::size_t>{1, 2, 3}));
+    EXPECT_EQ(watched.bench.app.selection(), (std::set<std::size_t>{1, 2, 3}));
 }
 
 TEST(View, a_box_before_the_first_picture_selects_what_will_be_in_it) {
     Bench bench;
-    View view(bench.studio, nullptr);
+    View view(bench.app, nullptr);
     view.resize(320, 180);
     view.show();
     Opened opened = four_lamps();
@@ -52,9 +52,9 @@ TEST(View, a_box_before_the_first_picture_selects_what_will_be_in_it) {
     bench.link.opened.put(std::move(opened)); // no rig and no picture yet
     bench.link.on_news();
     settle();
-    ASSERT_FALSE(bench.studio.picture().image);
+    ASSERT_FALSE(bench.app.picture().image);
     const auto at = [&](std::size_t index) {
-        scene::Camera camera = bench.studio.camera();
+        scene::Camera camera = bench.app.camera();
         return *to_widget(picture_rect(view.size(), camera), camera,
                           four_lamps().show->fixtures[index].position_m);
     };
@@ -73,7 +73,7 @@ TEST(View, a_box_before_the_first_picture_selects_what_will_be_in_it) {
               qBlue(shown.pixel(((from + to) / 2).toPoint())) + 10)
         << "the box is seen while it is drawn";
     mouse(QEvent::MouseButtonRelease, to);
-    EXPECT_EQ(bench.studio.selection(), (std::set<std::size_t>{1, 2, 3}));
+    EXPECT_EQ(bench.app.selection(), (std::set<std::size_t>{1, 2, 3}));
 }
 
 TEST(View, another_scale_of_the_display_asks_for_other_pixels) {
@@ -87,38 +87,38 @@ TEST(View, another_scale_of_the_display_asks_for_other_pixels) {
     ASSERT_EQ(watched.view.size(), QSize(320, 180)) << "the window keeps its size";
     watched.view.update();
     wait_ms(400);
-    EXPECT_EQ(watched.bench.studio.camera().width, 640);
-    EXPECT_EQ(watched.bench.studio.camera().height, 360);
+    EXPECT_EQ(watched.bench.app.camera().width, 640);
+    EXPECT_EQ(watched.bench.app.camera().height, 360);
 }
 
 TEST(View, drags_and_the_wheel_move_the_camera) {
     Watched watched;
-    Studio& studio = watched.bench.studio;
-    const scene::Camera start = studio.camera();
+    AppModel& app = watched.bench.app;
+    const scene::Camera start = app.camera();
     watched.drag({50, 150}, {100, 150}, Qt::LeftButton);
-    EXPECT_EQ(studio.camera().target_m, start.target_m);
-    EXPECT_GT(glm::distance(studio.camera().position_m, start.position_m), 1);
-    studio.set_camera(start);
+    EXPECT_EQ(app.camera().target_m, start.target_m);
+    EXPECT_GT(glm::distance(app.camera().position_m, start.position_m), 1);
+    app.set_camera(start);
     watched.drag({50, 150}, {100, 150}, Qt::RightButton);
-    EXPECT_EQ(studio.camera().position_m, start.position_m);
-    EXPECT_GT(glm::distance(studio.camera().target_m, start.target_m), 0.5f);
-    studio.set_camera(start);
+    EXPECT_EQ(app.camera().position_m, start.position_m);
+    EXPECT_GT(glm::distance(app.camera().target_m, start.target_m), 0.5f);
+    app.set_camera(start);
     watched.drag({50, 150}, {100, 120}, Qt::MiddleButton);
     // What was grabbed stays under the hand.
-    const auto seen = scene::project(studio.camera(), start.target_m);
+    const auto seen = scene::project(app.camera(), start.target_m);
     EXPECT_NEAR(seen->at.x, 0.5f + 50.0f / 320, 1e-3f);
     EXPECT_NEAR(seen->at.y, 0.5f - 30.0f / 180, 1e-3f);
-    studio.set_camera(start);
+    app.set_camera(start);
     QWheelEvent wheel({160, 90}, {160, 90}, {}, {0, 120}, {}, {}, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&watched.view, &wheel);
-    EXPECT_LT(glm::distance(studio.camera().position_m, start.target_m),
+    EXPECT_LT(glm::distance(app.camera().position_m, start.target_m),
               glm::distance(start.position_m, start.target_m));
-    EXPECT_TRUE(studio.selection().empty());
+    EXPECT_TRUE(app.selection().empty());
 }
 
 TEST(View, a_smaller_picture_fills_the_window) {
     Watched watched;
-    scene::Camera coarse = watched.bench.studio.camera();
+    scene::Camera coarse = watched.bench.app.camera();
     coarse.width = 80;
     coarse.height = 45;
     watched.bench.show_picture(coarse);
@@ -130,10 +130,10 @@ TEST(View, a_smaller_picture_fills_the_window) {
 
 // Where the corners of a camera's own frame, 10 m away, lie in the view.
 std::vector<QPointF> corners_of_frame(Watched& watched) {
-    const scene::Camera& stored = watched.bench.studio.show()->cameras.front();
+    const scene::Camera& stored = watched.bench.app.show()->cameras.front();
     const float up_m = 10 * std::tan(glm::radians(stored.fov_y_deg) / 2);
     const float right_m = up_m * static_cast<float>(stored.width) / static_cast<float>(stored.height);
-    const Picture& picture = watched.bench.studio.picture();
+    const Picture& picture = watched.bench.app.picture();
     const QRectF place = picture_rect(watched.view.size(), picture.camera, picture.framed);
     std::vector<QPointF> corners;
     for (const glm::vec2 side : {glm::vec2(-1, 1), glm::vec2(1, -1)})
@@ -152,20 +152,20 @@ TEST(View, all_that_a_stored_camera_frames_is_seen_in_a_window_of_any_shape) {
     watched.bench.link.opened.put(std::move(opened));
     watched.bench.link.on_news();
     settle();
-    const Studio& studio = watched.bench.studio;
+    const AppModel& app = watched.bench.app;
     for (const QSize size : {QSize(280, 336), QSize(800, 160), QSize(320, 180)}) {
         watched.view.resize(size);
         wait_ms(300);
-        EXPECT_EQ(studio.wishes().frame, glm::ivec2(1024, 300));
+        EXPECT_EQ(app.request().frame, glm::ivec2(1024, 300));
         const auto show_at = [&](double share) { // as the engine draws it
-            const scene::Camera& whole = studio.camera();
-            scene::Camera camera = scene::with_frame(whole, studio.wishes().frame);
+            const scene::Camera& whole = app.camera();
+            scene::Camera camera = scene::with_frame(whole, app.request().frame);
             camera.height = static_cast<int>(std::lround(share * camera.height));
             camera.width = (camera.height * whole.width + whole.height - 1) / whole.height;
             watched.bench.show_picture(
-                camera, {studio.wishes().frame, scene::share_of_frame(whole, studio.wishes().frame)});
+                camera, {app.request().frame, scene::share_of_frame(whole, app.request().frame)});
         };
-        const QRectF frame = frame_rect(size, studio.wishes().frame);
+        const QRectF frame = frame_rect(size, app.request().frame);
         EXPECT_TRUE(QRectF(QPointF(0, 0), size).adjusted(-1e-6, -1e-6, 1e-6, 1e-6).contains(frame));
         EXPECT_TRUE(frame.width() > size.width() - 1e-6 || frame.height() > size.height() - 1e-6);
         for (const double share : {0.25, 0.5, 1.0}) {
@@ -187,7 +187,7 @@ TEST(View, all_that_a_stored_camera_frames_is_seen_in_a_window_of_any_shape) {
 TEST(View, a_picture_of_another_shape_is_shown_whole) {
     Watched watched;
     watched.view.overlays = {.figures = false, .marks = false, .frame = false};
-    scene::Camera baked = watched.bench.studio.camera();
+    scene::Camera baked = watched.bench.app.camera();
     baked.width = 640;
     baked.height = 180; // 320x90 of the view
     watched.bench.show_picture(baked);
@@ -202,7 +202,7 @@ TEST(View, a_picture_of_another_shape_is_shown_whole) {
 TEST(View, a_much_finer_picture_is_averaged) {
     Watched watched;
     watched.view.overlays = {.figures = false, .marks = false, .frame = false};
-    scene::Camera fine = watched.bench.studio.camera();
+    scene::Camera fine = watched.bench.app.camera();
     fine.width = 1280;
     fine.height = 720;
     auto stripes = std::make_shared<image::Image8>(fine.width, fine.height, 4);
@@ -224,15 +224,15 @@ TEST(View, latency_counts_from_the_first_change_that_a_picture_shows) {
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     for (const std::chrono::milliseconds age :
          {std::chrono::milliseconds(800), std::chrono::milliseconds(5)}) {
-        Picture picture = watched.bench.studio.picture();
+        Picture picture = watched.bench.app.picture();
         picture.arrival = now - age;
         watched.bench.link.picture.put(std::move(picture)); // the second before the first is painted
         watched.bench.link.on_news();
-        QCoreApplication::sendPostedEvents(&watched.bench.studio);
+        QCoreApplication::sendPostedEvents(&watched.bench.app);
     }
     (void)watched.view.grab();
     EXPECT_GE(watched.view.figures().latency_ms(), 800);
-    EXPECT_EQ(watched.bench.studio.latency().count(), 1u);
+    EXPECT_EQ(watched.bench.app.latency().count(), 1u);
 }
 
 TEST(View, overlays_are_seen_and_go_away) {
@@ -247,13 +247,13 @@ TEST(View, overlays_are_seen_and_go_away) {
     EXPECT_NE(watched.view.grab().toImage(), plain);
     watched.view.overlays = {.figures = false};
     EXPECT_EQ(watched.view.grab().toImage(), plain);
-    watched.bench.studio.select({0});
+    watched.bench.app.select({0});
     EXPECT_NE(watched.view.grab().toImage(), plain);
 }
 
 TEST(View, figures_say_the_pace_while_it_moves_and_rest_when_it_does_not) {
     Watched watched;
-    const scene::Camera camera = watched.bench.studio.camera();
+    const scene::Camera camera = watched.bench.app.camera();
     for (int i = 0; i < 30; ++i) {
         wait_ms(50);
         watched.bench.show_picture(camera);
@@ -270,7 +270,7 @@ TEST(View, figures_say_the_pace_while_it_moves_and_rest_when_it_does_not) {
 
 TEST(View, a_window_without_a_show_says_so) {
     Bench bench;
-    View view(bench.studio, nullptr);
+    View view(bench.app, nullptr);
     view.resize(320, 180);
     const QImage shown = view.grab().toImage();
     QImage empty = shown;

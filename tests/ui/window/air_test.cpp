@@ -11,9 +11,9 @@ namespace {
 struct Air : Desk {
     Air() {
         open();
-        add_air_actions(actions, studio, document);
+        add_air_actions(actions, app, document);
     }
-    const scene::Show& show() const { return *studio.show(); }
+    const scene::Show& show() const { return *app.show(); }
     std::string complaint(const QString& line) {
         const Result<void> done = actions.run(line);
         return done.ok() ? "" : done.error().text();
@@ -21,7 +21,7 @@ struct Air : Desk {
 
     QWidget widget;
     Actions actions{widget};
-    AirEdit air{studio, document};
+    AirEdit air{app, document};
 };
 
 TEST(Air, hazers_are_added_moved_removed_and_undone) {
@@ -39,10 +39,10 @@ TEST(Air, hazers_are_added_moved_removed_and_undone) {
     EXPECT_EQ(air.show().hazers[0].rate, 8);
     ASSERT_TRUE(air.document.save(false).ok());
     EXPECT_EQ(air.on_disk(), air.document.text());
-    for (int i = 0; i < 5; ++i) air.studio.undo_stack().undo();
+    for (int i = 0; i < 5; ++i) air.app.undo_stack().undo();
     EXPECT_EQ(air.document.text(), kShow);
     EXPECT_TRUE(air.show().hazers.empty());
-    EXPECT_FALSE(air.studio.undo_stack().canUndo());
+    EXPECT_FALSE(air.app.undo_stack().canUndo());
 }
 
 TEST(Air, what_is_not_saved_lies_in_the_draft) {
@@ -58,19 +58,19 @@ TEST(Air, a_slider_that_moves_is_one_step) {
     Air air;
     for (const float x : {0.1f, 0.2f, 0.3f}) ASSERT_TRUE(air.air.set_wind({x, 0, 0}).ok());
     ASSERT_TRUE(air.air.set_clouds(0.5f).ok());
-    EXPECT_EQ(air.studio.undo_stack().count(), 2) << "another one is a step of its own";
+    EXPECT_EQ(air.app.undo_stack().count(), 2) << "another one is a step of its own";
     EXPECT_EQ(air.show().haze.wind_m_s.x, 0.3f);
-    air.studio.undo_stack().undo();
-    air.studio.undo_stack().undo();
+    air.app.undo_stack().undo();
+    air.app.undo_stack().undo();
     EXPECT_EQ(air.document.text(), kShow);
     // A step of the look between two of the show is never taken for one of them.
     ASSERT_TRUE(air.air.set_clouds(0.5f).ok());
     Look look;
     look.scene.smoke = 2.0f;
-    air.studio.set_look(look, "smoke", 1);
+    air.app.set_look(look, "smoke", 1);
     look.scene.smoke = 3.0f;
-    air.studio.set_look(look, "smoke", 1);
-    EXPECT_EQ(air.studio.undo_stack().count(), 2);
+    air.app.set_look(look, "smoke", 1);
+    EXPECT_EQ(air.app.undo_stack().count(), 2);
 }
 
 TEST(Air, what_is_no_air_is_said_and_not_done) {
@@ -87,12 +87,12 @@ TEST(Air, what_is_no_air_is_said_and_not_done) {
     EXPECT_NE(air.complaint("hazer 1 direction 0 0 0").find("no length"), std::string::npos);
     EXPECT_NE(air.complaint("hazer 1 rate 1 2").find("expected 1 number"), std::string::npos);
     EXPECT_NE(air.complaint("hazer 1 colour red").find("expected place"), std::string::npos);
-    EXPECT_EQ(air.studio.undo_stack().count(), 1);
+    EXPECT_EQ(air.app.undo_stack().count(), 1);
 }
 
 TEST(Air, the_panel_shows_the_show_and_its_cells_edit_it) {
     Air air;
-    AirPanel panel(air.studio, air.document, air.actions, nullptr);
+    AirPanel panel(air.app, air.document, air.actions, nullptr);
     std::string said;
     panel.complain = [&](const Error& error) { said = error.text(); };
     ASSERT_EQ(air.complaint("haze \"heavy haze\""), "");

@@ -13,8 +13,8 @@ namespace {
 struct Stage : Desk {
     Stage() {
         open();
-        add_hang_action(actions, studio, document);
-        Opened opened = studio.opened();
+        add_hang_action(actions, app, document);
+        Opened opened = app.opened();
         opened.is_edit = false;
         const auto add = [&](const char* name, std::optional<scene::Bar> bar) {
             Object object;
@@ -44,19 +44,19 @@ struct Stage : Desk {
 
 TEST(Hang, the_nearest_truss_with_all_its_pieces_takes_them_evenly) {
     Stage stage;
-    stage.studio.select({0, 1, 2});
+    stage.app.select({0, 1, 2});
     ASSERT_EQ(stage.complaint("hang"), "");
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_EQ(stage.fixture(i).position_m, glm::vec3(-3 + 2 * static_cast<float>(i), 0, 6)) << i;
     EXPECT_NE(stage.document.text().find("position_m = [-3, 0, 6]"), std::string::npos)
         << stage.document.text();
-    stage.studio.undo_stack().undo();
+    stage.app.undo_stack().undo();
     EXPECT_EQ(stage.document.text(), kShow);
 }
 
 TEST(Hang, one_that_is_named_and_one_lamp_alone) {
     Stage stage;
-    stage.studio.select({1}); // at x -1
+    stage.app.select({1}); // at x -1
     ASSERT_EQ(stage.complaint("hang back"), "");
     EXPECT_EQ(stage.fixture(1).position_m, glm::vec3(-1, 8, 5.5f));
     EXPECT_EQ(stage.fixture(0).position_m, glm::vec3(-3, 0, 4));
@@ -65,24 +65,24 @@ TEST(Hang, one_that_is_named_and_one_lamp_alone) {
 TEST(Hang, what_is_no_truss_is_said_and_nothing_moves) {
     Stage stage;
     EXPECT_NE(stage.complaint("hang").find("no fixture is selected"), std::string::npos);
-    stage.studio.select({0});
+    stage.app.select({0});
     EXPECT_NE(stage.complaint("hang tower").find("is no truss or pipe"), std::string::npos);
     EXPECT_NE(stage.complaint("hang wall").find("is no truss or pipe"), std::string::npos);
     EXPECT_NE(stage.complaint("hang pier").find("there is no object 'pier'"), std::string::npos);
-    EXPECT_FALSE(hang_under(stage.studio, stage.document, 3).ok());
-    EXPECT_FALSE(hang_under(stage.studio, stage.document, 99).ok());
+    EXPECT_FALSE(hang_under(stage.app, stage.document, 3).ok());
+    EXPECT_FALSE(hang_under(stage.app, stage.document, 99).ok());
     EXPECT_EQ(stage.document.text(), kShow);
-    EXPECT_FALSE(stage.studio.undo_stack().canUndo());
+    EXPECT_FALSE(stage.app.undo_stack().canUndo());
 }
 
 TEST(Hang, the_scene_panel_offers_it_for_what_lies) {
     Stage stage;
-    ScenePanel of_stage(stage.studio, nullptr);
+    ScenePanel of_stage(stage.app, nullptr);
     std::optional<std::size_t> asked;
     QObject::connect(&of_stage, &ScenePanel::asks_to_hang, [&](std::size_t object) { asked = object; });
     // It was made after the show was opened.
     stage.link.opened.put([&] {
-        Opened opened = stage.studio.opened();
+        Opened opened = stage.app.opened();
         opened.is_edit = false;
         return opened;
     }());
@@ -99,7 +99,7 @@ TEST(Hang, the_scene_panel_offers_it_for_what_lies) {
     EXPECT_FALSE(hang->isEnabled()) << "nothing is chosen";
     choose("back");
     EXPECT_FALSE(hang->isEnabled()) << "no fixture is selected";
-    stage.studio.select({0, 2});
+    stage.app.select({0, 2});
     EXPECT_TRUE(hang->isEnabled());
     choose("tower");
     EXPECT_FALSE(hang->isEnabled()) << "a tower stands";

@@ -35,7 +35,7 @@ TEST(Killed, DISABLED_edits_and_saves) {
     QElapsedTimer clock;
     clock.start();
     for (int k = newest_edit(desk.document.text()) + 1; clock.elapsed() < 60000; ++k) {
-        desk.studio.select({0});
+        desk.app.select({0});
         ASSERT_TRUE(desk.edit.rename(QString("N %1").arg(k)).ok());
         desk.follow();
         std::printf("edited %d %lld\n", k, static_cast<long long>(clock.elapsed()));

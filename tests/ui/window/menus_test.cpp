@@ -141,7 +141,7 @@ TEST(ContextMenu, all_of_a_type_are_selected) {
     EXPECT_EQ(in.error_of("select-similar"), "select-similar: no fixture is selected");
     EXPECT_EQ(in.error_of("select \"Lamp 2\""), "");
     EXPECT_EQ(in.error_of("select-similar"), "");
-    EXPECT_EQ(in.window.studio().selection().size(), 4u);
+    EXPECT_EQ(in.window.app().selection().size(), 4u);
 }
 
 TEST(FirstScreen, three_ways_to_a_show_and_no_panels_until_one_is_there) {
@@ -155,13 +155,13 @@ TEST(FirstScreen, three_ways_to_a_show_and_no_panels_until_one_is_there) {
     in.open();
     EXPECT_FALSE(welcome->isVisible());
     EXPECT_TRUE(in.window.findChild<QDockWidget*>("fixtures")->isVisible());
-    EXPECT_EQ(in.window.studio().wishes().transport.seeks, 0u) << "not the demo";
+    EXPECT_EQ(in.window.app().request().transport.seeks, 0u) << "not the demo";
     Opened demo = four_lamps();
     auto show = std::make_shared<scene::Show>(*demo.show);
     show->folder = "assets/demo";
     demo.show = show;
     in.open(std::move(demo));
-    EXPECT_EQ(in.window.studio().wishes().transport.at_s, 55);
+    EXPECT_EQ(in.window.app().request().transport.at_s, 55);
 }
 
 TEST(FirstScreen, shows_of_the_last_time_are_there_the_next_time_with_their_pictures) {
@@ -189,9 +189,9 @@ TEST(FirstScreen, shows_of_the_last_time_are_there_the_next_time_with_their_pict
     auto* const list = in.window.findChild<QWidget*>("welcome")->findChild<QListWidget*>();
     ASSERT_EQ(list->count(), 1);
     EXPECT_EQ(list->item(0)->text(), "Tour");
-    EXPECT_TRUE(QFile::exists(RecentShows(in.window.studio(), true).all().front().picture));
+    EXPECT_TRUE(QFile::exists(RecentShows(in.window.app(), true).all().front().picture));
     Q_EMIT list->itemActivated(list->item(0));
-    EXPECT_EQ(in.window.studio().wishes().show, file.toStdString());
+    EXPECT_EQ(in.window.app().request().show, file.toStdString());
     EXPECT_EQ(InWindow().window.findChild<QWidget*>("welcome")->findChild<QListWidget*>()->count(), 0)
         << "--forget";
     qunsetenv("XDG_CACHE_HOME");
@@ -202,7 +202,7 @@ TEST(NewShow, a_folder_with_a_stage_that_opens_and_nothing_that_is_there_is_over
     InWindow in;
     const QString folder = home.filePath("My tour");
     EXPECT_EQ(in.error_of("new \"" + folder + "\""), "");
-    EXPECT_EQ(in.window.studio().wishes().show, folder.toStdString());
+    EXPECT_EQ(in.window.app().request().show, folder.toStdString());
     Report report;
     const auto show = scene::load_show(folder.toStdString(), true, report);
     ASSERT_TRUE(show.ok()) << show.error().text();
@@ -224,7 +224,7 @@ TEST(Toast, what_shows_nothing_else_is_said_with_a_way_back) {
     auto* const undo = in.window.findChild<Toast*>()->findChild<QToolButton*>();
     ASSERT_TRUE(undo->isVisible());
     undo->click();
-    EXPECT_TRUE(in.window.studio().look().is_empty());
+    EXPECT_TRUE(in.window.app().look().is_empty());
     EXPECT_EQ(in.toast(), "");
     EXPECT_EQ(in.error_of("intensity 0.5"), "");
     EXPECT_NE(in.toast(), "");
@@ -237,15 +237,15 @@ TEST(InputChoice, another_show_begins_with_the_automatic_one) {
     InWindow in;
     in.open();
     EXPECT_EQ(in.error_of("input-recording"), "");
-    EXPECT_EQ(in.window.studio().wishes().input, Input::recording);
+    EXPECT_EQ(in.window.app().request().input, Input::recording);
     in.open();
-    EXPECT_EQ(in.window.studio().wishes().input, Input::automatic);
+    EXPECT_EQ(in.window.app().request().input, Input::automatic);
 }
 
 TEST(Socket, a_folder_of_that_name_is_said) {
     InWindow in;
     QTemporaryDir folder;
-    RemoteControl remote(in.window.actions(), in.window.studio(), nullptr);
+    RemoteControl remote(in.window.actions(), in.window.app(), nullptr);
     const Result<void> made = remote.listen(folder.path());
     ASSERT_FALSE(made.ok());
     EXPECT_NE(made.error().text().find("is a folder; expected the name of a socket"), std::string::npos)

@@ -34,7 +34,7 @@ TEST(Names, every_control_has_one) {
     link.rig.put(four_lit());
     link.on_news();
     settle();
-    window.studio().select({0, 1});
+    window.app().select({0, 1});
     for (QDockWidget* const dock : window.findChildren<QDockWidget*>()) dock->show();
     settle();
     int controls = 0;

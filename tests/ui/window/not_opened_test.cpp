@@ -24,7 +24,7 @@ struct Failing {
         settle();
     }
     void fail(const Error& error) {
-        window.studio().open(error.where);
+        window.app().open(error.where);
         link.not_opened.put(error);
         link.on_news();
         settle();
@@ -74,7 +74,7 @@ TEST(NotOpened, a_show_that_fails_beside_an_open_one_is_said_in_the_bar_and_stay
     settle();
     EXPECT_FALSE(failing.bar->isVisible());
     EXPECT_TRUE(failing.first_message().contains("a quotation mark is missing")) << "until a show opens";
-    failing.window.studio().open("another");
+    failing.window.app().open("another");
     failing.open_one();
     EXPECT_FALSE(failing.first_message().contains("quotation mark"));
 }
@@ -85,7 +85,7 @@ TEST(NotOpened, without_a_file_there_is_nothing_to_open_and_the_next_show_takes_
     EXPECT_TRUE(failing.bar->isVisible());
     EXPECT_FALSE(failing.button("Open the file"));
     EXPECT_FALSE(failing.words_of_bar().contains("stays open"));
-    failing.window.studio().open("another");
+    failing.window.app().open("another");
     failing.open_one();
     EXPECT_FALSE(failing.bar->isVisible());
 }

@@ -15,14 +15,14 @@ namespace {
 TEST(Patch, addresses_follow_one_behind_the_other) {
     Desk desk;
     desk.open();
-    desk.studio.select({0, 1, 2});
+    desk.app.select({0, 1, 2});
     ASSERT_TRUE(desk.edit.set_address({2, 481}).ok());
     desk.follow();
     const std::vector<std::pair<int, int>> expected{{2, 481}, {2, 497}, {3, 1}};
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_EQ(std::pair(desk.fixture(i).universe, desk.fixture(i).address), expected[i]) << i;
     EXPECT_TRUE(desk.document.is_changed());
-    desk.studio.undo_stack().undo();
+    desk.app.undo_stack().undo();
     EXPECT_EQ(desk.document.text(), kShow);
     EXPECT_FALSE(desk.document.is_changed());
 }
@@ -30,8 +30,8 @@ TEST(Patch, addresses_follow_one_behind_the_other) {
 TEST(Patch, copies_get_room_names_and_the_selection) {
     Desk desk;
     desk.open();
-    desk.studio.select({0, 1});
-    desk.studio.set_look(
+    desk.app.select({0, 1});
+    desk.app.set_look(
         [&] {
             Look look;
             look.fixtures[2].intensity = 0.5f;
@@ -40,32 +40,32 @@ TEST(Patch, copies_get_room_names_and_the_selection) {
         "by hand");
     ASSERT_TRUE(desk.edit.duplicate({0, 2, 0}).ok());
     desk.follow();
-    ASSERT_EQ(desk.studio.show()->fixtures.size(), 5u);
+    ASSERT_EQ(desk.app.show()->fixtures.size(), 5u);
     EXPECT_EQ(desk.fixture(1).name, "Lamp 4");
     EXPECT_EQ(desk.fixture(3).name, "Lamp 5");
     EXPECT_EQ(desk.fixture(1).address, 49) << "behind all that is patched";
     EXPECT_EQ(desk.fixture(3).address, 65);
     EXPECT_EQ(desk.fixture(3).position_m, glm::vec3(-1, 3, 4));
-    EXPECT_EQ(desk.studio.selection(), (std::set<std::size_t>{1, 3}));
-    ASSERT_TRUE(desk.studio.look().fixtures.contains(4)) << "Lamp 3 is number 5 now";
+    EXPECT_EQ(desk.app.selection(), (std::set<std::size_t>{1, 3}));
+    ASSERT_TRUE(desk.app.look().fixtures.contains(4)) << "Lamp 3 is number 5 now";
     ASSERT_TRUE(desk.edit.remove().ok());
     desk.follow();
     EXPECT_EQ(desk.document.text(), kShow);
-    EXPECT_TRUE(desk.studio.look().fixtures.contains(2));
-    EXPECT_TRUE(desk.studio.selection().empty());
+    EXPECT_TRUE(desk.app.look().fixtures.contains(2));
+    EXPECT_TRUE(desk.app.selection().empty());
 }
 
 TEST(Patch, places_are_aligned_and_spread) {
     Desk desk;
     desk.open();
-    desk.studio.select({0, 1, 2});
+    desk.app.select({0, 1, 2});
     ASSERT_TRUE(desk.edit.align(1).ok());
     desk.follow();
     EXPECT_EQ(desk.fixture(1).position_m, glm::vec3(-1, 0, 4));
     ASSERT_TRUE(desk.edit.distribute().ok());
     desk.follow();
     EXPECT_EQ(desk.fixture(1).position_m, glm::vec3(0, 0, 4));
-    desk.studio.select({0, 1});
+    desk.app.select({0, 1});
     EXPECT_FALSE(desk.edit.distribute().ok());
 }
 
@@ -74,7 +74,7 @@ TEST(Patch, what_cannot_be_done_is_said_and_not_done) {
     EXPECT_FALSE(desk.edit.remove().ok()) << "no show";
     desk.open();
     EXPECT_FALSE(desk.edit.remove().ok()) << "nothing selected";
-    desk.studio.select({0});
+    desk.app.select({0});
     EXPECT_FALSE(desk.edit.set_mode("Stndard").ok());
     EXPECT_FALSE(desk.edit.rename("Lamp 2").ok());
     EXPECT_FALSE(desk.edit.rename("a/b").ok());
@@ -83,7 +83,7 @@ TEST(Patch, what_cannot_be_done_is_said_and_not_done) {
     EXPECT_FALSE(address_of("1.513").ok());
     EXPECT_FALSE(address_of("1.2.3").ok());
     EXPECT_EQ(desk.document.text(), kShow);
-    EXPECT_FALSE(desk.studio.undo_stack().canUndo());
+    EXPECT_FALSE(desk.app.undo_stack().canUndo());
 }
 
 TEST(Patch, a_model_becomes_the_stage_and_a_plot_the_plot) {
@@ -101,8 +101,8 @@ TEST(Patch, a_model_becomes_the_stage_and_a_plot_the_plot) {
     EXPECT_EQ(*read_text_file(fs::path(desk.folder) / "club.glb", 100), "a model");
     ASSERT_TRUE(desk.edit.set_plot(plot).ok());
     EXPECT_NE(desk.document.text().find("plot = \"tour.mvr\""), std::string::npos);
-    desk.studio.undo_stack().undo();
-    desk.studio.undo_stack().undo();
+    desk.app.undo_stack().undo();
+    desk.app.undo_stack().undo();
     EXPECT_EQ(desk.document.text(), kShow);
     // What lies there is not written over.
     ASSERT_TRUE(write_file_atomic(model, std::string("another model")).ok());
@@ -113,20 +113,20 @@ TEST(Patch, a_model_becomes_the_stage_and_a_plot_the_plot) {
 TEST(Patch, the_picture_as_it_is_seen_becomes_a_camera) {
     Desk desk;
     desk.open();
-    scene::Camera camera = desk.studio.camera();
+    scene::Camera camera = desk.app.camera();
     camera.position_m = {1, -7, 3};
-    desk.studio.set_camera(camera);
+    desk.app.set_camera(camera);
     ASSERT_TRUE(desk.edit.keep_camera("").ok());
     EXPECT_NE(desk.document.text().find("name = \"Camera 2\"\nposition_m = [1, -7, 3]"), std::string::npos)
         << desk.document.text();
     ASSERT_TRUE(desk.edit.keep_camera("").ok()); // before the show was opened anew with the first
     EXPECT_NE(desk.document.text().find("name = \"Camera 3\""), std::string::npos) << desk.document.text();
-    desk.studio.undo_stack().undo();
+    desk.app.undo_stack().undo();
     desk.follow();
-    EXPECT_EQ(desk.studio.show()->cameras.size(), 2u);
+    EXPECT_EQ(desk.app.show()->cameras.size(), 2u);
     EXPECT_FALSE(desk.edit.keep_camera("front").ok());
     EXPECT_FALSE(desk.edit.keep_camera("a/b").ok());
-    desk.studio.undo_stack().undo();
+    desk.app.undo_stack().undo();
     EXPECT_EQ(desk.document.text(), kShow);
 }
 
@@ -137,11 +137,11 @@ TEST(Patch, any_sequence_comes_back_to_the_same_bytes) {
         desk.open();
         std::vector<std::string> texts{desk.document.text()};
         for (int step = 0; step < 25; ++step) {
-            const std::size_t count = desk.studio.show()->fixtures.size();
+            const std::size_t count = desk.app.show()->fixtures.size();
             std::set<std::size_t> chosen;
             for (std::size_t i = 0; i < count; ++i)
                 if (random() % 2) chosen.insert(i);
-            desk.studio.select(chosen);
+            desk.app.select(chosen);
             switch (random() % 6) {
             case 0:
                 (void)desk.edit.set_address(
@@ -165,7 +165,7 @@ TEST(Patch, any_sequence_comes_back_to_the_same_bytes) {
             desk.follow();
             if (desk.document.text() != texts.back()) texts.push_back(desk.document.text());
         }
-        QUndoStack& stack = desk.studio.undo_stack();
+        QUndoStack& stack = desk.app.undo_stack();
         ASSERT_EQ(static_cast<std::size_t>(stack.count()) + 1, texts.size());
         for (std::size_t i = texts.size() - 1; i > 0; --i) {
             ASSERT_EQ(desk.document.text(), texts[i]);
@@ -183,7 +183,7 @@ TEST(Patch, what_is_not_saved_waits_for_the_next_window) {
     {
         Desk desk(place.path().toStdString());
         desk.open();
-        desk.studio.select({1});
+        desk.app.select({1});
         ASSERT_TRUE(desk.edit.rename("Changed").ok());
         edited = desk.document.text();
     } // closed
@@ -192,7 +192,7 @@ TEST(Patch, what_is_not_saved_waits_for_the_next_window) {
     desk.open();
     EXPECT_TRUE(desk.document.has_draft());
     EXPECT_FALSE(desk.draft.isEmpty());
-    desk.studio.select({0});
+    desk.app.select({0});
     EXPECT_FALSE(desk.edit.rename("Too early").ok()) << "it would write over what waits";
     ASSERT_TRUE(desk.document.take_draft().ok());
     EXPECT_EQ(desk.document.text(), edited);
@@ -206,18 +206,18 @@ TEST(Patch, what_is_not_saved_waits_for_the_next_window) {
 TEST(Patch, another_show_does_not_cost_what_was_typed_just_before) {
     Desk desk;
     desk.open();
-    desk.studio.select({1});
+    desk.app.select({1});
     ASSERT_TRUE(desk.edit.rename("Typed just now").ok());
     QTemporaryDir elsewhere;
     const fs::path other = fs::path(elsewhere.path().toStdString()) / "show.toml", first = desk.file;
     ASSERT_TRUE(write_file_atomic(other, kShow).ok());
     desk.file = other;
-    desk.studio.open(other.string());
+    desk.app.open(other.string());
     desk.open();
     EXPECT_EQ(desk.document.text(), kShow);
     EXPECT_FALSE(fs::exists(other.parent_path() / ".ghost" / "draft.toml"));
     desk.file = first;
-    desk.studio.open(first.string());
+    desk.app.open(first.string());
     desk.open();
     EXPECT_TRUE(desk.document.has_draft());
     ASSERT_TRUE(desk.document.take_draft().ok());
@@ -237,7 +237,7 @@ TEST(Patch, a_show_that_is_renamed_is_said_and_not_made_again) {
     wait_ms(3200);
     EXPECT_TRUE(said.contains("The show folder is gone")) << said.toStdString();
     EXPECT_TRUE(desk.document.waits_for_answer());
-    desk.studio.select({1});
+    desk.app.select({1});
     ASSERT_TRUE(desk.edit.rename("Changed").ok());
     wait_ms(700);
     EXPECT_FALSE(desk.document.save(false).ok());
@@ -259,7 +259,7 @@ TEST(Patch, a_show_that_is_renamed_is_said_and_not_made_again) {
 TEST(Patch, a_copy_goes_elsewhere_and_the_show_stays_unsaved) {
     Desk desk;
     desk.open();
-    desk.studio.select({1});
+    desk.app.select({1});
     ASSERT_TRUE(desk.edit.rename("Mine").ok());
     QTemporaryDir elsewhere;
     const fs::path copy = fs::path(elsewhere.path().toStdString()) / "show.toml";
@@ -276,7 +276,7 @@ TEST(Patch, dropped_changes_are_gone) {
     {
         Desk desk(place.path().toStdString());
         desk.open();
-        desk.studio.select({1});
+        desk.app.select({1});
         ASSERT_TRUE(desk.edit.rename("Changed").ok());
     }
     {
@@ -298,7 +298,7 @@ TEST(Patch, a_file_that_others_change_is_followed_and_never_written_over) {
     for (int i = 0; i < 100 && desk.document.text() != by_hand; ++i) wait_ms(20);
     ASSERT_EQ(desk.document.text(), by_hand) << "nothing was unsaved, so it is taken";
     desk.follow();
-    desk.studio.select({0});
+    desk.app.select({0});
     ASSERT_TRUE(desk.edit.rename("Mine").ok());
     ASSERT_TRUE(write_file_atomic(desk.file, kShow).ok());
     const auto refused = desk.document.save(false);
@@ -347,7 +347,7 @@ TEST(Patch, an_editor_that_takes_the_file_away_first_is_followed) {
 TEST(Patch, where_nothing_can_be_written_it_is_said) {
     Desk desk;
     desk.open();
-    desk.studio.select({0});
+    desk.app.select({0});
     ASSERT_TRUE(desk.edit.rename("Mine").ok());
     fs::remove(desk.file);
     fs::create_directory(desk.file); // as good as a full disk, also for root
@@ -366,7 +366,7 @@ TEST(ShowDocument, where_its_disk_takes_no_draft_another_place_has_it) {
         Desk desk(place.path().toStdString());
         ASSERT_TRUE(write_file_atomic(fs::path(desk.folder) / ".ghost", "full").ok());
         desk.open();
-        desk.studio.select({0});
+        desk.app.select({0});
         ASSERT_TRUE(desk.edit.set_address({2, 101}).ok());
         EXPECT_TRUE(desk.document.keep().ok());
         EXPECT_FALSE(desk.document.waits_for_answer());
@@ -393,7 +393,7 @@ TEST(ShowDocument, what_can_be_kept_nowhere_is_said_until_it_is_saved_somewhere)
                          [&](const QString& words) { said << words; });
         desk.open();
         EXPECT_TRUE(desk.document.keep().ok()) << "nothing is changed";
-        desk.studio.select({0});
+        desk.app.select({0});
         ASSERT_TRUE(desk.edit.set_address({2, 101}).ok());
         wait_ms(700);
         ASSERT_EQ(said.size(), 1) << "by itself, half a second later";

@@ -33,35 +33,35 @@ struct Heads : Bench {
     }
     // Where the beam of a head goes that was turned so.
     glm::vec3 direction(std::size_t index) const {
-        const fixture::Manual& manual = studio.look().fixtures.at(index);
-        const float pan = glm::radians(*manual.pan_deg), tilt = glm::radians(*manual.tilt_deg);
+        const fixture::Programmer& programmer = app.look().fixtures.at(index);
+        const float pan = glm::radians(*programmer.pan_deg), tilt = glm::radians(*programmer.tilt_deg);
         const glm::vec3 own(-std::sin(pan) * std::sin(tilt), std::cos(pan) * std::sin(tilt), -std::cos(tilt));
-        return glm::mat3(scene::fixture_to_world(studio.show()->fixtures[index], 0)) * own;
+        return glm::mat3(scene::fixture_to_world(app.show()->fixtures[index], 0)) * own;
     }
 };
 
 TEST(Aim, every_head_points_at_the_place) {
     Heads heads;
-    EXPECT_FALSE(aim_selected(heads.studio, {0, 0, 0}).ok()) << "nothing is selected";
-    heads.studio.select({0, 1, 2, 3});
+    EXPECT_FALSE(aim_selected(heads.app, {0, 0, 0}).ok()) << "nothing is selected";
+    heads.app.select({0, 1, 2, 3});
     const glm::vec3 at_m(1, 2.5f, 0.5f);
-    const Result<int> beyond = aim_selected(heads.studio, at_m);
+    const Result<int> beyond = aim_selected(heads.app, at_m);
     ASSERT_TRUE(beyond.ok()) << beyond.error().text();
     for (std::size_t i = 0; i < 3; ++i) {
-        const glm::vec3 way = glm::normalize(at_m - heads.studio.show()->fixtures[i].position_m);
+        const glm::vec3 way = glm::normalize(at_m - heads.app.show()->fixtures[i].position_m);
         EXPECT_GT(glm::dot(heads.direction(i), way), 0.99999f) << i;
     }
-    heads.studio.undo_stack().undo();
-    EXPECT_TRUE(heads.studio.look().fixtures.empty()) << "one step";
+    heads.app.undo_stack().undo();
+    EXPECT_TRUE(heads.app.look().fixtures.empty()) << "one step";
 }
 
 TEST(Aim, a_spread_gives_each_its_own_place_in_their_order) {
     Heads heads;
-    heads.studio.select({0, 1, 2});
-    ASSERT_TRUE(aim_selected(heads.studio, {0, 0, 0}, -6).ok());
+    heads.app.select({0, 1, 2});
+    ASSERT_TRUE(aim_selected(heads.app, {0, 0, 0}, -6).ok());
     for (std::size_t i = 0; i < 3; ++i) {
         const glm::vec3 at_m(3 - 3 * static_cast<float>(i), 0, 0); // crossed
-        const glm::vec3 way = glm::normalize(at_m - heads.studio.show()->fixtures[i].position_m);
+        const glm::vec3 way = glm::normalize(at_m - heads.app.show()->fixtures[i].position_m);
         EXPECT_GT(glm::dot(heads.direction(i), way), 0.99999f) << i;
     }
 }
@@ -69,14 +69,14 @@ TEST(Aim, a_spread_gives_each_its_own_place_in_their_order) {
 TEST(Aim, who_does_not_turn_is_named_and_who_does_not_reach_counted) {
     Bench lamps;
     lamps.open();
-    lamps.studio.select({0});
-    EXPECT_EQ(aim_selected(lamps.studio, {0, 0, 0}).error().what, "nothing that is selected turns both ways");
+    lamps.app.select({0});
+    EXPECT_EQ(aim_selected(lamps.app, {0, 0, 0}).error().what, "nothing that is selected turns both ways");
     Heads heads;
-    heads.studio.select({0});
-    const Result<int> beyond = aim_selected(heads.studio, {-3, 0, 10}); // straight up, behind its own base
+    heads.app.select({0});
+    const Result<int> beyond = aim_selected(heads.app, {-3, 0, 10}); // straight up, behind its own base
     ASSERT_TRUE(beyond.ok());
     EXPECT_EQ(*beyond, 1);
-    EXPECT_LT(std::abs(*heads.studio.look().fixtures.at(0).tilt_deg), 179);
+    EXPECT_LT(std::abs(*heads.app.look().fixtures.at(0).tilt_deg), 179);
 }
 
 TEST(Aim, through_the_picture_as_soon_as_the_engine_says_what_is_there) {
@@ -85,28 +85,28 @@ TEST(Aim, through_the_picture_as_soon_as_the_engine_says_what_is_there) {
     Actions actions(widget);
     std::string said;
     actions.complain = [&](const Error& error) { said = error.text(); };
-    Aiming aiming(heads.studio, actions, nullptr);
-    heads.studio.select({1});
+    Aiming aiming(heads.app, actions, nullptr);
+    heads.app.select({1});
     EXPECT_FALSE(aiming.aim_through({0.5f, 0.5f}).ok()) << "no picture";
-    scene::Camera camera = heads.studio.camera();
+    scene::Camera camera = heads.app.camera();
     camera.width = 320;
     camera.height = 180;
     heads.show_picture(camera);
     ASSERT_TRUE(aiming.aim_through({0.5f, 0.5f}).ok());
-    const Pick pick = heads.studio.wishes().pick;
+    const Pick pick = heads.app.request().pick;
     EXPECT_EQ(pick.from_m, camera.position_m);
     EXPECT_NEAR(glm::distance(pick.way, glm::vec3(0, 1, 0)), 0, 1e-5f);
     heads.link.picked.put({pick.number - 1, true, {9, 9, 9}, std::nullopt, "of an older request"});
     heads.link.on_news();
     settle();
-    EXPECT_TRUE(heads.studio.look().fixtures.empty());
+    EXPECT_TRUE(heads.app.look().fixtures.empty());
     heads.link.picked.put({pick.number, true, {0, 3, 2}, std::nullopt, "wall"});
     heads.link.on_news();
     settle();
-    ASSERT_EQ(heads.studio.look().fixtures.size(), 1u);
+    ASSERT_EQ(heads.app.look().fixtures.size(), 1u);
     EXPECT_EQ(said, "");
     ASSERT_TRUE(aiming.aim_through({0.5f, 0}).ok());
-    heads.link.picked.put({heads.studio.wishes().pick.number, false, {}, std::nullopt, ""});
+    heads.link.picked.put({heads.app.request().pick.number, false, {}, std::nullopt, ""});
     heads.link.on_news();
     settle();
     EXPECT_EQ(said, "there is nothing but air to aim at");
@@ -145,54 +145,54 @@ TEST(LampDrag, takes_others_along_as_far_as_all_of_them_hang) {
 
 TEST(Pointing, a_body_far_from_its_lamp_is_selected_when_the_engine_says_whose_it_is) {
     Watched seen;
-    seen.bench.studio.select({0});
+    seen.bench.app.select({0});
     seen.click({160, 150});
-    EXPECT_TRUE(seen.bench.studio.selection().empty());
-    const std::uint64_t number = seen.bench.studio.wishes().pick.number;
+    EXPECT_TRUE(seen.bench.app.selection().empty());
+    const std::uint64_t number = seen.bench.app.request().pick.number;
     ASSERT_GT(number, 0u);
     seen.bench.link.picked.put({number, true, {0, 0, 1}, std::size_t{2}, "Lamp 3 yoke"});
     seen.bench.link.on_news();
     settle();
-    EXPECT_EQ(seen.bench.studio.selection(), std::set<std::size_t>{2});
+    EXPECT_EQ(seen.bench.app.selection(), std::set<std::size_t>{2});
     seen.click({160, 150}, Qt::ControlModifier);
-    seen.bench.link.picked.put({seen.bench.studio.wishes().pick.number, true, {}, std::size_t{1}, ""});
+    seen.bench.link.picked.put({seen.bench.app.request().pick.number, true, {}, std::size_t{1}, ""});
     seen.bench.link.on_news();
     settle();
-    EXPECT_EQ(seen.bench.studio.selection(), (std::set<std::size_t>{1, 2}));
+    EXPECT_EQ(seen.bench.app.selection(), (std::set<std::size_t>{1, 2}));
 }
 
 TEST(Pointing, a_drag_of_a_selected_lamp_moves_it_and_of_another_the_camera) {
     Watched seen;
     std::vector<glm::vec3> moves;
     seen.view.on_move = [&](const glm::vec3& by_m) { moves.push_back(by_m); };
-    const scene::Camera before = seen.bench.studio.camera();
-    seen.bench.studio.select({1, 2});
+    const scene::Camera before = seen.bench.app.camera();
+    seen.bench.app.select({1, 2});
     seen.drag(seen.lamp(1), seen.lamp(1) + QPointF(30, 0), Qt::LeftButton);
     ASSERT_EQ(moves.size(), 1u);
     EXPECT_GT(moves[0].x, 0.2f);
     EXPECT_EQ(moves[0].z, 0);
-    EXPECT_EQ(seen.bench.studio.camera().position_m, before.position_m);
+    EXPECT_EQ(seen.bench.app.camera().position_m, before.position_m);
     seen.drag(seen.lamp(0), seen.lamp(0) + QPointF(30, 0), Qt::LeftButton);
     EXPECT_EQ(moves.size(), 1u);
-    EXPECT_NE(seen.bench.studio.camera().position_m, before.position_m);
+    EXPECT_NE(seen.bench.app.camera().position_m, before.position_m);
 }
 
 TEST(Pointing, shift_and_a_click_aims_and_selects_nothing) {
     Watched seen;
     std::vector<glm::vec2> places;
     seen.view.on_aim = [&](const glm::vec2& place) { places.push_back(place); };
-    seen.bench.studio.select({1});
+    seen.bench.app.select({1});
     seen.click({240, 45}, Qt::ShiftModifier);
     ASSERT_EQ(places.size(), 1u);
     EXPECT_NEAR(places[0].x, 0.75f, 0.01f);
     EXPECT_NEAR(places[0].y, 0.25f, 0.01f);
-    EXPECT_EQ(seen.bench.studio.selection(), std::set<std::size_t>{1});
+    EXPECT_EQ(seen.bench.app.selection(), std::set<std::size_t>{1});
 }
 
 TEST(Wipe, keeps_what_was_seen_left_of_a_line_that_is_dragged) {
     Watched seen;
     ASSERT_TRUE(seen.view.begin_wipe(0.5).ok());
-    scene::Camera camera = seen.bench.studio.picture().camera;
+    scene::Camera camera = seen.bench.app.picture().camera;
     Picture green;
     auto image = std::make_shared<image::Image8>(camera.width, camera.height, 4);
     for (std::size_t i = 0; i < image->samples.size(); i += 4) image->samples[i + 1] = 200;
@@ -204,9 +204,9 @@ TEST(Wipe, keeps_what_was_seen_left_of_a_line_that_is_dragged) {
     const auto colour_at = [&](int x) { return seen.view.grab().toImage().pixelColor(x, 120); };
     EXPECT_GT(colour_at(100).red(), 150);
     EXPECT_GT(colour_at(220).green(), 150);
-    const scene::Camera before = seen.bench.studio.camera();
+    const scene::Camera before = seen.bench.app.camera();
     seen.drag({161, 90}, {260, 90}, Qt::LeftButton);
-    EXPECT_EQ(seen.bench.studio.camera().position_m, before.position_m);
+    EXPECT_EQ(seen.bench.app.camera().position_m, before.position_m);
     EXPECT_NEAR(seen.view.wipe().share(), 260.0 / 320, 0.01);
     EXPECT_GT(colour_at(220).red(), 150);
     seen.view.end_wipe();

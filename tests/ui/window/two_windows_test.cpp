@@ -13,7 +13,7 @@ namespace {
 constexpr int kUntilKept_ms = 700, kUntilSeen_ms = 1300;
 
 void rename_first(Desk& desk, const QString& name) {
-    desk.studio.select({0});
+    desk.app.select({0});
     const Result<void> renamed = desk.edit.rename(name);
     ASSERT_TRUE(renamed.ok()) << renamed.error().text();
     desk.follow();
@@ -45,7 +45,7 @@ TEST(TwoWindows, the_second_is_told_who_has_the_show_and_loses_no_draft) {
         EXPECT_TRUE(held.contains(QString("process %1 on ").arg(QCoreApplication::applicationPid())))
             << held.toStdString();
         EXPECT_TRUE(second.document.is_read_only());
-        second.studio.select({0});
+        second.app.select({0});
         const Result<void> renamed = second.edit.rename("Theirs");
         ASSERT_FALSE(renamed.ok());
         EXPECT_NE(renamed.error().text().find("is open in another window: process "), std::string::npos);

@@ -4,8 +4,8 @@
 #include "support/test_desk.h"
 
 #include "ui/actions/air_edit.h"
-#include "ui/actions/hand.h"
 #include "ui/actions/hang_edit.h"
+#include "ui/actions/programmer_actions.h"
 #include "ui/model/looks.h"
 
 #include <random>
@@ -22,16 +22,16 @@ struct WholeDesk : Desk {
         std::string looks;
         bool operator==(const State&) const = default;
     };
-    State state() const { return {document.text(), studio.look(), scene::text_of(looks.all())}; }
+    State state() const { return {document.text(), app.look(), scene::text_of(looks.all())}; }
 
     void choose(std::mt19937& random) {
         std::set<std::size_t> chosen;
-        for (std::size_t i = 0; i < studio.show()->fixtures.size(); ++i)
+        for (std::size_t i = 0; i < app.show()->fixtures.size(); ++i)
             if (random() % 2) chosen.insert(i);
-        studio.select(chosen);
+        app.select(chosen);
     }
     void edit_patch(std::mt19937& random) {
-        const std::size_t count = studio.show()->fixtures.size();
+        const std::size_t count = app.show()->fixtures.size();
         switch (random() % 6) {
         case 0:
             (void)edit.set_address(
@@ -44,7 +44,7 @@ struct WholeDesk : Desk {
             if (count < 12) (void)edit.duplicate({1, 0, 0});
             break;
         case 3:
-            if (studio.selection().size() < count) (void)edit.remove();
+            if (app.selection().size() < count) (void)edit.remove();
             break;
         case 4:
             (void)edit.set_positions("Hang",
@@ -74,19 +74,20 @@ struct WholeDesk : Desk {
         const auto number = static_cast<float>(random() % 8) / 8;
         switch (random() % 4) {
         case 0:
-            change_selected(studio, "intensity", Hand::intensity,
-                            [&](fixture::Manual& manual) { manual.intensity = number; });
+            change_selected(app, "intensity", ProgrammerStep::intensity,
+                            [&](fixture::Programmer& programmer) { programmer.intensity = number; });
             break;
         case 1:
-            change_scene(studio, "smoke", Hand::scene, [&](SceneLook& scene) { scene.smoke = number; });
+            change_scene(app, "smoke", ProgrammerStep::scene,
+                         [&](SceneLook& scene) { scene.smoke = number; });
             break;
         case 2:
-            studio.set_look({}, "release all");
+            app.set_look({}, "release all");
             break;
         default: {
-            Look look = studio.look();
-            look.solo = studio.selection();
-            studio.set_look(std::move(look), "solo");
+            Look look = app.look();
+            look.solo = app.selection();
+            app.set_look(std::move(look), "solo");
         }
         }
     }
@@ -107,8 +108,8 @@ struct WholeDesk : Desk {
         }
     }
 
-    AirEdit air{studio, document};
-    Looks looks{studio};
+    AirEdit air{app, document};
+    Looks looks{app};
 };
 
 TEST(Undo, any_sequence_of_any_kind_comes_back_and_forth) {
@@ -116,7 +117,7 @@ TEST(Undo, any_sequence_of_any_kind_comes_back_and_forth) {
     std::size_t steps = 0;
     for (int round = 0; round < 30; ++round) {
         WholeDesk desk;
-        QUndoStack& stack = desk.studio.undo_stack();
+        QUndoStack& stack = desk.app.undo_stack();
         std::vector<WholeDesk::State> states{desk.state()};
         for (int step = 0; step < 40; ++step) {
             desk.choose(random);

@@ -4,22 +4,22 @@
 // physical data, wheels and their gobos, matrix (pixels and their groups), capabilities (functions of a
 // channel), modes.
 
+#include "base/byte_reader.h"
 #include "base/message_list.h"
+#include "base/result.h"
 #include "fixture_files/common/gobo_files.h"
 #include "fixture_files/common/loaded_type.h"
 #include "fixture_files/common/type_builder.h"
-#include "base/byte_reader.h"
-#include "base/result.h"
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
-#include <filesystem>
 
 namespace ghost::fixture {
 

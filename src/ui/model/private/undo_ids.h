@@ -6,6 +6,6 @@
 namespace ghost::ui {
 
 inline constexpr int kMergeWithin_ms = 1500;
-inline constexpr int kFirstEditId = 1000; // of the show; those of the look (Hand) are below
+inline constexpr int kFirstEditId = 1000; // of the show; those of the look (ProgrammerStep) are below
 
 } // namespace ghost::ui

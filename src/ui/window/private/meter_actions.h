@@ -7,6 +7,6 @@
 
 namespace ghost::ui {
 
-void add_meter_actions(Actions& actions, Studio& studio, View& view);
+void add_meter_actions(Actions& actions, AppModel& app, View& view);
 
 } // namespace ghost::ui

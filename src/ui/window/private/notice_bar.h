@@ -16,7 +16,7 @@ namespace ghost::ui {
 class NoticeBar : public QToolBar {
     Q_OBJECT
 public:
-    NoticeBar(Actions& actions, ShowDocument& document, Studio& studio, QWidget* parent);
+    NoticeBar(Actions& actions, ShowDocument& document, AppModel& app, QWidget* parent);
     QString words() const { return isVisible() ? words_ : QString(); }
 
 private:
@@ -31,7 +31,7 @@ private:
 
     Actions& actions_;
     ShowDocument& document_;
-    Studio& studio_;
+    AppModel& app_;
     QString words_;
     bool says_not_opened_ = false;
     std::set<std::string> errors_; // of the show that was open, without their lines, which move

@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // What a window shows now, as JSON, for scripts and tests: camera, selection, what is set by hand, the
-// picture and its figures. Keys: docs/window.md. Window thread.
+// picture and its figures. Keys: docs/guide/window.md. Window thread.
 
-#include "ui/model/studio.h"
+#include "ui/model/app_model.h"
 #include "ui/picture/view.h"
 
 #include <QJsonObject>
@@ -12,6 +12,6 @@ namespace ghost::ui {
 
 QJsonObject latency_json(const dmx::Latency& latency);
 
-QJsonObject state_json(const Studio& studio, const View& view);
+QJsonObject state_json(const AppModel& app, const View& view);
 
 } // namespace ghost::ui

@@ -17,7 +17,7 @@ class Welcome : public QWidget {
     Q_OBJECT
 public:
     // over: all of which it covers. has_demo: the demo came with the program.
-    Welcome(Actions& actions, Studio& studio, RecentShows& recent, bool has_demo, QWidget* over);
+    Welcome(Actions& actions, AppModel& app, RecentShows& recent, bool has_demo, QWidget* over);
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
@@ -28,7 +28,7 @@ private:
     void refresh();
 
     Actions& actions_;
-    Studio& studio_;
+    AppModel& app_;
     RecentShows& recent_;
     QLabel* says_;
     QWidget* ways_;

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/relight/dirty_tiles.h"
+
+#include "base/check.h"
+#include "shaders/changed_bounds.h"
+#include "shared/beam.h"
+#include "shared/g_buffer.h"
+#include "shared/push.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace ghost::render {
+namespace {
+
+constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+constexpr std::uint32_t kGroup = 64; // changed_bounds.comp
+// Pixels of a stale tile take haze of their neighbours (fold.comp, wide beams): one tile around is drawn too.
+constexpr int kAroundX = static_cast<int>(shared::kTileWidth);
+constexpr int kAroundY = static_cast<int>(shared::kTileHeight);
+// A silhouette takes the haze of the pixel beside it: what changed there changes here.
+constexpr int kBeside = 1;
+
+PixelRect grown(const PixelRect& rect, int x, int y) {
+    return {rect.x0 - x, rect.y0 - y, rect.x1 + x, rect.y1 + y};
+}
+
+std::vector<std::uint32_t> bits_of(const TileSet& tiles, std::size_t words) {
+    std::vector<std::uint32_t> bits(words, 0);
+    for (const std::uint32_t tile : tiles.list()) bits[tile / 32] |= 1u << (tile % 32);
+    return bits;
+}
+
+} // namespace
+
+DirtyTiles::DirtyTiles(const gpu::Device& device, const Fragments& fragments, const gpu::Buffer& rooms)
+    : fragments_(fragments), rooms_(rooms),
+      program_(device, shaders::kShader_changed_bounds, {kStorage, kStorage, kStorage, kStorage}) {
+    const Fragments& f = fragments;
+    bounds_ = gpu::Buffer(device, f.tile_bounds.bytes(), gpu::Access::device);
+    const std::uint64_t words = (std::uint64_t{f.tiles_x} * f.tiles_y + 31) / 32;
+    wanted_ = gpu::Buffer(device, words * sizeof(std::uint32_t), gpu::Access::device);
+    tiles_ = gpu::Buffer(device, kMostTiles * sizeof(std::uint32_t), gpu::Access::device);
+}
+
+bool DirtyTiles::touch(const std::vector<PixelRect>& rects) {
+    bool fits = true;
+    for (auto& [slot, kept] : kept_) {
+        for (const PixelRect& rect : rects) kept.stale.add(grown(rect, kBeside, kBeside));
+        fits = fits && kept.stale.count() <= kMostTiles;
+    }
+    return fits;
+}
+
+void DirtyTiles::made(const ImageSum& sum) {
+    if (sum.target < 0) return;
+    const Fragments& f = fragments_;
+    Kept kept{sum.lights, sum.base, sum.at_unit,
+              TileSet(static_cast<int>(f.width), static_cast<int>(f.height))};
+    for (const Addend& addend : sum.addends) {
+        const auto part = kept_.find(addend.slot);
+        CHECK(part != kept_.end() && part->second.stale.empty());
+        kept.lights.insert(kept.lights.end(), part->second.lights.begin(), part->second.lights.end());
+        kept.base = kept.base || part->second.base;
+    }
+    kept_[sum.target] = std::move(kept);
+}
+
+bool DirtyTiles::is_stale(int slot) const {
+    const auto kept = kept_.find(slot);
+    return kept != kept_.end() && !kept->second.stale.empty();
+}
+
+ImageSum DirtyTiles::mend(int slot, const std::vector<shared::Light>& lights) const {
+    const Kept& kept = kept_.at(slot);
+    ImageSum sum;
+    sum.target = slot;
+    sum.base = kept.base;
+    sum.at_unit = kept.at_unit;
+    add_reaching(kept.lights, lights, kept.stale.rects(), sum.lights);
+    return sum;
+}
+
+void DirtyTiles::add_reaching(const std::vector<int>& indices, const std::vector<shared::Light>& lights,
+                              const std::vector<PixelRect>& rects, std::vector<int>& to) const {
+    for (const int index : indices) {
+        const shared::Light& light = lights[static_cast<std::size_t>(index)];
+        if (std::any_of(rects.begin(), rects.end(), [&](const PixelRect& rect) {
+                return may_reach(light, fragments_.camera, grown(rect, kAroundX, kAroundY));
+            }))
+            to.push_back(index);
+    }
+}
+
+ImageSum DirtyTiles::patch(const ImageSum& sum, const std::vector<shared::Light>& lights,
+                           TileSet& tiles) const {
+    tiles = TileSet(static_cast<int>(fragments_.width), static_cast<int>(fragments_.height));
+    for (const Addend& addend : sum.addends)
+        if (is_stale(addend.slot)) tiles.add(kept_.at(addend.slot).stale);
+    const std::vector<PixelRect> rects = tiles.rects();
+    ImageSum patch;
+    patch.target = sum.target;
+    patch.base = sum.base;
+    add_reaching(sum.lights, lights, rects, patch.lights);
+    for (const Addend& addend : sum.addends) {
+        if (!is_stale(addend.slot)) {
+            patch.addends.push_back(addend);
+            continue;
+        }
+        const Kept& kept = kept_.at(addend.slot);
+        patch.base = patch.base || kept.base;
+        add_reaching(kept.lights, lights, rects, patch.lights);
+    }
+    return patch;
+}
+
+std::uint32_t DirtyTiles::record(gpu::Commands& commands, int slot) {
+    const TileSet fresh(static_cast<int>(fragments_.width), static_cast<int>(fragments_.height));
+    return record(commands, std::exchange(kept_.at(slot).stale, fresh));
+}
+
+std::uint32_t DirtyTiles::record(gpu::Commands& commands, const TileSet& stale) {
+    const Fragments& f = fragments_;
+    const std::uint32_t tiles = f.tiles_x * f.tiles_y;
+    const std::size_t words = (tiles + 31) / 32;
+    TileSet around(static_cast<int>(f.width), static_cast<int>(f.height));
+    for (const PixelRect& rect : stale.rects()) around.add(grown(rect, kAroundX, kAroundY));
+    commands.begin_span("mend");
+    for (const bool blocks : {false, true}) {
+        commands.write(wanted_, bits_of(blocks ? stale : around, words));
+        commands.dispatch(
+            program_, shared::ChangedBoundsPush{tiles, f.blocks, blocks ? 1u : 0u},
+            {gpu::storage(f.tile_bounds), gpu::storage(bounds_), gpu::storage(rooms_), gpu::storage(wanted_)},
+            (tiles + f.blocks + kGroup - 1) / kGroup);
+        commands.barrier();
+    }
+    commands.write(tiles_, stale.list());
+    return static_cast<std::uint32_t>(stale.count());
+}
+
+bool may_reach(const shared::Light& light, const shared::View& view, const PixelRect& rect) {
+    if (std::max({light.intensity_cd.x, light.intensity_cd.y, light.intensity_cd.z}) <= 0.0f) return false;
+    const glm::vec2 size(static_cast<float>(view.width), static_cast<float>(view.height));
+    const glm::vec2 low(static_cast<float>(rect.x0), static_cast<float>(rect.y0));
+    const glm::vec2 high(static_cast<float>(rect.x1), static_cast<float>(rect.y1));
+    const glm::vec2 middle = (low + high) / size - 1.0f; // -1..1
+    const glm::vec2 half = (high - low) / size;
+    const glm::vec3 ray = view.forward + view.right * middle.x - view.up * middle.y;
+    const glm::vec3 way = glm::normalize(ray);
+    const float spread = glm::length(view.right * half.x + view.up * half.y) / glm::length(ray);
+    const float k = light.tan_field * light.cut_radius;
+    const float back_per_m = std::sqrt(1.0f + k * k) / k;
+    const glm::vec3 dq = shared::to_gate(light, way);
+    // Piece by piece, each as wide as the bundle of rays is at its far end (see cull.comp).
+    for (float near_m = 0.0f, far_m = 4.0f; near_m < shared::kFarthest_m; near_m = far_m, far_m *= 2.0f) {
+        const float radius_m = far_m * spread * 1.05f + 1e-3f;
+        glm::vec3 q = shared::to_gate(light, view.eye_m - light.position_m);
+        q.z += radius_m * back_per_m;
+        const glm::vec2 part = shared::clip_to_cone(q, dq, k, far_m + radius_m);
+        if (part.y > part.x && part.y > near_m - radius_m) return true;
+    }
+    return false;
+}
+
+} // namespace ghost::render

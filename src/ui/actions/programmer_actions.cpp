@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/programmer_actions.h"
+
+#include "base/suggest.h"
+#include "base/text.h"
+#include "image/colour.h"
+#include "stage/overrides.h"
+#include "ui/model/head_parameters.h"
+
+#include <QColor>
+
+#include <algorithm>
+
+namespace ghost::ui {
+namespace {
+
+Result<void> need_selection(const AppModel& app) {
+    if (!app.selection().empty()) return {};
+    return Error{"no fixture is selected", ""};
+}
+
+Result<bool> switch_of(const QStringList& arguments, int index) {
+    const QString word = index < arguments.size() ? arguments[index] : QString();
+    if (word == "on") return true;
+    if (word == "off") return false;
+    return Error{"'" + word.toStdString() + "' is neither on nor off", ""};
+}
+
+// One number for all selected fixtures.
+void add_number(Actions& actions, AppModel& app, const QString& name, ProgrammerStep kind, double low,
+                double high, std::optional<float> fixture::Programmer::*value) {
+    actions.add({name,
+                 "",
+                 name,
+                 "",
+                 "NUMBER",
+                 [&app, name, kind, low, high, value](const QStringList& words) -> Result<void> {
+                     TRY_VOID(need_selection(app));
+                     TRY(const double number, number_of(words, 0, "number", low, high));
+                     change_selected(app, name, kind, [&](fixture::Programmer& programmer) {
+                         programmer.*value = static_cast<float>(number);
+                     });
+                     return {};
+                 },
+                 {}});
+}
+
+// By the name of GDTF or the words of the panel.
+Result<void> set_parameter_by_name(AppModel& app, const QStringList& words) {
+    TRY_VOID(need_selection(app));
+    std::optional<float> share;
+    if (words.value(1) != "off") {
+        TRY(const double number, number_of(words, 1, "share", 0, 1));
+        share = static_cast<float>(number);
+    }
+    std::vector<std::string> names;
+    for (const HeadParameter& parameter : parameters_of(*app.show(), app.selection())) {
+        names.push_back(parameter.attribute);
+        if (words.value(0) != QString::fromStdString(parameter.attribute) && words.value(0) != parameter.name)
+            continue;
+        Look look = app.look();
+        for (const std::size_t index : app.selection())
+            set_parameter(app.show()->fixtures[index], parameter.attribute, share, look.fixtures[index]);
+        app.set_look(std::move(look), parameter.name.toLower());
+        return {};
+    }
+    return Error{"no selected fixture has '" + words.value(0).toStdString() + "'" +
+                     did_you_mean(words.value(0).toStdString(), names),
+                 ""};
+}
+
+void add_fixture_actions(Actions& actions, AppModel& app) {
+    add_number(actions, app, "intensity", ProgrammerStep::intensity, 0, 1, &fixture::Programmer::intensity);
+    add_number(actions, app, "zoom", ProgrammerStep::zoom, 0.05, 160, &fixture::Programmer::zoom_deg);
+    add_number(actions, app, "pan", ProgrammerStep::pan, -3600, 3600, &fixture::Programmer::pan_deg);
+    add_number(actions, app, "tilt", ProgrammerStep::tilt, -3600, 3600, &fixture::Programmer::tilt_deg);
+    actions.add({"colour",
+                 "",
+                 "colour",
+                 "",
+                 "#RRGGBB",
+                 [&app](const QStringList& words) -> Result<void> {
+                     TRY_VOID(need_selection(app));
+                     const QColor colour(words.value(0));
+                     if (!colour.isValid())
+                         return Error{"'" + words.value(0).toStdString() + "' is no colour like #ff8000", ""};
+                     change_selected(
+                         app, "colour", ProgrammerStep::colour,
+                         [&](fixture::Programmer& programmer) { programmer.colour = filter_from(colour); });
+                     return {};
+                 },
+                 {}});
+    actions.add({"parameter",
+                 "",
+                 "parameter",
+                 "",
+                 "ATTRIBUTE SHARE|off",
+                 [&app](const QStringList& words) { return set_parameter_by_name(app, words); },
+                 {}});
+    actions.add({"gobo",
+                 "",
+                 "gobo",
+                 "",
+                 "SLOT",
+                 [&app](const QStringList& words) -> Result<void> {
+                     TRY_VOID(need_selection(app));
+                     TRY(const double slot, number_of(words, 0, "slot, 0 is open,", 0, 255));
+                     change_selected(app, "gobo", ProgrammerStep::gobo, [&](fixture::Programmer& programmer) {
+                         programmer.gobo = static_cast<int>(slot);
+                     });
+                     return {};
+                 },
+                 {}});
+    actions.add({"release",
+                 "Edit",
+                 "Release selected fixtures",
+                 "R",
+                 "",
+                 [&app](const QStringList&) -> Result<void> {
+                     const Look& look = app.look();
+                     const std::set<std::size_t>& selection = app.selection();
+                     if (std::none_of(selection.begin(), selection.end(),
+                                      [&](std::size_t one) { return look.fixtures.contains(one); }))
+                         return Error{selection.empty()
+                                          ? "no fixture is selected; Shift+R releases everything"
+                                          : "nothing of the selected fixtures is set by hand; "
+                                            "Shift+R releases everything",
+                                      ""};
+                     change_selected(app, "release", ProgrammerStep::step,
+                                     [](fixture::Programmer& programmer) { programmer = {}; });
+                     return {};
+                 },
+                 {}});
+    actions.add({"release-all",
+                 "Edit",
+                 "Release everything set by hand",
+                 "Shift+R",
+                 "",
+                 [&app](const QStringList&) -> Result<void> {
+                     app.set_look({}, "release everything");
+                     return {};
+                 },
+                 {}});
+}
+
+void add_scene_actions(Actions& actions, AppModel& app) {
+    actions.add({"smoke",
+                 "",
+                 "smoke",
+                 "",
+                 "FACTOR",
+                 [&app](const QStringList& words) -> Result<void> {
+                     TRY(const double factor, number_of(words, 0, "factor", 0, 20));
+                     change_scene(app, "smoke", ProgrammerStep::scene,
+                                  [&](SceneLook& scene) { scene.smoke = static_cast<float>(factor); });
+                     return {};
+                 },
+                 {}});
+    actions.add({"ambient",
+                 "",
+                 "ambient",
+                 "",
+                 "LUX [#RRGGBB]",
+                 [&app](const QStringList& words) -> Result<void> {
+                     TRY(const double lux, number_of(words, 0, "number of lux", 0, 100000));
+                     const QColor colour(words.value(1, "#ffffff"));
+                     if (!colour.isValid())
+                         return Error{"'" + words.value(1).toStdString() + "' is no colour like #ff8000", ""};
+                     change_scene(app, "even light", ProgrammerStep::scene, [&](SceneLook& scene) {
+                         scene.ambient_lux = static_cast<float>(lux);
+                         if (words.size() > 1) scene.ambient_colour = filter_from(colour);
+                     });
+                     return {};
+                 },
+                 {}});
+    actions.add({"attenuation",
+                 "",
+                 "attenuation",
+                 "",
+                 "CONSTANT LINEAR QUADRATIC",
+                 [&app](const QStringList& words) -> Result<void> {
+                     glm::vec3 factors(0);
+                     for (int i = 0; i < 3; ++i) {
+                         TRY(const double factor, number_of(words, i, "factor", 0, 1000));
+                         factors[i] = static_cast<float>(factor);
+                     }
+                     if (factors == glm::vec3(0)) return Error{"one of the factors must be above 0", ""};
+                     change_scene(app, "attenuation", ProgrammerStep::scene,
+                                  [&](SceneLook& scene) { scene.attenuation = factors; });
+                     return {};
+                 },
+                 {}});
+    actions.add({"samples",
+                 "",
+                 "samples",
+                 "",
+                 "NUMBER",
+                 [&app](const QStringList& words) -> Result<void> {
+                     TRY(const double samples, number_of(words, 0, "number of samples", 1, 256));
+                     change_samples(app, static_cast<int>(samples));
+                     return {};
+                 },
+                 {}});
+    actions.add({"shadows",
+                 "",
+                 "shadows",
+                 "",
+                 "on|off",
+                 [&app](const QStringList& words) -> Result<void> {
+                     TRY(const bool on, switch_of(words, 0));
+                     change_scene(app, "shadows", ProgrammerStep::step,
+                                  [&](SceneLook& scene) { scene.shadows = on; });
+                     return {};
+                 },
+                 {}});
+    actions.add({"object",
+                 "",
+                 "object",
+                 "",
+                 "NAME on|off",
+                 [&app](const QStringList& words) -> Result<void> {
+                     TRY(const bool on, switch_of(words, 1));
+                     Look look = app.look();
+                     bool found = false;
+                     for (const Object& object : app.opened().objects) {
+                         if (!matches(words[0].toStdString(), object.name)) continue;
+                         found = true;
+                         look.shown.erase(object.instance);
+                         if (object.shown != on) look.shown[object.instance] = on;
+                     }
+                     if (!found) return Error{"there is no object '" + words[0].toStdString() + "'", ""};
+                     app.set_look(std::move(look), on ? "show object" : "hide object");
+                     return {};
+                 },
+                 {}});
+    actions.add(
+        {"surface",
+         "",
+         "surface",
+         "",
+         "MATERIAL specular|roughness|shininess NUMBER",
+         [&app](const QStringList& words) -> Result<void> {
+             const QString key = words.value(1);
+             if (key != "specular" && key != "roughness" && key != "shininess")
+                 return Error{"'" + key.toStdString() + "' is none of specular, roughness, shininess", ""};
+             TRY(const double number, number_of(words, 2, "number", 0, key == "shininess" ? 100000 : 1));
+             Look look = app.look();
+             bool found = false;
+             const auto& materials = app.opened().materials;
+             for (std::size_t i = 0; i < materials.size(); ++i) {
+                 if (!matches(words[0].toStdString(), materials[i].name)) continue;
+                 found = true;
+                 const auto value = static_cast<float>(number);
+                 if (key == "specular")
+                     look.surfaces[i].specular = value;
+                 else
+                     look.surfaces[i].roughness =
+                         key == "roughness" ? value : scene::roughness_from_shininess(value);
+             }
+             if (!found) return Error{"there is no material '" + words[0].toStdString() + "'", ""};
+             app.set_look(std::move(look), key, static_cast<int>(ProgrammerStep::surface));
+             return {};
+         },
+         {}});
+}
+
+} // namespace
+
+glm::vec3 filter_from(const QColor& colour) {
+    const auto linear = [](double encoded) { return image::srgb_to_linear(static_cast<float>(encoded)); };
+    const glm::vec3 rgb =
+        image::rec709_to_rec2020({linear(colour.redF()), linear(colour.greenF()), linear(colour.blueF())});
+    return rgb / std::max({rgb.x, rgb.y, rgb.z, 1e-4f});
+}
+
+QColor screen_colour(const glm::vec3& rec2020) {
+    glm::vec3 rgb = glm::max(image::rec2020_to_rec709(rec2020), glm::vec3(0));
+    rgb /= std::max({rgb.x, rgb.y, rgb.z, 1.0f});
+    return QColor::fromRgbF(image::linear_to_srgb(rgb.x), image::linear_to_srgb(rgb.y),
+                            image::linear_to_srgb(rgb.z));
+}
+
+void change_samples(AppModel& app, std::optional<int> samples) {
+    Look look = app.look();
+    look.haze_samples = samples;
+    app.set_look(std::move(look), samples ? "samples" : "release samples",
+                 static_cast<int>(samples ? ProgrammerStep::samples : ProgrammerStep::step));
+}
+
+QString words_of(const Look& look) {
+    QStringList words;
+    const auto add = [&](std::size_t count, const QString& thing) {
+        if (count > 0) words << QString("%1 %2%3").arg(count).arg(thing, count == 1 ? "" : "s");
+    };
+    add(look.fixtures.size(), "fixture");
+    if (look.scene != SceneLook{}) words << "scene";
+    add(look.shown.size(), "object");
+    add(look.surfaces.size(), "material");
+    if (!look.solo.empty()) words << "solo";
+    if (look.haze_samples) words << "samples";
+    return words.join(", ");
+}
+
+void add_programmer_actions(Actions& actions, AppModel& app) {
+    add_fixture_actions(actions, app);
+    add_scene_actions(actions, app);
+}
+
+} // namespace ghost::ui

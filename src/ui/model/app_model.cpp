@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/model/app_model.h"
+
+#include "beam_groups/light_places.h"
+#include "show/camera_moves.h"
+#include "show/show.h"
+#include "ui/model/look_fade.h"
+#include "ui/model/private/undo_ids.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <utility>
+
+namespace ghost::ui {
+namespace {
+
+constexpr int kTravelStep_ms = 16;
+constexpr int kFadeStep_ms = 33;
+
+// Until the engine says what shines.
+RigNow rig_at_home(const scene::Show& show) {
+    RigNow rig;
+    for (const scene::PatchedFixture& fixture : show.fixtures)
+        rig.fixtures.push_back({.light_m = scene::light_position_m(fixture, 0)});
+    return rig;
+}
+
+} // namespace
+
+// From one look to another.
+class LookStep : public QUndoCommand {
+public:
+    LookStep(AppModel& app, Look before, Look after, const QString& text, int kind)
+        : QUndoCommand(text), app_(app), before_(std::move(before)), after_(std::move(after)), kind_(kind) {
+        age_.start();
+    }
+    void undo() override { app_.put_look(before_); }
+    void redo() override { app_.put_look(after_); }
+    int id() const override { return kind_ == 0 ? -1 : kind_; }
+    bool mergeWith(const QUndoCommand* next) override {
+        const auto* later = static_cast<const LookStep*>(next);
+        if (age_.elapsed() > kMergeWithin_ms) return false;
+        after_ = later->after_;
+        age_.restart();
+        return true;
+    }
+
+private:
+    AppModel& app_;
+    Look before_, after_;
+    int kind_;
+    QElapsedTimer age_;
+};
+
+AppModel::AppModel(Link& link) : link_(link), jobs_(QCoreApplication::applicationFilePath()) {
+    link_.on_news = [this] {
+        // One call waits at a time, however fast the engine is.
+        if (!news_posted_.exchange(true))
+            QMetaObject::invokeMethod(
+                this, [this] { read_news(); }, Qt::QueuedConnection);
+    };
+    request_.camera.width = 0; // nothing is drawn before a show is open
+    undo_.setUndoLimit(500);
+    travel_timer_.setInterval(kTravelStep_ms);
+    connect(&travel_timer_, &QTimer::timeout, this, &AppModel::step_travel);
+    fade_timer_.setInterval(kFadeStep_ms);
+    connect(&fade_timer_, &QTimer::timeout, this, &AppModel::show_look);
+}
+
+void AppModel::read_news() {
+    news_posted_ = false;
+    const auto begin = std::chrono::steady_clock::now();
+    // Before the picture: one that was put first has come when this has.
+    if (auto news = link_.settled.take()) settled_ = *news;
+    if (auto news = link_.activity.take()) {
+        activity_ = std::move(*news);
+        Q_EMIT activity_came();
+    }
+    if (auto news = link_.not_opened.take()) {
+        answered_opens_ = request_.opens;
+        open_error_ = *news;
+        Q_EMIT failed(QString::fromStdString(news->text()));
+        Q_EMIT not_opened();
+    }
+    if (auto news = link_.failed.take()) Q_EMIT failed(QString::fromStdString(news->text()));
+    if (auto news = link_.opened.take()) take_opened(std::move(*news));
+    if (auto news = link_.messages.take()) {
+        messages_ = std::move(*news);
+        Q_EMIT messages_came();
+    }
+    if (auto news = link_.plot.take()) {
+        plot_ = std::move(*news);
+        Q_EMIT plot_came();
+    }
+    if (auto news = link_.activity_of_recording.take()) {
+        waveform_ = std::move(*news);
+        Q_EMIT waveform_came();
+    }
+    if (auto news = link_.probed.take(); news && request_.probe) {
+        probed_ = std::move(*news);
+        Q_EMIT probe_came();
+    }
+    if (auto news = link_.picked.take(); news && news->number == request_.pick.number) {
+        picked_ = std::move(*news);
+        Q_EMIT picked_came();
+    }
+    if (auto news = link_.recorded.take()) {
+        recorded_ = std::move(*news);
+        if (request_.record_to == recorded_.file)
+            wish([](ViewRequest& request) { request.record_to.clear(); });
+        Q_EMIT recording_ended();
+    }
+    if (auto news = link_.saved.take()) {
+        saved_ = news->number;
+        Q_EMIT picture_saved(news->error ? QString::fromStdString(news->error->text()) : QString());
+    }
+    if (auto news = link_.camera_call.take()) {
+        if (news->flight_s > 0)
+            travel_to_stored(news->camera, static_cast<int>(1000 * news->flight_s));
+        else
+            cut_to(news->camera);
+    }
+    if (auto news = link_.rig.take()) {
+        rig_ = std::move(*news);
+        Q_EMIT rig_came();
+    }
+    if (auto news = link_.picture.take()) {
+        picture_ = std::move(*news);
+        Q_EMIT picture_came();
+    }
+    if (auto news = link_.network.take()) {
+        network_ = std::move(*news);
+        Q_EMIT network_came();
+    }
+    if (auto news = link_.verdicts.take(); news && request_.explains_all) {
+        verdicts_ = std::move(*news);
+        Q_EMIT verdicts_came();
+    }
+    if (auto news = link_.explained.take()) {
+        explained_ = std::move(*news);
+        Q_EMIT explanation_came();
+    }
+    news_cost_ += std::chrono::steady_clock::now() - begin;
+}
+
+std::uint64_t AppModel::pick(const glm::vec3& from_m, const glm::vec3& way) {
+    const std::uint64_t number = request_.pick.number + 1;
+    wish([&](ViewRequest& request) { request.pick = {number, from_m, way}; });
+    return number;
+}
+
+void AppModel::take_opened(Opened opened) {
+    // An edit later than this one is shown already.
+    if (opened.is_edit && opened.text != request_.text) return;
+    opened_ = std::move(opened);
+    if (opened_.is_edit) {
+        show_edit();
+        return;
+    }
+    answered_opens_ = std::max(answered_opens_, opened_.opens);
+    patch_ = opened_.show ? scene::PatchMap(*opened_.show) : scene::PatchMap();
+    latency_ = window_cost_ = {};
+    waveform_.clear();
+    travel_timer_.stop();
+    undo_.clear();
+    selection_.clear();
+    rig_ = opened_.show ? rig_at_home(*opened_.show) : RigNow{};
+    explained_ = {};
+    verdicts_.clear();
+    fade_timer_.stop();
+    look_ = on_the_way_ = request_.look = {};
+    request_.explained.reset();
+    if (!opened_.again) {
+        request_.transport = {};
+        request_.recording.clear();
+        request_.input = Input::automatic; // what was chosen for a show before says nothing of this one
+        request_.black_out = request_.frozen = false;
+    }
+    Q_EMIT opened_show(); // the view says how large it is, and from where it looks
+    Q_EMIT selection_changed();
+    Q_EMIT look_changed();
+}
+
+void AppModel::open(const std::string& show) {
+    if (show == request_.show && !open_error_) return;
+    open_error_.reset();
+    wish([&](ViewRequest& request) {
+        request.text.reset();
+        request.show = show;
+        ++request.opens;
+    });
+}
+
+void AppModel::set_camera(const scene::Camera& camera) {
+    travel_timer_.stop();
+    wish([&](ViewRequest& request) { request.camera = camera; });
+}
+
+void AppModel::cut_to(const scene::Camera& stored) {
+    travel_timer_.stop();
+    wish([&](ViewRequest& request) {
+        request.frame = {stored.width, stored.height};
+        const int width = request.camera.width, height = request.camera.height;
+        request.camera = stored;
+        request.camera.width = width;
+        request.camera.height = height;
+    });
+}
+
+void AppModel::set_size(int width, int height) {
+    view_size_ = {width, height};
+    send_size();
+}
+
+void AppModel::set_second_size(const QSize& size) {
+    second_size_ = size;
+    if (!view_size_.isEmpty()) send_size();
+}
+
+void AppModel::send_size() {
+    const auto pixels = [](const QSize& size) { return qint64{size.width()} * size.height(); };
+    const QSize size =
+        !second_size_.isEmpty() && pixels(second_size_) > pixels(view_size_) ? second_size_ : view_size_;
+    travel_to_.width = size.width();
+    travel_to_.height = size.height();
+    wish([&](ViewRequest& request) {
+        request.camera.width = size.width();
+        request.camera.height = size.height();
+    });
+}
+
+void AppModel::count_window(std::chrono::nanoseconds cost) {
+    window_cost_.add(cost + std::exchange(news_cost_, std::chrono::nanoseconds{0}));
+}
+
+void AppModel::reset_figures() {
+    latency_ = {};
+    window_cost_ = {};
+}
+
+void AppModel::travel_to(const scene::Camera& camera, int travel_ms) {
+    travel_ms_ = std::max(travel_ms, 1);
+    travel_from_ = request_.camera;
+    travel_to_ = camera;
+    travel_to_.width = travel_from_.width;
+    travel_to_.height = travel_from_.height;
+    frame_from_ = frame_to_ = request_.frame;
+    travel_clock_.start();
+    travel_timer_.start();
+}
+
+void AppModel::travel_to_stored(const scene::Camera& stored, int travel_ms) {
+    travel_to(stored, travel_ms);
+    frame_to_ = {stored.width, stored.height};
+    if (frame_from_ == glm::ivec2(0)) frame_from_ = frame_to_;
+}
+
+void AppModel::look_at(const glm::vec3& centre_m, float radius_m) {
+    scene::Camera camera = request_.camera;
+    if (request_.frame != glm::ivec2(0)) {
+        camera.width = request_.frame.x;
+        camera.height = request_.frame.y;
+    }
+    travel_to(scene::focused(camera, centre_m, radius_m));
+}
+
+void AppModel::step_travel() {
+    const float share =
+        std::min(static_cast<float>(travel_clock_.elapsed()) / static_cast<float>(travel_ms_), 1.0f);
+    scene::Camera camera = share < 1 ? scene::camera_between(travel_from_, travel_to_, share) : travel_to_;
+    camera.width = request_.camera.width;
+    camera.height = request_.camera.height;
+    if (share >= 1) travel_timer_.stop();
+    wish([&](ViewRequest& request) {
+        request.camera = camera;
+        request.frame = glm::ivec2(glm::round(glm::mix(glm::vec2(frame_from_), glm::vec2(frame_to_), share)));
+    });
+}
+
+void AppModel::set_exposure(float ev100, bool automatic) {
+    for (scene::Camera* end : {&travel_from_, &travel_to_}) {
+        end->ev100 = ev100;
+        end->auto_exposure = automatic;
+    }
+    wish([&](ViewRequest& request) {
+        request.camera.ev100 = ev100;
+        request.camera.auto_exposure = automatic;
+    });
+}
+
+void AppModel::set_look(Look look, const QString& text, int kind) {
+    std::erase_if(look.fixtures, [](const auto& entry) { return entry.second.is_empty(); });
+    std::erase_if(look.surfaces, [](const auto& entry) { return entry.second.is_empty(); });
+    if (look == look_) return;
+    undo_.push(new LookStep(*this, look_, std::move(look), text, kind));
+}
+
+void AppModel::fade_to(Look look, const QString& text, double seconds) {
+    next_fade_s_ = std::max(seconds, 0.0);
+    set_look(std::move(look), text);
+    next_fade_s_ = 0;
+}
+
+void AppModel::put_look(const Look& look) {
+    const double fade_s = std::exchange(next_fade_s_, 0.0);
+    if (fade_s > 0) {
+        fade_from_ = on_the_way_; // an earlier fade may not be over
+        fade_s_ = fade_s;
+        fade_clock_.start();
+        fade_timer_.start();
+    } else if (fades()) {
+        keep_changes(fade_from_, look_, look);
+    }
+    look_ = look;
+    show_look();
+    Q_EMIT look_changed();
+}
+
+// The look as it is meant, or on its way there, with what solo leaves.
+void AppModel::show_look() {
+    const double share = fades() ? static_cast<double>(fade_clock_.elapsed()) * 1e-3 / fade_s_ : 1.0;
+    if (share >= 1) fade_timer_.stop();
+    Look shown = share < 1 ? faded(fade_from_, look_, *show(), rig_, static_cast<float>(share)) : look_;
+    on_the_way_ = shown;
+    if (show()) leave_solo(shown, show()->fixtures.size());
+    wish([&](ViewRequest& request) { request.look = std::move(shown); });
+}
+
+void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
+                        std::set<std::size_t> selection) {
+    opened_.show = std::make_shared<const scene::Show>(std::move(preview));
+    opened_.is_edit = true;
+    selection_ = std::move(selection);
+    wish([&](ViewRequest& request) {
+        request.text = std::move(text);
+        request.look = look;
+    });
+    fade_timer_.stop(); // it counts fixtures as they were
+    look_ = look;
+    show_look();
+    show_edit();
+}
+
+void AppModel::show_edit() {
+    patch_ = scene::PatchMap(*show());
+    std::erase_if(selection_, [&](std::size_t index) { return index >= show()->fixtures.size(); });
+    wish([&](ViewRequest& request) { request.explained = current(); });
+    Q_EMIT opened_show();
+    Q_EMIT selection_changed();
+    Q_EMIT look_changed();
+}
+
+void AppModel::select(std::set<std::size_t> fixtures) {
+    const std::size_t count = show() ? show()->fixtures.size() : 0;
+    std::erase_if(fixtures, [&](std::size_t index) { return index >= count; });
+    if (fixtures == selection_) return;
+    selection_ = std::move(fixtures);
+    wish([&](ViewRequest& request) { request.explained = current(); });
+    Q_EMIT selection_changed();
+}
+
+void AppModel::mark(std::optional<std::size_t> object) {
+    if (object == marked_) return;
+    marked_ = object;
+    Q_EMIT marked_changed();
+}
+
+std::optional<std::size_t> AppModel::marked() const {
+    return marked_ && *marked_ < opened_.objects.size() ? marked_ : std::nullopt;
+}
+
+std::optional<std::size_t> AppModel::current() const {
+    return selection_.empty() ? std::nullopt : std::optional(*selection_.begin());
+}
+
+void AppModel::send() {
+    ++request_.number;
+    link_.request.put(request_);
+    link_.wake.raise();
+    Q_EMIT wishes_changed();
+}
+
+} // namespace ghost::ui

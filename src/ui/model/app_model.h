@@ -1,0 +1,207 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// AppModel: what all parts of the window share: the show that is open, the newest news of the engine, what is
+// selected, and what is wished for. Parts change it through its functions and hear of it through its signals;
+// they do not know each other. Every change of the look can be undone. Window thread.
+
+#include "diagnose/diagnosis.h"
+#include "link/link.h"
+#include "ui/model/jobs.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QSize>
+#include <QTimer>
+#include <QUndoStack>
+
+#include <set>
+#include <string>
+
+namespace ghost::ui {
+
+class AppModel : public QObject {
+    Q_OBJECT
+public:
+    static constexpr int kTravel_ms = 900;
+
+    // Sets Link::on_news.
+    explicit AppModel(Link& link);
+
+    // What the engine said last.
+    const std::shared_ptr<const scene::Show>& show() const { return opened_.show; } // null: none is open
+    const Opened& opened() const { return opened_; }
+    const Picture& picture() const { return picture_; }
+    const RigNow& rig() const { return rig_; }
+    const dmx::Statistics& network() const { return network_; }
+    // What is wrong with it, for the show that is open.
+    std::vector<scene::Sentence> diagnosis() const { return scene::diagnose(network_, patch_); }
+    const scene::PatchMap& patch() const { return patch_; }
+    const Explained& explained() const { return explained_; }
+    // Of all fixtures; empty: nobody wants them, or they come. Some seconds old.
+    const std::vector<Verdict>& verdicts() const { return verdicts_; }
+    const std::vector<Message>& messages() const { return messages_; }
+    const std::string& activity() const { return activity_; }
+    const std::vector<float>& waveform() const { return waveform_; } // of the recording; empty: not known
+    const std::optional<Probed>& probed() const { return probed_; }  // of the place that is wished for
+    const Recorded& recorded() const { return recorded_; }           // the last one
+    std::uint64_t saved() const { return saved_; } // number of the picture that was saved last
+    // Came from the network and may be taken; number 0: none yet.
+    const ReceivedPlot& plot() const { return plot_; }
+
+    // What is wished for.
+    const ViewRequest& request() const { return request_; }
+    // As it is meant; while it fades, the request has one on the way there.
+    const Look& look() const { return look_; }
+    const scene::Camera& camera() const { return request_.camera; }
+    // Nothing happens where it is open or being opened; one that could not be is tried again.
+    void open(const std::string& show);
+    bool is_opening() const { return answered_opens_ < request_.opens; }
+    // Why the one that was asked for last is not open; the one before may still be.
+    const std::optional<Error>& open_error() const { return open_error_; }
+    // Asks what is met first on that way; picked_came says it, most often within a frame. Returns the number
+    // of the request: a newer one takes its place.
+    std::uint64_t pick(const glm::vec3& from_m, const glm::vec3& way);
+    const Picked& picked() const { return picked_; }
+    // Ends a travel.
+    void set_camera(const scene::Camera& camera);
+    // Likewise, with the frame that camera has of its own.
+    void cut_to(const scene::Camera& stored);
+    // Pixels of the picture.
+    void set_size(int width, int height);
+    // Of a second window, empty: there is none. The picture is drawn for the larger of the two.
+    void set_second_size(const QSize& size);
+    // What the window spends on a picture: its news, and painting it.
+    const dmx::Latency& window_cost() const { return window_cost_; }
+    void count_window(std::chrono::nanoseconds cost);
+    // Both counts begin anew.
+    void reset_figures();
+    // Smoothly, in about a second if nothing else is said.
+    void travel_to(const scene::Camera& camera, int travel_ms = kTravel_ms);
+    // Likewise, to the frame that camera has of its own.
+    void travel_to_stored(const scene::Camera& stored, int travel_ms = kTravel_ms);
+    // Likewise: the ball fills the frame.
+    void look_at(const glm::vec3& centre_m, float radius_m);
+    bool travels() const { return travel_timer_.isActive(); }
+    // Of the camera as it is and, while it travels, of both ends.
+    void set_exposure(float ev100, bool automatic);
+    // Changes nobody undoes: anything but the look.
+    template <class F>
+    void wish(F&& f) {
+        f(request_);
+        send();
+    }
+    // text: what was done, for the undo list. Changes of one kind that follow each other closely, as those of
+    // a slider, are one step; kind 0: always a step of its own.
+    void set_look(Look look, const QString& text, int kind = 0);
+    // The same as one step, in so many seconds; what hands change meanwhile is there at once.
+    void fade_to(Look look, const QString& text, double seconds);
+    bool fades() const { return fade_timer_.isActive(); }
+    QUndoStack& undo_stack() { return undo_; }
+    // The show is another text now, with what goes by index of the fixture as that text counts. It is shown
+    // at once as `preview`, until the engine has opened it.
+    void put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,
+                  std::set<std::size_t> selection);
+
+    // Long work in the background.
+    Jobs& jobs() { return jobs_; }
+    const Jobs& jobs() const { return jobs_; }
+
+    // From the receipt of packets to the painting of the picture that shows them first.
+    const dmx::Latency& latency() const { return latency_; }
+    void count_latency(std::chrono::nanoseconds latency) { latency_.add(latency); }
+
+    // Fixtures, by index of the show.
+    const std::set<std::size_t>& selection() const { return selection_; }
+    void select(std::set<std::size_t> fixtures);
+    // An object of the stage that the picture shall point out; index into Opened::objects.
+    void mark(std::optional<std::size_t> object);
+    std::optional<std::size_t> marked() const;
+    // The one that panels are about: the first selected one.
+    std::optional<std::size_t> current() const;
+
+    // Whether the picture shows all that is wished for, at rest.
+    bool is_settled() const {
+        return show() && !is_opening() && !travels() && !fades() && settled_ == request_.number;
+    }
+
+Q_SIGNALS:
+    void opened_show();
+    void failed(const QString& what);
+    void not_opened(); // open_error says why; failed says it, too
+    void picture_came();
+    void rig_came();
+    void network_came();
+    void explanation_came();
+    void verdicts_came();
+    void messages_came();
+    void activity_came();
+    void probe_came();
+    void picked_came();
+    void waveform_came();
+    void recording_ended();
+    void picture_saved(const QString& error); // empty: it is there
+    void plot_came();
+    void wishes_changed();
+    void look_changed();
+    void selection_changed();
+    void marked_changed();
+
+private:
+    friend class LookStep;
+
+    void read_news();
+    void take_opened(Opened opened);
+    void show_edit();
+    void put_look(const Look& look);
+    void show_look();
+    void send_size();
+    void step_travel();
+    void send();
+
+    Link& link_;
+    std::atomic<bool> news_posted_{false};
+    Opened opened_;
+    Picture picture_;
+    RigNow rig_;
+    dmx::Statistics network_;
+    scene::PatchMap patch_; // of the show
+    dmx::Latency latency_;
+    dmx::Latency window_cost_;
+    std::chrono::nanoseconds news_cost_{0}; // since the last picture was painted
+    QSize view_size_, second_size_;
+    Explained explained_;
+    std::vector<Verdict> verdicts_;
+    std::vector<Message> messages_;
+    std::string activity_;
+    ReceivedPlot plot_;
+    std::optional<Probed> probed_;
+    Picked picked_;
+    std::vector<float> waveform_;
+    std::uint64_t saved_ = 0;
+    Recorded recorded_;
+
+    ViewRequest request_;
+    std::uint64_t answered_opens_ = 0; // the newest that is open, or cannot be
+    std::optional<Error> open_error_;
+    std::uint64_t settled_ = 0;
+    std::set<std::size_t> selection_;
+    std::optional<std::size_t> marked_;
+    QUndoStack undo_;
+    Jobs jobs_;
+
+    QTimer travel_timer_;
+    QElapsedTimer travel_clock_;
+    int travel_ms_ = kTravel_ms;
+    scene::Camera travel_from_, travel_to_;
+    glm::ivec2 frame_from_{0}, frame_to_{0};
+
+    Look look_;
+    Look on_the_way_; // without what solo does
+    Look fade_from_;
+    double next_fade_s_ = 0; // of the step that is being pushed
+    double fade_s_ = 0;
+    QTimer fade_timer_;
+    QElapsedTimer fade_clock_;
+};
+
+} // namespace ghost::ui

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/programmer_panel.h"
+
+#include "ui/actions/programmer_actions.h"
+
+#include <QAbstractItemView>
+#include <QFormLayout>
+#include <QScrollArea>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::ui {
+namespace {
+
+// Of fixtures whose channels do not say how far.
+constexpr fixture::AxisRange kZoom{1, 80}, kPan{-270, 270}, kTilt{-135, 135};
+
+constexpr double kSame = 0.05; // numbers of a row that are as good as one
+constexpr int kParametersEvery_ms = 250;
+
+ValueRange range_of(const fixture::AxisRange& reach) {
+    return {static_cast<double>(reach.low), static_cast<double>(reach.high), 1, " deg"};
+}
+
+} // namespace
+
+ProgrammerPanel::ProgrammerPanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
+    title_ = new QLabel(this);
+    title_->setWordWrap(true);
+    auto* const inside = new QWidget(this);
+    column_ = new QVBoxLayout(inside);
+    column_->setContentsMargins(0, 0, 2, 0);
+    add_row("Intensity", {0, 100, 0, " %"}, static_cast<int>(ProgrammerStep::intensity),
+            &fixture::Programmer::intensity, &FixtureNow::dimmer, 0.01);
+    zoom_ = add_row("Zoom", range_of(kZoom), static_cast<int>(ProgrammerStep::zoom),
+                    &fixture::Programmer::zoom_deg, &FixtureNow::zoom_deg, 1);
+    pan_ = add_row("Pan", range_of(kPan), static_cast<int>(ProgrammerStep::pan),
+                   &fixture::Programmer::pan_deg, &FixtureNow::pan_deg, 1);
+    tilt_ = add_row("Tilt", range_of(kTilt), static_cast<int>(ProgrammerStep::tilt),
+                    &fixture::Programmer::tilt_deg, &FixtureNow::tilt_deg, 1);
+    colour_ = new ColourRow("Colour", this);
+    column_->addWidget(colour_);
+    colour_->on_change = [this](const QColor& colour) {
+        change_selected(app_, "colour", ProgrammerStep::colour,
+                        [&](fixture::Programmer& programmer) { programmer.colour = filter_from(colour); });
+    };
+    colour_->on_release = [this] {
+        change_selected(app_, "release colour", ProgrammerStep::step,
+                        [](fixture::Programmer& programmer) { programmer.colour.reset(); });
+    };
+    gobo_ = new QComboBox(this);
+    gobo_->setAccessibleName("Gobo");
+    connect(gobo_, &QComboBox::activated, this, [this](int index) {
+        change_selected(app_, "gobo", ProgrammerStep::gobo, [&](fixture::Programmer& programmer) {
+            if (index == 0)
+                programmer.gobo.reset();
+            else
+                programmer.gobo = index - 1;
+        });
+    });
+    release_ = new QPushButton("Give all back (R)", this);
+    connect(release_, &QPushButton::clicked, this, [this] {
+        change_selected(app_, "release", ProgrammerStep::step,
+                        [](fixture::Programmer& programmer) { programmer = {}; });
+    });
+    auto* form = new QFormLayout;
+    form->addRow("Gobo", gobo_);
+    column_->addLayout(form);
+    column_->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(inside);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(6, 6, 4, 6);
+    layout->addWidget(title_);
+    layout->addWidget(scroll, 1);
+    layout->addWidget(release_);
+    parameter_timer_.setSingleShot(true);
+    parameter_timer_.setInterval(kParametersEvery_ms);
+    connect(&parameter_timer_, &QTimer::timeout, this, &ProgrammerPanel::refresh_parameters);
+    connect(&app_, &AppModel::selection_changed, this, &ProgrammerPanel::take_kinds);
+    for (const auto signal : {&AppModel::selection_changed, &AppModel::look_changed, &AppModel::rig_came})
+        connect(&app_, signal, this, &ProgrammerPanel::refresh);
+    for (const auto signal : {&AppModel::selection_changed, &AppModel::look_changed})
+        connect(&app_, signal, this, &ProgrammerPanel::refresh_parameters);
+    connect(&app_, &AppModel::rig_came, this, [this] {
+        if (!parameter_timer_.isActive()) parameter_timer_.start();
+    });
+    refresh();
+}
+
+ValueRow* ProgrammerPanel::add_row(const QString& name, const ValueRange& range, int kind,
+                                   std::optional<float> fixture::Programmer::*value, float FixtureNow::*now,
+                                   double per_unit) {
+    auto* row = new ValueRow(name, range, this);
+    column_->addWidget(row);
+    row->on_change = [this, name, kind, value, per_unit](double number) {
+        change_selected(app_, name.toLower(), static_cast<ProgrammerStep>(kind),
+                        [&](fixture::Programmer& programmer) {
+                            programmer.*value = static_cast<float>(number * per_unit);
+                        });
+    };
+    row->on_release = [this, name, value] {
+        change_selected(app_, "release " + name.toLower(), ProgrammerStep::step,
+                        [&](fixture::Programmer& programmer) { (programmer.*value).reset(); });
+    };
+    rows_.push_back({row, value, now, per_unit});
+    return row;
+}
+
+fixture::Programmer ProgrammerPanel::programmer_of(std::size_t fixture) const {
+    const auto found = app_.look().fixtures.find(fixture);
+    return found == app_.look().fixtures.end() ? fixture::Programmer{} : found->second;
+}
+
+// As far as any of the selected goes.
+void ProgrammerPanel::set_reach(ValueRow& row, fixture::Role role, const fixture::AxisRange& otherwise) {
+    std::optional<fixture::AxisRange> widest;
+    for (const std::size_t index : app_.selection()) {
+        const scene::PatchedFixture& fixture = app_.show()->fixtures[index];
+        if (!fixture.type) continue;
+        const std::optional<fixture::AxisRange> reach = fixture::reach_of(fixture.patch(), role);
+        if (!reach) continue;
+        widest = widest ? fixture::AxisRange{std::min(widest->low, reach->low),
+                                             std::max(widest->high, reach->high)}
+                        : *reach;
+    }
+    const fixture::AxisRange reach = widest.value_or(otherwise);
+    row.set_reach(static_cast<double>(reach.low), static_cast<double>(reach.high));
+}
+
+void ProgrammerPanel::take_kinds() {
+    make_parameters();
+    if (app_.show() && app_.current()) {
+        set_reach(*zoom_, fixture::Role::zoom, kZoom);
+        set_reach(*pan_, fixture::Role::pan, kPan);
+        set_reach(*tilt_, fixture::Role::tilt, kTilt);
+    }
+    gobo_->clear();
+    const auto current = app_.current();
+    if (!app_.show() || !current) return;
+    gobo_->addItem("As the desk says");
+    for (const std::size_t index : app_.selection()) { // the first that has gobos
+        const scene::PatchedFixture& fixture = app_.show()->fixtures[index];
+        if (!fixture.type) continue;
+        int slot = 0;
+        for (const std::string& name : fixture::gobo_names(fixture.patch()))
+            gobo_->addItem(QString("%1  %2").arg(slot++).arg(QString::fromStdString(name)));
+        if (slot > 0) return;
+    }
+}
+
+// Rows stay where the heads that are selected now have the same parameters.
+void ProgrammerPanel::make_parameters() {
+    std::vector<HeadParameter> parameters =
+        app_.show() ? parameters_of(*app_.show(), app_.selection()) : std::vector<HeadParameter>{};
+    const bool same = std::equal(parameters.begin(), parameters.end(), parameters_.begin(), parameters_.end(),
+                                 [](const HeadParameter& a, const HeadParameter& b) {
+                                     return a.attribute == b.attribute && a.ranges.size() == b.ranges.size();
+                                 });
+    if (same && parameter_box_) return;
+    parameters_ = std::move(parameters);
+    parameter_rows_.clear();
+    delete parameter_box_;
+    parameter_box_ = new QWidget(this);
+    auto* layout = new QVBoxLayout(parameter_box_);
+    layout->setContentsMargins(0, 0, 0, 0);
+    QString group;
+    for (std::size_t i = 0; i < parameters_.size(); ++i) {
+        const HeadParameter& parameter = parameters_[i];
+        if (parameter.group != group) {
+            group = parameter.group;
+            auto* heading = new QLabel(group, parameter_box_);
+            QFont font = heading->font();
+            font.setBold(true);
+            heading->setFont(font);
+            layout->addWidget(heading);
+        }
+        auto* row = new ParameterRow(parameter, parameter_box_);
+        layout->addWidget(row);
+        parameter_rows_.push_back(row);
+        const auto set = [this, attribute = parameter.attribute](Look& look, std::optional<float> share) {
+            for (const std::size_t index : app_.selection())
+                set_parameter(app_.show()->fixtures[index], attribute, share, look.fixtures[index]);
+        };
+        row->on_change = [this, set, i, name = parameter.name](float share) {
+            Look look = app_.look();
+            set(look, share);
+            app_.set_look(std::move(look), name.toLower(),
+                          static_cast<int>(ProgrammerStep::first_parameter) + static_cast<int>(i));
+        };
+        row->on_release = [this, set, name = parameter.name] {
+            Look look = app_.look();
+            set(look, std::nullopt);
+            app_.set_look(std::move(look), "release " + name.toLower());
+        };
+    }
+    column_->insertWidget(column_->count() - 1, parameter_box_);
+    parameter_box_->show();
+}
+
+void ProgrammerPanel::refresh() {
+    const auto current = app_.current();
+    const bool any = app_.show() && current && *current < app_.rig().fixtures.size();
+    for (const Row& row : rows_) row.row->setEnabled(any);
+    for (QWidget* one : std::initializer_list<QWidget*>{colour_, gobo_, release_}) one->setEnabled(any);
+    if (!any) {
+        title_->setText("Select fixtures to light the scene by hand, with or without a desk.");
+        for (const Row& row : rows_) row.row->show_value(0, false);
+        colour_->show_colour(Qt::black, false);
+        return;
+    }
+    const std::size_t count = app_.selection().size();
+    title_->setText(count == 1 ? QString::fromStdString(app_.show()->fixtures[*current].name)
+                               : QString("%1 fixtures").arg(count));
+    const std::vector<FixtureNow>& now = app_.rig().fixtures;
+    for (const Row& row : rows_) {
+        const auto shown = [&](std::size_t index) {
+            return static_cast<double>((programmer_of(index).*row.value).value_or(now[index].*row.now)) /
+                   row.per_unit;
+        };
+        bool by_hand = false, mixed = false;
+        for (const std::size_t index : app_.selection()) {
+            if (index >= now.size()) continue;
+            by_hand = by_hand || (programmer_of(index).*row.value).has_value();
+            mixed = mixed || std::abs(shown(index) - shown(*current)) > kSame;
+        }
+        row.row->show_value(shown(*current), by_hand, mixed);
+    }
+    const fixture::Programmer programmer = programmer_of(*current);
+    const auto colour_of = [&](std::size_t index) {
+        return screen_colour(programmer_of(index).colour.value_or(now[index].colour));
+    };
+    bool by_hand = false, mixed = false;
+    for (const std::size_t index : app_.selection()) {
+        if (index >= now.size()) continue;
+        by_hand = by_hand || programmer_of(index).colour.has_value();
+        mixed = mixed || colour_of(index) != colour_of(*current);
+    }
+    colour_->show_colour(colour_of(*current), by_hand, mixed);
+    if (!gobo_->view()->isVisible()) gobo_->setCurrentIndex(programmer.gobo ? *programmer.gobo + 1 : 0);
+}
+
+void ProgrammerPanel::refresh_parameters() {
+    if (!app_.show() || parameters_.empty()) return;
+    fixture::Levels levels;
+    for (const dmx::Universe& universe : app_.rig().universes.list)
+        levels.set(universe.number, *universe.levels);
+    std::vector<std::optional<ParameterValue>> shown(parameters_.size());
+    std::vector<bool> mixed(parameters_.size(), false);
+    for (const std::size_t index : app_.selection()) {
+        if (index >= app_.show()->fixtures.size()) continue;
+        const auto values =
+            values_of(app_.show()->fixtures[index], programmer_of(index), levels, parameters_);
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!values[i]) continue;
+            if (!shown[i]) {
+                shown[i] = values[i];
+            } else {
+                mixed[i] = mixed[i] || std::abs(shown[i]->share - values[i]->share) > 1e-4f;
+                shown[i]->by_hand = shown[i]->by_hand || values[i]->by_hand;
+            }
+        }
+    }
+    for (std::size_t i = 0; i < shown.size(); ++i)
+        if (shown[i]) parameter_rows_[i]->show_value(*shown[i], mixed[i]);
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,58 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// ProgrammerPanel: the selected fixtures under the hand, beside DMX: intensity, colour, zoom, pan, tilt,
+// gobo, and all other parameters of their heads. What is moved is set for all of them; what is not moved
+// stays the desk's. Where they differ it says so. Window thread.
+
+#include "ui/model/app_model.h"
+#include "ui/model/head_parameters.h"
+#include "ui/widgets/colour_row.h"
+#include "ui/widgets/parameter_row.h"
+#include "ui/widgets/value_row.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <QWidget>
+
+namespace ghost::ui {
+
+class ProgrammerPanel : public QWidget {
+    Q_OBJECT
+public:
+    ProgrammerPanel(AppModel& app, QWidget* parent);
+
+private:
+    struct Row {
+        ValueRow* row;
+        std::optional<float> fixture::Programmer::*value;
+        float FixtureNow::*now;
+        double per_unit; // of the row's number: 0.01 for percent
+    };
+    ValueRow* add_row(const QString& name, const ValueRange& range, int kind,
+                      std::optional<float> fixture::Programmer::*value, float FixtureNow::*now,
+                      double per_unit);
+    void refresh();
+    void refresh_parameters();
+    void set_reach(ValueRow& row, fixture::Role role, const fixture::AxisRange& otherwise);
+    void take_kinds();
+    void make_parameters();
+    fixture::Programmer programmer_of(std::size_t fixture) const;
+
+    AppModel& app_;
+    QLabel* title_;
+    QVBoxLayout* column_;
+    std::vector<Row> rows_;
+    ValueRow *zoom_, *pan_, *tilt_;
+    ColourRow* colour_;
+    QComboBox* gobo_;
+    QPushButton* release_;
+    QWidget* parameter_box_ = nullptr;
+    std::vector<HeadParameter> parameters_;
+    std::vector<ParameterRow*> parameter_rows_;
+    QTimer parameter_timer_; // what desks do with them is shown a few times a second
+};
+
+} // namespace ghost::ui

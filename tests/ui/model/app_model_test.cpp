@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+// The model between window and engine: the request goes out whole, news come in, every change of the look
+// comes back.
+#include "support/test_window.h"
+#include "ui/actions/programmer_actions.h"
+
+#include <random>
+
+namespace ghost::ui {
+namespace {
+
+TEST(AppModel, news_of_another_thread_arrive_in_the_window) {
+    Bench bench;
+    int opened = 0;
+    QObject::connect(&bench.app, &AppModel::opened_show, [&] { ++opened; });
+    EXPECT_EQ(bench.app.show(), nullptr);
+    bench.open();
+    EXPECT_EQ(opened, 1);
+    ASSERT_NE(bench.app.show(), nullptr);
+    EXPECT_EQ(bench.app.show()->fixtures.size(), 4u);
+    EXPECT_EQ(bench.app.rig().fixtures.size(), 4u);
+}
+
+TEST(AppModel, the_newest_wish_is_whole) {
+    Bench bench;
+    bench.open();
+    bench.app.select({1, 2});
+    change_selected(bench.app, "intensity", ProgrammerStep::intensity,
+                    [](fixture::Programmer& programmer) { programmer.intensity = 0.5f; });
+    bench.app.wish([](ViewRequest& request) { request.black_out = true; });
+    const auto request = bench.link.request.take();
+    ASSERT_TRUE(request);
+    EXPECT_TRUE(request->black_out);
+    EXPECT_EQ(request->explained, 1u);
+    EXPECT_EQ(request->look.fixtures.size(), 2u);
+    EXPECT_EQ(request->look.fixtures.at(2).intensity, 0.5f);
+    EXPECT_FALSE(bench.link.request.take());
+}
+
+TEST(AppModel, another_show_forgets_what_was_done_to_the_one_before) {
+    Bench bench;
+    bench.open();
+    bench.app.select({3});
+    change_selected(bench.app, "zoom", ProgrammerStep::zoom,
+                    [](fixture::Programmer& programmer) { programmer.zoom_deg = 10; });
+    bench.open();
+    EXPECT_TRUE(bench.app.look().is_empty());
+    EXPECT_TRUE(bench.app.selection().empty());
+    EXPECT_FALSE(bench.app.undo_stack().canUndo());
+    bench.app.select({2, 99});
+    EXPECT_EQ(bench.app.selection(), std::set<std::size_t>{2}); // there is no 99
+}
+
+TEST(AppModel, a_slider_is_one_step_and_different_things_are_two) {
+    Bench bench;
+    bench.open();
+    bench.app.select({0});
+    for (int i = 1; i <= 10; ++i)
+        change_selected(
+            bench.app, "intensity", ProgrammerStep::intensity,
+            [&](fixture::Programmer& programmer) { programmer.intensity = 0.1f * static_cast<float>(i); });
+    change_selected(bench.app, "pan", ProgrammerStep::pan,
+                    [](fixture::Programmer& programmer) { programmer.pan_deg = 20; });
+    EXPECT_EQ(bench.app.undo_stack().count(), 2);
+    bench.app.undo_stack().undo();
+    EXPECT_EQ(bench.app.look().fixtures.at(0).intensity, 1.0f);
+    EXPECT_FALSE(bench.app.look().fixtures.at(0).pan_deg);
+    bench.app.undo_stack().undo();
+    EXPECT_TRUE(bench.app.look().is_empty());
+}
+
+TEST(AppModel, releasing_leaves_nothing_behind) {
+    Bench bench;
+    bench.open();
+    bench.app.select({0, 1});
+    change_selected(bench.app, "tilt", ProgrammerStep::tilt,
+                    [](fixture::Programmer& programmer) { programmer.tilt_deg = 5; });
+    change_selected(bench.app, "release", ProgrammerStep::step,
+                    [](fixture::Programmer& programmer) { programmer = {}; });
+    EXPECT_TRUE(bench.app.look().is_empty());
+}
+
+// Any changes, undos and redos: all undone is the beginning, all redone is the end.
+TEST(AppModel, any_sequence_comes_back_to_the_same_look) {
+    for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+        Bench bench;
+        bench.open();
+        std::mt19937 random(seed);
+        const auto below = [&](std::uint32_t count) { return random() % count; };
+        for (int step = 0; step < 200; ++step) {
+            Look look = bench.app.look();
+            const float value = static_cast<float>(below(100)) / 100.0f;
+            fixture::Programmer& programmer = look.fixtures[below(4)];
+            switch (below(8)) {
+            case 0:
+                programmer.intensity = value;
+                break;
+            case 1:
+                programmer.colour = glm::vec3(value, 1, 0);
+                break;
+            case 2:
+                programmer = {};
+                break;
+            case 3:
+                look.scene.smoke = value;
+                break;
+            case 4:
+                look.shown[below(2)] = below(2) == 0;
+                break;
+            case 5:
+                look.surfaces[below(2)].specular = value;
+                break;
+            case 6:
+                bench.app.undo_stack().undo();
+                continue;
+            default:
+                bench.app.undo_stack().redo();
+                continue;
+            }
+            bench.app.set_look(look, "change", static_cast<int>(below(4)));
+        }
+        const Look end = bench.app.look();
+        while (bench.app.undo_stack().canUndo()) bench.app.undo_stack().undo();
+        EXPECT_TRUE(bench.app.look().is_empty()) << "seed " << seed;
+        // Redo goes to the last look that was made, which is the end unless the walk ended with undos.
+        while (bench.app.undo_stack().canRedo()) bench.app.undo_stack().redo();
+        const Look last = bench.app.look();
+        while (bench.app.undo_stack().canUndo() && bench.app.look() != end) bench.app.undo_stack().undo();
+        EXPECT_EQ(bench.app.look(), end) << "seed " << seed;
+        while (bench.app.undo_stack().canRedo()) bench.app.undo_stack().redo();
+        EXPECT_EQ(bench.app.look(), last) << "seed " << seed;
+    }
+}
+
+TEST(AppModel, a_travel_ends_at_the_camera_and_a_hand_ends_a_travel) {
+    Bench bench;
+    bench.open();
+    bench.app.set_size(320, 180);
+    const scene::Camera side = bench.app.show()->cameras[1];
+    bench.app.travel_to(side);
+    EXPECT_TRUE(bench.app.travels());
+    while (bench.app.travels()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    EXPECT_EQ(bench.app.camera().position_m, side.position_m);
+    EXPECT_EQ(bench.app.camera().width, 320); // of the window, not of the show
+    bench.app.travel_to(bench.app.show()->cameras[0]);
+    bench.app.set_camera(bench.app.camera());
+    EXPECT_FALSE(bench.app.travels());
+}
+
+} // namespace
+} // namespace ghost::ui
