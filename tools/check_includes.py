@@ -7,8 +7,8 @@ stand above it in that file; a link that nothing needs is an error, too. Headers
 people's headers and those of the operating system belong to the rooms or files of the tables below; a header in no table is an error. Long
 files, full folders and files without a licence line or include guard are reported as well.
 
-Usage: check_includes.py [SOURCE_ROOT] [--draw]. --draw writes docs/design/rooms.svg; without it, one that is older than src/CMakeLists.txt
-says is an error. Exit 0: all hold; 1: each breach is printed as file:line: message.
+Usage: check_includes.py [SOURCE_ROOT] [--draw]. --draw writes docs/design/rooms.svg and rooms.md; without it, one that is older than
+src/CMakeLists.txt is an error. Exit 0: all hold; 1: each breach is printed as file:line: message.
 """
 import re
 import sys
@@ -197,15 +197,17 @@ def main():
     root = Path(words[0] if words else Path(__file__).parent.parent)
     cmake = (root / "src/CMakeLists.txt").read_text(encoding="utf-8")
     rooms = read_rooms(cmake)
-    picture = rooms_picture.draw({name: (links, purpose) for name, (links, purpose) in rooms.items()})
-    drawn = root / "docs/design/rooms.svg"
+    picture = rooms_picture.draw(rooms)
+    drawn = {root / "docs/design/rooms.svg": picture, root / "docs/design/rooms.md": rooms_picture.table(rooms)}
     if "--draw" in sys.argv:
-        drawn.parent.mkdir(exist_ok=True)
-        drawn.write_text(picture, encoding="utf-8")
+        for file, text in drawn.items():
+            file.parent.mkdir(exist_ok=True)
+            file.write_text(text, encoding="utf-8")
     files = 0
     found = list(check_folders(root))
-    if not drawn.is_file() or drawn.read_text(encoding="utf-8") != picture:
-        found.append(("docs/design/rooms.svg", 1, "is not what src/CMakeLists.txt says: tools/check_includes.py --draw"))
+    for file, text in drawn.items():
+        if not file.is_file() or file.read_text(encoding="utf-8") != text:
+            found.append((file.relative_to(root).as_posix(), 1, "is not what src/CMakeLists.txt says: tools/check_includes.py --draw"))
     types, used = {}, {name: set() for name in rooms}
     for path in sorted(path for top in ("src", "shaders", "tests", "tools") for path in (root / top).rglob("*")):
         if path.suffix not in (".h", ".cpp", ".comp", ".glsl", ".py", ".sh"):

@@ -58,3 +58,9 @@ def draw(rooms):
         out.append(f'<g><title>{escape(rooms[name][1])}</title><rect x="{x:.0f}" y="{y:.0f}" width="{BOX_W}" height="{BOX_H}" rx="5" fill="{colour}" '
                    f'stroke="#555b66"/><text x="{x + BOX_W / 2:.0f}" y="{y + 25:.0f}" font-size="13" text-anchor="middle">{escape(name)}</text></g>')
     return "\n".join(out + ["</svg>", ""])
+
+
+def table(rooms):
+    """The same as a table of Markdown."""
+    rows = [f"| `src/{name}` | {purpose} | {' '.join(links)} |" for name, (links, purpose) in rooms.items()]
+    return "\n".join(["# The rooms of src/, lowest first", "", "![](rooms.svg)", "", "| room | what it is for | links |", "|---|---|---|", *rows, ""])
