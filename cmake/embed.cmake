@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Writes a binary file as a C++ array of 32-bit words (SPIR-V): cmake -DINPUT= -DOUTPUT= -DNAME= -P embed.cmake
+# Writes compiled SPIR-V as a gpu::Shader of C++: cmake -DINPUT= -DOUTPUT= -DNAME= -P embed.cmake
 file(READ ${INPUT} bytes HEX)
 string(REGEX REPLACE "(..)(..)(..)(..)" "0x\\4\\3\\2\\1," words "${bytes}")
-file(WRITE ${OUTPUT} "#pragma once\n#include <cstdint>\nnamespace ghost::render::shaders {\ninline constexpr std::uint32_t ${NAME}[] = {${words}};\n}\n")
+file(WRITE ${OUTPUT} "#pragma once\n#include \"gpu/shader.h\"\nnamespace ghost::render::shaders {\n"
+    "inline constexpr std::uint32_t kWords_${NAME}[] = {${words}};\ninline constexpr gpu::Shader kShader_${NAME}{\"${NAME}\", kWords_${NAME}};\n}\n")

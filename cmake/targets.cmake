@@ -96,7 +96,7 @@ function(ghost_shaders)
         set(header ${CMAKE_BINARY_DIR}/generated/shaders/${name}.h)
         add_custom_command(OUTPUT ${header}
             COMMAND ${GLSLC} --target-env=vulkan1.3 -O -Werror -I ${CMAKE_SOURCE_DIR}/shaders -o ${spirv} ${shader}
-            COMMAND ${CMAKE_COMMAND} -DINPUT=${spirv} -DOUTPUT=${header} -DNAME=kShader_${name}
+            COMMAND ${CMAKE_COMMAND} -DINPUT=${spirv} -DOUTPUT=${header} -DNAME=${name}
                     -P ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
             DEPENDS ${shader} ${shared} ${CMAKE_SOURCE_DIR}/cmake/embed.cmake
             COMMENT "shader ${name}" VERBATIM)

@@ -2,11 +2,13 @@
 #include "gpu/commands.h"
 
 #include "base/check.h"
+#include "base/log.h"
 #include "gpu/buffer.h"
 #include "gpu/push_layout.h"
 #include "gpu/texture.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace ghost::gpu {
@@ -14,6 +16,11 @@ namespace {
 
 constexpr std::uint32_t kMaxSpans = 8192;
 constexpr std::uint64_t kUniformBytes = 64 * 1024; // what every desktop device and lavapipe bind at once
+
+[[noreturn]] void refuse_bindings(std::string_view shader, const std::string& why) {
+    log_error("shader " + std::string(shader) + " is given " + why);
+    std::abort();
+}
 
 } // namespace
 
@@ -31,28 +38,34 @@ Binding stored(const Texture& texture) {
 }
 
 void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBindPoint point,
-                   VkPipelineLayout layout, const std::vector<VkDescriptorType>& types,
-                   const std::vector<Binding>& bindings) {
-    CHECK_EQ(bindings.size(), types.size());
+                   VkPipelineLayout layout, std::string_view shader,
+                   const std::vector<VkDescriptorType>& types, const std::vector<Binding>& bindings) {
+    if (bindings.size() != types.size())
+        refuse_bindings(shader, std::to_string(bindings.size()) + " bindings, it has " +
+                                    std::to_string(types.size()));
     std::vector<VkDescriptorBufferInfo> buffers(bindings.size());
     std::vector<VkDescriptorImageInfo> images(bindings.size());
-    std::vector<VkWriteDescriptorSet> writes(bindings.size());
+    std::vector<VkWriteDescriptorSet> writes;
+    writes.reserve(bindings.size());
     for (std::size_t i = 0; i < bindings.size(); ++i) {
         const Binding& binding = bindings[i];
-        CHECK(binding.type == types[i]);
-        writes[i].sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
-        writes[i].dstBinding = static_cast<std::uint32_t>(i);
-        writes[i].descriptorCount = 1;
-        writes[i].descriptorType = binding.type;
+        if (types[i] == kNoBinding) continue;
+        if (binding.type != types[i])
+            refuse_bindings(shader, "a binding " + std::to_string(i) + " of another kind");
+        VkWriteDescriptorSet& write = writes.emplace_back();
+        write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+        write.dstBinding = static_cast<std::uint32_t>(i);
+        write.descriptorCount = 1;
+        write.descriptorType = binding.type;
         if (binding.buffer) {
             const std::uint64_t left = binding.buffer->bytes() - binding.offset;
             const bool is_uniform = binding.type == VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
             buffers[i] = {binding.buffer->handle(), binding.offset,
                           is_uniform ? std::min(left, kUniformBytes) : left};
-            writes[i].pBufferInfo = &buffers[i];
+            write.pBufferInfo = &buffers[i];
         } else {
             images[i] = {binding.texture->sampler(), binding.texture->view(), VK_IMAGE_LAYOUT_GENERAL};
-            writes[i].pImageInfo = &images[i];
+            write.pImageInfo = &images[i];
         }
     }
     device.push_descriptors()(commands, point, layout, 0, static_cast<std::uint32_t>(writes.size()),
@@ -61,14 +74,14 @@ void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBin
 
 namespace {
 
-Pipeline make_pipeline(const Device& device, std::span<const std::uint32_t> spirv,
+Pipeline make_pipeline(const Device& device, const Shader& shader,
                        const std::vector<VkDescriptorType>& bindings,
                        const std::vector<std::uint32_t>& constants) {
     Pipeline pipeline{make_push_layout(device, bindings, VK_SHADER_STAGE_COMPUTE_BIT), VK_NULL_HANDLE};
     VkShaderModuleCreateInfo module_info{};
     module_info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    module_info.codeSize = spirv.size_bytes();
-    module_info.pCode = spirv.data();
+    module_info.codeSize = shader.words.size_bytes();
+    module_info.pCode = shader.words.data();
     VkShaderModule module = VK_NULL_HANDLE;
     VK_CALL(vkCreateShaderModule(device.handle(), &module_info, nullptr, &module));
     VkComputePipelineCreateInfo info{};
@@ -90,16 +103,13 @@ Pipeline make_pipeline(const Device& device, std::span<const std::uint32_t> spir
 
 } // namespace
 
-Program::Program(const Device& device, std::span<const std::uint32_t> spirv,
-                 std::vector<VkDescriptorType> bindings, std::vector<std::uint32_t> constants)
-    : bindings_(std::move(bindings)) {
+Program::Program(const Device& device, const Shader& shader, const std::vector<std::uint32_t>& constants)
+    : name_(shader.name), bindings_(bindings_of(shader)) {
     PipelineKey key;
-    key.add(spirv);
-    key.add(bindings_.size());
-    for (const VkDescriptorType type : bindings_) key.add(static_cast<std::uint64_t>(type));
+    key.add(shader.words);
     for (const std::uint32_t constant : constants) key.add(constant);
     pipeline_ =
-        device.pipelines().get(key, [&] { return make_pipeline(device, spirv, bindings_, constants); });
+        device.pipelines().get(key, [&] { return make_pipeline(device, shader, bindings_, constants); });
 }
 
 Commands::Commands(const Device& device) : device_(device) {
@@ -140,8 +150,8 @@ void Commands::begin() {
 
 void Commands::prepare(const Program& program, const void* push, std::uint32_t bytes,
                        const std::vector<Binding>& bindings) {
-    push_bindings(device_, commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.layout(), program.bindings(),
-                  bindings);
+    push_bindings(device_, commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.layout(), program.name(),
+                  program.bindings(), bindings);
     vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.handle());
     vkCmdPushConstants(commands_, program.layout(), VK_SHADER_STAGE_COMPUTE_BIT, 0, bytes, push);
 }

@@ -5,6 +5,7 @@
 
 #include "gpu/device.h"
 #include "gpu/pipelines.h"
+#include "gpu/shader.h"
 
 #include <memory>
 #include <span>
@@ -29,24 +30,25 @@ Binding storage(const Buffer& buffer);
 Binding sampled(const Texture& texture);
 Binding stored(const Texture& texture);
 
-// Pushes the bindings 0, 1, .. of set 0 at a pipeline; types: as its layout declares them.
+// Pushes the bindings 0, 1, .. of set 0 at a pipeline; types: as its shaders bind them (bindings_of). Others
+// than these are a bug of ours and end the program with the shader's name.
 void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBindPoint point,
-                   VkPipelineLayout layout, const std::vector<VkDescriptorType>& types,
-                   const std::vector<Binding>& bindings);
+                   VkPipelineLayout layout, std::string_view shader,
+                   const std::vector<VkDescriptorType>& types, const std::vector<Binding>& bindings);
 
-// A compute shader whose bindings 0, 1, .. have these types. constant: its specialisation constant 0, if it
-// has one.
+// A compute shader. constants: its specialisation constants 0, 1, ..
 class Program {
 public:
-    Program(const Device& device, std::span<const std::uint32_t> spirv,
-            std::vector<VkDescriptorType> bindings, std::vector<std::uint32_t> constants = {});
+    Program(const Device& device, const Shader& shader, const std::vector<std::uint32_t>& constants = {});
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
     VkPipeline handle() const { return pipeline_.handle; }
     VkPipelineLayout layout() const { return pipeline_.layout.pipeline; }
     const std::vector<VkDescriptorType>& bindings() const { return bindings_; }
+    std::string_view name() const { return name_; }
 
 private:
+    std::string_view name_;
     std::vector<VkDescriptorType> bindings_;
     Pipeline pipeline_;
 };
@@ -55,19 +57,17 @@ private:
 class LateProgram {
 public:
     LateProgram() = default;
-    LateProgram(const Device& device, std::span<const std::uint32_t> spirv,
-                std::vector<VkDescriptorType> bindings, std::vector<std::uint32_t> constants)
-        : device_(&device), spirv_(spirv), bindings_(std::move(bindings)), constants_(std::move(constants)) {}
+    LateProgram(const Device& device, const Shader& shader, std::vector<std::uint32_t> constants = {})
+        : device_(&device), shader_(shader), constants_(std::move(constants)) {}
 
     const Program& get() const {
-        if (!program_) program_ = std::make_unique<Program>(*device_, spirv_, bindings_, constants_);
+        if (!program_) program_ = std::make_unique<Program>(*device_, shader_, constants_);
         return *program_;
     }
 
 private:
     const Device* device_ = nullptr;
-    std::span<const std::uint32_t> spirv_;
-    std::vector<VkDescriptorType> bindings_;
+    Shader shader_;
     std::vector<std::uint32_t> constants_;
     mutable std::unique_ptr<Program> program_;
 };

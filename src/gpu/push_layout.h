@@ -4,6 +4,7 @@
 // push constants. Shared by Program and Raster; the caller owns both handles.
 
 #include "gpu/device.h"
+#include "gpu/shader.h"
 
 #include <vector>
 
@@ -20,10 +21,11 @@ inline PushLayout make_push_layout(const Device& device, const std::vector<VkDes
                                    VkShaderStageFlags stages) {
     PushLayout made;
     std::vector<VkDescriptorSetLayoutBinding> places;
-    for (const VkDescriptorType type : bindings) {
+    for (std::size_t number = 0; number < bindings.size(); ++number) {
+        if (bindings[number] == kNoBinding) continue;
         VkDescriptorSetLayoutBinding place{};
-        place.binding = static_cast<std::uint32_t>(places.size());
-        place.descriptorType = type;
+        place.binding = static_cast<std::uint32_t>(number);
+        place.descriptorType = bindings[number];
         place.descriptorCount = 1;
         place.stageFlags = stages;
         places.push_back(place);

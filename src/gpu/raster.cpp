@@ -13,11 +13,11 @@ namespace {
 
 constexpr VkShaderStageFlags kStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
 
-VkShaderModule make_module(const Device& device, std::span<const std::uint32_t> spirv) {
+VkShaderModule make_module(const Device& device, const Shader& shader) {
     VkShaderModuleCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-    info.codeSize = spirv.size_bytes();
-    info.pCode = spirv.data();
+    info.codeSize = shader.words.size_bytes();
+    info.pCode = shader.words.data();
     VkShaderModule module = VK_NULL_HANDLE;
     VK_CALL(vkCreateShaderModule(device.handle(), &info, nullptr, &module));
     return module;
@@ -33,19 +33,19 @@ VkRenderingAttachmentInfo attachment(const Texture& texture, Before before) {
     return info;
 }
 
-Pipeline make_pipeline(const Device& device, std::span<const std::uint32_t> vertex_spirv,
-                       std::span<const std::uint32_t> fragment_spirv, const RasterShape& shape) {
-    Pipeline pipeline{make_push_layout(device, shape.bindings, kStages), VK_NULL_HANDLE};
+Pipeline make_pipeline(const Device& device, const Shader& vertex, const Shader& fragment,
+                       const std::vector<VkDescriptorType>& bindings, const RasterShape& shape) {
+    Pipeline pipeline{make_push_layout(device, bindings, kStages), VK_NULL_HANDLE};
     std::vector<VkSpecializationMapEntry> entries;
     for (std::uint32_t i = 0; i < shape.constants.size(); ++i) entries.push_back({i, i * 4, 4});
     const VkSpecializationInfo specialisation{static_cast<std::uint32_t>(entries.size()), entries.data(),
                                               shape.constants.size() * 4, shape.constants.data()};
     std::array<VkPipelineShaderStageCreateInfo, 2> stages{};
-    const std::array<std::span<const std::uint32_t>, 2> spirv{vertex_spirv, fragment_spirv};
+    const std::array<const Shader*, 2> shaders{&vertex, &fragment};
     for (std::size_t i = 0; i < stages.size(); ++i) {
         stages[i].sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
         stages[i].stage = i == 0 ? VK_SHADER_STAGE_VERTEX_BIT : VK_SHADER_STAGE_FRAGMENT_BIT;
-        stages[i].module = make_module(device, spirv[i]);
+        stages[i].module = make_module(device, *shaders[i]);
         stages[i].pName = "main";
         stages[i].pSpecializationInfo = &specialisation;
     }
@@ -121,19 +121,16 @@ Pipeline make_pipeline(const Device& device, std::span<const std::uint32_t> vert
     return pipeline;
 }
 
-PipelineKey key_of(std::span<const std::uint32_t> vertex_spirv, std::span<const std::uint32_t> fragment_spirv,
-                   const RasterShape& shape) {
+PipelineKey key_of(const Shader& vertex, const Shader& fragment, const RasterShape& shape) {
     PipelineKey key;
-    key.add(vertex_spirv);
-    key.add(fragment_spirv);
+    key.add(vertex.words);
+    key.add(fragment.words);
     key.add(shape.inputs.size());
     for (const VertexInput& input : shape.inputs) {
         key.add(static_cast<std::uint64_t>(input.format));
         key.add(input.offset);
     }
     key.add(shape.vertex_stride);
-    key.add(shape.bindings.size());
-    for (const VkDescriptorType type : shape.bindings) key.add(static_cast<std::uint64_t>(type));
     key.add(shape.constants.size());
     for (const std::uint32_t constant : shape.constants) key.add(constant);
     for (const VkFormat format : shape.colours) key.add(static_cast<std::uint64_t>(format));
@@ -144,11 +141,11 @@ PipelineKey key_of(std::span<const std::uint32_t> vertex_spirv, std::span<const 
 
 } // namespace
 
-Raster::Raster(const Device& device, std::span<const std::uint32_t> vertex_spirv,
-               std::span<const std::uint32_t> fragment_spirv, const RasterShape& shape)
-    : bindings_(shape.bindings),
-      pipeline_(device.pipelines().get(key_of(vertex_spirv, fragment_spirv, shape), [&] {
-          return make_pipeline(device, vertex_spirv, fragment_spirv, shape);
+Raster::Raster(const Device& device, const Shader& vertex, const Shader& fragment, const RasterShape& shape)
+    : name_(fragment.name), bindings_(bindings_of(fragment)),
+      pipeline_(device.pipelines().get(key_of(vertex, fragment, shape), [&] {
+          CHECK(bindings_of(vertex).empty());
+          return make_pipeline(device, vertex, fragment, bindings_, shape);
       })) {}
 
 void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth,
@@ -196,7 +193,7 @@ void push_constants(Commands& commands, const Raster& raster, const void* push, 
 
 void use_bindings(Commands& commands, const Device& device, const Raster& raster,
                   const std::vector<Binding>& bindings) {
-    push_bindings(device, commands.handle(), VK_PIPELINE_BIND_POINT_GRAPHICS, raster.layout(),
+    push_bindings(device, commands.handle(), VK_PIPELINE_BIND_POINT_GRAPHICS, raster.layout(), raster.name(),
                   raster.bindings(), bindings);
 }
 

@@ -21,9 +21,8 @@ struct VertexInput {
 };
 
 struct RasterShape {
-    std::vector<VertexInput> inputs; // of locations 0, 1, ..
-    std::uint32_t vertex_stride = 0; // bytes of a vertex
-    std::vector<VkDescriptorType> bindings;
+    std::vector<VertexInput> inputs;      // of locations 0, 1, ..
+    std::uint32_t vertex_stride = 0;      // bytes of a vertex
     std::vector<std::uint32_t> constants; // specialisation constants 0, 1, .. of both shaders
     std::vector<VkFormat> colours;        // of the attachments
     VkFormat depth = VK_FORMAT_D32_SFLOAT;
@@ -32,15 +31,17 @@ struct RasterShape {
 
 class Raster {
 public:
-    Raster(const Device& device, std::span<const std::uint32_t> vertex_spirv,
-           std::span<const std::uint32_t> fragment_spirv, const RasterShape& shape);
+    // Of the two the fragment shader alone binds anything.
+    Raster(const Device& device, const Shader& vertex, const Shader& fragment, const RasterShape& shape);
     Raster(const Raster&) = delete;
     Raster& operator=(const Raster&) = delete;
     VkPipeline handle() const { return pipeline_.handle; }
     VkPipelineLayout layout() const { return pipeline_.layout.pipeline; }
     const std::vector<VkDescriptorType>& bindings() const { return bindings_; }
+    std::string_view name() const { return name_; }
 
 private:
+    std::string_view name_;
     std::vector<VkDescriptorType> bindings_;
     Pipeline pipeline_;
 };

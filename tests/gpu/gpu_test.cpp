@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Device, buffers, textures and commands on whatever Vulkan device is there; lavapipe always is.
+#include "support/made_shader.h"
+
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
 #include "gpu/texture.h"
@@ -173,17 +175,6 @@ TEST_F(Gpu, SpansAreMeasuredInOrder) {
     EXPECT_LE(commands.spans().size(), 5000u);
 }
 
-// A compute shader that does nothing: capability and memory model, "main" with groups of one, void main() {}.
-constexpr std::uint32_t kNothing[] = {
-    0x07230203, 0x00010500, 0,          5,          0, // SPIR-V 1.5, five ids
-    0x00020011, 1,          0x0003000e, 0,          1, // OpCapability Shader, OpMemoryModel Logical GLSL450
-    0x0005000f, 5,          3,          0x6e69616d, 0, // OpEntryPoint GLCompute %3 "main"
-    0x00060010, 3,          17,         1,          1, 1,             // OpExecutionMode %3 LocalSize 1 1 1
-    0x00020013, 1,          0x00030021, 2,          1,                // %1 void, %2 void()
-    0x00050036, 1,          3,          0,          2, 0x000200f8, 4, // %3 OpFunction, %4 OpLabel
-    0x000100fd, 0x00010038,                                           // OpReturn, OpFunctionEnd
-};
-
 // Drivers compile a shader when it is first used: a picture of another size must not pay for it again.
 TEST_F(Gpu, AProgramThatIsMadeAgainHasItsPipeline) {
     const auto made = Device::create({"", true});
@@ -191,17 +182,31 @@ TEST_F(Gpu, AProgramThatIsMadeAgainHasItsPipeline) {
     const Device& own = **made;
     VkPipeline first = VK_NULL_HANDLE;
     {
-        const Program program(own, kNothing, {});
+        const Program program(own, kNothing);
         first = program.handle();
         EXPECT_EQ(own.pipelines().count(), 1u);
     }
-    const Program again(own, kNothing, {});
+    const Program again(own, kNothing);
     EXPECT_EQ(again.handle(), first);
-    const Program other(own, kNothing, {}, {7}), bound(own, kNothing, {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER});
+    const Program other(own, kNothing, {7}), bound(own, {"bound", binding_module({.storage = 12})});
     EXPECT_NE(other.handle(), first);
     EXPECT_NE(bound.handle(), first);
     EXPECT_EQ(own.pipelines().count(), 3u);
     EXPECT_EQ(own.validation_errors(), 0u);
+}
+
+// A binding that is forgotten, or of another kind, ends the program at once, with the name of the shader.
+TEST_F(Gpu, WrongBindingsAreNamed) {
+    const Program program(device(), {"reader", binding_module({.storage = 12})});
+    const Buffer buffer(device(), 64, Access::device);
+    Commands commands(device());
+    commands.begin();
+    EXPECT_DEATH(commands.dispatch(program, 0, {}, 1), "shader reader is given 0 bindings, it has 1");
+    EXPECT_DEATH(commands.dispatch(program, 0, {uniform(buffer)}, 1),
+                 "shader reader is given a binding 0 of another kind");
+    commands.dispatch(program, 0, {storage(buffer)}, 1);
+    commands.submit_and_wait();
+    EXPECT_EQ(device().validation_errors(), 0u);
 }
 
 } // namespace

@@ -24,10 +24,6 @@
 namespace ghost::render {
 namespace {
 
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr VkFormat kHalves = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat kFloats = VK_FORMAT_R32G32B32A32_SFLOAT;
 // What is drawn between two looks whether something more urgent waits.
@@ -55,7 +51,6 @@ gpu::RasterShape raster_shape(std::uint32_t alpha, std::uint32_t textures) {
         {VK_FORMAT_R32G32_SFLOAT, offsetof(StageVertex, uv)},
     };
     shape.vertex_stride = sizeof(StageVertex);
-    shape.bindings = {kSampled, kSampled, kSampled, kSampled, kUniform};
     shape.constants = {alpha, textures};
     shape.colours = {kHalves, kHalves, kHalves, VK_FORMAT_R8_UNORM};
     shape.samples = shared::kSamples;
@@ -113,12 +108,8 @@ std::vector<VkRect2D> regions(const TileSet& tiles) {
 }
 
 GBuffer::GBuffer(const gpu::Device& device, int width, int height)
-    : device_(device),
-      gather_(device, shaders::kShader_gather,
-              {kUniform, kSampled, kSampled, kSampled, kSampled, kSampled, kStored, kStored, kStored, kStored,
-               kStored, kStored, kStorage, kStorage, kStorage, kStorage, kStorage}),
-      block_bounds_(device, shaders::kShader_block_bounds, {kUniform, kStored, kStorage, kStorage, kStorage}),
-      commands_(device) {
+    : device_(device), gather_(device, shaders::kShader_gather),
+      block_bounds_(device, shaders::kShader_block_bounds), commands_(device) {
     using gpu::Access;
     using gpu::Buffer;
     CHECK(width > 0 && height > 0);
@@ -322,8 +313,8 @@ void GBuffer::draw_moving(const StageModel& model, const MovingPlan& plan) {
 
 const gpu::Raster& GBuffer::raster_for(const StageModel::Surface& surface) {
     std::unique_ptr<gpu::Raster>& raster = rasters_[surface.alpha << 8 | surface.textures];
-    const std::span<const std::uint32_t> opaque = shaders::kShader_g_buffer_frag;
-    const std::span<const std::uint32_t> cut = shaders::kShader_g_buffer_cut_frag;
+    const gpu::Shader& opaque = shaders::kShader_g_buffer_frag;
+    const gpu::Shader& cut = shaders::kShader_g_buffer_cut_frag;
     if (!raster)
         raster = std::make_unique<gpu::Raster>(device_, shaders::kShader_g_buffer_vert,
                                                surface.alpha == shared::kOpaque ? opaque : cut,

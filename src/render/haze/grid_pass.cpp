@@ -9,10 +9,6 @@
 namespace ghost::render {
 namespace {
 
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint32_t kGroupWidth = 16, kGroupHeight = 8; // grid_fill.comp, grid_doubt.comp
 
 gpu::TextureShape shape_of(std::uint32_t count) {
@@ -29,21 +25,14 @@ gpu::TextureShape shape_of(std::uint32_t count) {
 
 GridPass::GridPass(const gpu::Device& device, std::uint32_t width, std::uint32_t height, std::uint32_t count,
                    bool shadows, bool uneven)
-    : doubt_(device, shaders::kShader_grid_doubt, {kStored, kStored}),
-      look_up_(device, shaders::kShader_grid_look_up,
-               {kUniform, kUniform, kUniform, kStored, kSampled, kStorage, kStored, kStorage}),
+    : doubt_(device, shaders::kShader_grid_doubt), look_up_(device, shaders::kShader_grid_look_up),
       filled_(device, shape_of(1)), grid_(device, shape_of(count)),
       left_(device, sizeof(shared::LeftHead) + std::uint64_t{4} * width * height, gpu::Access::device) {
     for (std::uint32_t focus = 0; focus < fill_.size(); ++focus) {
         const std::vector<std::uint32_t> constants{focus, 1u, shadows ? 1u : 0u, uneven ? 1u : 0u, 0u,
                                                    0u,    0u};
-        fill_[focus] = gpu::LateProgram(
-            device, shaders::kShader_grid_fill,
-            {kUniform, kUniform, kUniform, kStored, kStored, kSampled, kSampled, kUniform}, constants);
-        draw_left_[focus] = gpu::LateProgram(
-            device, shaders::kShader_grid_left,
-            {kUniform, kUniform, kUniform, kStored, kStored, kSampled, kSampled, kUniform, kStorage},
-            constants);
+        fill_[focus] = gpu::LateProgram(device, shaders::kShader_grid_fill, constants);
+        draw_left_[focus] = gpu::LateProgram(device, shaders::kShader_grid_left, constants);
     }
 }
 

@@ -16,10 +16,6 @@
 namespace ghost::render {
 namespace {
 
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Fan);
 constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
@@ -66,25 +62,18 @@ HazePass::HazePass(const gpu::Device& device, const HazeIntegrator& settings, co
     if (settings.beams != Beams::gate) {
         for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
             samples_[kind] = gpu::LateProgram(device, shaders::kShader_haze,
-                                              std::vector{kSampled, kUniform, kUniform, kStorage, kStorage,
-                                                          kStored, kStored, kUniform, kSampled},
                                               std::vector{kind, single, settings.uneven ? 1u : 0u});
             if (kind < shared::kPlanesClass) (void)samples_[kind].get();
         }
         return;
     }
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
-        fill_[kind] = gpu::LateProgram(device, shaders::kShader_fan,
-                                       std::vector{kSampled, kUniform, kUniform, kStored, kSampled},
-                                       std::vector{kind, single});
+        fill_[kind] = gpu::LateProgram(device, shaders::kShader_fan, std::vector{kind, single});
         if (kind < shared::kPlanesClass) (void)fill_[kind].get();
     }
     for (std::uint32_t focus = 0; focus < gate_.size(); ++focus) {
         const auto gate = [&](bool wide, bool thin, bool panels) {
             return gpu::LateProgram(device, shaders::kShader_gate,
-                                    std::vector{kUniform, kUniform, kUniform, kStorage, kStorage, kStored,
-                                                kStored, kSampled, kSampled, kUniform, kStorage, kStored,
-                                                kStored},
                                     std::vector{focus, single, distances ? 1u : 0u, settings.uneven ? 1u : 0u,
                                                 wide ? 1u : 0u, thin ? 1u : 0u, panels ? 1u : 0u});
         };
@@ -103,9 +92,8 @@ HazePass::HazePass(const gpu::Device& device, const HazeIntegrator& settings, co
     no_rays_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16B16A16_SFLOAT, true, false});
     no_lonely_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16_UINT, true, false});
     if (distances)
-        shade_fill_ = std::make_unique<gpu::Program>(device, shaders::kShader_fan_shade,
-                                                     std::vector{kUniform, kUniform, kStored, kSampled},
-                                                     std::vector{0u, single});
+        shade_fill_ =
+            std::make_unique<gpu::Program>(device, shaders::kShader_fan_shade, std::vector{0u, single});
     // As many chunks as the relighter may draw in a frame (Relighter::Relighter).
     fans_ = gpu::Buffer(
         device, (kMostDraws * std::uint64_t{light_count} + shared::kBeamClasses) * kAlign + kChunkBytes,

@@ -10,7 +10,6 @@
 namespace ghost::render {
 namespace {
 
-constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kKeepBytes = shared::kLightsPerChunk * sizeof(shared::Keep);
 constexpr std::uint64_t kEntryBytes = 2 * sizeof(std::uint32_t);
@@ -32,8 +31,7 @@ std::uint32_t units_of(const Fragments& f) {
 
 Visibility::Visibility(const gpu::Device& device, const Fragments& fragments, const gpu::Buffer& rooms,
                        std::size_t map_count, std::uint64_t draws, std::uint64_t memory_bytes)
-    : fragments_(fragments), rooms_(rooms),
-      touch_(device, shaders::kShader_visibility_touch, {kStorage, kStorage, kStorage}),
+    : fragments_(fragments), rooms_(rooms), touch_(device, shaders::kShader_visibility_touch),
       units_(units_of(fragments)),
       touched_(static_cast<int>(fragments.width), static_cast<int>(fragments.height)) {
     // A quarter for entries at most: lights beyond keep nothing.

@@ -11,8 +11,6 @@
 namespace ghost::render {
 namespace {
 
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint32_t kFinestStep = 2;
 constexpr float kSeenAt_m = 4; // from the lamp
 constexpr float kNearest_m = 0.5f;
@@ -27,8 +25,7 @@ bool is_wide(const shared::Light& light, const glm::vec3& eye_m, float pixels_pe
 }
 
 WideBeams::WideBeams(const gpu::Device& device, std::uint32_t width, std::uint32_t height)
-    : prepare_(device, shaders::kShader_wide_prepare, {kUniform, kStored, kStored, kStored}),
-      spread_(device, shaders::kShader_wide_spread, {kStored, kStored, kStored}),
+    : prepare_(device, shaders::kShader_wide_prepare), spread_(device, shaders::kShader_wide_spread),
       rays_(device, {gpu::groups(width, kFinestStep), gpu::groups(height, kFinestStep), 1, 1,
                      VK_FORMAT_R16G16B16A16_SFLOAT, true, false}),
       weights_(device, {width, height, 1, 1, VK_FORMAT_R8G8B8A8_UNORM, true, false}),

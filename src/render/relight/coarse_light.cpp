@@ -17,10 +17,6 @@
 namespace ghost::render {
 namespace {
 
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr VkFormat kHalves = VK_FORMAT_R16G16B16A16_SFLOAT;
 constexpr VkFormat kWords = VK_FORMAT_R32G32B32A32_UINT;
 constexpr std::uint32_t kEdgesPerGroup = 64;               // coarse_extras.comp, coarse_fold.comp
@@ -50,16 +46,10 @@ std::uint32_t write_list(const gpu::Buffer& to, const TileSet& tiles) {
 } // namespace
 
 CoarseLight::CoarseLight(const gpu::Device& device, const GBuffer& g_buffer)
-    : g_buffer_(g_buffer), make_points_(device, shaders::kShader_coarse_points,
-                                        {kUniform, kStored, kStored, kStored, kStored, kStored, kStored,
-                                         kStored, kStored, kStored, kStorage, kStorage}),
-      make_cells_(device, shaders::kShader_coarse_cells,
-                  {kUniform, kStored, kStored, kStored, kStored, kStored, kStored, kStored, kStorage}),
-      make_extras_(device, shaders::kShader_coarse_extras,
-                   {kUniform, kStored, kStored, kStored, kStored, kStored, kStored, kSampled, kStored,
-                    kStorage, kStorage}),
-      spread_(device, shaders::kShader_coarse_spread, {kStored, kStored, kStored, kStored}),
-      fold_(device, shaders::kShader_coarse_fold, {kStored, kStored, kSampled, kStored, kStored}) {
+    : g_buffer_(g_buffer), make_points_(device, shaders::kShader_coarse_points),
+      make_cells_(device, shaders::kShader_coarse_cells),
+      make_extras_(device, shaders::kShader_coarse_extras), spread_(device, shaders::kShader_coarse_spread),
+      fold_(device, shaders::kShader_coarse_fold) {
     const Fragments& f = g_buffer.fragments();
     const std::uint32_t w = (f.width + 1) / 2, h = (f.height + 1) / 2;
     points_.width = w;

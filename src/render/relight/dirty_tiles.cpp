@@ -14,7 +14,6 @@
 namespace ghost::render {
 namespace {
 
-constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
 constexpr std::uint32_t kGroup = 64; // changed_bounds.comp
 // Pixels of a stale tile take haze of their neighbours (fold.comp, wide beams): one tile around is drawn too.
 constexpr int kAroundX = static_cast<int>(shared::kTileWidth);
@@ -35,8 +34,7 @@ std::vector<std::uint32_t> bits_of(const TileSet& tiles, std::size_t words) {
 } // namespace
 
 DirtyTiles::DirtyTiles(const gpu::Device& device, const Fragments& fragments, const gpu::Buffer& rooms)
-    : fragments_(fragments), rooms_(rooms),
-      program_(device, shaders::kShader_changed_bounds, {kStorage, kStorage, kStorage, kStorage}) {
+    : fragments_(fragments), rooms_(rooms), program_(device, shaders::kShader_changed_bounds) {
     const Fragments& f = fragments;
     bounds_ = gpu::Buffer(device, f.tile_bounds.bytes(), gpu::Access::device);
     const std::uint64_t words = (std::uint64_t{f.tiles_x} * f.tiles_y + 31) / 32;

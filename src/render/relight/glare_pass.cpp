@@ -15,8 +15,6 @@
 namespace ghost::render {
 namespace {
 
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint32_t kMostLevels = 8;
 constexpr std::uint32_t kCoarsest = 8; // texels of the coarsest level's shorter side, at least
 
@@ -68,16 +66,12 @@ GlarePass::GlarePass(const gpu::Device& device, std::uint32_t width, std::uint32
     settings_.strength = std::clamp(settings.strength, 0.0f, 1.0f);
     if (!on()) return;
     for (std::uint32_t frame = 0; frame < down_.size(); ++frame)
-        down_[frame] = std::make_unique<gpu::Program>(device, shaders::kShader_glare_down,
-                                                      std::vector{kStored, kStored}, std::vector{frame});
-    up_ = std::make_unique<gpu::Program>(device, shaders::kShader_glare_up,
-                                         std::vector{kStored, kStored, kStored});
-    tail_ =
-        std::make_unique<gpu::Program>(device, shaders::kShader_glare_tail, std::vector{kStored, kStored});
+        down_[frame] =
+            std::make_unique<gpu::Program>(device, shaders::kShader_glare_down, std::vector{frame});
+    up_ = std::make_unique<gpu::Program>(device, shaders::kShader_glare_up);
+    tail_ = std::make_unique<gpu::Program>(device, shaders::kShader_glare_tail);
     for (std::uint32_t tone = 0; tone < develop_.size(); ++tone)
-        develop_[tone] =
-            gpu::LateProgram(device, shaders::kShader_glare_develop,
-                             std::vector{kStored, kStored, kUniform, kStored}, std::vector{tone});
+        develop_[tone] = gpu::LateProgram(device, shaders::kShader_glare_develop, std::vector{tone});
     // Every level is exactly half the one before: no light is counted twice at the far border.
     const std::uint32_t count = level_count(width, height);
     const std::uint32_t unit = 1u << (count - 1);

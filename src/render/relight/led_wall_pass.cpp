@@ -12,9 +12,6 @@ namespace {
 using glm::vec2;
 using glm::vec3;
 
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr float kNearest_m = 0.05f;
 constexpr std::uint32_t kGroup = 8; // pixels a side
 
@@ -54,10 +51,7 @@ bool wall_in_view(const shared::LedWall& wall, const shared::View& view, glm::uv
     return true;
 }
 
-LedWallPass::LedWallPass(const gpu::Device& device)
-    : program_(device, shaders::kShader_led_wall,
-               std::vector{kSampled, kUniform, kStored, kStored, kSampled, kSampled},
-               std::vector<std::uint32_t>{}) {}
+LedWallPass::LedWallPass(const gpu::Device& device) : program_(device, shaders::kShader_led_wall) {}
 
 void LedWallPass::record(gpu::Commands& commands, const Fragments& fragments,
                          const std::vector<shared::LedWall>& walls, const gpu::Texture& gobos,

@@ -16,10 +16,6 @@ namespace {
 using glm::vec2;
 using glm::vec3;
 
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 // Lenses between two chunks: each begins at a multiple of 256 bytes, where every device lets a uniform buffer
 // begin.
 constexpr std::size_t kChunkStart = 64;
@@ -134,9 +130,7 @@ LensPass::LensPass(const gpu::Device& device, const LensSettings& settings)
     : device_(device), settings_(settings) {
     if (!settings.on) return;
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
-        program_[kind] = gpu::LateProgram(
-            device, shaders::kShader_lens,
-            std::vector{kSampled, kUniform, kStorage, kStored, kStored, kSampled}, std::vector{kind});
+        program_[kind] = gpu::LateProgram(device, shaders::kShader_lens, std::vector{kind});
         if (kind < shared::kPlanesClass) (void)program_[kind].get();
     }
 }

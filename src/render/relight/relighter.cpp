@@ -26,10 +26,6 @@ namespace ghost::render {
 namespace {
 
 constexpr std::uint64_t kImageBytesPerPixel = 8; // six half floats for two pixels, and room
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint64_t kMaxLayers = 2048;       // of an image, on every device
 constexpr std::uint32_t kFixedImages = 1;        // all that rests
 constexpr std::uint64_t kShareOfMemory = 8;      // that is left, for kept visibility
@@ -95,29 +91,20 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       light_count_(light_count), passes_(std::move(passes)), g_buffer_(g_buffer), distances_(distances),
       coarse_(settings.coarse ? std::make_unique<CoarseLight>(device, *g_buffer) : nullptr), slot_count_(0),
       tree_(light_count, slot_count_), units_(passes_.bounces.bytes() > 0),
-      cull_(device, shaders::kShader_cull,
-            {kUniform, kUniform, kStorage, kStorage, kStorage, kStorage, kStorage, kUniform, kStorage,
-             kStorage},
-            {0u, g_buffer && distances ? 1u : 0u}),
-      bounce_(device, shaders::kShader_bounce, {kUniform, kUniform, kStored, kStored, kStored}),
-      silhouettes_(device, shaders::kShader_silhouettes, {kUniform, kSampled, kStored, kStored}),
+      cull_(device, shaders::kShader_cull, {0u, g_buffer && distances ? 1u : 0u}),
+      bounce_(device, shaders::kShader_bounce), silhouettes_(device, shaders::kShader_silhouettes),
       fold_(device, shaders::kShader_fold,
-            {kUniform, kSampled, kStored, kStored, kStorage, kStorage, kStored},
             {settings.air ? 1u : 0u, settings.beams.beams == Beams::gate ? 0u : 1u}),
-      meter_(device, shaders::kShader_meter, {kStored, kStorage}),
+      meter_(device, shaders::kShader_meter),
       haze_(device, settings.beams, fragments(), batch_size_, static_cast<std::uint32_t>(light_count),
             distances, settings.coarse ? FanDetail::plain : FanDetail::fine),
       led_walls_(device), lens_(device, settings.lens),
       glare_(device, seen().width, seen().height, settings.glare), commands_(device) {
     CHECK(!settings.coarse || (settings.beams.beams == Beams::gate && !settings.illuminance));
     for (std::uint32_t tone = 0; tone < develop_.size(); ++tone)
-        develop_[tone] = gpu::LateProgram(device, shaders::kShader_develop,
-                                          std::vector{kStored, kUniform, kStored}, std::vector{tone});
+        develop_[tone] = gpu::LateProgram(device, shaders::kShader_develop, std::vector{tone});
     make_surface_programs();
-    visible_ = gpu::LateProgram(device, shaders::kShader_visibility,
-                                {kUniform, kUniform, kStorage, kStorage, kSampled, kSampled, kStored, kStored,
-                                 kUniform, kStorage, kStored},
-                                {0u, batch_size_ == 1 ? 1u : 0u});
+    visible_ = gpu::LateProgram(device, shaders::kShader_visibility, {0u, batch_size_ == 1 ? 1u : 0u});
     if (g_buffer) dirty_tiles_ = std::make_unique<DirtyTiles>(device, fragments(), rooms());
     if (settings.beams.beams == Beams::gate && settings.beams.most_wide_step > 1)
         wide_ = std::make_unique<WideBeams>(device, fragments().width, fragments().height);
@@ -141,19 +128,12 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
 
 void Relighter::make_surface_programs() {
     const std::uint32_t single = batch_size_ == 1 ? 1 : 0;
-    std::vector bindings{kSampled, kUniform, kUniform, kStorage, kStorage, kStored, kStored, kStored};
-    if (g_buffer_)
-        bindings.insert(bindings.end(), {kSampled, kStored, kStored, kUniform, kSampled, kSampled, kUniform,
-                                         kStorage, kStored});
-    else
-        bindings.insert(bindings.end(), {kUniform, kSampled});
     for (std::uint32_t kind = 0; kind < shared::kBeamClasses; ++kind) {
         const auto program = [&](std::uint32_t thin, std::uint32_t keeps) {
-            return g_buffer_
-                       ? gpu::LateProgram(device_, shaders::kShader_surface_live, bindings,
-                                          {kind, single, distances_ ? 1u : 0u,
-                                           settings_.illuminance ? 1u : 0u, thin, keeps})
-                       : gpu::LateProgram(device_, shaders::kShader_surface, bindings, {kind, single, thin});
+            return g_buffer_ ? gpu::LateProgram(device_, shaders::kShader_surface_live,
+                                                {kind, single, distances_ ? 1u : 0u,
+                                                 settings_.illuminance ? 1u : 0u, thin, keeps})
+                             : gpu::LateProgram(device_, shaders::kShader_surface, {kind, single, thin});
         };
         surface_[kind] = program(0, 1);
         thin_surface_[kind] = program(1, 1);

@@ -12,10 +12,6 @@
 namespace ghost::render {
 namespace {
 
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType kStorage = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-
 // Facets of prisms that are not in the beam, and lamps that are out.
 bool is_dark(const shared::Light& light) {
     return light.intensity_cd == glm::vec3(0.0f) && light.bounce_cd == glm::vec3(0.0f);
@@ -124,7 +120,6 @@ const gpu::Program& Relighter::sum_of(std::uint32_t parts, std::uint32_t addends
     if (!program)
         program = std::make_unique<gpu::Program>(
             device_, shaders::kShader_sum,
-            std::vector{kStored, kStored, kStored, kStorage, kUniform, kStored, kStored},
             std::vector{settings_.beams.beams == Beams::gate ? 0u : 1u, coarse_ ? 1u : 0u, parts, addends});
     return *program;
 }

@@ -10,9 +10,6 @@
 namespace ghost::render {
 namespace {
 
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
-constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 constexpr std::uint32_t kGroup = 8;   // pixels or rays a side
 constexpr float kSliceOfCell = 0.75f; // as long as slices are
 constexpr std::uint32_t kLeastSlices = 8;
@@ -20,12 +17,8 @@ constexpr std::uint32_t kLeastSlices = 8;
 } // namespace
 
 RoomLight::RoomLight(const gpu::Device& device)
-    : device_(device), glow_program_(device, shaders::kShader_glow, std::vector{kUniform, kSampled, kStored},
-                                     std::vector<std::uint32_t>{}),
-      program_(device, shaders::kShader_room_light,
-               std::vector{kUniform, kStored, kStored, kStored, kStored, kSampled, kSampled, kSampled,
-                           kSampled, kStored},
-               std::vector<std::uint32_t>{}) {}
+    : device_(device), glow_program_(device, shaders::kShader_glow),
+      program_(device, shaders::kShader_room_light) {}
 
 void RoomLight::upload(const gpu::Device& device, const scene::BounceVolume& volume, gpu::Texture& texture) {
     const auto width = static_cast<std::uint32_t>(volume.size.x),
