@@ -35,7 +35,6 @@ Engine::~Engine() {
     thread_.join();
     if (reopening_.valid()) reopening_.wait();
     forget_baked();
-    end_recording();
 }
 
 void Engine::run() {
@@ -76,7 +75,8 @@ void Engine::step() {
     if (session_ && request_.text && request_.text != text_) take_edit();
     look_for_plots();
     if (session_) choose_recording();
-    record();
+    recorder_.record(request_.record_to, receiver_ ? &options_.receiver : nullptr,
+                     input_ ? &input_->desk() : nullptr);
     if (session_ && request_.camera.width > 0) frame();
 }
 
@@ -95,11 +95,8 @@ void Engine::replace_device(const std::string& why) {
 
 void Engine::begin_inputs() {
     if (options_.xchange) {
-        auto xchange = Xchange::start(*options_.xchange);
-        if (xchange.ok())
-            xchange_ = std::move(*xchange);
-        else
-            add_news(Severity::error, xchange.error().where, xchange.error().what);
+        if (const Result<void> begun = plots_.begin(*options_.xchange); !begun.ok())
+            add_news(Severity::error, begun.error().where, begun.error().what);
     }
     if (options_.controls.psn) {
         auto trackers = TrackerInput::open(options_.receiver.interface);
@@ -119,7 +116,7 @@ void Engine::listen() {
     if (!options_.listens || receiver_ || now_s() < listens_again_s_) return;
     listens_again_s_ = now_s() + kListenAgain_s;
     options_.receiver.on_levels = [this](const dmx::Universes& universes, std::chrono::nanoseconds now) {
-        hear(universes, now);
+        recorder_.put(universes, now);
     };
     options_.receiver.on_change = [this] { link_.wake.raise(); };
     std::vector<Message> said;
@@ -185,9 +182,7 @@ SessionOptions Engine::session_options(const std::string& path) const {
 
 void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
     forget_baked(); // all of them refer to the session before
-    tracer_.reset();
-    meter_.reset();
-    frame_ = {};
+    probe_.forget();
     look_.reset();
     const std::unique_ptr<Session> session_before = std::exchange(session_, std::move(session));
     if (opening != Opening::another && session_before)

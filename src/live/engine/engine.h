@@ -6,24 +6,22 @@
 // with all of them.
 
 #include "link/link.h"
+#include "live/engine/desk_recorder.h"
 #include "live/engine/followers.h"
 #include "live/engine/live_controls.h"
 #include "live/engine/pace.h"
+#include "live/engine/picture_probe.h"
+#include "live/engine/plot_inbox.h"
 #include "live/inputs/live_input.h"
-#include "live/inputs/running_recording.h"
 #include "live/session/applied_look.h"
 #include "live/session/baked_view.h"
-#include "live/session/light_meter.h"
 #include "live/session/session.h"
-#include "trace/tracer.h"
-#include "xchange/xchange.h"
 
 #include <atomic>
 #include <chrono>
 #include <functional>
 #include <future>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -75,10 +73,6 @@ private:
     void take_edit();
     void take_air(const scene::Show& edited);
 
-    // engine_recording.cpp
-    void hear(const dmx::Universes& universes, std::chrono::nanoseconds now);
-    void record();
-    void end_recording();
     void choose_recording();
 
     // engine_plots.cpp
@@ -114,12 +108,7 @@ private:
     std::function<bool()> stop_of(double begin_s);
     int lights_in(double frame_ms) const;
     void learn_light_ms(const render::FrameStatistics& statistics, double draw_ms);
-    // engine_probe.cpp
-    std::shared_ptr<const image::Image8> false_colours();
-    const bake::Tracer& tracer();
-    void publish_probe(double now_s, bool drew);
-    void publish_picked();
-    void save_frame();
+    ShownPicture shown() const { return {*session_, relighter(), drawn_, drawn_from_}; }
     void publish_messages();
     void publish_opened(Opening opening);
     void publish_rest(double now_s, bool drew);
@@ -132,12 +121,9 @@ private:
     std::string tried_;                       // the show that was asked for last, open or not
     std::uint64_t opens_ = 0;                 // of the request then
     std::shared_ptr<const std::string> text_; // of it, likewise
-    // What the desk sends is recorded; the receiver's thread brings it.
-    std::mutex recording_mutex_;
-    std::unique_ptr<RunningRecording> recording_; // with recording_mutex_
-    std::string recording_to_;                    // as the request had it
-    std::string played_;                          // of the request: what is played instead of the show's own
-    std::unique_ptr<TimeCodeInput> timecode_;     // the receiver feeds it, and goes first
+    std::string played_;                      // of the request: what is played instead of the show's own
+    DeskRecorder recorder_{link_};
+    std::unique_ptr<TimeCodeInput> timecode_; // the receiver feeds this and the recorder, and goes first
     std::unique_ptr<dmx::Receiver> receiver_;
     scene::PatchMap patch_; // of the session's show
     std::vector<Message> of_receiver_;
@@ -145,9 +131,7 @@ private:
     double listens_again_s_ = 0; // where a port was taken
     int losses_ = 0;             // of the device
     std::unique_ptr<TrackerInput> trackers_;
-    std::unique_ptr<Xchange> xchange_;
-    ui::ReceivedPlot plot_;        // the newest
-    std::uint64_t plot_taken_ = 0; // number of the last one that was
+    PlotInbox plots_{link_};
     // A show that is opened while another one is drawn.
     std::future<Result<std::unique_ptr<Session>>> reopening_;
     Opening reopening_as_ = Opening::newer_plot;
@@ -156,16 +140,8 @@ private:
     std::unique_ptr<Session> session_;
     std::unique_ptr<LiveInput> input_;
     std::unique_ptr<AppliedLook> look_;
-    scene::Stage traced_stage_;
-    std::uint64_t traced_changes_ = 0;
-    std::unique_ptr<bake::Tracer> tracer_; // made when something is to be explained or measured
-    std::unique_ptr<LightMeter> meter_;    // made when lux are to be shown; refers to the picture
-    image::ImageF frame_;                  // cd/m^2 of the picture, made when they are asked for
-    ui::FalseColour false_colour_;         // of the picture that was published last
-    std::optional<glm::vec2> probed_place_;
-    double probed_s_ = 0;
-    std::uint64_t saved_frame_ = 0; // number
-    std::uint64_t picked_ = 0;      // likewise
+    PictureProbe probe_{link_};
+    ui::FalseColour false_colour_; // of the picture that was published last
     std::unique_ptr<RemoteInput> remote_;
     Followers followers_;
     RemoteRequest remote_request_;       // those that hold

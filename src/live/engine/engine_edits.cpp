@@ -47,9 +47,20 @@ void Engine::take_edit() {
 void Engine::take_air(const scene::Show& edited) {
     if (!look_->take_air(edited, *session_)) return;
     session_->relighter->set_quality(haze_);
-    meter_.reset(); // it knows one air
+    probe_.forget_meter(); // it knows one air
     sees_else_ = true;
     last_change_s_ = now_s();
+}
+
+void Engine::choose_recording() {
+    if (request_.recording == played_) return;
+    played_ = request_.recording;
+    const std::filesystem::path file =
+        played_.empty() ? session_->show->recording : std::filesystem::path(played_);
+    if (auto loaded = input_->load_recording(file, session_->report); !loaded.ok()) {
+        link_.failed.put(loaded.error());
+        link_.on_news();
+    }
 }
 
 } // namespace ghost::app

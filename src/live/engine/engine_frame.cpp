@@ -150,7 +150,7 @@ render::FrameStatistics Engine::draw_live(double begin_s, double air_s) {
         camera.width != session_->relighter->width() || camera.height != session_->relighter->height();
     was_resized_ = is_other_size || uses_coarse != session_->relighter->is_coarse();
     if (std::exchange(sees_else_, false) || !same_view(camera, live_from_)) {
-        if (is_other_size) meter_.reset();
+        if (is_other_size) probe_.forget_meter();
         session_->look_from(camera, flies, uses_coarse);
         session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
         live_from_ = camera;
@@ -225,7 +225,7 @@ void Engine::frame() {
     session_->show_media(air_s_ + dt_s);
     const bool baked = choose_baked(begin_s);
     const bool switched = baked != std::exchange(shows_baked_, baked);
-    if (switched) frame_ = {};
+    if (switched) probe_.forget_frame();
     scene::FrameLights lit = session_->lit();
     if (switched || sees_else || !same_lit(lit, drawn_)) last_change_s_ = begin_s;
     drawn_ = std::move(lit);
@@ -255,10 +255,10 @@ void Engine::frame() {
     }
     publish_rig(begin_s);
     publish_explanation(begin_s);
-    publish_picked();
+    probe_.pick(request_.pick, *session_);
     if (!statistics.stopped) {
-        publish_probe(begin_s, drew);
-        save_frame();
+        probe_.probe(request_.probe, shown(), begin_s, drew);
+        probe_.save(request_.save_frame, shown());
     }
     if (session_->report.messages.size() != messages_sent_) publish_messages();
     if (std::optional<dmx::Statistics> network = input_->take_statistics()) {

@@ -60,7 +60,7 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
     ui::Picture picture;
     picture.image = request_.false_colour.measure == ui::Measure::none
                         ? std::make_shared<const image::Image8>(relighter().picture())
-                        : false_colours();
+                        : probe_.false_colours(request_.false_colour, shown());
     picture.false_colour = false_colour_ = request_.false_colour;
     picture.camera = drawn_from_;
     picture.framed = framed_;
@@ -87,7 +87,7 @@ void Engine::publish_rig(double now_s) {
     rig.from_desk = input_->shows_desk();
     rig.at_s = input_->at_s();
     rig.recording_s = input_->recording_s();
-    if (recording_) rig.recorded_s = recording_->seconds(std::chrono::steady_clock::now().time_since_epoch());
+    if (const std::optional<double> recorded_s = recorder_.seconds()) rig.recorded_s = *recorded_s;
     const std::vector<fixture::State>& states = session_->rig->states();
     std::size_t face = 0; // one for each beam of a fixture with a type
     for (std::size_t i = 0; i < states.size(); ++i) {
@@ -131,7 +131,8 @@ void Engine::publish_explanation(double now_s) {
     const bool explains_all = request_.explains_all && now_s - verdicts_s_ >= kVerdictsEvery_s;
     if (!explains_one && !explains_all) return;
     const bake::DenormalsOff mode;
-    const scene::Stage& stage = tracer().stage();
+    const bake::Tracer& rays = probe_.tracer(*session_);
+    const scene::Stage& stage = rays.stage();
     const scene::Reception reception = input_->reception(patch_);
     const scene::ExplainInput input{
         .show = *session_->show,
@@ -144,7 +145,7 @@ void Engine::publish_explanation(double now_s) {
         .stage = stage.instances.empty() ? nullptr : &stage,
         .first_hit =
             [&](const glm::vec3& origin, const glm::vec3& direction) {
-                const bake::Surface hit = tracer().first_hit(origin, direction, -1.0f, bake::Sees::no_bodies);
+                const bake::Surface hit = rays.first_hit(origin, direction, -1.0f, bake::Sees::no_bodies);
                 return scene::ExplainInput::Seen{hit.instance, hit.distance_m, hit.facet_normal};
             },
     };

@@ -38,32 +38,22 @@ void Engine::add_news(Severity severity, const std::string& where, const std::st
 }
 
 void Engine::look_for_plots() {
-    if (xchange_)
-        for (const XchangeEvent& event : xchange_->take()) {
-            const bool trouble = event.kind == XchangeEvent::Kind::trouble;
-            add_news(trouble ? Severity::warning : Severity::note,
-                     event.station.empty() ? "MVR-xchange" : "MVR-xchange, " + event.station,
-                     std::string(trouble ? "" : name_of(event.kind)) + (trouble ? "" : ": ") + event.text);
-            if (event.kind != XchangeEvent::Kind::received) continue;
-            plot_ = {plot_.number + 1, event.file.string(), event.station, event.comment};
-            link_.plot.put(plot_);
-            link_.on_news();
-        }
+    plots_.look([this](const Message& said) { add_news(said.severity, said.where, said.what); });
     adopt_reopened();
     take_plot();
 }
 
 void Engine::take_plot() {
-    const bool wanted = options_.takes_plots || request_.take_plot == plot_.number;
-    if (!wanted || plot_.number == plot_taken_ || reopening_.valid()) return;
-    plot_taken_ = plot_.number;
+    if (reopening_.valid()) return;
+    const ui::ReceivedPlot* const plot = plots_.take(request_.take_plot, options_.takes_plots);
+    if (!plot) return;
     const scene::Show* const show = session_ ? session_->show.get() : nullptr;
     const bool merges = show && !show->plot_file.empty() && show->file != show->plot_file;
-    const std::string path = merges ? show->file.string() : plot_.file;
-    link_.activity.put("taking over " + plot_.file);
+    const std::string path = merges ? show->file.string() : plot->file;
+    link_.activity.put("taking over " + plot->file);
     link_.on_news();
     reopening_as_ = Opening::newer_plot;
-    reopen([options = session_options(path), file = plot_.file, merges,
+    reopen([options = session_options(path), file = plot->file, merges,
             folder = show ? show->folder.string() : std::string()] {
         return open_with_plot(options, file, merges, folder);
     });

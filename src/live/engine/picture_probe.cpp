@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "live/engine/picture_probe.h"
+
+#include "live/session/picture_writer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::app {
+namespace {
+
+constexpr double kProbeEvery_s = 0.05;
+
+} // namespace
+
+void PictureProbe::forget() {
+    tracer_.reset();
+    meter_.reset();
+    frame_ = {};
+}
+
+std::shared_ptr<const image::Image8> PictureProbe::false_colours(const ui::FalseColour& wanted,
+                                                                 const ShownPicture& shown) {
+    image::ImageF values;
+    if (wanted.measure == ui::Measure::luminance) {
+        values = luminance_of(shown.relighter.frame());
+    } else {
+        if (!meter_) meter_ = std::make_unique<LightMeter>(shown.session);
+        values = meter_->lux_picture(shown.lights);
+    }
+    return std::make_shared<const image::Image8>(image::false_coloured(values, wanted.scale));
+}
+
+const bake::Tracer& PictureProbe::tracer(const Session& session) {
+    if (!tracer_ || traced_changes_ != session.live->shown_changes()) {
+        tracer_.reset();
+        traced_changes_ = session.live->shown_changes();
+        const bool is_as_opened = traced_changes_ == 0;
+        traced_stage_ = is_as_opened ? scene::Stage{} : session.live->solid_now();
+        tracer_ = std::make_unique<bake::Tracer>(is_as_opened ? session.live->solid() : traced_stage_);
+    }
+    return *tracer_;
+}
+
+void PictureProbe::probe(const std::optional<glm::vec2>& wanted, const ShownPicture& shown, double now_s,
+                         bool drew) {
+    if (drew) frame_ = {};
+    if (!wanted) {
+        probed_place_.reset();
+        return;
+    }
+    if ((!drew && wanted == probed_place_) || now_s - probed_s_ < kProbeEvery_s) return;
+    probed_place_ = wanted;
+    probed_s_ = now_s;
+    if (frame_.empty()) frame_ = luminance_of(shown.relighter.frame());
+    const glm::vec2 place = glm::clamp(*wanted, 0.0f, 1.0f);
+    const auto pixel = [](float share, int count) {
+        return std::clamp(static_cast<int>(std::floor(share * static_cast<float>(count))), 0, count - 1);
+    };
+    ui::Probed probed;
+    probed.place = *wanted;
+    probed.cd_m2 = *frame_.at(pixel(place.x, frame_.width), pixel(place.y, frame_.height));
+    const bake::DenormalsOff mode;
+    const bake::Tracer& rays = tracer(shown.session);
+    const bake::Surface surface = surface_at(shown.camera, place, rays);
+    if (surface.instance >= 0) {
+        probed.hit = true;
+        probed.lux = lux_at(surface, shown.lights, shown.session, rays);
+        probed.at_m = surface.position;
+        probed.distance_m = surface.distance_m;
+        probed.object = rays.stage().instances[static_cast<std::size_t>(surface.instance)].name;
+    }
+    link_.probed.put(std::move(probed));
+    link_.on_news();
+}
+
+void PictureProbe::pick(const ui::Pick& pick, const Session& session) {
+    if (pick.number == picked_) return;
+    picked_ = pick.number;
+    ui::Picked picked;
+    picked.number = pick.number;
+    const bake::DenormalsOff mode;
+    const bake::Tracer& rays = tracer(session);
+    const bake::Surface surface = surface_on(pick.from_m, pick.way, rays);
+    if (surface.instance >= 0) {
+        const scene::Instance& instance = rays.stage().instances[static_cast<std::size_t>(surface.instance)];
+        picked.hit = true;
+        picked.at_m = surface.position;
+        picked.object = instance.name;
+        if (instance.fixture >= 0) picked.fixture = static_cast<std::size_t>(instance.fixture);
+    }
+    link_.picked.put(std::move(picked));
+    link_.on_news();
+}
+
+void PictureProbe::save(const ui::SaveFrame& wanted, const ShownPicture& shown) {
+    if (wanted.number == saved_) return;
+    saved_ = wanted.number;
+    const Result<void> written = write_picture(wanted.file, shown.relighter.frame(),
+                                               shown.relighter.ev100_used(), shown.relighter.tone());
+    link_.saved.put({saved_, written.ok() ? std::nullopt : std::optional(written.error())});
+    link_.on_news();
+}
+
+} // namespace ghost::app
