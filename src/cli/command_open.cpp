@@ -92,6 +92,12 @@ void add_open(CLI::App& app, int& exit_code) {
         ->add_option("--device", a->engine.session.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");
     command->add_flag("--validation", a->engine.session.validation, "check our use of Vulkan");
+    command
+        ->add_option("--shaders", a->engine.session.shaders,
+                     "for whoever writes shaders: take them from this folder (generated/shaders of a build), "
+                     "and anew when one is written")
+        ->type_name("FOLDER")
+        ->check(CLI::ExistingDirectory);
     command->add_flag("--quiet", a->quiet, "print warnings and errors only");
     CLI::Option* const save = command
                                   ->add_option("--xchange", a->save,

@@ -103,8 +103,10 @@ Pipeline make_pipeline(const Device& device, const Shader& shader,
 
 } // namespace
 
-Program::Program(const Device& device, const Shader& shader, const std::vector<std::uint32_t>& constants)
-    : name_(shader.name), bindings_(bindings_of(shader)) {
+Program::Program(const Device& device, const Shader& built_in, const std::vector<std::uint32_t>& constants)
+    : name_(built_in.name) {
+    const Shader shader = device.current(built_in);
+    bindings_ = bindings_of(shader);
     PipelineKey key;
     key.add(shader.words);
     for (const std::uint32_t constant : constants) key.add(constant);

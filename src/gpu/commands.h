@@ -39,7 +39,7 @@ void push_bindings(const Device& device, VkCommandBuffer commands, VkPipelineBin
 // A compute shader. constants: its specialisation constants 0, 1, ..
 class Program {
 public:
-    Program(const Device& device, const Shader& shader, const std::vector<std::uint32_t>& constants = {});
+    Program(const Device& device, const Shader& built_in, const std::vector<std::uint32_t>& constants = {});
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
     VkPipeline handle() const { return pipeline_.handle; }

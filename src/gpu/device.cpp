@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "gpu/device_lost.h"
 #include "gpu/pipelines.h"
+#include "gpu/shader_folder.h"
 
 #include <algorithm>
 #include <cctype>
@@ -94,7 +95,16 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     TRY_VOID(device->choose_physical(options.name));
     device->make_device();
     device->find_memory(options.memory_limit_bytes);
+    if (!options.shaders.empty()) device->shaders_ = std::make_unique<ShaderFolder>(options.shaders);
     return device;
+}
+
+Shader Device::current(const Shader& built_in) const {
+    return shaders_ ? shaders_->current(built_in) : built_in;
+}
+
+bool Device::have_shaders_changed() const {
+    return shaders_ && shaders_->has_changed(std::chrono::steady_clock::now());
 }
 
 VkFormat Device::first_format(std::span<const VkFormat> formats, VkFormatFeatureFlags wanted) const {

@@ -5,6 +5,7 @@
 // memory and driver faults leave nothing to go on with; a lost device throws DeviceLost. Main thread.
 
 #include "base/result.h"
+#include "gpu/shader.h"
 
 #include <memory>
 #include <span>
@@ -15,12 +16,14 @@
 namespace ghost::gpu {
 
 class Pipelines;
+class ShaderFolder;
 
 struct DeviceOptions {
     std::string
         name; // part of a device's name (case does not count), or its number in list_devices; empty: the best
     bool validation = false; // report misuse through the Khronos validation layer where it is installed
     std::uint64_t memory_limit_bytes = 0; // of all buffers and textures; 0: what the device has
+    std::string shaders; // a folder that they are read from (gpu/shader_folder.h); empty: those built in
 };
 
 class Device {
@@ -38,6 +41,10 @@ public:
     PFN_vkCmdPushDescriptorSetKHR push_descriptors() const { return push_descriptors_; }
 
     Pipelines& pipelines() const { return *pipelines_; }
+    // The one that is built in, or that of DeviceOptions::shaders.
+    Shader current(const Shader& built_in) const;
+    // DeviceOptions::shaders has newer ones than are drawn with: whoever draws opens a device anew.
+    bool have_shaders_changed() const;
 
     const std::string& name() const { return name_; } // "llvmpipe (LLVM 15.0.6, 256 bits)"
     bool is_cpu() const { return is_cpu_; }           // lavapipe and its like
@@ -78,6 +85,7 @@ private:
     VkQueue queue_ = VK_NULL_HANDLE;
     PFN_vkCmdPushDescriptorSetKHR push_descriptors_ = nullptr;
     std::unique_ptr<Pipelines> pipelines_;
+    std::unique_ptr<ShaderFolder> shaders_; // or null
     VkPhysicalDeviceMemoryProperties memory_{};
     std::uint32_t queue_family_ = 0;
     std::string name_;

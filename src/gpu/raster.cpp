@@ -141,12 +141,16 @@ PipelineKey key_of(const Shader& vertex, const Shader& fragment, const RasterSha
 
 } // namespace
 
-Raster::Raster(const Device& device, const Shader& vertex, const Shader& fragment, const RasterShape& shape)
-    : name_(fragment.name), bindings_(bindings_of(fragment)),
-      pipeline_(device.pipelines().get(key_of(vertex, fragment, shape), [&] {
-          CHECK(bindings_of(vertex).empty());
-          return make_pipeline(device, vertex, fragment, bindings_, shape);
-      })) {}
+Raster::Raster(const Device& device, const Shader& built_in_vertex, const Shader& built_in_fragment,
+               const RasterShape& shape)
+    : name_(built_in_fragment.name) {
+    const Shader vertex = device.current(built_in_vertex), fragment = device.current(built_in_fragment);
+    CHECK(bindings_of(vertex).empty());
+    bindings_ = bindings_of(fragment);
+    pipeline_ = device.pipelines().get(key_of(vertex, fragment, shape), [&] {
+        return make_pipeline(device, vertex, fragment, bindings_, shape);
+    });
+}
 
 void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth,
                    Before before) {

@@ -32,7 +32,8 @@ struct RasterShape {
 class Raster {
 public:
     // Of the two the fragment shader alone binds anything.
-    Raster(const Device& device, const Shader& vertex, const Shader& fragment, const RasterShape& shape);
+    Raster(const Device& device, const Shader& built_in_vertex, const Shader& built_in_fragment,
+           const RasterShape& shape);
     Raster(const Raster&) = delete;
     Raster& operator=(const Raster&) = delete;
     VkPipeline handle() const { return pipeline_.handle; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "project/load_show.h"
 
+#include "project/private/made_types.h"
+
 #include "base/text.h"
 #include "light/led_wall_light.h"
 #include "project/private/extra_models.h"
@@ -10,9 +12,6 @@
 #include "files/user_cache.h"
 #include "fixture/patch.h"
 #include "fixture/values.h"
-#include "fixture_files/common/laser_type.h"
-#include "fixture_files/common/projector_type.h"
-#include "fixture_files/common/wall_type.h"
 #include "fixture_files/load_type.h"
 #include "fixture_files/photometric/photometric.h"
 #include "light/beam_shape.h"
@@ -95,13 +94,7 @@ void load_types(ParsedShow& parsed, const std::string& file, Report& report) {
         PatchedFixture& fixture = parsed.show.fixtures[k];
         const FixtureSource& source = parsed.sources[k];
         if (fixture.gdtf.empty()) {
-            if (fixture.wall)
-                fixture.type =
-                    fixture::led_wall_type(fixture.wall->size_m, cells_of(*fixture.wall), fixture.wall->nits);
-            else if (fixture.projector)
-                fixture.type = fixture::video_projector_type();
-            else if (fixture.laser)
-                fixture.type = fixture::show_laser_type();
+            fixture.type = type_without_file(fixture);
             continue;
         }
         fixture.type =

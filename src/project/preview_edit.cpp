@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fixture_files/common/laser_type.h"
-#include "fixture_files/common/projector_type.h"
-#include "fixture_files/common/wall_type.h"
 #include "fixture_files/load_type.h"
-#include "light/led_wall_light.h"
 #include "project/load_show.h"
+#include "project/private/made_types.h"
 #include "show/plot_entries.h"
 #include "show_file/show_toml.h"
 
@@ -41,15 +38,7 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
                 return one.uuid.empty() && one.name == fixture.name;
             });
         if (same != before.fixtures.end()) fixture.shape = same->shape;
-        if (fixture.wall)
-            fixture.type =
-                fixture::led_wall_type(fixture.wall->size_m, cells_of(*fixture.wall), fixture.wall->nits);
-        else if (fixture.gdtf.empty())
-            fixture.type = fixture.projector ? fixture::video_projector_type()
-                           : fixture.laser   ? fixture::show_laser_type()
-                                             : nullptr;
-        else
-            fixture.type = type_of(fixture.gdtf);
+        fixture.type = fixture.gdtf.empty() ? type_without_file(fixture) : type_of(fixture.gdtf);
         if (!fixture.type) continue;
         if (const auto mode = fixture::find_mode(*fixture.type, parsed.sources[i].mode); mode.ok())
             fixture.mode = *mode;

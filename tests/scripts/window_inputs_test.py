@@ -6,6 +6,7 @@ Usage: window_inputs_test.py SOURCE_FOLDER BUILD_FOLDER."""
 import json
 import os
 import pathlib
+import re
 import shutil
 import socket
 import struct
@@ -16,7 +17,8 @@ import time
 import zipfile
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
-PROGRAM = pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
+BUILD = pathlib.Path(sys.argv[2]).resolve()
+PROGRAM = BUILD / "ghostlight"
 LONG_S = 300  # for what a busy machine may take
 GDTF = "Vari-Lite@VL2500_Spot.gdtf"
 
@@ -150,6 +152,49 @@ def work_light(work):
         window.process.wait()
 
 
+def shaders(work):
+    """One that is written while a picture is shown is drawn with; one that is no shader is refused, and the picture stays."""
+    from PIL import Image, ImageStat
+    folder = work / "shaders"
+    folder.mkdir()
+    for name in ("develop", "glare_develop"):
+        shutil.copy(BUILD / f"generated/shaders/{name}.spv", folder)
+    window = Window(work, "--shaders", folder)
+    try:
+        def means(holds):
+            end = time.monotonic() + LONG_S
+            while time.monotonic() < end:
+                assert window.ask("wait settled") == "ok"
+                assert window.ask(f'screenshot "{work / "shot.png"}"') == "ok"
+                left, top, width, height = map(round, window.state()["view"])
+                picture = Image.open(work / "shot.png").convert("RGB").crop((left, top + height // 4, left + width, top + height * 3 // 4))
+                mean = ImageStat.Stat(picture).mean
+                if holds(mean):
+                    return mean
+                time.sleep(0.2)
+            raise AssertionError(f"{mean}\n{(work / 'window.log').read_text()[-3000:]}")
+        for line in ("wait opened", "jump 36", "wait 0.2", "freeze on"):
+            assert window.ask(line) == "ok"
+        before = means(lambda mean: max(mean) > 5)
+        for name in ("develop", "glare_develop"):
+            text = (SOURCE / f"shaders/{name}.comp").read_text()
+            green = re.sub(r"imageStore\(picture, (ivec3\(.*?\)), (.*)\);", r"imageStore(picture, \1, (\2) * vec4(0, 1, 0, 1));", text)
+            assert green != text
+            (work / f"{name}.comp").write_text(green)
+            subprocess.run(["glslc", "--target-env=vulkan1.3", "-O", "-I", SOURCE / "shaders", "-o", work / f"{name}.spv", work / f"{name}.comp"], check=True)
+            os.replace(work / f"{name}.spv", folder / f"{name}.spv")
+        after = means(lambda mean: mean[0] < before[0] / 3 and mean[2] < before[2] / 3)
+        assert after[1] > before[1] / 2, (before, after)
+        for name in ("develop", "glare_develop"):
+            (folder / f"{name}.spv").write_text("no shader")
+        means(lambda mean: max(abs(a - b) for a, b in zip(mean, before)) < 1)
+        assert "is no SPIR-V; the shader that was built in is used" in (work / "window.log").read_text()
+        print(f"ok: shaders were taken while it ran: {[round(m) for m in before]} -> {[round(m) for m in after]}, and back")
+    finally:
+        window.process.kill()
+        window.process.wait()
+
+
 def main():
     if not PROGRAM.exists():
         print(f"skipped: {PROGRAM} is not built")
@@ -160,6 +205,7 @@ def main():
         shutil.copytree(SOURCE / "assets" / "demo", work / "demo", ignore=shutil.ignore_patterns(".ghost"))
         os.symlink(SOURCE / "assets" / "fixtures", work / "fixtures")
         work_light(work)
+        shaders(work)
         text = (work / "demo" / "show.toml").read_text().replace('stage = "stage.glb"', 'stage = "stage.glb"\nplot = "tour.mvr"', 1)
         text += '\n[[cue]]\nname = "Walk-in"\nat_s = 3\ncamera = "house"\n[[cue]]\nname = "Solo"\nat_s = 61.5\ncamera = "high"\n'
         (work / "demo" / "show.toml").write_text(text)

@@ -73,6 +73,7 @@ void Engine::step() {
         if (request_.show != tried_ || request_.opens != opens_) open(request_.show);
     }
     if (session_ && request_.text && request_.text != text_) take_edit();
+    if (session_ && session_->device->have_shaders_changed()) take_shaders();
     look_for_plots();
     if (session_) choose_recording();
     recorder_.record(request_.record_to, receiver_ ? &options_.receiver : nullptr,
@@ -91,6 +92,13 @@ void Engine::replace_device(const std::string& why) {
     link_.activity.put("");
     if (!opened.ok()) throw std::runtime_error(why + ", and " + opened.error().text());
     adopt(std::move(*opened), Opening::edit);
+}
+
+// SessionOptions::shaders has newer ones: what was drawn with the ones before stays if they do not work.
+void Engine::take_shaders() {
+    auto opened = open_session(session_options(session_->options.show));
+    if (opened.ok()) return adopt(std::move(*opened), Opening::edit);
+    add_news(Severity::error, opened.error().where, opened.error().what);
 }
 
 void Engine::begin_inputs() {

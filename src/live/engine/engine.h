@@ -56,6 +56,7 @@ private:
     void step();
     void wait(double step_begin_s);
     void replace_device(const std::string& why);
+    void take_shaders();
     void begin_inputs();
     void listen();
     void listen_to_patch();

@@ -473,8 +473,8 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options, sce
     print_report(report, printed);
     printed = report.messages.size();
 
-    TRY(session->device,
-        gpu::Device::create({options.device, options.validation, options.memory_limit_bytes}));
+    TRY(session->device, gpu::Device::create({options.device, options.validation, options.memory_limit_bytes,
+                                              options.shaders}));
     log_info("drawing on " + session->device->name());
     session->rig = std::make_unique<scene::Rig>(*session->show);
     const render::Settings settings = draw_settings(*session->show, camera, options);

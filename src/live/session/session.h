@@ -53,6 +53,7 @@ struct SessionOptions {
     float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
     std::uint64_t memory_limit_bytes = 0; // of the device, see gpu::DeviceOptions
+    std::string shaders;                  // likewise
 };
 
 // Attenuation, swirls and plumes at a moment.
