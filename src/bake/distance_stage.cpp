@@ -2,6 +2,7 @@
 #include "bake/private/distance_stage.h"
 
 #include "bake/keys.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 // same bytes whatever the number of threads. Radiance in cd/m^2 per cd (ambient: per lux), linear Rec.2020.
 
 #include "bake/fragments.h"
-#include "show/show.h"
+#include "show/camera.h"
 #include "trace/tracer.h"
 
 #include <cstdint>

@@ -5,12 +5,13 @@
 
 #include "bake/frame.h"
 #include "light/bodies.h"
-#include "show/show.h"
+#include "show/camera.h"
 #include "stage/stage.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <glm/glm.hpp>
 #include <string>
 #include <string_view>
 #include <type_traits>

@@ -2,6 +2,7 @@
 #include "beam_groups/light_places.h"
 
 #include "beam_groups/beam_groups.h"
+#include "show/show.h"
 
 namespace ghost::scene {
 

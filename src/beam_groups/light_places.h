@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where the lights of a fixture come from; world metres. Pure.
 
-#include "show/show.h"
-
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <vector>
 
 namespace ghost::scene {
+
+struct PatchedFixture;
 
 // Where the light comes from for passes: the pivot of the head (tilt axis), which does not move when the head
 // turns, or the middle of the lights of a bar.

@@ -3,6 +3,7 @@
 
 #include "image/colour.h"
 #include "photometry/photometry.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cctype>

@@ -5,16 +5,19 @@
 // (table 28), in gate radii. A wedge turns light aside and does not turn the picture, so a facet's rotation
 // is left out; a facet that stretches the picture is drawn as a row of pictures. Pure. docs/design/optics.md.
 
+#include "base/report.h"
 #include "fixture/state.h"
 #include "fixture/type.h"
 #include "shared/types.h"
-#include "show/show.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <string>
 #include <vector>
 
 namespace ghost::scene {
+
+struct Show;
 
 // More pictures of one beam than this are joined with their neighbours: as much light, in larger patches.
 inline constexpr int kMostCopies = 32;

@@ -3,6 +3,7 @@
 
 #include "files/crc32.h"
 #include "files/files.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cstring>

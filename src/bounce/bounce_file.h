@@ -6,13 +6,14 @@
 #include "base/result.h"
 #include "bounce/bounce.h"
 #include "bounce/bounce_detail.h"
-#include "show/show.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
 
 namespace ghost::scene {
+
+struct Show;
 
 std::filesystem::path bounce_file(const Show& show, BounceDetail level);
 

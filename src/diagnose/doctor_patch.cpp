@@ -2,6 +2,7 @@
 #include "diagnose/private/doctor_patch.h"
 
 #include "base/text.h"
+#include "show/show.h"
 #include "stage/model_file.h"
 
 #include <algorithm>

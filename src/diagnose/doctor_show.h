@@ -4,8 +4,9 @@
 // (doctor_patch.h), names and UUIDs given twice, and for each fixture file that is missing the nearest one
 // that is there. One thread per show.
 
+#include "base/report.h"
 #include "diagnose/doctor.h"
-#include "show/show.h"
+#include "fixture/type.h"
 
 #include <filesystem>
 #include <functional>
@@ -15,6 +16,8 @@
 #include <vector>
 
 namespace ghost::scene {
+
+struct Show;
 
 // Fixture files that may stand in for missing ones. Those in the plot's own archive need not be listed.
 struct FixtureOffers {

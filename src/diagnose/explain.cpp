@@ -4,6 +4,7 @@
 #include "diagnose/explain.h"
 
 #include "diagnose/explain_parts.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <map>

@@ -9,6 +9,7 @@
 #include "base/report.h"
 #include "diagnose/diagnosis.h"
 #include "light/rig.h"
+#include "stage/stage.h"
 
 #include <array>
 #include <functional>

@@ -4,6 +4,7 @@
 
 #include "project/place_checks.h"
 #include "shared/beam.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "diagnose/patch_map.h"
 
 #include "dmx/wire/universes.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <set>

@@ -4,8 +4,6 @@
 // the universes that a receiver has to join. Universes and addresses from 1. Pure; a copy of the names, so
 // that the show may go.
 
-#include "show/show.h"
-
 #include <cstdint>
 #include <map>
 #include <string>
@@ -13,6 +11,8 @@
 #include <vector>
 
 namespace ghost::scene {
+
+struct Show;
 
 // A slot, as a fixture reads it.
 struct PatchedSlot {

@@ -10,6 +10,7 @@
 #include "farm/farm_task.h"
 #include "files/files.h"
 #include "files/hold.h"
+#include "show/show.h"
 
 #include <chrono>
 #include <fstream>

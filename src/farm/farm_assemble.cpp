@@ -8,6 +8,7 @@
 #include "files/files.h"
 #include "image/ldr.h"
 #include "live/session/picture_writer.h"
+#include "show/show.h"
 #include "video/film.h"
 
 #include <chrono>

@@ -6,7 +6,6 @@
 // says, never an engine. Any thread; several processes and machines at once.
 
 #include "base/result.h"
-#include "show/show.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -14,6 +13,10 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace ghost::scene {
+struct Show;
+} // namespace ghost::scene
 
 namespace ghost::app {
 

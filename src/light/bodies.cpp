@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "fixture/decode.h"
+#include "show/show.h"
 #include "stage/model_reader.h"
 #include "stage/primitives.h"
 

@@ -4,15 +4,19 @@
 // and where they are for what a rig does now. World metres. Pure functions; show, stage and rig belong
 // together.
 
+#include "base/report.h"
+#include "fixture/type.h"
 #include "light/rig.h"
-#include "show/show.h"
 #include "stage/stage.h"
 
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <string>
 #include <vector>
 
 namespace ghost::scene {
+
+struct Show;
 
 enum class HiddenObjects { left_out, kept };
 

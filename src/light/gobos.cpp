@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "image/colour.h"
 #include "light/beam_shape.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <array>

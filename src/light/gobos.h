@@ -3,14 +3,19 @@
 // The gobo stack of a show: every picture on the wheels of its fixtures, blurred as shaders/shared/gobos.h
 // says. Built once when a show is opened; values.
 
+#include "base/report.h"
+#include "fixture/type.h"
 #include "shared/gobos.h"
 #include "show/media.h"
-#include "show/show.h"
 
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace ghost::scene {
+
+struct Show;
+struct BeamShape; // light/beam_shape.h
 
 struct GoboStack {
     shared::Gobos images;

@@ -9,6 +9,7 @@
 #include "light/aim.h"
 #include "light/laser_rays.h"
 #include "light/led_wall_light.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cmath>

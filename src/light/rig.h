@@ -12,15 +12,19 @@
 #include "passes/passes.h"
 #include "photometry/photometry.h"
 #include "shared/types.h"
-#include "show/show.h"
+#include "show/led_wall.h"
+#include "show/projector.h"
 
 #include <cstddef>
+#include <glm/glm.hpp>
 #include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace ghost::scene {
+
+struct Show;
 
 class Rig {
 public:

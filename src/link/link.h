@@ -12,16 +12,22 @@
 #include "image/tone.h"
 #include "link/look.h"
 #include "project/hang.h"
-#include "show/show.h"
+#include "show/camera.h"
+#include "stage/stage.h"
 
 #include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <glm/glm.hpp>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+namespace ghost::scene {
+struct Show;
+} // namespace ghost::scene
 
 namespace ghost::ui {
 

@@ -2,6 +2,7 @@
 #include "passes/distance_maps.h"
 
 #include "passes/distance_maps_file.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <glm/gtc/packing.hpp>

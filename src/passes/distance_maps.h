@@ -8,7 +8,6 @@
 
 #include "base/report.h"
 #include "base/result.h"
-#include "show/show.h"
 
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -16,6 +15,8 @@
 #include <vector>
 
 namespace ghost::scene {
+
+struct Show;
 
 // Where nothing is hit: finite, so that it can be filtered and compared like any distance.
 inline constexpr float kNoSurface_m = 60000.0f;

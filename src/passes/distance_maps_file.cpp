@@ -7,6 +7,7 @@
 #include "files/files.h"
 #include "image/exr.h"
 #include "passes/passes_file.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "files/files.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,10 @@
 // whole anti-aliased picture under kPictureCandela), beside each picture NAME.extra.exr with the share of the
 // extra fragments. Any thread.
 
+#include "base/report.h"
 #include "base/result.h"
 #include "image/colour.h"
 #include "passes/passes.h"
-#include "show/show.h"
 
 #include <array>
 #include <cstdint>
@@ -22,6 +22,8 @@
 #include <vector>
 
 namespace ghost::scene {
+
+struct Show;
 
 inline constexpr int kPassesVersion = 1;
 // Pictures are lit by this many candela, the others by this many lux: half floats hold that without loss (see

@@ -7,6 +7,7 @@
 #include "toml/toml_reader.h"
 
 #include "files/files.h"
+#include "show/show.h"
 
 #include <cmath>
 #include <optional>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "project/private/default_cameras.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cmath>

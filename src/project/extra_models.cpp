@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "project/private/extra_models.h"
 
+#include "show/show.h"
 #include "stage/model_reader.h"
 
 #include <glm/gtc/matrix_transform.hpp>

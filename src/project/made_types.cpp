@@ -5,6 +5,7 @@
 #include "fixture_files/common/projector_type.h"
 #include "fixture_files/common/wall_type.h"
 #include "light/led_wall_light.h"
+#include "show/show.h"
 
 namespace ghost::scene {
 

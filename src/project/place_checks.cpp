@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "beam_groups/light_places.h"
 #include "fixture/decode.h"
+#include "show/show.h"
 #include "stage/stage_checks.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 // whoever made it can find it. Nothing is changed. World metres. Pure; any thread.
 
 #include "base/report.h"
-#include "show/show.h"
+#include "show/camera.h"
 #include "stage/stage.h"
 
 #include <glm/glm.hpp>
@@ -12,6 +12,8 @@
 #include <string>
 
 namespace ghost::scene {
+
+struct Show;
 
 // How often the surface goes round the point, by its normals (Jacobson et al. 2013): 1 inside a closed solid,
 // 0 outside, between the two where the surface has holes.

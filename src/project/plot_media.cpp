@@ -4,6 +4,7 @@
 #include "files/files.h"
 #include "files/own_folder.h"
 #include "mvr/mvr_load.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cstdint>

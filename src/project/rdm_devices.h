@@ -5,9 +5,11 @@
 
 #include "fixture/state.h"
 #include "rdm/device.h"
-#include "show/show.h"
+#include <vector>
 
 namespace ghost::scene {
+
+struct Show;
 
 // A device of the same fixture has the same UID in every run: by its id in the plot, else by its name and,
 // where several have that, its place among them.

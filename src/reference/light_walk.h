@@ -12,12 +12,13 @@
 #include "base/result.h"
 #include "image/image.h"
 #include "reference/reference_beam.h"
-#include "show/show.h"
+#include "show/camera.h"
 #include "trace/tracer.h"
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <glm/glm.hpp>
 #include <vector>
 
 namespace ghost::bake {

@@ -11,7 +11,7 @@
 #include "image/image.h"
 #include "reference/reference_beam.h"
 #include "shared/attenuation.h"
-#include "show/show.h"
+#include "show/camera.h"
 #include "trace/tracer.h"
 
 #include <functional>

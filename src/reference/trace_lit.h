@@ -7,7 +7,8 @@
 #include "image/image.h"
 #include "shared/gobos.h"
 #include "shared/types.h"
-#include "show/show.h"
+#include "show/camera.h"
+#include "stage/stage.h"
 
 #include <cstdint>
 #include <span>

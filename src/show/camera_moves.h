@@ -3,7 +3,7 @@
 // How a camera moves: between two cameras, and by hand as in every 3D program. Metres, radians, Z up; a
 // camera never turns over its head. Where a point of the world stands in the picture. Pure.
 
-#include "show/show.h"
+#include "show/camera.h"
 
 #include <glm/glm.hpp>
 #include <optional>

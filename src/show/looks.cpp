@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "files/files.h"
 #include "files/user_file.h"
+#include "show/show.h"
 #include "stage/model_file.h"
 #include "toml/toml_problem.h"
 #include "toml/toml_reader.h"

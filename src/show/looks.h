@@ -7,7 +7,6 @@
 #include "base/report.h"
 #include "base/result.h"
 #include "fixture/programmer.h"
-#include "show/show.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -18,6 +17,8 @@
 #include <vector>
 
 namespace ghost::scene {
+
+struct Show;
 
 inline constexpr std::size_t kMostLooks = 1000;
 inline constexpr std::size_t kMostLooksBytes = std::size_t{16} << 20; // of their file

@@ -9,6 +9,7 @@
 #include "fixture/motion.h"
 #include "fixture/patch.h"
 #include "fixture/type.h"
+#include "show/camera.h"
 #include "show/cues.h"
 #include "show/laser.h"
 #include "show/led_wall.h"
@@ -28,19 +29,6 @@ namespace ghost::scene {
 
 struct BeamShape;  // light/beam_shape.h
 struct LoadedPlot; // mvr/mvr_load.h
-
-struct Camera {
-    std::string name;
-    glm::vec3 position_m{0, -10, 2};
-    glm::vec3 target_m{0, 0, 2};
-    float fov_y_deg = 40; // vertical
-    int width = 1280;
-    int height = 720;
-    float ev100 = 6; // exposure
-    bool auto_exposure = false;
-    std::filesystem::path
-        foreign_passes; // a passes.toml rendered elsewhere (docs/reference/foreign-passes.md), or empty
-};
 
 // mean: see docs; extinction covers the way lamp -> surface -> camera.
 struct HazeMedium {
@@ -172,9 +160,6 @@ struct Show {
         return user_cache.empty() ? folder : user_cache.parent_path().parent_path();
     }
 };
-
-// Camera space to world (columns: right, up, backward, eye); the camera looks down its -Z.
-glm::mat4 camera_to_world(const Camera& camera);
 
 // World matrix of a fixture hung at a stop (index into stops_m()).
 glm::mat4 fixture_to_world(const PatchedFixture& fixture, std::size_t stop);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "show/show.h"
 #include "show_file/scene_toml.h"
 
 namespace ghost::scene {

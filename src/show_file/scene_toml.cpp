@@ -5,6 +5,7 @@
 #include "shared/air.h"
 #include "shared/develop.h"
 #include "show/haze_presets.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <bit>

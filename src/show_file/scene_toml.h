@@ -5,12 +5,13 @@
 // [[object]]. Values out of range are left out, with a message. Pure; part of show_toml.
 
 #include "base/report.h"
-#include "show/show.h"
 #include "toml/toml_reader.h"
 
 #include <string>
 
 namespace ghost::scene {
+
+struct Show;
 
 inline constexpr double kMaxAmbient_lux = 200'000;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rays of a pinhole camera. Pixels, y down; world metres. Pure.
 
-#include "show/show.h"
+#include "show/camera.h"
 
 #include <cmath>
 #include <glm/glm.hpp>

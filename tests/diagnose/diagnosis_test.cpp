@@ -2,6 +2,7 @@
 // Each sentence when it is due, and silence when all is well.
 #include "diagnose/diagnosis.h"
 
+#include "show/show.h"
 #include "support/explain_trial.h"
 
 namespace ghost::scene {

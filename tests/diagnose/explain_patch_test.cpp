@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every verdict about what lies before a fixture: its file, its patch, universes and who sends them.
+#include "show/show.h"
 #include "support/explain_trial.h"
 
 namespace ghost::scene {

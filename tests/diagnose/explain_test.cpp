@@ -6,6 +6,7 @@
 #include "diagnose/explain_parts.h"
 #include "diagnose/explain_print.h"
 #include "fixture_files/ofl/ofl.h"
+#include "show/show.h"
 
 #include <map>
 #include <nlohmann/json.hpp>

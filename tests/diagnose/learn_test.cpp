@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnose/learn.h"
 
+#include "show/show.h"
 #include "support/explain_trial.h"
 
 namespace ghost::scene {

@@ -4,6 +4,7 @@
 
 #include "passes/distance_maps_file.h"
 #include "shared/beam.h"
+#include "show/show.h"
 #include "support/explain_trial.h"
 
 #include <cstring>

@@ -3,6 +3,7 @@
 #include "light/bodies.h"
 
 #include "fixture_files/gdtf/gdtf.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cmath>

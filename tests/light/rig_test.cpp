@@ -7,6 +7,7 @@
 #include "beam_groups/light_places.h"
 #include "fixture_files/gdtf/gdtf.h"
 #include "shared/beam.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "passes/distance_maps_file.h"
 #include "passes/passes_file.h"
 #include "shared/octahedral.h"
+#include "show/show.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "project/rdm_devices.h"
 
+#include "show/show.h"
 #include "support/explain_trial.h"
 
 #include <set>

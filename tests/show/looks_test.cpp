@@ -5,6 +5,7 @@
 #include "light/rig.h"
 
 #include "fixture_files/gdtf/gdtf.h"
+#include "show/show.h"
 
 #include <cstring>
 #include <gtest/gtest.h>

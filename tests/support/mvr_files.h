@@ -142,7 +142,7 @@ inline std::string full_xml() {
                     <Protocols><Protocol geometry="NetworkInOut_1" name="sACN" type="DMX" version="1.0" transmission="Multicast"/></Protocols>
                     <Alignments><Alignment geometry="Beam" up="0,1,0" direction="0,0,-1"/></Alignments>
                     <CustomCommands><CustomCommand>Yoke_Pan.Pan.Pan 1,f -12.5</CustomCommand><CustomCommand>Lamp on</CustomCommand></CustomCommands>
-                    <Overwrites><Overwrite universal="Universal Wheel 1.Slot 1" target="Gobo.Slot 3"/><Overwrite universal="Universal BeamGroup 1"/></Overwrites>
+                    <Overwrites><Overwrite universal="Universal Wheel 1.Slot 1" target="Gobo.Slot 3"/><Overwrite universal="Universal Emitter 1"/></Overwrites>
                     <Connections><Connection own="Output1" other="IN" toObject=")" +
            uuid(15) + R"("/></Connections>
                     <Color>0.3127,0.3290,80</Color>

@@ -5,13 +5,15 @@
 // thread.
 
 #include "diagnose/doctor.h"
-#include "show/show.h"
+#include "fixture/type.h"
 
 #include <span>
 #include <string>
 #include <vector>
 
 namespace ghost::scene {
+
+struct PatchedFixture;
 
 struct PatchEntry {
     const PatchedFixture* fixture = nullptr; // not owned

@@ -77,7 +77,7 @@ std::shared_ptr<const Type> made() {
         {"Red", 255, {colour(builder, "ColorAdd_R", "638 nm", {0.7183f, 0.2815f, 25.0f})}},
         {"Green", 255, {colour(builder, "ColorAdd_G", "520 nm", {0.0743f, 0.8338f, 68.0f})}},
         {"Blue", 255, {colour(builder, "ColorAdd_B", "450 nm", {0.1566f, 0.0177f, 7.0f})}},
-        {"LaserCurve", 0, figures()},
+        {"Figure", 0, figures()},
         {"Rays", 60, {make_function("LaserRays", 0, 255, kLeastRays, kMostRays)}},
         {"Width", 85, {make_function("LaserWidth", 0, 255, 0.0f, kWidestFigure_deg)}},
         {"Height", 43, {make_function("LaserHeight", 0, 255, 0.0f, kWidestFigure_deg)}},

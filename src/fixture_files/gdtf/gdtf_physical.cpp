@@ -205,7 +205,7 @@ void read_list(GdtfReader& reader, pugi::xml_node list, const char* element, std
 void read_physical(GdtfReader& reader, pugi::xml_node fixture_type) {
     const pugi::xml_node physical = fixture_type.child("PhysicalDescriptions");
     Type& type = reader.type();
-    read_list(reader, physical.child("BeamGroups"), "Emitter", type.emitters, &reader.emitters, "emitter",
+    read_list(reader, physical.child("Emitters"), "Emitter", type.emitters, &reader.emitters, "emitter",
               read_emitter);
     read_list(
         reader, physical.child("Filters"), "Filter", type.filters, &reader.filters, "filter",

@@ -45,7 +45,7 @@ constexpr Known kKnown[] = {
     {"Facet", "Color Rotation", ""},
     {"AnimationSystem", "P1 P2 P3 Radius", ""},
     {"PhysicalDescriptions", "", ""},
-    {"BeamGroups", "", ""},
+    {"Emitters", "", ""},
     {"Emitter", "Name Color DominantWaveLength DiodePart", ""},
     {"Filters", "", ""},
     {"Filter", "Name Color", ""},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/inputs/rdm_desk.h"
+#include "show/show.h"
 
 #include <utility>
 

@@ -15,6 +15,10 @@
 #include <string>
 #include <vector>
 
+namespace ghost::scene {
+struct PatchedFixture;
+} // namespace ghost::scene
+
 namespace ghost::app {
 
 inline constexpr std::size_t kMostRdmChanges = 4096; // that wait; more are refused

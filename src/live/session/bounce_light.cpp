@@ -7,6 +7,7 @@
 #include "bounce/bounce_file.h"
 #include "bounce/bounce_solver.h"
 #include "files/files.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <array>

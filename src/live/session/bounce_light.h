@@ -10,17 +10,22 @@
 #include "bounce/bounce_volumes.h"
 #include "shared/gobos.h"
 #include "shared/types.h"
-#include "show/show.h"
+#include "stage/stage.h"
 
 #include <atomic>
 #include <condition_variable>
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
+
+namespace ghost::scene {
+struct Show;
+} // namespace ghost::scene
 
 namespace ghost::app {
 

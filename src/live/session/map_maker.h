@@ -8,7 +8,6 @@
 #include "base/report.h"
 #include "base/result.h"
 #include "passes/distance_maps.h"
-#include "show/show.h"
 #include "stage/stage.h"
 
 #include <atomic>
@@ -18,6 +17,10 @@
 #include <set>
 #include <thread>
 #include <vector>
+
+namespace ghost::scene {
+struct Show;
+} // namespace ghost::scene
 
 namespace ghost::app {
 

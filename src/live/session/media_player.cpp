@@ -3,6 +3,7 @@
 
 #include "image/colour.h"
 #include "image/pyramid.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <cmath>

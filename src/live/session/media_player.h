@@ -5,11 +5,15 @@
 
 #include "base/report.h"
 #include "light/gobos.h"
-#include "show/show.h"
 #include "video/source.h"
 
 #include <memory>
+#include <string>
 #include <vector>
+
+namespace ghost::scene {
+struct Show;
+} // namespace ghost::scene
 
 namespace ghost::app {
 

@@ -3,7 +3,7 @@
 // The largest picture that memory holds: a window may ask for one of 8K where memory is for one of half of
 // that. Pure.
 
-#include "show/show.h"
+#include "show/camera.h"
 
 #include <cstdint>
 

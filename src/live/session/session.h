@@ -3,6 +3,9 @@
 // Session: a show opened for drawing: fixtures, passes of one camera (baked where they are missing or older
 // than what they show), device and relighter. What render, bench and the window share. Main thread.
 
+#include "base/report.h"
+#include "base/result.h"
+#include "fixture/motion.h"
 #include "gpu/device.h"
 #include "light/gobos.h"
 #include "light/rig.h"
@@ -11,14 +14,18 @@
 #include "live/session/media_player.h"
 #include "passes/passes.h"
 #include "render/relight/relighter.h"
+#include "show/camera.h"
 #include "show/looks.h"
-#include "show/show.h"
 
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+
+namespace ghost::scene {
+struct Show;
+} // namespace ghost::scene
 
 namespace ghost::app {
 

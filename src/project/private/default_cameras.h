@@ -4,11 +4,13 @@
 // measured from where the fixtures hang and what stands below them; and haze that fits the size of the place.
 // Exposure is automatic: nobody has measured the light yet. World metres, Y up-stage. Pure.
 
-#include "show/show.h"
+#include "show/camera.h"
 
 #include <vector>
 
 namespace ghost::scene {
+
+struct Show;
 
 // show.fixtures and show.stage, one of which may be empty; with both empty they look at the origin.
 std::vector<Camera> default_cameras(const Show& show);

@@ -4,11 +4,13 @@
 // riser, a set piece. Metres, degrees, Z up.
 
 #include "base/report.h"
-#include "show/show.h"
+#include "stage/stage.h"
 
 #include <string>
 
 namespace ghost::scene {
+
+struct Show;
 
 // Says which of them are not there.
 void check_models(const Show& show, Report& report);

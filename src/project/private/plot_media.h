@@ -4,12 +4,16 @@
 // the archive, unpacked into .ghost/media of the folder, or lie beside the plot; streams (NDI, CITP) become a
 // test card, with a message.
 
+#include "base/report.h"
+#include "fixture/type.h"
 #include "mvr/plot.h"
-#include "show/show.h"
+#include "show/projector.h"
 
 #include <string>
 
 namespace ghost::scene {
+
+struct Show;
 
 // The medium of a source, added to show.media where it is new. name: of the object; where: for messages.
 int media_of_source(Show& show, const PlotSource& source, const std::string& name, const std::string& where,

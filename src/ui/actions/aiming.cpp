@@ -3,6 +3,7 @@
 
 #include "light/aim.h"
 #include "show/camera_moves.h"
+#include "show/show.h"
 #include "ui/actions/programmer_actions.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "ui/actions/air_edit.h"
 
 #include "show/haze_presets.h"
+#include "show/show.h"
 
 #include <algorithm>
 

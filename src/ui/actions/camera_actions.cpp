@@ -2,6 +2,7 @@
 // The actions that are about the camera, the selection and the exposure.
 #include "base/text.h"
 #include "show/camera_moves.h"
+#include "show/show.h"
 #include "stage/overrides.h"
 #include "ui/actions/programmer_actions.h"
 

@@ -2,6 +2,7 @@
 #include "ui/actions/cue_list.h"
 
 #include "base/suggest.h"
+#include "show/show.h"
 #include "show_file/cue_edit.h"
 
 #include <algorithm>

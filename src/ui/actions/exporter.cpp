@@ -3,6 +3,7 @@
 
 #include "files/files.h"
 #include "show/looks.h"
+#include "show/show.h"
 #include "ui/model/look_fade.h"
 
 #include <QDir>

@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "project/hang.h"
+#include "show/show.h"
 #include "stage/overrides.h"
 #include "ui/actions/patch_edit.h"
 

@@ -2,6 +2,7 @@
 #include "ui/actions/patch_actions.h"
 
 #include "dmx/wire/universes.h"
+#include "show/show.h"
 
 namespace ghost::ui {
 namespace {

@@ -4,6 +4,7 @@
 // metres and degrees of the show. Error: nothing is selected, or it cannot be done; then nothing is. Window
 // thread.
 
+#include "show/show.h"
 #include "ui/model/show_document.h"
 
 #include <QString>

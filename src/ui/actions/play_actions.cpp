@@ -3,6 +3,7 @@
 #include "ui/actions/programmer_actions.h"
 
 #include "dmx/record/recording.h"
+#include "show/show.h"
 
 #include <QDateTime>
 
@@ -165,8 +166,7 @@ void add_play_actions(Actions& actions, AppModel& app) {
                  },
                  {}});
     for (const int fps : {15, 25, 30, 44, 60}) {
-        actions.add({QString("fps-%1").arg(fps), "PictureQuality", QString("%1 pictures a second").arg(fps),
-                     "", "",
+        actions.add({QString("fps-%1").arg(fps), "Quality", QString("%1 pictures a second").arg(fps), "", "",
                      [&app, fps](const QStringList&) -> Result<void> {
                          app.wish([&](ViewRequest& request) { request.quality.fps = fps; });
                          return {};
@@ -187,7 +187,7 @@ void add_play_actions(Actions& actions, AppModel& app) {
                  },
                  {}});
     for (const int percent : {0, 100, 50, 25, 10}) {
-        actions.add({QString("resolution-%1").arg(percent), "PictureQuality",
+        actions.add({QString("resolution-%1").arg(percent), "Quality",
                      percent == 0 ? QString("As fine as the rate allows, full when at rest")
                                   : QString("%1 % of the pixels").arg(percent),
                      percent == 0 ? "Ctrl+0" : "", "",

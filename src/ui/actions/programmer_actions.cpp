@@ -4,6 +4,7 @@
 #include "base/suggest.h"
 #include "base/text.h"
 #include "image/colour.h"
+#include "show/show.h"
 #include "stage/overrides.h"
 #include "ui/model/head_parameters.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/actions/script.h"
+#include "show/show.h"
 
 #include <QDir>
 #include <QFileInfo>

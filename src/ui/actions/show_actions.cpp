@@ -2,6 +2,7 @@
 #include "ui/actions/show_actions.h"
 
 #include "files/files.h"
+#include "show/show.h"
 #include "show_file/show_edit.h"
 
 #include <QDesktopServices>

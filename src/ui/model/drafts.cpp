@@ -5,6 +5,7 @@
 #include "files/files.h"
 #include "files/own_folder.h"
 #include "files/user_file.h"
+#include "show/show.h"
 
 #include <QFileInfo>
 #include <QStandardPaths>

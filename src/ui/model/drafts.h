@@ -5,13 +5,16 @@
 
 #include "base/result.h"
 #include "files/hold.h"
-#include "show/show.h"
 
 #include <QDateTime>
 
 #include <filesystem>
 #include <optional>
 #include <string>
+
+namespace ghost::scene {
+struct Show;
+} // namespace ghost::scene
 
 namespace ghost::ui {
 

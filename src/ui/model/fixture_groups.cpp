@@ -2,6 +2,7 @@
 #include "ui/model/fixture_groups.h"
 
 #include "mvr/mvr_load.h"
+#include "show/show.h"
 
 #include <algorithm>
 #include <map>

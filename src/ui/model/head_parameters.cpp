@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/head_parameters.h"
+#include "show/show.h"
 
 #include <QRegularExpression>
 #include <QStringList>

@@ -4,7 +4,6 @@
 // attribute of their channels, in groups and words of the field. Pure.
 
 #include "link/look.h"
-#include "show/show.h"
 
 #include <QString>
 
@@ -13,6 +12,11 @@
 #include <set>
 #include <string>
 #include <vector>
+
+namespace ghost::scene {
+struct Show;
+struct PatchedFixture;
+} // namespace ghost::scene
 
 namespace ghost::ui {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/look_fade.h"
+#include "show/show.h"
 
 namespace ghost::ui {
 namespace {

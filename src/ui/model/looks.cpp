@@ -2,6 +2,7 @@
 #include "ui/model/looks.h"
 
 #include "files/files.h"
+#include "show/show.h"
 
 #include <QFile>
 

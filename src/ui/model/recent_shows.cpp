@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/recent_shows.h"
+#include "show/show.h"
 
 #include <QCryptographicHash>
 #include <QDir>

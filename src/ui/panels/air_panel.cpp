@@ -2,6 +2,7 @@
 #include "ui/panels/air_panel.h"
 
 #include "show/haze_presets.h"
+#include "show/show.h"
 #include "ui/widgets/following.h"
 
 #include <QHBoxLayout>
@@ -27,7 +28,7 @@ constexpr Column kColumns[] = {
     {"Blows to", "direction", "X Y Z; any length: 0 0 1 is up"},
     {"Rate", "rate", "Density 1 m before the nozzle, as a multiple of the room's"},
     {"Spread°", "spread", "Full angle of the plume"},
-    {"OnScreen m", "reach", "From here on it is as thin as the room"},
+    {"Reach m", "reach", "From here on it is as thin as the room"},
 };
 
 QString words(float number) {

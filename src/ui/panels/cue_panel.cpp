@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/cue_panel.h"
 
+#include "show/show.h"
 #include "ui/widgets/following.h"
 #include "ui/widgets/theme.h"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/export_panel.h"
 
+#include "show/show.h"
 #include "ui/widgets/theme.h"
 
 #include <QFileDialog>

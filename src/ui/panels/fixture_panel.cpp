@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/fixture_panel.h"
 
+#include "show/show.h"
 #include "ui/actions/patch_actions.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/widgets/fixture_table.h"

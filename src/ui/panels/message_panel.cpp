@@ -3,6 +3,7 @@
 
 #include "diagnose/doctor.h"
 #include "show/camera_moves.h"
+#include "show/show.h"
 #include "ui/widgets/theme.h"
 
 #include <QDesktopServices>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/programmer_panel.h"
 
+#include "show/show.h"
 #include "ui/actions/programmer_actions.h"
 
 #include <QAbstractItemView>

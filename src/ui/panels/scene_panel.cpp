@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/panels/scene_panel.h"
 
+#include "show/show.h"
 #include "stage/overrides.h"
 #include "ui/actions/programmer_actions.h"
 

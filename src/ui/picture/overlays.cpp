@@ -2,6 +2,7 @@
 #include "ui/picture/overlays.h"
 
 #include "show/camera_moves.h"
+#include "show/show.h"
 #include "ui/picture/fixture_labels.h"
 #include "ui/widgets/theme.h"
 

@@ -2,6 +2,7 @@
 #include "ui/picture/view.h"
 
 #include "show/camera_moves.h"
+#include "show/show.h"
 #include "ui/picture/private/chips.h"
 #include "ui/widgets/theme.h"
 

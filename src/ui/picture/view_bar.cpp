@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/picture/view_bar.h"
 
+#include "show/show.h"
 #include "ui/widgets/following.h"
 
 #include <QHBoxLayout>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The mouse in the picture: it selects, aims, drags lamps, and moves the camera.
 #include "show/camera_moves.h"
+#include "show/show.h"
 #include "ui/picture/view.h"
 
 #include <QMouseEvent>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/context_menus.h"
 
+#include "show/show.h"
 #include "ui/picture/overlays.h"
 
 #include <QAbstractItemView>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/menus.h"
+#include "show/show.h"
 
 #include <QFileInfo>
 
@@ -27,7 +28,7 @@ constexpr std::pair<const char*, const char*> kMenus[] = {
     {"Play", "play to-start freeze - cue-go cue-back cue-follow - look-next look-before solo - "
              "input-automatic input-desk "
              "input-recording - record play-recorded play-file play-own"},
-    {"PictureQuality",
+    {"Quality",
      "fps-15 fps-25 fps-30 fps-44 fps-60 - resolution-0 resolution-100 resolution-50 resolution-25 "
      "resolution-10"},
     {"Panels", ""},

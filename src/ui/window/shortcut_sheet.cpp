@@ -44,8 +44,7 @@ ShortcutSheet::ShortcutSheet(const Actions& actions, QWidget* parent) : QDialog(
             QString("<td valign='top'><h3>%1</h3><table cellpadding='2'>%2</table></td>").arg(title, body);
     };
     add("In the picture", kMouse);
-    for (const char* const menu :
-         {"View", "Camera", "Edit", "Show", "Play", "PictureQuality", "Panels", "Help"})
+    for (const char* const menu : {"View", "Camera", "Edit", "Show", "Play", "Quality", "Panels", "Help"})
         add(menu, rows(actions, menu));
     text->setHtml(html + "</tr></table>");
     auto* layout = new QVBoxLayout(this);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/private/state_json.h"
+#include "show/show.h"
 
 #include <QJsonArray>
 

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "diagnose/doctor_substitute.h"
 #include "fixture/values.h"
+#include "show/show.h"
 #include "show_file/substitute_edit.h"
 #include "ui/actions/patch_edit.h"
 #include "ui/model/fixture_groups.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/private/welcome.h"
 
+#include "show/show.h"
 #include "ui/widgets/theme.h"
 
 #include <QEvent>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/window.h"
 
+#include "show/show.h"
 #include "ui/actions/aiming.h"
 #include "ui/actions/export_actions.h"
 #include "ui/actions/hang_edit.h"

@@ -4,6 +4,7 @@
 
 #include "files/files.h"
 #include "image/ldr.h"
+#include "show/show.h"
 #include "ui/panels/fixture_panel.h"
 #include "ui/window/private/notice_bar.h"
 #include "ui/window/private/shortcut_sheet.h"

@@ -215,8 +215,8 @@ TEST(hostile_xml, too_many_elements_are_counted_before_they_are_kept) {
 TEST(hostile_xml, numbers_that_are_none) {
     for (const std::string bad : {"nan", "-nan(ind)", "inf", "-INF", "1e999", "0x10", "1,5", ""}) {
         Description description;
-        description.physical = "<BeamGroups><Emitter Name='E' Color='" + bad + ",1,1' DominantWaveLength='" +
-                               bad + "'/></BeamGroups><DMXProfiles><DMXProfile Name='P'><Point CFC0='" + bad +
+        description.physical = "<Emitters><Emitter Name='E' Color='" + bad + ",1,1' DominantWaveLength='" +
+                               bad + "'/></Emitters><DMXProfiles><DMXProfile Name='P'><Point CFC0='" + bad +
                                "'/></DMXProfile></DMXProfiles>";
         description.models = "<Model Name='M' Length='" + bad + "'/>";
         description.geometries = "<Geometry Name='Base' Position='{1,0,0," + bad +
@@ -347,9 +347,8 @@ TEST(hostile_modes, ten_thousand_are_cut_to_1024) {
 TEST(hostile_names, duplicates_are_said_and_the_first_counts) {
     Description description;
     description.attributes = "<Attributes><Attribute Name='Dimmer'/><Attribute Name='Dimmer'/></Attributes>";
-    description.physical =
-        "<BeamGroups><Emitter Name='E' Color='0.6,0.3,10'/><Emitter Name='E'/></BeamGroups>"
-        "<Filters><Filter Name='F'/><Filter Name='F'/></Filters>";
+    description.physical = "<Emitters><Emitter Name='E' Color='0.6,0.3,10'/><Emitter Name='E'/></Emitters>"
+                           "<Filters><Filter Name='F'/><Filter Name='F'/></Filters>";
     description.wheels = "<Wheel Name='W'><Slot/></Wheel><Wheel Name='W'><Slot/><Slot/></Wheel>";
     description.models = "<Model Name='M' Length='1'/><Model Name='M' Length='2'/>";
     description.geometries = R"(<Geometry Name="Base" Model="M"><Geometry Name="X"/><Geometry Name="X"/>

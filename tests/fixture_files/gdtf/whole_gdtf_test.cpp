@@ -66,12 +66,12 @@ TEST(whole_gdtf, attribute_definitions) {
 TEST(whole_gdtf, emitters_and_filters_with_spectra) {
     Description description;
     description.physical =
-        R"(<BeamGroups><Emitter Name="Red" Color="0.69,0.3,20" DominantWaveLength="630" DiodePart="XPE">
+        R"(<Emitters><Emitter Name="Red" Color="0.69,0.3,20" DominantWaveLength="630" DiodePart="XPE">
 <Measurement Physical="50" LuminousIntensity="400" InterpolationTo="Linear"><MeasurementPoint WaveLength="600" Energy="1"/>
 <MeasurementPoint WaveLength="640" Energy="3"/></Measurement>
 <Measurement Physical="100" LuminousIntensity="1000"><MeasurementPoint WaveLength="600" Energy="2"/>
 <MeasurementPoint WaveLength="640" Energy="8"/></Measurement></Emitter>
-<Emitter Name="UV" DominantWaveLength="390"/></BeamGroups>
+<Emitter Name="UV" DominantWaveLength="390"/></Emitters>
 <Filters><Filter Name="Cyan" Color="0.2,0.3,30"><Measurement Physical="100" Transmission="25" InterpolationTo="Log">
 <MeasurementPoint WaveLength="500" Energy="4"/><MeasurementPoint WaveLength="450" Energy="2"/></Measurement></Filter></Filters>)";
     const LoadedType file = loaded(description);
@@ -381,7 +381,7 @@ TEST(whole_gdtf, initial_functions) {
 
 TEST(whole_gdtf, links_may_differ_in_case) {
     Description description;
-    description.physical = "<BeamGroups><Emitter Name='Deep Red' Color='0.7,0.29,10'/></BeamGroups>";
+    description.physical = "<Emitters><Emitter Name='Deep Red' Color='0.7,0.29,10'/></Emitters>";
     description.mode_geometry = "Geometry='BASE'";
     description.channels =
         "<DMXChannel Offset='1' Geometry='bEAM'><LogicalChannel Attribute='COLORADD_R'>"

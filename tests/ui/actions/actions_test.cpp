@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of actions, through the window that fills it: lines of scripts do what they say, and every fault
 // is a sentence.
+#include "show/show.h"
 #include "support/test_window.h"
 #include "ui/actions/script.h"
 #include "ui/model/shortened.h"

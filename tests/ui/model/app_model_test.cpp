@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The model between window and engine: the request goes out whole, news come in, every change of the look
 // comes back.
+#include "show/show.h"
 #include "support/test_window.h"
 #include "ui/actions/programmer_actions.h"
 

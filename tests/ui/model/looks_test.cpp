@@ -7,6 +7,7 @@
 
 #include "files/files.h"
 #include "fixture_files/gdtf/gdtf.h"
+#include "show/show.h"
 
 #include <QTemporaryDir>
 

@@ -8,6 +8,7 @@
 #include "ui/widgets/theme.h"
 
 #include "fixture_files/gdtf/gdtf.h"
+#include "show/show.h"
 
 #include <QDialog>
 #include <QKeyEvent>

@@ -5,6 +5,7 @@
 #include "ui/picture/overlays.h"
 
 #include "show/camera_moves.h"
+#include "show/show.h"
 
 #include <QMouseEvent>
 #include <QScreen>

@@ -53,7 +53,10 @@ struct InWindow {
         const Result<void> done = window.actions().run(line);
         return done.ok() ? "" : done.error().text();
     }
-    QString toast() { return window.findChild<Toast*>()->words(); }
+    QString toast() {
+        const Toast* const toast = window.findChild<Toast*>();
+        return toast->isVisible() ? toast->words() : QString();
+    }
 
     Link link;
     Window window;

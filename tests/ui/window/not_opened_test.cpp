@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A show that cannot be opened while another one is: the window says so in red where people look, with a way
 // on, and keeps it in Messages until a show opens.
+#include "show/show.h"
 #include "support/test_window.h"
 #include "ui/panels/message_panel.h"
 #include "ui/window/private/notice_bar.h"

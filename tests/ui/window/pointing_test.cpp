@@ -8,6 +8,7 @@
 
 #include "fixture_files/gdtf/gdtf.h"
 #include "show/camera_moves.h"
+#include "show/show.h"
 
 #include <QImage>
 
