@@ -4,6 +4,7 @@
 // floor.
 
 #include "diagnose/explain.h"
+#include "show/show.h"
 
 #include "diagnose/explain_print.h"
 #include "photometry/photometry.h"

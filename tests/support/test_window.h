@@ -3,6 +3,7 @@
 // For tests of the window: Qt without a screen, a show of four lamps made here, and an engine that is only
 // the other end of the link.
 
+#include "show/show.h"
 #include "ui/model/app_model.h"
 
 #include <QApplication>
