@@ -25,8 +25,6 @@ using glm::dvec3;
 using glm::vec3;
 
 constexpr double kPi = 3.14159265358979;
-constexpr std::size_t kManyTriangles = 1'000'000;  // of one mesh
-constexpr std::size_t kEdgesOfTriangles = 200'000; // of one mesh: larger ones are not looked at edge by edge
 constexpr std::size_t kWindingTriangles = 20'000'000; // of all lights together
 constexpr double kClosed = 0.98;                      // winding number
 
