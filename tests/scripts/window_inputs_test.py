@@ -175,7 +175,7 @@ def shaders(work):
             raise AssertionError(f"{mean}\n{(work / 'window.log').read_text()[-3000:]}")
         for line in ("wait opened", "jump 36", "wait 0.2", "freeze on"):
             assert window.ask(line) == "ok"
-        before = means(lambda mean: max(mean) > 5)
+        before = means(lambda mean: mean[2] > 5)  # a blue moment
         for name in ("develop", "glare_develop"):
             text = (SOURCE / f"shaders/{name}.comp").read_text()
             green = re.sub(r"imageStore\(picture, (ivec3\(.*?\)), (.*)\);", r"imageStore(picture, \1, (\2) * vec4(0, 1, 0, 1));", text)
@@ -183,7 +183,7 @@ def shaders(work):
             (work / f"{name}.comp").write_text(green)
             subprocess.run(["glslc", "--target-env=vulkan1.3", "-O", "-I", SOURCE / "shaders", "-o", work / f"{name}.spv", work / f"{name}.comp"], check=True)
             os.replace(work / f"{name}.spv", folder / f"{name}.spv")
-        after = means(lambda mean: mean[0] < before[0] / 3 and mean[2] < before[2] / 3)
+        after = means(lambda mean: mean[2] < before[2] / 3)
         assert after[1] > before[1] / 2, (before, after)
         for name in ("develop", "glare_develop"):
             (folder / f"{name}.spv").write_text("no shader")
