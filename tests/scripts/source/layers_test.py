@@ -46,6 +46,7 @@ with tempfile.TemporaryDirectory() as folder:
     tree = Path(folder)
     shutil.copytree(root / "src", tree / "src")
     (tree / "src/stage/aa.h").write_text(HEAD + "#pragma once\nnamespace ghost::scene {\nstruct Twin {\n};\n}\n", encoding="utf-8")
+    (tree / "src/stage/private").mkdir(exist_ok=True)
     (tree / "src/stage/private/t.h").write_text(HEAD + "#pragma once\n", encoding="utf-8")
     for k in range(40):
         (tree / "tools").mkdir(exist_ok=True)
