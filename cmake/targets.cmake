@@ -65,7 +65,7 @@ function(ghost_test path)
     endif()
     # What tests of another user or checkout left in /tmp is not theirs to replace.
     file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/tests/tmp)
-    set_tests_properties(${folder} PROPERTIES TIMEOUT ${limit_s} ENVIRONMENT TEST_TMPDIR=${CMAKE_BINARY_DIR}/tests/tmp)
+    set_tests_properties(${folder} PROPERTIES LABELS room TIMEOUT ${limit_s} ENVIRONMENT TEST_TMPDIR=${CMAKE_BINARY_DIR}/tests/tmp)
 endfunction()
 
 # ghost_fuzz(name libraries...): libFuzzer target fuzz_<name> of tests/fuzz/<name>_fuzz.cpp.

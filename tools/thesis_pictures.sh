@@ -5,4 +5,4 @@ set -e
 cd "$(dirname "$0")/.."
 folder=${2:-docs/images/thesis}
 mkdir -p "$folder"
-GHOST_THESIS_PICTURES=$folder "${1:-build/release}/test_app" --gtest_also_run_disabled_tests --gtest_filter='thesis_*.DISABLED_Picture'
+GHOST_THESIS_PICTURES=$folder "${1:-build/release}/test_live_session" --gtest_also_run_disabled_tests --gtest_filter='thesis_*.DISABLED_Picture'

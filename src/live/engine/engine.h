@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Engine: the thread behind the window. It owns the session, the desk's receiver and the rig, draws what the
-// the request asks for and puts news into the link; the window never waits for it. While the picture moves it
+// request asks for and puts news into the link; the window never waits for it. While the picture moves it
 // has as many pixels as the wanted rate allows (live/engine/pace.h); when it rests it is drawn once more,
 // with all of them.
 
