@@ -63,7 +63,7 @@ PLATFORM_FILES = {
 }
 # Headers of shaders/ that C++ reads too, and the headers made from shaders.
 SHADER_HEADERS = {
-    "shared": {"shared", "show", "show_file", "stage", "bounce", "photometry", "beam_groups", "passes", "light", "project", "diagnose", "trace", "reference",
+    "shared": {"shared", "show", "show_file", "stage", "bounce", "photometry", "beam_groups", "passes", "light", "show_folder", "diagnose", "trace", "reference",
                "bake", "render", "live", "ui", "cli", "bench"},
     "shaders": {"render"},
 }

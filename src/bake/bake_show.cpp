@@ -4,7 +4,7 @@
 #include "bake/keys.h"
 #include "bake/private/camera_bake.h"
 #include "light/bodies.h"
-#include "project/place_checks.h"
+#include "show_folder/place_checks.h"
 #include "trace/tracer.h"
 
 #include <algorithm>

@@ -26,16 +26,14 @@ std::size_t character_at(std::string_view text, std::uint32_t& character) {
     return is_long || is_half || character > 0x10FFFF ? 0 : size;
 }
 
-} // namespace
-
-std::string printable(std::string_view text) {
+std::string shown(std::string_view text, bool keeps_lines) {
     std::string result;
     result.reserve(text.size());
     while (!text.empty()) {
         std::uint32_t character = 0;
         const std::size_t size = character_at(text, character);
-        const bool is_control = (character < 0x20 && character != '\n' && character != '\t') ||
-                                (character >= 0x7F && character < 0xA0);
+        const bool is_line = keeps_lines && (character == '\n' || character == '\t');
+        const bool is_control = (character < 0x20 && !is_line) || (character >= 0x7F && character < 0xA0);
         if (size == 0) {
             result += kUnknown;
         } else if (is_control) {
@@ -50,6 +48,16 @@ std::string printable(std::string_view text) {
     return result;
 }
 
+} // namespace
+
+std::string printable(std::string_view text) {
+    return shown(text, true);
+}
+
+std::string one_line(std::string_view text) {
+    return shown(text, false);
+}
+
 void print_text(const char* format, ...) {
     std::va_list arguments, again;
     va_start(arguments, format);
@@ -60,8 +68,8 @@ void print_text(const char* format, ...) {
         std::string text(static_cast<std::size_t>(size) + 1, '\0');
         std::vsnprintf(text.data(), text.size(), format, again);
         text.pop_back();
-        const std::string shown = printable(text);
-        std::fwrite(shown.data(), 1, shown.size(), stdout);
+        const std::string whole = printable(text);
+        std::fwrite(whole.data(), 1, whole.size(), stdout);
     }
     va_end(again);
 }

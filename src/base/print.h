@@ -10,6 +10,8 @@ namespace ghost {
 
 // Newlines and tabs stay; bytes that are not UTF-8 become U+FFFD.
 std::string printable(std::string_view text);
+// Newlines and tabs are shown, too: a name that somebody else chose, within a line of ours.
+std::string one_line(std::string_view text);
 
 // printf, printable.
 [[gnu::format(printf, 1, 2)]] void print_text(const char* format, ...);

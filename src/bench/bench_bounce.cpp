@@ -89,7 +89,7 @@ std::string moment_name(double at_s) {
 Result<void> power_rows(ShowMoment& moment, const Room& room, const bake::Tracer& tracer, Report& report,
                         const BenchSink& sink) {
     scene::BounceSolver solver(room.bounce);
-    const shared::Haze haze = haze_of(moment.show());
+    const shared::Haze haze = atmosphere_of(moment.show()).medium();
     solver.set_haze(haze);
     for (const double at_s : kMoments_s) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
@@ -144,7 +144,7 @@ Result<void> solve_rows(ShowMoment& moment, const Room& room, Report& report, co
         double all_ms = std::numeric_limits<double>::max(), same_ms = all_ms;
         for (int k = 0; k < kSolves; ++k) {
             scene::BounceSolver solver(room.bounce);
-            solver.set_haze(haze_of(moment.show()));
+            solver.set_haze(atmosphere_of(moment.show()).medium());
             double begin_s = now_s();
             (void)solver.solve(lights, room.of_lights, moment.gobos().images);
             all_ms = std::min(all_ms, 1e3 * (now_s() - begin_s));

@@ -9,8 +9,8 @@
 #include "image/metrics.h"
 #include "light/bodies.h"
 #include "passes/passes_file.h"
-#include "project/load_show.h"
 #include "reference/trace_lit.h"
+#include "show_folder/load_show.h"
 
 #include <algorithm>
 #include <chrono>
@@ -176,7 +176,7 @@ Result<void> bench_quality(const BenchOptions& options, const BenchSink& sink) {
     const scene::GoboStack gobos = scene::build_gobos(show, report);
     const scene::Stage stage = scene::stage_with_bodies(show, report);
     TRY(dmx::Recording recording, dmx::read_recording(show.recording));
-    const dmx::Player player(std::move(recording));
+    dmx::Player player(std::move(recording));
     scene::Rig rig(show);
     render::Settings settings = bench_settings();
     settings.air = false;

@@ -4,7 +4,7 @@
 // other.
 #include "base/interrupt.h"
 #include "bench/bench.h"
-#include "project/load_show.h"
+#include "show_folder/load_show.h"
 
 #include "files/files.h"
 #include "video/film.h"

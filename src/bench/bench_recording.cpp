@@ -107,7 +107,7 @@ Result<BenchRow> measure(const BenchRig& rig, const std::filesystem::path& path)
     TRY(dmx::Recording recording, dmx::read_recording(path));
     const double open_s = seconds_since(open_start);
     const std::size_t blocks = recording.blocks();
-    const dmx::Player player(std::move(recording));
+    dmx::Player player(std::move(recording));
     std::vector<double> seeks_s;
     std::uint64_t place = 88172645463325252ull; // xorshift
     for (int i = 0; i < kSeeks && !interrupted(); ++i) {

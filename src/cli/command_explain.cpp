@@ -120,7 +120,7 @@ Result<Moment> run_recording(const fs::path& file, const Options& options, scene
     moment.reception.recording = file.string();
     for (const auto& [universe, time] : recording.first_frames())
         moment.reception.first_frames_s.emplace_back(universe, seconds_of(time));
-    const dmx::Player player(std::move(recording));
+    dmx::Player player(std::move(recording));
     char text[96];
     std::snprintf(text, sizeof text, "there is no second %g: the recording ends at %.2f s", at_s,
                   player.duration_s());

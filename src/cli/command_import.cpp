@@ -3,8 +3,8 @@
 #include "base/interrupt.h"
 #include "cli/commands.h"
 #include "live/session/session.h"
-#include "project/import_plot.h"
-#include "project/load_show.h"
+#include "show_folder/import_plot.h"
+#include "show_folder/load_show.h"
 
 #include "base/log.h"
 #include "base/print.h"

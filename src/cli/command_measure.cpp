@@ -58,6 +58,7 @@ Result<void> measure(const Options& options, LuxGrid& grid) {
     moment->step_to(options.at_s, kSteps_hz, report);
     const bake::Tracer tracer(moment->stage());
     const std::vector<shared::Light> lights = moment->lights();
+    const Atmosphere air = atmosphere_of(moment->show());
     const bake::DenormalsOff mode;
     bake::Surface meter;
     meter.instance = 0;
@@ -71,7 +72,7 @@ Result<void> measure(const Options& options, LuxGrid& grid) {
     for (const glm::vec3& at_m : grid.points_m) {
         if (interrupted()) return Error{"interrupted", ""};
         meter.position = meter.shadow_origin = at_m;
-        grid.lux.push_back(lux_at(meter, lights, moment->show(), moment->gobos(), &tracer));
+        grid.lux.push_back(lux_at(meter, lights, air, moment->gobos(), &tracer));
         progress.update(static_cast<double>(grid.lux.size()) / static_cast<double>(grid.points_m.size()),
                         steady_now_s(), "");
     }

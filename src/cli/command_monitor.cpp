@@ -95,8 +95,8 @@ private:
 // What a desk wants of the fixtures by RDM: said, for nothing is edited here.
 void log_rdm(RdmDesk& desk, const scene::Show& show) {
     for (const RdmDesk::Wanted& one : desk.take())
-        log_info("RDM: " + scene::diagnosed::printable(one.name) + ": " +
-                 scene::diagnosed::printable(change_text(one.change, show.fixtures[one.fixture])));
+        log_info("RDM: " + one_line(one.name) + ": " +
+                 one_line(change_text(one.change, show.fixtures[one.fixture])));
 }
 
 Result<void> read_patch(const MonitorOptions& options, dmx::ReceiverOptions& input, MonitorReport& report,

@@ -94,7 +94,7 @@ int write(const PlayOptions& options) {
 }
 
 // Sends what the time code wants until Ctrl-C: what it stands at, again and again.
-Result<void> follow_timecode(const PlayOptions& options, const dmx::Player& player, dmx::Sender& sender) {
+Result<void> follow_timecode(const PlayOptions& options, dmx::Player& player, dmx::Sender& sender) {
     TRY(const std::unique_ptr<TimeCodeInput> timecode, open_timecode(options.timecode));
     dmx::ReceiverOptions listen;
     listen.interface = options.send.interface;
@@ -125,7 +125,7 @@ int send(PlayOptions options) {
     auto recording = open_recording(options.file, options.capture, options.quiet);
     if (!recording.ok()) return failed(recording.error());
     const std::string what = about(*recording);
-    const dmx::Player player(std::move(*recording));
+    dmx::Player player(std::move(*recording));
     const double end_s =
         options.until_s > 0.0 ? std::min(options.until_s, player.duration_s()) : player.duration_s();
     if (options.from_s > end_s)

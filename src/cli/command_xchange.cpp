@@ -7,7 +7,7 @@
 #include "cli/commands.h"
 #include "cli/options/number_option.h"
 #include "live/session/session.h"
-#include "project/import_plot.h"
+#include "show_folder/import_plot.h"
 #include "xchange/xchange.h"
 
 #include <nlohmann/json.hpp>

@@ -213,8 +213,7 @@ std::string monitor_json(const MonitorReport& from, bool levels) {
 namespace {
 
 void print_usb_port(const dmx::UsbPortStatus& port) {
-    const std::string place =
-        scene::diagnosed::printable(port.path) + ", universe " + std::to_string(port.universe);
+    const std::string place = one_line(port.path) + ", universe " + std::to_string(port.universe);
     if (!port.open)
         print_text("%s: %s\n", place.c_str(), port.problem.c_str());
     else if (!port.answered)
@@ -234,7 +233,7 @@ void print_usb_port(const dmx::UsbPortStatus& port) {
 
 void print_midi_port(const dmx::MidiStatus& midi) {
     if (midi.path.empty()) return;
-    const std::string path = scene::diagnosed::printable(midi.path);
+    const std::string path = one_line(midi.path);
     if (!midi.open)
         print_text("%s: %s\n", path.c_str(), midi.problem.c_str());
     else if (!midi.time)
@@ -256,16 +255,15 @@ void print_monitor_table(const MonitorReport& from) {
     print_text("%-8s %-7s %-15s %4s %5s %7s %7s %7s %6s  %-14s %s\n", "universe", "from", "address", "prio",
                "slots", "rate/s", "jitter", "missed", "age s", "is", "source");
     for (const dmx::SourceStatus& source : statistics.sources)
-        print_text(
-            "%-8d %-7s %-15s %4d %5d %7.1f %7.1f %7llu %6.1f  %-14s %s%s%s\n", source.universe,
-            dmx::protocol_name(source.protocol), scene::diagnosed::printable(dmx::place_text(source)).c_str(),
-            source.priority, source.slot_count, source.rate_hz, source.jitter_ms,
-            static_cast<unsigned long long>(source.missed), seconds_of(source.age),
-            scene::role_text(source, statistics.sources).c_str(),
-            source.protocol == dmx::Protocol::artnet ? source.id.c_str()
-                                                     : scene::diagnosed::printable(source.name).c_str(),
-            source.per_address_priority ? " (priority per address)" : "",
-            from.has_patch && !from.patch.has(source.universe) ? " (not patched)" : "");
+        print_text("%-8d %-7s %-15s %4d %5d %7.1f %7.1f %7llu %6.1f  %-14s %s%s%s\n", source.universe,
+                   dmx::protocol_name(source.protocol), one_line(dmx::place_text(source)).c_str(),
+                   source.priority, source.slot_count, source.rate_hz, source.jitter_ms,
+                   static_cast<unsigned long long>(source.missed), seconds_of(source.age),
+                   scene::role_text(source, statistics.sources).c_str(),
+                   source.protocol == dmx::Protocol::artnet ? source.id.c_str()
+                                                            : one_line(source.name).c_str(),
+                   source.per_address_priority ? " (priority per address)" : "",
+                   from.has_patch && !from.patch.has(source.universe) ? " (not patched)" : "");
     for (const dmx::Universe& universe : universes.list)
         if (universe.lost)
             print_text("%-8d LOST %.1f s ago, %s\n", universe.number, age_s(universe),

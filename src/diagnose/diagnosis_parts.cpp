@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnose/diagnosis_parts.h"
 
+#include "base/print.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -49,13 +51,6 @@ std::set<int> Arriving::announced(dmx::Protocol protocol) const {
     return result;
 }
 
-std::string printable(const std::string& text) {
-    std::string result;
-    for (const char letter : text)
-        result += static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F ? '?' : letter;
-    return result;
-}
-
 std::string count_text(std::uint64_t count, const std::string& word) {
     return std::to_string(count) + " " + word + (count == 1 ? "" : "s");
 }
@@ -87,8 +82,8 @@ std::string seconds_text(std::chrono::nanoseconds time) {
 }
 
 std::string source_text(const std::string& name, const std::string& place, dmx::Protocol protocol) {
-    if (!name.empty()) return "'" + printable(name) + "' (" + printable(place) + ")";
-    return printable(place) + " (" + dmx::protocol_name(protocol) + ")";
+    if (!name.empty()) return "'" + one_line(name) + "' (" + one_line(place) + ")";
+    return one_line(place) + " (" + dmx::protocol_name(protocol) + ")";
 }
 
 std::string source_text(const dmx::SourceStatus& source) {

@@ -29,7 +29,6 @@ struct Arriving {
     std::set<int> announced(dmx::Protocol protocol) const;
 };
 
-std::string printable(const std::string& text); // a name that somebody on the network chose
 std::string count_text(std::uint64_t count, const std::string& word); // "1 fixture", "2 fixtures"
 std::string universes_text(const std::set<int>& universes);           // "universe 7", "universes 1-4, 9"
 std::set<int> numbers_of(const PatchMap& patch);

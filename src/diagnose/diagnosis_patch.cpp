@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What arrives against what is patched: other universes than those of the show, by how they differ.
+#include "base/print.h"
 #include "base/text.h"
 #include "diagnose/diagnosis_parts.h"
 
@@ -99,7 +100,7 @@ void add_patch(const dmx::Statistics& statistics, const Arriving& arriving, cons
     if (!missing.empty() && !arriving.nothing())
         out.push_back(problem(Trouble::not_received,
                               count_text(fixtures, "fixture") + " on " + universes_text(missing) + " ('" +
-                                  printable(first) + "'" + (fixtures > 1 ? ", ..." : "") +
+                                  one_line(first) + "'" + (fixtures > 1 ? ", ..." : "") +
                                   "), nothing arrives there" +
                                   port_addresses_hint(missing, statistics.listening),
                               missing));

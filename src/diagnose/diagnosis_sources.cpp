@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is wrong with sources that arrive: too many, for blind, of lower priority, two that fight, levels that
 // wait, packets that get lost.
+#include "base/print.h"
 #include "diagnose/diagnosis_parts.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ std::string artnet_holders_text(const dmx::Statistics& statistics, int universe)
     std::size_t count = 0;
     for (const dmx::SourceStatus& source : statistics.sources) {
         if (source.universe != universe || source.protocol != dmx::Protocol::artnet) continue;
-        text += (count++ > 0 ? " and " : "") + printable(source.id);
+        text += (count++ > 0 ? " and " : "") + one_line(source.id);
         if (source.age >= kSilent) text += " (silent for " + seconds_text(source.age) + ")";
     }
     if (count < dmx::kMaxArtnetSources) return "";

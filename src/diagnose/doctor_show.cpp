@@ -8,8 +8,8 @@
 #include "fixture/values.h"
 #include "fixture_files/gdtf/gdtf.h"
 #include "mvr/mvr_load.h"
-#include "project/plot_show.h"
 #include "show_file/show_toml.h"
+#include "show_folder/plot_show.h"
 #include "stage/model_file.h"
 #include "toml/toml_reader.h"
 

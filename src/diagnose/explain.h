@@ -186,6 +186,8 @@ struct Explanation {
     bool looked = false; // the stage was there to be hit
 };
 
+struct HazeMedium;
+
 struct ExplainInput {
     const Show& show;
     const Report& report; // of load_show
@@ -193,7 +195,8 @@ struct ExplainInput {
     const GoboStack& gobos;
     const dmx::Universes& universes;
     const Reception& reception;
-    double now_s = 0; // the clock of Universe::arrival
+    double now_s = 0;                 // the clock of Universe::arrival
+    const HazeMedium* haze = nullptr; // what hangs in the air now; null: the show's
 
     struct Seen {
         int instance = kNone;

@@ -2,9 +2,9 @@
 // Where a beam arrives: what its middle meets first, how many lux there, and what hides it.
 #include "diagnose/explain_parts.h"
 
-#include "project/place_checks.h"
 #include "shared/beam.h"
 #include "show/show.h"
+#include "show_folder/place_checks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,7 +106,8 @@ void add_unseen(const ExplainInput& input, BeamFacts& facts) {
              {}});
     }
     if (facts.hit || !facts.edge_object.empty()) return;
-    const bool haze = input.show.haze.extinction_per_m > 0.0f && input.show.haze.albedo > 0.0f;
+    const HazeMedium& air = input.haze ? *input.haze : input.show.haze;
+    const bool haze = air.extinction_per_m > 0.0f && air.albedo > 0.0f;
     facts.findings.push_back(
         {Cause::away,
          !haze,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/print.h"
 #include "diagnose/explain_parts.h"
 #include "diagnose/explain_print.h"
 
@@ -13,14 +14,6 @@ using namespace explained;
 
 constexpr std::size_t kMostChannels = 64;
 constexpr std::size_t kMostBeams = 24;
-
-// What somebody on the network or in a file chose, fit for a terminal.
-std::string printable(const std::string& text) {
-    std::string result;
-    for (const char letter : text)
-        result += static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F ? '?' : letter;
-    return result;
-}
 
 std::string row(const char* head, const std::string& text) {
     char begin[16];
@@ -235,7 +228,7 @@ std::string beam_lines(const Explanation& explanation) {
 } // namespace
 
 std::string line_of(const Explanation& explanation) {
-    return printable(explanation.fixture + ": " + explanation.verdict);
+    return one_line(explanation.fixture + ": " + explanation.verdict);
 }
 
 std::string words_of(const Explanation& explanation, const Reception& reception) {
@@ -254,13 +247,7 @@ std::string words_of(const Explanation& explanation, const Reception& reception)
             text += row(i == 0 ? "universe" : "", universe_text(explanation.universes[i], reception));
         text += row("patch", patch_text(explanation)) + channel_lines(explanation) + beam_lines(explanation);
     }
-    std::string result;
-    for (std::size_t from = 0; from < text.size();) {
-        const std::size_t end = text.find('\n', from);
-        result += printable(text.substr(from, end - from)) + "\n";
-        from = end + 1;
-    }
-    return result;
+    return printable(text);
 }
 
 } // namespace ghost::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnose/learn.h"
 
+#include "base/print.h"
 #include "diagnose/diagnosis.h"
 #include "diagnose/diagnosis_parts.h"
 
@@ -16,8 +17,7 @@ constexpr auto kRest = 1s;
 std::string slots_text(const std::vector<const PatchedSlot*>& slots) {
     std::string text;
     for (const PatchedSlot* slot : slots)
-        text +=
-            (text.empty() ? "'" : ", '") + diagnosed::printable(slot->fixture_name) + "' " + slot->channel;
+        text += (text.empty() ? "'" : ", '") + one_line(slot->fixture_name) + "' " + slot->channel;
     return text;
 }
 

@@ -6,7 +6,7 @@
 #include "base/log.h"
 #include "files/crc32.h"
 #include "files/files.h"
-#include "project/load_show.h"
+#include "show_folder/load_show.h"
 
 #include <chrono>
 #include <cstdio>

@@ -5,6 +5,7 @@
 #include "files/files.h"
 
 #include <cstring>
+#include <utility>
 
 namespace ghost::gpu {
 namespace {
@@ -42,9 +43,12 @@ Shader ShaderFolder::current(const Shader& built_in) {
 bool ShaderFolder::has_changed(std::chrono::steady_clock::time_point now) {
     if (now - looked_ < kLookEvery) return false;
     looked_ = now;
-    for (const auto& [name, time] : times_)
-        if (time_of(folder_ / (name + ".spv")) != time) return true;
-    return false;
+    bool changed = false;
+    for (auto& [name, time] : times_) {
+        const auto newest = time_of(folder_ / (name + ".spv"));
+        changed |= newest != std::exchange(time, newest);
+    }
+    return changed;
 }
 
 } // namespace ghost::gpu

@@ -21,7 +21,8 @@ public:
 
     // The words live as long as this.
     Shader current(const Shader& built_in);
-    // One that was asked for was written since. Looks at the disk once a second at most.
+    // One that was asked for was written since, or since the last call that said so. Looks at the disk once a
+    // second at most.
     bool has_changed(std::chrono::steady_clock::time_point now);
 
 private:

@@ -5,7 +5,7 @@
 // spots are as they were measured. Pure. docs/reference/photometry.md.
 
 #include "base/result.h"
-#include "fixture_files/photometric/photometric.h"
+#include "fixture_files/ies_ldt/photometric.h"
 
 #include <cstdint>
 #include <filesystem>

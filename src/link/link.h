@@ -11,8 +11,8 @@
 #include "image/image.h"
 #include "image/tone.h"
 #include "link/look.h"
-#include "project/hang.h"
 #include "show/camera.h"
+#include "show_folder/hang.h"
 #include "stage/stage.h"
 
 #include <atomic>

@@ -3,6 +3,7 @@
 // GROUP._mvrxchange._tcp.local, shared by all stations of a group (BlenderDMX), STATION.GROUP._mvrxchange..
 // and STATION@GROUP._mvrxchange... All are read; we answer with the first to who asks for the service, and
 // with the second to who asks for the group.
+#include "base/print.h"
 #include "xchange/protocol.h"
 
 #include <algorithm>
@@ -30,11 +31,8 @@ DnsName under_service(std::vector<std::string> labels) {
     return labels;
 }
 
-std::string printable(std::string text) {
-    text.resize(std::min(text.size(), kMaxXchangeText));
-    for (char& letter : text)
-        if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F) letter = ' ';
-    return text;
+std::string name_of(const std::string& text) {
+    return one_line(text.substr(0, kMaxXchangeText));
 }
 
 // Texts of a record, each "key=value"; older stations write "StationName=..;StationUUID=.." in one.
@@ -56,7 +54,7 @@ std::string value_of(const DnsRecord& record, std::string_view key) {
         if (equals == std::string::npos || equals != key.size()) continue;
         const bool same = std::equal(key.begin(), key.end(), text.begin(),
                                      [](char a, char b) { return (a | 0x20) == (b | 0x20); });
-        if (same) return printable(text.substr(equals + 1));
+        if (same) return name_of(text.substr(equals + 1));
     }
     return "";
 }
@@ -115,8 +113,8 @@ std::vector<XchangeStation> xchange_stations(const DnsPacket& packet, const dmx:
         XchangeStation station;
         const std::string& last = record.name[record.name.size() - service().size() - 1];
         const std::size_t at = last.rfind('@');
-        station.group = printable(at == std::string::npos ? last : last.substr(at + 1));
-        station.name = printable(at == std::string::npos ? record.name.front() : last.substr(0, at));
+        station.group = name_of(at == std::string::npos ? last : last.substr(at + 1));
+        station.name = name_of(at == std::string::npos ? record.name.front() : last.substr(0, at));
         if (const DnsRecord* const text = find(packet, DnsType::txt, record.name)) {
             if (const std::string name = value_of(*text, "StationName"); !name.empty()) station.name = name;
             station.uuid = value_of(*text, "StationUUID");

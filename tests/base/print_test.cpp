@@ -18,6 +18,11 @@ TEST(Print, what_a_terminal_would_obey_is_shown) {
     EXPECT_EQ(printable(std::string_view("\0", 1)), "\\u0000");
 }
 
+TEST(Print, a_name_of_somebody_else_stays_within_its_line) {
+    EXPECT_EQ(one_line("Desk\nerror: 'all' is lost\t\x1b[2J ä"),
+              "Desk\\u000aerror: 'all' is lost\\u0009\\u001b[2J ä");
+}
+
 TEST(Print, what_is_no_utf8_is_replaced) {
     const std::string unknown = "\xef\xbf\xbd";
     for (const char* const bytes : {"\x9b", "\xff", "\xc0", "\xf5"}) EXPECT_EQ(printable(bytes), unknown);

@@ -7,7 +7,7 @@
 #include "diagnose/doctor_substitute.h"
 #include "diagnose/private/doctor_patch.h"
 #include "files/files.h"
-#include "project/load_show.h"
+#include "show_folder/load_show.h"
 
 #include <algorithm>
 #include <filesystem>

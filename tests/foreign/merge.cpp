@@ -8,7 +8,7 @@ int main() {
     using namespace ghost::dmx;
     Merge merge;
     const auto send = [&](std::uint8_t desk, std::vector<std::uint8_t> slots) {
-        const auto bytes = build_sacn(7, slots, 0, 100, {desk}, "desk");
+        const auto bytes = build_sacn(7, slots, 0, {100, {desk}, "desk"});
         merge.feed(std::get<Packet>(parse_sacn(bytes)), std::chrono::seconds(1));
     };
     send(1, {255, 10, 0});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bytes of a MIDI port in pieces of any size: whatever comes, what is handed on is a time of day.
-#include "dmx/time/midi_timecode.h"
+#include "dmx/timecode/midi_timecode.h"
 
 #include <cstdlib>
 

@@ -2,9 +2,9 @@
 #include "beam_groups/light_places.h"
 #include "files/files.h"
 #include "light/bodies.h"
-#include "project/load_show.h"
 #include "show/show.h"
 #include "show_file/show_toml.h"
+#include "show_folder/load_show.h"
 #include "support/tiny_glb.h"
 
 #include <cmath>

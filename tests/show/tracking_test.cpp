@@ -2,8 +2,8 @@
 // Heads that follow a point, and what the show file says of trackers.
 #include "light/aim.h"
 #include "light/rig.h"
-#include "project/load_show.h"
 #include "show_file/show_toml.h"
+#include "show_folder/load_show.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Edits of haze, wind and hazers as text: what was asked for is there, the rest is the same byte for byte,
 // and what cannot be edited is refused.
-#include "project/load_show.h"
 #include "show/show.h"
 #include "show_file/air_edit.h"
 #include "show_file/show_edit.h"
 #include "show_file/show_toml.h"
+#include "show_folder/load_show.h"
 
 #include <gtest/gtest.h>
 

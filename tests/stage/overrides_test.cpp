@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/text.h"
 #include "light/bodies.h"
-#include "project/load_show.h"
 #include "shared/attenuation.h"
 #include "show/show.h"
+#include "show_folder/load_show.h"
 #include "stage/overrides.h"
 #include "support/tiny_glb.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/colour.h"
 #include "image/ldr.h"
-#include "project/place_checks.h"
 #include "show/show.h"
+#include "show_folder/place_checks.h"
 #include "stage/model_reader.h"
 #include "support/tiny_glb.h"
 

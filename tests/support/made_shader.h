@@ -20,14 +20,14 @@ struct BoundVariable {
 
 inline const std::vector<std::uint32_t>& nothing_module() {
     static const std::vector<std::uint32_t> words{
-        0x07230203, 0x00010500, 0,          5,          0,    // SPIR-V 1.5, five ids
-        0x00020011, 1,          0x0003000e, 0,          1,    // OpCapability Shader, OpMemoryModel Logical
-                                                              // GLSL450
-        0x0005000f, 5,          3,          0x6e69616d, 0,    // OpEntryPoint GLCompute %3 "main"
-        0x00060010, 3,          17,         1,          1, 1, // OpExecutionMode %3 LocalSize 1 1 1
-        0x00020013, 1,          0x00030021, 2,          1,    // %1 void, %2 void()
-        0x00050036, 1,          3,          0,          2, 0x000200f8, 4, // %3 OpFunction, %4 OpLabel
-        0x000100fd, 0x00010038,                                           // OpReturn, OpFunctionEnd
+        0x07230203, 0x00010500, 0, 5, 0,       // SPIR-V 1.5, five ids
+        0x00020011, 1, 0x0003000e, 0, 1,       // OpCapability Shader, OpMemoryModel Logical
+                                               // GLSL450
+        0x0005000f, 5, 3, 0x6e69616d, 0,       // OpEntryPoint GLCompute %3 "main"
+        0x00060010, 3, 17, 1, 1, 1,            // OpExecutionMode %3 LocalSize 1 1 1
+        0x00020013, 1, 0x00030021, 2, 1,       // %1 void, %2 void()
+        0x00050036, 1, 3, 0, 2, 0x000200f8, 4, // %3 OpFunction, %4 OpLabel
+        0x000100fd, 0x00010038,                // OpReturn, OpFunctionEnd
     };
     return words;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // For tests: small plots with a head of two DMX breaks (Head.gdtf) and a mesh (Sail.glb), opened as shows.
 
-#include "project/load_show.h"
+#include "show_folder/load_show.h"
 #include "support/mvr_files.h"
 #include "support/tiny_glb.h"
 

@@ -4,6 +4,7 @@
 #include "dmx/record/ghostdmx_writer.h"
 #include "dmx/record/ola_show.h"
 #include "dmx/record/player.h"
+#include "support/test_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -11,16 +12,7 @@
 
 namespace ghost::dmx {
 
-struct TestFolder {
-    std::filesystem::path path;
-    TestFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / "ghost_recording_XXXXXX").string();
-        path = mkdtemp(name.data());
-    }
-    ~TestFolder() { std::filesystem::remove_all(path); }
-    TestFolder(const TestFolder&) = delete;
-    TestFolder& operator=(const TestFolder&) = delete;
-};
+using ghost::TestFolder;
 
 inline RecordedFrame make_frame(std::chrono::microseconds time, std::uint16_t universe,
                                 std::initializer_list<int> levels, bool lost = false) {

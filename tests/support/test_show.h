@@ -4,6 +4,7 @@
 
 #include "bake/bake_show.h"
 #include "fixture/type.h"
+#include "support/test_folder.h"
 #include "support/test_stage.h"
 
 #include <filesystem>
@@ -13,28 +14,10 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <unistd.h>
 
 namespace ghost::bake {
 
-class TestFolder {
-public:
-    TestFolder() {
-        path = std::filesystem::temp_directory_path() /
-               ("ghost_bake_" + std::to_string(::getpid()) + "_" + std::to_string(counter_++));
-        std::filesystem::create_directories(path);
-    }
-    ~TestFolder() {
-        std::error_code code;
-        std::filesystem::remove_all(path, code);
-    }
-    TestFolder(const TestFolder&) = delete;
-    TestFolder& operator=(const TestFolder&) = delete;
-    std::filesystem::path path;
-
-private:
-    static inline int counter_ = 0;
-};
+using ghost::TestFolder;
 
 inline void add_fixture(scene::Show& show, const std::string& name, const glm::vec3& position_m) {
     static const auto type = [] {

@@ -93,9 +93,10 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     reference.pixel_samples = arguments.pixel_samples;
     reference.lens_samples = arguments.lens_samples;
     reference.shadows = options.shadows && show.shadows;
-    reference.attenuation = {show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic};
-    if (is_uneven(show)) {
-        const shared::Air air = air_of(show, at_s);
+    const Atmosphere atmosphere = atmosphere_of(show);
+    const shared::Air air = atmosphere.field(at_s);
+    reference.attenuation = air.attenuation;
+    if (atmosphere.is_uneven()) {
         reference.density = [air](const glm::dvec3& place_m) {
             return static_cast<double>(shared::air_density(air, glm::vec3(place_m)));
         };
@@ -107,11 +108,11 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
     const std::vector<shared::Light> lights = moment->lights();
     Result<image::ImageF> picture = image::ImageF(camera.width, camera.height, 3);
     if (arguments.order <= 0)
-        picture = bake::reference_picture(&tracer, camera, lights, moment->gobos().images, haze_of(show),
-                                          show.ambient_lux, reference);
+        picture = bake::reference_picture(&tracer, camera, lights, moment->gobos().images,
+                                          atmosphere.medium(), show.ambient_lux, reference);
     if (picture.ok() && (arguments.order > 0 || (arguments.order < 0 && arguments.bounces > 0))) {
         const Result<void> added = add_bounces(arguments, tracer, camera, lights, moment->gobos().images,
-                                               haze_of(show), progress, *picture);
+                                               atmosphere.medium(), progress, *picture);
         if (!added.ok()) picture = added.error();
     }
     progress.finish();

@@ -385,8 +385,13 @@ std::vector<SourceStatus> Merge::sources(std::chrono::nanoseconds now) const {
         const std::vector<std::size_t> held = slots_held(input.sources, shows_preview(number));
         for (std::size_t i = 0; i < held.size(); ++i) result[first + i].slots_held = held[i];
         const Universe* const shown = held.size() > 1 ? universes_.find(number) : nullptr;
-        if (!shown || input.dirty) continue;
-        const auto overruled = slots_overruled(input.sources, shows_preview(number), *shown->levels);
+        if (!shown) continue;
+        // Of what is about to show, where that is newer: of a desk that is never still, too, it is told.
+        const bool preview = shows_preview(number);
+        const auto overruled =
+            input.dirty ? slots_overruled(input.sources, preview,
+                                          merge_levels(input.sources, preview, options_.artnet_ltp))
+                        : slots_overruled(input.sources, preview, *shown->levels);
         for (std::size_t i = 0; i < held.size(); ++i) result[first + i].slots_overruled = overruled[i];
     }
     return result;

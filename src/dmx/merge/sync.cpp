@@ -12,49 +12,49 @@ SourceKey sync_key(SourceKey source) {
     return source;
 }
 
-const SyncStreams::Stream* SyncStreams::find(const SourceKey& source, std::uint16_t universe) const {
+std::size_t SyncStreams::place_of(const SourceKey& source, std::uint16_t universe) const {
     const SourceKey key = sync_key(source);
     const auto same = [&](const Stream& s) { return s.universe == universe && s.source == key; };
-    const auto found = std::find_if(streams_.begin(), streams_.end(), same);
-    return found == streams_.end() ? nullptr : &*found;
+    return static_cast<std::size_t>(std::find_if(streams_.begin(), streams_.end(), same) - streams_.begin());
 }
 
 std::set<std::uint16_t> SyncStreams::heard(const SyncPacket& packet, std::chrono::nanoseconds now) {
-    auto* stream = const_cast<Stream*>(find(packet.source, packet.universe));
-    if (!stream) {
-        if (streams_.size() >= kMaxSyncStreams) {
-            ++too_many_;
-            return {};
-        }
-        stream = &streams_.emplace_back();
-        stream->source = sync_key(packet.source);
-        stream->universe = packet.universe;
+    const std::size_t place = place_of(packet.source, packet.universe);
+    if (place == kMaxSyncStreams) {
+        ++too_many_;
+        return {};
     }
+    if (place == streams_.size()) {
+        streams_.emplace_back();
+        streams_.back().source = sync_key(packet.source);
+        streams_.back().universe = packet.universe;
+    }
+    Stream& stream = streams_[place];
     if (packet.source.protocol == Protocol::sacn) {
-        if (now - stream->last > kSacnSyncLoss) stream->sequence.forget();
-        if (!stream->sequence.accept(packet.sequence)) {
-            ++stream->late;
+        if (now - stream.last > kSacnSyncLoss) stream.sequence.forget();
+        if (!stream.sequence.accept(packet.sequence)) {
+            ++stream.late;
             return {};
         }
     }
-    ++stream->packets;
-    stream->last = std::max(stream->last, now);
-    return std::exchange(stream->waiting, {});
+    ++stream.packets;
+    stream.last = std::max(stream.last, now);
+    return std::exchange(stream.waiting, {});
 }
 
 void SyncStreams::wait(const SourceKey& source, std::uint16_t universe, std::uint16_t waiting) {
-    if (auto* stream = const_cast<Stream*>(find(source, universe))) stream->waiting.insert(waiting);
+    const std::size_t place = place_of(source, universe);
+    if (place < streams_.size()) streams_[place].waiting.insert(waiting);
 }
 
 bool SyncStreams::holds(const SourceKey& source, std::uint16_t universe, bool force,
                         std::chrono::nanoseconds now) const {
-    if (streams_.empty()) return false;
-    const Stream* stream = find(source, universe);
-    if (!stream || stream->packets == 0) return false;
+    const std::size_t place = place_of(source, universe);
+    if (place == streams_.size() || streams_[place].packets == 0) return false;
     const auto limit = source.protocol == Protocol::artnet ? kArtnetSyncLoss
                        : force                             ? kSacnSyncLoss
                                                            : kSacnSyncHold;
-    return now - stream->last <= limit;
+    return now - streams_[place].last <= limit;
 }
 
 void SyncStreams::tick(std::chrono::nanoseconds now) {

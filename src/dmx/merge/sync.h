@@ -63,7 +63,8 @@ private:
         std::chrono::nanoseconds last{0};
         std::set<std::uint16_t> waiting;
     };
-    const Stream* find(const SourceKey& source, std::uint16_t universe) const;
+    // streams_.size(): none is there.
+    std::size_t place_of(const SourceKey& source, std::uint16_t universe) const;
 
     std::vector<Stream> streams_;
     std::uint64_t too_many_ = 0;

@@ -8,7 +8,7 @@
 #include "dmx/merge/latency.h"
 #include "dmx/merge/merge.h"
 #include "dmx/receive/usb_ports.h"
-#include "dmx/time/midi_input.h"
+#include "dmx/timecode/midi_input.h"
 #include "net/port_users.h"
 #include "net/socket.h"
 

@@ -27,7 +27,7 @@ std::uint64_t change(const Universes& before, const Universes& after) {
 
 } // namespace
 
-std::vector<float> activity_of(const Player& player, std::size_t parts, const std::function<bool()>& stop) {
+std::vector<float> activity_of(Player& player, std::size_t parts, const std::function<bool()>& stop) {
     std::vector<std::uint64_t> sums(parts);
     const double part_s = player.duration_s() / static_cast<double>(std::max<std::size_t>(parts, 1));
     Universes before = player.at(0);

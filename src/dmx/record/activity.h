@@ -12,7 +12,6 @@ namespace ghost::dmx {
 
 // Of `parts` equal parts of its time: the sum of all changes of levels in each, as a share of the largest.
 // stop: asked between parts; true: the result is empty.
-std::vector<float> activity_of(const Player& player, std::size_t parts,
-                               const std::function<bool()>& stop = {});
+std::vector<float> activity_of(Player& player, std::size_t parts, const std::function<bool()>& stop = {});
 
 } // namespace ghost::dmx

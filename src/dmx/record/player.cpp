@@ -13,7 +13,7 @@ double Player::duration_s() const {
 }
 
 // A block that cannot be read begins with what the one before ends with.
-void Player::load(std::size_t block) const {
+void Player::load(std::size_t block) {
     cursor_ = recording_.block(block);
     for (std::size_t i = block; cursor_.states().empty() && !cursor_.next_time() && i > 0;) {
         cursor_ = recording_.block(--i);
@@ -24,7 +24,7 @@ void Player::load(std::size_t block) const {
     time_ = microseconds(-1);
 }
 
-void Player::go_to(microseconds time) const {
+void Player::go_to(microseconds time) {
     const std::size_t wanted = recording_.block_at(time);
     if (block_ != wanted || time < time_) load(wanted);
     while (cursor_.next_time() && *cursor_.next_time() <= time) cursor_.next();
@@ -33,13 +33,13 @@ void Player::go_to(microseconds time) const {
 }
 
 // Rounded: a frame stamped 40 ms is on at t = 0.04 whatever way that was computed.
-void Player::go_to(double t_s) const {
+void Player::go_to(double t_s) {
     const double longest_s = std::chrono::duration<double>(kLongestRecording).count();
     const double wanted_s = t_s > 0.0 ? std::min(t_s, longest_s) : 0.0;
     go_to(microseconds(std::llround(wanted_s * 1e6)));
 }
 
-Universes Player::at(double t_s) const {
+Universes Player::at(double t_s) {
     go_to(t_s);
     Universes result;
     result.list.reserve(cursor_.states().size());
@@ -57,7 +57,7 @@ Universes Player::at(double t_s) const {
     return result;
 }
 
-std::optional<double> Player::next_after(double t_s) const {
+std::optional<double> Player::next_after(double t_s) {
     go_to(t_s);
     std::optional<microseconds> next = cursor_.next_time();
     if (!next && *block_ + 1 < recording_.blocks()) next = recording_.block_place(*block_ + 1).start;

@@ -15,24 +15,23 @@ public:
     // Levels at t_s seconds: of each universe its last frame at or before t (a universe before its first
     // frame is absent). Before 0 like 0, after the end the last look. Where the recording is damaged, the
     // look before the damage.
-    Universes at(double t_s) const;
+    Universes at(double t_s);
     // When the first frame after t_s comes; nothing: none does.
-    std::optional<double> next_after(double t_s) const;
+    std::optional<double> next_after(double t_s);
     double duration_s() const;
     const Recording& recording() const { return recording_; }
     // Damage that at() came across since the last call.
-    std::vector<Error> take_damage() const { return recording_.take_damage(); }
+    std::vector<Error> take_damage() { return recording_.take_damage(); }
 
 private:
-    void go_to(double t_s) const;
-    void go_to(std::chrono::microseconds time) const;
-    void load(std::size_t block) const;
+    void go_to(double t_s);
+    void go_to(std::chrono::microseconds time);
+    void load(std::size_t block);
 
-    // Where it stands; not part of what a Player is.
-    mutable Recording recording_;
-    mutable ghostdmx::BlockCursor cursor_;
-    mutable std::optional<std::size_t> block_;  // that cursor_ walks over
-    mutable std::chrono::microseconds time_{0}; // that cursor_ has reached
+    Recording recording_;
+    ghostdmx::BlockCursor cursor_;
+    std::optional<std::size_t> block_;  // that cursor_ walks over
+    std::chrono::microseconds time_{0}; // that cursor_ has reached
 };
 
 } // namespace ghost::dmx

@@ -19,7 +19,7 @@ class Playout {
 public:
     // period: of repeats. every_look false: looks that lie between two calls are left out, for a recording
     // that is played faster than it was made. player must outlive this.
-    Playout(const Player& player, std::chrono::nanoseconds period, bool every_look = true)
+    Playout(Player& player, std::chrono::nanoseconds period, bool every_look = true)
         : player_(player), period_(period), every_look_(every_look) {}
 
     // What goes out now, where the recording stands at t_s. Call until it is empty.
@@ -41,7 +41,7 @@ private:
     bool step(double t_s);
     Universes take_due(std::chrono::nanoseconds now);
 
-    const Player& player_;
+    Player& player_;
     std::chrono::nanoseconds period_;
     bool every_look_;
     std::optional<double> at_s_; // looks up to there were taken

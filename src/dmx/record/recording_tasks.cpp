@@ -68,7 +68,7 @@ Result<void> check_recording(const std::filesystem::path& path, const CaptureOpt
     return any || read.ok() ? Result<void>() : read.error();
 }
 
-bool log_damage(const Player& player) {
+bool log_damage(Player& player) {
     const std::vector<Error> damage = player.take_damage();
     for (const Error& problem : damage) log_warning(problem.text());
     return !damage.empty();

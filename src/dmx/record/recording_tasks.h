@@ -23,7 +23,7 @@ Result<Recording> open_recording(const std::filesystem::path& path, const Captur
 Result<void> check_recording(const std::filesystem::path& path, const CaptureOptions& capture);
 
 // Warns of what a player came across since the last call; returns whether anything was.
-bool log_damage(const Player& player);
+bool log_damage(Player& player);
 
 struct WrittenPart {
     double seconds = 0.0;

@@ -85,8 +85,8 @@ Result<void> Sender::send(const Universes& universes) {
         const Bytes levels = Bytes(*universe.levels).first(universe.slot_count);
         std::vector<std::uint8_t> bytes;
         if (options_.protocol == Protocol::sacn) {
-            bytes =
-                build_sacn(universe.number, levels, sequence, options_.priority, cid_, options_.source_name);
+            bytes = build_sacn(universe.number, levels, sequence,
+                               {options_.priority, cid_, options_.source_name});
         } else {
             const int port_address = universe.number - options_.artnet_offset;
             if (port_address < 0 || port_address > 0x7FFF)
@@ -107,11 +107,11 @@ std::uint64_t Sender::terminate() {
     if (options_.protocol != Protocol::sacn) return went;
     for (int round = 0; round < 3; ++round)
         for (auto& [number, sequence] : sequence_)
-            went +=
-                put(build_sacn(number, {}, ++sequence, options_.priority, cid_, options_.source_name, 0x40),
-                    number)
-                    ? 1
-                    : 0;
+            went += put(build_sacn(number, {}, ++sequence, {options_.priority, cid_, options_.source_name},
+                                   {0x40}),
+                        number)
+                        ? 1
+                        : 0;
     return went;
 }
 

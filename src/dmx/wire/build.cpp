@@ -47,19 +47,17 @@ std::vector<std::uint8_t> sacn_root(std::size_t size, std::uint32_t vector,
 } // namespace
 
 std::vector<std::uint8_t> build_sacn(std::uint16_t universe, Bytes slots, std::uint8_t sequence,
-                                     std::uint8_t priority, const std::array<std::uint8_t, 16>& cid,
-                                     const std::string& source_name, std::uint8_t options,
-                                     std::uint8_t start_code, std::uint16_t sync_universe) {
+                                     const SacnSource& source, const SacnExtras& extras) {
     CHECK(slots.size() <= kSlots);
     const std::size_t size = 126 + slots.size();
-    std::vector<std::uint8_t> out = sacn_root(size, 4, cid);
+    std::vector<std::uint8_t> out = sacn_root(size, 4, source.cid);
     put_layer(out, size);
     put_u32(out, 2);
-    put_text(out, source_name, 64);
-    out.push_back(priority);
-    put_u16(out, sync_universe);
+    put_text(out, source.name, 64);
+    out.push_back(source.priority);
+    put_u16(out, extras.sync_universe);
     out.push_back(sequence);
-    out.push_back(options);
+    out.push_back(extras.options);
     put_u16(out, universe);
     put_layer(out, size);
     out.push_back(2);
@@ -67,7 +65,7 @@ std::vector<std::uint8_t> build_sacn(std::uint16_t universe, Bytes slots, std::u
     put_u16(out, 0);
     put_u16(out, 1);
     put_u16(out, slots.size() + 1);
-    out.push_back(start_code);
+    out.push_back(extras.start_code);
     out.insert(out.end(), slots.begin(), slots.end());
     CHECK_EQ(out.size(), size);
     return out;

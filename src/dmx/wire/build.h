@@ -13,12 +13,22 @@
 
 namespace ghost::dmx {
 
-// slots: at most 512, sent as they are. options: 0x80 preview, 0x40 stream terminated, 0x20 force
-// synchronisation.
+// Who sends, of all its packets (ANSI E1.31-2018 5.6, 6.2.2, 6.2.3).
+struct SacnSource {
+    std::uint8_t priority = 100;
+    std::array<std::uint8_t, 16> cid{};
+    std::string name;
+};
+
+struct SacnExtras {
+    std::uint8_t options = 0; // 0x80 preview, 0x40 stream terminated, 0x20 force synchronisation
+    std::uint8_t start_code = 0;
+    std::uint16_t sync_universe = 0; // 0: not synchronised
+};
+
+// slots: at most 512, sent as they are.
 std::vector<std::uint8_t> build_sacn(std::uint16_t universe, Bytes slots, std::uint8_t sequence,
-                                     std::uint8_t priority, const std::array<std::uint8_t, 16>& cid,
-                                     const std::string& source_name, std::uint8_t options = 0,
-                                     std::uint8_t start_code = 0, std::uint16_t sync_universe = 0);
+                                     const SacnSource& source, const SacnExtras& extras = {});
 std::vector<std::uint8_t> build_sacn_sync(std::uint16_t universe, std::uint8_t sequence,
                                           const std::array<std::uint8_t, 16>& cid);
 // One page: at most 512 universes.

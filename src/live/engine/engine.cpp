@@ -34,7 +34,6 @@ Engine::~Engine() {
     link_.wake.raise();
     thread_.join();
     if (reopening_.valid()) reopening_.wait();
-    forget_baked();
 }
 
 void Engine::run() {
@@ -73,7 +72,7 @@ void Engine::step() {
         if (request_.show != tried_ || request_.opens != opens_) open(request_.show);
     }
     if (session_ && request_.text && request_.text != text_) take_edit();
-    if (session_ && session_->device->have_shaders_changed()) take_shaders();
+    if (session_ && !reopening_.valid() && session_->device->have_shaders_changed()) take_shaders();
     look_for_plots();
     if (session_) choose_recording();
     recorder_.record(request_.record_to, receiver_ ? &options_.receiver : nullptr,
@@ -85,7 +84,7 @@ void Engine::step() {
 void Engine::replace_device(const std::string& why) {
     log_warning(why);
     if (!session_ || ++losses_ > kMostLosses) throw std::runtime_error(why);
-    add_news(Severity::warning, session_->device->name(), why + "; it is drawn anew");
+    messages_.add(Severity::warning, session_->device->name(), why + "; it is drawn anew");
     link_.activity.put("the graphics device was lost: drawing anew");
     link_.on_news();
     auto opened = open_session(session_options(session_->options.show));
@@ -96,22 +95,21 @@ void Engine::replace_device(const std::string& why) {
 
 // SessionOptions::shaders has newer ones: what was drawn with the ones before stays if they do not work.
 void Engine::take_shaders() {
-    auto opened = open_session(session_options(session_->options.show));
-    if (opened.ok()) return adopt(std::move(*opened), Opening::edit);
-    add_news(Severity::error, opened.error().where, opened.error().what);
+    reopening_as_ = Opening::edit;
+    reopen([options = session_options(session_->options.show)] { return open_session(options); });
 }
 
 void Engine::begin_inputs() {
     if (options_.xchange) {
         if (const Result<void> begun = plots_.begin(*options_.xchange); !begun.ok())
-            add_news(Severity::error, begun.error().where, begun.error().what);
+            messages_.add(Severity::error, begun.error().where, begun.error().what);
     }
     if (options_.controls.psn) {
         auto trackers = TrackerInput::open(options_.receiver.interface);
         if (trackers.ok())
             trackers_ = std::move(*trackers);
         else
-            add_news(Severity::error, trackers.error().where, trackers.error().what);
+            messages_.add(Severity::error, trackers.error().where, trackers.error().what);
     }
     if (auto timecode = open_timecode(options_.timecode); timecode.ok() && *timecode) {
         timecode_ = std::move(*timecode);
@@ -131,7 +129,7 @@ void Engine::listen() {
     auto receiver = dmx::Receiver::start(options_.receiver);
     if (receiver.ok()) {
         receiver_ = std::move(*receiver);
-        if (!of_receiver_.empty()) log_info("the port is free: listening");
+        if (messages_.has_network()) log_info("the port is free: listening");
         for (const std::string& warning : receiver_->warnings())
             said.push_back({Severity::warning, "network", warning});
         if (input_) input_->set_receiver(receiver_.get());
@@ -142,14 +140,9 @@ void Engine::listen() {
         link_.network.put(std::move(none));
         link_.on_news();
         said.push_back({Severity::error, receiver.error().where, receiver.error().what});
-        if (of_receiver_.empty()) log_warning(receiver.error().text());
+        if (!messages_.has_network()) log_warning(receiver.error().text());
     }
-    const auto same = [](const Message& a, const Message& b) {
-        return a.where == b.where && a.what == b.what;
-    };
-    if (std::equal(said.begin(), said.end(), of_receiver_.begin(), of_receiver_.end(), same)) return;
-    of_receiver_ = std::move(said);
-    if (session_) publish_messages();
+    messages_.set_network(std::move(said));
 }
 
 void Engine::listen_to_patch() {
@@ -220,7 +213,6 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
     if (opening == Opening::another) pace_ = Pace(session_->show->fixtures.size());
     haze_ = {};
     last_step_s_ = now_s();
-    messages_sent_ = 0;
     if (opening != Opening::edit) { // those of the show before are none of this one
         request_.look = {};
         request_.explained.reset();
@@ -230,6 +222,11 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
         clean();
     }
     publish_opened(opening);
+}
+
+void Engine::forget_baked() {
+    baked_.forget();
+    shows_baked_ = false;
 }
 
 // What programs left that were killed while they wrote.
@@ -248,7 +245,7 @@ void Engine::begin_controls() {
     for (const scene::Camera& camera : session_->show->cameras) cameras.push_back(camera.name);
     if (remote_) { // its faders stay where they are
         remote_->know(std::move(cameras), session_->show->cues);
-        session_->live->set_haze(remote_request_.haze);
+        session_->haze_density = remote_request_.haze;
         return;
     }
     const auto port = parse_port(options_.controls.osc, "--osc");

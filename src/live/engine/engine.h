@@ -6,15 +6,17 @@
 // with all of them.
 
 #include "link/link.h"
+#include "live/engine/baked_supply.h"
 #include "live/engine/desk_recorder.h"
 #include "live/engine/followers.h"
 #include "live/engine/live_controls.h"
+#include "live/engine/message_board.h"
 #include "live/engine/pace.h"
 #include "live/engine/picture_probe.h"
 #include "live/engine/plot_inbox.h"
+#include "live/engine/rig_news.h"
 #include "live/inputs/live_input.h"
 #include "live/session/applied_look.h"
-#include "live/session/baked_view.h"
 #include "live/session/session.h"
 
 #include <atomic>
@@ -82,7 +84,6 @@ private:
     // Beside the show that is drawn until then; adopt_reopened takes it.
     void reopen(std::function<Result<std::unique_ptr<Session>>()> open);
     void adopt_reopened();
-    void add_news(Severity severity, const std::string& where, const std::string& what);
 
     // The camera for this frame: the wanted one, with fewer pixels while the picture moves, and as many as
     // memory holds at most, which is said.
@@ -91,18 +92,13 @@ private:
     void fit_into_memory();
     // engine_news.cpp
     void publish_picture(const render::FrameStatistics& statistics, double draw_ms);
-    void publish_rig(double now_s);
-    void publish_explanation(double now_s);
-    // engine_baked.cpp
     std::string needs_live() const;
     bool has_work_light() const;
     float wanted_work_lux() const;
-    bool choose_baked(double now_s);
-    void take_baked();
     void forget_baked();
     // That of the picture that is shown.
     const render::Relighter& relighter() const {
-        return shows_baked_ ? baked_->relighter() : *session_->relighter;
+        return shows_baked_ ? baked_.view().relighter() : *session_->relighter;
     }
     render::FrameStatistics draw_live(double begin_s, double air_s);
     render::FrameStatistics draw_baked(double begin_s, double air_s);
@@ -110,7 +106,6 @@ private:
     int lights_in(double frame_ms) const;
     void learn_light_ms(const render::FrameStatistics& statistics, double draw_ms);
     ShownPicture shown() const { return {*session_, relighter(), drawn_, drawn_from_}; }
-    void publish_messages();
     void publish_opened(Opening opening);
     void publish_rest(double now_s, bool drew);
     double now_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
@@ -127,8 +122,8 @@ private:
     std::unique_ptr<TimeCodeInput> timecode_; // the receiver feeds this and the recorder, and goes first
     std::unique_ptr<dmx::Receiver> receiver_;
     scene::PatchMap patch_; // of the session's show
-    std::vector<Message> of_receiver_;
-    std::vector<Message> news_;  // of what else belongs to no show
+    MessageBoard messages_{link_};
+    RigNews rig_news_{link_};
     double listens_again_s_ = 0; // where a port was taken
     int losses_ = 0;             // of the device
     std::unique_ptr<TrackerInput> trackers_;
@@ -155,13 +150,9 @@ private:
     Pace pace_{0};
     render::HazeQuality haze_;                                 // of the relighter
     fixture::Motion motion_ = fixture::Motion::as_the_machine; // of the show
-    std::future<BakedPasses> baked_loading_;
-    std::unique_ptr<BakedView> baked_;
+    BakedSupply baked_;                                        // refers to the session, and goes before it
     bool shows_baked_ = false;
-    std::string baked_for_, baked_stamp_; // camera, and which bake of it
-    std::string baked_why_not_, supply_, supply_sent_;
-    double baked_looked_s_ = 0;
-    bool is_unsaved_ = false;
+    std::string supply_sent_;  // words of the picture that was published last
     double light_ms_ = 0;      // of a light that turns, where many do; 0: not known
     bool sees_else_ = false;   // the live picture, since it was drawn last
     bool was_resized_ = false; // by the frame that is drawn
@@ -171,10 +162,6 @@ private:
     double last_step_s_ = 0;
     double air_s_ = 0; // age of the swirls
     double last_change_s_ = 0;
-    double rig_sent_s_ = 0;
-    double explained_s_ = 0;
-    double verdicts_s_ = 0;
-    std::size_t messages_sent_ = 0;
     std::uint64_t settled_ = 0;           // number of the request
     std::chrono::nanoseconds arrival_{0}; // of packets that no picture shows yet
 

@@ -45,7 +45,7 @@ void Engine::take_edit() {
 }
 
 void Engine::take_air(const scene::Show& edited) {
-    if (!look_->take_air(edited, *session_)) return;
+    if (!app::take_air(edited, *session_)) return;
     session_->relighter->set_quality(haze_);
     probe_.forget_meter(); // it knows one air
     sees_else_ = true;

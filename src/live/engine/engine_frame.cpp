@@ -51,7 +51,7 @@ bool Engine::apply_controls(double now_s) {
         }
         if (request.jumps != remote_request_.jumps) input_->jump(request.at_s);
         sees_else = request.haze != remote_request_.haze;
-        if (sees_else) session_->live->set_haze(request.haze);
+        session_->haze_density = request.haze;
         remote_request_ = request;
     }
     if (remote_request_.ev100) {
@@ -85,13 +85,13 @@ void Engine::fit_into_memory() {
     };
     const std::uint64_t needed = kPictureBytesPerPixel * static_cast<std::uint64_t>(most.width) *
                                  static_cast<std::uint64_t>(most.height);
-    add_news(Severity::warning, session_->device->name(),
-             "memory is short for a picture of " + text(most) + " (" + std::to_string(needed >> 20) +
-                 " MB, there are " + std::to_string(room >> 20) + "): it is drawn with " + text(whole));
+    messages_.add(Severity::warning, session_->device->name(),
+                  "memory is short for a picture of " + text(most) + " (" + std::to_string(needed >> 20) +
+                      " MB, there are " + std::to_string(room >> 20) + "): it is drawn with " + text(whole));
 }
 
 bool Engine::is_moving(double now_s) const {
-    return now_s - last_change_s_ < kRest_s || (is_uneven(*session_->show) && !request_.frozen);
+    return now_s - last_change_s_ < kRest_s || (session_->atmosphere().is_uneven() && !request_.frozen);
 }
 
 scene::Camera Engine::camera_for(double now_s) {
@@ -166,10 +166,25 @@ render::FrameStatistics Engine::draw_live(double begin_s, double air_s) {
     return session_->draw(air_s, moves ? std::function<bool()>{} : stop_of(begin_s));
 }
 
+// Why the picture has to be drawn live whatever is baked; empty: it need not be.
+std::string Engine::needs_live() const {
+    const ui::Look& look = request_.look;
+    if (!request_.takes_baked) return "baked pictures are turned off";
+    if (has_work_light()) return "the work light is on";
+    if (request_.quality.percent > 0) return "a share of the pixels is asked for";
+    if (request_.false_colour.measure == ui::Measure::lux) return "lux are measured on surfaces";
+    if (!look.shown.empty()) return "objects are hidden or shown by hand";
+    if (!look.surfaces.empty()) return "surfaces are set by hand";
+    if (!(look.scene == ui::SceneLook{})) return "air, even light or shadows are set by hand";
+    if (remote_request_.haze != 1.0f) return "a remote control sets the haze";
+    if (trackers_) return "trackers may move what is on stage";
+    return "";
+}
+
 render::FrameStatistics Engine::draw_baked(double begin_s, double air_s) {
     haze_.grid = is_moving(begin_s);
-    return baked_->draw(wanted_camera_, air_s, haze_,
-                        haze_.grid ? std::function<bool()>{} : stop_of(begin_s));
+    return baked_.view().draw(wanted_camera_, air_s, haze_,
+                              haze_.grid ? std::function<bool()>{} : stop_of(begin_s));
 }
 
 // Ends a picture of what rests as soon as something else is to be shown.
@@ -223,7 +238,7 @@ void Engine::frame() {
     else if (!request_.frozen)
         session_->media_s = timecode_ ? timecode_->at_s(kLongestFilm_s) : std::nullopt;
     session_->show_media(air_s_ + dt_s);
-    const bool baked = choose_baked(begin_s);
+    const bool baked = baked_.choose(*session_, {wanted_camera_, text_, needs_live()}, begin_s);
     const bool switched = baked != std::exchange(shows_baked_, baked);
     if (switched) probe_.forget_frame();
     scene::FrameLights lit = session_->lit();
@@ -231,17 +246,17 @@ void Engine::frame() {
     drawn_ = std::move(lit);
     air_s_ += dt_s;
     was_resized_ = false;
-    if (switched && baked) baked_->relighter().forget(); // it may rest
+    if (switched && baked) baked_.view().relighter().forget(); // it may rest
     const render::FrameStatistics statistics =
         baked ? draw_baked(begin_s, air_s_) : draw_live(begin_s, air_s_);
     if (baked) {
-        drawn_from_ = baked_->camera();
+        drawn_from_ = baked_.view().camera();
         framed_ = {};
     }
     const double draw_ms = 1e3 * (now_s() - begin_s);
     // Spans: of what the device did; a picture that is the same does nothing.
     const bool drew = !statistics.spans.empty() && !statistics.stopped;
-    if (drew || request_.false_colour != false_colour_ || supply_ != supply_sent_)
+    if (drew || request_.false_colour != false_colour_ || baked_.words() != supply_sent_)
         publish_picture(statistics, draw_ms);
     if (drew) {
         // A new size costs what no other frame does.
@@ -253,14 +268,16 @@ void Engine::frame() {
     } else if (!statistics.stopped) {
         arrival_ = std::chrono::nanoseconds{0}; // they changed nothing that is seen
     }
-    publish_rig(begin_s);
-    publish_explanation(begin_s);
+    rig_news_.publish(*session_, *input_, drawn_, recorder_.seconds(), begin_s);
+    rig_news_.explain(
+        {request_.explained, request_.explains_all}, *session_, *input_, patch_,
+        [&]() -> const bake::Tracer& { return probe_.tracer(*session_); }, begin_s);
     probe_.pick(request_.pick, *session_);
     if (!statistics.stopped) {
         probe_.probe(request_.probe, shown(), begin_s, drew);
         probe_.save(request_.save_frame, shown());
     }
-    if (session_->report.messages.size() != messages_sent_) publish_messages();
+    messages_.show(session_->report);
     if (std::optional<dmx::Statistics> network = input_->take_statistics()) {
         link_.network.put(std::move(*network));
         link_.on_news();

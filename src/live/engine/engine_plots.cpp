@@ -3,13 +3,11 @@
 // them. The newer show is opened beside the older one, which is drawn until then.
 #include "live/engine/engine.h"
 
-#include "project/import_plot.h"
+#include "show_folder/import_plot.h"
 
 namespace ghost::app {
 
 namespace {
-
-constexpr std::size_t kMostNews = 300; // messages that belong to no show
 
 // A show that names its plot gets the new one; whatever else is open, the plot is opened as it is.
 Result<std::unique_ptr<Session>> open_with_plot(SessionOptions options, const std::string& plot, bool merges,
@@ -27,18 +25,8 @@ Result<std::unique_ptr<Session>> open_with_plot(SessionOptions options, const st
 
 } // namespace
 
-void Engine::add_news(Severity severity, const std::string& where, const std::string& what) {
-    if (news_.size() >= kMostNews) news_.erase(news_.begin());
-    news_.push_back({severity, where, what});
-    if (session_)
-        publish_messages();
-    else
-        link_.messages.put(news_);
-    link_.on_news();
-}
-
 void Engine::look_for_plots() {
-    plots_.look([this](const Message& said) { add_news(said.severity, said.where, said.what); });
+    plots_.look([this](const Message& said) { messages_.add(said.severity, said.where, said.what); });
     adopt_reopened();
     take_plot();
 }
@@ -65,7 +53,7 @@ void Engine::adopt_reopened() {
     auto opened = reopening_.get();
     link_.activity.put("");
     if (!opened.ok()) {
-        add_news(Severity::error, opened.error().where, opened.error().what);
+        messages_.add(Severity::error, opened.error().where, opened.error().what);
         link_.failed.put(opened.error());
         link_.on_news();
         return;

@@ -74,7 +74,7 @@ void LiveControls::apply(Session& session, const RemoteRequest& request, double 
     const bool moves = request.calls != calls_ || request.haze != haze_ || flight_;
     if (moves && session.live) {
         const bool denser = request.haze != haze_;
-        session.live->set_haze(haze_ = request.haze);
+        session.haze_density = haze_ = request.haze;
         if (denser && !flight_ && request.calls == calls_) session.look_from(session.live->camera());
         fly(session, request, now_s);
     } else if (moves && !said_passes_) {

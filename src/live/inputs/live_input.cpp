@@ -20,7 +20,7 @@ constexpr std::size_t kParts = 600; // of a recording, across a screen
 std::vector<float> measure_activity(const std::filesystem::path& file, const std::atomic<bool>& stop) {
     auto recording = dmx::read_recording(file);
     if (!recording.ok()) return {};
-    const dmx::Player player(std::move(*recording));
+    dmx::Player player(std::move(*recording));
     return dmx::activity_of(player, kParts, [&] { return stop.load(); });
 }
 

@@ -19,7 +19,7 @@ std::chrono::nanoseconds nanoseconds_of(double time_s) {
 
 } // namespace
 
-Outlet::Outlet(dmx::Sender& sender, const dmx::Player& player, double rate_hz, double pace)
+Outlet::Outlet(dmx::Sender& sender, dmx::Player& player, double rate_hz, double pace)
     : sender_(sender), player_(player), period_(nanoseconds_of(1.0 / rate_hz)), pace_(pace),
       playout_(player, period_, pace <= 1.0) {}
 

@@ -16,7 +16,7 @@ public:
 
     // pace: seconds of the recording in a second. rate_hz: of repeats; at a pace above 1 looks are left out
     // that come faster. All must outlive this.
-    Outlet(dmx::Sender& sender, const dmx::Player& player, double rate_hz, double pace = 1.0);
+    Outlet(dmx::Sender& sender, dmx::Player& player, double rate_hz, double pace = 1.0);
 
     // What is due where the recording stands at at_s.
     Result<void> send(double at_s);
@@ -31,7 +31,7 @@ public:
 
 private:
     dmx::Sender& sender_;
-    const dmx::Player& player_;
+    dmx::Player& player_;
     std::chrono::nanoseconds period_;
     double pace_;
     dmx::Playout playout_;

@@ -5,8 +5,8 @@
 // wants to be changed. Start address, personality and label only with leave. Any thread.
 
 #include "dmx/receive/receiver_options.h"
-#include "project/rdm_devices.h"
 #include "rdm/node.h"
+#include "show_folder/rdm_devices.h"
 
 #include <map>
 #include <mutex>

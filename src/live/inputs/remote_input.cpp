@@ -2,6 +2,7 @@
 #include "live/inputs/remote_input.h"
 
 #include "base/log.h"
+#include "base/print.h"
 
 #include <charconv>
 
@@ -13,14 +14,6 @@ constexpr int kReceiveBufferBytes = 128 << 10;
 constexpr int kMostBatchesPerPoll = 4; // of 64 packets
 constexpr double kQuiet_s = 5;
 constexpr std::size_t kMostLettersShown = 80;
-
-// Text that somebody on the network chose, fit for a terminal.
-std::string printable(std::string text) {
-    if (text.size() > kMostLettersShown) text = text.substr(0, kMostLettersShown) + "..";
-    for (char& letter : text)
-        if (static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F) letter = '?';
-    return text;
-}
 
 } // namespace
 
@@ -56,7 +49,9 @@ void RemoteInput::complain(const std::string& text, double now_s) {
     }
     const std::string more =
         unsaid_ > 0 ? " (and " + std::to_string(unsaid_) + " more since the last one)" : "";
-    log_warning("remote control: " + printable(text) + more);
+    const bool is_long = text.size() > kMostLettersShown;
+    log_warning("remote control: " + one_line(is_long ? text.substr(0, kMostLettersShown) + ".." : text) +
+                more);
     quiet_until_s_ = now_s + kQuiet_s;
     unsaid_ = 0;
 }

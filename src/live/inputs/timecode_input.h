@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 #include "dmx/receive/receiver_options.h"
-#include "dmx/time/timecode_clock.h"
+#include "dmx/timecode/timecode_clock.h"
 #include "dmx/wire/timecode.h"
 
 #include <memory>

@@ -2,10 +2,10 @@
 #include "live/session/applied_look.h"
 
 #include "light/bodies.h"
+#include "stage/box.h"
 
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <set>
 
 namespace ghost::app {
@@ -15,18 +15,15 @@ namespace {
 ui::Object object_of(const scene::Stage& stage, std::size_t instance) {
     const scene::Instance& placed = stage.instances[instance];
     const scene::Mesh& mesh = stage.meshes[static_cast<std::size_t>(placed.mesh)];
-    glm::vec3 low_m(std::numeric_limits<float>::max()), high_m(-low_m);
-    for (const glm::vec3& position : mesh.positions) {
-        const glm::vec3 at_m = glm::vec3(placed.world * glm::vec4(position, 1.0f));
-        low_m = glm::min(low_m, at_m);
-        high_m = glm::max(high_m, at_m);
-    }
+    scene::Box box;
+    for (const glm::vec3& position : mesh.positions)
+        box.add(glm::vec3(placed.world * glm::vec4(position, 1.0f)));
     ui::Object object{placed.name, instance, static_cast<std::size_t>(std::max(mesh.material, 0)),
                       placed.shown};
     object.layer = placed.layer;
     if (mesh.positions.empty()) return object;
-    object.centre_m = 0.5f * (low_m + high_m);
-    object.radius_m = 0.5f * glm::length(high_m - low_m);
+    object.centre_m = box.middle_m();
+    object.radius_m = 0.5f * glm::length(box.size_m());
     object.bar = scene::bar_of(mesh.positions, placed.world);
     return object;
 }
@@ -43,11 +40,7 @@ bool is_same(const T& a, const T& b) {
 ui::Opened opened_from(const Session& session) {
     ui::Opened opened;
     const scene::Stage& stage = session.live->stage();
-    glm::vec3 low_m(std::numeric_limits<float>::max()), high_m(-low_m);
-    const auto include = [&](const glm::vec3& at_m, float radius_m) {
-        low_m = glm::min(low_m, at_m - radius_m);
-        high_m = glm::max(high_m, at_m + radius_m);
-    };
+    scene::Box box;
     for (std::size_t i = 0; i < stage.instances.size(); ++i) {
         const scene::Instance& instance = stage.instances[i];
         if (instance.fixture != scene::kNone || instance.mesh < 0 ||
@@ -55,13 +48,13 @@ ui::Opened opened_from(const Session& session) {
             continue;
         opened.objects.push_back(object_of(stage, i));
     }
-    for (const scene::PatchedFixture& fixture : session.show->fixtures) include(fixture.position_m, 1.0f);
+    for (const scene::PatchedFixture& fixture : session.show->fixtures) box.add(fixture.position_m, 1.0f);
     // A floor of a square kilometre is not what a person wants to see.
     if (session.show->fixtures.empty())
-        for (const ui::Object& object : opened.objects) include(object.centre_m, object.radius_m);
-    if (low_m.x <= high_m.x) {
-        opened.centre_m = 0.5f * (low_m + high_m);
-        opened.radius_m = std::max(0.5f * glm::length(high_m - low_m), 1.0f);
+        for (const ui::Object& object : opened.objects) box.add(object.centre_m, object.radius_m);
+    if (!box.is_empty()) {
+        opened.centre_m = box.middle_m();
+        opened.radius_m = std::max(0.5f * glm::length(box.size_m()), 1.0f);
     }
     opened.materials = stage.materials;
     auto show = std::make_shared<scene::Show>(*session.show);
@@ -74,10 +67,23 @@ ui::Opened opened_from(const Session& session) {
     return opened;
 }
 
-AppliedLook::AppliedLook(const Session& session)
-    : haze_(session.show->haze), attenuation_(session.show->attenuation),
-      ambient_lux_(session.show->ambient_lux), ambient_colour_(session.show->ambient_colour),
-      shadows_(session.shadows) {}
+bool take_air(const scene::Show& edited, Session& session) {
+    scene::Show& show = *session.show;
+    if (is_same(edited.haze, show.haze) &&
+        std::equal(edited.hazers.begin(), edited.hazers.end(), show.hazers.begin(), show.hazers.end(),
+                   is_same<scene::Hazer>))
+        return false;
+    const bool was_uneven = session.atmosphere().is_uneven();
+    show.haze = edited.haze;
+    show.hazers = edited.hazers;
+    if (session.atmosphere().is_uneven() == was_uneven) return true;
+    session.drop_parked();
+    session.relighter.reset(); // its programs are for the one or the other
+    session.look_from(scene::Camera(session.live->camera()));
+    return true;
+}
+
+AppliedLook::AppliedLook(const Session& session) : shadows_(session.shadows) {}
 
 bool AppliedLook::apply(const ui::Look& look, Session& session) {
     // Each of them, whatever the others say.
@@ -88,35 +94,9 @@ bool AppliedLook::apply(const ui::Look& look, Session& session) {
 }
 
 bool AppliedLook::apply_scene(const ui::SceneLook& look, Session& session) {
-    if (look == applied_.scene && !is_stale_) return false;
-    is_stale_ = false;
-    take_off(*session.show);
-    session.shadows = shadows_;
-    app::apply(look, *session.show, session.shadows);
-    return true;
-}
-
-void AppliedLook::take_off(scene::Show& show) const {
-    show.haze.extinction_per_m = haze_.extinction_per_m;
-    show.ambient_lux = ambient_lux_;
-    show.ambient_colour = ambient_colour_;
-    show.attenuation = attenuation_;
-}
-
-bool AppliedLook::take_air(const scene::Show& edited, Session& session) {
-    scene::Show& show = *session.show;
-    if (is_same(edited.haze, haze_) &&
-        std::equal(edited.hazers.begin(), edited.hazers.end(), show.hazers.begin(), show.hazers.end(),
-                   is_same<scene::Hazer>))
-        return false;
-    const bool was_uneven = is_uneven(show);
-    haze_ = show.haze = edited.haze;
-    show.hazers = edited.hazers;
-    is_stale_ = true;
-    if (is_uneven(show) == was_uneven) return true;
-    session.drop_parked();
-    session.relighter.reset(); // its programs are for the one or the other
-    session.look_from(scene::Camera(session.live->camera()));
+    if (look == applied_.scene) return false;
+    session.scene_look = look;
+    session.shadows = look.shadows.value_or(shadows_);
     return true;
 }
 

@@ -11,6 +11,10 @@ namespace ghost::app {
 // What can be hidden and changed by hand, for the window.
 ui::Opened opened_from(const Session& session);
 
+// The session's show has the haze and the hazers of that one now. True: they are others, and look_from has to
+// follow.
+bool take_air(const scene::Show& edited, Session& session);
+
 class AppliedLook {
 public:
     // The session as it was opened: what an empty look means.
@@ -19,24 +23,14 @@ public:
     // True: Session::look_from has to follow, for the camera sees something else now. A look's indices that
     // the session does not have are left out.
     bool apply(const ui::Look& look, Session& session);
-    // The show has the haze and the hazers of that one now. True: they are others, and look_from has to
-    // follow the next apply.
-    bool take_air(const scene::Show& edited, Session& session);
-    // Takes what looks changed off a copy of the session's show.
-    void take_off(scene::Show& show) const;
 
 private:
     bool apply_scene(const ui::SceneLook& look, Session& session);
     bool apply_objects(const ui::Look& look, Session& session);
     bool apply_surfaces(const ui::Look& look, Session& session);
 
-    scene::HazeMedium haze_;
-    scene::Attenuation attenuation_;
-    float ambient_lux_;
-    glm::vec3 ambient_colour_;
     bool shadows_;
     ui::Look applied_;
-    bool is_stale_ = false; // the air is another one than that which applied_ was applied to
 };
 
 } // namespace ghost::app

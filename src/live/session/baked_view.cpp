@@ -72,9 +72,9 @@ Result<std::unique_ptr<BakedView>> BakedView::create(const Session& session, Bak
 
 BakedView::BakedView(const Session& session, BakedPasses baked)
     : session_(session), camera_(std::move(baked.camera)), passes_(std::move(baked.passes)) {
-    relighter_ = std::make_unique<render::Relighter>(*session.device, passes_, session.gobos.images,
-                                                     static_cast<int>(lit().lights.size()),
-                                                     draw_settings(*session.show, camera_, session.options));
+    relighter_ = std::make_unique<render::Relighter>(
+        *session.device, passes_, session.gobos.images, static_cast<int>(lit().lights.size()),
+        draw_settings(session.atmosphere(), camera_, session.options));
     for (scene::LightPass& pass : passes_.lights) {
         pass.radiance = {};
         pass.indirect = {};
@@ -98,7 +98,7 @@ render::FrameStatistics BakedView::draw(const scene::Camera& exposure, double ai
     relighter_->set_quality(haze);
     relighter_->set_exposure(exposure.ev100, exposure.auto_exposure);
     relighter_->set_tone(session_.options.tone);
-    relighter_->set_air(air_of(*session_.show, is_uneven(*session_.show) ? air_s : 0.0));
+    relighter_->set_air(session_.atmosphere().field(air_s));
     relighter_->set_slides(session_.gobos.images.slides);
     return relighter_->draw(lit(), stop);
 }

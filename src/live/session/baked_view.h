@@ -32,6 +32,7 @@ public:
     const scene::Camera& camera() const { return camera_; }
     std::size_t pass_count() const { return passes_.lights.size(); }
     render::Relighter& relighter() { return *relighter_; }
+    const render::Relighter& relighter() const { return *relighter_; }
     // What the rig does now, under the exposure of that camera. haze: from the grid
     // (render/haze/private/haze_grid.h) while things move. stop: as Relighter::draw has it.
     render::FrameStatistics draw(const scene::Camera& exposure, double air_s, const render::HazeQuality& haze,

@@ -12,15 +12,10 @@ namespace {
 
 constexpr std::uint64_t kFewImages = 1; // bytes: it keeps none
 
-// Even light comes from everywhere.
-float even_lux(const scene::Show& show) {
-    return shared::luminance_of(show.ambient_colour) * show.ambient_lux;
-}
-
 } // namespace
 
 LightMeter::LightMeter(const Session& session) : session_(session) {
-    render::Settings settings = draw_settings(*session.show, session.live->camera(), session.options);
+    render::Settings settings = draw_settings(session.atmosphere(), session.live->camera(), session.options);
     settings.illuminance = true;
     settings.air = false;
     settings.lens.on = false;
@@ -34,11 +29,12 @@ LightMeter::LightMeter(const Session& session) : session_(session) {
 }
 
 image::ImageF LightMeter::lux_picture(const scene::FrameLights& lit) {
-    relighter_->set_air(air_of(*session_.show, 0));
+    const Atmosphere air = session_.atmosphere();
+    relighter_->set_air(air.field());
     relighter_->set_slides(session_.gobos.images.slides);
     relighter_->draw(lit);
     image::ImageF lux = luminance_of(relighter_->frame());
-    const float even = even_lux(*session_.show);
+    const float even = shared::luminance_of(air.ambient); // it comes from everywhere
     for (float& value : lux.samples) value += even;
     return lux;
 }
@@ -60,14 +56,13 @@ bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, co
     return surface_on(camera.position_m, scene::way_through(camera, place), tracer);
 }
 
-float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const scene::Show& show,
+float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const Atmosphere& air,
              const scene::GoboStack& gobos, const bake::Tracer* tracer) {
-    const scene::LitAir air{haze_of(show),
-                            {show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic}};
+    const scene::LitAir between{air.medium(), air.field().attenuation};
     glm::vec3 sum(0);
     for (const shared::Light& light : lights) {
         const glm::vec3 arrives =
-            scene::illuminance(light, surface.position, surface.facet_normal, gobos.images, air);
+            scene::illuminance(light, surface.position, surface.facet_normal, gobos.images, between);
         if (arrives == glm::vec3(0)) continue;
         float share = 1;
         const bake::Surface* const one = &surface;
@@ -75,12 +70,13 @@ float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights
         if (tracer) tracer->visibility(&one, 1, light.position_m - light.off_map_m, &share);
         sum += arrives * share;
     }
-    return shared::luminance_of(sum) + even_lux(show);
+    return shared::luminance_of(sum) + shared::luminance_of(air.ambient);
 }
 
 float lux_at(const bake::Surface& surface, const scene::FrameLights& lit, const Session& session,
              const bake::Tracer& tracer) {
-    return lux_at(surface, lit.lights, *session.show, session.gobos, session.shadows ? &tracer : nullptr);
+    return lux_at(surface, lit.lights, session.atmosphere(), session.gobos,
+                  session.shadows ? &tracer : nullptr);
 }
 
 } // namespace ghost::app

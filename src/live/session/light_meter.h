@@ -36,7 +36,7 @@ image::ImageF luminance_of(const image::ImageF& frame);
 bake::Surface surface_on(const glm::vec3& from_m, const glm::vec3& way, const bake::Tracer& tracer);
 bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, const bake::Tracer& tracer);
 // tracer: null: nothing throws a shadow.
-float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const scene::Show& show,
+float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const Atmosphere& air,
              const scene::GoboStack& gobos, const bake::Tracer* tracer);
 float lux_at(const bake::Surface& surface, const scene::FrameLights& lit, const Session& session,
              const bake::Tracer& tracer);

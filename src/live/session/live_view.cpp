@@ -84,9 +84,9 @@ bool fits(const std::unique_ptr<render::GBuffer>& one, const scene::Camera& came
 } // namespace
 
 LiveView::LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
-                   const scene::Camera& camera, Report& report)
+                   const scene::Camera& camera, Atmosphere air, Report& report)
     : device_(device), show_(show), stage_(std::move(stage)), moving_(scene::moving_instances(show, stage_)),
-      model_(device, stage_, report) {
+      model_(device, stage_, report), air_(std::move(air)) {
     for (const std::size_t instance : moving_) model_.mark_moving(instance);
     for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
         if (stage_.instances[i].shown) continue;
@@ -104,7 +104,7 @@ Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scen
         device, show,
         scene::stage_with_bodies(
             show, report, options.keep_hidden ? scene::HiddenObjects::kept : scene::HiddenObjects::left_out),
-        camera, report));
+        camera, options.air.value_or(atmosphere_of(show)), report));
     if (!options.shadows) return view;
     if (options.maps_in_background) {
         view->begin_maps(report);
@@ -187,17 +187,10 @@ render::Pose LiveView::pose_of(const scene::Camera& camera, bool flies) const {
             flies ? kFlightError_px : 0.0f};
 }
 
-shared::Haze LiveView::haze() const {
-    shared::Haze haze = haze_of(show_);
-    haze.extinction_per_m *= haze_density_;
-    haze.scattering_per_m *= haze_density_;
-    return haze;
-}
-
 render::Surroundings LiveView::surroundings() const {
     shared::Haze seen = haze();
     seen.extinction_per_m -= forward_per_m_;
-    return {show_.ambient_colour * show_.ambient_lux, seen, work_lux_};
+    return {air_.ambient, seen, work_lux_};
 }
 
 LiveView::Seen LiveView::look_from(const scene::Camera& camera, bool parks, bool flies) {

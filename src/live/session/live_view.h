@@ -6,6 +6,7 @@
 
 #include "gpu/device.h"
 #include "light/rig.h"
+#include "live/session/atmosphere.h"
 #include "live/session/map_maker.h"
 #include "passes/distance_maps.h"
 #include "render/geometry/g_buffer.h"
@@ -27,7 +28,8 @@ struct LiveOptions {
     bool shadows = true;
     bool maps_in_background = false; // start at once; a light throws no shadows until its map is made
     bool quiet = false;
-    bool keep_hidden = false; // hidden objects stay, so that they can be shown
+    bool keep_hidden = false;           // hidden objects stay, so that they can be shown
+    std::optional<Atmosphere> air = {}; // nothing: the show's
 };
 
 class LiveView {
@@ -52,10 +54,9 @@ public:
     // There is none of another size.
     void drop_parked() { parked_.reset(); }
     const scene::Camera& camera() const { return camera_; }
-    // Times the show's density, from the next look_from on.
-    void set_haze(float density) { haze_density_ = density; }
-    // The show's, times that.
-    shared::Haze haze() const;
+    // From the next look_from on.
+    void set_atmosphere(Atmosphere air) { air_ = std::move(air); }
+    shared::Haze haze() const { return air_.medium(); }
     // Light that haze bends so little that it counts as not weakened (bounce/bounce_air.h), from the next
     // look_from on. False: it was that before.
     bool set_forward_per_m(float per_m) { return std::exchange(forward_per_m_, per_m) != per_m; }
@@ -95,7 +96,7 @@ public:
 
 private:
     LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
-             const scene::Camera& camera, Report& report);
+             const scene::Camera& camera, Atmosphere air, Report& report);
     void begin_maps(Report& report);
     void begin_changed_maps();
     std::vector<std::size_t> objects_named(const std::vector<std::string>& patterns) const;
@@ -111,7 +112,7 @@ private:
     std::unique_ptr<render::GBuffer> g_buffer_, parked_;
     bool parked_is_anew_ = false; // since it was looked from last
     scene::Camera camera_;
-    float haze_density_ = 1;
+    Atmosphere air_;
     float forward_per_m_ = 0;
     float work_lux_ = 0;
     scene::DistanceMaps maps_;

@@ -9,9 +9,9 @@
 #include "live/session/passes_sources.h"
 #include "live/session/picture_room.h"
 #include "passes/passes_file.h"
-#include "project/load_show.h"
-#include "project/place_checks.h"
 #include "show_file/show_edit.h"
+#include "show_folder/load_show.h"
+#include "show_folder/place_checks.h"
 
 #include "base/check.h"
 #include "base/log.h"
@@ -88,7 +88,8 @@ Result<void> take_look(const SessionOptions& options, scene::Show& show, Session
     if (!index.ok()) return Error{index.error().what, file.string()};
     scene::check_look(looks[*index], show, file.string(), report);
     session.programmer = scene::programmer_of(looks[*index], show);
-    apply(looks[*index].scene, show, session.shadows);
+    session.scene_look = looks[*index].scene;
+    session.shadows = session.scene_look.shadows.value_or(session.shadows);
     return {};
 }
 
@@ -192,43 +193,16 @@ void print_report(const Report& report, std::size_t skip) {
     }
 }
 
-shared::Haze haze_of(const scene::Show& show) {
-    const scene::HazeMedium& haze = show.haze;
-    return {haze.extinction_per_m, haze.extinction_per_m * haze.albedo, haze.forward_g, haze.back_g,
-            haze.back_weight};
-}
-
-bool is_uneven(const scene::Show& show) {
-    return show.haze.unevenness > 0 || !show.hazers.empty();
-}
-
-shared::Air air_of(const scene::Show& show, double time_s) {
-    constexpr float kChurn = 0.25f; // radians a second: swirls live for some ten seconds
-    shared::Air air = render::even_air();
-    air.attenuation = {show.attenuation.constant, show.attenuation.linear, show.attenuation.quadratic};
-    air.unevenness = show.haze.unevenness;
-    air.drift_m = show.haze.wind_m_s * static_cast<float>(time_s);
-    air.per_m = 2.0f * shared::kPi / std::max(2.0f * show.haze.patch_m, 0.1f);
-    air.churn = kChurn * static_cast<float>(time_s);
-    for (const scene::Hazer& hazer : show.hazers) {
-        CHECK(air.hazers < shared::kMostHazers);
-        air.plume[air.hazers++] = {hazer.position_m, hazer.rate,
-                                   hazer.direction,  std::tan(glm::radians(0.5f * hazer.spread_deg)),
-                                   hazer.reach_m,    0.0f};
-    }
-    return air;
-}
-
-render::Settings draw_settings(const scene::Show& show, const scene::Camera& camera,
+render::Settings draw_settings(const Atmosphere& air, const scene::Camera& camera,
                                const SessionOptions& options) {
     render::Settings settings;
-    settings.haze = haze_of(show);
+    settings.haze = air.medium();
     settings.beams = options.beams;
-    settings.ambient = show.ambient_colour * show.ambient_lux;
+    settings.ambient = air.ambient;
     settings.lens.on = options.glare > 0;
     settings.glare.strength = options.glare;
-    settings.air_field = air_of(show, 0);
-    settings.beams.uneven = is_uneven(show);
+    settings.air_field = air.field();
+    settings.beams.uneven = air.is_uneven();
     settings.ev100 = options.ev100.value_or(camera.ev100);
     settings.auto_exposure = camera.auto_exposure && !options.ev100;
     settings.tone = options.tone;
@@ -252,7 +226,7 @@ scene::FrameLights Session::lit() const {
 }
 
 std::unique_ptr<render::Relighter> Session::make_relighter(const scene::Camera& from, bool coarse) const {
-    render::Settings settings = draw_settings(*show, from, options);
+    render::Settings settings = draw_settings(atmosphere(), from, options);
     settings.coarse = coarse;
     auto made =
         std::make_unique<render::Relighter>(*device, live->g_buffer(), live->distances(), gobos.images,
@@ -275,6 +249,7 @@ bool Session::prepare(const scene::Camera& from, const std::function<bool()>& st
         parked_other_light.reset();
         if (!parks(from)) return true;
     }
+    live->set_atmosphere(atmosphere());
     return live->prepare(from, stop);
 }
 
@@ -297,6 +272,7 @@ void Session::look_from(const scene::Camera& from, bool goes_on, std::optional<b
         }
     }
     const bool has_other_maps = !stays && std::exchange(maps_changed_since_parked, false);
+    live->set_atmosphere(atmosphere());
     const bool is_anew = live->look_from(from, keeps, flies) == LiveView::Seen::anew || has_other_maps;
     if (!relighter) relighter = make_relighter(from, is_coarse);
     for (const auto& one : {relighter.get(), other_light.get()}) {
@@ -375,7 +351,7 @@ void Session::update_bounce(const scene::FrameLights& lit) {
 }
 
 render::FrameStatistics Session::draw(double time_s, const std::function<bool()>& stop) {
-    relighter->set_air(air_of(*show, is_uneven(*show) ? time_s : 0.0));
+    relighter->set_air(atmosphere().field(time_s));
     show_media(time_s);
     const double start_s = steady_now_s();
     std::vector<gpu::Span> spans;
@@ -403,15 +379,6 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
     statistics.draw_ms += before_ms;
     statistics.spans.insert(statistics.spans.begin(), spans.begin(), spans.end());
     return statistics;
-}
-
-void apply(const scene::SceneLook& look, scene::Show& show, bool& shadows) {
-    constexpr float kMostSmoke = 20, kMostLux = 100000;
-    show.haze.extinction_per_m *= std::clamp(look.smoke.value_or(1.0f), 0.0f, kMostSmoke);
-    show.ambient_lux = std::clamp(look.ambient_lux.value_or(show.ambient_lux), 0.0f, kMostLux);
-    show.ambient_colour = look.ambient_colour.value_or(show.ambient_colour);
-    if (look.attenuation) show.attenuation = {look.attenuation->x, look.attenuation->y, look.attenuation->z};
-    shadows = look.shadows.value_or(shadows);
 }
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
@@ -477,10 +444,10 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options, sce
                                               options.shaders}));
     log_info("drawing on " + session->device->name());
     session->rig = std::make_unique<scene::Rig>(*session->show);
-    const render::Settings settings = draw_settings(*session->show, camera, options);
+    const render::Settings settings = draw_settings(session->atmosphere(), camera, options);
     if (options.live) {
         const LiveOptions live{options.shadows && session->show->shadows, options.maps_in_background,
-                               options.quiet, options.keep_hidden};
+                               options.quiet, options.keep_hidden, session->atmosphere()};
         TRY(session->live, LiveView::open(*session->device, *session->show, camera, live, report));
         scene::check_places(*session->show, session->live->stage(), {&camera, 1}, report);
         print_report(report, printed);

@@ -9,6 +9,7 @@
 #include "gpu/device.h"
 #include "light/gobos.h"
 #include "light/rig.h"
+#include "live/session/atmosphere.h"
 #include "live/session/bounce_light.h"
 #include "live/session/live_view.h"
 #include "live/session/media_player.h"
@@ -22,10 +23,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-
-namespace ghost::scene {
-struct Show;
-} // namespace ghost::scene
 
 namespace ghost::app {
 
@@ -63,10 +60,6 @@ struct SessionOptions {
     std::string shaders;                  // likewise
 };
 
-// Attenuation, swirls and plumes at a moment.
-shared::Air air_of(const scene::Show& show, double time_s);
-bool is_uneven(const scene::Show& show);
-
 struct Session {
     ~Session();
 
@@ -93,10 +86,15 @@ struct Session {
     std::unique_ptr<render::Relighter> parked, parked_other_light; // those of a picture of another size
     bool maps_changed_since_parked = false;
     std::map<std::size_t, fixture::Programmer> programmer; // of options.look, for Rig::step
+    scene::SceneLook scene_look;                           // that of options.look, or what hands set since
+    float haze_density = 1;                                // times that: a remote control's
     float master = 1;                                      // share of all light
     bool shadows = true;                                   // live only
     bool flies = false;                                    // look_from
     SessionOptions options;                                // as it was opened
+
+    // Of the show, with scene_look and haze_density; a live picture has it from the next look_from on.
+    Atmosphere atmosphere() const { return atmosphere_of(*show, scene_look, haze_density); }
 
     // Moves the moving pictures on to this time, or to media_s; draw does so, too.
     void show_media(double time_s);
@@ -105,7 +103,7 @@ struct Session {
     // One frame of what the rig does now; time_s moves the haze. Live: heads turn, maps that were made
     // meanwhile throw their shadows.
     render::FrameStatistics draw(double time_s = 0, const std::function<bool()>& stop = {});
-    // Moves a live camera, and shows what the show's even light, haze and attenuation are now. A camera of
+    // Moves a live camera, and shows what the atmosphere is now. A camera of
     // another size gets another picture; stage and distance maps stay on the device. SessionOptions::parks:
     // the picture before is kept, where there is memory, and taken up again when its size is asked for.
     // goes_on: soon it looks from elsewhere, so nothing that is seen from there is kept, and the stage has
@@ -135,9 +133,6 @@ private:
 
 Result<std::unique_ptr<Session>> open_session(const SessionOptions& options);
 
-// Instead of what the show says of air and even light.
-void apply(const scene::SceneLook& look, scene::Show& show, bool& shadows);
-
 // scene::load_show with a bar, and Ctrl-C ends it. text: instead of what show.toml says.
 Result<scene::Show> open_show(const std::string& path, bool load_stage, bool quiet, Report& report,
                               const std::shared_ptr<const std::string>& text = nullptr);
@@ -145,10 +140,8 @@ Result<scene::Show> open_show(const std::string& path, bool load_stage, bool qui
 // The stage, if it can be read. A show without one still has its beams.
 bool load_stage(scene::Show& show, Report& report);
 
-shared::Haze haze_of(const scene::Show& show);
-
 // Settings of the relighter for a camera of a show.
-render::Settings draw_settings(const scene::Show& show, const scene::Camera& camera,
+render::Settings draw_settings(const Atmosphere& air, const scene::Camera& camera,
                                const SessionOptions& options);
 
 // Prints what a report holds beyond the first `skip` messages.

@@ -3,6 +3,7 @@
 #include "base/text.h"
 #include "show/camera_moves.h"
 #include "show/show.h"
+#include "stage/box.h"
 #include "stage/overrides.h"
 #include "ui/actions/programmer_actions.h"
 
@@ -50,21 +51,20 @@ Result<void> go_to(AppModel& app, const QString& which) {
 Result<void> focus(AppModel& app, bool all) {
     TRY_VOID(need_show(app));
     const std::vector<FixtureNow>& fixtures = app.rig().fixtures;
-    glm::vec3 low_m(1e9f), high_m(-1e9f);
+    scene::Box box;
     for (const std::size_t index : app.selection()) {
         if (index >= fixtures.size()) continue;
-        low_m = glm::min(low_m, fixtures[index].light_m);
-        high_m = glm::max(high_m, fixtures[index].light_m);
+        box.add(fixtures[index].light_m);
     }
     if (const auto object = app.marked(); !all && app.selection().empty() && object) {
         const Object& one = app.opened().objects[*object];
         app.look_at(one.centre_m, kPerson_m + one.radius_m);
         return {};
     }
-    if (all || low_m.x > high_m.x)
+    if (all || box.is_empty())
         app.look_at(app.opened().centre_m, app.opened().radius_m);
     else
-        app.look_at(0.5f * (low_m + high_m), kPerson_m + 0.5f * glm::length(high_m - low_m));
+        app.look_at(box.middle_m(), kPerson_m + 0.5f * glm::length(box.size_m()));
     return {};
 }
 

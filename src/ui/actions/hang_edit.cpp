@@ -2,8 +2,8 @@
 #include "ui/actions/hang_edit.h"
 
 #include "base/text.h"
-#include "project/hang.h"
 #include "show/show.h"
+#include "show_folder/hang.h"
 #include "stage/overrides.h"
 #include "ui/actions/patch_edit.h"
 

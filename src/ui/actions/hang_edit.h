@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Hanging the selected fixtures under a truss or a pipe of the stage (project/hang.h), one step of the undo
-// list. Errors: nothing is selected, or there is no such truss. Window thread.
+// Hanging the selected fixtures under a truss or a pipe of the stage (show_folder/hang.h), one step of the
+// undo list. Errors: nothing is selected, or there is no such truss. Window thread.
 
 #include "ui/actions/actions.h"
 #include "ui/model/show_document.h"

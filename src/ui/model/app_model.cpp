@@ -15,9 +15,6 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kTravelStep_ms = 16;
-constexpr int kFadeStep_ms = 33;
-
 // Until the engine says what shines.
 RigNow rig_at_home(const scene::Show& show) {
     RigNow rig;
@@ -53,7 +50,10 @@ private:
     QElapsedTimer age_;
 };
 
-AppModel::AppModel(Link& link) : link_(link), jobs_(QCoreApplication::applicationFilePath()) {
+AppModel::AppModel(Link& link)
+    : link_(link), jobs_(QCoreApplication::applicationFilePath()),
+      flight_([this](const FramedCamera& now) { put_camera(now.camera, now.frame); }),
+      fader_([this] { show_look(); }) {
     link_.on_news = [this] {
         // One call waits at a time, however fast the engine is.
         if (!news_posted_.exchange(true))
@@ -62,10 +62,6 @@ AppModel::AppModel(Link& link) : link_(link), jobs_(QCoreApplication::applicatio
     };
     request_.camera.width = 0; // nothing is drawn before a show is open
     undo_.setUndoLimit(500);
-    travel_timer_.setInterval(kTravelStep_ms);
-    connect(&travel_timer_, &QTimer::timeout, this, &AppModel::step_travel);
-    fade_timer_.setInterval(kFadeStep_ms);
-    connect(&fade_timer_, &QTimer::timeout, this, &AppModel::show_look);
 }
 
 void AppModel::read_news() {
@@ -162,14 +158,14 @@ void AppModel::take_opened(Opened opened) {
     patch_ = opened_.show ? scene::PatchMap(*opened_.show) : scene::PatchMap();
     latency_ = window_cost_ = {};
     waveform_.clear();
-    travel_timer_.stop();
+    flight_.stop();
     undo_.clear();
     selection_.clear();
     rig_ = opened_.show ? rig_at_home(*opened_.show) : RigNow{};
     explained_ = {};
     verdicts_.clear();
-    fade_timer_.stop();
-    look_ = on_the_way_ = request_.look = {};
+    fader_.forget();
+    look_ = request_.look = {};
     request_.explained.reset();
     if (!opened_.again) {
         request_.transport = {};
@@ -193,16 +189,21 @@ void AppModel::open(const std::string& show) {
 }
 
 void AppModel::set_camera(const scene::Camera& camera) {
-    travel_timer_.stop();
+    flight_.stop();
     wish([&](ViewRequest& request) { request.camera = camera; });
 }
 
 void AppModel::cut_to(const scene::Camera& stored) {
-    travel_timer_.stop();
+    flight_.stop();
+    put_camera(stored, {stored.width, stored.height});
+}
+
+// The size stays.
+void AppModel::put_camera(const scene::Camera& camera, const glm::ivec2& frame) {
     wish([&](ViewRequest& request) {
-        request.frame = {stored.width, stored.height};
+        request.frame = frame;
         const int width = request.camera.width, height = request.camera.height;
-        request.camera = stored;
+        request.camera = camera;
         request.camera.width = width;
         request.camera.height = height;
     });
@@ -222,8 +223,6 @@ void AppModel::send_size() {
     const auto pixels = [](const QSize& size) { return qint64{size.width()} * size.height(); };
     const QSize size =
         !second_size_.isEmpty() && pixels(second_size_) > pixels(view_size_) ? second_size_ : view_size_;
-    travel_to_.width = size.width();
-    travel_to_.height = size.height();
     wish([&](ViewRequest& request) {
         request.camera.width = size.width();
         request.camera.height = size.height();
@@ -240,20 +239,13 @@ void AppModel::reset_figures() {
 }
 
 void AppModel::travel_to(const scene::Camera& camera, int travel_ms) {
-    travel_ms_ = std::max(travel_ms, 1);
-    travel_from_ = request_.camera;
-    travel_to_ = camera;
-    travel_to_.width = travel_from_.width;
-    travel_to_.height = travel_from_.height;
-    frame_from_ = frame_to_ = request_.frame;
-    travel_clock_.start();
-    travel_timer_.start();
+    flight_.begin({request_.camera, request_.frame}, {camera, request_.frame}, travel_ms);
 }
 
 void AppModel::travel_to_stored(const scene::Camera& stored, int travel_ms) {
-    travel_to(stored, travel_ms);
-    frame_to_ = {stored.width, stored.height};
-    if (frame_from_ == glm::ivec2(0)) frame_from_ = frame_to_;
+    const glm::ivec2 frame(stored.width, stored.height);
+    const bool has_frame = request_.frame != glm::ivec2(0);
+    flight_.begin({request_.camera, has_frame ? request_.frame : frame}, {stored, frame}, travel_ms);
 }
 
 void AppModel::look_at(const glm::vec3& centre_m, float radius_m) {
@@ -265,24 +257,8 @@ void AppModel::look_at(const glm::vec3& centre_m, float radius_m) {
     travel_to(scene::focused(camera, centre_m, radius_m));
 }
 
-void AppModel::step_travel() {
-    const float share =
-        std::min(static_cast<float>(travel_clock_.elapsed()) / static_cast<float>(travel_ms_), 1.0f);
-    scene::Camera camera = share < 1 ? scene::camera_between(travel_from_, travel_to_, share) : travel_to_;
-    camera.width = request_.camera.width;
-    camera.height = request_.camera.height;
-    if (share >= 1) travel_timer_.stop();
-    wish([&](ViewRequest& request) {
-        request.camera = camera;
-        request.frame = glm::ivec2(glm::round(glm::mix(glm::vec2(frame_from_), glm::vec2(frame_to_), share)));
-    });
-}
-
 void AppModel::set_exposure(float ev100, bool automatic) {
-    for (scene::Camera* end : {&travel_from_, &travel_to_}) {
-        end->ev100 = ev100;
-        end->auto_exposure = automatic;
-    }
+    flight_.set_exposure(ev100, automatic);
     wish([&](ViewRequest& request) {
         request.camera.ev100 = ev100;
         request.camera.auto_exposure = automatic;
@@ -297,21 +273,13 @@ void AppModel::set_look(Look look, const QString& text, int kind) {
 }
 
 void AppModel::fade_to(Look look, const QString& text, double seconds) {
-    next_fade_s_ = std::max(seconds, 0.0);
+    fader_.set_next(seconds);
     set_look(std::move(look), text);
-    next_fade_s_ = 0;
+    fader_.set_next(0);
 }
 
 void AppModel::put_look(const Look& look) {
-    const double fade_s = std::exchange(next_fade_s_, 0.0);
-    if (fade_s > 0) {
-        fade_from_ = on_the_way_; // an earlier fade may not be over
-        fade_s_ = fade_s;
-        fade_clock_.start();
-        fade_timer_.start();
-    } else if (fades()) {
-        keep_changes(fade_from_, look_, look);
-    }
+    fader_.change(look_, look);
     look_ = look;
     show_look();
     Q_EMIT look_changed();
@@ -319,10 +287,7 @@ void AppModel::put_look(const Look& look) {
 
 // The look as it is meant, or on its way there, with what solo leaves.
 void AppModel::show_look() {
-    const double share = fades() ? static_cast<double>(fade_clock_.elapsed()) * 1e-3 / fade_s_ : 1.0;
-    if (share >= 1) fade_timer_.stop();
-    Look shown = share < 1 ? faded(fade_from_, look_, *show(), rig_, static_cast<float>(share)) : look_;
-    on_the_way_ = shown;
+    Look shown = fader_.on_the_way(look_, show().get(), rig_);
     if (show()) leave_solo(shown, show()->fixtures.size());
     wish([&](ViewRequest& request) { request.look = std::move(shown); });
 }
@@ -336,7 +301,7 @@ void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show pre
         request.text = std::move(text);
         request.look = look;
     });
-    fade_timer_.stop(); // it counts fixtures as they were
+    fader_.forget(); // it counts fixtures as they were
     look_ = look;
     show_look();
     show_edit();

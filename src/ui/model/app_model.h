@@ -6,12 +6,12 @@
 
 #include "diagnose/diagnosis.h"
 #include "link/link.h"
+#include "ui/model/camera_flight.h"
 #include "ui/model/jobs.h"
+#include "ui/model/look_fader.h"
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QSize>
-#include <QTimer>
 #include <QUndoStack>
 
 #include <set>
@@ -81,7 +81,7 @@ public:
     void travel_to_stored(const scene::Camera& stored, int travel_ms = kTravel_ms);
     // Likewise: the ball fills the frame.
     void look_at(const glm::vec3& centre_m, float radius_m);
-    bool travels() const { return travel_timer_.isActive(); }
+    bool travels() const { return flight_.is_going(); }
     // Of the camera as it is and, while it travels, of both ends.
     void set_exposure(float ev100, bool automatic);
     // Changes nobody undoes: anything but the look.
@@ -95,7 +95,7 @@ public:
     void set_look(Look look, const QString& text, int kind = 0);
     // The same as one step, in so many seconds; what hands change meanwhile is there at once.
     void fade_to(Look look, const QString& text, double seconds);
-    bool fades() const { return fade_timer_.isActive(); }
+    bool fades() const { return fader_.is_going(); }
     QUndoStack& undo_stack() { return undo_; }
     // The show is another text now, with what goes by index of the fixture as that text counts. It is shown
     // at once as `preview`, until the engine has opened it.
@@ -155,7 +155,7 @@ private:
     void put_look(const Look& look);
     void show_look();
     void send_size();
-    void step_travel();
+    void put_camera(const scene::Camera& camera, const glm::ivec2& frame);
     void send();
 
     Link& link_;
@@ -189,19 +189,9 @@ private:
     QUndoStack undo_;
     Jobs jobs_;
 
-    QTimer travel_timer_;
-    QElapsedTimer travel_clock_;
-    int travel_ms_ = kTravel_ms;
-    scene::Camera travel_from_, travel_to_;
-    glm::ivec2 frame_from_{0}, frame_to_{0};
-
+    CameraFlight flight_;
     Look look_;
-    Look on_the_way_; // without what solo does
-    Look fade_from_;
-    double next_fade_s_ = 0; // of the step that is being pushed
-    double fade_s_ = 0;
-    QTimer fade_timer_;
-    QElapsedTimer fade_clock_;
+    LookFader fader_;
 };
 
 } // namespace ghost::ui

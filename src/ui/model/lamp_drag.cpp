@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/lamp_drag.h"
 
-#include "project/hang.h"
+#include "show_folder/hang.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include "files/files.h"
 #include "files/user_file.h"
-#include "project/load_show.h"
 #include "show_file/show_edit.h"
+#include "show_folder/load_show.h"
 #include "ui/model/private/undo_ids.h"
 
 #include <utility>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/options/input_options.h"
 #include "live/inputs/joined_universes.h"
-#include "project/load_show.h"
+#include "show_folder/load_show.h"
 
 #include <gtest/gtest.h>
 

@@ -73,12 +73,12 @@ public:
                  desk);
             return;
         }
-        take(build_sacn(desk.universe, slots, desk.sequence, desk.priority, desk.cid(), "desk", desk.options,
-                        0, desk.sync),
+        take(build_sacn(desk.universe, slots, desk.sequence, {desk.priority, desk.cid(), "desk"},
+                        {desk.options, 0, desk.sync}),
              desk);
         if (!desk.slot_priorities.empty())
-            take(build_sacn(desk.universe, desk.slot_priorities, ++desk.sequence, desk.priority, desk.cid(),
-                            "desk", desk.options, 0xDD, desk.sync),
+            take(build_sacn(desk.universe, desk.slot_priorities, ++desk.sequence,
+                            {desk.priority, desk.cid(), "desk"}, {desk.options, 0xDD, desk.sync}),
                  desk);
     }
     void take(const std::vector<std::uint8_t>& bytes, const Sending& from) {
@@ -142,7 +142,7 @@ void run_sacn(Day& day, int cycle) {
     AFTER(1900ms, day.level(1, 1), 20);
     AFTER(1300ms, day.level(1, 1), 10);
     backup.on = false;
-    day.take(build_sacn(1, {}, ++backup.sequence, 90, backup.cid(), "desk", 0x40), backup);
+    day.take(build_sacn(1, {}, ++backup.sequence, {90, backup.cid(), "desk"}, {0x40}), backup);
     AFTER(100ms, day.statistics().sources.size(), 1u);
     Sending& blind = day.desk({.id = 3, .level = 99, .options = 0x80});
     AFTER(1s, day.statistics().ignored.size(), 1u);

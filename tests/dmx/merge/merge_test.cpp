@@ -505,6 +505,18 @@ TEST(Merge, slots_where_another_of_equal_rank_has_its_way) {
     EXPECT_EQ(sources[2].slots_overruled, 0u);
 }
 
+TEST(Merge, slots_where_another_has_its_way_are_counted_while_looks_wait_to_be_shown) {
+    Merge merge;
+    Desk a{1}, b{2};
+    merge.feed(a.packet({10, 200}), 0s);
+    merge.feed(b.packet({10, 200}), 0s);
+    (void)merge.universes();
+    EXPECT_EQ(merge.sources(0s)[0].slots_overruled, 0u);
+    merge.feed(b.packet({30, 200}), 0s);
+    EXPECT_EQ(merge.sources(0s)[0].slots_overruled, 1u);
+    EXPECT_EQ(merge.sources(0s)[1].slots_overruled, 0u);
+}
+
 TEST(Merge, slots_that_a_source_holds) {
     Merge merge;
     Desk main{1, 100}, backup{2, 90}, equal{3, 100};

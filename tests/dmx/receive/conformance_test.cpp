@@ -27,7 +27,7 @@ struct WireSource {
     std::uint8_t sequence = 0;
 
     std::vector<std::uint8_t> data(std::uint8_t priority, const Slots& slots, std::uint8_t options = 0) {
-        return build_sacn(1, slots, ++sequence, priority, {id}, "Test", options);
+        return build_sacn(1, slots, ++sequence, {priority, {id}, "Test"}, {options});
     }
 };
 

@@ -40,12 +40,13 @@ std::vector<Sample> samples() {
     };
     const auto reply = build_poll_reply({.ports = {{1}}});
     return {
-        {"sACN levels", Protocol::sacn, build_sacn(1, Buffer(512, 200), 1, 150, cid, "Other")},
-        {"sACN short", Protocol::sacn, build_sacn(1, Buffer(3, 200), 1, 150, cid, "Other")},
+        {"sACN levels", Protocol::sacn, build_sacn(1, Buffer(512, 200), 1, {150, cid, "Other"})},
+        {"sACN short", Protocol::sacn, build_sacn(1, Buffer(3, 200), 1, {150, cid, "Other"})},
         {"sACN synchronised", Protocol::sacn,
-         build_sacn(1, Buffer(512, 200), 1, 150, cid, "Other", 0, 0, 50)},
-        {"sACN priorities", Protocol::sacn, build_sacn(1, Buffer(512, 200), 1, 150, cid, "Other", 0, 0xDD)},
-        {"sACN goodbye", Protocol::sacn, build_sacn(1, {}, 1, 150, cid, "Other", 0x40)},
+         build_sacn(1, Buffer(512, 200), 1, {150, cid, "Other"}, {0, 0, 50})},
+        {"sACN priorities", Protocol::sacn,
+         build_sacn(1, Buffer(512, 200), 1, {150, cid, "Other"}, {0, 0xDD})},
+        {"sACN goodbye", Protocol::sacn, build_sacn(1, {}, 1, {150, cid, "Other"}, {0x40})},
         {"sACN sync", Protocol::sacn, build_sacn_sync(50, 1, cid)},
         {"sACN discovery", Protocol::sacn, build_sacn_discovery(universes, 0, 1, cid, "Other")},
         {"ArtDmx", Protocol::artnet, build_artdmx(0, Buffer(512, 200), 1)},
@@ -71,7 +72,7 @@ struct Rig {
     std::uint8_t sequence = 0;
 
     void desk(std::uint8_t level) {
-        const Buffer bytes = build_sacn(1, Buffer(512, level), ++sequence, 200, {1}, "Desk");
+        const Buffer bytes = build_sacn(1, Buffer(512, level), ++sequence, {200, {1}, "Desk"});
         (void)intake.take(bytes, arrival(Protocol::sacn, kDesk, now));
         intake.tick(now);
     }
@@ -155,7 +156,7 @@ TEST(Intake, a_storm_of_universes_nobody_patched) {
     for (int i = 0; i < 60000; ++i) {
         rig.now += 100us;
         const auto universe = static_cast<std::uint16_t>(3 + i % 60000);
-        (void)rig.intake.take(build_sacn(universe, Buffer(8, 9), 1, 200, {7}, "Storm"),
+        (void)rig.intake.take(build_sacn(universe, Buffer(8, 9), 1, {200, {7}, "Storm"}),
                               arrival(Protocol::sacn, kOther, rig.now));
         if (i % 200 == 0) {
             rig.desk(static_cast<std::uint8_t>(i));
@@ -192,20 +193,20 @@ TEST(Intake, the_wrong_group_is_noted_and_the_levels_used) {
     Rig rig;
     Arrival wrong = arrival(Protocol::sacn, kDesk, rig.now);
     wrong.to = sacn_group(9);
-    (void)rig.intake.take(build_sacn(1, Buffer(512, 20), 1, 100, {1}, "Desk"), wrong);
+    (void)rig.intake.take(build_sacn(1, Buffer(512, 20), 1, {100, {1}, "Desk"}), wrong);
     EXPECT_EQ(rig.shown(), 20);
     EXPECT_EQ(rig.statistics().wrong_group, 1u);
     EXPECT_TRUE(rig.statistics().sources[0].wrong_group);
     for (const bool ipv6 : {false, true}) {
         wrong.to = sacn_group_address(1, ipv6);
-        (void)rig.intake.take(build_sacn(1, Buffer(512, 20), ipv6 ? 3 : 2, 100, {1}, "Desk"), wrong);
+        (void)rig.intake.take(build_sacn(1, Buffer(512, 20), ipv6 ? 3 : 2, {100, {1}, "Desk"}), wrong);
         EXPECT_FALSE(rig.statistics().sources[0].wrong_group);
     }
 }
 
 TEST(Intake, a_wrong_length_is_noted_and_the_levels_that_came_are_used) {
     Rig rig;
-    Buffer sacn = build_sacn(1, Buffer(512, 20), 1, 100, {1}, "Desk");
+    Buffer sacn = build_sacn(1, Buffer(512, 20), 1, {100, {1}, "Desk"});
     sacn.resize(126 + 400);
     (void)rig.intake.take(sacn, arrival(Protocol::sacn, kDesk, rig.now));
     EXPECT_EQ(rig.intake.merge().universes().level(1, 400), 20);

@@ -57,7 +57,7 @@ TEST(Receiver, ipv6_unicast) {
     Universes seen;
     Statistics statistics;
     EXPECT_TRUE(wait_for([&] {
-        const auto bytes = build_sacn(1, Buffer(512, 11), ++sequence, 100, {1}, "Six");
+        const auto bytes = build_sacn(1, Buffer(512, 11), ++sequence, {100, {1}, "Six"});
         EXPECT_TRUE((*out)->send(bytes, *self, options.sacn_port).ok());
         if (auto newest = (*receiver)->take()) seen = *newest;
         if (auto newest = (*receiver)->take_statistics()) statistics = *newest;
@@ -84,10 +84,11 @@ TEST(Receiver, joins_the_group_of_a_synchronisation_universe) {
     // Universe 900 is nobody's, so its group is joined for its sync packets only.
     EXPECT_TRUE(wait_for([&] {
         ++sequence;
-        EXPECT_TRUE((*out)
-                        ->send(build_sacn(1, Buffer(512, sequence), sequence, 100, cid, "Sync", 0, 0, 900),
-                               sacn_group(1), options.sacn_port)
-                        .ok());
+        EXPECT_TRUE(
+            (*out)
+                ->send(build_sacn(1, Buffer(512, sequence), sequence, {100, cid, "Sync"}, {0, 0, 900}),
+                       sacn_group(1), options.sacn_port)
+                .ok());
         EXPECT_TRUE(
             (*out)->send(build_sacn_sync(900, sequence, cid), sacn_group(900), options.sacn_port).ok());
         if (auto newest = (*receiver)->take_statistics()) statistics = *newest;
@@ -111,7 +112,7 @@ TEST(Receiver, finds_out_who_sends_before_it_shows_anything) {
     Statistics statistics;
     EXPECT_TRUE(wait_for([&] {
         EXPECT_TRUE((*out)
-                        ->send(build_sacn(1, Buffer(512, 11), ++sequence, 100, {1}, "Desk"), 0x7F000001,
+                        ->send(build_sacn(1, Buffer(512, 11), ++sequence, {100, {1}, "Desk"}), 0x7F000001,
                                options.sacn_port)
                         .ok());
         if (auto newest = (*receiver)->take_statistics()) statistics = *newest;

@@ -181,7 +181,7 @@ TEST(Receiver, of_a_cut_packet_what_came_is_shown_and_counted) {
     ASSERT_TRUE(socket.ok());
     const auto send_both = [&](std::uint8_t sequence, std::uint8_t level, std::size_t missing) {
         const std::vector<std::uint8_t> levels(512, level);
-        auto sacn = build_sacn(1, levels, sequence, 100, {}, "Desk");
+        auto sacn = build_sacn(1, levels, sequence, {100, {}, "Desk"});
         auto artdmx = build_artdmx(1, levels, sequence); // our universe 2
         sacn.resize(sacn.size() - missing);
         artdmx.resize(artdmx.size() - missing);

@@ -22,7 +22,7 @@ std::string one_fader() {
 TEST(Activity, is_where_levels_change) {
     auto recording = parse_recording(one_fader(), "test.show");
     ASSERT_TRUE(recording.ok()) << recording.error().text();
-    const Player player(std::move(*recording));
+    Player player(std::move(*recording));
     ASSERT_NEAR(player.duration_s(), 10, 0.2);
     const std::vector<float> activity = activity_of(player, 10);
     ASSERT_EQ(activity.size(), 10u);

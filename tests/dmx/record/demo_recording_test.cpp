@@ -19,7 +19,7 @@ TEST(DemoRecording, is_a_show) {
     const auto universes = recording->first_frames();
     ASSERT_EQ(universes.size(), 1u);
     EXPECT_EQ(universes.begin()->first, 1);
-    const Player player(std::move(*recording));
+    Player player(std::move(*recording));
     EXPECT_GE(player.duration_s(), 75.0);
 
     double dark_s = 0.0, longest_dark_s = 0.0, turned_right_s = 0.0, turned_left_s = 0.0, strobed_s = 0.0;

@@ -135,7 +135,7 @@ TEST(Ghostdmx, damage_in_one_block_spares_the_others) {
             read_recording(write_bytes(folder.path / "b.ghostdmx", Bytes(broken).first(broken.size() - cut)));
         ASSERT_TRUE(recording.ok());
         EXPECT_EQ(recording->problems.size(), cut ? 1u : 0u);
-        const Player good(std::move(*read_recording(folder.path / "a.ghostdmx"))), bad(std::move(*recording));
+        Player good(std::move(*read_recording(folder.path / "a.ghostdmx"))), bad(std::move(*recording));
         const auto seconds = [](std::chrono::microseconds t) {
             return std::chrono::duration<double>(t).count();
         };
@@ -170,7 +170,7 @@ TEST(Ghostdmx, a_block_that_is_gone_is_skipped_without_an_index) {
     const auto recording = read_recording(write_bytes(folder.path / "b.ghostdmx", broken));
     ASSERT_TRUE(recording.ok());
     EXPECT_EQ(recording->problems.size(), 2u);
-    const Player good(std::move(*whole)), bad(std::move(*read_recording(folder.path / "b.ghostdmx")));
+    Player good(std::move(*whole)), bad(std::move(*read_recording(folder.path / "b.ghostdmx")));
     const double after_s = std::chrono::duration<double>(third.start).count();
     EXPECT_TRUE(same_look(bad.at(after_s), good.at(after_s)));
     EXPECT_TRUE(same_look(bad.at(0.0), good.at(0.0)));

@@ -21,7 +21,7 @@ Recording parse(std::string_view text) {
 }
 
 TEST(Player, levels_by_time) {
-    const Player player(parse(kShow));
+    Player player(parse(kShow));
     EXPECT_DOUBLE_EQ(player.duration_s(), 1.04);
     EXPECT_EQ(player.at(-1.0).level(1, 1), 255);
     EXPECT_EQ(player.at(0.0).level(1, 1), 255);
@@ -34,7 +34,7 @@ TEST(Player, levels_by_time) {
 }
 
 TEST(Player, is_the_same_in_any_order_and_marks_changes) {
-    const Player player(parse("OLA Show\n1 1\n10\n1 1\n10\n1 2\n10\n2 5\n0\n"));
+    Player player(parse("OLA Show\n1 1\n10\n1 1\n10\n1 2\n10\n2 5\n0\n"));
     const Universes end = player.at(0.03), start = player.at(0.0), again = player.at(0.03);
     EXPECT_EQ(end.revision, again.revision);
     EXPECT_EQ(*end.find(1)->levels, *again.find(1)->levels);
@@ -50,7 +50,7 @@ TEST(Player, a_seek_gives_what_playing_up_to_there_gives) {
     const TestFolder folder;
     const auto frames = random_frames(11, 9000, 12);
     const auto file = write_bytes(folder.path / "a.ghostdmx", pack(frames, frames.back().time + 1s));
-    const Player walker(std::move(*read_recording(file)));
+    Player walker(std::move(*read_recording(file)));
     ASSERT_GE(walker.recording().blocks(), 5u);
     std::vector<std::pair<double, Universes>> looks;
     // Those of the frames themselves, without any format between.
@@ -69,7 +69,7 @@ TEST(Player, a_seek_gives_what_playing_up_to_there_gives) {
         ASSERT_TRUE(same_look(walker.at(t_s), expected)) << t_s;
         if (i % 7 == 0) looks.emplace_back(t_s, expected);
     }
-    const Player jumper(std::move(*read_recording(file)));
+    Player jumper(std::move(*read_recording(file)));
     for (auto look = looks.rbegin(); look != looks.rend(); ++look)
         ASSERT_TRUE(same_look(jumper.at(look->first), look->second)) << look->first;
     std::mt19937 random(5);
@@ -81,7 +81,7 @@ TEST(Player, a_seek_gives_what_playing_up_to_there_gives) {
 }
 
 TEST(Player, levels_that_were_handed_out_do_not_change) {
-    const Player player(parse("OLA Show\n1 1\n10\n1 2\n10\n1 3\n10\n"));
+    Player player(parse("OLA Show\n1 1\n10\n1 2\n10\n1 3\n10\n"));
     const Universes first = player.at(0.0), second = player.at(0.01);
     EXPECT_EQ(player.at(0.02).level(1, 1), 3);
     EXPECT_EQ(first.level(1, 1), 1);
@@ -93,7 +93,7 @@ TEST(Player, lost_sources_are_lost_again) {
     const auto file = write_bytes(
         folder.path / "a.ghostdmx",
         pack({make_frame(0us, 1, {9}), make_frame(2s, 1, {9}, true), make_frame(4s, 1, {9})}, 5s));
-    const Player player(std::move(*read_recording(file)));
+    Player player(std::move(*read_recording(file)));
     EXPECT_FALSE(player.at(1.9).find(1)->lost);
     EXPECT_TRUE(player.at(2.0).find(1)->lost);
     EXPECT_EQ(player.at(3.0).level(1, 1), 9);

@@ -26,7 +26,7 @@ Player player_of(const std::vector<RecordedFrame>& frames, std::chrono::microsec
 }
 
 // Asks as the outlet does: at the time of the next look or repeat, but late by up to `late`.
-std::vector<Sent> play(const Player& player, nanoseconds length, nanoseconds late = 0ns) {
+std::vector<Sent> play(Player& player, nanoseconds length, nanoseconds late = 0ns) {
     Playout playout(player, kPeriod);
     std::vector<Sent> sent;
     std::mt19937 random(1);
@@ -58,7 +58,7 @@ std::vector<RecordedFrame> looks_every(std::chrono::microseconds interval, int c
 TEST(Playout, every_look_of_a_desk_goes_out_once_and_in_time) {
     for (const auto interval : {33333us, 25000us, 22727us, 20000us}) {
         const std::vector<RecordedFrame> frames = looks_every(interval, 301);
-        const Player player = player_of(frames, interval * 300);
+        Player player = player_of(frames, interval * 300);
         const std::vector<Sent> sent = play(player, interval * 300);
         ASSERT_EQ(sent.size(), 301u) << interval.count();
         for (std::size_t i = 0; i < sent.size(); ++i) {
@@ -69,7 +69,7 @@ TEST(Playout, every_look_of_a_desk_goes_out_once_and_in_time) {
 }
 
 TEST(Playout, a_caller_that_comes_late_loses_no_look) {
-    const Player player = player_of(looks_every(20ms, 301), 6s);
+    Player player = player_of(looks_every(20ms, 301), 6s);
     std::vector<int> levels;
     for (const Sent& one : play(player, 7s, 90ms))
         if (levels.empty() || levels.back() != one.level) levels.push_back(one.level);
@@ -77,7 +77,7 @@ TEST(Playout, a_caller_that_comes_late_loses_no_look) {
 }
 
 TEST(Playout, what_rests_is_repeated_at_the_rate) {
-    const Player player = player_of({make_frame(0us, 1, {1}), make_frame(0us, 2, {2})}, 10s);
+    Player player = player_of({make_frame(0us, 1, {1}), make_frame(0us, 2, {2})}, 10s);
     std::map<int, std::vector<nanoseconds>> times;
     for (const Sent& one : play(player, 10s)) times[one.universe].push_back(one.time);
     for (const int universe : {1, 2}) {
@@ -89,12 +89,12 @@ TEST(Playout, what_rests_is_repeated_at_the_rate) {
 
 TEST(Playout, universes_keep_their_slot_count) {
     auto more = make_frame(1s, 1, {3, 0, 0, 0});
-    const Player player = player_of({make_frame(0us, 1, {1, 2}), more}, 2s);
+    Player player = player_of({make_frame(0us, 1, {1, 2}), more}, 2s);
     for (const Sent& one : play(player, 2s)) EXPECT_EQ(one.slot_count, one.level == 1 ? 2 : 4);
 }
 
 TEST(Playout, a_jump_leaves_out_what_lies_between) {
-    const Player player = player_of(looks_every(20ms, 301), 6s);
+    Player player = player_of(looks_every(20ms, 301), 6s);
     Playout playout(player, kPeriod);
     const auto levels_at = [&](double t_s, nanoseconds now) {
         std::vector<int> levels;
@@ -114,7 +114,7 @@ TEST(Playout, a_jump_leaves_out_what_lies_between) {
 // Block after block: the times of looks are known beyond the end of what is unpacked.
 TEST(Playout, a_recording_of_many_blocks) {
     const auto frames = random_frames(21, 9000, 12);
-    const Player player = player_of(frames, frames.back().time);
+    Player player = player_of(frames, frames.back().time);
     ASSERT_GE(player.recording().blocks(), 5u);
     double at_s = 0.0;
     std::size_t steps = 0;

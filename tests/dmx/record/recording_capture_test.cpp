@@ -24,7 +24,7 @@ constexpr std::chrono::nanoseconds kStart = 1'700'000'000s + 250ms;
 ByteList sacn(std::uint16_t universe, std::uint8_t sequence, std::initializer_list<std::uint8_t> levels,
               std::uint8_t priority = 100, std::uint8_t id = 1) {
     const ByteList slots(levels);
-    return build_sacn(universe, slots, sequence, priority, {id}, "desk");
+    return build_sacn(universe, slots, sequence, {priority, {id}, "desk"});
 }
 
 // A look each 20 ms: slot 1 counts, slot 2 stands still.
@@ -303,7 +303,7 @@ TEST(RealCaptures, play_what_a_live_receiver_has) {
         ASSERT_TRUE(recording.ok()) << recording.error().text();
         EXPECT_TRUE(recording->problems.empty()) << recording->problems.at(0).text();
         const auto began = recording->unix_time();
-        const Player player(std::move(*recording));
+        Player player(std::move(*recording));
 
         ReceiverOptions options;
         options.interface = "127.0.0.1";
@@ -415,7 +415,7 @@ TEST(RealCaptures, play_every_change) {
         auto recording = read_recording(kData / name);
         ASSERT_TRUE(recording.ok()) << recording.error().text();
         const auto began = recording->unix_time();
-        const Player player(std::move(*recording));
+        Player player(std::move(*recording));
         Merge merge;
         const auto packets = packets_of(kData / name);
         for (std::size_t i = 0; i < packets.size(); ++i) {

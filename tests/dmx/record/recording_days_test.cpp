@@ -91,7 +91,7 @@ TEST(RecordingOfDays, is_small_seeks_fast_and_needs_little_memory) {
     EXPECT_EQ(recording->frames(), frames);
     EXPECT_EQ(recording->duration(), days.length);
     const std::size_t blocks = recording->blocks();
-    const Player player(std::move(*recording));
+    Player player(std::move(*recording));
     std::mt19937 random(1);
     double slowest_s = 0.0, sum_s = 0.0;
     constexpr int kSeeks = 500;

@@ -72,8 +72,8 @@ void expect_clipped(const Parsed& parsed, std::size_t came, std::size_t of) {
 }
 
 TEST(Sacn, of_every_truncation_the_levels_that_came_are_used) {
-    const Buffer full = build_sacn(1, Buffer(512, 200), 1, 100, {}, "Desk");
-    const Buffer priorities = build_sacn(1, Buffer(512, 200), 1, 100, {}, "Desk", 0, 0xDD);
+    const Buffer full = build_sacn(1, Buffer(512, 200), 1, {100, {}, "Desk"});
+    const Buffer priorities = build_sacn(1, Buffer(512, 200), 1, {100, {}, "Desk"}, {0, 0xDD});
     for (const Buffer& whole : {literal_sacn(), full, priorities})
         for (std::size_t size = 0; size <= whole.size(); ++size) {
             const Buffer cut(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
@@ -349,7 +349,7 @@ TEST(Build, sacn_bytes) {
     std::array<std::uint8_t, 16> cid{};
     cid[0] = 0xAB;
     const Buffer slots = {10, 20};
-    const Buffer bytes = build_sacn(258, slots, 7, 150, cid, "Desk");
+    const Buffer bytes = build_sacn(258, slots, 7, {150, cid, "Desk"});
     ASSERT_EQ(bytes.size(), 128u);
     EXPECT_EQ(bytes[16], 0x70); // root: 112 bytes from here
     EXPECT_EQ(bytes[17], 0x70);

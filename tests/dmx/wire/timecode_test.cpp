@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "dmx/time/timecode_clock.h"
+#include "dmx/timecode/timecode_clock.h"
 #include "dmx/wire/timecode.h"
 
 #include <gtest/gtest.h>

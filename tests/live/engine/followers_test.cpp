@@ -2,7 +2,7 @@
 // Objects that go with a tracker: the picture, shadows included, is that of a show in which they stand there.
 #include "live/engine/followers.h"
 #include "live/session/live_view.h"
-#include "project/load_show.h"
+#include "show_folder/load_show.h"
 #include "support/demo_copy.h"
 #include "support/live_picture.h"
 

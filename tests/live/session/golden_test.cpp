@@ -49,7 +49,7 @@ std::unique_ptr<Session> session_of(const Still& still) {
     EXPECT_TRUE(session.ok()) << session.error().text();
     auto recording = dmx::read_recording((*session)->show->recording);
     EXPECT_TRUE(recording.ok()) << recording.error().text();
-    const dmx::Player player(std::move(*recording));
+    dmx::Player player(std::move(*recording));
     for (int frame = 0; frame <= std::lround(still.t_s * 30); ++frame)
         (*session)->rig->step(player.at(frame / 30.0), 1.0 / 30);
     return std::move(*session);
@@ -137,7 +137,7 @@ TEST(GoldenLimit, AFrameAloneIsTheFrameInARange) {
     session->draw();
     auto recording = dmx::read_recording(session->show->recording);
     ASSERT_TRUE(recording.ok());
-    const dmx::Player player(std::move(*recording));
+    dmx::Player player(std::move(*recording));
     const auto first = static_cast<int>(std::lround(earlier.t_s * 30)) + 1;
     int kept = 0;
     for (int frame = first; frame < first + 10; ++frame) {

@@ -5,7 +5,7 @@
 
 #include "light/bodies.h"
 #include "live/session/session.h"
-#include "project/load_show.h"
+#include "show_folder/load_show.h"
 #include "support/demo_copy.h"
 #include "support/live_picture.h"
 
@@ -99,7 +99,7 @@ TEST(live_heads, FollowTheDeskAndCostNothingAtRest) {
     for (const std::size_t instance : scene::moving_instances(show, turned)) model.mark_moving(instance);
     render::GBuffer whole(live_device(), camera.width, camera.height);
     whole.draw(model, {scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height},
-               {show.ambient_colour * show.ambient_lux, haze_of(show)});
+               {atmosphere_of(show).ambient, atmosphere_of(show).medium()});
     Report unheard;
     const scene::GoboStack gobos = scene::build_gobos(show, unheard);
     const std::vector<shared::Light> lights = rig.lights(gobos, scene::DistanceMaps{});

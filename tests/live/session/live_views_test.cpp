@@ -3,9 +3,9 @@
 // canned views, one or two lights each.
 #include "image/metrics.h"
 #include "light/bodies.h"
-#include "project/load_show.h"
 #include "reference/reference.h"
 #include "show/show.h"
+#include "show_folder/load_show.h"
 #include "support/demo_copy.h"
 #include "support/live_picture.h"
 

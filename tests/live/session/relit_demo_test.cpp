@@ -7,8 +7,8 @@
 #include "live/session/session.h"
 #include "passes/passes_file.h"
 #include "passes/relight_cpu.h"
-#include "project/load_show.h"
 #include "reference/trace_lit.h"
+#include "show_folder/load_show.h"
 #include "support/demo_copy.h"
 
 #include "support/test_stage.h"
@@ -76,7 +76,7 @@ Demo& demo() {
 std::vector<shared::Light> lights_at(double t_s) {
     auto recording = dmx::read_recording(demo().show.recording);
     EXPECT_TRUE(recording.ok());
-    const dmx::Player player(std::move(*recording));
+    dmx::Player player(std::move(*recording));
     scene::Rig rig(demo().show);
     for (int frame = 0; frame <= static_cast<int>(t_s * 30); ++frame)
         rig.step(player.at(frame / 30.0), 1.0 / 30);

@@ -43,7 +43,7 @@ render::Settings with_air(render::Settings settings, const shared::Air& air) {
 TEST(thesis_smoke, SwirlsAndAPlumeAreTheReference) {
     const scene::Show show = smoky_show();
     for (const double time_s : {0.0, 12.5}) {
-        const shared::Air air = air_of(show, time_s);
+        const shared::Air air = atmosphere_of(show).field(time_s);
         LiveStage stage(small_stage(), two_beams(), kWidth, kHeight, with_air(haze_only(), air), 1024);
         stage.look(kHouse);
         const image::ImageF live = stage.draw();
@@ -63,10 +63,11 @@ TEST(thesis_smoke, SwirlsAndAPlumeAreTheReference) {
 
 TEST(thesis_smoke, TimeAloneSaysHowTheSmokeLies) {
     const scene::Show show = smoky_show();
-    LiveStage stage(small_stage(), two_beams(), kWidth, kHeight, with_air(haze_only(), air_of(show, 0)));
+    LiveStage stage(small_stage(), two_beams(), kWidth, kHeight,
+                    with_air(haze_only(), atmosphere_of(show).field()));
     stage.look(kHouse);
     const auto at = [&](double time_s) {
-        stage.relighter().set_air(air_of(show, time_s));
+        stage.relighter().set_air(atmosphere_of(show).field(time_s));
         return stage.draw();
     };
     const image::ImageF first = at(7);
@@ -80,8 +81,8 @@ TEST(thesis_smoke, TimeAloneSaysHowTheSmokeLies) {
 TEST(thesis_smoke, WithoutSmokeOnlySurfacesAreLit) {
     render::Settings clear = bench_settings();
     clear.haze.extinction_per_m = clear.haze.scattering_per_m = 0;
-    LiveStage stage(small_stage(), two_beams(), kWidth, kHeight, with_air(clear, air_of(smoky_show(), 3)),
-                    256);
+    LiveStage stage(small_stage(), two_beams(), kWidth, kHeight,
+                    with_air(clear, atmosphere_of(smoky_show()).field(3)), 256);
     stage.look(kHouse);
     const image::ImageF picture = stage.draw();
     render::Settings no_air = stage.settings();
@@ -90,7 +91,7 @@ TEST(thesis_smoke, WithoutSmokeOnlySurfacesAreLit) {
     stage.look(kHouse);
     EXPECT_EQ(stage.draw().samples, picture.samples);
     EXPECT_GT(mean_of(picture), 0.1);
-    render::Settings only_air = with_air(clear, air_of(smoky_show(), 3));
+    render::Settings only_air = with_air(clear, atmosphere_of(smoky_show()).field(3));
     only_air.surfaces = false;
     stage.renew(only_air, bench_gobos());
     EXPECT_EQ(mean_of(stage.draw()), 0);
@@ -161,7 +162,7 @@ TEST(thesis_smoke, DISABLED_Picture) {
     render::Settings linear = usual;
     linear.air_field.attenuation = {0, 0.25f, 0};
     add(usual);
-    add(with_air(usual, air_of(smoky_show(), 12.5)));
+    add(with_air(usual, atmosphere_of(smoky_show()).field(12.5)));
     add(clear);
     add(linear);
     write_picture("smoke", panels(views, 2));

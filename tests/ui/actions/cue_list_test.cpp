@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The cue list: one cue after the other, what follows by itself, edits that are undone to the same bytes.
-#include "project/load_show.h"
+#include "show_folder/load_show.h"
 #include "support/test_desk.h"
 #include "ui/actions/cue_list.h"
 #include "ui/panels/cue_panel.h"

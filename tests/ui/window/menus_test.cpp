@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Menus, what the right button brings up, the first screen and what is said of things that show nothing else:
 // in the window itself.
-#include "project/load_show.h"
+#include "show_folder/load_show.h"
 #include "support/test_window.h"
 #include "ui/actions/script.h"
 #include "ui/window/window.h"

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "show_folder/hang.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ghost::scene {
+namespace {
+
+constexpr float kSlender = 3; // times as long as wide
+constexpr float kWidestTruss_m = 1.3f;
+constexpr float kLeastLength_m = 0.4f;
+constexpr float kLeastHeight_m = 0.03f; // the thinnest pipe that carries a lamp has 38 mm
+constexpr float kLower_m = 0.5f;        // below what hangs, is not what is meant
+constexpr float kGap_m = 0.3f;          // between pieces of one truss
+constexpr float kBeside_m = 0.05f;      // that they may lie beside or below each other
+constexpr float kSameWay = 0.999f;      // cosine, 2.5 degrees
+
+struct Extent {
+    float low = std::numeric_limits<float>::max();
+    float high = -std::numeric_limits<float>::max();
+    void include(float value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    float length() const { return high - low; }
+    float middle() const { return 0.5f * (low + high); }
+};
+
+// The direction in which points of the floor plan scatter most.
+glm::vec2 main_way(std::span<const glm::vec2> points) {
+    glm::dvec2 mean(0);
+    for (const glm::vec2& point : points) mean += glm::dvec2(point) / static_cast<double>(points.size());
+    double xx = 0, xy = 0, yy = 0;
+    for (const glm::vec2& point : points) {
+        const glm::dvec2 d = glm::dvec2(point) - mean;
+        xx += d.x * d.x;
+        xy += d.x * d.y;
+        yy += d.y * d.y;
+    }
+    const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+    return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+}
+
+glm::vec3 way_of(const Bar& bar) {
+    return glm::normalize(bar.to_m - bar.from_m);
+}
+
+// Whether the other one goes on where this one ends, on either side.
+bool goes_on(const Bar& bar, const Bar& other) {
+    if (other.length_m() < kLeastLength_m || std::abs(glm::dot(way_of(bar), way_of(other))) < kSameWay)
+        return false;
+    const glm::vec3 way = way_of(bar);
+    Extent along;
+    for (const glm::vec3& end : {other.from_m, other.to_m}) {
+        const glm::vec3 from_start = end - bar.from_m;
+        const float at_m = glm::dot(from_start, way);
+        if (glm::length(from_start - at_m * way) > kBeside_m) return false;
+        along.include(at_m);
+    }
+    return along.high > -kGap_m && along.low < bar.length_m() + kGap_m;
+}
+
+} // namespace
+
+std::optional<Bar> bar_of(std::span<const glm::vec3> positions, const glm::mat4& world) {
+    if (positions.empty()) return std::nullopt;
+    std::vector<glm::vec2> plan;
+    plan.reserve(positions.size());
+    Extent height;
+    for (const glm::vec3& position : positions) {
+        const glm::vec3 at_m(world * glm::vec4(position, 1.0f));
+        plan.emplace_back(at_m);
+        height.include(at_m.z);
+    }
+    // Its own axes are exact where one of them is right; a mesh whose axes are the world's needs its own way.
+    std::vector<glm::vec2> ways{main_way(plan)};
+    for (int axis = 0; axis < 3; ++axis)
+        if (const glm::vec2 own(world[axis]); glm::length(own) > 1e-6f) ways.push_back(glm::normalize(own));
+    glm::vec2 best_way{1, 0};
+    Extent best_along, best_across;
+    for (const glm::vec2& way : ways) {
+        Extent along, across;
+        for (const glm::vec2& point : plan) {
+            along.include(glm::dot(point, way));
+            across.include(glm::dot(point, {-way.y, way.x}));
+        }
+        if (along.length() < across.length()) continue; // another one runs along it
+        if (best_along.length() > 0 && across.length() >= best_across.length()) continue;
+        best_way = way;
+        best_along = along;
+        best_across = across;
+    }
+    if (!(best_along.length() >= kLeastLength_m) || best_along.length() < height.length())
+        return std::nullopt;
+    const glm::vec2 middle = best_across.middle() * glm::vec2(-best_way.y, best_way.x);
+    Bar bar{{best_along.low * best_way + middle, height.low},
+            {best_along.high * best_way + middle, height.low},
+            std::max(best_across.length(), height.length()),
+            height.length()};
+    const glm::vec3 run = bar.to_m - bar.from_m;
+    if (std::abs(run.x) > 0.01f * bar.length_m() ? run.x < 0 : run.y < 0) std::swap(bar.from_m, bar.to_m);
+    return bar;
+}
+
+bool is_slender(const Bar& bar) {
+    return bar.length_m() >= kSlender * bar.across_m && bar.across_m <= kWidestTruss_m &&
+           bar.length_m() >= kLeastLength_m && bar.height_m >= kLeastHeight_m;
+}
+
+Bar joined(const Bar& piece, std::span<const Bar> all) {
+    Bar whole = piece;
+    const glm::vec3 way = way_of(piece);
+    std::vector<bool> taken(all.size(), false);
+    for (bool grew = true; grew;) {
+        grew = false;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (taken[i] || !goes_on(whole, all[i])) continue;
+            taken[i] = grew = true;
+            Extent along;
+            for (const glm::vec3& end : {whole.from_m, whole.to_m, all[i].from_m, all[i].to_m})
+                along.include(glm::dot(end - piece.from_m, way));
+            whole.from_m = piece.from_m + along.low * way;
+            whole.to_m = piece.from_m + along.high * way;
+        }
+    }
+    return whole;
+}
+
+std::optional<std::size_t> nearest_bar(std::span<const Bar> all, const glm::vec3& to_m) {
+    std::optional<std::size_t> nearest;
+    float nearest_m = std::numeric_limits<float>::max();
+    bool nearest_is_low = true;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        if (!is_slender(all[i])) continue;
+        const glm::vec3 place_m = places_under(all[i], std::array{to_m}).front();
+        const bool is_low = place_m.z < to_m.z - kLower_m;
+        const float away_m = glm::distance(place_m, to_m);
+        if (nearest && (is_low != nearest_is_low ? is_low : away_m >= nearest_m)) continue;
+        nearest_is_low = is_low;
+        nearest_m = away_m;
+        nearest = i;
+    }
+    return nearest;
+}
+
+std::vector<glm::vec3> places_under(const Bar& bar, std::span<const glm::vec3> are_m) {
+    std::vector<glm::vec3> places;
+    const glm::vec3 way = way_of(bar);
+    for (std::size_t i = 0; i < are_m.size(); ++i) {
+        const float at_m =
+            are_m.size() == 1
+                ? std::clamp(glm::dot(are_m[0] - bar.from_m, way), 0.0f, bar.length_m())
+                : bar.length_m() * (static_cast<float>(i) + 0.5f) / static_cast<float>(are_m.size());
+        places.push_back(bar.from_m + at_m * way);
+    }
+    return places;
+}
+
+} // namespace ghost::scene

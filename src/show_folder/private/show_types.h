@@ -1,0 +1,28 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What the fixtures of a show's text name: fixture files and photometry, each read once. Reads files; any
+// thread.
+
+#include "base/report.h"
+#include "show_file/show_toml.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace ghost::scene {
+
+// By whole path, in its normal form.
+using KnownTypes = std::map<std::filesystem::path, std::shared_ptr<const fixture::Type>>;
+
+// Types and modes of the text's fixtures. known: need not be read again.
+void load_types(ParsedShow& parsed, KnownTypes known, Report& report);
+// Shapes of beams, of those of a plot, too.
+void load_shapes(ParsedShow& parsed, Report& report);
+
+bool is_file(const std::filesystem::path& path);
+// "no such file x.glb, did you mean 'y.glb'?"
+std::string missing_file(const std::filesystem::path& path);
+
+} // namespace ghost::scene
