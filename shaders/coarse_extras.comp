@@ -1,7 +1,7 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
 // The same as coarse_cells.comp for the extra fragments of pixels on silhouettes: weights for its surface and its haze, what it reflects
-// and its share of the pixel. An invocation is one pixel on an edge.
+// and its fraction of the pixel. An invocation is one pixel on an edge.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"
@@ -44,10 +44,10 @@ void weigh(uint i) {
             surface[n] *= likeness(fragment, points[n], pixel);
             haze[n] *= haze_likeness(fragment.away_m, points[n].away_m);
         }
-        float share = max(place.w, 0.0);
-        uint reflects = pack_shared_exponent(share * reflected(imageLoad(diffuse, from), imageLoad(specular, from)));
+        float fraction = max(place.w, 0.0);
+        uint reflects = pack_shared_exponent(fraction * reflected(imageLoad(diffuse, from), imageLoad(specular, from)));
         imageStore(extras, ivec3(k % view.width, k / view.width, 0),
-                   uvec4(pack_weights(surface), pack_weights(haze), share > 0.0 ? reflects : 0u, floatBitsToUint(share)));
+                   uvec4(pack_weights(surface), pack_weights(haze), fraction > 0.0 ? reflects : 0u, floatBitsToUint(fraction)));
     }
 }
 

@@ -1,6 +1,6 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
-// Silhouettes of a picture whose light is coarse: adds the light of extra fragments to their pixels, and for their share of the pixel the haze
+// Silhouettes of a picture whose light is coarse: adds the light of extra fragments to their pixels, and for their fraction of the pixel the haze
 // in front of them instead of that before the main one (as fold.comp).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

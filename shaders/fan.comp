@@ -64,11 +64,11 @@ void fill(Light light, Fan fan) {
     vec3 centre = pole * chord.x + side_axis * chord.y;
     vec3 turn = side_axis * chord.x - pole * chord.y;
     uint columns = IS_SHAPED(light) ? side >> fan.plain : side;
-    float share = 1.0 / float(columns - 1u);
-    float u = chord.w * (share - 1.0);
-    float step_u = 2.0 * chord.w * share;
+    float fraction = 1.0 / float(columns - 1u);
+    float u = chord.w * (fraction - 1.0);
+    float step_u = 2.0 * chord.w * fraction;
     vec4 sum = vec4(0.0);
-    float place = 0.5 * share;
+    float place = 0.5 * fraction;
     ivec3 at = ivec3(corner.x, corner.y + row, fan.layer);
     // Levels of blur are whole levels of the gobos; a level between two costs twice as much.
     float whole = gobo_level_of(blur);
@@ -92,16 +92,16 @@ void fill(Light light, Fan fan) {
             at.x += 1;
         }
         u += float(begin) * step_u;
-        place += float(begin) * share;
+        place += float(begin) * fraction;
     }
     for (uint column = begin; column < end; ++column) {
         imageStore(table, at, sum);
         vec3 direction = centre + turn * u;
         vec2 gate = direction.xy / (max(direction.z, 1e-4) * light.tan_field);
-        vec3 value = beam_gate(light, gate, focus) * (share / (fan.most * (1.0 + u * u)));
+        vec3 value = beam_gate(light, gate, focus) * (fraction / (fan.most * (1.0 + u * u)));
         sum += vec4(value, luminance_of(value) * place);
         u += step_u;
-        place += share;
+        place += fraction;
         at.x += 1;
     }
     if (!HAS_SLIDE(light)) return;

@@ -1,7 +1,7 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
 // Silhouettes: adds the light of extra fragments to their pixels, and mends the haze, which was summed up to the main fragment
-// only: for the share of the pixel that an extra fragment covers, it is that of the neighbour whose surface lies as far away
+// only: for the fraction of the pixel that an extra fragment covers, it is that of the neighbour whose surface lies as far away
 // (silhouettes.comp).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require

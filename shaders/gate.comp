@@ -32,7 +32,7 @@ layout(constant_id = 5) const bool kThin = false;   // some beam may be thinner 
 #include "common/gate_scatter.glsl"
 
 // A ray through the middle of a pixel may miss a beam that is thinner than the pixel, and the next one hit it: a thin beam shows the
-// mean of its rows that the pixel covers, times the share of the pixel that it covers.
+// mean of its rows that the pixel covers, times the fraction of the pixel that it covers.
 const uint kThinRows = 8u;
 
 vec3 seen_by_pixel(Light light, Fan fan, vec3 dir, float far) {
@@ -96,7 +96,7 @@ void main() {
         if (kSingle) {
             fan_index = p.batch;
             sum = seen_by_pixel(lights[p.batch], fans[p.batch], dir, far);
-            if (kWide) sum *= abs((place.tip ? 0.0 : 1.0) - tip_share(lights[p.batch], vec2(at)));
+            if (kWide) sum *= abs((place.tip ? 0.0 : 1.0) - tip_fraction(lights[p.batch], vec2(at)));
         } else {
             uint words = (p.light_count + 31u) / 32u;
             for (uint word = 0u; word < words; ++word) {
@@ -104,9 +104,9 @@ void main() {
                 while (mask != 0u) {
                     uint index = word * 32u + uint(findLSB(mask));
                     mask &= mask - 1u;
-                    float share = kWide ? abs((place.tip ? 0.0 : 1.0) - tip_share(lights[index], vec2(at))) : 1.0;
+                    float fraction = kWide ? abs((place.tip ? 0.0 : 1.0) - tip_fraction(lights[index], vec2(at))) : 1.0;
                     fan_index = index;
-                    sum += share * seen_by_pixel(lights[index], fans[index], dir, far);
+                    sum += fraction * seen_by_pixel(lights[index], fans[index], dir, far);
                 }
             }
         }

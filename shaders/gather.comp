@@ -213,21 +213,21 @@ void main() {
             mean_diffuse += weight * vec4(brdf.diffuse, brdf.alpha);
             mean_specular += weight * vec4(brdf.f0, brdf.f90);
         }
-        float share = 1.0 / max(samples, 1.0);
-        vec3 way = mean_place * share;
+        float fraction = 1.0 / max(samples, 1.0);
+        vec3 way = mean_place * fraction;
         float away_m = max(length(way), 1e-6);
         vec3 shown = mean_normal / max(length(mean_normal), 1e-6);
-        Brdf brdf = Brdf(mean_diffuse.rgb * share, mean_diffuse.a * share, mean_specular.rgb * share, mean_specular.a * share);
+        Brdf brdf = Brdf(mean_diffuse.rgb * fraction, mean_diffuse.a * fraction, mean_specular.rgb * fraction, mean_specular.a * fraction);
         // Of the work light no highlight: it shall show shapes, not itself.
         vec3 work = p.work_lux * (kWorkEven + (1.0 - kWorkEven) * max(dot(shown, work_lamp()), 0.0)) * brdf.diffuse;
-        vec3 light = (p.ambient * brdf_albedo(brdf, abs(dot(shown, way)) / away_m) + work) * (1.0 / kPi) + emission * share;
+        vec3 light = (p.ambient * brdf_albedo(brdf, abs(dot(shown, way)) / away_m) + work) * (1.0 / kPi) + emission * fraction;
         unlit += light * (covered * haze_transmittance(view.haze, away_m));
         uint index = extra + uint(max(k - 1, 0));
         ivec3 to = k == 0 ? ivec3(at, 0) : ivec3(index % size.x, size.y + index / size.x, 0);
         imageStore(places, to, vec4(view.eye_m + way, covered));
         imageStore(diffuse, to, vec4(brdf.diffuse, brdf.alpha));
         imageStore(specular, to, vec4(brdf.f0, brdf.f90));
-        imageStore(shown_normals, to, pack_normals(shown, facet_of(slope * share, vec2(at) + 0.5)));
+        imageStore(shown_normals, to, pack_normals(shown, facet_of(slope * fraction, vec2(at) + 0.5)));
     }
     if (inside && count == 0) {
         imageStore(places, ivec3(at, 0), vec4(0.0, 0.0, 0.0, -1.0));

@@ -1,6 +1,6 @@
 #version 460
 // SPDX-License-Identifier: Apache-2.0
-// How far each node of a light's grid is from a straight line between the columns beside it, as a share of its light (grid.glsl).
+// How far each node of a light's grid is from a straight line between the columns beside it, as a fraction of its light (grid.glsl).
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
 #include "shared/push.h"

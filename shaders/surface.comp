@@ -50,11 +50,11 @@ vec3 shown(Light light, vec3 position_m, ivec2 row, Haze haze) {
     if (kThin) {
         bool of_picture = row.y < int(view.height) && q.z > max(light.lens_m, 1e-4);
         vec3 across = to_next(row, ivec2(1, 0), position_m), down = to_next(row, ivec2(0, 1), position_m);
-        float share = of_picture ? thin_dot_share(light, q, across, down) : -1.0;
-        beam_cd = share >= 0.0 ? lumens_of(light) * (share * dot(way_m, way_m)) : beam_cd;
+        float fraction = of_picture ? thin_dot_fraction(light, q, across, down) : -1.0;
+        beam_cd = fraction >= 0.0 ? lumens_of(light) * (fraction * dot(way_m, way_m)) : beam_cd;
     }
     return beam_cd * radiance *
-           (pass_share(light, way_m) * haze_transmittance(haze, way_from_lens_m(light, q)) *
+           (pass_fraction(light, way_m) * haze_transmittance(haze, way_from_lens_m(light, q)) *
             attenuation_factor(air.attenuation, distance_m));
 }
 

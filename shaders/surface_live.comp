@@ -36,7 +36,7 @@ layout(constant_id = 4) const bool kThin = false;        // some beam may be nar
 layout(constant_id = 5) const bool kKeeps = true;        // shadows are made before and kept; else here, just where light falls
 
 #include "common/thin_dot.glsl"
-#include "common/lit_share.glsl"
+#include "common/lit_fraction.glsl"
 #define KEEPS 14
 #include "common/visibility.glsl"
 
@@ -50,13 +50,13 @@ struct Fragment {
 };
 
 // Made before, or, where many lights share a dispatch and there is no page for it, now.
-float kept_share(Light light, Keep keep, Fragment f, vec3 from_map, bool wanted, uint unit) {
+float kept_fraction(Light light, Keep keep, Fragment f, vec3 from_map, bool wanted, uint unit) {
     if (light.map == 0u) return 1.0;
-    if (!kKeeps) return lit_share(light, f.facet, from_map, wanted);
+    if (!kKeeps) return lit_fraction(light, f.facet, from_map, wanted);
     Page page = page_of(keep, unit);
     if (kSingle) return imageLoad(pages, page.texel).x;
-    float share = lit_share(light, f.facet, from_map, wanted && !page.there);
-    return page.there ? imageLoad(pages, page.texel).x : share;
+    float fraction = lit_fraction(light, f.facet, from_map, wanted && !page.there);
+    return page.there ? imageLoad(pages, page.texel).x : fraction;
 }
 
 vec3 shown(Light light, Keep keep, Fragment f, Haze haze, uint unit) {
@@ -76,7 +76,7 @@ vec3 shown(Light light, Keep keep, Fragment f, Haze haze, uint unit) {
     Focus focus = beam_focus(light, z);
     // The curve of a laser is a normal distribution across: as bright in any row of pixels if it deviates by half a pixel.
     focus.least = (HAS_FIGURE(light) ? 1.0 : 0.5) * width_m * per_m;
-    vec3 beam_cd = q.z > max(light.lens_m, 1e-4) ? light.intensity_cd * beam_gate(light, q.xy * per_m, focus) * near_share(light, distance2) : vec3(0.0);
+    vec3 beam_cd = q.z > max(light.lens_m, 1e-4) ? light.intensity_cd * beam_gate(light, q.xy * per_m, focus) * near_fraction(light, distance2) : vec3(0.0);
     if (kThin) {
         // To what the next pixels show of the plane that the surface lies in.
         vec3 way_m = f.position_m - view.eye_m;
@@ -85,15 +85,15 @@ vec3 shown(Light light, Keep keep, Fragment f, Haze haze, uint unit) {
         vec3 right = view.right * (2.0 / float(view.width)), up = view.up * (2.0 / float(view.height));
         right = depth_m * right - along * dot(f.facet, right);
         up = depth_m * up - along * dot(f.facet, up);
-        float share = q.z > max(light.lens_m, 1e-4) ? thin_dot_share(light, q, right, up) : -1.0;
-        beam_cd = share >= 0.0 ? lumens_of(light) * (share * distance2) : beam_cd;
+        float fraction = q.z > max(light.lens_m, 1e-4) ? thin_dot_fraction(light, q, right, up) : -1.0;
+        beam_cd = fraction >= 0.0 ? lumens_of(light) * (fraction * distance2) : beam_cd;
     }
     vec3 light_cd = beam_cd *
                     (haze_transmittance(haze, way_from_lens_m(light, q)) * attenuation_factor(air.attenuation, distance_m) / distance2);
     vec3 value = light_cd * (kIlluminance ? vec3(max(dot(f.normal, to_light), 0.0)) : brdf_times_cosine(f.brdf, f.normal, f.to_eye, to_light));
     value = dot(f.facet, to_light) > 0.0 ? value : vec3(0.0);
     if (kShadows)
-        value *= kept_share(light, keep, f, from_map, max(max(value.r, value.g), value.b) > 0.0, unit);
+        value *= kept_fraction(light, keep, f, from_map, max(max(value.r, value.g), value.b) > 0.0, unit);
     return value;
 }
 

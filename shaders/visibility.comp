@@ -20,7 +20,7 @@ layout(binding = 7, rgba16f) readonly uniform image2DArray normals; // and the f
 layout(push_constant, scalar) uniform Push { RelightPush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 
-#include "common/lit_share.glsl"
+#include "common/lit_fraction.glsl"
 #define KEEPS 8
 #include "common/visibility.glsl"
 
@@ -30,8 +30,8 @@ void make(Light light, Keep keep, vec3 place_m, vec3 facet, uint unit, bool ther
     bool wanted = there && light.map != 0u && page.there && page.make && dot(facet, from_map) < 0.0;
     float mark = mark_of(place_m, facet);
     bool same = page.has_old && page.there && abs(imageLoad(pages, page.texel).y - mark) < 0.5 / 65535.0;
-    float share = lit_share(light, facet, from_map, wanted && !same);
-    if (page.there && page.make && !same) imageStore(pages, page.texel, vec4(wanted ? share : 0.0, mark, 0.0, 0.0));
+    float fraction = lit_fraction(light, facet, from_map, wanted && !same);
+    if (page.there && page.make && !same) imageStore(pages, page.texel, vec4(wanted ? fraction : 0.0, mark, 0.0, 0.0));
 }
 
 void main() {

@@ -14,8 +14,8 @@ SOURCE = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = pathlib.Path(sys.argv[1]).resolve() / "ghostlight"
 FILM = SOURCE / "docs/images/demo.webp"
 LARGEST_BYTES = 3_000_000
-FPS = 8
-FROM_S, TO_S = 22, 28  # of the recording
+FPS = 10
+FROM_S, TO_S = 16, 36  # of the recording
 
 
 def frames_of(work):

@@ -16,11 +16,11 @@ SOURCE = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = pathlib.Path(sys.argv[1]).resolve() / "ghostlight"
 IMAGES = SOURCE / "docs/images"
 BEGIN = "wait opened\njump 36\nwait 0.3\nfreeze on\n"
-ALONE = "".join(f"panel-{one} off\n" for one in ("values", "hand", "scene", "looks"))
+ALONE = "".join(f"panel-{one} off\n" for one in ("values", "programmer", "scene", "looks"))
 
 # Name: size of the window, lines; {} is where the picture goes.
 WINDOWS = {
-    "window.png": ("1760x1100", 'panel-hand on\ncamera close\nselect "Spot 2"\nwait settled\nscreenshot {}\n'),
+    "window.png": ("1760x1100", 'panel-programmer on\ncamera close\nselect "Spot 2"\nwait settled\nscreenshot {}\n'),
     "window-looks.jpg": ("1760x1100", 'panel-looks on\ncamera close\nselect "Spot *"\ncolour #00ff80\nintensity 1\nlook-store Chorus\nselect *\n'
                                       'intensity 0.05\nlook-store "Blackout, nearly"\nselect "Spot *"\ncolour #ff3820\nintensity 1\n'
                                       'select "Wash *"\ncolour #5070ff\nintensity 1\nselect *\nlook-store Verse\nlook-recall Verse 0\n'

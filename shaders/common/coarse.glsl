@@ -3,7 +3,7 @@
 #include "shared/coarse.h"
 #include "shared/g_buffer.h"
 
-// Reflected by a material of even light, about: no more than its share of the light has to be right where neighbours differ.
+// Reflected by a material of even light, about: no more than its fraction of the light has to be right where neighbours differ.
 vec3 reflected(vec4 diffuse, vec4 specular) { return diffuse.rgb + specular.rgb + vec3(1e-3); }
 
 uint pack_shared_exponent(vec3 value) {
@@ -25,10 +25,10 @@ vec3 unpack_shared_exponent(uint value) {
 
 // Bytes that add up to 255.
 uint pack_weights(vec4 weights) {
-    vec4 share = weights * (255.0 / max(dot(weights, vec4(1.0)), 1e-20));
-    uvec4 q = uvec4(share + 0.5);
+    vec4 fraction = weights * (255.0 / max(dot(weights, vec4(1.0)), 1e-20));
+    uvec4 q = uvec4(fraction + 0.5);
     uint most = 0u;
-    for (uint k = 1u; k < 4u; ++k) most = share[k] > share[most] ? k : most;
+    for (uint k = 1u; k < 4u; ++k) most = fraction[k] > fraction[most] ? k : most;
     uint others = 0u;
     for (uint k = 0u; k < 4u; ++k) others += k == most ? 0u : q[k];
     uint rest = 255u - min(others, 255u);

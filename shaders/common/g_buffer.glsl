@@ -58,13 +58,13 @@ void main() {
     // A mask's edge is one pixel wide. A blended surface takes as many samples as its alpha says, between two
     // numbers by chance, and which ones by chance too: layers behind each other are independent.
     uint chance = hash(hash(hash(uint(gl_FragCoord.x)) ^ uint(gl_FragCoord.y)) ^ p.seed ^ floatBitsToUint(gl_FragCoord.z));
-    float share = base.a;
+    float fraction = base.a;
     float between = float(chance >> 8) / 16777216.0;
     if (kAlpha == kMask) {
-        share = (base.a - p.alpha_cutoff) / max(fwidth(base.a), 1e-4) + 0.5;
+        fraction = (base.a - p.alpha_cutoff) / max(fwidth(base.a), 1e-4) + 0.5;
         between = 0.5;
     }
-    uint count = uint(clamp(share, 0.0, 1.0) * float(kSamples) + between);
+    uint count = uint(clamp(fraction, 0.0, 1.0) * float(kSamples) + between);
     count = min(count, kSamples);
     uint bits = (1u << count) - 1u;
     uint turn = chance & 3u;

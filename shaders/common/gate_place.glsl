@@ -22,8 +22,8 @@ vec3 tip_of(Light light) {
     return vec3(pixel, depth > 0.0 ? kWideTip * float(p.step) : 0.0);
 }
 
-// Share of a beam's haze that is drawn pixel by pixel; the rest, which the rays see, has no peak.
-float tip_share(Light light, vec2 pixel) {
+// Fraction of a beam's haze that is drawn pixel by pixel; the rest, which the rays see, has no peak.
+float tip_fraction(Light light, vec2 pixel) {
     vec3 tip = tip_of(light);
     return tip.z > 0.0 ? 1.0 - smoothstep(0.5, 1.0, distance(pixel, tip.xy) / tip.z) : 0.0;
 }

@@ -45,8 +45,8 @@ vec4 between(Fan fan, vec2 texel, float level, float row, float from, float to) 
     // A rim out of focus loses light in proportion to its blur at first, and to the octaves of its blur where it is wide: between
     // the two a beam is off by 0.2 % at most, either alone by up to 0.35 %.
     float octaves = level - float(low);
-    float share = kFocus == 2u ? octaves : mix(octaves, exp2(octaves) - 1.0, 0.6);
-    return mix(sharp, prefix(fan, texel, high, row, to) - prefix(fan, texel, high, row, from), share);
+    float fraction = kFocus == 2u ? octaves : mix(octaves, exp2(octaves) - 1.0, 0.6);
+    return mix(sharp, prefix(fan, texel, high, row, to) - prefix(fan, texel, high, row, from), fraction);
 }
 
 // A camera ray in the plane of its row: what its ways and angles are made of, rational in u.
@@ -80,7 +80,7 @@ float ray_weight(Haze haze, Ray ray, float u) {
            attenuation_factor(air.attenuation, to_lamp_m);
 }
 
-// Pieces of LED walls (near_share): what is even for the inverse square law along a ray, its angle, is for them the angle of a ray that
+// Pieces of LED walls (near_fraction): what is even for the inverse square law along a ray, its angle, is for them the angle of a ray that
 // passes farther away, as far as the ray and the piece's radius make in quadrature. nearer: the quotient of the two ways.
 float panel_angle(Ray ray, float nearer, float u) {
     return atan(nearer * (ray.along.x + u * ray.along.y), ray.across.x + u * ray.across.y);
@@ -96,7 +96,7 @@ float panel_tangent(Ray ray, float nearer, vec2 direction) {
     return (part.x * ray.across.x - part.y * ray.along.x) / max(part.y * ray.along.y - part.x * ray.across.y, 1e-9);
 }
 
-// Mean of near_share over the ray's own angle, in a segment. As an arc tangent of a difference: segments may be very short.
+// Mean of near_fraction over the ray's own angle, in a segment. As an arc tangent of a difference: segments may be very short.
 float near_mean(Ray ray, float nearer, float angle, float u, float step_u) {
     vec2 ends = vec2(u, u + step_u);
     vec2 across = ray.across.x + ends * ray.across.y, along = ray.along.x + ends * ray.along.y;
@@ -211,11 +211,11 @@ vec3 gathered(Light light, Fan fan, vec3 dir, float far) {
                 else
                     level = clamp(log2(beam_blur(light, z) / fan.sharpest), 0.0, float(fan.levels - 1u));
             }
-            float share = step_u * scale;
-            float grow = max(0.5 * (narrowest - share), 0.0);
+            float fraction = step_u * scale;
+            float grow = max(0.5 * (narrowest - fraction), 0.0);
             float c0 = clamp(0.5 + from * scale - grow, 0.0, 1.0);
-            float c1 = clamp(0.5 + from * scale + share + grow, 0.0, 1.0);
-            vec4 light_here = between(fan, texel, level, row, c0, c1) * (share / max(c1 - c0, 1e-9));
+            float c1 = clamp(0.5 + from * scale + fraction + grow, 0.0, 1.0);
+            vec4 light_here = between(fan, texel, level, row, c0, c1) * (fraction / max(c1 - c0, 1e-9));
             // Phase and transmittance where the light of this segment is.
             float brightness = luminance_of(light_here.rgb);
             float centre = brightness > 1e-7 ? (light_here.a / brightness - 0.5) / scale : middle;

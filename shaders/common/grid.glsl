@@ -8,7 +8,7 @@
 const float kGridScale = 32.0; // half floats: values neither too small nor too large
 const float kUnknown = 1e4;    // doubt of a node that was not filled
 
-const float kEndDoubt = 0.1; // share that a ray's end may be off those beside it
+const float kEndDoubt = 0.1; // fraction that a ray's end may be off those beside it
 
 // Column 0..1 of a tangent, and back.
 float grid_column(float h) {

@@ -2,7 +2,7 @@
 // How much of its lens a light shows to a place on a surface, by its distance map: every texel in the way is projected back onto
 // the disc of the lens (Guennebaud et al., Real-time Soft Shadow Mapping by Backprojection, 2006), which it hides in proportion to its
 // area. So things at several distances each throw the penumbra that they should. What throws a penumbra many texels wide is looked up in
-// cells of 2 to 64 texels a side, which know what share of them is in the way (render/haze/private/blockers.h): nothing thin falls between.
+// cells of 2 to 64 texels a side, which know what fraction of them is in the way (render/haze/private/blockers.h): nothing thin falls between.
 //
 // Each texel is compared with the plane of the facet, so that a slanted surface does not shadow itself; what is nearer than kBias in
 // front of that plane does not count. Who includes this defines BLOCKERS, their binding, and includes octahedral_map.glsl.
@@ -19,7 +19,7 @@ const float kClose = 0.3;     // what is this fine may still close a gap between
 const float kNarrowest = 0.5; // drawn as wide as this at least
 const float kCellBlur = 0.2;  // squares of radii: as much wider it gets by cells and soft edges
 const float kDark = 0.003; // what is less lit is dark
-// The most that may be lit, of the share of the lens that nothing is before.
+// The most that may be lit, of the fraction of the lens that nothing is before.
 const float kLeak = 1.15;
 
 // A place on a surface, seen from a light.
@@ -69,26 +69,26 @@ struct Slab {
     float plane_m; // of the receiver
 };
 
-// What a cell has there: distances and shares of up to two groups.
+// What a cell has there: distances and fractions of up to two groups.
 struct Things {
     vec2 distance_m;
-    vec2 share;
-    float taken;  // share of the cell that is nearer
+    vec2 fraction;
+    float taken;  // fraction of the cell that is nearer
     float close;  // nearer than Slab::close_m
     float rest_m; // the nearest before the plane that is for the next band
 };
 
 // Of a group, even from its nearest to its farthest.
-void add_group(inout Things things, int index, Slab slab, float from_m, float to_m, float share) {
+void add_group(inout Things things, int index, Slab slab, float from_m, float to_m, float fraction) {
     float per_m = 1.0 / max(to_m - from_m, 1e-3);
     float taken = clamp((slab.from_m - from_m) * per_m, 0.0, 1.0);
     float here = clamp((slab.to_m - from_m) * per_m, 0.0, 1.0) - taken;
     things.distance_m[index] = 0.5 * (clamp(slab.from_m, from_m, to_m) + clamp(slab.to_m, from_m, to_m));
-    things.share[index] = share * max(here, 0.0);
-    things.taken += share * taken;
-    things.close += share * clamp((slab.close_m - from_m) * per_m, 0.0, 1.0);
+    things.fraction[index] = fraction * max(here, 0.0);
+    things.taken += fraction * taken;
+    things.close += fraction * clamp((slab.close_m - from_m) * per_m, 0.0, 1.0);
     float rest_m = max(from_m, slab.to_m);
-    things.rest_m = min(things.rest_m, share > 0.0 && to_m >= slab.to_m && rest_m < slab.plane_m ? rest_m : kNothing_m);
+    things.rest_m = min(things.rest_m, fraction > 0.0 && to_m >= slab.to_m && rest_m < slab.plane_m ? rest_m : kNothing_m);
 }
 
 Things things_in(Receiver r, ivec2 at, int band, Slab slab) {
@@ -98,7 +98,7 @@ Things things_in(Receiver r, ivec2 at, int band, Slab slab) {
         float texel_m = texelFetch(distance_maps, ivec3(at, layer), 0).x;
         things.distance_m.x = texel_m;
         things.taken = texel_m < slab.from_m ? 1.0 : 0.0;
-        things.share.x = texel_m < slab.to_m ? 1.0 - things.taken : 0.0;
+        things.fraction.x = texel_m < slab.to_m ? 1.0 - things.taken : 0.0;
         things.close = texel_m < slab.close_m ? 1.0 : 0.0;
     } else if (band == 1) {
         vec4 texels_m = textureGather(distance_maps, vec3((2.0 * vec2(at) + 1.0) / float(textureSize(distance_maps, 0).x), float(layer)));
@@ -106,7 +106,7 @@ Things things_in(Receiver r, ivec2 at, int band, Slab slab) {
         vec4 here = vec4(lessThan(texels_m, vec4(slab.to_m))) * (1.0 - taken);
         float count = dot(here, vec4(1.0));
         things.distance_m.x = dot(here, texels_m) / max(count, 1.0);
-        things.share.x = 0.25 * count;
+        things.fraction.x = 0.25 * count;
         things.taken = 0.25 * dot(taken, vec4(1.0));
         things.close = 0.25 * dot(vec4(lessThan(texels_m, vec4(slab.close_m))), vec4(1.0));
         vec4 rest_m = mix(vec4(kNothing_m), texels_m, lessThan(abs(2.0 * texels_m - slab.to_m - slab.plane_m), vec4(slab.plane_m - slab.to_m)));
@@ -164,7 +164,7 @@ float soft_shadow(Receiver r, bool wanted) {
                 vec2 radius = lens_cells * max(1.0 / max(things.distance_m, vec2(1e-3)) - per_distance, 0.0);
                 radius = sqrt(clamp(radius * radius - kCellBlur, vec2(kNarrowest * kNarrowest), vec2(kWidest * kWidest)));
                 vec2 weight = clamp(radius + 0.5 - aside, 0.0, 1.0) / vec2(disc_cells(radius.x), disc_cells(radius.y));
-                hidden += dot(things.share, weight);
+                hidden += dot(things.fraction, weight);
                 float disc = clamp(disc_radius + 0.5 - aside, 0.0, 1.0);
                 area += disc;
                 open += disc * (1.0 - things.taken);

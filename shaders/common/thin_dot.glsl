@@ -4,7 +4,7 @@
 
 // Square to the beam, candela over the square of the distance; below 0: the beam is wider. q: the surface's place in the gate; across,
 // down: from there to what the next pixel shows, in the world.
-float thin_dot_share(Light light, vec3 q, vec3 across, vec3 down) {
+float thin_dot_fraction(Light light, vec3 q, vec3 across, vec3 down) {
     mat2 to_gate = mat2(dot(across, light.axis_u), dot(across, light.axis_v), dot(down, light.axis_u), dot(down, light.axis_v));
     float area_m2 = abs(determinant(to_gate)); // of a pixel, seen along the beam
     float radius_m = q.z * light.tan_field * light.cut_radius;

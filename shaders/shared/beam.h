@@ -59,12 +59,12 @@ SHARED_FN float beam_aperture(float radius, float aperture, float blur) {
 }
 
 // The same for a round opening in an even field, which lets as much light through blurred as it does sharp: a soft edge as wide to both
-// sides has more of its area outside. What is blurred more than it is wide has no bright middle left. rim_share: see Light.
-SHARED_FN float beam_opening(float radius, float opening, float blur, float rim_share) {
+// sides has more of its area outside. What is blurred more than it is wide has no bright middle left. rim_fraction: see Light.
+SHARED_FN float beam_opening(float radius, float opening, float blur, float rim_fraction) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float opening2 = opening * opening, blur2 = rim_share * blur * blur;
+    float opening2 = opening * opening, blur2 = rim_fraction * blur * blur;
     float middle = min(opening2 / max(1.2f * blur2, 1e-12f), 1.0f);
     return middle * beam_aperture(radius, sqrt(max(opening2 - 0.2f * blur2, blur2)), blur);
 }
@@ -100,7 +100,7 @@ SHARED_FN vec3 disc_sample(Light light, vec2 gate, Focus focus WITH_GOBOS) {
 }
 
 // What one framing blade leaves of the light.
-SHARED_FN float blade_share(Light light, Blade blade, vec2 gate, Focus focus) {
+SHARED_FN float blade_transmittance(Light light, Blade blade, vec2 gate, Focus focus) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
@@ -108,12 +108,12 @@ SHARED_FN float blade_share(Light light, Blade blade, vec2 gate, Focus focus) {
 }
 
 // What all four leave. Blades that face each other do not cover each other: what they take adds up, so that a blurred slit is right.
-SHARED_FN float blades_share(Light light, vec2 gate, Focus focus) {
+SHARED_FN float blades_transmittance(Light light, vec2 gate, Focus focus) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    float first = blade_share(light, light.blade[0], gate, focus) + blade_share(light, light.blade[2], gate, focus);
-    float second = blade_share(light, light.blade[1], gate, focus) + blade_share(light, light.blade[3], gate, focus);
+    float first = blade_transmittance(light, light.blade[0], gate, focus) + blade_transmittance(light, light.blade[2], gate, focus);
+    float second = blade_transmittance(light, light.blade[1], gate, focus) + blade_transmittance(light, light.blade[3], gate, focus);
     return max(first - 1.0f, 0.0f) * max(second - 1.0f, 0.0f);
 }
 
@@ -126,7 +126,7 @@ SHARED_FN vec3 slide_map(vec3 row_x, vec3 row_y, vec3 row_z, vec2 gate) {
     return vec3(at.x / at.z, at.y / at.z, at.z);
 }
 
-// Share of a rectangle of -1..1, blurred. scale: of the rectangle's units to the gate's, from the middle rows of its map.
+// Fraction of a rectangle of -1..1, blurred. scale: of the rectangle's units to the gate's, from the middle rows of its map.
 SHARED_FN float slide_frame(vec3 row_x, vec3 row_y, vec3 row_z, vec3 at, float blur) {
 #ifdef __cplusplus
     using namespace glm;
@@ -136,8 +136,8 @@ SHARED_FN float slide_frame(vec3 row_x, vec3 row_y, vec3 row_z, vec3 at, float b
            beam_aperture(abs(at.y), 1.0f, blur_z * length(vec2(row_y.x, row_y.y)));
 }
 
-// What the panel of a video projector sends, as a share of its brightest corner's white.
-SHARED_FN vec3 slide_share(Light light, vec2 gate, float blur WITH_GOBOS) {
+// What the panel of a video projector sends, as a fraction of its brightest corner's white.
+SHARED_FN vec3 slide_transmittance(Light light, vec2 gate, float blur WITH_GOBOS) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
@@ -151,9 +151,9 @@ SHARED_FN vec3 slide_share(Light light, vec2 gate, float blur WITH_GOBOS) {
     vec4 none = vec4(1.0f) - min(slide.blend, vec4(0.5f)) * 2.0f;
     vec4 fade = clamp((vec4(at.x, -at.x, at.y, -at.y) + vec4(1.0f)) * slide.blend + none, vec4(0.0f), vec4(1.0f));
     fade = fade * fade * (vec4(3.0f) - 2.0f * fade);
-    float share = slide_frame(slide.picture[0], slide.picture[1], slide.picture[2], at, blur) * fade.x * fade.y * fade.z * fade.w;
+    float fraction = slide_frame(slide.picture[0], slide.picture[1], slide.picture[2], at, blur) * fade.x * fade.y * fade.z * fade.w;
     vec3 picture = slide_sample(slide.layer, vec2(at.x, at.y) * slide.extent, blur / slide.texel PASS_GOBOS);
-    return (vec3(black) + picture * (share * (1.0f - slide.black))) * (slant * slant * slant);
+    return (vec3(black) + picture * (fraction * (1.0f - slide.black))) * (slant * slant * slant);
 }
 
 // What the gate lets through, relative to the open gate on the axis: profile, aperture, split colour, gobos, animation wheel and
@@ -165,24 +165,24 @@ SHARED_FN vec3 beam_gate(Light light, vec2 gate, Focus focus WITH_GOBOS) {
     float radius2 = dot(gate, gate);
     float rim_blur = blur_of(light, focus, IS_SHAPED(light) ? light.iris_depth : 0.0f);
     float value = beam_profile(radius2, light.profile_power, light.profile_scale) *
-                  beam_opening(sqrt(radius2), light.iris_radius, light.rim_share < 0.0f ? light.edge : rim_blur,
-                               max(light.rim_share, 0.0f));
-    if (IS_CUT(light)) value *= blades_share(light, gate, focus);
+                  beam_opening(sqrt(radius2), light.iris_radius, light.rim_fraction < 0.0f ? light.edge : rim_blur,
+                               max(light.rim_fraction, 0.0f));
+    if (IS_CUT(light)) value *= blades_transmittance(light, gate, focus);
     value = radius2 < light.cut_radius * light.cut_radius ? value : 0.0f;
     float side = clamp((gate.x - light.split) / (2.0f * (kSplitHalf + light.split_soft)) + 0.5f, 0.0f, 1.0f);
     vec3 colour = (vec3(1.0f) + (light.colour_b - vec3(1.0f)) * side) * value;
     for (uint k = 0u; k < WHEEL_COUNT(light); ++k)
         colour *= wheel_sample(light.wheel[k], gate,
                                blur_of(light, focus, IS_SHAPED(light) ? light.wheel[k].depth : 0.0f) PASS_GOBOS);
-    if (HAS_FIGURE(light)) colour *= figure_share(light, gate, blur_of(light, focus, 0.0f));
-    if (HAS_SLIDE(light)) colour *= slide_share(light, gate, blur_of(light, focus, 0.0f) PASS_GOBOS);
+    if (HAS_FIGURE(light)) colour *= figure_transmittance(light, gate, blur_of(light, focus, 0.0f));
+    if (HAS_SLIDE(light)) colour *= slide_transmittance(light, gate, blur_of(light, focus, 0.0f) PASS_GOBOS);
     if (IS_CUT(light) && light.disc.layer != 0u) colour *= disc_sample(light, gate, focus PASS_GOBOS);
     return colour;
 }
 
 // What a disc that is evenly bright throws, relative to all its light at its middle, where the inverse square law has no end: on its axis
 // 1 / (d^2 + radius^2) in place of 1 / d^2. distance2: from its middle, m^2.
-SHARED_FN float near_share(Light light, float distance2) {
+SHARED_FN float near_fraction(Light light, float distance2) {
     if (!IS_PANEL(light)) return 1.0f;
     return distance2 / (distance2 + light.panel_m * light.panel_m);
 }
@@ -192,7 +192,7 @@ SHARED_FN float near_narrow(Light light, float distance2) {
 #ifdef __cplusplus
     using namespace glm;
 #endif
-    return IS_PANEL(light) ? sqrt(near_share(light, distance2)) : 1.0f;
+    return IS_PANEL(light) ? sqrt(near_fraction(light, distance2)) : 1.0f;
 }
 
 // Candela (RGB) towards gate position q, metres from the apex, for the inverse square law.
@@ -204,7 +204,7 @@ SHARED_FN vec3 beam_candela(Light light, vec3 q WITH_GOBOS) {
     vec2 gate = vec2(q.x, q.y) / (z * light.tan_field);
     // Nothing leaves backwards, or is lit behind the lens.
     vec3 intensity = q.z > max(light.lens_m, 1e-4f) ? light.intensity_cd : vec3(0.0f);
-    return intensity * beam_gate(light, gate, beam_focus(light, z) PASS_GOBOS) * near_share(light, dot(q, q));
+    return intensity * beam_gate(light, gate, beam_focus(light, z) PASS_GOBOS) * near_fraction(light, dot(q, q));
 }
 
 // Of the way from the apex, what lies before the lens: where there is haze. q: in gate coordinates.
@@ -217,7 +217,7 @@ SHARED_FN float way_from_lens_m(Light light, vec3 q) {
 
 // A pass is the picture of a point source at the place of the light's map; what it has of 1/r^2 becomes that of the apex.
 // way_m: from the apex to the surface.
-SHARED_FN float pass_share(Light light, vec3 way_m) {
+SHARED_FN float pass_fraction(Light light, vec3 way_m) {
 #ifdef __cplusplus
     using namespace glm;
 #endif

@@ -52,7 +52,7 @@ SHARED_FN vec3 brdf_times_cosine(Brdf brdf, vec3 n, vec3 v, vec3 l) {
     return nl > 0.0f ? value * nl : vec3(0.0f);
 }
 
-// Share of even light from everywhere that leaves towards v: Lambert plus the fit of the split-sum integral by Karis (2014).
+// Fraction of even light from everywhere that leaves towards v: Lambert plus the fit of the split-sum integral by Karis (2014).
 SHARED_FN vec3 brdf_albedo(Brdf brdf, float nv) {
 #ifdef __cplusplus
     using namespace glm;

@@ -24,7 +24,7 @@ SHARED_CONST uint kCoarseLight = 0u;
 SHARED_CONST uint kCoarseWhite = 1u;
 
 // Layers of a cell, each with a word for each of its four pixels: weights of the four points for surfaces and for haze (a byte each), and
-// what the pixel's main fragment reflects, times its share of the pixel (RGB9E5).
+// what the pixel's main fragment reflects, times its fraction of the pixel (RGB9E5).
 SHARED_CONST uint kCellSurfaces = 0u;
 SHARED_CONST uint kCellHaze = 1u;
 SHARED_CONST uint kCellReflects = 2u;

@@ -46,7 +46,7 @@ struct Fan {
     vec2 node[14];   // of a shaped beam, whose planes are not blurred alike: falling t (shared/optics.h) of each level, and
                      // 1 / what it falls to the next
     uint place[14];  // and where in its layer it lies, see fan_placed
-    float most;      // share that the table holds as 1
+    float most;      // fraction that the table holds as 1
     uint thin;       // 1: may be thinner than a pixel, and rows are even in the sine
     uint plain;      // 1: of a shaped beam: levels have half as many columns as rows, and gobos whole levels of blur
     uint coarse_shade; // 1: the shade has half as many rows and columns

@@ -40,8 +40,8 @@ SHARED_FN float figure_ends(float x, float half_length, float deviation) {
     return t * t * (3.0f - 2.0f * t);
 }
 
-// Share of Light::intensity_cd; blur: radius of a disc.
-SHARED_FN float figure_share(Light light, vec2 gate, float blur) {
+// Fraction of Light::intensity_cd; blur: radius of a disc.
+SHARED_FN float figure_transmittance(Light light, vec2 gate, float blur) {
 #ifdef __cplusplus
     using namespace glm;
 #endif

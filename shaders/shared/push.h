@@ -130,7 +130,7 @@ struct HazeGrid {
     float near_h;   // of the first column
     float per_h;    // 1 / what h grows to the last one
     float bend;     // the first columns are 1 + bend times as close as even ones
-    float most_doubt; // share of a value that columns may deviate by from a straight line
+    float most_doubt; // fraction of a value that columns may deviate by from a straight line
 };
 SHARED_SIZE(HazeGrid, 24);
 

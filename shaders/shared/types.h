@@ -65,15 +65,15 @@ SHARED_SIZE(Blade, 16);
 
 // A picture in the gate of a video projector. Rows of two maps from the gate (x, y, 1): to its panel, which is all lit a little, and to the
 // picture on it; both are -1..1 across. The panel's are scaled by the cube root of what its brightest corner gets beyond the
-// axis, so that no share is above 1.
+// axis, so that no fraction is above 1.
 struct Slide {
     uint layer;       // of the pictures, + 1; 0: there is no slide
     uint moment;      // number of the picture: another one makes another light
     vec3 panel[3];
     vec3 picture[3];
     vec4 blend;       // 1 / (2 widths) of the fades at its left, right, bottom and top; 0: none
-    vec2 extent;      // of the picture in its square layer, shares of the layer
-    float black;      // share of full white that passes where the picture is black
+    vec2 extent;      // of the picture in its square layer, fractions of the layer
+    float black;      // fraction of full white that passes where the picture is black
     float texel;      // of the layer, in gate units
 };
 SHARED_SIZE(Slide, 112);
@@ -124,9 +124,9 @@ struct Light {
     uint map;              // its distance map: layer + 1; 0: nothing is in the way
     vec3 off_map_m;        // from where that map was made to position_m
     float disc_radius_m;   // of the luminous disc at the lens: how soft shadows are, how large the lens looks
-    float rim_share;       // of beam_opening: 1 where the field is even up to the aperture, 0 where it falls steeply there; below 0: the aperture
+    float rim_fraction;       // of beam_opening: 1 where the field is even up to the aperture, 0 where it falls steeply there; below 0: the aperture
                            // is the end of a frosted field, which no focus makes softer
-    float panel_m;         // radius of a piece of a LED wall, which throws light as near_share has it; 0: it does as its apex does
+    float panel_m;         // radius of a piece of a LED wall, which throws light as near_fraction has it; 0: it does as its apex does
     Slide slide;           // in the plane of depth 0
     LaserCurve figure;         // in place of profile, wheels and slide
 };
@@ -138,7 +138,7 @@ struct Haze {
     float scattering_per_m;
     float forward_g;
     float back_g;
-    float back_weight; // share of the backward lobe
+    float back_weight; // fraction of the backward lobe
 };
 SHARED_SIZE(Haze, 20);
 

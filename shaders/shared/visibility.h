@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Kept visibility: what share of its lens a lamp shows to a fragment rests while lamp, stage and camera do (shaders/soft_shadow.glsl),
+// Kept visibility: what fraction of its lens a lamp shows to a fragment rests while lamp, stage and camera do (shaders/soft_shadow.glsl),
 // whatever the beam does. It is made when a beam first reaches a tile (or a block of extra fragments) and kept in a page, a texel a
 // fragment. Entry of a place (a distance map, with the size of a lens) and a unit (tile, then block): x: its page + 1, 0: none;
 // y: when it was made * 4, + kMakes: it is made by the draw that reads this, + kHasOld: its page holds what fragments saw that are where they

@@ -34,8 +34,8 @@ struct BakeOptions {
     std::optional<BakePart> part;   // of a single camera in views; else all
     std::function<bool()> stop;     // asked from any thread; true: keep what is finished and return
     std::function<double()> now_s;  // clock of the figures; none: they stay 0
-    // Share of the work done and what is being done; never two calls at once.
-    std::function<void(double share, const std::string& note)> progress;
+    // Fraction of the work done and what is being done; never two calls at once.
+    std::function<void(double fraction, const std::string& note)> progress;
 };
 
 struct BakedPass {

@@ -25,9 +25,9 @@ struct BounceOptions {
     int rays_of_surfel = 256;
     int rays_of_cell = 512;
     int rays_of_block = 2048;
-    int threads = 0;                            // 0: one per core
-    std::function<bool()> stop;                 // asked from any thread
-    std::function<void(double share)> progress; // never two calls at once
+    int threads = 0;                               // 0: one per core
+    std::function<bool()> stop;                    // asked from any thread
+    std::function<void(double fraction)> progress; // never two calls at once
 };
 
 // Error: stopped; no room at all (an empty box, or seeds that are all in solids).

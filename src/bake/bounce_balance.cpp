@@ -42,9 +42,9 @@ void make_reciprocal(const scene::BounceLevel& level, std::vector<std::vector<Fo
     std::vector<std::vector<FoundLink>> both(rows.size());
     for (const auto& row : rows)
         for (const FoundLink& link : row) {
-            const float share = link.weight * lumens(link);
-            sees[link.receiver] += share;
-            FoundLink one{link.receiver, link.emitter, 0.5f * share, link.distance_m};
+            const float fraction = link.weight * lumens(link);
+            sees[link.receiver] += fraction;
+            FoundLink one{link.receiver, link.emitter, 0.5f * fraction, link.distance_m};
             both[node_of(level, one.receiver)].push_back(one);
             std::swap(one.receiver, one.emitter);
             one.receiver = reversed(level, one.receiver);

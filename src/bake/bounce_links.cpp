@@ -102,8 +102,8 @@ public:
 private:
     static constexpr std::size_t kBand = 16;
 
-    // Share of the light at a distance that fine links carry.
-    float near_share(float distance_m) const {
+    // Fraction of the light at a distance that fine links carry.
+    float near_fraction(float distance_m) const {
         const float u = glm::clamp((kNearTo - distance_m / block_m_) / (kNearTo - kNearFrom), 0.0f, 1.0f);
         return u * u * (3 - 2 * u);
     }
@@ -200,8 +200,8 @@ private:
               float unit, Sums& sums) const {
         const float reach_m = is_coarse ? 1e4f : block_m_ * kNearTo;
         const Tracer::Meeting meeting = tracer_.meet(from_m, way, reach_m);
-        const auto share_at = [&](float distance_m) {
-            return is_coarse ? 1 - near_share(distance_m) : near_share(distance_m);
+        const auto fraction_at = [&](float distance_m) {
+            return is_coarse ? 1 - near_fraction(distance_m) : near_fraction(distance_m);
         };
         std::vector<Sums::Chord>& chords = sums.chords;
         chords.clear();
@@ -232,14 +232,14 @@ private:
             for (int k = 0; k < pieces; ++k) {
                 const float length = whole / static_cast<float>(pieces);
                 const float middle = chord.begin_m + length * (static_cast<float>(k) + 0.5f);
-                add(sums, node, way, unit * length * share_at(middle), middle);
+                add(sums, node, way, unit * length * fraction_at(middle), middle);
             }
         }
         if (surfel == kNoNode) return;
         const std::size_t node = is_coarse
                                      ? bounce_.coarse.cells.size() + bounce_.fine.surfels[surfel].cluster
                                      : bounce_.fine.cells.size() + surfel;
-        add(sums, static_cast<std::uint32_t>(node), way, unit * share_at(meeting.distance_m),
+        add(sums, static_cast<std::uint32_t>(node), way, unit * fraction_at(meeting.distance_m),
             meeting.distance_m);
     }
 
@@ -282,14 +282,14 @@ public:
 private:
     using Candidates = std::vector<std::pair<float, std::uint32_t>>;
 
-    // Coarse nodes about a place, with their trilinear shares.
+    // Coarse nodes about a place, with their trilinear fractions.
     template <class Use>
     void about(const glm::vec3& place_m, const std::vector<std::vector<std::uint32_t>>& at,
                const Use& use) const {
         const glm::vec3 where =
             (place_m - bounce_.grid.low_m) / (bounce_.grid.sub_m * scene::kSubsOfBlock) - 0.5f;
         const glm::ivec3 low(glm::floor(where));
-        const glm::vec3 share = where - glm::vec3(low);
+        const glm::vec3 fraction = where - glm::vec3(low);
         for (int k = 0; k < 8; ++k) {
             const glm::ivec3 corner(k & 1, (k >> 1) & 1, k >> 2);
             const glm::ivec3 block = low + corner;
@@ -297,7 +297,8 @@ private:
                 glm::any(glm::greaterThanEqual(block, blocks_)))
                 continue;
             float weight = 1;
-            for (int axis = 0; axis < 3; ++axis) weight *= corner[axis] == 1 ? share[axis] : 1 - share[axis];
+            for (int axis = 0; axis < 3; ++axis)
+                weight *= corner[axis] == 1 ? fraction[axis] : 1 - fraction[axis];
             const auto index =
                 static_cast<std::size_t>((block.z * blocks_.y + block.y) * blocks_.x + block.x);
             for (const std::uint32_t node : at[index]) use(node, weight);
@@ -355,7 +356,7 @@ private:
         constexpr float kLeast = 1e-3f;
         scene::BounceParents parents;
         parents.node.fill(kNoNode);
-        parents.share.fill(0);
+        parents.fraction.fill(0);
         std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
             return a.first != b.first ? a.first > b.first : a.second < b.second;
         });
@@ -364,12 +365,12 @@ private:
         for (const auto& [weight, node] : found) sum += weight;
         if (sum < kLeast) {
             parents.node[0] = own;
-            parents.share[0] = 1;
+            parents.fraction[0] = 1;
             return parents;
         }
         for (std::size_t k = 0; k < found.size(); ++k) {
             parents.node[k] = found[k].second;
-            parents.share[k] = found[k].first / sum;
+            parents.fraction[k] = found[k].first / sum;
         }
         return parents;
     }

@@ -62,8 +62,8 @@ public:
         if (i / layer > 0 && open(i - layer, 4)) use(i - layer);
     }
 
-    // Parts of voxels that are joined through air; those below the least share of a voxel join a neighbour.
-    // Gives each sub-voxel its part.
+    // Parts of voxels that are joined through air; those below the least fraction of a voxel join a
+    // neighbour. Gives each sub-voxel its part.
     Lists parts(int of_subs, float least, std::vector<std::uint32_t>& label) const {
         const auto count = static_cast<int>(grid_.count());
         label.assign(grid_.count(), kNoNode);
@@ -230,7 +230,7 @@ std::vector<SurfacePoint> points_on(const scene::Stage& stage, float spacing_m) 
     return points;
 }
 
-// Share of even light that leaves again, everywhere.
+// Fraction of even light that leaves again, everywhere.
 glm::vec3 albedo_of(const shared::Brdf& brdf, std::uint32_t seed) {
     const glm::vec3 up(0, 0, 1);
     glm::dvec3 sum(0);

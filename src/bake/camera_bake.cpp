@@ -233,17 +233,17 @@ Result<void> CameraBake::trace_batch(const Tracer& tracer, bool surroundings,
         if (done_[k]) written_.lights.push_back(wanted_.lights[k]);
     TRY_VOID(write_manifest());
 
-    // The surroundings' share of the time, by their share of the rays.
+    // The surroundings' fraction of the time, by their fraction of the rays.
     const double lights = static_cast<double>(batch.size()) * (1.0 + 2.0 * options_.bounces);
-    const double share = surroundings ? kSurroundingsCost / (kSurroundingsCost + lights) : 0.0;
+    const double fraction = surroundings ? kSurroundingsCost / (kSurroundingsCost + lights) : 0.0;
     const double ms = (stats.trace_seconds - seconds_before) * 1000;
     const auto rays = static_cast<double>(stats.rays - rays_before);
     const auto add = [&](const std::string& name, double part) {
         stats.passes.push_back({camera_.name, name, ms * part, static_cast<std::uint64_t>(rays * part)});
     };
-    if (surroundings) add(kSurroundings, batch.empty() ? 1.0 : share);
+    if (surroundings) add(kSurroundings, batch.empty() ? 1.0 : fraction);
     for (const std::size_t light : batch)
-        add(pass_name(wanted_.lights[light]), (1.0 - share) / static_cast<double>(batch.size()));
+        add(pass_name(wanted_.lights[light]), (1.0 - fraction) / static_cast<double>(batch.size()));
     return {};
 }
 

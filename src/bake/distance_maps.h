@@ -23,8 +23,8 @@ struct DistanceMapOptions {
     int threads = 0;               // 0: one per core
     std::function<bool()> stop;    // asked from any thread; true: keep what is finished and return
     std::function<double()> now_s; // clock of the figures; none: they stay 0
-    // Share of the work done and what is being done; never two calls at once.
-    std::function<void(double share, const std::string& note)> progress;
+    // Fraction of the work done and what is being done; never two calls at once.
+    std::function<void(double fraction, const std::string& note)> progress;
     // A map was made; index: its place among all maps of the show. From any thread, never two calls at once.
     std::function<void(std::size_t index, const scene::DistanceMap& map)> on_map;
 };

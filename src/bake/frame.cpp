@@ -170,10 +170,10 @@ private:
         std::size_t owner[8];
         int count = 0;
         const auto flush = [&] {
-            float shares[8];
-            tracer_.open_sky(packet, count, ways, shares);
+            float fractions[8];
+            tracer_.open_sky(packet, count, ways, fractions);
             s.rays += static_cast<std::uint64_t>(count);
-            for (int k = 0; k < count; ++k) s.radiance[owner[k]] += glm::vec3(shares[k]);
+            for (int k = 0; k < count; ++k) s.radiance[owner[k]] += glm::vec3(fractions[k]);
             count = 0;
         };
         for (std::size_t k = 0; k < s.samples.size(); ++k) {

@@ -12,18 +12,18 @@
 
 namespace ghost::scene {
 
-// Cells are one light where each is nearer to the middle of them than this share of the radius that one
+// Cells are one light where each is nearer to the middle of them than this fraction of the radius that one
 // beam has at this distance, at its narrowest zoom (radius: to half the peak).
 inline constexpr float kMergeShare = 0.5f;
 inline constexpr float kMergeDistance_m = 5.0f;
-// And point the same way, within this share of half the beam angle.
+// And point the same way, within this fraction of half the beam angle.
 inline constexpr float kMergeTurn = 0.25f;
 // Lights share a distance map made so far away from them at most.
 inline constexpr float kMapShare_m = 0.25f;
 
 struct BeamGroup {
     std::vector<int> beams;     // Mode::beams: its cells, in their order; never empty
-    std::vector<float> weights; // of each cell: share of the lumens of all, which add up to 1
+    std::vector<float> weights; // of each cell: fraction of the lumens of all, which add up to 1
     int place = 0;              // BeamGroups::places_m
     int copies = 1;             // lights that its prisms (prism.h) or its scanner (laser.h) may need
 };

@@ -84,7 +84,7 @@ void add_facet(const fixture::Facet& facet, std::vector<Copy>& copies) {
     const float shorter = std::sqrt(std::max(0.5f * (xx + yy) - half, 0.0f));
     Copy copy{aside, 1.0f, vec3(1.0f)};
     const vec3 tint = image::xyy_to_rec2020({facet.color.x, facet.color.y, facet.color.Y / 100.0f});
-    copy.share = glm::clamp(tint, vec3(0.0f), vec3(1.0f));
+    copy.fraction = glm::clamp(tint, vec3(0.0f), vec3(1.0f));
     if (!(longer > 0.05f)) {
         copies.push_back(copy);
         return;
@@ -102,7 +102,7 @@ void add_facet(const fixture::Facet& facet, std::vector<Copy>& copies) {
         Copy one = copy;
         one.aside += at * (longer - width) * vec2(std::cos(angle), std::sin(angle));
         one.scale = width;
-        one.share /= static_cast<float>(count);
+        one.fraction /= static_cast<float>(count);
         copies.push_back(one);
     }
 }
@@ -122,10 +122,10 @@ std::vector<Copy> joined(const std::vector<Copy>& copies, int most) {
             Copy sum{vec2(0.0f), 0.0f, vec3(0.0f)};
             float weight = 0.0f, spread2 = 0.0f;
             for (const Copy* copy : members) {
-                const float w = copy->share.x + copy->share.y + copy->share.z + 1e-6f;
+                const float w = copy->fraction.x + copy->fraction.y + copy->fraction.z + 1e-6f;
                 sum.aside += w * copy->aside;
                 sum.scale += w * copy->scale;
-                sum.share += copy->share;
+                sum.fraction += copy->fraction;
                 weight += w;
             }
             sum.aside /= weight;
@@ -193,8 +193,8 @@ std::vector<Copy> facets_of(const fixture::Slot& slot) {
     if (slot.facets.empty()) return stand_in(slot.name);
     std::vector<Copy> copies;
     for (const fixture::Facet& facet : slot.facets) add_facet(facet, copies);
-    // A facet is as large as the others: its share of the light.
-    for (Copy& copy : copies) copy.share /= static_cast<float>(slot.facets.size());
+    // A facet is as large as the others: its fraction of the light.
+    for (Copy& copy : copies) copy.fraction /= static_cast<float>(slot.facets.size());
     return copies;
 }
 
@@ -205,13 +205,13 @@ std::vector<Copy> copies_of(const fixture::Type& type, const fixture::Optics& op
         if (!(in > kOut)) continue;
         const fixture::Slot* slot = slot_of(type, prism.wheel, prism.slot);
         std::vector<Copy> facets = slot ? facets_of(*slot) : stand_in("");
-        for (Copy& facet : facets) facet.share *= in;
+        for (Copy& facet : facets) facet.fraction *= in;
         if (in < 1.0f - kOut) facets.push_back({vec2(0.0f), 1.0f, vec3(1.0f - in)});
         std::vector<Copy> product;
         for (const Copy& before : all)
             for (const Copy& facet : facets)
                 product.push_back({before.aside + turned(facet.aside, prism.deg) * before.scale,
-                                   before.scale * facet.scale, before.share * facet.share});
+                                   before.scale * facet.scale, before.fraction * facet.fraction});
         // Stacked prisms multiply: what will be joined in the end is joined on the way.
         all = joined(product, kMostCopies);
     }
@@ -232,7 +232,7 @@ shared::Light copied(const shared::Light& light, const Copy& copy) {
     result.axis_u = glm::normalize(light.axis_u - result.axis_w * glm::dot(light.axis_u, result.axis_w));
     const vec3 across = glm::cross(result.axis_u, result.axis_w);
     result.axis_v = glm::dot(across, light.axis_v) < 0.0f ? -across : across;
-    vec3 share = copy.share;
+    vec3 fraction = copy.fraction;
     if (copy.scale != 1.0f && copy.scale > 0.0f) {
         const auto solid_angle = [](const shared::Light& of) {
             const Profile profile{.tan_field = of.tan_field,
@@ -244,14 +244,14 @@ shared::Light copied(const shared::Light& light, const Copy& copy) {
         };
         result.tan_field *= copy.scale;
         result.lens_m /= copy.scale;
-        share *= solid_angle(light) / std::max(solid_angle(result), 1e-9f);
+        fraction *= solid_angle(light) / std::max(solid_angle(result), 1e-9f);
     }
     // It turns about the lens.
     const vec3 moved_m = light.lens_m * light.axis_w - result.lens_m * result.axis_w;
     result.position_m += moved_m;
     result.off_map_m += moved_m;
-    result.intensity_cd = light.intensity_cd * share;
-    result.bounce_cd = light.bounce_cd * copy.share;
+    result.intensity_cd = light.intensity_cd * fraction;
+    result.bounce_cd = light.bounce_cd * copy.fraction;
     return result;
 }
 

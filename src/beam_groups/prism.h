@@ -1,9 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Prisms: the pictures that the prisms in a beam make of it. Each is a light of its own, turned aside, with
-// its share of the flux; all have the gobos, the profile and the distance map of the beam. Facets are GDTF's
-// (table 28), in gate radii. A wedge turns light aside and does not turn the picture, so a facet's rotation
-// is left out; a facet that stretches the picture is drawn as a row of pictures. Pure. docs/design/optics.md.
+// its fraction of the flux; all have the gobos, the profile and the distance map of the beam. Facets are
+// GDTF's (table 28), in gate radii. A wedge turns light aside and does not turn the picture, so a facet's
+// rotation is left out; a facet that stretches the picture is drawn as a row of pictures. Pure.
+// docs/design/optics.md.
 
 #include "base/report.h"
 #include "fixture/state.h"
@@ -25,7 +26,7 @@ inline constexpr int kMostCopies = 32;
 struct Copy {
     glm::vec2 aside{0.0f}; // of its middle, gate radii
     float scale = 1.0f;
-    glm::vec3 share{1.0f}; // of the light: they add up to 1, where no facet is tinted
+    glm::vec3 fraction{1.0f}; // of the light: they add up to 1, where no facet is tinted
 };
 
 // The facets of a slot, and those that a slot without any gets by its name ("6F linear"; else three in a

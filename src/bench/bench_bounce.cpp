@@ -103,7 +103,7 @@ Result<void> power_rows(ShowMoment& moment, const Room& room, const bake::Tracer
         TRY(const bake::Walk walked, bake::walk_light(tracer, lights, moment.gobos().images, haze, walk));
         const scene::BounceSolution& solved =
             solver.solve(lights, room.of_lights, moment.gobos().images, kPowerOrders);
-        const double kept = 1 - static_cast<double>(solver.air().forward_share);
+        const double kept = 1 - static_cast<double>(solver.air().forward_fraction);
         sink({"bounce",
               moment_name(at_s) + ", sent",
               {{"lm", walked.sent_lm}, {"solved", solved.sent_lm / walked.sent_lm}},

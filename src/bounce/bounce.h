@@ -85,7 +85,7 @@ struct BounceRows {
 // What a fine node takes of coarse ones: all of which it sees, trilinear; node kNoNode: no more.
 struct BounceParents {
     std::array<std::uint32_t, 8> node;
-    std::array<float, 8> share;
+    std::array<float, 8> fraction;
 };
 inline constexpr std::uint32_t kNoNode = 0xffffffffu;
 

@@ -10,7 +10,7 @@
 namespace ghost::scene {
 namespace {
 
-constexpr float kForwardHaze = 0.1f;       // mean cosine from which on haze has a forward share
+constexpr float kForwardHaze = 0.1f;       // mean cosine from which on haze has a forward fraction
 constexpr float kConeCosine = 0.98768834f; // nine degrees
 constexpr int kSphere = 6000;              // directions looked at
 constexpr int kEvery = 8;                  // of them
@@ -28,7 +28,7 @@ std::vector<glm::vec3> directions() {
     return all;
 }
 
-float forward_share(const shared::Haze& haze) {
+float forward_fraction(const shared::Haze& haze) {
     if (haze.forward_g <= kForwardHaze) return 0;
     constexpr int kSteps = 2000;
     double sum = 0;
@@ -43,11 +43,11 @@ float forward_share(const shared::Haze& haze) {
 
 BounceAir bounce_air(const shared::Haze& haze) {
     BounceAir air;
-    air.forward_share = forward_share(haze);
-    const float kept = 1 - air.forward_share;
+    air.forward_fraction = forward_fraction(haze);
+    const float kept = 1 - air.forward_fraction;
     air.scattering_per_m = haze.scattering_per_m * kept;
-    air.extinction_per_m = haze.extinction_per_m - haze.scattering_per_m * air.forward_share;
-    const float cut = air.forward_share > 0 ? kConeCosine : 2.0f;
+    air.extinction_per_m = haze.extinction_per_m - haze.scattering_per_m * air.forward_fraction;
+    const float cut = air.forward_fraction > 0 ? kConeCosine : 2.0f;
     const auto phase = [&](float cosine) {
         return cosine > cut ? 0.0f : shared::haze_phase(haze, cosine, 1) / kept;
     };
@@ -68,7 +68,7 @@ BounceAir bounce_air(const shared::Haze& haze) {
                 static_cast<float>(mean / static_cast<double>(in_bin[from].size() * in_bin[to].size()));
             sum += air.scatter[from][to] * bounce_steradians(to);
         }
-        for (float& share : air.scatter[from]) share /= sum;
+        for (float& fraction : air.scatter[from]) fraction /= sum;
     }
     constexpr int kTurns = 8;
     for (std::size_t kind = 0; kind < 2; ++kind) {
@@ -93,19 +93,19 @@ BounceAir bounce_air(const shared::Haze& haze) {
 }
 
 std::array<float, kBounceBins> BounceAir::into_bins(const glm::vec3& way) const {
-    std::array<float, kBounceBins> shares{};
+    std::array<float, kBounceBins> fractions{};
     float sum = 0;
     for (std::size_t bin = 0; bin < kBounceBins; ++bin) {
         const float at =
             glm::clamp((glm::dot(way, bounce_directions()[bin]) + 1) * 0.5f, 0.0f, 1.0f) * (kCosines - 1);
         const auto below = std::min(static_cast<std::size_t>(at), kCosines - 2);
         const std::array<float, kCosines>& table = phase[bin < 6 ? 0 : 1];
-        shares[bin] = glm::mix(table[below], table[below + 1], at - static_cast<float>(below));
-        sum += shares[bin] * bounce_steradians(bin);
+        fractions[bin] = glm::mix(table[below], table[below + 1], at - static_cast<float>(below));
+        sum += fractions[bin] * bounce_steradians(bin);
     }
     if (sum > 0)
-        for (float& share : shares) share /= sum;
-    return shares;
+        for (float& fraction : fractions) fraction /= sum;
+    return fractions;
 }
 
 } // namespace ghost::scene

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What haze does to bounced light, as the solver's bins of directions see it. Light that forward haze bends
 // by less than nine degrees counts as still in the beam: no bin could hold it. So extinction and scattering
-// are lower than the haze's by that share; while light bounces, pictures weaken all light by this extinction.
-// Pure.
+// are lower than the haze's by that fraction; while light bounces, pictures weaken all light by this
+// extinction. Pure.
 
 #include "bounce/bounce.h"
 #include "shared/types.h"
@@ -15,7 +15,7 @@ namespace ghost::scene {
 struct BounceAir {
     float extinction_per_m = 0;
     float scattering_per_m = 0;
-    float forward_share = 0; // of what is scattered
+    float forward_fraction = 0; // of what is scattered
     // Per steradian, from light in one bin to another; each row sums to 1 over the sphere.
     std::array<std::array<float, kBounceBins>, kBounceBins> scatter{};
     // Mean phase over a bin by the cosine of a direction to its middle, -1 to 1: faces, corners.

@@ -59,11 +59,12 @@ void BounceSolver::begin(const std::vector<shared::Light>& lights, Field& sent) 
         if (intensity == glm::vec3(0)) continue;
         solution_.sent_lm += luminance(glm::dvec3(entries.sent * intensity));
         for (const BounceEntries::InAir& entry : entries.air) {
-            const std::array<float, kBounceBins> shares = air_.into_bins(entry.way);
+            const std::array<float, kBounceBins> fractions = air_.into_bins(entry.way);
             const glm::vec3 scattered = entry.lumen_m * intensity *
                                         (air_.scattering_per_m / bounce_.fine.cells[entry.cell].volume_m3);
             vec4* const to = &sent[entry.cell * kBounceBins];
-            for (std::size_t bin = 0; bin < kBounceBins; ++bin) to[bin] += vec4(scattered * shares[bin], 0);
+            for (std::size_t bin = 0; bin < kBounceBins; ++bin)
+                to[bin] += vec4(scattered * fractions[bin], 0);
         }
         for (const BounceEntries::OnSurface& entry : entries.surfaces) {
             const BounceSurfel& surfel = bounce_.fine.surfels[entry.surfel];
@@ -80,9 +81,9 @@ void BounceSolver::step(const Field& sent, Field& arriving) {
     std::fill(coarse_sent_.begin(), coarse_sent_.end(), vec4(0));
     for (std::size_t c = 0; c < fine.cells.size(); ++c) {
         const BounceCell& cell = fine.cells[c];
-        const float share = cell.volume_m3 / coarse.cells[cell.block].volume_m3;
+        const float fraction = cell.volume_m3 / coarse.cells[cell.block].volume_m3;
         for (std::size_t bin = 0; bin < kBounceBins; ++bin)
-            coarse_sent_[cell.block * kBounceBins + bin] += sent[c * kBounceBins + bin] * share;
+            coarse_sent_[cell.block * kBounceBins + bin] += sent[c * kBounceBins + bin] * fraction;
     }
     for (std::size_t s = 0; s < fine.surfels.size(); ++s) {
         const BounceSurfel& surfel = fine.surfels[s];
@@ -105,14 +106,14 @@ void BounceSolver::step(const Field& sent, Field& arriving) {
         const BounceParents& parents = bounce_.cell_parents[c];
         for (std::size_t p = 0; p < parents.node.size() && parents.node[p] != kNoNode; ++p)
             for (std::size_t bin = 0; bin < kBounceBins; ++bin)
-                to[bin] += coarse_arriving_[parents.node[p] * kBounceBins + bin] * parents.share[p];
+                to[bin] += coarse_arriving_[parents.node[p] * kBounceBins + bin] * parents.fraction[p];
     }
     for (std::size_t s = 0; s < fine.surfels.size(); ++s) {
         vec4& to = arriving[fine.surfel_slot(s)];
         to = gather(bounce_.near, near_, sent, fine.surfel_slot(s));
         const BounceParents& parents = bounce_.surfel_parents[s];
         for (std::size_t p = 0; p < parents.node.size() && parents.node[p] != kNoNode; ++p)
-            to += coarse_arriving_[coarse.surfel_slot(parents.node[p])] * parents.share[p];
+            to += coarse_arriving_[coarse.surfel_slot(parents.node[p])] * parents.fraction[p];
     }
     // Light is never made from nothing.
     const glm::dvec3 most = sent_power(sent), got = arriving_power(arriving);

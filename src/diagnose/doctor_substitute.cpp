@@ -63,8 +63,8 @@ double alike(const std::string& a, const std::string& b) {
     if (std::isdigit(static_cast<unsigned char>(a[0])) || std::isdigit(static_cast<unsigned char>(b[0])))
         return 0;
     const double longer = static_cast<double>(std::max(a.size(), b.size()));
-    const double share = 1.0 - static_cast<double>(edit_distance(a, b)) / longer;
-    return share >= 0.7 ? share : 0;
+    const double fraction = 1.0 - static_cast<double>(edit_distance(a, b)) / longer;
+    return fraction >= 0.7 ? fraction : 0;
 }
 
 // "Vari-Lite" is "Varilite": two words of one name that are one of the other.

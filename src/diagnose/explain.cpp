@@ -108,7 +108,7 @@ Reason overlap_finding(const fixture::Overlap& overlap, const fixture::Patch& ow
 // order in which one would look.
 void sort_findings(std::vector<Reason>& findings) {
     const auto place = [](const Reason& finding) {
-        return std::tuple(!finding.blocks, finding.share >= kDark, finding.cause);
+        return std::tuple(!finding.blocks, finding.fraction >= kDark, finding.cause);
     };
     std::stable_sort(findings.begin(), findings.end(),
                      [&](const Reason& a, const Reason& b) { return place(a) < place(b); });
@@ -151,8 +151,8 @@ std::string shown_by(const Show& show, const shared::Light& light, const Project
 // Where no part alone is to blame: all that take much, the one that takes most first.
 Reason several(const BeamFacts& beam) {
     std::vector<std::pair<float, const char*>> parts;
-    const auto add = [&](const char* name, float share) {
-        if (share < 0.9f) parts.emplace_back(share, name);
+    const auto add = [&](const char* name, float fraction) {
+        if (fraction < 0.9f) parts.emplace_back(fraction, name);
     };
     add("lamp", beam.lamp);
     add("dimmer", beam.dimmer);
@@ -172,8 +172,8 @@ Reason several(const BeamFacts& beam) {
     std::stable_sort(parts.begin(), parts.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     std::string product = parts.empty() ? "what it gives" : "";
-    for (const auto& [share, name] : parts)
-        product += (product.empty() ? "" : " x ") + std::string(name) + " " + percent(share);
+    for (const auto& [fraction, name] : parts)
+        product += (product.empty() ? "" : " x ") + std::string(name) + " " + percent(fraction);
     return {Cause::several,
             true,
             product + " leaves " + number(static_cast<double>(beam.output_lm), 1) + " of " +
@@ -303,10 +303,10 @@ Explanation Explainer::explain(std::size_t index, int asked_beam) const {
                                    {}});
     } else {
         BeamFacts& beam = result.beams[static_cast<std::size_t>(result.main_beam)];
-        const float share = beam.full_lm > 0.0f ? beam.output_lm / beam.full_lm : 0.0f;
-        visibility = share < kDark         ? Visibility::dark
-                     : share < kNearlyDark ? Visibility::nearly_dark
-                                           : Visibility::lit;
+        const float fraction = beam.full_lm > 0.0f ? beam.output_lm / beam.full_lm : 0.0f;
+        visibility = fraction < kDark         ? Visibility::dark
+                     : fraction < kNearlyDark ? Visibility::nearly_dark
+                                              : Visibility::lit;
         if (visibility == Visibility::lit) {
             if (result.looked && !beam.glows) add_unseen(input_, beam);
         } else {

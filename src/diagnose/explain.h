@@ -59,7 +59,7 @@ struct Reason {
     std::string text;          // "the shutter function 'Closed' (DMX 3-5) is active on channel 11 (1.55)"
     std::string group;         // the same for all fixtures with that trouble: "the shutter is closed"
     std::vector<int> channels; // ChannelFacts that are to blame
-    float share = 0;           // of the light that passes all the same, where it is a part of the beam
+    float fraction = 0;        // of the light that passes all the same, where it is a part of the beam
 };
 
 // How levels came here.
@@ -117,7 +117,7 @@ struct WheelFacts {
     float position = 0;     // slots, 0-based; 2.5 is half of the third and half of the fourth
     std::string slot, next; // next: the other slot in the gate, or ""
     bool spinning = false;
-    float share = 1; // of the light that passes
+    float fraction = 1; // of the light that passes
 };
 
 struct HitFacts {
@@ -129,7 +129,7 @@ struct HitFacts {
     bool lens_inside = false; // of that object
 };
 
-// One beam; the parts are shares of light, each of what the parts before it leave (of an open beam, where
+// One beam; the parts are fractions of light, each of what the parts before it leave (of an open beam, where
 // those leave nothing): lamp * dimmer * master * shutter * strobe * mix * emitters * correction * colour *
 // picture * animation * gobo * iris * blades * rest = output_lm / full_lm.
 struct BeamFacts {

@@ -182,7 +182,7 @@ void split_dimmers(const fixture::Mode& mode, std::size_t beam, const std::vecto
 
 } // namespace
 
-float share_of(const fixture::Type& type, const BeamState& state, const GoboStack& gobos) {
+float fraction_of(const fixture::Type& type, const BeamState& state, const GoboStack& gobos) {
     const auto lumens = [&](const BeamState& beam) {
         return output_lm(light_from(type, beam, glm::mat4(1.0f), gobos), gobos);
     };
@@ -196,10 +196,10 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
     const fixture::Type& type = *patch.type;
     const fixture::Mode& mode = patch.mode_of();
     const Optics& now = state.optics;
-    Shares shares(type, state, gobos, projector);
+    Shares fractions(type, state, gobos, projector);
     BeamFacts facts;
     facts.name = item(mode.nodes, state.node).name;
-    facts.full_lm = shares.full_lm();
+    facts.full_lm = fractions.full_lm();
     facts.output_lm = output_lm(light, gobos);
     facts.projects = light.slide.layer != 0;
     facts.lamp = now.lamp;
@@ -209,20 +209,20 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
                        ? 1.0f
                        : now.shutter / now.shutter_position;
     facts.strobe_hz = now.strobe == fixture::Strobe::none ? 0.0f : now.strobe_hz;
-    facts.mix = shares.next(now.has_mix || now.brightness != 1.0f, [&](Optics& optics) {
+    facts.mix = fractions.next(now.has_mix || now.brightness != 1.0f, [&](Optics& optics) {
         optics.has_mix = now.has_mix;
         optics.mix = now.mix;
         optics.brightness = now.brightness;
     });
     // A mixed colour takes the place of the emitters.
-    facts.emitters = shares.next(!now.emitters.empty() && !now.has_mix,
-                                 [&](Optics& optics) { optics.emitters = now.emitters; });
-    facts.correction = shares.next(now.cct_k > 0.0f || now.tint != 0.0f, [&](Optics& optics) {
+    facts.emitters = fractions.next(!now.emitters.empty() && !now.has_mix,
+                                    [&](Optics& optics) { optics.emitters = now.emitters; });
+    facts.correction = fractions.next(now.cct_k > 0.0f || now.tint != 0.0f, [&](Optics& optics) {
         optics.cct_k = now.cct_k;
         optics.cct_is_filter = now.cct_is_filter;
         optics.tint = now.tint;
     });
-    facts.colour = shares.next(true, [&](Optics& optics) {
+    facts.colour = fractions.next(true, [&](Optics& optics) {
         optics.cyan = now.cyan;
         optics.magenta = now.magenta;
         optics.yellow = now.yellow;
@@ -230,24 +230,25 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
         optics.color_flags = now.color_flags;
         optics.flag_filters = now.flag_filters;
     });
-    if (facts.projects) facts.picture = shares.picture();
+    if (facts.projects) facts.picture = fractions.picture();
     facts.animation =
-        shares.next(!now.animations.empty(), [&](Optics& optics) { optics.animations = now.animations; });
-    facts.gobo =
-        shares.next(!now.gobo_wheels.empty(), [&](Optics& optics) { optics.gobo_wheels = now.gobo_wheels; });
-    facts.iris = shares.next(now.iris < 1.0f, [&](Optics& optics) { optics.iris = now.iris; });
-    facts.blades = shares.next(!now.blades.empty(), [&](Optics& optics) {
+        fractions.next(!now.animations.empty(), [&](Optics& optics) { optics.animations = now.animations; });
+    facts.gobo = fractions.next(!now.gobo_wheels.empty(),
+                                [&](Optics& optics) { optics.gobo_wheels = now.gobo_wheels; });
+    facts.iris = fractions.next(now.iris < 1.0f, [&](Optics& optics) { optics.iris = now.iris; });
+    facts.blades = fractions.next(!now.blades.empty(), [&](Optics& optics) {
         optics.blades = now.blades;
         optics.shaper_deg = now.shaper_deg;
     });
     facts.optics = optics_text(type, now);
     for (const WheelState& wheel : now.color_wheels) {
         facts.wheels.push_back(wheel_facts(type, wheel, true));
-        facts.wheels.back().share = shares.alone([&](Optics& optics) { optics.color_wheels = {wheel}; });
+        facts.wheels.back().fraction =
+            fractions.alone([&](Optics& optics) { optics.color_wheels = {wheel}; });
     }
     for (const WheelState& wheel : now.gobo_wheels) {
         facts.wheels.push_back(wheel_facts(type, wheel, false));
-        facts.wheels.back().share = shares.alone([&](Optics& optics) { optics.gobo_wheels = {wheel}; });
+        facts.wheels.back().fraction = fractions.alone([&](Optics& optics) { optics.gobo_wheels = {wheel}; });
     }
     const float known = now.lamp * now.dimmer * facts.shutter * facts.strobe * facts.mix * facts.emitters *
                         facts.correction * facts.colour * facts.picture * facts.animation * facts.gobo *
@@ -263,7 +264,7 @@ BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const BeamState
     const glm::vec3 middle(lit.middle * light.tan_field * z, z);
     const glm::vec3 middle_cd = shared::beam_candela(outline_of(light), middle, gobos.images);
     facts.axis_cd = facts.picture * facts.gobo * facts.animation * glm::dot(middle_cd, kLuminance) *
-                    measured_share(light);
+                    measured_fraction(light);
     facts.direction = light.axis_w;
     facts.lens_m = light.position_m + light.axis_w * light.lens_m;
     return facts;

@@ -66,8 +66,8 @@ bool selects_gobo(Role role) {
            role == Role::gobo_select_spin || role == Role::gobo_select_shake;
 }
 
-Reason blocking(Cause cause, std::string text, std::string group, std::vector<int> channels, float share) {
-    return {cause, true, std::move(text), std::move(group), std::move(channels), share};
+Reason blocking(Cause cause, std::string text, std::string group, std::vector<int> channels, float fraction) {
+    return {cause, true, std::move(text), std::move(group), std::move(channels), fraction};
 }
 
 Reason dimmer_finding(const Beam& beam, const fixture::Optics& optics) {
@@ -163,7 +163,7 @@ void add_colour_findings(const Beam& beam, const fixture::Optics& optics, const 
     add_flag(Role::color_sub_m, "magenta", optics.magenta);
     add_flag(Role::color_sub_y, "yellow", optics.yellow);
     for (const WheelFacts& wheel : facts.wheels) {
-        if (!wheel.colour || wheel.share > 0.6f) continue;
+        if (!wheel.colour || wheel.fraction > 0.6f) continue;
         const std::vector<int> found = beam.find([&](const ChannelFacts& channel) {
             return selects_colour(channel.role) &&
                    fixture::attribute_from(channel.attribute).number == wheel.number;
@@ -223,7 +223,7 @@ Reason animation_finding(const Beam& beam, const BeamFacts& facts) {
 void add_gobo_findings(const Beam& beam, const BeamFacts& facts, std::vector<Reason>& findings) {
     if (facts.gobo >= kBlocks) return;
     for (const WheelFacts& wheel : facts.wheels) {
-        if (wheel.colour || wheel.share > 0.6f) continue;
+        if (wheel.colour || wheel.fraction > 0.6f) continue;
         const std::vector<int> found = beam.find([&](const ChannelFacts& channel) {
             return selects_gobo(channel.role) &&
                    fixture::attribute_from(channel.attribute).number == wheel.number;
@@ -233,7 +233,7 @@ void add_gobo_findings(const Beam& beam, const BeamFacts& facts, std::vector<Rea
                                       : "stands between '" + wheel.slot + "' and '" + wheel.next + "'";
         findings.push_back(blocking(Cause::gobo,
                                     "gobo wheel '" + wheel.name + "' " + where + " and lets only " +
-                                        percent(wheel.share) + " of the light through" +
+                                        percent(wheel.fraction) + " of the light through" +
                                         (found.empty() ? ""
                                                        : " (" + place_text(beam.at(found.front())) +
                                                              ", value " + beam.at(found.front()).value + ")"),

@@ -224,8 +224,8 @@ std::string number(double value, int digits) {
     return result == "-0" ? "0" : result;
 }
 
-std::string percent(float share) {
-    const double value = 100.0 * static_cast<double>(share);
+std::string percent(float fraction) {
+    const double value = 100.0 * static_cast<double>(fraction);
     return number(value, std::abs(value) >= 10.0 ? 0 : std::abs(value) >= 1.0 ? 1 : 2) + " %";
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Desks that share a fixture: one that a higher priority keeps out, and two of equal priority, of which each
-// has its way on some channels and which together make no light.
+// Desks that share a fixture: one that a higher priority keeps out, and two of equal priority, of which
+// each has its way on some channels and which together make no light.
 #include "diagnose/explain_parts.h"
 
 #include <algorithm>
@@ -66,7 +66,7 @@ bool would_shine(const ExplainInput& input, const fixture::Patch& patch, const f
         fixture::BeamState beam = state.beams[b];
         beam.optics = targets.beams[b];
         beam.optics.shutter = beam.optics.shutter_position;
-        if (share_of(*patch.type, beam, input.gobos) > kNearlyDark) return true;
+        if (fraction_of(*patch.type, beam, input.gobos) > kNearlyDark) return true;
     }
     return false;
 }

@@ -116,7 +116,7 @@ Json beam_json(const BeamFacts& beam, const std::vector<ChannelFacts>& channels)
                           {"slot", wheel.slot},
                           {"next_slot", wheel.next.empty() ? Json(nullptr) : Json(wheel.next)},
                           {"spinning", wheel.spinning},
-                          {"share", rounded(wheel.share)}});
+                          {"share", rounded(wheel.fraction)}});
     Json hit = nullptr;
     if (beam.hit)
         hit = {{"object", beam.hit->object},

@@ -10,7 +10,7 @@
 
 namespace ghost::scene::explained {
 
-// Below this share a part of the chain is why there is no light.
+// Below this fraction a part of the chain is why there is no light.
 inline constexpr float kBlocks = 0.05f;
 inline constexpr float kDark = 1e-3f; // of all light: none
 inline constexpr float kNearlyDark = 0.025f;
@@ -18,7 +18,7 @@ inline constexpr float kNearlyDark = 0.025f;
 inline const glm::vec3 kLuminance{0.2627f, 0.6780f, 0.0593f}; // Rec.2020
 
 std::string number(double value, int digits = 0); // without zeros at the end: "12.5", "12"
-std::string percent(float share);                 // "45 %", "1.7 %", "0.03 %"
+std::string percent(float fraction);              // "45 %", "1.7 %", "0.03 %"
 std::string dmx_text(std::uint32_t raw, std::size_t bytes);
 // "0-7"; of 16 bit channels coarse.fine, the fine byte only where a range does not end with a coarse one.
 std::string range_text(std::uint32_t from, std::uint32_t to, std::size_t bytes);
@@ -54,8 +54,8 @@ LitGate lit_gate(const shared::Light& light, const GoboStack& gobos);
 BeamFacts measure(const fixture::Patch& patch, std::size_t beam, const fixture::BeamState& state,
                   const shared::Light& light, const std::vector<ChannelFacts>& channels,
                   const GoboStack& gobos, const Projector* projector);
-// Share of the light of an open beam that these optics let out, wherever the head points.
-float share_of(const fixture::Type& type, const fixture::BeamState& state, const GoboStack& gobos);
+// Fraction of the light of an open beam that these optics let out, wherever the head points.
+float fraction_of(const fixture::Type& type, const fixture::BeamState& state, const GoboStack& gobos);
 
 // What in the fixture itself keeps this beam dark, in order; the channels that change it only.
 std::vector<Reason> causes_in_beam(const fixture::Patch& patch, std::size_t beam,

@@ -130,9 +130,9 @@ std::string light_text(const BeamFacts& beam) {
     std::string text = (beam.lamp < 0.995f ? "lamp " + percent(beam.lamp) + " x " : std::string()) +
                        "dimmer " + percent(beam.dimmer) + " x master " + percent(beam.master) +
                        " x shutter " + percent(beam.shutter);
-    const auto add = [&](const char* name, float share, bool always) {
-        if (always || std::abs(share - 1.0f) > 0.005f)
-            text += std::string(" x ") + name + " " + percent(share);
+    const auto add = [&](const char* name, float fraction, bool always) {
+        if (always || std::abs(fraction - 1.0f) > 0.005f)
+            text += std::string(" x ") + name + " " + percent(fraction);
     };
     add("strobe", beam.strobe, beam.strobe_hz > 0.0f);
     add("mixed colour", beam.mix, false);
@@ -156,7 +156,7 @@ std::string wheel_text(const WheelFacts& wheel) {
         const float shift = wheel.position - std::floor(wheel.position);
         text += " and '" + wheel.next + "' (" + percent(shift) + " of the way)";
     }
-    return text + (wheel.spinning ? ", spinning" : "") + ", lets " + percent(wheel.share) + " through";
+    return text + (wheel.spinning ? ", spinning" : "") + ", lets " + percent(wheel.fraction) + " through";
 }
 
 // "37 degrees down, to the house and right (seen from the house)".

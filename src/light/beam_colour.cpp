@@ -60,9 +60,9 @@ vec3 undimmed_white(const Type& type, const Beam& beam) {
     return image::cct_to_rec2020(beam.color_temperature_k);
 }
 
-vec3 lamp_white(const Type& type, const Beam& beam, float cct_share) {
-    if (cct_share == 1.0f) return undimmed_white(type, beam);
-    const vec3 dimmed = image::cct_to_rec2020(beam.color_temperature_k * cct_share);
+vec3 lamp_white(const Type& type, const Beam& beam, float cct_fraction) {
+    if (cct_fraction == 1.0f) return undimmed_white(type, beam);
+    const vec3 dimmed = image::cct_to_rec2020(beam.color_temperature_k * cct_fraction);
     if (!beam_group_of(type, beam)) return dimmed;
     const vec3 full = glm::max(image::cct_to_rec2020(beam.color_temperature_k), vec3(kLeast));
     const vec3 red = undimmed_white(type, beam) * glm::max(dimmed, vec3(0.0f)) / full;
@@ -88,7 +88,7 @@ vec3 correction(const Beam& beam, const Optics& optics) {
     return ratio * passed;
 }
 
-// How dense a filter is at an insertion, as a share of its full density: as measured, else the insertion.
+// How dense a filter is at an insertion, as a fraction of its full density: as measured, else the insertion.
 float density(const Filter& filter, float in) {
     if (filter.measurements.size() < 2 || in <= 0.0f) return in;
     const float open = fixture::measured_at(filter, 0.0f).transmission;
@@ -140,7 +140,7 @@ vec3 source_colour(const Type& type, const Beam& beam, const Optics& optics) {
     if (optics.has_mix) {
         colour = chromaticity(optics.mix) * (optics.mix.Y / 100.0f);
     } else if (optics.emitters.empty()) {
-        colour = lamp_white(type, beam, optics.lamp_cct_share);
+        colour = lamp_white(type, beam, optics.lamp_cct_fraction);
     } else {
         for (const fixture::EmitterLevel& emitter : optics.emitters)
             colour += image::xyy_to_rec2020({emitter.color.x, emitter.color.y, emitter.color.Y / 100.0f}) *

@@ -63,8 +63,8 @@ BeamShape shape_of(const fixture::Photometric& light, const std::string& file) {
             const float radius = std::hypot(u, v);
             // Beyond the rim it goes on as there: the aperture ends it, and a blur finds no darkness.
             const float gamma = std::atan(std::min(radius, 1.0f) * shape.tan_field) * kDeg;
-            const float share = std::clamp(light.at(std::atan2(v, u) * kDeg, gamma) / peak, 0.0f, 1.0f);
-            const auto texel = static_cast<std::uint8_t>(std::lround(255.0f * share));
+            const float fraction = std::clamp(light.at(std::atan2(v, u) * kDeg, gamma) / peak, 0.0f, 1.0f);
+            const auto texel = static_cast<std::uint8_t>(std::lround(255.0f * fraction));
             shape.texels.push_back(texel);
             if (radius >= 1.0f) continue;
             shape.rings[std::min(static_cast<std::size_t>(radius * radius * kRings), kRings - 1)] +=

@@ -20,8 +20,8 @@ struct BeamShape {
     float tan_field = 0;              // tangent of half the angle at which the picture ends
     double flux_lm = 0;               // within that
     double lost_lm = 0;               // beyond: not drawn
-    std::vector<std::uint8_t> texels; // share of the peak, kGoboSize a side, top row first; linear
-    std::vector<double> rings;        // sums of the shares by squared gate radius, 0..1
+    std::vector<std::uint8_t> texels; // fraction of the peak, kGoboSize a side, top row first; linear
+    std::vector<double> rings;        // sums of the fractions by squared gate radius, 0..1
 
     // Lumens per candela of the peak, if the picture is stretched to another angle.
     float solid_angle(float tan_of_field) const;

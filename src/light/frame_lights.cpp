@@ -23,8 +23,8 @@ bool same_split(const shared::Light& a, const shared::Light& b) {
 // Mean colour of what a beam between two colours sends, relative to the first.
 vec3 mean_colour(const shared::Light& light) {
     if (light.split >= shared::kNoSplit) return vec3(1.0f);
-    const float share = std::clamp(0.5f - light.split / shared::kSlotSpacing, 0.0f, 1.0f);
-    return glm::mix(vec3(1.0f), light.colour_b, share);
+    const float fraction = std::clamp(0.5f - light.split / shared::kSlotSpacing, 0.0f, 1.0f);
+    return glm::mix(vec3(1.0f), light.colour_b, fraction);
 }
 
 } // namespace

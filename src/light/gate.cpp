@@ -21,9 +21,9 @@ constexpr float kOpenIris = 0.995f;
 // A disc whose file does not say how it passes the gate: the way of the gate over the picture's -1..1.
 constexpr float kDiscCentre = 0.62f;
 constexpr float kDiscScale = 0.34f;
-constexpr int kShareSteps = 12;
+constexpr int kFractionSteps = 12;
 
-// Share of the light that a gobo lets through: its most blurred level, averaged.
+// Fraction of the light that a gobo lets through: its most blurred level, averaged.
 vec3 gobo_mean(const shared::Gobos& gobos, std::uint32_t layer) {
     if (layer == 0) return vec3(1.0f);
     constexpr int kLevel = shared::kGoboLevels - 1;
@@ -202,21 +202,22 @@ void set_gate(const fixture::Type& type, const fixture::Optics& optics, const Go
     for (shared::Blade& blade : light.blade) blade = {};
 }
 
-vec3 gate_share(const shared::Light& light, const shared::Gobos& gobos) {
-    vec3 share(1.0f);
-    for (std::uint32_t k = 0; k < light.wheel_count; ++k) share *= gobo_mean(gobos, light.wheel[k].layer_a);
-    if (light.shaped == 0) return share;
-    if (light.disc.layer != 0) share *= gobo_mean(gobos, light.disc.layer);
+vec3 gate_transmittance(const shared::Light& light, const shared::Gobos& gobos) {
+    vec3 fraction(1.0f);
+    for (std::uint32_t k = 0; k < light.wheel_count; ++k)
+        fraction *= gobo_mean(gobos, light.wheel[k].layer_a);
+    if (light.shaped == 0) return fraction;
+    if (light.disc.layer != 0) fraction *= gobo_mean(gobos, light.disc.layer);
     const shared::Focus focus = shared::even_focus(light, light.edge);
     float passed = 0.0f, all = 0.0f;
-    for (int y = 0; y < kShareSteps; ++y)
-        for (int x = 0; x < kShareSteps; ++x) {
-            const vec2 at = 2.0f * (vec2(x, y) + 0.5f) / static_cast<float>(kShareSteps) - 1.0f;
+    for (int y = 0; y < kFractionSteps; ++y)
+        for (int x = 0; x < kFractionSteps; ++x) {
+            const vec2 at = 2.0f * (vec2(x, y) + 0.5f) / static_cast<float>(kFractionSteps) - 1.0f;
             if (glm::length(at) > 1.0f) continue;
-            passed += shared::blades_share(light, at, focus);
+            passed += shared::blades_transmittance(light, at, focus);
             all += 1.0f;
         }
-    return share * (passed / all);
+    return fraction * (passed / all);
 }
 
 } // namespace ghost::scene

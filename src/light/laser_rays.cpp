@@ -38,8 +38,8 @@ float place(int index, int count) {
 }
 
 // Even in angle, as a scanner is driven.
-vec2 way_to(const fixture::LaserCurve& figure, const vec2& share) {
-    return glm::tan(0.5f * glm::radians(figure.size_deg) * share);
+vec2 way_to(const fixture::LaserCurve& figure, const vec2& fraction) {
+    return glm::tan(0.5f * glm::radians(figure.size_deg) * fraction);
 }
 
 std::vector<vec2> ways_of(const fixture::LaserCurve& figure) {
@@ -70,8 +70,8 @@ std::vector<Copy> rays_of(const fixture::LaserCurve& figure, float tan_field) {
     if (figure.kind == fixture::LaserCurveKind::beam) return {Copy{}};
     std::vector<Copy> rays;
     const std::vector<vec2> ways = ways_of(figure);
-    const glm::vec3 share(1.0f / static_cast<float>(ways.size()));
-    for (const vec2& way : ways) rays.push_back({turned(way, figure.deg) / tan_field, 1.0f, share});
+    const glm::vec3 fraction(1.0f / static_cast<float>(ways.size()));
+    for (const vec2& way : ways) rays.push_back({turned(way, figure.deg) / tan_field, 1.0f, fraction});
     return rays;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Lasers: what a scanner makes of the beam of a laser. Rays that it jumps between are a light each, with an
-// even share of the flux; a curve that it sweeps is one light with that curve in its gate
+// even fraction of the flux; a curve that it sweeps is one light with that curve in its gate
 // (shaders/shared/figure.h). The eye sees the mean of a round of the scanner. Pure. docs/design/lasers.md.
 
 #include "fixture/laser_curve.h"

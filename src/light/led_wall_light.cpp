@@ -62,7 +62,7 @@ shared::LedWall seen_wall(const LedWall& wall, const glm::mat4& to_world, const 
     return seen;
 }
 
-vec3 cell_share(const LedWall& wall, int cell, const MediaNow& now, const shared::SlidePicture& picture) {
+vec3 cell_fraction(const LedWall& wall, int cell, const MediaNow& now, const shared::SlidePicture& picture) {
     if (!picture.levels) return vec3(0.0f);
     const glm::ivec2 cells = cells_of(wall);
     const Mapping mapping = mapping_of(wall, now);
@@ -86,10 +86,10 @@ vec3 cell_share(const LedWall& wall, int cell, const MediaNow& now, const shared
     return image::rec709_to_rec2020(sum) * (covered.x * covered.y / static_cast<float>(kSamples * kSamples));
 }
 
-void light_cell(const LedWall& wall, const vec3& share, shared::Light& light) {
+void light_cell(const LedWall& wall, const vec3& fraction, shared::Light& light) {
     const glm::ivec2 cells = cells_of(wall);
     const float area_m2 = wall.size_m.x * wall.size_m.y / static_cast<float>(cells.x * cells.y);
-    const vec3 flux_lm = share * (shared::kPi * wall.nits * area_m2);
+    const vec3 flux_lm = fraction * (shared::kPi * wall.nits * area_m2);
     light.intensity_cd = flux_lm / area_profile().open_sr;
     light.bounce_cd = flux_lm / (4.0f * shared::kPi);
 }

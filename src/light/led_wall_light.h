@@ -26,11 +26,12 @@ glm::ivec2 cells_of(const LedWall& wall);
 shared::LedWall seen_wall(const LedWall& wall, const glm::mat4& to_world, const MediaNow& now,
                           const glm::vec3& factor);
 
-// Mean colour of a cell of the grid, as a share of full white. cell: row by row, the top left one first.
-glm::vec3 cell_share(const LedWall& wall, int cell, const MediaNow& now, const shared::SlidePicture& picture);
+// Mean colour of a cell of the grid, as a fraction of full white. cell: row by row, the top left one first.
+glm::vec3 cell_fraction(const LedWall& wall, int cell, const MediaNow& now,
+                        const shared::SlidePicture& picture);
 
 // Makes a light of a cell, which light_from has put and aimed, as bright as the cell at full dimmer: lumens
 // are those of a surface that is equally bright from all sides.
-void light_cell(const LedWall& wall, const glm::vec3& share, shared::Light& light);
+void light_cell(const LedWall& wall, const glm::vec3& fraction, shared::Light& light);
 
 } // namespace ghost::scene

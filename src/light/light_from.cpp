@@ -31,7 +31,7 @@ float rim_of(const Profile& profile) {
 
 // From the apex to the lens, so that the beam is as wide as its lens there.
 float apex_distance_m(const fixture::Beam& source, const Profile& profile) {
-    if (source.beam_type == fixture::BeamType::area) return kMinLens_m; // shared::near_share has its size
+    if (source.beam_type == fixture::BeamType::area) return kMinLens_m; // shared::near_fraction has its size
     return source.beam_radius_m / (profile.tan_field * rim_of(profile));
 }
 
@@ -47,7 +47,7 @@ float put_shape(const BeamShape& shape, const fixture::Beam& source, const fixtu
     light.tan_field = std::min(shape.tan_field * zoom, tan_half(kWidestShape_deg));
     // A laboratory measures from the lens, and the light comes from all over it and widens less (spread_of).
     const float even_tan = std::sqrt(shape.solid_angle(light.tan_field) / shared::kPi);
-    light.tan_field *= lens_share(even_tan, source.beam_radius_m);
+    light.tan_field *= lens_fraction(even_tan, source.beam_radius_m);
     light.profile_power = 1.0f;
     light.profile_scale = 0.0f;
     light.cut_radius = 1.0f;
@@ -104,7 +104,7 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     light.profile_scale = profile.scale;
     light.edge = profile.edge;
     light.iris_radius = measured.aperture;
-    light.rim_share = optics.frost > 0 ? -1.0f : rim_share(profile, measured.aperture);
+    light.rim_fraction = optics.frost > 0 ? -1.0f : rim_fraction(profile, measured.aperture);
     light.lens_radius_m = hard_edge ? source.beam_radius_m : 0.0f;
     light.disc_radius_m = source.beam_radius_m;
     light.focus_per_m = 1.0f / std::max(optics.focus_m, 0.1f);
@@ -131,7 +131,7 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
         open_sr = project(*projector, optics, gobos.showing[static_cast<std::size_t>(projector->media)],
                           static_cast<std::uint32_t>(projector->media), light);
         if (projector->lumens > 0) lumens = projector->lumens;
-        light.rim_share = 1.0f; // an even field
+        light.rim_fraction = 1.0f; // an even field
         // The throw is measured from the lens.
         apex_m = kMinLens_m;
     }
@@ -165,10 +165,10 @@ shared::Light light_from(const fixture::Type& type, const fixture::BeamState& be
     }
     light.bounce_cd = light.intensity_cd *
                       ((projects || is_measured ? open_sr : measured.iris_sr) / (4.0f * shared::kPi)) *
-                      gate_share(light, gobos.images);
+                      gate_transmittance(light, gobos.images);
     if (projects)
         light.bounce_cd *=
-            picture_share(*projector, gobos.showing[static_cast<std::size_t>(projector->media)]);
+            picture_transmittance(*projector, gobos.showing[static_cast<std::size_t>(projector->media)]);
     if (is_measured) add_shape(measured_light->second, light);
     // Frost spreads what the gate lets through.
     const bool is_split = light.split < shared::kNoSplit;

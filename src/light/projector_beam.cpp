@@ -128,7 +128,7 @@ float project(const Projector& projector, const fixture::Optics& optics, const M
     return made.solid_angle;
 }
 
-glm::vec3 picture_share(const Projector& projector, const MediaNow& now) {
+glm::vec3 picture_transmittance(const Projector& projector, const MediaNow& now) {
     const float ratio = now.extent.x / std::max(now.extent.y, 1e-6f) / projector.aspect;
     const float area = projector.fit == Fit::contain ? std::min(ratio, 1.0f / ratio) : 1.0f;
     const float black = 1.0f / std::max(projector.contrast, 1.0f);

@@ -1,9 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Video projectors: any fixture whose gate holds a moving picture instead of a lamp's round field. Optical
-// geometry as makers state it: throw ratio (distance over width), lens shift in shares of the picture, the
-// panel that is lit a little where it is black. What the beam then is: shaders/shared/beam.h, slide_share.
-// Pure. docs/design/projectors.md.
+// geometry as makers state it: throw ratio (distance over width), lens shift in fractions of the picture, the
+// panel that is lit a little where it is black. What the beam then is: shaders/shared/beam.h,
+// slide_transmittance. Pure. docs/design/projectors.md.
 
 #include "fixture/state.h"
 #include "shared/types.h"
@@ -37,7 +37,7 @@ float throw_ratio_for(float diagonal_deg, float aspect);
 float project(const Projector& projector, const fixture::Optics& optics, const MediaNow& now,
               std::uint32_t layer, shared::Light& light);
 
-// Share of the lumens of full white that the picture of a medium makes.
-glm::vec3 picture_share(const Projector& projector, const MediaNow& now);
+// Fraction of the lumens of full white that the picture of a medium makes.
+glm::vec3 picture_transmittance(const Projector& projector, const MediaNow& now);
 
 } // namespace ghost::scene

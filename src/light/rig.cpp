@@ -99,14 +99,14 @@ void colour_laser(const Laser& laser, const fixture::Type& type, const fixture::
 struct Rig::Between {
     std::size_t stop = 0;
     std::size_t next = 0;
-    float share = 0.0f;       // 0: at stop .. 1: at next
+    float fraction = 0.0f;    // 0: at stop .. 1: at next
     glm::mat4 to_world{1.0f}; // of the fixture at stop
     glm::vec3 stop_m{0};      // where its middle is at stop
     glm::vec3 next_m{0};
 
     // Where it is, if those are the places of the two stops.
     FixturePose hung(const glm::vec3& at_stop_m, const glm::vec3& at_next_m) const {
-        FixturePose result{to_world, glm::mix(at_stop_m, at_next_m, share)};
+        FixturePose result{to_world, glm::mix(at_stop_m, at_next_m, fraction)};
         result.to_world[3] += glm::vec4(result.middle_m - stop_m, 0.0f);
         return result;
     }
@@ -232,10 +232,10 @@ void Rig::light_wall(std::size_t index, const GoboStack& gobos, std::vector<Lens
     const bool shows = media < gobos.showing.size() && media < gobos.images.slides.size();
     for (std::size_t k = 0; k < faces.size(); ++k) {
         const fixture::Optics& optics = states_[index].beams[k].optics;
-        const glm::vec3 share =
-            shows ? cell_share(wall, static_cast<int>(k), gobos.showing[media], gobos.images.slides[media])
+        const glm::vec3 fraction =
+            shows ? cell_fraction(wall, static_cast<int>(k), gobos.showing[media], gobos.images.slides[media])
                   : glm::vec3(0.0f);
-        light_cell(wall, share * (optics.dimmer * optics.shutter), faces[k].light);
+        light_cell(wall, fraction * (optics.dimmer * optics.shutter), faces[k].light);
         faces[k].of_wall = true;
     }
 }
@@ -263,7 +263,7 @@ Rig::Between Rig::between(std::size_t index) const {
     Between result;
     result.stop = std::min(static_cast<std::size_t>(track_[index]), last);
     result.next = std::min(result.stop + 1, last);
-    result.share = track_[index] - static_cast<float>(result.stop);
+    result.fraction = track_[index] - static_cast<float>(result.stop);
     result.to_world = fixture_to_world(fixture, result.stop);
     const glm::vec4 middle_m(emitters_[index]->middle_m, 1.0f);
     result.stop_m = glm::vec3(result.to_world * middle_m);
@@ -299,7 +299,7 @@ FrameLights Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cel
         const FixturePose hung = track.hung(track.stop_m, track.next_m);
         const BeamGroups emitters = cells == Cells::apart ? apart(*emitters_[i]) : *emitters_[i];
         std::vector<LensFace> faces = this->faces(i, hung, gobos);
-        const auto stop = static_cast<int>(track.share < 0.5f ? track.stop : track.next);
+        const auto stop = static_cast<int>(track.fraction < 0.5f ? track.stop : track.next);
         std::vector<int> map_of;
         for (int place = 0; place < static_cast<int>(emitters.places_m.size()); ++place)
             map_of.push_back(maps.find(fixture.name, stop, place));
@@ -353,12 +353,12 @@ FrameLights Rig::lit(const GoboStack& gobos, const Passes& passes) const {
                 shared::Light second = light;
                 second.pass = pass_of(track.next);
                 second.haze_samples = 0;
-                second.intensity_cd *= track.share;
-                second.bounce_cd *= track.share;
+                second.intensity_cd *= track.fraction;
+                second.bounce_cd *= track.fraction;
                 shared::Light first = light;
                 first.haze_samples = 0;
-                first.intensity_cd *= 1.0f - track.share;
-                first.bounce_cd *= 1.0f - track.share;
+                first.intensity_cd *= 1.0f - track.fraction;
+                first.bounce_cd *= 1.0f - track.fraction;
                 light.pass = dark_pass;
                 lit.lights.insert(lit.lights.end(), {first, second, light});
             }

@@ -36,7 +36,7 @@ image::ImageF relight_cpu(const Passes& passes, std::span<const shared::Light> l
             if (candela == glm::vec3(0.0f)) continue;
             const glm::vec3 radiance = radiance_at(passes, light.pass, fragment);
             sum += candela * radiance *
-                   (seen * shared::pass_share(light, way) *
+                   (seen * shared::pass_fraction(light, way) *
                     shared::haze_transmittance(haze, shared::way_from_lens_m(light, q)));
         }
         return sum;

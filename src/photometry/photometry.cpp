@@ -54,8 +54,8 @@ Profile frosted(const Profile& profile, float aperture, float sigma) {
     const float r50 = std::min(std::pow(profile.scale, -0.5f / p), aperture);
     const float r10 = std::min(std::pow(std::log2(10.0f) / profile.scale, 0.5f / p), aperture);
     const float wide50 = std::sqrt(r50 * r50 + k50 * k50 * sigma * sigma);
-    const float share = sigma / (sigma + 0.5f * r50); // of a Gaussian in the shape of the edge
-    const float edge10 = std::max(kEdge10 + (k10 - k50 - kEdge10) * share, k10 - k50) * sigma;
+    const float fraction = sigma / (sigma + 0.5f * r50); // of a Gaussian in the shape of the edge
+    const float edge10 = std::max(kEdge10 + (k10 - k50 - kEdge10) * fraction, k10 - k50) * sigma;
     const float wide10 = wide50 + std::sqrt((r10 - r50) * (r10 - r50) + edge10 * edge10);
     Profile result = profile;
     result.power =
@@ -69,26 +69,27 @@ Profile frosted(const Profile& profile, float aperture, float sigma) {
     return result;
 }
 
-float lens_share(float tangent, float lens_radius_m) {
+float lens_fraction(float tangent, float lens_radius_m) {
     constexpr float kLeast = 1.0f / 3.0f;
     return std::max(1.0f - std::max(lens_radius_m, 0.0f) / (kMeasured_m * tangent), kLeast);
 }
 
 Spread spread_of(float beam_deg, float field_deg, float lens_radius_m) {
     const float tan_field = tan_half(std::clamp(field_deg, kMinAngleDeg, kMaxAngleDeg));
-    const float share = lens_share(tan_field, lens_radius_m);
-    const auto narrowed = [share](float deg) {
-        return glm::degrees(2.0f * std::atan(share * tan_half(std::clamp(deg, kMinAngleDeg, kMaxAngleDeg))));
+    const float fraction = lens_fraction(tan_field, lens_radius_m);
+    const auto narrowed = [fraction](float deg) {
+        return glm::degrees(2.0f *
+                            std::atan(fraction * tan_half(std::clamp(deg, kMinAngleDeg, kMaxAngleDeg))));
     };
     return {narrowed(beam_deg), narrowed(field_deg)};
 }
 
-float measured_share(const shared::Light& light) {
-    const float share = kMeasured_m / (kMeasured_m + light.lens_m);
-    return share * share;
+float measured_fraction(const shared::Light& light) {
+    const float fraction = kMeasured_m / (kMeasured_m + light.lens_m);
+    return fraction * fraction;
 }
 
-float rim_share(const Profile& profile, float aperture) {
+float rim_fraction(const Profile& profile, float aperture) {
     // How the field falls with the logarithm of the radius.
     const float fall = 2.0f * std::numbers::ln2_v<float> * profile.power * profile.scale *
                        std::pow(aperture, 2.0f * profile.power);
@@ -99,14 +100,14 @@ float beam_solid_angle(const Profile& profile, float aperture) {
     // In gate radii: dOmega = 2 pi r tan^2 / (1 + r^2 tan^2)^(3/2) dr.
     const double tan2 = static_cast<double>(profile.tan_field) * static_cast<double>(profile.tan_field);
     const double dr = static_cast<double>(profile.cut_radius) / kSteps;
-    const float share = rim_share(profile, aperture);
+    const float fraction = rim_fraction(profile, aperture);
     double solid_angle = 0;
     for (int i = 0; i < kSteps; ++i) {
         const double r = (i + 0.5) * dr;
         const auto r_float = static_cast<float>(r);
         const double shape =
             static_cast<double>(shared::beam_profile(r_float * r_float, profile.power, profile.scale) *
-                                shared::beam_opening(r_float, aperture, profile.edge, share));
+                                shared::beam_opening(r_float, aperture, profile.edge, fraction));
         solid_angle += shape * 2.0 * static_cast<double>(shared::kPi) * r * tan2 /
                        std::pow(1.0 + r * r * tan2, 1.5) * dr;
     }

@@ -43,17 +43,17 @@ struct Spread {
 // kMeasured_m before it; a third of the tangents at least: a lens may be wider than the picture.
 // By what tangents of a beam that would be so wide from the lens become those from its apex: at least a
 // third.
-float lens_share(float tangent, float lens_radius_m);
+float lens_fraction(float tangent, float lens_radius_m);
 Spread spread_of(float beam_deg, float field_deg, float lens_radius_m);
 
 // What a meter kMeasured_m before the lens has a light's candela for, which are from its apex.
-float measured_share(const shared::Light& light);
+float measured_fraction(const shared::Light& light);
 
 // Candela on the axis of an open beam of this profile that carries flux_lm.
 float peak_candela(const Profile& profile, float flux_lm);
 
-// Light::rim_share for an aperture of this radius.
-float rim_share(const Profile& profile, float aperture);
+// Light::rim_fraction for an aperture of this radius.
+float rim_fraction(const Profile& profile, float aperture);
 
 // Solid angle (steradian) that a beam would fill at its peak intensity: lumens per candela on the axis.
 // aperture: gate radius that the iris leaves open, profile.aperture where there is none.
@@ -75,7 +75,7 @@ const MeasuredProfile& area_profile();
 
 class ProfileTable {
 public:
-    // iris: share of the open aperture; frost_deg: standard deviation of the angle of its scatter.
+    // iris: fraction of the open aperture; frost_deg: standard deviation of the angle of its scatter.
     const MeasuredProfile& find(float beam_angle_deg, float field_angle_deg, bool hard_edge, float iris,
                                 float frost_deg = 0.0f);
 

@@ -63,7 +63,7 @@ private:
     std::uint64_t state_;
 };
 
-// At an angle of this cosine to the axis, turned about it by a share of a circle.
+// At an angle of this cosine to the axis, turned about it by a fraction of a circle.
 dvec3 turned_from(const dvec3& axis, double cosine, double turn) {
     const double sign = axis.z >= 0.0 ? 1.0 : -1.0, a = -1.0 / (sign + axis.z), b = axis.x * axis.y * a;
     const dvec3 s(1.0 + sign * axis.x * axis.x * a, sign * b, -sign * axis.x);
@@ -228,9 +228,9 @@ private:
             }
             OrderPower& power = tally.orders[order];
             if (scattered) {
-                const double share = static_cast<double>(haze_.scattering_per_m / haze_.extinction_per_m);
-                power.absorbed_in_air += luminance(flux) * (1.0 - share);
-                flux *= share;
+                const double fraction = static_cast<double>(haze_.scattering_per_m / haze_.extinction_per_m);
+                power.absorbed_in_air += luminance(flux) * (1.0 - fraction);
+                flux *= fraction;
                 power.in_air += luminance(flux);
                 if (shows(order)) join(place_m, nullptr, way, flux, random, tally);
                 from_m = place_m;

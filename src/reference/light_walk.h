@@ -35,9 +35,9 @@ struct WalkOptions {
     const scene::Camera* camera = nullptr; // null: no picture
     int first_order = 1;                   // what the picture shows: orders from .. to
     int last_order = static_cast<int>(kWalkOrders) - 1;
-    BeamOverride beam;                          // candela of every light, for tests
-    std::function<bool()> stop;                 // asked from any thread
-    std::function<void(double share)> progress; // never two calls at once
+    BeamOverride beam;                             // candela of every light, for tests
+    std::function<bool()> stop;                    // asked from any thread
+    std::function<void(double fraction)> progress; // never two calls at once
 };
 
 // Lumens (luminance) of one order.

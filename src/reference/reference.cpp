@@ -50,10 +50,10 @@ public:
 private:
     void flush() {
         if (count_ == 0) return;
-        float shares[8];
-        tracer_->visibility(pointers_, static_cast<int>(count_), target_, shares);
+        float fractions[8];
+        tracer_->visibility(pointers_, static_cast<int>(count_), target_, fractions);
         for (std::size_t k = 0; k < count_; ++k)
-            if (shares[k] > 0.0f) total_ += values_[k] * static_cast<double>(shares[k]);
+            if (fractions[k] > 0.0f) total_ += values_[k] * static_cast<double>(fractions[k]);
         count_ = 0;
     }
 
@@ -85,8 +85,8 @@ struct Lamp {
 
     // On the way from the apex, z_m of it along the axis: from here there is haze.
     dvec3 leaves_lens(const dvec3& way_m, double z_m) const {
-        const double share = z_m > 0.0 ? static_cast<double>(light.lens_m) / z_m : 0.0;
-        return position_m + way_m * std::clamp(share, 0.0, 1.0);
+        const double fraction = z_m > 0.0 ? static_cast<double>(light.lens_m) / z_m : 0.0;
+        return position_m + way_m * std::clamp(fraction, 0.0, 1.0);
     }
 };
 
@@ -167,7 +167,7 @@ private:
             const double px = x + (k % n + 0.5) / n;
             const int row = k / n;
             const double py = y + (row + 0.5) / n;
-            // A blended surface shows its share of the positions; one position alone shows what is half
+            // A blended surface shows its fraction of the positions; one position alone shows what is half
             // opaque.
             const float blend = n == 1 ? -1.0f : to_unit(reverse_bits(static_cast<std::uint32_t>(k)));
             sum += radiance(px, py, blend);
@@ -242,9 +242,9 @@ private:
                 reaching;
             if (reflected == dvec3(0.0)) continue;
             const Surface* from = &surface;
-            float share = 1.0f;
-            if (shadows_ != nullptr) shadows_->visibility(&from, 1, source_m, &share);
-            sum += reflected * static_cast<double>(share);
+            float fraction = 1.0f;
+            if (shadows_ != nullptr) shadows_->visibility(&from, 1, source_m, &fraction);
+            sum += reflected * static_cast<double>(fraction);
         }
         return candela * sum / static_cast<double>(lamp.lens_m.size());
     }
@@ -257,11 +257,11 @@ private:
         std::fill(std::begin(packet), std::end(packet), &surface);
         for (std::uint32_t first = 0; first < kSkyRays; first += 8) {
             glm::vec3 ways[8];
-            float shares[8];
+            float fractions[8];
             for (std::uint32_t k = 0; k < 8; ++k)
                 ways[k] = cosine_direction(surface.normal, sobol_2d(first + k, 11));
-            tracer_->open_sky(packet, 8, ways, shares);
-            for (const float share : shares) open += static_cast<double>(share);
+            tracer_->open_sky(packet, 8, ways, fractions);
+            for (const float fraction : fractions) open += static_cast<double>(fraction);
         }
         const double cosine = std::abs(glm::dot(dvec3(surface.normal), dvec3(surface.to_viewer)));
         return reference_brdf_albedo(surface.brdf, cosine) * (ambient_lux_ * open / (pi * kSkyRays));

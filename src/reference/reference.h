@@ -29,13 +29,13 @@ struct ReferenceOptions {
     bool surfaces = true; // light on surfaces; without it they still end the rays
     bool air = true;
     bool shadows = true;
-    float far_m = 60.0f;                        // of a ray that meets no surface: View::far_m
-    shared::Attenuation attenuation{0, 0, 1};   // taste; this is physics
-    HazeDensity density;                        // none: even haze
-    int density_samples = 64;                   // on the way from the light, where the haze is not even
-    BeamOverride beam;                          // candela of every light, for tests
-    std::function<bool()> stop;                 // asked from any thread
-    std::function<void(double share)> progress; // never two calls at once
+    float far_m = 60.0f;                           // of a ray that meets no surface: View::far_m
+    shared::Attenuation attenuation{0, 0, 1};      // taste; this is physics
+    HazeDensity density;                           // none: even haze
+    int density_samples = 64;                      // on the way from the light, where the haze is not even
+    BeamOverride beam;                             // candela of every light, for tests
+    std::function<bool()> stop;                    // asked from any thread
+    std::function<void(double fraction)> progress; // never two calls at once
 };
 
 // Picture of a stage under lights, camera and haze, 3 channels. tracer null: no geometry. Errors: options out

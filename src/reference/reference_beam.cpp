@@ -20,7 +20,7 @@ constexpr double kNearest_m = 1e-4;
 constexpr double kSlotPitch = 2.4; // gate radii between the centres of two slots
 
 // Smooth step across an edge of width 2 blur about the aperture's radius.
-double share_inside(double radius, double aperture, double blur) {
+double fraction_inside(double radius, double aperture, double blur) {
     const double t = std::clamp(0.5 + 0.5 * (aperture - radius) / blur, 0.0, 1.0);
     return (3.0 - 2.0 * t) * t * t;
 }
@@ -81,22 +81,22 @@ dvec3 mapped(const glm::vec3 (&rows)[3], const dvec2& gate) {
 // Share that a round opening lets through at a radius: a ring of 2 blur about a radius that keeps the
 // light of an even field (the variance of the edge is a fifth of blur^2), or of one that falls; where blur is
 // larger, all of it is that ring, weaker.
-double share_of_opening(double radius, double opening, double blur, double rim_share) {
-    const double own2 = rim_share * blur * blur;
+double fraction_of_opening(double radius, double opening, double blur, double rim_fraction) {
+    const double own2 = rim_fraction * blur * blur;
     if (opening * opening >= 1.2 * own2)
-        return share_inside(radius, std::sqrt(opening * opening - own2 / 5.0), blur);
-    return share_inside(radius, std::sqrt(own2), blur) * opening * opening / (1.2 * own2);
+        return fraction_inside(radius, std::sqrt(opening * opening - own2 / 5.0), blur);
+    return fraction_inside(radius, std::sqrt(own2), blur) * opening * opening / (1.2 * own2);
 }
 
-// Share of the frame -1..1 of such a map that lets light pass, blurred.
+// Fraction of the frame -1..1 of such a map that lets light pass, blurred.
 double framed(const glm::vec3 (&rows)[3], const dvec3& at, double blur) {
-    double share = 1.0;
+    double fraction = 1.0;
     for (int k = 0; k < 2; ++k) {
         const double scale = std::hypot(static_cast<double>(rows[k].x), static_cast<double>(rows[k].y)) /
                              std::max(static_cast<double>(rows[2].z), 1e-3);
-        share *= share_inside(std::abs(at[k]), 1.0, blur * scale);
+        fraction *= fraction_inside(std::abs(at[k]), 1.0, blur * scale);
     }
-    return share;
+    return fraction;
 }
 
 double henyey_greenstein(double g, double cosine) {
@@ -133,7 +133,7 @@ dvec3 ReferenceBeam::disc_colour(const dvec2& gate, double blur) const {
     if (disc.layer == 0) return dvec3(1.0);
     const double scale = disc.scale;
     const dvec2 at = dvec2(disc.centre) + scale * gate;
-    const double covered = share_inside(glm::length(at), 1.0, std::max(scale * blur, 0.01));
+    const double covered = fraction_inside(glm::length(at), 1.0, std::max(scale * blur, 0.01));
     const double c = disc.cosine, s = disc.sine;
     const dvec3 picture = gobo_colour(disc.layer, {at.x * c + at.y * s, at.y * c - at.x * s}, scale * blur);
     return glm::mix(dvec3(1.0), picture, covered);
@@ -145,7 +145,7 @@ double ReferenceBeam::slit(int first, const dvec2& gate, double z_m) const {
     for (const int k : {first, first + 2}) {
         const shared::Blade& blade = light_.blade[k];
         const double into = glm::dot(gate, dvec2(blade.normal)) - static_cast<double>(blade.offset);
-        open -= 1.0 - share_inside(into, 0.0, blur_at(z_m, static_cast<double>(blade.depth)));
+        open -= 1.0 - fraction_inside(into, 0.0, blur_at(z_m, static_cast<double>(blade.depth)));
     }
     return std::max(open, 0.0);
 }
@@ -169,12 +169,12 @@ dvec3 ReferenceBeam::slide_colour(const dvec2& gate, double blur) const {
     // Rows of the panel are scaled by the cube root of its brightest corner: 1 / cosine from the optical
     // axis, cubed.
     const double even = std::pow(std::sqrt(1.0 + slope * slope) / panel.z, 3.0);
-    double share = framed(slide.picture, at, blur);
+    double fraction = framed(slide.picture, at, blur);
     for (int k = 0; k < 4; ++k) {
         if (slide.blend[k] == 0.0f) continue;
         const double from_edge = (k % 2 == 0 ? at[k / 2] : -at[k / 2]) + 1.0;
         const double t = std::clamp(from_edge * static_cast<double>(slide.blend[k]), 0.0, 1.0);
-        share *= (3.0 - 2.0 * t) * t * t;
+        fraction *= (3.0 - 2.0 * t) * t * t;
     }
     dvec3 colour(0.0);
     if (slide.layer <= gobos_.slides.size() && gobos_.slides[slide.layer - 1].levels) {
@@ -195,11 +195,11 @@ dvec3 ReferenceBeam::slide_colour(const dvec2& gate, double blur) const {
                   0.0164 * rgb.r + 0.0880 * rgb.g + 0.8956 * rgb.b};
     }
     const double black = slide.black;
-    return even * (black * framed(slide.panel, panel, blur) + (1.0 - black) * share * colour);
+    return even * (black * framed(slide.panel, panel, blur) + (1.0 - black) * fraction * colour);
 }
 
 // A normal distribution across the curve that the scanner draws; its unit is a figure of 1/128 gate radius.
-double ReferenceBeam::figure_share(const dvec2& gate, double blur) const {
+double ReferenceBeam::figure_transmittance(const dvec2& gate, double blur) const {
     const shared::LaserCurve& figure = light_.figure;
     const double c = figure.cosine, s = figure.sine, a = figure.half_size.x, b = figure.half_size.y;
     const double own = figure.deviation, sigma = std::hypot(own, 0.5 * blur);
@@ -212,7 +212,7 @@ double ReferenceBeam::figure_share(const dvec2& gate, double blur) const {
         spread = sigma * std::hypot(std::cos(angle) / a, std::sin(angle) / b);
         density = std::min(a, b) / (a * b * std::max(radius, 1e-6));
     } else {
-        density = share_inside(std::abs(at.x), a, 2.0 * sigma);
+        density = fraction_inside(std::abs(at.x), a, 2.0 * sigma);
         if (figure.kind == shared::kWaveFigure) {
             const double k = pi * static_cast<double>(figure.waves) / a;
             const double angle = k * at.x + static_cast<double>(figure.phase);
@@ -235,8 +235,9 @@ dvec3 ReferenceBeam::wheel_colour(const shared::Wheel& wheel, const dvec2& gate,
         const dvec2 turned(cosine * in_slot.x + sine * in_slot.y, cosine * in_slot.y - sine * in_slot.x);
         const dvec3 colour = gobo_colour(layer, turned, blur);
         // A centred slot is limited by the aperture alone, one that is moving by its own rim.
-        return wheel.shift == 0.0f ? colour
-                                   : colour * share_inside(glm::length(in_slot), 1.0, std::max(blur, 0.01));
+        return wheel.shift == 0.0f
+                   ? colour
+                   : colour * fraction_inside(glm::length(in_slot), 1.0, std::max(blur, 0.01));
     };
     const double first_x = -static_cast<double>(wheel.shift) * kSlotPitch;
     const dvec3 first = of_slot(wheel.layer_a, first_x);
@@ -254,8 +255,9 @@ dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
         return blur_at(gate_m.z, shaped ? static_cast<double>(depth) : 0.0);
     };
     const double rim_blur =
-        light_.rim_share < 0.0f ? static_cast<double>(light_.edge) : blur_of(light_.iris_depth);
-    double open = share_of_opening(radius, light_.iris_radius, rim_blur, std::max(light_.rim_share, 0.0f));
+        light_.rim_fraction < 0.0f ? static_cast<double>(light_.edge) : blur_of(light_.iris_depth);
+    double open =
+        fraction_of_opening(radius, light_.iris_radius, rim_blur, std::max(light_.rim_fraction, 0.0f));
     const bool cut = light_.shaped > 1;
     if (cut) open *= slit(0, gate, gate_m.z) * slit(1, gate, gate_m.z);
     if (open == 0.0) return dvec3(0.0);
@@ -267,7 +269,7 @@ dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
         dvec3(light_.intensity_cd) * (shape * open) * glm::mix(dvec3(1.0), dvec3(light_.colour_b), side);
     const double distance2 = glm::dot(gate_m, gate_m), panel_m = light_.panel_m;
     colour *= distance2 / (distance2 + panel_m * panel_m);
-    if (light_.figure.kind != shared::kNoFigure) return colour * figure_share(gate, blur_of(0.0f));
+    if (light_.figure.kind != shared::kNoFigure) return colour * figure_transmittance(gate, blur_of(0.0f));
     for (std::uint32_t k = 0; k < std::min(light_.wheel_count, 3u); ++k)
         colour *= wheel_colour(light_.wheel[k], gate, blur_of(light_.wheel[k].depth));
     if (light_.slide.layer != 0) colour *= slide_colour(gate, blur_of(0.0f));

@@ -36,7 +36,7 @@ private:
     glm::dvec3 disc_colour(const glm::dvec2& gate, double blur) const;
     glm::dvec3 wheel_colour(const shared::Wheel& wheel, const glm::dvec2& gate, double blur) const;
     glm::dvec3 slide_colour(const glm::dvec2& gate, double blur) const;
-    double figure_share(const glm::dvec2& gate, double blur) const;
+    double figure_transmittance(const glm::dvec2& gate, double blur) const;
     glm::dvec3 gobo_colour(std::uint32_t layer, const glm::dvec2& gate, double blur) const;
 
     const shared::Light& light_;
@@ -69,7 +69,7 @@ private:
 glm::dvec3 reference_brdf_times_cosine(const shared::Brdf& brdf, const glm::dvec3& n, const glm::dvec3& v,
                                        const glm::dvec3& l);
 
-// Share of even light that leaves at this cosine to the normal (the fit of Karis 2014, as brdf_albedo).
+// Fraction of even light that leaves at this cosine to the normal (the fit of Karis 2014, as brdf_albedo).
 glm::dvec3 reference_brdf_albedo(const shared::Brdf& brdf, double nv);
 
 } // namespace ghost::bake

@@ -31,7 +31,7 @@ image::ImageF trace_lit(const scene::Stage& stage, const scene::Camera& camera,
                     const glm::vec3 way = samples[k].position - light.position_m;
                     const glm::vec3 q = shared::to_gate(light, way);
                     sum += radiance[k] * shared::beam_candela(light, q, gobos) *
-                           (shared::pass_share(light, way) *
+                           (shared::pass_fraction(light, way) *
                             shared::haze_transmittance(haze, shared::way_from_lens_m(light, q) +
                                                                  samples[k].distance_m));
                 }

@@ -54,19 +54,19 @@ WalkSource::WalkSource(const std::vector<shared::Light>& lights, const shared::G
             lumens += squares.back();
         }
         const double least = lumens * kLeastShare / static_cast<double>(squares.size());
-        for (const double flux : squares) shares_.push_back(sum += std::max(flux, least));
+        for (const double flux : squares) fractions_.push_back(sum += std::max(flux, least));
     }
     if (!(sum > 0) || !std::isfinite(sum)) {
-        shares_.clear();
+        fractions_.clear();
         return;
     }
-    for (double& share : shares_) share /= sum;
+    for (double& fraction : fractions_) fraction /= sum;
 }
 
 WalkStart WalkSource::start(const double (&u)[3]) const {
-    const auto found = std::upper_bound(shares_.begin(), shares_.end() - 1, u[0]);
-    const auto index = static_cast<std::size_t>(found - shares_.begin());
-    const double chance = *found - (index > 0 ? shares_[index - 1] : 0.0);
+    const auto found = std::upper_bound(fractions_.begin(), fractions_.end() - 1, u[0]);
+    const auto index = static_cast<std::size_t>(found - fractions_.begin());
+    const double chance = *found - (index > 0 ? fractions_[index - 1] : 0.0);
     const std::size_t square = index % (kSquares * kSquares);
     WalkStart start;
     start.lamp = index / (kSquares * kSquares);

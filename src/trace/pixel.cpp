@@ -26,17 +26,17 @@ void light_samples(const Tracer& tracer, std::span<const Surface> samples, const
     int count = 0;
     const auto flush = [&] {
         if (count == 0) return;
-        float shares[8];
-        tracer.visibility(packet, count, light_m, shares);
+        float fractions[8];
+        tracer.visibility(packet, count, light_m, fractions);
         rays += static_cast<std::uint64_t>(count);
         for (int k = 0; k < count; ++k) {
-            if (shares[k] <= 0.0f) continue;
+            if (fractions[k] <= 0.0f) continue;
             const Surface& surface = *packet[k];
             const glm::vec3 way = light_m - surface.position;
             const float distance2 = std::max(glm::dot(way, way), nearest_m * nearest_m);
             radiance[target[k]] = shared::brdf_times_cosine(surface.brdf, surface.normal, surface.to_viewer,
                                                             way / std::sqrt(distance2)) *
-                                  (shares[k] / distance2);
+                                  (fractions[k] / distance2);
         }
         count = 0;
     };

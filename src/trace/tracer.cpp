@@ -24,7 +24,7 @@ constexpr unsigned kFlushAndDenormalsZero = 0x8040;
 struct RayContext {
     embree::Context base; // first: Embree hands it back to the filter
     float blend = 0.5f;
-    float* shares = nullptr; // of the rays of a packet; null: looking for a first hit
+    float* fractions = nullptr; // of the rays of a packet; null: looking for a first hit
 };
 
 bool finite(const glm::mat4& m) {
@@ -162,10 +162,10 @@ void Tracer::filter(const RTCFilterFunctionNArguments* arguments) {
         const unsigned triangle = RTCHitN_primID(arguments->hit, arguments->N, k);
         const float alpha = data->alpha(triangle, RTCHitN_u(arguments->hit, arguments->N, k),
                                         RTCHitN_v(arguments->hit, arguments->N, k));
-        if (context->shares != nullptr) {
-            float& share = context->shares[RTCRayN_id(arguments->ray, arguments->N, k)];
-            share *= 1.0f - std::clamp(alpha, 0.0f, 1.0f);
-            if (share > kStopped) arguments->valid[k] = 0;
+        if (context->fractions != nullptr) {
+            float& fraction = context->fractions[RTCRayN_id(arguments->ray, arguments->N, k)];
+            fraction *= 1.0f - std::clamp(alpha, 0.0f, 1.0f);
+            if (fraction > kStopped) arguments->valid[k] = 0;
             continue;
         }
         float threshold = 0.5f;
@@ -301,7 +301,7 @@ Surface Tracer::surface_at(const RTCRayHit& hit, const glm::vec3& direction) con
     return s;
 }
 
-void Tracer::occluded8(RTCRay8& rays, int count, float* shares) const {
+void Tracer::occluded8(RTCRay8& rays, int count, float* fractions) const {
     alignas(32) int valid[8];
     for (int k = 0; k < 8; ++k) {
         valid[k] = k < count ? -1 : 0;
@@ -311,7 +311,7 @@ void Tracer::occluded8(RTCRay8& rays, int count, float* shares) const {
         rays.id[k] = static_cast<unsigned>(k);
         rays.flags[k] = 0;
         if (k < count) {
-            shares[k] = 1.0f;
+            fractions[k] = 1.0f;
             continue;
         }
         // Debian's Embree asserts on huge values in lanes that are switched off.
@@ -322,14 +322,14 @@ void Tracer::occluded8(RTCRay8& rays, int count, float* shares) const {
     }
     RayContext context;
     embree::begin(context.base);
-    context.shares = shares;
+    context.fractions = fractions;
     embree::occluded8(valid, top_, context.base, rays);
     for (int k = 0; k < count; ++k)
-        if (rays.tfar[k] < 0.0f) shares[k] = 0.0f;
+        if (rays.tfar[k] < 0.0f) fractions[k] = 0.0f;
 }
 
 void Tracer::visibility(const Surface* const* surfaces, int count, const glm::vec3& point,
-                        float* shares) const {
+                        float* fractions) const {
     RTCRay8 rays;
     for (int k = 0; k < count; ++k) {
         const glm::vec3& origin = surfaces[k]->shadow_origin;
@@ -342,11 +342,11 @@ void Tracer::visibility(const Surface* const* surfaces, int count, const glm::ve
         rays.dir_z[k] = way.z;
         rays.tfar[k] = 1.0f;
     }
-    occluded8(rays, count, shares);
+    occluded8(rays, count, fractions);
 }
 
 void Tracer::open_sky(const Surface* const* surfaces, int count, const glm::vec3* directions,
-                      float* shares) const {
+                      float* fractions) const {
     RTCRay8 rays;
     for (int k = 0; k < count; ++k) {
         const glm::vec3& origin = surfaces[k]->shadow_origin;
@@ -358,7 +358,7 @@ void Tracer::open_sky(const Surface* const* surfaces, int count, const glm::vec3
         rays.dir_z[k] = directions[k].z;
         rays.tfar[k] = kSkyReach_m;
     }
-    occluded8(rays, count, shares);
+    occluded8(rays, count, fractions);
 }
 
 void Tracer::distances(const glm::vec3& origin, const glm::vec3* directions, int count, float reach_m,

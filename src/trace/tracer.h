@@ -55,7 +55,7 @@ public:
     Tracer& operator=(const Tracer&) = delete;
 
     // First surface along the unit direction. blend: threshold 0..1 that an alpha must pass on blended
-    // surfaces; sequences of it over the samples of a pixel give each surface its share.
+    // surfaces; sequences of it over the samples of a pixel give each surface its fraction.
     Surface first_hit(const glm::vec3& origin, const glm::vec3& direction, float blend, Sees sees) const;
 
     // The same without its material and without fixture bodies: how far, and the normal of the facet towards
@@ -67,12 +67,14 @@ public:
     };
     Meeting meet(const glm::vec3& origin, const glm::vec3& direction, float reach_m) const;
 
-    // Share of light that passes from each surface (its shadow_origin) to the point, for count <= 8 surfaces.
-    void visibility(const Surface* const* surfaces, int count, const glm::vec3& point, float* shares) const;
+    // Fraction of light that passes from each surface (its shadow_origin) to the point, for count <= 8
+    // surfaces.
+    void visibility(const Surface* const* surfaces, int count, const glm::vec3& point,
+                    float* fractions) const;
 
     // The same along unit directions, as far as even light is kept away (4 m).
     void open_sky(const Surface* const* surfaces, int count, const glm::vec3* directions,
-                  float* shares) const;
+                  float* fractions) const;
 
     // How far it is along count <= 8 unit directions, near each other, to what stops light, and which
     // instance that is; nothing within reach_m: reach_m and -1. Holes and surfaces that cover at most half
@@ -84,7 +86,7 @@ public:
 
 private:
     struct MeshData;
-    void occluded8(RTCRay8& rays, int count, float* shares) const;
+    void occluded8(RTCRay8& rays, int count, float* fractions) const;
     Surface surface_at(const RTCRayHit& hit, const glm::vec3& direction) const;
     static void filter(const RTCFilterFunctionNArguments* arguments);
 

@@ -69,10 +69,10 @@ TEST(Bounce, AClosedRoomAbsorbsAllLight) {
         const scene::Stage stage = closed_room({5, 6, 3}, albedo);
         const Solved solved = solve(stage, {spot({1, 0, 5}, {-1, 2, 0}, 20, 0)}, kThin, 40);
         ASSERT_TRUE(solved.made);
-        const double share = absorbed(solved) / solved.solution.sent_lm;
-        std::printf("albedo %.1f: absorbed / sent %.4f\n", static_cast<double>(albedo), share);
-        EXPECT_GT(share, 0.985);
-        EXPECT_LT(share, 1.01);
+        const double fraction = absorbed(solved) / solved.solution.sent_lm;
+        std::printf("albedo %.1f: absorbed / sent %.4f\n", static_cast<double>(albedo), fraction);
+        EXPECT_GT(fraction, 0.985);
+        EXPECT_LT(fraction, 1.01);
     }
 }
 
@@ -95,7 +95,7 @@ TEST(Bounce, OrdersAreThoseOfParticles) {
     EXPECT_NEAR(solved.solution.sent_lm / walk->sent_lm, 1.0, 0.02);
     for (std::size_t k = 1; k < 5; ++k) {
         const double surfaces = solved.solution.orders[k].on_surfaces / walk->orders[k].on_surfaces;
-        // The solver's haze is without its forward share; this one has none.
+        // The solver's haze is without its forward fraction; this one has none.
         const double air = solved.solution.orders[k].in_air / walk->orders[k].in_air;
         std::printf("order %zu: surfaces %.3f, air %.3f of the particles'\n", k, surfaces, air);
         EXPECT_NEAR(surfaces, 1.0, 0.06);

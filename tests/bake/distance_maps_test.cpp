@@ -292,8 +292,8 @@ TEST(DistanceMaps, InterruptedUpdateGoesOnAndNeverMixesStages) {
     DistanceMapOptions options;
     options.threads = 1;
     options.stop = [&] { return stop.load(); };
-    options.progress = [&](double share, const std::string&) {
-        if (share > 0.4) stop = true;
+    options.progress = [&](double fraction, const std::string&) {
+        if (fraction > 0.4) stop = true;
     };
     Outcome run = update(show, options);
     EXPECT_TRUE(run.stats.interrupted);

@@ -155,8 +155,8 @@ TEST(ShowBake, InterruptedBakeGoesOn) {
     std::atomic<bool> stop{false};
     BakeOptions options;
     options.stop = [&] { return stop.load(); };
-    options.progress = [&](double share, const std::string&) {
-        if (share > 0.9) stop = true;
+    options.progress = [&](double fraction, const std::string&) {
+        if (fraction > 0.9) stop = true;
     };
     const BakeStats first = bake_or_fail(show, options);
     EXPECT_TRUE(first.interrupted);

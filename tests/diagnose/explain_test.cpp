@@ -255,7 +255,7 @@ TEST(explain, WheelSlotThatLetsNothingThrough) {
     expect(between, Visibility::lit, Cause::none, {});
     ASSERT_EQ(between.beams[0].wheels.size(), 1u);
     EXPECT_EQ(between.beams[0].wheels[0].next, "Black");
-    EXPECT_NEAR(between.beams[0].wheels[0].share, 0.5f, 0.1f) << "half of the gate";
+    EXPECT_NEAR(between.beams[0].wheels[0].fraction, 0.5f, 0.1f) << "half of the gate";
 }
 
 TEST(explain, DarkGobo) {

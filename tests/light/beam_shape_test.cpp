@@ -29,9 +29,9 @@ fixture::Photometric lantern(double wide_deg, double narrow_deg) {
         const double end_deg = 1.0 / std::hypot(x, y);
         std::vector<float>& plane = light.candela.emplace_back();
         for (const float gamma : light.gamma_deg) {
-            const double share = static_cast<double>(gamma) / end_deg;
-            plane.push_back(share < 1.0 ? static_cast<float>(50000.0 * 0.5 * (1.0 + std::cos(kPi * share)))
-                                        : 0.0f);
+            const double fraction = static_cast<double>(gamma) / end_deg;
+            plane.push_back(
+                fraction < 1.0 ? static_cast<float>(50000.0 * 0.5 * (1.0 + std::cos(kPi * fraction))) : 0.0f);
         }
     }
     return light;
@@ -83,9 +83,10 @@ TEST(BeamShape, KeepsTheLumensOfTheFile) {
         const double white = static_cast<double>(
             glm::dot(light.intensity_cd, vec3(0.2627f, 0.678f, 0.0593f)) / light.intensity_cd.y);
         EXPECT_NEAR(lumens(light, gobos) * white / file.flux_lm(), 1.0, 5e-3) << wide << " x " << narrow;
-        EXPECT_NEAR(static_cast<double>(light.bounce_cd.y / (light.intensity_cd.y * measured_share(light))) *
-                        4.0 * kPi * 50000.0 / file.flux_lm(),
-                    1.0, 0.01);
+        EXPECT_NEAR(
+            static_cast<double>(light.bounce_cd.y / (light.intensity_cd.y * measured_fraction(light))) * 4.0 *
+                kPi * 50000.0 / file.flux_lm(),
+            1.0, 0.01);
     }
 }
 

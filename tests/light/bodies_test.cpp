@@ -39,8 +39,8 @@ Show show_of(std::size_t count) {
 // 16 bit pan and tilt of the first fixture, 540 and 270 degrees about the middle.
 dmx::Universes levels(float pan_deg, float tilt_deg, int track = 0) {
     dmx::Levels values{};
-    const auto put = [&](std::size_t channel, float share) {
-        const auto value = static_cast<int>(std::lround(share * 65535.0f));
+    const auto put = [&](std::size_t channel, float fraction) {
+        const auto value = static_cast<int>(std::lround(fraction * 65535.0f));
         values[channel - 1] = static_cast<std::uint8_t>(value / 256);
         values[channel] = static_cast<std::uint8_t>(value % 256);
     };

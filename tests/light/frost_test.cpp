@@ -80,10 +80,10 @@ TEST(Frost, ConservesTheFluxBehindAFullGate) {
             for (const float frost_deg : {0.3f, 1.0f, 3.0f, 8.0f}) {
                 beam.optics.frost = 1;
                 beam.optics.frost_full_deg = frost_deg;
-                const double share = flux_lm(light_of(beam), 8.0, 700) / clear_lm;
+                const double fraction = flux_lm(light_of(beam), 8.0, 700) / clear_lm;
                 std::printf("%s, %.0f deg, frost %.1f deg: %.4f of the light\n", name,
-                            static_cast<double>(zoom_deg), static_cast<double>(frost_deg), share);
-                worst = std::max(worst, std::abs(share - 1));
+                            static_cast<double>(zoom_deg), static_cast<double>(frost_deg), fraction);
+                worst = std::max(worst, std::abs(fraction - 1));
                 beam.optics.frost = 0;
             }
         }
@@ -105,12 +105,12 @@ TEST(Frost, ConservesTheFluxOutOfFocus) {
                 for (const float frost : {0.0f, 0.1f, 0.4f, 1.0f}) {
                     beam.optics.focus_m = focus_m;
                     beam.optics.frost = frost;
-                    const double share = flux_lm(light_of(beam), 8.0, 900) / sharp_lm;
+                    const double fraction = flux_lm(light_of(beam), 8.0, 900) / sharp_lm;
                     std::printf("%.0f deg, iris %.1f, focus %.1f m, frost %.1f deg: %.4f of the light\n",
                                 static_cast<double>(zoom_deg), static_cast<double>(iris),
-                                static_cast<double>(focus_m), 8 * static_cast<double>(frost), share);
+                                static_cast<double>(focus_m), 8 * static_cast<double>(frost), fraction);
                     double& most = frost > 0 ? worst : (iris < 1 ? worst_iris : worst_open);
-                    most = std::max(most, std::abs(share - 1));
+                    most = std::max(most, std::abs(fraction - 1));
                 }
         }
     EXPECT_LT(worst_iris, 0.005);
@@ -119,7 +119,7 @@ TEST(Frost, ConservesTheFluxOutOfFocus) {
     EXPECT_LT(worst_open, 0.025);
 }
 
-// Share of the light within a radius, against a disc that is scattered by a Gaussian: a million rays.
+// Fraction of the light within a radius, against a disc that is scattered by a Gaussian: a million rays.
 TEST(Frost, SpreadsAsAGaussianDoes) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(0, 1);

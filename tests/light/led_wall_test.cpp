@@ -147,17 +147,17 @@ TEST(LedWall, CellsHaveTheColoursOfThePicture) {
     wall.cells = {4, 2};
     vec3 sum(0.0f);
     for (int cell = 0; cell < 8; ++cell) {
-        const vec3 share = cell_share(wall, cell, stack.showing[0], stack.images.slides[0]);
-        sum += share / 8.0f;
+        const vec3 fraction = cell_fraction(wall, cell, stack.showing[0], stack.images.slides[0]);
+        sum += fraction / 8.0f;
         const bool red = cell == 0 || cell == 1, blue = cell == 6 || cell == 7;
         if (red) {
-            EXPECT_GT(share.x, 8.0f * share.z) << cell;
+            EXPECT_GT(fraction.x, 8.0f * fraction.z) << cell;
         }
         if (blue) {
-            EXPECT_GT(share.z, 8.0f * share.y) << cell;
+            EXPECT_GT(fraction.z, 8.0f * fraction.y) << cell;
         }
         if (!red && !blue) {
-            EXPECT_LT(glm::length(share), 0.02f) << cell;
+            EXPECT_LT(glm::length(fraction), 0.02f) << cell;
         }
     }
     EXPECT_NEAR(sum.x, (0.627404f + 0.043313f) / 4.0f, 2e-3f);
@@ -167,7 +167,7 @@ TEST(LedWall, CellsHaveTheColoursOfThePicture) {
 // A square picture on a wide wall leaves its sides dark, unless it covers or is stretched.
 TEST(LedWall, FitsThePicture) {
     const GoboStack stack = white(128, 128);
-    for (const auto& [fit, share] :
+    for (const auto& [fit, fraction] :
          {std::pair{Fit::contain, 4.5f / 8.0f}, {Fit::cover, 1.0f}, {Fit::stretch, 1.0f}}) {
         LedWall wall;
         wall.size_m = {8, 4.5f};
@@ -175,8 +175,8 @@ TEST(LedWall, FitsThePicture) {
         wall.fit = fit;
         vec3 sum(0.0f);
         for (int cell = 0; cell < 8; ++cell)
-            sum += cell_share(wall, cell, stack.showing[0], stack.images.slides[0]) / 8.0f;
-        EXPECT_NEAR(sum.y, share, 2e-3f);
+            sum += cell_fraction(wall, cell, stack.showing[0], stack.images.slides[0]) / 8.0f;
+        EXPECT_NEAR(sum.y, fraction, 2e-3f);
         const shared::LedWall seen = seen_wall(wall, glm::mat4(1.0f), stack.showing[0], vec3(1));
         EXPECT_NEAR(seen.shown.x, fit == Fit::contain ? 4.5f / 8.0f : 1.0f, 1e-4f);
     }

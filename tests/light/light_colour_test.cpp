@@ -58,7 +58,7 @@ TEST(light_colour, whites_of_lamps) {
     for (const float kelvin : {2000.0f, 3200.0f, 5600.0f, 9000.0f})
         EXPECT_NEAR(luminance(Lamp(kelvin).source()), 1.0f, 1e-4f) << kelvin;
     Lamp dimmed(3200);
-    dimmed.optics.lamp_cct_share = 0.9f;
+    dimmed.optics.lamp_cct_fraction = 0.9f;
     EXPECT_NEAR(cct_of(dimmed.source()), 2880.0f, 15.0f);
     EXPECT_NEAR(luminance(dimmed.source()), 1.0f, 1e-4f);
 }
@@ -73,7 +73,7 @@ TEST(light_colour, a_measured_lamp_is_its_emitter) {
     expect_xy(lamp.source() * filter_colour(lamp.type, lamp.beam, blue), 0.2f, 0.24f, 1e-5f);
     EXPECT_NEAR(luminance(lamp.source() * filter_colour(lamp.type, lamp.beam, blue)), 0.3f, 1e-4f);
     EXPECT_NEAR(luminance(lamp.source() * filter_colour(lamp.type, lamp.beam, {})), 1.0f, 0.02f) << "open";
-    lamp.optics.lamp_cct_share = 0.8f;
+    lamp.optics.lamp_cct_fraction = 0.8f;
     EXPECT_GT(image::rec2020_to_xyy(lamp.source()).x, 0.32f) << "redder";
     EXPECT_NEAR(luminance(lamp.source()), 1.0f, 1e-4f);
 }

@@ -44,7 +44,7 @@ TEST(Lens, ABeamLeavesItWholeAndHasItsAngleOnAWall) {
         const float beam_deg = zoom_deg * source.beam_angle_deg / source.field_angle_deg;
         const float sheet_cd = peak_candela(make_profile(beam_deg, zoom_deg, true), source.luminous_flux_lm);
         EXPECT_NEAR(lux(kMeasured_m) * 100.0f / sheet_cd, 1.0f, 0.02f) << zoom_deg;
-        EXPECT_NEAR(light.intensity_cd.y * measured_share(light) / sheet_cd, 1.0f, 0.02f) << zoom_deg;
+        EXPECT_NEAR(light.intensity_cd.y * measured_fraction(light) / sheet_cd, 1.0f, 0.02f) << zoom_deg;
     }
 }
 
@@ -76,7 +76,7 @@ TEST(Prism, StandsWhereItsFacetsSay) {
     for (std::size_t k = 0; k < 6; ++k) {
         EXPECT_NEAR(copies[k].aside.x, 0.0f, 1e-5f) << "a line along u, a quarter turn further";
         EXPECT_NEAR(copies[k].aside.y, 1.25f * (static_cast<float>(k) - 2.5f), 1e-5f);
-        EXPECT_NEAR(copies[k].share.y, 1.0f / 6.0f, 1e-5f);
+        EXPECT_NEAR(copies[k].fraction.y, 1.0f / 6.0f, 1e-5f);
     }
     const shared::Light light = light_of(beam);
     const shared::Light one = copied(light, copies[5]);
@@ -117,13 +117,13 @@ TEST(Prism, StaysRightWithWhateverAFileSays) {
             const std::vector<Copy> copies = copies_of(type, optics, kMostCopies);
             EXPECT_LE(copies.size(), static_cast<std::size_t>(kMostCopies));
             EXPECT_GE(copies.size(), 1u);
-            vec3 share(0.0f);
+            vec3 fraction(0.0f);
             for (const Copy& copy : copies) {
-                share += copy.share;
+                fraction += copy.fraction;
                 EXPECT_TRUE(std::isfinite(copy.aside.x) && std::isfinite(copy.aside.y));
                 EXPECT_GT(copy.scale, 0.0f);
             }
-            EXPECT_NEAR(share.y, 1.0f, 1e-3f) << "slot " << slot;
+            EXPECT_NEAR(fraction.y, 1.0f, 1e-3f) << "slot " << slot;
             optics.prisms.push_back(optics.prisms[0]);
         }
     }
@@ -181,8 +181,8 @@ TEST(Blades, CutAlongTheLineOfTheirCorners) {
                 near = near || std::abs(own.y - line) < 0.06f;
             }
             if (near) continue;
-            const float share = shared::blades_share(light, at, shared::even_focus(light, 0.02f));
-            EXPECT_NEAR(share, covered ? 0.0f : 1.0f, 1e-4f);
+            const float fraction = shared::blades_transmittance(light, at, shared::even_focus(light, 0.02f));
+            EXPECT_NEAR(fraction, covered ? 0.0f : 1.0f, 1e-4f);
         }
     }
 }
@@ -207,21 +207,21 @@ TEST(Blades, ABlurredSlitKeepsItsLight) {
         double sum = 0;
         for (int k = 0; k < 4000; ++k)
             sum += static_cast<double>(
-                       shared::blades_share(light, vec2(0, (static_cast<float>(k) + 0.5f) / 2000 - 1),
-                                            shared::even_focus(light, blur))) /
+                       shared::blades_transmittance(light, vec2(0, (static_cast<float>(k) + 0.5f) / 2000 - 1),
+                                                    shared::even_focus(light, blur))) /
                    2000;
         EXPECT_NEAR(sum, 0.2, 0.001) << blur;
     }
 }
 
 // Slope of an edge where it is half, on the way to the wall: the plane in focus has the steepest.
-float width_of(const std::function<float(float)>& share) {
+float width_of(const std::function<float(float)>& fraction) {
     float low = -1, high = 1;
     for (int k = 0; k < 40; ++k) {
         const float middle = 0.5f * (low + high);
-        (share(middle) > 0.5f ? low : high) = middle;
+        (fraction(middle) > 0.5f ? low : high) = middle;
     }
-    return 0.02f / std::max(share(low - 0.01f) - share(low + 0.01f), 1e-6f);
+    return 0.02f / std::max(fraction(low - 0.01f) - fraction(low + 0.01f), 1e-6f);
 }
 
 TEST(Focus, PicksThePlaneThatIsSharp) {
@@ -244,7 +244,8 @@ TEST(Focus, PicksThePlaneThatIsSharp) {
     const shared::Light light = with_focus(kBladeDepth[0]);
     const auto blade_at = [&](float from_lens_m) {
         return width_of([&](float y) {
-            return shared::blades_share(light, {0, y}, shared::beam_focus(light, light.lens_m + from_lens_m));
+            return shared::blades_transmittance(light, {0, y},
+                                                shared::beam_focus(light, light.lens_m + from_lens_m));
         });
     };
     EXPECT_GT(blade_at(4), 1.5f * blade_at(8)) << "in the air before the wall";
@@ -303,10 +304,10 @@ TEST(Focus, BlursAsALensDoes) {
         for (int k = 0; k < kBins * 20; ++k) {
             const double y = ((k + 0.5) / (kBins * 20) * 2 - 1) * half;
             const float gate = static_cast<float>(y / (z * tan));
-            const double share = static_cast<double>(
-                shared::blades_share(light, {0, gate}, shared::beam_focus(light, static_cast<float>(z))));
-            drawn[static_cast<std::size_t>(k / 20)] += share;
-            drawn_all += share;
+            const double fraction = static_cast<double>(shared::blades_transmittance(
+                light, {0, gate}, shared::beam_focus(light, static_cast<float>(z))));
+            drawn[static_cast<std::size_t>(k / 20)] += fraction;
+            drawn_all += fraction;
         }
         double a = 0, b = 0, most = 0;
         for (int k = 0; k < kBins; ++k) {
@@ -368,10 +369,10 @@ TEST(Disc, TurnsThroughTheGateAndSwingsOutOfIt) {
     double differs = 0;
     for (int k = 0; k < 100; ++k) {
         const vec2 at(0.15f * static_cast<float>(k % 10) - 0.7f, 0.15f * static_cast<float>(k / 10) - 0.7f);
-        const auto share = [&](const shared::Light& light) {
+        const auto fraction = [&](const shared::Light& light) {
             return shared::disc_sample(light, at, shared::even_focus(light, 0.02f), gobos().images).y;
         };
-        differs += static_cast<double>(std::abs(share(in) - share(turned)));
+        differs += static_cast<double>(std::abs(fraction(in) - fraction(turned)));
     }
     EXPECT_GT(differs, 10.0);
     beam.optics.animations[0].in = 0.02f;

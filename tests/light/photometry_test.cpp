@@ -65,8 +65,8 @@ double tan_half(double angle_deg) {
     return std::tan(angle_deg * kTau / 720.0);
 }
 
-// Candela at an angle from the axis, as a share of the peak.
-double share_at(const Profile& profile, double full_angle_deg) {
+// Candela at an angle from the axis, as a fraction of the peak.
+double fraction_at(const Profile& profile, double full_angle_deg) {
     const shared::Light light = open_light(profile, 10000.0f, 0.0f, 10.0f);
     return candela(light, full_angle_deg * kTau / 720.0, 0.3, 8.0) /
            static_cast<double>(light.intensity_cd.y);
@@ -104,9 +104,9 @@ TEST(photometry, HalfAtTheBeamAngleATenthAtTheFieldAngle) {
         for (const float ratio : {0.4f, 0.55f, 0.7f, 0.8f, 0.88f}) {
             const Profile profile = make_profile(ratio * field_deg, field_deg, false);
             SCOPED_TRACE(std::to_string(field_deg) + " deg, beam / field " + std::to_string(ratio));
-            EXPECT_NEAR(share_at(profile, ratio * field_deg), 0.5, 0.002);
-            EXPECT_NEAR(share_at(profile, field_deg), 0.1, 0.002);
-            EXPECT_EQ(share_at(profile, field_deg * 2.6), 0.0);
+            EXPECT_NEAR(fraction_at(profile, ratio * field_deg), 0.5, 0.002);
+            EXPECT_NEAR(fraction_at(profile, field_deg), 0.1, 0.002);
+            EXPECT_EQ(fraction_at(profile, field_deg * 2.6), 0.0);
         }
 }
 
@@ -114,14 +114,14 @@ TEST(photometry, HalfAtTheBeamAngleATenthAtTheFieldAngle) {
 // itself.
 TEST(photometry, SpotEndsAtItsFieldAngle) {
     const Profile profile = make_profile(15.0f, 20.0f, true);
-    EXPECT_NEAR(share_at(profile, 15.0), 0.5, 0.002);
+    EXPECT_NEAR(fraction_at(profile, 15.0), 0.5, 0.002);
     EXPECT_NEAR(
-        share_at(profile, 19.6),
+        fraction_at(profile, 19.6),
         std::exp2(-static_cast<double>(profile.scale) *
                   std::pow(tan_half(19.6) / tan_half(20.0), 2.0 * static_cast<double>(profile.power))),
         0.002);
-    EXPECT_NEAR(share_at(profile, 20.0), 0.05, 0.002);
-    EXPECT_EQ(share_at(profile, 20.4), 0.0);
+    EXPECT_NEAR(fraction_at(profile, 20.0), 0.05, 0.002);
+    EXPECT_EQ(fraction_at(profile, 20.4), 0.0);
 }
 
 TEST(photometry, NarrowerBeamsOfTheSameLampAreBrighter) {

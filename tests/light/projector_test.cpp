@@ -104,7 +104,7 @@ TEST(Projector, LensShiftMovesThePicture) {
         EXPECT_LT(lux_at(light, stack, {middle.x + at.x, 9, middle.y + at.y}), 1e-2f * expected);
 }
 
-// explain's lumens, share of the picture and angles: those of the panel, not of a round field.
+// explain's lumens, fraction of the picture and angles: those of the panel, not of a round field.
 TEST(Projector, ExplainMeasuresThePicture) {
     Show show;
     show.media.push_back({.name = "film"});

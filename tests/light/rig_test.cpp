@@ -361,7 +361,7 @@ TEST(rig, TrackFadesBetweenTwoPasses) {
         int fine;
         float x_m;
         std::uint32_t passes[2];
-        float share; // of the second
+        float fraction; // of the second
     };
     // 0x6000 / 65535 * 2 stops = 0.75; 0xffff is the last one.
     for (const Row& row : {Row{0, 0, 0.0f, {0, 1}, 0.0f}, Row{0x60, 0, 1.50002f, {0, 1}, 0.75001f},
@@ -382,7 +382,7 @@ TEST(rig, TrackFadesBetweenTwoPasses) {
         EXPECT_EQ(lights[0].haze_samples + lights[1].haze_samples, 0u);
         EXPECT_GT(lights[2].haze_samples, 0u);
         const float whole = lights[2].intensity_cd.y;
-        EXPECT_NEAR(lights[1].intensity_cd.y, row.share * whole, 1e-3f * whole);
+        EXPECT_NEAR(lights[1].intensity_cd.y, row.fraction * whole, 1e-3f * whole);
         EXPECT_NEAR(lights[0].intensity_cd.y + lights[1].intensity_cd.y, whole, 1e-4f * whole);
     }
 }

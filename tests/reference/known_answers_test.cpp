@@ -244,7 +244,7 @@ TEST(KnownAnswers, NormalMapLeansTheRightWay) {
     EXPECT_GT(brightness(128, 200, right), 1.1f * brightness(128, 128, right));
 }
 
-// Reflected share of light from all sides, by midpoint sums over the hemisphere.
+// Reflected fraction of light from all sides, by midpoint sums over the hemisphere.
 glm::vec3 reflected(const shared::Brdf& brdf, float view_deg) {
     const glm::vec3 n(0, 0, 1);
     const glm::vec3 v(std::sin(glm::radians(view_deg)), 0, std::cos(glm::radians(view_deg)));
@@ -267,14 +267,14 @@ TEST(KnownAnswers, BrdfKeepsEnergy) {
         for (const float metalness : {0.0f, 1.0f})
             for (const float view_deg : {0.0f, 45.0f, 75.0f}) {
                 const shared::Brdf brdf = shared::brdf_of(glm::vec3(1.0f), roughness, metalness, 1.0f);
-                const float share = reflected(brdf, view_deg).x;
+                const float fraction = reflected(brdf, view_deg).x;
                 // glTF's own layering gives a little too much at grazing angles; a single GGX lobe never
                 // does.
-                EXPECT_LT(share, metalness > 0 ? 1.001f : 1.16f)
+                EXPECT_LT(fraction, metalness > 0 ? 1.001f : 1.16f)
                     << roughness << " " << metalness << " " << view_deg;
-                EXPECT_GT(share, 0.3f);
+                EXPECT_GT(fraction, 0.3f);
                 // The fit that lights a stage evenly, against the integral.
-                EXPECT_NEAR(shared::brdf_albedo(brdf, std::cos(glm::radians(view_deg))).x, share, 0.16f);
+                EXPECT_NEAR(shared::brdf_albedo(brdf, std::cos(glm::radians(view_deg))).x, fraction, 0.16f);
             }
 }
 

@@ -237,8 +237,8 @@ TEST(Reference, BoxThrowsShadowOnFloorAndInAir) {
     // A disc of a lamp sees round the rim: part of the light at the edge of a point's shadow.
     ReferenceOptions disc = surfaces;
     disc.lens_samples = 64;
-    const double share = d(floor_at(1.053f, disc)) / d(floor_at(1.053f, unshadowed));
-    EXPECT_NEAR(share, 0.5, 0.1);
+    const double fraction = d(floor_at(1.053f, disc)) / d(floor_at(1.053f, unshadowed));
+    EXPECT_NEAR(fraction, 0.5, 0.1);
     EXPECT_EQ(floor_at(0.2f, disc), 0.0f);
 
     // Through the air at z = 1 the beam is dark where |x| < 0.5 * 3 / 1.9, and lit beyond.
@@ -401,20 +401,20 @@ TEST(Reference, StopsSoonAndTellsItsProgress) {
     const shared::Haze haze = even_haze(0.02f, 0.02f, 0.4f);
     ReferenceOptions options;
     options.air_samples = 64;
-    double share = 0;
+    double fraction = 0;
     options.progress = [&](double now) {
-        EXPECT_GT(now, share);
-        share = now;
+        EXPECT_GT(now, fraction);
+        fraction = now;
     };
     EXPECT_TRUE(reference_picture(nullptr, camera, {light}, {}, haze, 0, options).ok());
-    EXPECT_EQ(share, 1.0);
-    share = 0;
+    EXPECT_EQ(fraction, 1.0);
+    fraction = 0;
     std::atomic<int> asked = 0;
     options.stop = [&] { return ++asked > 100; };
     const auto stopped = reference_picture(nullptr, camera, {light}, {}, haze, 0, options);
     ASSERT_FALSE(stopped.ok());
     EXPECT_NE(stopped.error().text().find("stopped"), std::string::npos);
-    EXPECT_LT(share, 0.5);
+    EXPECT_LT(fraction, 0.5);
 }
 
 } // namespace

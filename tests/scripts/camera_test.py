@@ -99,6 +99,10 @@ class Stage:
         self.do("wait opened")
         for line in ("tone linear", "exposure 7", "wait 1"):
             self.do(line)
+        end_s = time.monotonic() + LONG_S
+        while not blue(*self.colours()[1]):  # a picture of before its media came is black
+            assert time.monotonic() < end_s, self.text()
+            time.sleep(0.2)
 
     def text(self):
         return (self.folder / "window.log").read_text()

@@ -184,7 +184,11 @@ def by_monitor(stage, outcome, words):
         return
     facts = stage.explain()
     same = [sentence for sentence in facts["input"]["diagnosis"] if sentence["trouble"] == outcome.wanted]
-    outcome.faults += [f"explain says: {word}" for word in wanting(same[0]["text"] if same else "", words)]
+    said = same[0]["text"] if same else ""
+    missing = wanting(said, words)
+    outcome.faults += [f"explain says: {word}" for word in missing]
+    if missing:
+        outcome.text += "\n   explain: " + json.dumps(facts["input"])[:4000]
     if facts["cause"] == "never_received":
         outcome.faults += [f"explain's verdict says: {word}" for word in wanting(facts["verdict"], words)]
 

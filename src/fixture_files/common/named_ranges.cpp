@@ -150,7 +150,7 @@ bool move_in(ChannelFunction& function) {
 }
 
 // An iris is a share: what lies beyond closed and open can only be these.
-bool leaves_share(const ChannelFunction& function) {
+bool leaves_fraction(const ChannelFunction& function) {
     const auto outside = [](float value) { return !(std::abs(value - 0.5f) < 0.501f); };
     return outside(function.physical_from) || outside(function.physical_to) ||
            std::any_of(function.sets.begin(), function.sets.end(), [&](const ChannelSet& set) {
@@ -174,7 +174,7 @@ std::vector<std::string> believe_names(Type& type) {
                 switch (function.meaning.role) {
                 case Role::iris:
                     irises += turn_round(function, {"open"}, {"clos"}) || open_up(function);
-                    shares += leaves_share(function);
+                    shares += leaves_fraction(function);
                     break;
                 case Role::focus:
                     focuses += turn_round(function, {"far", "distant", "infinit"}, {"near", "close"});

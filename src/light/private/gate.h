@@ -40,7 +40,7 @@ float frost_pull(float sigma, float width);
 void set_gate(const fixture::Type& type, const fixture::Optics& optics, const GoboStack& gobos, float pull,
               shared::Light& light);
 
-// Share of the light of an open gate that passes, about: of bounced light.
-glm::vec3 gate_share(const shared::Light& light, const shared::Gobos& gobos);
+// Fraction of the light of an open gate that passes, about: of bounced light.
+glm::vec3 gate_transmittance(const shared::Light& light, const shared::Gobos& gobos);
 
 } // namespace ghost::scene

@@ -53,7 +53,7 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
             const shared::Light& shines = drawn.faces[face++].light;
             const glm::vec3& cd = shines.intensity_cd;
             const float most_cd = std::max({cd.x, cd.y, cd.z});
-            now.candela += most_cd * scene::measured_share(shines);
+            now.candela += most_cd * scene::measured_fraction(shines);
             if (most_cd <= brightest_cd) continue;
             brightest_cd = most_cd;
             now.light_m = shines.position_m + shines.lens_m * shines.axis_w;

@@ -25,7 +25,7 @@ public:
     WalkSource(const std::vector<shared::Light>& lights, const shared::Gobos& gobos,
                const BeamOverride& beam);
 
-    bool is_dark() const { return shares_.empty(); }
+    bool is_dark() const { return fractions_.empty(); }
     // u: even numbers in 0..1, the first chooses lamp and square.
     WalkStart start(const double (&u)[3]) const;
     // Candela towards a point, metres from the apex.
@@ -37,7 +37,7 @@ private:
         ReferenceBeam beam;
     };
     std::vector<Lamp> lamps_;
-    std::vector<double> shares_; // running sums over the squares of all lamps, the last one is 1
+    std::vector<double> fractions_; // running sums over the squares of all lamps, the last one is 1
 };
 
 } // namespace ghost::bake

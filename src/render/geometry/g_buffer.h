@@ -3,10 +3,10 @@
 // GBuffer: what a free camera sees of a stage, as fragments for the light passes
 // (render/geometry/fragments.h) and the material of each. The stage is drawn with kSamples samples a pixel
 // into reversed depth and material attachments; a compute pass sorts the samples into fragments, as the baker
-// sorts its rays. Positions are those of the samples, from their depth. Blended surfaces take a share of the
-// samples of a pixel, by chance that is the same in every frame: a share of a quarter at least, noise beyond
-// that. Instances that move are drawn last, and what they hide is kept: when they move on, only the tiles
-// where they were and are change. Main thread; the device must outlive it.
+// sorts its rays. Positions are those of the samples, from their depth. Blended surfaces take a fraction of
+// the samples of a pixel, by chance that is the same in every frame: a fraction of a quarter at least, noise
+// beyond that. Instances that move are drawn last, and what they hide is kept: when they move on, only the
+// tiles where they were and are change. Main thread; the device must outlive it.
 
 #include "gpu/commands.h"
 #include "gpu/raster.h"

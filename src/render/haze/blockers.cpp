@@ -20,12 +20,12 @@ constexpr int kGap = 140; // groups are a tenth apart at least
 struct Group {
     int from = 0; // bits of half floats
     int to = 0;
-    float share = 0;
+    float fraction = 0;
 };
 
 struct Cell {
     Group near;
-    Group far; // without share: there is only one
+    Group far; // without one: there is only one
 };
 
 // Sorts the groups and makes two of them.
@@ -44,7 +44,7 @@ Cell divided(std::span<Group> groups) {
     for (std::size_t k = 0; k < groups.size(); ++k) {
         Group& part = k < first_far ? cell.near : cell.far;
         part.to = std::max(part.to, groups[k].to);
-        part.share += groups[k].share;
+        part.fraction += groups[k].fraction;
     }
     return cell;
 }
@@ -71,7 +71,7 @@ Cell merged(const Cell* corner, std::size_t side) {
     std::size_t count = 0;
     for (const Cell* cell : {corner, corner + 1, corner + side, corner + side + 1})
         for (const Group& group : {cell->near, cell->far})
-            if (group.share > 0) groups[count++] = {group.from, group.to, 0.25f * group.share};
+            if (group.fraction > 0) groups[count++] = {group.from, group.to, 0.25f * group.fraction};
     return divided(std::span(groups).first(count));
 }
 
@@ -80,7 +80,7 @@ float metres(int bits) {
 }
 
 Blockers packed(const Cell& cell) {
-    const bool one = cell.far.share <= 0;
+    const bool one = cell.far.fraction <= 0;
     const int far_to = one ? cell.near.to : cell.far.to;
     float steps = shared::kFromSteps;
     if (!one && cell.far.from < far_to) {
@@ -89,10 +89,10 @@ Blockers packed(const Cell& cell) {
         steps = std::floor(steps * (start - 1 / metres(cell.far.from)) / std::max(start - end, 1e-9f));
     }
     // No group is lost.
-    const float share =
-        one ? shared::kShareSteps
-            : std::clamp(std::round(shared::kShareSteps * cell.near.share), 1.0f, shared::kShareSteps - 1.0f);
-    const float parts = shared::pack_parts(share, std::clamp(steps, 0.0f, shared::kFromSteps));
+    const float fraction = one ? shared::kFractionSteps
+                               : std::clamp(std::round(shared::kFractionSteps * cell.near.fraction), 1.0f,
+                                            shared::kFractionSteps - 1.0f);
+    const float parts = shared::pack_parts(fraction, std::clamp(steps, 0.0f, shared::kFromSteps));
     return {static_cast<std::uint16_t>(cell.near.from), static_cast<std::uint16_t>(cell.near.to),
             glm::packHalf1x16(parts), static_cast<std::uint16_t>(far_to)};
 }

@@ -47,7 +47,7 @@ std::uint32_t size_of(const shared::Light& light, const BeamExtent& extent, FanD
 constexpr double kShadeFrom_m =
     0.05;                    // before the lens; nearer, what is in the way may be beside the shade's cone
 constexpr double kFar_m = 1; // before the lens: from here on the beam has kFarShare of the shade's columns
-constexpr double kFarShare = 0.6;
+constexpr double kFarFraction = 0.6;
 constexpr double kWidestShade = 4; // tangent
 constexpr double kAround =
     1.05; // of the beam's own tangent, so that its rim is not in the shade's last rows and columns
@@ -64,10 +64,10 @@ double tangent_from_map(const shared::Light& light, double tangent, double befor
                       std::max(tangent * kAround, kWidestShade));
 }
 
-// Bend (shared::fan_bent) that gives kFarShare of all places to this share of them.
-float bend_for(double share) {
+// Bend (shared::fan_bent) that gives kFarShare of all places to this fraction of them.
+float bend_for(double fraction) {
     return static_cast<float>(
-        std::clamp((kFarShare / std::max(share, 1e-6) - 1) / (1 - kFarShare), 0.0, kMostBend));
+        std::clamp((kFarFraction / std::max(fraction, 1e-6) - 1) / (1 - kFarFraction), 0.0, kMostBend));
 }
 
 // Planes through a place, for the cone of this tangent about the axis.
@@ -95,7 +95,8 @@ shared::Planes planes_of(const glm::dvec3& place_m, const shared::Light& light, 
     }
     const double cos_cone = 1.0 / std::sqrt(1.0 + tangent * tangent);
     const double sin_cone = tangent * cos_cone;
-    const double share = std::min(sin_cone / std::max(sine, 1e-9), 1.0); // sine of the last meridian, or all
+    const double fraction =
+        std::min(sin_cone / std::max(sine, 1e-9), 1.0); // sine of the last meridian, or all
 
     shared::Planes planes{};
     planes.pole = glm::vec3(pole);
@@ -107,9 +108,9 @@ shared::Planes planes_of(const glm::dvec3& place_m, const shared::Light& light, 
     planes.cos_cone = static_cast<float>(cos_cone);
     if (sine > sin_cone * kNearRim)
         planes.row_scale = static_cast<float>(sine / sin_cone);
-    else if (share < 1)
-        planes.row_scale = -1.0f / shared::fan_turn(static_cast<float>(std::sqrt(1 - share * share)),
-                                                    static_cast<float>(share));
+    else if (fraction < 1)
+        planes.row_scale = -1.0f / shared::fan_turn(static_cast<float>(std::sqrt(1 - fraction * fraction)),
+                                                    static_cast<float>(fraction));
     else
         planes.row_scale = -static_cast<float>(1 + 0.9 * glm::smoothstep(kDeepInside, 1.0, sine / sin_cone));
     return planes;

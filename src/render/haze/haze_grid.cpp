@@ -15,7 +15,7 @@ using glm::dvec3;
 constexpr double kHalfTurn = double{shared::kPi};
 constexpr double kColumn_px = 12;  // along the beam, from column to column
 constexpr double kMostBend = 1;    // more would put the last columns far apart
-constexpr float kMostDoubt = 0.2f; // share of the light of a place
+constexpr float kMostDoubt = 0.2f; // fraction of the light of a place
 constexpr double kLeastGain = 1.5; // pixels to a node: filling one costs as much as a pixel
 constexpr double kSpareReach = 1.02;
 constexpr int kProbes = 33; // rows that are looked at

@@ -52,7 +52,7 @@ std::vector<float> glare_weights(std::size_t levels, float pixels_per_rad) {
     std::vector<float> weights(levels);
     for (std::size_t k = 0; k < levels; ++k) {
         const float texel = texel_deg(k, pixels_per_rad);
-        // A coarsest texel beyond the reach still has what goes that far: its share is that of its last
+        // A coarsest texel beyond the reach still has what goes that far: its fraction is that of its last
         // octave.
         const float from = k + 1 < levels ? texel : std::min(texel, 0.5f * shared::kGlareReach_deg);
         weights[k] = light(from, k + 1 < levels ? 2.0f * texel : shared::kGlareReach_deg) / all;

@@ -19,7 +19,7 @@
 namespace ghost::render {
 
 struct GlareSettings {
-    // Share of the light that is scattered farther than kGlareInner_deg, 0..1; 0: off. An eye: about 0.25
+    // Fraction of the light that is scattered farther than kGlareInner_deg, 0..1; 0: off. An eye: about 0.25
     float strength = 0.05f;
 };
 

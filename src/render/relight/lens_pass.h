@@ -25,8 +25,8 @@ struct LensSettings {
     float radius_m = 0.07f; // of lights that do not say
     // The fixture's own body stands around and behind its lens, and in a pass it may look another way.
     float body_m = 0.35f;
-    // Share of the light that dust and edges of the front glass send everywhere: a lens glows when seen from
-    // beside its beam.
+    // Fraction of the light that dust and edges of the front glass send everywhere: a lens glows when seen
+    // from beside its beam.
     float stray = 0.001f;
 };
 

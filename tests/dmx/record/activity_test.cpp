@@ -35,7 +35,8 @@ TEST(Activity, stops_when_it_is_asked_to) {
     auto recording = parse_recording(one_fader(), "test.show");
     ASSERT_TRUE(recording.ok());
     int asked = 0;
-    EXPECT_TRUE(activity_of(Player(std::move(*recording)), 10, [&] { return ++asked == 3; }).empty());
+    Player player(std::move(*recording));
+    EXPECT_TRUE(activity_of(player, 10, [&] { return ++asked == 3; }).empty());
     EXPECT_EQ(asked, 3);
 }
 

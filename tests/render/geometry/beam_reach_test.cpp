@@ -29,12 +29,13 @@ TEST(BeamReach, AClosedBoxEndsABeam) {
 
 TEST(BeamReach, EverythingOfABeamInTheBoxIsWithinItsReach) {
     std::mt19937 random(7);
-    std::uniform_real_distribution<float> share(0, 1);
+    std::uniform_real_distribution<float> fraction(0, 1);
     const auto inside = [&] {
-        return kHall.low_m + (kHall.high_m - kHall.low_m) * vec3(share(random), share(random), share(random));
+        return kHall.low_m +
+               (kHall.high_m - kHall.low_m) * vec3(fraction(random), fraction(random), fraction(random));
     };
     for (int k = 0; k < 2000; ++k) {
-        const shared::Light light = aimed_light(inside(), inside(), 2 + 40 * share(random), 8000);
+        const shared::Light light = aimed_light(inside(), inside(), 2 + 40 * fraction(random), 8000);
         const float reach = reach_in(kHall, light);
         const float rim = light.tan_field * light.cut_radius;
         for (int sample = 0; sample < 300; ++sample) {

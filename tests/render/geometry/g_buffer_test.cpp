@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The G-buffer against rays and planes worked out by hand: places, normals, colours, shares of pixels,
+// The G-buffer against rays and planes worked out by hand: places, normals, colours, fractions of pixels,
 // bounds.
 #include "render/geometry/g_buffer.h"
 

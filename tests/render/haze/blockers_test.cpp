@@ -15,7 +15,7 @@ float metres(std::uint16_t half) {
     return glm::unpackHalf1x16(half);
 }
 
-float share_of(const Blockers& cell) {
+float fraction_of(const Blockers& cell) {
     return shared::unpack_parts(metres(cell.parts)).x;
 }
 
@@ -37,7 +37,7 @@ TEST(Blockers, AWallIsOneGroupInCellsOfEverySize) {
             EXPECT_EQ(metres(cell.near_from), 8);
             EXPECT_EQ(metres(cell.near_to), 8);
             EXPECT_EQ(metres(cell.far_to), 8);
-            EXPECT_EQ(share_of(cell), 1);
+            EXPECT_EQ(fraction_of(cell), 1);
         }
     }
 }
@@ -53,8 +53,8 @@ TEST(Blockers, APipeOneTexelWideKeepsItsShare) {
             const Blockers& cell = levels[level][static_cast<std::size_t>(cells + x)];
             const bool has_pipe = x == 21 / cell_texels;
             EXPECT_EQ(metres(cell.near_from), has_pipe ? 2 : 8) << level << ' ' << x;
-            EXPECT_NEAR(share_of(cell), has_pipe ? 1.0f / static_cast<float>(cell_texels) : 1,
-                        0.51f / shared::kShareSteps);
+            EXPECT_NEAR(fraction_of(cell), has_pipe ? 1.0f / static_cast<float>(cell_texels) : 1,
+                        0.51f / shared::kFractionSteps);
             EXPECT_EQ(metres(cell.far_to), 8);
             if (has_pipe) {
                 EXPECT_NEAR(far_from_m(cell), 8, 1e-3);
@@ -73,7 +73,7 @@ TEST(Blockers, ThreeThingsAreTwoGroups) {
     const Blockers cell = blockers_of(texels, kSide)[0][0];
     EXPECT_EQ(metres(cell.near_from), 1);
     EXPECT_EQ(metres(cell.near_to), 1);
-    EXPECT_NEAR(share_of(cell), 1.0f / 16, 0.51f / shared::kShareSteps);
+    EXPECT_NEAR(fraction_of(cell), 1.0f / 16, 0.51f / shared::kFractionSteps);
     EXPECT_EQ(metres(cell.far_to), 8.5f);
     EXPECT_LE(far_from_m(cell), 4.001f);
     EXPECT_GT(far_from_m(cell), 3.5f);

@@ -38,15 +38,17 @@ std::uint32_t texels(const shared::Fan& fan) {
 
 TEST(FanNodes, LevelsFallAndLieBesideEachOther) {
     std::mt19937 random(11);
-    std::uniform_real_distribution<float> share(0, 1);
-    const auto place = [&] { return vec3(share(random), share(random), share(random)) * 16.0f - 8.0f; };
+    std::uniform_real_distribution<float> fraction(0, 1);
+    const auto place = [&] {
+        return vec3(fraction(random), fraction(random), fraction(random)) * 16.0f - 8.0f;
+    };
     for (int k = 0; k < 2000; ++k) {
-        shared::Light light = shaped_light(place(), place(), 1 + 60 * share(random) * share(random));
-        light.focus_per_m = 0.5f * share(random);
-        light.lens_radius_m = k % 10 == 0 ? 0 : 0.01f + 0.2f * share(random);
-        const float reach_m = k % 3 == 0 ? kEndless_m : 0.1f + 20 * share(random);
+        shared::Light light = shaped_light(place(), place(), 1 + 60 * fraction(random) * fraction(random));
+        light.focus_per_m = 0.5f * fraction(random);
+        light.lens_radius_m = k % 10 == 0 ? 0 : 0.01f + 0.2f * fraction(random);
+        const float reach_m = k % 3 == 0 ? kEndless_m : 0.1f + 20 * fraction(random);
         const FanDetail detail = k % 2 == 0 ? FanDetail::fine : FanDetail::plain;
-        const shared::Fan fan = make_fan(light, place(), 50 + 2000 * share(random), reach_m, detail, 0);
+        const shared::Fan fan = make_fan(light, place(), 50 + 2000 * fraction(random), reach_m, detail, 0);
         ASSERT_GE(fan.levels, 1u);
         ASSERT_LE(fan.levels, shared::kFanNodes);
         std::vector<Rect> rects;

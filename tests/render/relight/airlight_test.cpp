@@ -84,11 +84,11 @@ image::ImageF closed_form(const scene::Passes& passes, const shared::Light& ligh
             const double from = std::atan2(lit.from - nearest, height),
                          to = std::atan2(lit.to - nearest, height);
             const double back = haze.back_weight;
-            const double share =
+            const double fraction =
                 (1 - back) * scattered(haze.forward_g, from, to) + back * scattered(haze.back_g, from, to);
             for (int c = 0; c < 3; ++c)
                 picture.at(x, y)[c] = static_cast<float>(
-                    static_cast<double>(light.intensity_cd[c] * haze.scattering_per_m) * share / height);
+                    static_cast<double>(light.intensity_cd[c] * haze.scattering_per_m) * fraction / height);
         }
     return picture;
 }

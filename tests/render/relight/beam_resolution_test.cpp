@@ -84,7 +84,7 @@ double psnr_db(const image::ImageF& a, const image::ImageF& b) {
     return 10 * std::log10(most * most * static_cast<double>(a.samples.size()) / std::max(squares, 1e-30));
 }
 
-// Worst difference of a pixel from another picture, as a share of the brightest.
+// Worst difference of a pixel from another picture, as a fraction of the brightest.
 double worst(const image::ImageF& a, const image::ImageF& b, const std::function<bool(int, int)>& counts) {
     double difference = 0, most = 0;
     for (int y = 0; y < a.height; ++y)

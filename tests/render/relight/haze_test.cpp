@@ -91,9 +91,9 @@ struct View {
     const char* name;
     scene::Passes passes;
     std::vector<shared::Light> lights;
-    // Limits a little above what was measured; rms as a share of the reference's mean. Four samples are few
-    // where the beam comes at the camera, 110 over the whole ray are few for a narrow beam beside its lens:
-    // that is how the papers have it.
+    // Limits a little above what was measured; rms as a fraction of the reference's mean. Four samples are
+    // few where the beam comes at the camera, 110 over the whole ray are few for a narrow beam beside its
+    // lens: that is how the papers have it.
     double cone_bias;
     double cone_rms;
     double march_bias;

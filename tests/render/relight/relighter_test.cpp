@@ -119,8 +119,8 @@ TEST_F(Surfaces, ExtinctionCountsTheWholeWay) {
     const image::ImageF hazy = drawn(passes, {light}, settings);
     for (std::size_t p = 0; p < passes.pixel_count(); ++p) {
         const vec3 x(passes.fragments[p]);
-        const float lens_share = light.lens_m / shared::to_gate(light, x - at).z;
-        const float way = glm::length(x - at) * (1.0f - lens_share) + glm::length(x - eye_of(passes));
+        const float lens_fraction = light.lens_m / shared::to_gate(light, x - at).z;
+        const float way = glm::length(x - at) * (1.0f - lens_fraction) + glm::length(x - eye_of(passes));
         ASSERT_NEAR(hazy.samples[3 * p], clear.samples[3 * p] * std::exp(-0.1f * way),
                     2e-3f * hazy.samples[3 * p] + 1e-4f);
     }
@@ -294,11 +294,11 @@ TEST_F(Frames, AFadeDrawsNoLight) {
     fresh_settings.reuse = false;
     Relighter fresh(device(), passes, test_gobos(), 9, fresh_settings);
     (void)relighter.draw(lights);
-    std::uniform_real_distribution<float> share(0.05f, 1.0f);
+    std::uniform_real_distribution<float> fraction(0.05f, 1.0f);
     const std::vector<shared::Light> full = lights;
     for (int frame = 0; frame < 12; ++frame) {
         for (std::size_t k = 0; k < lights.size(); ++k) {
-            const glm::vec3 by(share(random), share(random), share(random));
+            const glm::vec3 by(fraction(random), fraction(random), fraction(random));
             lights[k].intensity_cd = by * full[k].intensity_cd;
             lights[k].bounce_cd = by * full[k].bounce_cd;
         }

@@ -17,17 +17,17 @@ constexpr int kWidth = 48, kHeight = 27;
 // Lumens of its open gate.
 void set_lumens(shared::Light& light) {
     constexpr int kSteps = 2000;
-    double share = 0;
+    double fraction = 0;
     const double tangent = static_cast<double>(light.tan_field);
     for (int k = 0; k < kSteps; ++k) {
         const double radius = (k + 0.5) / kSteps * static_cast<double>(light.cut_radius);
         const vec3 passed = shared::beam_gate(light, {static_cast<float>(radius), 0},
                                               shared::even_focus(light, light.edge), test_gobos());
         const double slant = 1 + radius * radius * tangent * tangent;
-        share += static_cast<double>(passed.y) * radius / (slant * std::sqrt(slant));
+        fraction += static_cast<double>(passed.y) * radius / (slant * std::sqrt(slant));
     }
-    share *= 2 * 3.14159265358979 * tangent * tangent * static_cast<double>(light.cut_radius) / kSteps;
-    light.bounce_cd = light.intensity_cd * static_cast<float>(share / (4 * 3.14159265358979));
+    fraction *= 2 * 3.14159265358979 * tangent * tangent * static_cast<double>(light.cut_radius) / kSteps;
+    light.bounce_cd = light.intensity_cd * static_cast<float>(fraction / (4 * 3.14159265358979));
 }
 
 // Sum of what a wall aslant before the camera shows of it, in pixels of the coarse picture.
@@ -60,9 +60,9 @@ TEST_F(ThinDot, HasItsLightWhereverItFalls) {
         const vec3 to{1 + 0.7f * part, 6, 3 + 0.5f * part};
         const double fine = seen(to, 16);
         ASSERT_GT(fine, 0);
-        const double share = seen(to, 1) / fine;
-        least = std::min(least, share);
-        most = std::max(most, share);
+        const double fraction = seen(to, 1) / fine;
+        least = std::min(least, fraction);
+        most = std::max(most, fraction);
     }
     std::printf("a dot of a fifth of a pixel has %.3f to %.3f of its light\n", least, most);
     EXPECT_GT(least, 0.97);

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the documents say is there: every link leads somewhere, every path exists, and every command line has a command and options that the
-program knows. Usage: docs_test.py SOURCE_ROOT [BUILD_FOLDER]; without the latter command lines are not looked at."""
+"""What the documents say is there: every link leads somewhere, every path exists, every table of measurements has its day, and every command
+line has a command and options that the program knows. Usage: docs_test.py SOURCE_ROOT [BUILD_FOLDER]; without the latter command lines are not looked at."""
 import os
 import re
 import shlex
@@ -15,6 +15,7 @@ PROGRAM = Path(sys.argv[2]).resolve() / "ghostlight" if len(sys.argv) > 2 else N
 TOPS = "src|tests|tools|shaders|docs|cmake|assets|packaging"
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 PATH = re.compile(rf"`((?:{TOPS})/[\w./*<>{{}},-]+)`")
+DATE = re.compile(r"(?:January|February|March|April|May|June|July|August|September|October|November|December) \d+|\d{4}-\d\d-\d\d")
 wrong = []
 
 
@@ -51,6 +52,15 @@ def check_links(file, text):
         for path in PATH.findall(line):
             if not is_there(path.rstrip(".,")) and not path.startswith("docs/images"):
                 wrong.append(f"{file.relative_to(ROOT)}:{number}: `{path}`: no such file")
+
+
+def check_dates(file, text):
+    """A table of figures says when they were measured."""
+    for section in re.split(r"^(?=#{1,3} )", text, flags=re.M):
+        head, _, body = section.partition("\n")
+        figures = re.search(r"^\|.*\|[ *<>]*\d[\d.,]*", body, re.M)
+        if figures and not DATE.search(body):
+            wrong.append(f"{file.relative_to(ROOT)}: {head}: figures without the day that they were measured (*Figures of November 21.*)")
 
 
 def commands():
@@ -103,6 +113,8 @@ def main():
         text = file.read_text(encoding="utf-8")
         if file.name != "CHANGELOG.md":
             check_links(file, text)
+        if file.parent.name == "measurements":
+            check_dates(file, text)
         if PROGRAM:
             lines += check_commands(file, text, known)
     print("\n".join([*wrong, f"{len(files)} documents, {lines} command lines, {len(wrong)} wrong"]))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What share of its lens a light shows to a fragment, by its distance map. from_map: from where that was made. Who includes this has
+// What fraction of its lens a light shows to a fragment, by its distance map. from_map: from where that was made. Who includes this has
 // soft_shadow.glsl.
 
-float lit_share(Light light, vec3 facet, vec3 from_map, bool wanted) {
+float lit_fraction(Light light, vec3 facet, vec3 from_map, bool wanted) {
     Receiver r;
     r.map = max(light.map, 1u);
     r.distance_m = max(length(from_map), 0.01);
