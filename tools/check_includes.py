@@ -20,8 +20,8 @@ import rooms_picture
 LIBRARIES = {
     "seccomp.h": {"base"},
     "vulkan/": {"gpu", "render"},
-    "embree3/": {"trace"},
-    "embree4/": {"trace"},
+    "embree3/": {"rays"},
+    "embree4/": {"rays"},
     "tbb/": {"reference", "bake"},
     "zip.h": {"files", "mvr"},
     "zlib.h": {"files"},
@@ -57,13 +57,13 @@ PLATFORM_FILES = {
     "src/net/tcp_linux.cpp": "TCP",
     "src/net/serial_linux.cpp": "serial ports, MIDI ports",
     "src/video/camera_linux.cpp": "video devices",
-    "src/trace/tracer.cpp": "SSE mode of Embree",
+    "src/rays/tracer.cpp": "SSE mode of Embree",
     "src/bench/bench_offline.cpp": "memory and start of another process",
     "src/bench/bench_window.cpp": "start of another process",
 }
 # Headers of shaders/ that C++ reads too, and the headers made from shaders.
 SHADER_HEADERS = {
-    "shared": {"shared", "show", "show_file", "stage", "bounce", "photometry", "beam_groups", "passes", "light", "show_folder", "diagnose", "trace", "reference",
+    "shared": {"shared", "show", "show_file", "stage", "bounce", "photometry", "beam_groups", "passes", "light", "show_folder", "diagnose", "rays", "reference",
                "bake", "render", "live", "ui", "cli", "bench"},
     "shaders": {"render"},
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The material that a pixel shows, as the baker evaluates it (trace/tracer.cpp): base colour, roughness, metalness,
+// The material that a pixel shows, as the baker evaluates it (rays/tracer.cpp): base colour, roughness, metalness,
 // specular, emission and the shading normal towards the viewer. With CUT defined, masked and blended surfaces leave samples
 // out; a shader that may do so loses the early depth test, so opaque surfaces have one of their own.
 #include "shared/g_buffer.h"

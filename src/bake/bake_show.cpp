@@ -4,8 +4,8 @@
 #include "bake/keys.h"
 #include "bake/private/camera_bake.h"
 #include "light/bodies.h"
+#include "rays/tracer.h"
 #include "show_folder/place_checks.h"
-#include "trace/tracer.h"
 
 #include <algorithm>
 #include <cstdint>

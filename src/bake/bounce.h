@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "bounce/bounce.h"
 #include "bounce/bounce_box.h"
-#include "trace/tracer.h"
+#include "rays/tracer.h"
 
 #include <functional>
 #include <memory>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/private/bounce_nodes.h"
 
+#include "rays/sampling.h"
 #include "reference/reference_beam.h"
-#include "trace/sampling.h"
 
 #include <algorithm>
 #include <array>

@@ -8,7 +8,7 @@
 #include "files/own_folder.h"
 #include "passes/distance_maps_file.h"
 #include "passes/passes_file.h"
-#include "trace/tracer.h"
+#include "rays/tracer.h"
 
 #include <algorithm>
 #include <atomic>

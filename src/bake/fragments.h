@@ -5,7 +5,7 @@
 // pixels' width. That parts the two sides of a silhouette, and also slices a floor seen at a grazing angle.
 // Pure.
 
-#include "trace/tracer.h"
+#include "rays/tracer.h"
 
 #include <span>
 

@@ -2,9 +2,9 @@
 #include "bake/frame.h"
 
 #include "bake/fragments.h"
-#include "trace/camera_rays.h"
-#include "trace/pixel.h"
-#include "trace/sampling.h"
+#include "rays/camera_rays.h"
+#include "rays/pixel.h"
+#include "rays/sampling.h"
 
 #include "base/check.h"
 

@@ -7,8 +7,8 @@
 // same bytes whatever the number of threads. Radiance in cd/m^2 per cd (ambient: per lux), linear Rec.2020.
 
 #include "bake/fragments.h"
+#include "rays/tracer.h"
 #include "show/camera.h"
-#include "trace/tracer.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/keys.h"
 
-#include "trace/camera_rays.h"
+#include "rays/camera_rays.h"
 
 #include <algorithm>
 #include <cstdio>

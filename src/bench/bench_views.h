@@ -6,10 +6,10 @@
 
 #include "bench/bench.h"
 #include "passes/distance_maps.h"
+#include "rays/tracer.h"
 #include "render/geometry/g_buffer.h"
 #include "render/geometry/stage_model.h"
 #include "render/haze/distance_images.h"
-#include "trace/tracer.h"
 
 #include <memory>
 

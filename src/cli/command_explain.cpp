@@ -11,7 +11,7 @@
 #include "live/inputs/joined_universes.h"
 #include "live/session/media_player.h"
 #include "live/session/session.h"
-#include "trace/tracer.h"
+#include "rays/tracer.h"
 
 #include "base/log.h"
 #include "base/print.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/light_walk.h"
 
+#include "rays/sampling.h"
 #include "reference/private/walk_source.h"
-#include "trace/sampling.h"
 
 #include "shared/develop.h"
 

@@ -11,9 +11,9 @@
 
 #include "base/result.h"
 #include "image/image.h"
+#include "rays/tracer.h"
 #include "reference/reference_beam.h"
 #include "show/camera.h"
-#include "trace/tracer.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/reference.h"
 
-#include "trace/sampling.h"
+#include "rays/sampling.h"
 
 #include <algorithm>
 #include <atomic>

@@ -9,10 +9,10 @@
 
 #include "base/result.h"
 #include "image/image.h"
+#include "rays/tracer.h"
 #include "reference/reference_beam.h"
 #include "shared/attenuation.h"
 #include "show/camera.h"
-#include "trace/tracer.h"
 
 #include <functional>
 #include <vector>

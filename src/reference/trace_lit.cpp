@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reference/trace_lit.h"
 
-#include "trace/pixel.h"
+#include "rays/pixel.h"
 
 #include "shared/beam.h"
 #include "shared/haze.h"

@@ -5,11 +5,11 @@
 // device, with validation, for a test binary.
 
 #include "bake/distance_sight.h"
+#include "rays/tracer.h"
 #include "render/geometry/g_buffer.h"
 #include "render/geometry/stage_model.h"
 #include "render/haze/distance_images.h"
 #include "render/relight/relighter.h"
-#include "trace/tracer.h"
 
 #include <algorithm>
 #include <atomic>

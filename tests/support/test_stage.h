@@ -7,9 +7,9 @@
 #include "image/image.h"
 #include "passes/passes.h"
 #include "passes/passes_file.h"
+#include "rays/tracer.h"
 #include "shared/types.h"
 #include "stage/stage.h"
-#include "trace/tracer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "link/link.h"
 #include "live/session/light_meter.h"
 #include "live/session/session.h"
-#include "trace/tracer.h"
+#include "rays/tracer.h"
 
 #include <memory>
 #include <optional>

@@ -6,7 +6,7 @@
 #include "link/link.h"
 #include "live/inputs/live_input.h"
 #include "live/session/session.h"
-#include "trace/tracer.h"
+#include "rays/tracer.h"
 
 #include <functional>
 #include <optional>

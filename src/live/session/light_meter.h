@@ -7,7 +7,7 @@
 
 #include "image/image.h"
 #include "live/session/session.h"
-#include "trace/tracer.h"
+#include "rays/tracer.h"
 
 #include <glm/glm.hpp>
 #include <memory>

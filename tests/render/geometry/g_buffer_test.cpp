@@ -132,7 +132,7 @@ TEST_F(GBufferTest, NormalsPointTowardsTheViewerFromBothSidesAndMirrored) {
             }
 }
 
-// Bilinear, repeating, decoded before it is mixed: what the baker reads (trace/textures.h).
+// Bilinear, repeating, decoded before it is mixed: what the baker reads (rays/textures.h).
 glm::vec3 expected_texel(const scene::Texture& texture, glm::vec2 uv) {
     const auto value = [&](int x, int y) {
         const int w = texture.pixels.width, h = texture.pixels.height;

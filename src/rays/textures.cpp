@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "trace/textures.h"
+#include "rays/textures.h"
 
 #include "image/colour.h"
 

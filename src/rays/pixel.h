@@ -3,9 +3,9 @@
 // The samples of one pixel: camera rays, light through shadow rays in packets of eight. Shared by the passes
 // and by the direct reference picture, so both see the same samples. Any thread, with DenormalsOff.
 
-#include "trace/camera_rays.h"
-#include "trace/sampling.h"
-#include "trace/tracer.h"
+#include "rays/camera_rays.h"
+#include "rays/sampling.h"
+#include "rays/tracer.h"
 
 #include <cstdint>
 #include <span>

@@ -7,10 +7,10 @@
 // Fixture bodies (Instance::fixture) are seen by cameras and lit, but throw no shadow and no bounce: a
 // fixture that is moved changes its own pass and the pixels that show its body, not the light of all others.
 
+#include "rays/embree.h"
+#include "rays/textures.h"
 #include "shared/brdf.h"
 #include "stage/stage.h"
-#include "trace/embree.h"
-#include "trace/textures.h"
 
 #include <array>
 #include <cstdint>

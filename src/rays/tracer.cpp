@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "trace/tracer.h"
+#include "rays/tracer.h"
 
-#include "trace/sampling.h"
+#include "rays/sampling.h"
 
 #include "base/check.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "trace/pixel.h"
+#include "rays/pixel.h"
 
 #include <algorithm>
 
