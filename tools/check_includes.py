@@ -24,6 +24,7 @@ LIBRARIES = {
     "embree4/": {"trace"},
     "tbb/": {"reference", "bake"},
     "zip.h": {"files", "mvr"},
+    "xxhash.h": {"bake"},
     "zlib.h": {"files"},
     "zstd.h": {"dmx/record"},
     "pugixml.hpp": {"files", "fixture_files", "mvr"},
