@@ -34,8 +34,6 @@ foreach(room base files net image toml dmx/wire dmx/merge dmx/timecode dmx/recei
     install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ghostlight/${room} COMPONENT dev)
 endforeach()
 install(DIRECTORY shaders/shared DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ghostlight COMPONENT dev FILES_MATCHING PATTERN *.h)
-set_target_properties(ghost_stb PROPERTIES EXPORT_NAME stb)
-install(TARGETS ghost_stb EXPORT ghostlight)
 set(ghost_config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/ghostlight)
 install(EXPORT ghostlight NAMESPACE ghostlight:: DESTINATION ${ghost_config_dir} COMPONENT dev)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/ghostlight-config-version.cmake COMPATIBILITY ExactVersion)

@@ -29,5 +29,5 @@ set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_DEV_DESCRIPTION "libraries of the stage lighting visualiser Ghostlight
  Static libraries, headers and CMake files: DMX (sACN, Art-Net, RDM), fixtures
  (GDTF, QLC+, Open Fixture Library), plots (MVR) and shows.")
-set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libassimp-dev, libglm-dev, libopenexr-dev, libpugixml-dev, libseccomp-dev, libtomlplusplus-dev, libzip-dev, libzstd-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev")
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "libassimp-dev, libglm-dev, libopenexr-dev, libpng-dev, libpugixml-dev, libseccomp-dev, libtomlplusplus-dev, libturbojpeg0-dev, libzip-dev, libzstd-dev, nlohmann-json3-dev, pkg-config, zlib1g-dev")
 include(CPack)

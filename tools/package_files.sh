@@ -51,7 +51,7 @@ done
     echo 'Ghostlight is under the Apache License 2.0 (on Debian: /usr/share/common-licenses/Apache-2.0), its demo and fixture files, too.'
     echo 'VARI*LITE and VL2500 are marks of their owners, who have no part in this.'
     echo 'Compiled into the program are the following libraries, under the licences that Debian gives of them.'
-    for package in libcli11-dev libglm-dev libstb-dev libtomlplusplus-dev nlohmann-json3-dev; do
+    for package in libcli11-dev libglm-dev libtomlplusplus-dev nlohmann-json3-dev; do
         printf '\n==== %s ====\n\n' "$package"
         cat "/usr/share/doc/$package/copyright"
     done

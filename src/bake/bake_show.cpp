@@ -4,8 +4,9 @@
 #include "bake/keys.h"
 #include "bake/private/camera_bake.h"
 #include "light/bodies.h"
-#include "rays/tracer.h"
+#include "passes/passes_file.h"
 #include "show_folder/place_checks.h"
+#include "rays/tracer.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -63,6 +64,9 @@ Result<std::unique_ptr<Jobs>> compare(const scene::Show& show, const BakeOptions
                          show.file.string()};
         result->jobs.push_back(std::make_unique<CameraBake>(show, stage, keys, camera, options));
         const double work = result->jobs.back()->plan();
+        if (result->jobs.back()->replaces_earlier_version())
+            report.add(Severity::note, scene::passes_folder(show, camera.name).string(),
+                       "these passes are of an earlier version of Ghostlight; they are made again, once");
         result->works.push_back({camera.name, result->jobs.back()->light_count(), work == 0});
         result->work += work;
     }

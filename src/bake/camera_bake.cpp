@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/private/camera_bake.h"
 
+#include "bake/hasher.h"
 #include "bake/private/pictures.h"
 #include "beam_groups/light_places.h"
 

@@ -2,7 +2,7 @@
 #include "bake/distance_maps.h"
 
 #include "bake/distance_sight.h"
-#include "bake/keys.h"
+#include "bake/hasher.h"
 #include "bake/private/distance_stage.h"
 #include "files/files.h"
 #include "files/own_folder.h"

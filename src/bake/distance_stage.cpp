@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/private/distance_stage.h"
 
-#include "bake/keys.h"
+#include "bake/hasher.h"
 #include "show/show.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/keys.h"
 
+#include "bake/hasher.h"
 #include "rays/camera_rays.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 
 namespace ghost::bake {
@@ -48,38 +48,6 @@ std::string mesh_key(const scene::Mesh& mesh, const std::vector<std::string>& ma
 }
 
 } // namespace
-
-void Hasher::mix(std::uint64_t word) {
-    const auto fold = [](std::uint64_t x, std::uint64_t y) {
-        const unsigned __int128 product = static_cast<unsigned __int128>(x) * y;
-        return static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
-    };
-    a_ = fold(a_ ^ word, 0x9e3779b97f4a7c15u) + b_;
-    b_ = fold(b_ + word, 0xd6e8feb86659fd93u) ^ (a_ >> 7);
-}
-
-void Hasher::bytes(const void* data, std::size_t size) {
-    const auto* from = static_cast<const unsigned char*>(data);
-    for (; size >= 8; size -= 8, from += 8) {
-        std::uint64_t word;
-        std::memcpy(&word, from, 8);
-        mix(word);
-    }
-    std::uint64_t rest = size + 1;
-    for (; size > 0; --size) rest = (rest << 8) | *from++;
-    mix(rest);
-}
-
-void Hasher::text(std::string_view value) {
-    bytes(value.data(), value.size());
-}
-
-std::string Hasher::hex() const {
-    char digits[33];
-    std::snprintf(digits, sizeof digits, "%016llx%016llx", static_cast<unsigned long long>(a_),
-                  static_cast<unsigned long long>(b_));
-    return digits;
-}
 
 StageKeys stage_keys(const scene::Stage& stage, std::size_t fixture_count) {
     std::vector<std::string> textures;

@@ -14,7 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr char kMagic[] = "ghostlight bounce 1\n";
+constexpr char kMagic[] = "ghostlight bounce 2\n";
+constexpr std::size_t kVersionAt = sizeof kMagic - 3; // its digit
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30;
 constexpr std::size_t kKeyDigits = 32;
 
@@ -158,8 +159,10 @@ Result<std::optional<Bounce>> read_bounce(const fs::path& file, const std::strin
     };
     std::uint32_t check = 0;
     if (bytes.size() < kHead + sizeof check) return damaged();
+    if (std::memcmp(bytes.data(), kMagic, kVersionAt) != 0) return damaged();
     if (std::memcmp(bytes.data(), kMagic, sizeof kMagic - 1) != 0)
-        return std::optional<Bounce>(); // another version
+        return Error{"is of another version of Ghostlight; the links of bounced light are made again, once",
+                     file.string()};
     if (key.size() != kKeyDigits ||
         std::memcmp(bytes.data() + sizeof kMagic - 1, key.data(), kKeyDigits) != 0)
         return std::optional<Bounce>();

@@ -152,7 +152,9 @@ Result<Picture> read_linear(const std::string& path) {
 }
 
 Result<Picture> read_display(const std::string& path) {
-    TRY(const image::Image8 file, image::read_ldr(path));
+    std::string damage;
+    TRY(const image::Image8 file, image::read_ldr(path, &damage));
+    if (!damage.empty()) log_warning(path + ": " + damage);
     Picture picture{image::ImageF(file.width, file.height, 3), false};
     for (int y = 0; y < file.height; ++y)
         for (int x = 0; x < file.width; ++x)

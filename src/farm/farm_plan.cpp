@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "farm/farm_plan.h"
 
-#include "bake/keys.h"
+#include "bake/hasher.h"
 #include "base/json.h"
 #include "files/files.h"
 #include "files/own_folder.h"

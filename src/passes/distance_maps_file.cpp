@@ -164,7 +164,7 @@ Result<DistanceStage> parse_distance_stage(std::string_view text, const std::str
     if (!all.is_object()) return wrong("is not a JSON object");
     const auto entry = [&](const char* name) { return all.contains(name) ? all.at(name) : json(); };
     if (entry("version") != kDistanceMapVersion)
-        return wrong("has another version than " + std::to_string(kDistanceMapVersion));
+        return Error{"is of another version of Ghostlight; all maps are made again, once", where};
     DistanceStage stage;
     if (const json key = entry("stage"); key.is_string()) stage.key = key.get<std::string>();
     if (!is_key(stage.key, kKeyDigits)) return wrong("stage must be 32 hexadecimal digits");

@@ -16,7 +16,7 @@
 namespace ghost::scene {
 
 // Raise it when the same stage gives other maps than before.
-inline constexpr int kDistanceMapVersion = 1;
+inline constexpr int kDistanceMapVersion = 2;
 
 // One map that a show wants.
 struct DistancePlace {

@@ -135,9 +135,9 @@ Result<PassManifest> parse_manifest(std::string_view text, const std::string& wh
     std::string problem;
     const Fields top{all, "", problem};
     PassManifest m;
-    const auto version = top.whole("version", 0, INT32_MAX);
-    if (problem.empty() && version != kPassesVersion)
-        return Error{"has version " + std::to_string(version) + ", this program reads " +
+    m.version = static_cast<int>(top.whole("version", 1, INT32_MAX));
+    if (problem.empty() && m.version > kPassesVersion)
+        return Error{"has version " + std::to_string(m.version) + ", this program reads up to " +
                          std::to_string(kPassesVersion) + "; run `ghostlight bake` again",
                      where};
     m.camera = top.text("camera");

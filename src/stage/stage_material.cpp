@@ -55,13 +55,14 @@ public:
     // Decodes all on a few threads. place[index of add] is the texture of the stage, or kNone.
     std::vector<int> decode(const std::string& name, Stage& stage, Report& report) {
         std::vector<Result<image::Image8>> pictures(wanted_.size(), Error{"more than 1024 textures", ""});
+        std::vector<std::string> damage(wanted_.size());
         const std::size_t count = std::min(wanted_.size(), kMaxTextures);
         const std::size_t workers = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 16);
         {
             std::vector<std::jthread> threads;
             for (std::size_t w = 0; w < workers; ++w)
                 threads.emplace_back([&, w] {
-                    for (std::size_t k = w; k < count; k += workers) pictures[k] = decode_one(k);
+                    for (std::size_t k = w; k < count; k += workers) pictures[k] = decode_one(k, damage[k]);
                 });
         }
         std::vector<int> place(wanted_.size(), kNone);
@@ -71,6 +72,8 @@ public:
                            "texture '" + wanted_[k].first + "' is missing: " + pictures[k].error().text());
                 continue;
             }
+            if (!damage[k].empty())
+                report.add(Severity::warning, name, "texture '" + wanted_[k].first + "': " + damage[k]);
             place[k] = static_cast<int>(stage.textures.size());
             stage.textures.push_back({wanted_[k].first, std::move(*pictures[k]), wanted_[k].second});
         }
@@ -78,7 +81,7 @@ public:
     }
 
 private:
-    Result<image::Image8> decode_one(std::size_t index) {
+    Result<image::Image8> decode_one(std::size_t index, std::string& damage) {
         std::vector<std::uint8_t> external;
         const Result<Bytes> packed = packed_bytes(wanted_[index].first, external);
         const std::size_t bytes = packed.ok() ? image::decoded_bytes(*packed) : 0;
@@ -87,7 +90,7 @@ private:
         if (!has_room) return Error{"the textures need more than 2 GiB", ""};
         std::unique_lock alone(decoding_large_, std::defer_lock);
         if (bytes > kLargeBytes) alone.lock();
-        return image::decode_ldr(found, "");
+        return image::decode_ldr(found, "", {}, &damage);
     }
 
     Result<Bytes> packed_bytes(const std::string& path, std::vector<std::uint8_t>& external) {

@@ -112,7 +112,10 @@ Result<void> Camera::Device::map_buffers() {
 
 Result<image::Image8> Camera::Device::decode(const std::uint8_t* bytes, std::size_t count) const {
     const v4l2_pix_format& pixels = format.fmt.pix;
-    if (pixels.pixelformat == V4L2_PIX_FMT_MJPEG) return image::decode_ldr(Bytes(bytes, count), name);
+    if (pixels.pixelformat == V4L2_PIX_FMT_MJPEG) {
+        std::string damage; // not said: some cameras leave rubbish in every picture, and the next one is near
+        return image::decode_ldr(Bytes(bytes, count), name, {}, &damage);
+    }
     return picture_from_yuyv(bytes, count, static_cast<int>(pixels.width), static_cast<int>(pixels.height),
                              static_cast<int>(pixels.bytesperline));
 }

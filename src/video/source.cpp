@@ -118,8 +118,10 @@ std::string Source::play() {
     if (settings_.kind == SourceKind::card) {
         picture = test_card(settings_.card);
     } else {
-        auto read = image::read_ldr(settings_.path);
+        std::string damage;
+        auto read = image::read_ldr(settings_.path, &damage);
         if (!read.ok()) return read.error().text();
+        if (!damage.empty()) say(settings_.path.string() + ": " + damage);
         picture = std::move(*read);
     }
     recovered();

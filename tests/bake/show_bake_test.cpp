@@ -247,6 +247,40 @@ TEST(ShowBake, DamagedManifestOrFileIsBakedAgain) {
     EXPECT_TRUE(contents(folder.path) == before);
 }
 
+// Keys of another making: nothing of the show changed, and all is made again.
+TEST(ShowBake, PassesOfAnEarlierVersionAreMadeAgainOnceAndThatIsSaid) {
+    const TestFolder folder;
+    const scene::Show show = small_show(folder.path, 2);
+    bake_or_fail(show);
+    const auto before = contents(folder.path);
+    const std::filesystem::path passes = scene::passes_folder(show, "front");
+    auto manifest = scene::read_manifest(passes);
+    ASSERT_TRUE(manifest.ok());
+    manifest->geometry_key = manifest->layout_key = std::string(32, '0');
+    std::string text = scene::manifest_text(*manifest);
+    const std::string version = "\"version\": 2";
+    ASSERT_NE(text.find(version), std::string::npos);
+    text.replace(text.find(version), version.size(), "\"version\": 1");
+    std::ofstream(passes / "manifest.json") << text;
+    EXPECT_EQ(scene::read_manifest(passes)->version, 1);
+    for (const std::size_t messages : {1u, 0u}) {
+        Report report;
+        const auto stats = bake_show(show, {}, report);
+        ASSERT_TRUE(stats.ok()) << stats.error().text();
+        EXPECT_EQ(baked(*stats).size(), 3 * messages);
+        ASSERT_EQ(report.messages.size(), messages);
+        for (const Message& message : report.messages) {
+            EXPECT_EQ(message.where, passes.string());
+            EXPECT_EQ(message.what,
+                      "these passes are of an earlier version of Ghostlight; they are made again, once");
+        }
+    }
+    EXPECT_TRUE(contents(folder.path) == before);
+    text.replace(text.find("\"version\": 1"), version.size(), "\"version\": 3");
+    EXPECT_EQ(scene::parse_manifest(text, "x").error().text(),
+              "x: has version 3, this program reads up to 2; run `ghostlight bake` again");
+}
+
 // As if another kind of processor had traced the pictures that are there.
 TEST(ShowBake, FragmentsThatDoNotFitAreTracedAnew) {
     const TestFolder folder;

@@ -14,6 +14,7 @@ Bytes bytes_of(std::string_view text) {
 
 TEST(Crc32, known_answers) {
     EXPECT_EQ(crc32({}), 0u);
+    EXPECT_EQ(crc32({}, 7u), 7u);
     EXPECT_EQ(crc32(bytes_of("123456789")), 0xCBF43926u); // the check value of the CRC catalogues
     EXPECT_EQ(crc32(bytes_of("The quick brown fox jumps over the lazy dog")), 0x414FA339u);
 }

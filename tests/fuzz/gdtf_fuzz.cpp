@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // load_gdtf, decode and step on anything. Input that starts with "PK" is taken as the zip itself, other input
 // as the description.xml of one. Seeds: assets/fixtures/src/*/description.xml, assets/fixtures/*.gdtf.
+#include "files/crc32.h"
 #include "fixture/curves.h"
 #include "fixture/decode.h"
 #include "fixture_files/common/mesh_check.h"
@@ -21,21 +22,12 @@ void put(std::vector<std::uint8_t>& out, std::uint32_t value, int bytes) {
     for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
 }
 
-std::uint32_t crc_of(Bytes data) {
-    std::uint32_t crc = 0xffffffffu;
-    for (const std::uint8_t byte : data) {
-        crc ^= byte;
-        for (int k = 0; k < 8; ++k) crc = (crc >> 1) ^ ((crc & 1u) ? 0xedb88320u : 0u);
-    }
-    return ~crc;
-}
-
 std::vector<std::uint8_t> zip_of(Bytes xml) {
     constexpr std::string_view kName = "description.xml";
     const auto size = static_cast<std::uint32_t>(xml.size());
     std::vector<std::uint8_t> common;
     for (const std::uint32_t field : {20u, 0u, 0u, 0u, 0x21u}) put(common, field, 2);
-    for (const std::uint32_t field : {crc_of(xml), size, size}) put(common, field, 4);
+    for (const std::uint32_t field : {crc32(xml), size, size}) put(common, field, 4);
     put(common, kName.size(), 2);
     put(common, 0, 2);
     std::vector<std::uint8_t> zip;

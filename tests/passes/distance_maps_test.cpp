@@ -241,7 +241,7 @@ TEST_F(DistanceFiles, DamagedStageFileIsNamed) {
     ASSERT_TRUE(parse_distance_stage(text, "x").ok());
     for (std::size_t length = 0; length + 2 < text.size(); ++length)
         EXPECT_FALSE(parse_distance_stage(text.substr(0, length), "x").ok()) << length;
-    for (const auto& [from, to] : {std::pair{"\"version\": 1", "\"version\": 2"},
+    for (const auto& [from, to] : {std::pair{"\"version\": 2", "\"version\": 1"},
                                    {"0123456789abcdef0123", "0123456789abcdeX0123"},
                                    {"00000000000000aa", "00000000000000a"},
                                    {"[\"00000000000000aa\",0.0", "[\"00000000000000aa\",\"0\""},
@@ -253,6 +253,10 @@ TEST_F(DistanceFiles, DamagedStageFileIsNamed) {
         changed.replace(at, std::string(from).size(), to);
         EXPECT_FALSE(parse_distance_stage(changed, "x").ok()) << changed;
     }
+    std::string earlier = text;
+    earlier.replace(earlier.find("\"version\": 2"), 12, "\"version\": 1");
+    EXPECT_EQ(parse_distance_stage(earlier, "x").error().text(),
+              "x: is of another version of Ghostlight; all maps are made again, once");
     std::ofstream(distance_folder(show, kSize) / "stage.json") << "{";
     EXPECT_EQ(loaded(), 0u);
     ASSERT_EQ(report.messages.size(), 1u);

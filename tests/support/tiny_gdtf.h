@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // For tests: zip archives (stored) and small GDTF files made in memory.
 
+#include "files/crc32.h"
 #include "fixture_files/gdtf/gdtf.h"
 
 #include <gtest/gtest.h>
@@ -16,12 +17,7 @@
 namespace ghost::fixture {
 
 inline std::uint32_t crc_of(const std::string& data) {
-    std::uint32_t crc = 0xffffffffu;
-    for (const char c : data) {
-        crc ^= static_cast<std::uint8_t>(c);
-        for (int k = 0; k < 8; ++k) crc = (crc >> 1) ^ ((crc & 1u) ? 0xedb88320u : 0u);
-    }
-    return ~crc;
+    return crc32(Bytes(reinterpret_cast<const std::uint8_t*>(data.data()), data.size()));
 }
 
 inline void put(std::vector<std::uint8_t>& out, std::uint32_t value, int bytes) {

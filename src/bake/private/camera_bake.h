@@ -22,6 +22,10 @@ public:
     // Compares with the disk; the work ahead in samples, 0 where nothing is to be done.
     double plan();
     std::size_t light_count() const { return wanted_.lights.size(); }
+    // After plan(): why everything is made again where nothing of the show changed.
+    bool replaces_earlier_version() const {
+        return old_ && old_->version < scene::kPassesVersion && layout_ == Layout::traced;
+    }
     // on_samples: samples traced since the last call, from any thread.
     Result<void> run(const Tracer& tracer, const std::function<void(double samples)>& on_samples,
                      BakeStats& stats);

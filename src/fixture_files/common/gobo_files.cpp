@@ -25,8 +25,9 @@ bool is_plain(const std::filesystem::path& path) {
 }
 
 Result<GoboDrawing> read_picture(Bytes bytes, const std::string& name, std::size_t pixels_left) {
-    TRY(image::Image8 pixels, image::decode_ldr(bytes, name, {kMaxSide_px, pixels_left}));
-    return GoboDrawing{std::move(pixels), ""};
+    GoboDrawing gobo;
+    TRY(gobo.picture, image::decode_ldr(bytes, name, {kMaxSide_px, pixels_left}, &gobo.problem));
+    return gobo;
 }
 
 } // namespace

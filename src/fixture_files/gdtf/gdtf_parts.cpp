@@ -65,11 +65,13 @@ int read_media(GdtfReader& reader, pugi::xml_node slot, const std::string& file)
         reader.say_at(Severity::error, where, "the file's pictures have more than 96 million pixels in all");
         return -1;
     }
-    Result<image::Image8> pixels = image::decode_ldr(*png, where);
+    std::string damage;
+    Result<image::Image8> pixels = image::decode_ldr(*png, where, {}, &damage);
     if (!pixels) {
         reader.say_at(Severity::error, pixels.error().where, pixels.error().what);
         return -1;
     }
+    if (!damage.empty()) reader.say_at(Severity::warning, where, damage);
     Media media;
     media.file = entry;
     media.png = std::move(*png);

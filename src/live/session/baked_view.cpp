@@ -34,7 +34,10 @@ BakedPasses load_baked(const scene::Show& show, const scene::Camera& camera) {
     } else if (!std::filesystem::exists(scene::passes_folder(show, camera.name) / "manifest.json", code)) {
         baked.why_not = "it is not baked";
     } else if (!passes_are_of(show, camera.name, passes_fingerprint(show))) {
-        baked.why_not = "files of the show changed since its bake: bake it again";
+        const auto manifest = scene::read_manifest(scene::passes_folder(show, camera.name));
+        baked.why_not = manifest.ok() && manifest->version < scene::kPassesVersion
+                            ? "its passes are of an earlier version of Ghostlight: bake it again, once"
+                            : "files of the show changed since its bake: bake it again";
     } else {
         auto passes = scene::load_passes(scene::passes_folder(show, camera.name), true, report);
         if (passes.ok())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/session/bounce_light.h"
 
+#include "bake/hasher.h"
 #include "bake/keys.h"
 #include "base/interrupt.h"
 #include "bounce/bounce_box.h"

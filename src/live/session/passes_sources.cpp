@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/session/passes_sources.h"
 
+#include "bake/hasher.h"
 #include "bake/keys.h"
 #include "files/files.h"
 #include "passes/passes_file.h"

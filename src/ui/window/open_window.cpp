@@ -13,6 +13,7 @@
 #include <QApplication>
 #include <QTimer>
 
+#include <clocale>
 #include <cstdlib>
 
 namespace ghost::ui {
@@ -75,6 +76,7 @@ Result<void> open_window(Link& link, const WindowOptions& options) {
     int argc = options.draws_into_memory ? 3 : 1;
     if (argc == 1) argv[1] = nullptr;
     QApplication application(argc, argv);
+    std::setlocale(LC_NUMERIC, "C"); // Qt has set the desktop's: files and messages would say "0,5"
     QApplication::setApplicationName("ghostlight");
     QApplication::setOrganizationName("ghostlight");
     set_theme(application);

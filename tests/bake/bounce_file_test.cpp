@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bounce/bounce_file.h"
+#include "files/files.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace ghost::scene {
+namespace {
+
+const std::string kKey(32, 'a');
+
+std::filesystem::path file_of(const std::string& text) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "ghost_bounce_file_test.bin";
+    EXPECT_TRUE(write_file_atomic(file, text).ok());
+    return file;
+}
+
+TEST(BounceFile, another_version_is_said) {
+    const auto file = file_of("ghostlight bounce 1\n" + kKey + std::string(100, 'x'));
+    const auto read = read_bounce(file, kKey);
+    ASSERT_FALSE(read.ok());
+    EXPECT_EQ(read.error().text(), file.string() + ": is of another version of Ghostlight; the links of "
+                                                   "bounced light are made again, once");
+}
+
+TEST(BounceFile, another_key_is_no_error_and_damage_is_one) {
+    const std::string head = "ghostlight bounce 2\n";
+    const auto other = read_bounce(file_of(head + std::string(32, 'b') + std::string(100, 'x')), kKey);
+    ASSERT_TRUE(other.ok());
+    EXPECT_FALSE(other->has_value());
+    for (const std::string& text : {std::string(), head, head + kKey + std::string(100, 'x'),
+                                    "something else that is long enough" + std::string(100, 'x')}) {
+        const auto read = read_bounce(file_of(text), kKey);
+        ASSERT_FALSE(read.ok()) << text;
+        EXPECT_NE(read.error().what.find("is damaged"), std::string::npos) << read.error().what;
+    }
+}
+
+} // namespace
+} // namespace ghost::scene
