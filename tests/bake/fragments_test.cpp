@@ -3,6 +3,7 @@
 // position per pixel.
 #include "passes/relight_cpu.h"
 #include "reference/trace_lit.h"
+#include "support/likeness.h"
 #include "support/test_stage.h"
 
 #include <cstdio>

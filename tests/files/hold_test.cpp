@@ -2,6 +2,7 @@
 #include "files/hold.h"
 
 #include "files/files.h"
+#include "support/must.h"
 
 #include <gtest/gtest.h>
 #include <optional>
@@ -20,11 +21,7 @@ protected:
         fs::create_directories(show_);
     }
     void TearDown() override { fs::remove_all(show_); }
-    Hold take(Hold::Other other = Hold::Other::keeps) const {
-        auto hold = Hold::take(file_, show_, other);
-        EXPECT_TRUE(hold.ok()) << hold.error().text();
-        return std::move(*hold);
-    }
+    Hold take(Hold::Other other = Hold::Other::keeps) const { return must(Hold::take(file_, show_, other)); }
 
     fs::path show_ = fs::path(testing::TempDir()) / "ghost_hold", file_ = show_ / ".ghost" / "window.lock";
 };

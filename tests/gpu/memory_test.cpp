@@ -2,6 +2,7 @@
 // Who has how much of a device's memory.
 #include "gpu/buffer.h"
 #include "gpu/texture.h"
+#include "support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +12,7 @@ namespace {
 constexpr std::uint64_t kMB = 1u << 20;
 
 std::unique_ptr<Device> device_with(std::uint64_t limit_bytes) {
-    auto made = Device::create({.validation = true, .memory_limit_bytes = limit_bytes});
-    EXPECT_TRUE(made.ok()) << made.error().text();
-    return std::move(*made);
+    return must(Device::create({.validation = true, .memory_limit_bytes = limit_bytes}));
 }
 
 TEST(Memory, is_counted_while_it_is_held) {

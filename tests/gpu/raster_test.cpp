@@ -5,6 +5,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/texture.h"
+#include "support/must.h"
 
 #include <algorithm>
 #include <cstring>
@@ -14,11 +15,7 @@ namespace ghost::gpu {
 namespace {
 
 const Device& device() {
-    static const std::unique_ptr<Device> one = [] {
-        auto made = Device::create({"", true});
-        EXPECT_TRUE(made.ok()) << made.error().text();
-        return std::move(*made);
-    }();
+    static const std::unique_ptr<Device> one = [] { return must(Device::create({"", true})); }();
     return *one;
 }
 

@@ -381,7 +381,7 @@ TEST(BeamGroups, ExplainKnowsCells) {
     for (int c = 1; c <= 24; ++c) one.set(c, 255);
     one.set(13, 0).set(14, 0).set(15, 0);
     const Explanation whole = one.explain();
-    EXPECT_EQ(whole.beams.size(), 8u);
+    ASSERT_EQ(whole.beams.size(), 8u);
     EXPECT_EQ(whole.beams[4].grouped, 8);
     EXPECT_EQ(whole.beams[4].output_lm, 0.0f);
     EXPECT_NEAR(whole.beams[3].output_lm, 100.0f, 1.0f);

@@ -4,6 +4,7 @@
 
 #include "fixture_files/gdtf/gdtf.h"
 #include "show/show.h"
+#include "support/must.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +17,8 @@ namespace {
 
 std::shared_ptr<const fixture::Type> vl2500() {
     static const auto type = [] {
-        auto loaded = fixture::load_gdtf("assets/fixtures/Vari-Lite@VL2500_Spot.gdtf");
-        EXPECT_TRUE(loaded.ok()) << loaded.error().text();
-        return std::make_shared<const fixture::Type>(std::move(loaded->type));
+        return std::make_shared<const fixture::Type>(
+            must(fixture::load_gdtf("assets/fixtures/Vari-Lite@VL2500_Spot.gdtf")).type);
     }();
     return type;
 }

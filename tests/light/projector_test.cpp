@@ -11,6 +11,7 @@
 #include "light/rig.h"
 #include "shared/beam.h"
 #include "show_file/show_toml.h"
+#include "support/must.h"
 
 #include <cmath>
 #include <cstdio>
@@ -309,9 +310,7 @@ constexpr std::string_view kBegin = "[show]\nname = \"x\"\nstage = \"x.glb\"\n[[
                                     "position_m = [0, -10, 2]\ntarget_m = [0, 0, 2]\n";
 
 ParsedShow parsed(const std::string& text, Report& report) {
-    auto show = parse_show(std::string(kBegin) + text, "/shows/x/show.toml", report);
-    EXPECT_TRUE(show.ok());
-    return std::move(*show);
+    return must(parse_show(std::string(kBegin) + text, "/shows/x/show.toml", report));
 }
 
 TEST(ProjectorFile, IsRead) {

@@ -8,6 +8,7 @@
 #include "fixture_files/gdtf/gdtf.h"
 #include "shared/beam.h"
 #include "show/show.h"
+#include "support/must.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +29,9 @@ constexpr float kWideTangent = 0.381879f;
 const vec3 kLamp{1.046784f, 0.994273f, 0.858233f}; // CIE daylight of 5600 K, luminance 1
 
 std::shared_ptr<const fixture::Type> read_type(const std::string& kind) {
-    auto loaded =
-        fixture::load_gdtf(std::filesystem::path("assets/fixtures/Vari-Lite@VL2500_" + kind + ".gdtf"));
-    EXPECT_TRUE(loaded.ok()) << loaded.error().text();
-    return std::make_shared<const fixture::Type>(std::move(loaded->type));
+    return std::make_shared<const fixture::Type>(
+        must(fixture::load_gdtf(std::filesystem::path("assets/fixtures/Vari-Lite@VL2500_" + kind + ".gdtf")))
+            .type);
 }
 
 std::shared_ptr<const fixture::Type> vl2500(const std::string& kind) {

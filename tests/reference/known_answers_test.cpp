@@ -249,7 +249,7 @@ glm::vec3 reflected(const shared::Brdf& brdf, float view_deg) {
     const glm::vec3 n(0, 0, 1);
     const glm::vec3 v(std::sin(glm::radians(view_deg)), 0, std::cos(glm::radians(view_deg)));
     glm::dvec3 sum(0);
-    constexpr int kSteps = 400;
+    constexpr int kSteps = 1000;
     for (int i = 0; i < kSteps; ++i)
         for (int j = 0; j < kSteps; ++j) {
             const float z = (static_cast<float>(i) + 0.5f) / kSteps;
@@ -263,19 +263,35 @@ glm::vec3 reflected(const shared::Brdf& brdf, float view_deg) {
 
 TEST(KnownAnswers, BrdfKeepsEnergy) {
     EXPECT_NEAR(reflected(shared::brdf_of(glm::vec3(0.7f), 1.0f, 0.0f, 0.0f), 30).x, 0.7f, 1e-3f);
-    for (const float roughness : {0.3f, 0.6f, 1.0f})
-        for (const float metalness : {0.0f, 1.0f})
-            for (const float view_deg : {0.0f, 45.0f, 75.0f}) {
-                const shared::Brdf brdf = shared::brdf_of(glm::vec3(1.0f), roughness, metalness, 1.0f);
-                const float fraction = reflected(brdf, view_deg).x;
-                // glTF's own layering gives a little too much at grazing angles; a single GGX lobe never
-                // does.
-                EXPECT_LT(fraction, metalness > 0 ? 1.001f : 1.16f)
-                    << roughness << " " << metalness << " " << view_deg;
-                EXPECT_GT(fraction, 0.3f);
-                // The fit that lights a stage evenly, against the integral.
-                EXPECT_NEAR(shared::brdf_albedo(brdf, std::cos(glm::radians(view_deg))).x, fraction, 0.16f);
-            }
+    // Worked out apart from this program, by sampling visible normals (Heitz 2018) in doubles. glTF's own
+    // layering gives a little too much at grazing angles; a single GGX lobe, without what it scatters within,
+    // too little.
+    struct Known {
+        float roughness, view_deg, paint, metal, gloss; // of white paint, of white metal, of black paint
+    };
+    for (const Known& known : {Known{0.3f, 0, 0.9996f, 0.9907f, 0.0396f},
+                               {0.3f, 45, 1.0010f, 0.9854f, 0.0427f},
+                               {0.3f, 75, 1.1489f, 0.9345f, 0.2010f},
+                               {0.6f, 0, 0.9929f, 0.8245f, 0.0330f},
+                               {0.6f, 45, 0.9936f, 0.7954f, 0.0353f},
+                               {0.6f, 75, 1.0287f, 0.8059f, 0.0807f},
+                               {1.0f, 0, 0.9722f, 0.3069f, 0.0123f},
+                               {1.0f, 45, 0.9742f, 0.3768f, 0.0159f},
+                               {1.0f, 75, 0.9815f, 0.5906f, 0.0336f}}) {
+        SCOPED_TRACE(std::to_string(known.roughness) + ", " + std::to_string(known.view_deg) + " degrees");
+        const shared::Brdf paint = shared::brdf_of(glm::vec3(1.0f), known.roughness, 0.0f, 1.0f);
+        const shared::Brdf metal = shared::brdf_of(glm::vec3(1.0f), known.roughness, 1.0f, 1.0f);
+        const shared::Brdf gloss = shared::brdf_of(glm::vec3(0.0f), known.roughness, 0.0f, 1.0f);
+        EXPECT_NEAR(reflected(paint, known.view_deg).x, known.paint, 1e-3f);
+        EXPECT_NEAR(reflected(metal, known.view_deg).x, known.metal, 1e-3f);
+        EXPECT_NEAR(reflected(gloss, known.view_deg).x, known.gloss, 1e-3f);
+        // The fit that lights a stage evenly.
+        const float nv = std::cos(glm::radians(known.view_deg));
+        EXPECT_NEAR(shared::brdf_albedo(paint, nv).x, 1.0f, 1e-6f);
+        EXPECT_NEAR(shared::brdf_albedo(gloss, nv).x, known.gloss, 0.035f);
+        // In Karis's own formula all but this cancels: up to 0.16 from the integral.
+        EXPECT_NEAR(shared::brdf_albedo(metal, nv).x, 1.0f - 0.55f * known.roughness, 1e-5f);
+    }
 }
 
 } // namespace

@@ -1,158 +1,77 @@
 // SPDX-License-Identifier: Apache-2.0
-// The reference picture against ../shared/reference: scenes of Blender by an independent integrator that
-// reads only their JSON and the gobo.
+// The reference picture against independent integrators that read only a scene's JSON and its gobo: our own
+// of tools/make_references.py, always, and that of ../shared/reference, whose scenes Blender made.
 #include "reference/reference.h"
-#include "stage/model_reader.h"
-#include "support/test_stage.h"
-
-#include "files/files.h"
-#include "image/exr.h"
-#include "image/ldr.h"
+#include "support/reference_scene.h"
 
 #include <cstdio>
-#include <filesystem>
-#include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 namespace ghost::bake {
 namespace {
-namespace fs = std::filesystem;
 using glm::dvec3;
-using nlohmann::json;
 
-double d(float value) {
-    return static_cast<double>(value);
-}
+struct Wanted {
+    ReferenceName reference;
+    int every; // pixel, so that large ones take seconds
+};
 
-const fs::path kShared = "../shared/reference";
+class IndependentReference : public testing::TestWithParam<Wanted> {};
 
-class IndependentReference : public testing::TestWithParam<const char*> {};
-
-dvec3 vec3_of(const json& list) {
-    return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
-}
-
-// The spot of the JSON: smoothstep in the cosine, times the gobo, both as its "expected" has them.
-BeamOverride blender_spot(const json& light, const image::Image8& gobo) {
-    const double outer = light["cos_outer"];
-    const double inner = light["cos_inner"];
-    const double tan_half = std::tan(glm::radians(light["cone_full_deg"].get<double>() / 2));
-    const dvec3 candela = light["I0_W_per_sr"].get<double>() * vec3_of(light["rgb"]);
-    return [=](const dvec3& gate_m) {
-        const double cosine = gate_m.z / glm::length(gate_m);
-        if (!(cosine > outer)) return dvec3(0);
-        const double t = std::min((cosine - outer) / (inner - outer), 1.0);
-        const dvec3 open = candela * (t * t * (3 - 2 * t));
-        if (gobo.empty()) return open;
-        const double u = (0.5 + 0.5 * gate_m.x / gate_m.z / tan_half) * gobo.width - 0.5;
-        const double v = (0.5 - 0.5 * gate_m.y / gate_m.z / tan_half) * gobo.height - 0.5;
-        dvec3 through(0);
-        for (int k = 0; k < 4; ++k) {
-            const int x = static_cast<int>(std::floor(u)) + k % 2;
-            const int y = static_cast<int>(std::floor(v)) + k / 2;
-            const double weight = (1 - std::abs(u - x)) * (1 - std::abs(v - y));
-            if (x < 0 || y < 0 || x >= gobo.width || y >= gobo.height) continue;
-            const std::uint8_t* texel = gobo.at(x, y);
-            through += weight / 255 * dvec3(texel[0], texel[1], texel[2]);
-        }
-        return open * through;
+// The spot of the JSON as it is, not as a picture in our gate.
+BeamOverride spot_of(const ReferenceScene& scene) {
+    return [&](const dvec3& gate_m) {
+        if (gate_m.z <= 0) return dvec3(0);
+        return dvec3(scene.light.intensity_cd) *
+               scene.gate->at(glm::dvec2(gate_m) / gate_m.z / scene.gate->tan_half());
     };
 }
 
 TEST_P(IndependentReference, Reproduced) {
-    const std::string name = GetParam();
-    if (!fs::exists(kShared / (name + ".json")))
-        GTEST_SKIP() << "no ../shared beside the checkout: nothing to compare with";
-    const auto text = read_text_file(kShared / (name + ".json"), 1 << 20);
-    const auto check_text = read_text_file(kShared / "check.json", 1 << 20);
-    ASSERT_TRUE(text.ok() && check_text.ok());
-    const json scene = json::parse(*text);
-    const json check = json::parse(*check_text)[name];
-    const auto theirs = image::read_exr(kShared / (name + ".numpy.exr"));
-    ASSERT_TRUE(theirs.ok()) << theirs.error().text();
-
-    Report report;
-    auto stage = scene::load_stage_file(kShared / scene["geometry_glb"].get<std::string>(), report);
-    ASSERT_TRUE(stage.ok()) << stage.error().text();
-    // All in the primaries of the reference: light and paint are multiplied channel by channel.
-    stage->materials.clear();
-    int painted = 0;
-    for (scene::Instance& instance : stage->instances)
-        for (const json& object : scene["objects"])
-            if (object["name"] == instance.name) {
-                stage->meshes[static_cast<std::size_t>(instance.mesh)].material =
-                    add_material(*stage, glm::vec3(vec3_of(object["material"]["base_color"])));
-                ++painted;
-            }
-    ASSERT_EQ(painted, static_cast<int>(scene["objects"].size()));
-
-    scene::Camera camera;
-    const auto column = [&](const json& matrix, std::size_t c) {
-        return glm::vec3(matrix[0][c].get<float>(), matrix[1][c].get<float>(), matrix[2][c].get<float>());
-    };
-    const json& m = scene["camera"]["matrix_world"];
-    camera.position_m = column(m, 3);
-    camera.target_m = column(m, 3) - column(m, 2);
-    camera.fov_y_deg = scene["camera"]["fov_y_deg"].get<float>();
-    camera.width = scene["resolution"][0];
-    camera.height = scene["resolution"][1];
-    const json& lamp = scene["light"]["matrix_world"];
-    shared::Light light{};
-    light.position_m = column(lamp, 3);
-    light.axis_u = column(lamp, 0);
-    light.axis_v = column(lamp, 1);
-    light.axis_w = -column(lamp, 2);
-    const auto sigma_s = scene["medium"]["sigma_s"].get<float>();
-    const shared::Haze haze{sigma_s + scene["medium"]["sigma_a"].get<float>(), sigma_s,
-                            scene["medium"]["g"].get<float>(), 0, 0};
-
-    image::Image8 gobo;
-    if (!scene["light"]["gobo"].is_null()) {
-        auto read = image::read_ldr(kShared / scene["light"]["gobo"].get<std::string>());
-        ASSERT_TRUE(read.ok()) << read.error().text();
-        gobo = std::move(*read);
-    }
+    const auto& [reference, every] = GetParam();
+    if (reference.is_missing()) GTEST_SKIP() << kNoShared;
+    ReferenceScene scene;
+    ASSERT_NO_FATAL_FAILURE(read_reference(reference, scene));
     ReferenceOptions options;
-    options.beam = blender_spot(scene["light"], gobo);
+    options.beam = spot_of(scene);
     options.air_samples = 1024; // times 4 x 4 positions in the pixel
     options.pixel_samples = 4;  // as theirs: with 2 x 2 the silhouettes alone leave 42 dB
-    options.every = 4;          // so that the test takes seconds
+    options.every = every;
     options.far_m = 30;
-    const Tracer tracer(*stage);
-    const auto ours = reference_picture(&tracer, camera, {light}, {}, haze, 0, options);
+    const Tracer tracer(scene.stage);
+    const auto ours = reference_picture(&tracer, scene.camera, {scene.light}, {}, scene.haze, 0, options);
     ASSERT_TRUE(ours.ok()) << ours.error().text();
 
-    const auto scale = check["preview_scale"].get<float>();
-    double error = 0, sum_ours = 0, sum_theirs = 0;
-    int compared = 0;
-    for (int y = 0; y < ours->height; ++y)
-        for (int x = 0; x < ours->width; ++x) {
-            const double away = std::hypot(x * options.every + 0.5 - check["light_pixel"][0].get<double>(),
-                                           y * options.every + 0.5 - check["light_pixel"][1].get<double>());
-            if (away < 20) continue;
-            for (int c = 0; c < 3; ++c) {
-                const float a = ours->at(x, y)[c];
-                const float b = theirs->pixels.at(x * options.every, y * options.every)[c];
-                sum_ours += d(a);
-                sum_theirs += d(b);
-                const auto shown = [&](float v) {
-                    return d(image::linear_to_srgb(std::clamp(v * scale, 0.0f, 1.0f)));
-                };
-                error += std::pow(shown(a) - shown(b), 2);
-                ++compared;
-            }
-        }
-    const double psnr = 10 * std::log10(compared / std::max(error, 1e-12));
-    std::printf(
-        "%s: display PSNR %.1f dB, mean ratio %.4f (every 4th pixel, 20 px round the lamp left out)\n",
-        name.c_str(), psnr, sum_ours / sum_theirs);
-    EXPECT_GT(psnr, 70);
-    EXPECT_NEAR(sum_ours / sum_theirs, 1, 0.001);
+    image::ImageF theirs(ours->width, ours->height, 3);
+    for (int y = 0; y < theirs.height; ++y)
+        for (int x = 0; x < theirs.width; ++x)
+            std::copy_n(scene.theirs.at(x * every, y * every), 3, theirs.at(x, y));
+    scene.theirs = std::move(theirs);
+    // The middle of our pixel is that of the one of theirs that we take.
+    for (image::Circle& circle : scene.left_out) {
+        const auto step = static_cast<float>(every);
+        circle = {(circle.x - 0.5f) / step + 0.5f, (circle.y - 0.5f) / step + 0.5f, circle.radius / step};
+    }
+    const DisplayFigures found = compare_displayed(scene, *ours);
+    std::printf("%s: display PSNR %.1f dB, mean ratio %.4f\n", reference.name, found.psnr_db,
+                found.mean_ratio);
+    EXPECT_GT(found.psnr_db, 70);
+    EXPECT_NEAR(found.mean_ratio, 1, 0.001);
 }
 
+std::string name_of(const testing::TestParamInfo<Wanted>& wanted) {
+    return wanted.param.reference.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Own, IndependentReference,
+                         testing::Values(Wanted{{kOwnReferences, "across"}, 1},
+                                         Wanted{{kOwnReferences, "towards"}, 1}),
+                         name_of);
 INSTANTIATE_TEST_SUITE_P(Scenes, IndependentReference,
-                         testing::Values("A_side_plain", "A_side_gobo", "B_back_plain", "B_back_gobo"),
-                         [](const auto& picture) { return std::string(picture.param); });
+                         testing::Values(Wanted{{kSharedReferences, "A_side_plain"}, 4},
+                                         Wanted{{kSharedReferences, "A_side_gobo"}, 4},
+                                         Wanted{{kSharedReferences, "B_back_plain"}, 4},
+                                         Wanted{{kSharedReferences, "B_back_gobo"}, 4}),
+                         name_of);
 
 } // namespace
 } // namespace ghost::bake

@@ -3,6 +3,7 @@
 #include "light/gobos.h"
 #include "reference/reference.h"
 #include "reference/trace_lit.h"
+#include "support/likeness.h"
 #include "support/test_stage.h"
 
 #include <atomic>

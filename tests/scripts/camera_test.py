@@ -12,7 +12,10 @@ import tempfile
 import time
 import unittest
 
-from PIL import Image
+from lib import needs
+
+needs.packages("python3-pil")
+from PIL import Image  # noqa: E402
 
 SOURCE, BUILD = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
 LONG_S = 120  # for what a busy machine may take

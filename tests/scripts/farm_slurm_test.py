@@ -16,13 +16,11 @@ import time
 
 SOURCE, BUILD = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
 sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
-from farm import FILM, Ghostlight, files_of, plan_of, small_show, wait_until  # noqa: E402  (the folder is known only now)
+import needs  # noqa: E402  (the folder is known only now)
+from farm import FILM, Ghostlight, files_of, plan_of, small_show, wait_until  # noqa: E402
 
 PATH = os.environ["PATH"] + ":/usr/sbin:/sbin"
-missing = [name for name in ("slurmctld", "slurmd", "munged", "sbatch", "squeue") if not shutil.which(name, path=PATH)]
-if missing:
-    print("skipped:", ", ".join(missing), "not installed (packages slurm-wlm, munge)")
-    sys.exit(77)
+needs.packages("slurm-wlm", "munge", path=PATH)
 
 CONFIG = """ClusterName=ghosttest
 SlurmctldHost=localhost(127.0.0.1)

@@ -3,6 +3,7 @@
 """What files that mean harm cost: `ghostlight check` on each, its peak memory against a stated limit, and what it must say.
 Usage: hostile_test.py SOURCE_FOLDER BUILD_FOLDER [WORDS]; WORDS: only the cases whose name has them. It prints the table of
 docs/guide/import-doctor.md."""
+import io
 import json
 import os
 import pathlib
@@ -14,6 +15,11 @@ import tempfile
 import time
 import zipfile
 import zlib
+
+from lib import needs
+
+needs.packages("python3-pil")
+from PIL import Image  # noqa: E402
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
@@ -97,10 +103,6 @@ def png(width, height, bits=8, colour=6, data=None, rows=None):
 
 def jpeg(width, height, progressive=False):
     """Of one grey, without an end of its data."""
-    import io
-
-    from PIL import Image
-
     out = io.BytesIO()
     Image.new("RGB", (16, 16), (90, 40, 20)).save(out, "JPEG", progressive=progressive, subsampling=0)
     data = bytearray(out.getvalue())

@@ -11,11 +11,10 @@ import sys
 import tempfile
 import unittest
 
-try:
-    from PIL import Image
-except ImportError:
-    print("skipped: python3-pil is not installed")
-    sys.exit(77)
+from lib import needs
+
+needs.packages("python3-pil")
+from PIL import Image  # noqa: E402
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = pathlib.Path(sys.argv[2]).resolve() / "ghostlight"

@@ -16,6 +16,7 @@ import time
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 GHOSTLIGHT = str(pathlib.Path(sys.argv[2]).resolve() / "ghostlight")
 sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
+import needs  # noqa: E402  (the folder is known only now)
 from mistakes import MISTAKES, STANDARD, WELL, sacn  # noqa: E402
 
 LANES = 4
@@ -260,17 +261,15 @@ def write(path, outcomes, well):
 
 def main():
     if not os.access(GHOSTLIGHT, os.X_OK):
-        print("skipped:", GHOSTLIGHT, "is not built")
-        sys.exit(77)
-    if os.geteuid() != 0 or not shutil.which("ip"):
-        print("skipped: needs root and iproute2, for network namespaces")
-        sys.exit(77)
+        needs.skip(f"{GHOSTLIGHT} is not built")
+    if os.geteuid() != 0:
+        needs.skip("needs root for network namespaces")
+    needs.packages("iproute2")
     try:
         with tempfile.TemporaryDirectory() as folder:
             Stage(folder, "try", {}).end()
     except subprocess.SubprocessError as error:
-        print("skipped: no network namespaces or veth here:", error)
-        sys.exit(77)
+        needs.skip(f"no network namespaces or veth here: {error}")
     more = sys.argv[3:]
     path = more[more.index("--write") + 1] if "--write" in more else None
     names = [] if path else more

@@ -18,6 +18,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from lib import needs
+
 SOURCE = Path(sys.argv[1]).resolve()
 GHOSTLIGHT = str(Path(sys.argv[2]) / "ghostlight")
 PAUSE_S = float(os.environ.get("GHOST_PAUSE_S", "4"))
@@ -76,11 +78,6 @@ while True:
     next = max(next + 1 / hertz, time.time() - 1)
     time.sleep(max(0.0, next - time.time()))
 '''
-
-
-def skip(reason):
-    print("skipped:", reason)
-    sys.exit(77)
 
 
 def ip(*words, check=True):
@@ -365,16 +362,17 @@ while True:
 
 
 def main():
-    if os.geteuid() != 0 or not shutil.which("ip"):
-        skip("needs root and iproute2 for network namespaces")
+    if os.geteuid() != 0:
+        needs.skip("needs root for network namespaces")
+    needs.packages("iproute2")
     if not os.access(GHOSTLIGHT, os.X_OK):
-        skip(GHOSTLIGHT + " is not built")
+        needs.skip(GHOSTLIGHT + " is not built")
     desk = None
     try:
         try:
             set_up()
         except subprocess.CalledProcessError as error:
-            skip("no network namespaces or bridges here: " + error.stderr.strip())
+            needs.skip("no network namespaces or bridges here: " + error.stderr.strip())
         if len(sys.argv) > 3:
             add_link("net1", "10.93.0.3")
             for run in range(int(sys.argv[3])):

@@ -16,6 +16,11 @@ import tempfile
 import time
 import zipfile
 
+from lib import needs
+
+needs.packages("python3-pil")
+from PIL import Image, ImageStat  # noqa: E402
+
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 BUILD = pathlib.Path(sys.argv[2]).resolve()
 PROGRAM = BUILD / "ghostlight"
@@ -116,7 +121,6 @@ def level(port):
 
 def work_light(work):
     """A show that nobody sends levels to opens into light; a desk that begins puts it out."""
-    from PIL import Image, ImageStat
     shutil.copytree(work / "demo", work / "dark")
     text = (work / "dark" / "show.toml").read_text().replace('recording = "demo.show"\n', "")
     (work / "dark" / "show.toml").write_text(text)
@@ -154,7 +158,6 @@ def work_light(work):
 
 def shaders(work):
     """One that is written while a picture is shown is drawn with; one that is no shader is refused, and the picture stays."""
-    from PIL import Image, ImageStat
     folder = work / "shaders"
     folder.mkdir()
     for name in ("develop", "glare_develop"):

@@ -16,6 +16,8 @@ import time
 import zipfile
 from pathlib import Path
 
+from lib import needs
+
 SOURCE, GHOSTLIGHT = Path(sys.argv[1]).resolve(), str(Path(sys.argv[2]).resolve() / "ghostlight")
 DESK, VIS = f"gl_x{os.getpid()}", f"gl_y{os.getpid()}"
 
@@ -159,11 +161,6 @@ while True:
             else:
                 send(one, {"Type": kind + "_RET", "OK": "true", "Message": ""})
 '''
-
-
-def skip(reason):
-    print("skipped:", reason)
-    sys.exit(77)
 
 
 def ip(*words):
@@ -316,11 +313,10 @@ for i in range(1000):
 
 def main():
     if os.getuid() != 0:
-        skip("needs root for network namespaces")
-    if not shutil.which("ip"):
-        skip("ip is not installed (package iproute2)")
+        needs.skip("needs root for network namespaces")
+    needs.packages("iproute2")
     if not Path(GHOSTLIGHT).exists():
-        skip(f"{GHOSTLIGHT} is not built")
+        needs.skip(f"{GHOSTLIGHT} is not built")
     try:
         for namespace in (DESK, VIS):
             ip("netns", "add", namespace)
@@ -331,7 +327,7 @@ def main():
             ip("-n", namespace, "link", "set", "net0", "up")
     except (subprocess.CalledProcessError, OSError) as problem:
         clean()
-        skip(f"no network namespaces or veth here: {problem}")
+        needs.skip(f"no network namespaces or veth here: {problem}")
     try:
         with tempfile.TemporaryDirectory() as folder:
             test_against_the_standard(Path(folder))

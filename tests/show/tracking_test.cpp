@@ -4,6 +4,7 @@
 #include "light/rig.h"
 #include "show_file/show_toml.h"
 #include "show_folder/load_show.h"
+#include "support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -46,10 +47,9 @@ TEST(Aim, straight_down_and_nowhere_keep_the_pan) {
 }
 
 Show demo(Report& report) {
-    auto show = load_show(std::filesystem::path(GHOST_SOURCE_DIR) / "assets/demo", false, report);
-    EXPECT_TRUE(show.ok());
-    show->motion = fixture::Motion::as_commanded;
-    return std::move(*show);
+    Show show = must(load_show(std::filesystem::path(GHOST_SOURCE_DIR) / "assets/demo", false, report));
+    show.motion = fixture::Motion::as_commanded;
+    return show;
 }
 
 TEST(RigAim, every_head_of_the_demo_hits_the_point) {

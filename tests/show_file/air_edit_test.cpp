@@ -6,6 +6,7 @@
 #include "show_file/show_edit.h"
 #include "show_file/show_toml.h"
 #include "show_folder/load_show.h"
+#include "support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -35,9 +36,7 @@ const std::string kText = kBefore + kHazers + kAfter;
 
 Show read(const std::string& text) {
     Report report;
-    auto parsed = parse_show(text, "show.toml", report);
-    EXPECT_TRUE(parsed.ok()) << parsed.error().text() << "\n" << text;
-    return std::move(parsed->show);
+    return must(parse_show(text, "show.toml", report)).show;
 }
 
 // text with `from` as `to`.

@@ -4,6 +4,7 @@
 #include "show/show.h"
 #include "show_file/show_edit.h"
 #include "show_file/show_toml.h"
+#include "support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -50,9 +51,7 @@ preset = "haze"
 
 ParsedShow read(const std::string& text) {
     Report report;
-    auto parsed = parse_show(text, "show.toml", report);
-    EXPECT_TRUE(parsed.ok()) << parsed.error().text() << "\n" << text;
-    return std::move(*parsed);
+    return must(parse_show(text, "show.toml", report));
 }
 
 // With the words that changed cut out of both, the texts are the same.

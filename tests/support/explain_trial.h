@@ -8,6 +8,7 @@
 
 #include "diagnose/explain_print.h"
 #include "photometry/photometry.h"
+#include "support/must.h"
 #include "support/tiny_gdtf.h"
 
 #include <algorithm>
@@ -56,9 +57,7 @@ inline std::shared_ptr<const fixture::Type> type_of(const string& channels, cons
     string xml = description.xml();
     const string end = "</DMXChannels>";
     xml.insert(xml.find(end) + end.size(), relations);
-    auto loaded = fixture::load_xml(xml);
-    EXPECT_TRUE(loaded.ok()) << loaded.error().text();
-    return std::make_shared<const fixture::Type>(std::move(loaded->type));
+    return std::make_shared<const fixture::Type>(must(fixture::load_xml(xml)).type);
 }
 
 inline Mesh quad(const vec3& corner, const vec3& a, const vec3& b) {

@@ -10,6 +10,8 @@
 #include "render/geometry/stage_model.h"
 #include "render/haze/distance_images.h"
 #include "render/relight/relighter.h"
+#include "show/camera.h"
+#include "support/must.h"
 
 #include <algorithm>
 #include <atomic>
@@ -23,11 +25,7 @@
 namespace ghost::app {
 
 inline const gpu::Device& live_device() {
-    static const std::unique_ptr<gpu::Device> one = [] {
-        auto made = gpu::Device::create({"", true});
-        EXPECT_TRUE(made.ok()) << made.error().text();
-        return std::move(*made);
-    }();
+    static const std::unique_ptr<gpu::Device> one = [] { return must(gpu::Device::create({"", true})); }();
     return *one;
 }
 

@@ -8,6 +8,7 @@
 #include "light/gobos.h"
 #include "shared/beam.h"
 #include "show/show.h"
+#include "support/must.h"
 
 #include <cmath>
 #include <filesystem>
@@ -23,10 +24,9 @@ using glm::vec3;
 
 inline std::shared_ptr<const fixture::Type> shared_type() {
     static const auto type = [] {
-        auto loaded =
-            fixture::load_gdtf(std::filesystem::path("assets/fixtures/Ghostlight@Optics_Profile.gdtf"));
-        EXPECT_TRUE(loaded.ok()) << loaded.error().text();
-        return std::make_shared<const fixture::Type>(std::move(loaded->type));
+        return std::make_shared<const fixture::Type>(
+            must(fixture::load_gdtf(std::filesystem::path("assets/fixtures/Ghostlight@Optics_Profile.gdtf")))
+                .type);
     }();
     return type;
 }

@@ -3,6 +3,7 @@
 // Films whose every picture says its number, as ten black or white bars.
 
 #include "image/pyramid.h"
+#include "support/must.h"
 #include "video/film.h"
 
 #include <algorithm>
@@ -188,10 +189,9 @@ protected:
     }
     std::filesystem::path film(const std::string& name, int frames, int fps = 25, int first = 0) const {
         const std::filesystem::path path = folder / name;
-        auto writer = FilmWriter::create(path, kBits * kBarWidth, kTestHeight, fps);
-        EXPECT_TRUE(writer.ok());
-        for (int k = 0; k < frames; ++k) EXPECT_TRUE((*writer)->add(numbered(first + k).data()).ok());
-        EXPECT_TRUE((*writer)->finish().ok());
+        const auto writer = must(FilmWriter::create(path, kBits * kBarWidth, kTestHeight, fps));
+        for (int k = 0; k < frames; ++k) EXPECT_TRUE(writer->add(numbered(first + k).data()).ok());
+        EXPECT_TRUE(writer->finish().ok());
         return path;
     }
     std::filesystem::path folder;

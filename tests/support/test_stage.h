@@ -3,7 +3,6 @@
 // Hand-made stages, lights and measures for the tests of the baker.
 
 #include "bake/frame.h"
-#include "image/colour.h"
 #include "image/image.h"
 #include "passes/passes.h"
 #include "passes/passes_file.h"
@@ -191,22 +190,6 @@ inline scene::Passes plain_passes_of(const Frame& frame, const scene::Camera& ca
     for (std::size_t k = 0; k < frame.lights.size(); ++k)
         plain.lights[k] = scene::to_stored(table, frame.lights[k]).whole;
     return passes_of(plain, camera, lights_m);
-}
-
-// Peak signal to noise of what a display shows: sRGB of the picture, scaled so that its brightest hundredth
-// clips.
-inline double display_psnr(const image::ImageF& picture, const image::ImageF& reference) {
-    std::vector<float> sorted = reference.samples;
-    const auto place = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 99 / 100);
-    std::nth_element(sorted.begin(), place, sorted.end());
-    const float scale = 1.0f / std::max(*place, 1e-9f);
-    double error = 0;
-    for (std::size_t k = 0; k < reference.samples.size(); ++k) {
-        const auto shown = [&](float v) { return image::linear_to_srgb(std::clamp(v * scale, 0.0f, 1.0f)); };
-        const double d = shown(picture.samples[k]) - shown(reference.samples[k]);
-        error += d * d;
-    }
-    return 10 * std::log10(static_cast<double>(reference.samples.size()) / std::max(error, 1e-12));
 }
 
 } // namespace ghost::bake

@@ -9,6 +9,7 @@
 #include "photometry/photometry.h"
 #include "render/relight/relighter.h"
 #include "show/show.h"
+#include "support/must.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +24,7 @@
 namespace ghost::render {
 
 inline const gpu::Device& device() {
-    static const std::unique_ptr<gpu::Device> one = [] {
-        auto made = gpu::Device::create({"", true});
-        EXPECT_TRUE(made.ok()) << made.error().text();
-        return std::move(*made);
-    }();
+    static const std::unique_ptr<gpu::Device> one = [] { return must(gpu::Device::create({"", true})); }();
     return *one;
 }
 
@@ -231,7 +228,7 @@ inline Difference compare(const image::ImageF& picture, const image::ImageF& ref
     EXPECT_EQ(picture.samples.size(), reference.samples.size());
     double sum = 0, sum_reference = 0, most = 1e-30, worst = 0, squares = 0;
     for (std::size_t k = 0; k < reference.samples.size(); ++k) {
-        const double value = picture.samples[k];
+        const double value = picture.samples.at(k);
         const double expected = reference.samples[k];
         sum += value;
         sum_reference += expected;
@@ -249,22 +246,6 @@ inline Settings clear_air() {
     Settings settings;
     settings.air = false;
     return settings;
-}
-
-// Display PSNR as the beams' papers measure it: 1 - exp(-L / (2 p75)), p75 of the lit pixels.
-inline double tone_mapped_psnr(const image::ImageF& picture, const image::ImageF& reference) {
-    std::vector<float> lit;
-    for (const float value : reference.samples)
-        if (value > 0) lit.push_back(value);
-    std::sort(lit.begin(), lit.end());
-    const double scale = 1.0 / (2.0 * static_cast<double>(lit[lit.size() * 3 / 4]));
-    double squares = 0;
-    for (std::size_t k = 0; k < reference.samples.size(); ++k) {
-        const double a = std::exp(-static_cast<double>(picture.samples[k]) * scale);
-        const double b = std::exp(-static_cast<double>(reference.samples[k]) * scale);
-        squares += (a - b) * (a - b);
-    }
-    return -10.0 * std::log10(squares / static_cast<double>(reference.samples.size()) + 1e-12);
 }
 
 } // namespace ghost::render

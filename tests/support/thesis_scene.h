@@ -6,8 +6,8 @@
 
 #include "bench/bench_views.h"
 #include "image/ldr.h"
-#include "image/metrics.h"
 #include "reference/reference.h"
+#include "support/likeness.h"
 #include "support/live_picture.h"
 
 #include <cstdio>
@@ -134,19 +134,6 @@ inline render::Settings haze_only() {
     render::Settings settings = bench_settings();
     settings.surfaces = false;
     return settings;
-}
-
-struct Likeness {
-    double psnr_db = 0; // behind 1 - exp(-L / (2 p75)), as the beams' papers measure it
-    double bias = 0;    // of the means
-};
-
-inline Likeness likeness(const image::ImageF& picture, const image::ImageF& reference) {
-    auto pair = image::pair_up(picture, reference, {});
-    EXPECT_TRUE(pair.ok());
-    if (!pair.ok()) return {};
-    EXPECT_EQ(pair->non_finite, 0u);
-    return {image::psnr_db(*pair, image::p75_curve(*pair)), image::relative_errors(*pair).bias};
 }
 
 inline double mean_of(const image::ImageF& picture) {

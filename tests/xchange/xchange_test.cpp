@@ -4,6 +4,7 @@
 #include "xchange/private/xchange_peer.h"
 #include "xchange/xchange.h"
 
+#include "support/must.h"
 #include "support/tiny_gdtf.h"
 
 #include "files/files.h"
@@ -77,9 +78,7 @@ std::string content_of(const fs::path& path) {
 }
 
 std::unique_ptr<Xchange> start(const XchangeOptions& options) {
-    auto xchange = Xchange::start(options);
-    EXPECT_TRUE(xchange.ok()) << xchange.error().text();
-    return std::move(*xchange);
+    return must(Xchange::start(options));
 }
 
 TEST(XchangeStations, a_plot_goes_from_one_to_the_other_whole) {

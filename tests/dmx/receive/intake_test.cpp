@@ -165,7 +165,7 @@ TEST(Intake, a_storm_of_universes_nobody_patched) {
     }
     const Statistics statistics = rig.statistics();
     EXPECT_EQ(statistics.unlisted, 60000u);
-    EXPECT_EQ(statistics.unlisted_universes.size(), kMaxUnlisted);
+    ASSERT_EQ(statistics.unlisted_universes.size(), kMaxUnlisted);
     EXPECT_EQ(statistics.sources.size(), 1u);
     EXPECT_EQ(statistics.unlisted_universes[0].universe, 3);
     EXPECT_EQ(statistics.unlisted_universes[0].from, IpAddress(kOther));

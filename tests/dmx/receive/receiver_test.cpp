@@ -4,6 +4,7 @@
 #include "dmx/send/sender.h"
 #include "dmx/wire/build.h"
 #include "net/socket.h"
+#include "support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -47,9 +48,7 @@ Sender sender(Protocol protocol, const std::string& destination, const ReceiverO
     wanted.destination = destination;
     wanted.interface = "127.0.0.1";
     wanted.port = protocol == Protocol::sacn ? options.sacn_port : options.artnet_port;
-    auto result = Sender::open(wanted);
-    EXPECT_TRUE(result.ok()) << result.error().text();
-    return std::move(*result);
+    return must(Sender::open(wanted));
 }
 
 Universes look(std::uint16_t number, std::uint8_t level) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "support/must.h"
 #include "support/test_recording.h"
 
 namespace ghost::dmx {
@@ -15,9 +16,7 @@ const char kShow[] = "OLA Show\n"
                      "1000\n";
 
 Recording parse(std::string_view text) {
-    auto result = parse_recording(text, "x.show");
-    EXPECT_TRUE(result.ok()) << result.error().text();
-    return std::move(*result);
+    return must(parse_recording(text, "x.show"));
 }
 
 TEST(Player, levels_by_time) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dmx/record/playout.h"
 
+#include "support/must.h"
 #include "support/test_recording.h"
 
 namespace ghost::dmx {
@@ -20,9 +21,7 @@ struct Sent {
 
 Player player_of(const std::vector<RecordedFrame>& frames, std::chrono::microseconds duration) {
     const TestFolder folder;
-    auto recording = read_recording(write_bytes(folder.path / "a.ghostdmx", pack(frames, duration)));
-    EXPECT_TRUE(recording.ok());
-    return Player(std::move(*recording));
+    return Player(must(read_recording(write_bytes(folder.path / "a.ghostdmx", pack(frames, duration)))));
 }
 
 // Asks as the outlet does: at the time of the next look or repeat, but late by up to `late`.

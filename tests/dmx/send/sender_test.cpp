@@ -2,6 +2,7 @@
 #include "dmx/send/sender.h"
 
 #include "net/socket.h"
+#include "support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -44,9 +45,7 @@ Sender open(Protocol protocol) {
     options.protocol = protocol;
     options.destination = "127.0.0.1";
     options.port = kPort;
-    auto sender = Sender::open(options);
-    EXPECT_TRUE(sender.ok());
-    return std::move(*sender);
+    return must(Sender::open(options));
 }
 
 TEST(Sender, artdmx_leaves_from_its_own_port_where_that_is_free) {

@@ -164,7 +164,7 @@ TEST(Sacn, sync_packet) {
     std::array<std::uint8_t, 16> cid{};
     cid[0] = 0xAB;
     Buffer bytes = build_sacn_sync(7962, 0x1F, cid);
-    EXPECT_EQ(bytes.size(), 49u);
+    ASSERT_EQ(bytes.size(), 49u);
     EXPECT_EQ(bytes[17], 0x21);
     EXPECT_EQ(bytes[39], 0x0B);
     const Parsed parsed = parse_sacn(bytes);

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Our reading of every captured packet against that of an independent decoder, Wireshark's tshark, field by
-// field. tshark 4.0 shows neither the levels of ArtDmx as a field nor the inside of sync, discovery and time
-// code; these have literal tests. It calls levels of less than a whole universe malformed after having read
-// their header.
+// Our reading of packets, of our own making and captured ones, against that of an independent decoder,
+// Wireshark's tshark, field by field. tshark 4.0 shows neither the levels of ArtDmx as a field nor the inside
+// of sync, discovery and time code; these have literal tests. It calls levels of less than a whole universe
+// malformed after having read their header.
 #include "dmx/merge/source_status.h"
 #include "dmx/wire/packet.h"
 #include "support/pcap_file.h"
+#include "support/test_capture.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <random>
 #include <sstream>
 
 namespace ghost::dmx {
@@ -155,31 +157,79 @@ void compare_artnet(const Captured& captured, const Row& row) {
     EXPECT_EQ(notice_of(parsed), expected == notices.end() ? Notice::other : expected->second) << row[opcode];
 }
 
-TEST(Tshark, reads_every_captured_packet_as_we_do) {
-    if (!fs::exists(kData)) GTEST_SKIP() << kData << " is not there";
-    if (std::system("tshark --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "tshark is not installed";
-    int sacn = 0, artnet = 0, files = 0;
+class Tshark : public testing::Test {
+protected:
+    void SetUp() override {
+        if (std::system("tshark --version >/dev/null 2>&1") != 0)
+            GTEST_SKIP() << "tshark is not installed (Debian package tshark)";
+    }
+
+    void compare(const fs::path& file) {
+        const std::map<int, Row> rows = tshark(file);
+        ASSERT_FALSE(rows.empty()) << file;
+        for (const Captured& captured : read_pcap(file)) {
+            SCOPED_TRACE(file.filename().string() + ", frame " + std::to_string(captured.frame));
+            const auto row = rows.find(captured.frame);
+            ASSERT_NE(row, rows.end());
+            EXPECT_EQ(std::to_string(captured.port), row->second[port]);
+            if (captured.port == 5568) {
+                compare_sacn(captured, row->second);
+                ++sacn;
+            } else if (captured.port == 6454) {
+                compare_artnet(captured, row->second);
+                ++artnet;
+            }
+            if (HasFailure()) return;
+        }
+    }
+
+    int sacn = 0, artnet = 0;
+};
+
+TEST_F(Tshark, reads_what_we_send_as_we_do) {
+    std::mt19937 random(7);
+    std::vector<TestPacket> packets;
+    const auto add = [&](const auto& payload, std::uint16_t to) {
+        packets.push_back({std::chrono::milliseconds(packets.size()),
+                           ethernet_of(ipv4_of(udp_of({payload.begin(), payload.end()}, to)))});
+    };
+    for (int k = 0; k < 200; ++k) {
+        std::array<std::uint8_t, 16> cid{};
+        for (std::uint8_t& byte : cid) byte = static_cast<std::uint8_t>(random());
+        // Less than a whole universe tshark calls malformed.
+        ByteList slots(k % 3 == 0 ? 1 + random() % 512 : 512);
+        for (std::uint8_t& slot : slots) slot = static_cast<std::uint8_t>(random());
+        const auto number = static_cast<std::uint16_t>(1 + random() % 32'000);
+        const auto sequence = static_cast<std::uint8_t>(random());
+        const auto options = static_cast<std::uint8_t>(random() % 4 << 6); // preview, stream terminated
+        add(build_sacn(number, Bytes(slots), sequence, static_cast<std::uint8_t>(random() % 201), cid,
+                       "desk " + std::to_string(k), options),
+            5568);
+        add(build_artdmx(number, Bytes(slots), sequence), 6454);
+        if (k % 10 != 0) continue;
+        add(build_sacn_sync(number, sequence, cid), 5568);
+        add(build_sacn_discovery(std::vector<std::uint16_t>{1, 2, number}, 0, 0, cid, "desk"), 5568);
+        PollReply reply;
+        reply.ports = {{.address = number}};
+        reply.short_name = "Ghostlight";
+        add(build_poll_reply(reply), 6454);
+    }
+    const TestFolder folder;
+    const fs::path file = folder.path / "own.pcap";
+    ASSERT_TRUE(write_file_atomic(file, Bytes(pcap_of(packets))).ok());
+    ASSERT_NO_FATAL_FAILURE(compare(file));
+    EXPECT_EQ(sacn, 240);
+    EXPECT_EQ(artnet, 220);
+}
+
+TEST_F(Tshark, reads_every_captured_packet_as_we_do) {
+    if (!fs::exists(kData)) GTEST_SKIP() << "no ../shared beside the checkout";
     for (const char* folder : {"captures", "pcap_from_hex"})
         for (const fs::directory_entry& entry : fs::directory_iterator(kData / folder)) {
-            const std::map<int, Row> rows = tshark(entry.path());
-            ASSERT_FALSE(rows.empty()) << entry.path();
-            ++files;
-            for (const Captured& captured : read_pcap(entry.path())) {
-                SCOPED_TRACE(entry.path().filename().string() + ", frame " + std::to_string(captured.frame));
-                const auto row = rows.find(captured.frame);
-                ASSERT_NE(row, rows.end());
-                EXPECT_EQ(std::to_string(captured.port), row->second[port]);
-                if (captured.port == 5568) {
-                    compare_sacn(captured, row->second);
-                    ++sacn;
-                } else if (captured.port == 6454) {
-                    compare_artnet(captured, row->second);
-                    ++artnet;
-                }
-                if (HasFailure()) return;
-            }
+            ASSERT_NO_FATAL_FAILURE(compare(entry.path()));
+            if (HasFailure()) return;
         }
-    std::printf("%d files: %d sACN and %d Art-Net packets compared\n", files, sacn, artnet);
+    std::printf("%d sACN and %d Art-Net packets compared\n", sacn, artnet);
     EXPECT_GT(sacn, 1500);
     EXPECT_GT(artnet, 1500);
 }

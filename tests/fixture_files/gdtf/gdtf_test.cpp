@@ -425,7 +425,7 @@ TEST(gdtf, messages_are_limited_and_counted) {
     for (int i = 0; i < 2000; ++i) description.wheels += "<Slot Color='x'/>";
     description.wheels = "<Wheel Name='W'>" + description.wheels + "</Wheel>";
     const LoadedType file = loaded(description);
-    EXPECT_EQ(file.messages.size(), kMaxMessages + 1);
+    ASSERT_EQ(file.messages.size(), kMaxMessages + 1);
     EXPECT_NE(file.messages[0].what.find("(and 1500 more of this kind)"), std::string::npos)
         << file.messages[0].what;
     EXPECT_NE(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Open Fixture Library: wheels, gobo pictures, strobes, heads and mirrors.
 #include "fixture_files/ofl/private/ofl_reader.h"
+#include "support/must.h"
 #include "support/tiny_ofl.h"
 
 #include <filesystem>
@@ -68,10 +69,9 @@ TEST(ofl_wheels, gobos_lie_in_the_librarys_folder_of_resources_too) {
     const std::filesystem::path file = root / "fixtures" / "maker" / "thing.json";
     const auto media = [&](const std::string& resource) {
         std::ofstream(file) << with_gobo(resource);
-        Result<LoadedType> type = load_ofl(file);
-        EXPECT_TRUE(type.ok()) << type.error().text();
-        EXPECT_EQ(type->type.manufacturer, "The MAKER");
-        return std::move(*type);
+        LoadedType type = must(load_ofl(file));
+        EXPECT_EQ(type.type.manufacturer, "The MAKER");
+        return type;
     };
     for (const char* known : {R"json("gobos/half")json", R"json("gobos/aliases/other/Folder/g1.svg")json"}) {
         const LoadedType type = media(known);

@@ -3,6 +3,7 @@
 #include "live/engine/live_controls.h"
 
 #include "support/demo_copy.h"
+#include "support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -24,9 +25,7 @@ std::unique_ptr<Session> open_demo(const std::string& view) {
     options.quiet = true;
     options.motion = fixture::Motion::as_commanded;
     options.ev100 = 5.0f;
-    auto session = open_session(options);
-    EXPECT_TRUE(session.ok()) << session.error().text();
-    return std::move(*session);
+    return must(open_session(options));
 }
 
 // All lamps lit, heads in the middle.
@@ -58,8 +57,8 @@ double difference(const image::ImageF& a, const image::ImageF& b) {
     EXPECT_EQ(a.samples.size(), b.samples.size());
     double most = 0;
     for (std::size_t k = 0; k < a.samples.size(); ++k)
-        most = std::max(most, static_cast<double>(std::abs(a.samples[k] - b.samples[k]) /
-                                                  (1.0f + std::abs(b.samples[k]))));
+        most = std::max(most, static_cast<double>(std::abs(a.samples[k] - b.samples.at(k)) /
+                                                  (1.0f + std::abs(b.samples.at(k)))));
     return most;
 }
 

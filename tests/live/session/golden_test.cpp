@@ -6,6 +6,8 @@
 #include "image/ldr.h"
 #include "live/session/session.h"
 #include "support/demo_copy.h"
+#include "support/likeness.h"
+#include "support/must.h"
 
 #include "base/log.h"
 
@@ -45,14 +47,11 @@ std::unique_ptr<Session> session_of(const Still& still) {
     options.height = still.height;
     options.validation = true;
     options.quiet = true;
-    auto session = open_session(options);
-    EXPECT_TRUE(session.ok()) << session.error().text();
-    auto recording = dmx::read_recording((*session)->show->recording);
-    EXPECT_TRUE(recording.ok()) << recording.error().text();
-    dmx::Player player(std::move(*recording));
+    auto session = must(open_session(options));
+    dmx::Player player(must(dmx::read_recording(session->show->recording)));
     for (int frame = 0; frame <= std::lround(still.t_s * 30); ++frame)
-        (*session)->rig->step(player.at(frame / 30.0), 1.0 / 30);
-    return std::move(*session);
+        session->rig->step(player.at(frame / 30.0), 1.0 / 30);
+    return session;
 }
 
 image::Image8 still_picture(const Still& still) {
@@ -62,23 +61,23 @@ image::Image8 still_picture(const Still& still) {
     return session->relighter->picture();
 }
 
+image::ImageF values_of(const image::Image8& picture) {
+    image::ImageF values(picture.width, picture.height, 3);
+    for (std::size_t k = 0; k < values.samples.size(); ++k)
+        values.samples[k] = static_cast<float>(picture.samples[k / 3 * 4 + k % 3]) / 255.0f;
+    return values;
+}
+
 // Over the pixels that are not black in both.
 double lit_psnr(const image::Image8& a, const image::Image8& b) {
-    double error = 0;
-    int count = 0;
-    for (std::size_t p = 0; p < a.samples.size(); p += 4) {
-        bool lit = false;
-        double squares = 0;
-        for (std::size_t c = p; c < p + 3; ++c) {
-            lit = lit || a.samples[c] > 8 || b.samples[c] > 8;
-            const double d = (static_cast<double>(a.samples[c]) - static_cast<double>(b.samples[c])) / 255.0;
-            squares += d * d;
-        }
-        if (!lit) continue;
-        error += squares / 3;
-        ++count;
+    image::PicturePair pair = pair_of(values_of(a), values_of(b));
+    for (std::size_t p = 0; p < pair.counts.size(); ++p) {
+        const glm::vec3 most = glm::max(pair.test_at(p), pair.reference_at(p));
+        pair.counts[p] = std::max({most.x, most.y, most.z}) > 8.5f / 255 ? 1 : 0;
     }
-    return 10 * std::log10(std::max(count, 1) / std::max(error, 1e-9));
+    pair.counted = static_cast<std::size_t>(std::count(pair.counts.begin(), pair.counts.end(), 1));
+    EXPECT_GT(pair.counted, 0u) << "all is black";
+    return image::psnr_db(pair, [](const glm::vec3& value) { return value; });
 }
 
 class Golden : public ::testing::TestWithParam<Still> {};

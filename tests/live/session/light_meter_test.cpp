@@ -6,6 +6,7 @@
 #include "light/illuminance.h"
 #include "shared/develop.h"
 #include "support/demo_copy.h"
+#include "support/must.h"
 
 #include <gtest/gtest.h>
 
@@ -26,9 +27,7 @@ struct Meter {
         options.keep_hidden = true;
         options.width = 96;
         options.height = 72;
-        auto opened = open_session(options);
-        EXPECT_TRUE(opened.ok()) << opened.error().text();
-        session = std::move(*opened);
+        session = must(open_session(options));
         session->show->motion = fixture::Motion::as_commanded;
         session->show->haze.extinction_per_m = 0;
         session->show->ambient_lux = 0;

@@ -8,6 +8,7 @@
 #include "show_folder/load_show.h"
 #include "support/demo_copy.h"
 #include "support/live_picture.h"
+#include "support/must.h"
 
 #include <algorithm>
 #include <chrono>
@@ -20,10 +21,9 @@ namespace {
 
 scene::Show demo_show() {
     Report report;
-    auto show = scene::load_show(DemoCopy::show(), true, report);
-    EXPECT_TRUE(show.ok()) << show.error().text();
-    show->distance_map_size = 64;
-    return std::move(*show);
+    scene::Show show = must(scene::load_show(DemoCopy::show(), true, report));
+    show.distance_map_size = 64;
+    return show;
 }
 
 scene::Camera camera_of(const scene::Show& show) {
@@ -62,7 +62,7 @@ float most_difference(const image::ImageF& a, const image::ImageF& b) {
     EXPECT_EQ(a.samples.size(), b.samples.size());
     float most = 0;
     for (std::size_t k = 0; k < a.samples.size(); ++k)
-        most = std::max(most, std::abs(a.samples[k] - b.samples[k]) / (1.0f + std::abs(b.samples[k])));
+        most = std::max(most, std::abs(a.samples[k] - b.samples.at(k)) / (1.0f + std::abs(b.samples.at(k))));
     return most;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The gate's haze among the things of the demo stage, with shadows, against the brute force of the reference:
 // canned views, one or two lights each.
-#include "image/metrics.h"
 #include "light/bodies.h"
 #include "reference/reference.h"
 #include "show/show.h"
 #include "show_folder/load_show.h"
 #include "support/demo_copy.h"
+#include "support/likeness.h"
 #include "support/live_picture.h"
 
 #include "support/test_view.h"
@@ -122,21 +122,15 @@ std::vector<std::uint8_t> away_from_lamps(const scene::Camera& camera,
     return counts;
 }
 
-struct Figures {
-    double psnr_db = 0;
-    double bias = 0;
-};
-
 // Where counts is 1; everywhere where it is empty.
-Figures figures(const image::ImageF& ours, const image::ImageF& reference,
-                const std::vector<std::uint8_t>& counts) {
-    auto pair = image::pair_up(ours, reference, {});
-    EXPECT_TRUE(pair.ok());
+Likeness figures(const image::ImageF& ours, const image::ImageF& reference,
+                 const std::vector<std::uint8_t>& counts) {
+    image::PicturePair pair = pair_of(ours, reference);
     if (!counts.empty()) {
-        pair->counts = counts;
-        pair->counted = static_cast<std::size_t>(std::count(counts.begin(), counts.end(), 1));
+        pair.counts = counts;
+        pair.counted = static_cast<std::size_t>(std::count(counts.begin(), counts.end(), 1));
     }
-    return {image::psnr_db(*pair, image::p75_curve(*pair)), image::relative_errors(*pair).bias};
+    return likeness(pair);
 }
 
 TEST(live_views, HazeAmongThingsAgreesWithTheReference) {
@@ -162,10 +156,8 @@ TEST(live_views, HazeAmongThingsAgreesWithTheReference) {
         const auto reference = [&](int air_samples, int pixel_samples) {
             options.air_samples = air_samples;
             options.pixel_samples = pixel_samples;
-            const auto made =
-                bake::reference_picture(&tracer, camera, view.lights, render::test_gobos(), haze, 0, options);
-            EXPECT_TRUE(made.ok()) << made.error().text();
-            return *made;
+            return must(bake::reference_picture(&tracer, camera, view.lights, render::test_gobos(), haze, 0,
+                                                options));
         };
         const std::vector<std::uint8_t> counts = away_from_silhouettes(tracer, camera);
         const auto drawn = [&](int size, int supersample) {
@@ -176,10 +168,10 @@ TEST(live_views, HazeAmongThingsAgreesWithTheReference) {
             return live_picture(live, supersample);
         };
         const image::ImageF middles = reference(1024, 1);
-        const Figures away = figures(drawn(scene::kDistanceMapSize, 1), middles, counts);
-        const Figures sharp = figures(drawn(2048, 1), middles, counts);
+        const Likeness away = figures(drawn(scene::kDistanceMapSize, 1), middles, counts);
+        const Likeness sharp = figures(drawn(2048, 1), middles, counts);
         // All pixels, as a still is drawn: each the mean of what it shows.
-        const Figures whole =
+        const Likeness whole =
             figures(drawn(2048, 4), reference(128, 4), away_from_lamps(camera, view.lights));
         std::printf(
             "%-24s away from silhouettes (%2.0f %% of pixels): map 512 %4.1f dB, bias %6.3f %%, map 2048 "

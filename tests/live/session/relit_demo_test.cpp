@@ -11,6 +11,8 @@
 #include "show_folder/load_show.h"
 #include "support/demo_copy.h"
 
+#include "support/likeness.h"
+#include "support/must.h"
 #include "support/test_stage.h"
 
 #include <cstdio>
@@ -35,9 +37,7 @@ Demo& demo() {
     static Demo one = [] {
         Demo made;
         Report report;
-        auto show = scene::load_show(DemoCopy::show(), true, report);
-        EXPECT_TRUE(show.ok()) << show.error().text();
-        made.show = std::move(*show);
+        made.show = must(scene::load_show(DemoCopy::show(), true, report));
         made.show.cameras.resize(1);
         // A quarter of the field at a quarter of the pixels, round the singer.
         made.camera().fov_y_deg =
@@ -50,9 +50,7 @@ Demo& demo() {
         options.spp = kSpp;
         const auto baked = bake::bake_show(made.show, options, report);
         EXPECT_TRUE(baked.ok()) << baked.error().text();
-        auto passes = scene::load_passes(scene::passes_folder(made.show, "part"), true, report);
-        EXPECT_TRUE(passes.ok()) << passes.error().text();
-        made.ours = std::move(*passes);
+        made.ours = must(scene::load_passes(scene::passes_folder(made.show, "part"), true, report));
         made.ours.emission.clear(); // direct tracing has none
         made.gobos = scene::build_gobos(made.show, report);
         made.stage = scene::stage_with_bodies(made.show, report);
@@ -74,9 +72,7 @@ Demo& demo() {
 }
 
 std::vector<shared::Light> lights_at(double t_s) {
-    auto recording = dmx::read_recording(demo().show.recording);
-    EXPECT_TRUE(recording.ok());
-    dmx::Player player(std::move(*recording));
+    dmx::Player player(must(dmx::read_recording(demo().show.recording)));
     scene::Rig rig(demo().show);
     for (int frame = 0; frame <= static_cast<int>(t_s * 30); ++frame)
         rig.step(player.at(frame / 30.0), 1.0 / 30);
@@ -85,15 +81,14 @@ std::vector<shared::Light> lights_at(double t_s) {
 
 image::ImageF relit_on_gpu(const scene::Passes& passes, const std::vector<shared::Light>& lights,
                            const shared::Haze& haze) {
-    static const auto device = gpu::Device::create({"", true});
-    EXPECT_TRUE(device.ok());
+    static const auto device = must(gpu::Device::create({"", true}));
     render::Settings settings;
     settings.haze = haze;
     settings.air = false;
-    render::Relighter relighter(**device, passes, demo().gobos.images, static_cast<int>(lights.size()),
+    render::Relighter relighter(*device, passes, demo().gobos.images, static_cast<int>(lights.size()),
                                 settings);
     relighter.draw(lights);
-    EXPECT_EQ((*device)->validation_errors(), 0u);
+    EXPECT_EQ(device->validation_errors(), 0u);
     return relighter.frame();
 }
 
@@ -107,15 +102,15 @@ TEST(relit_demo, SpotsMatchDirectTracing) {
         const image::ImageF other =
             bake::trace_lit(demo().stage, demo().camera(), lights, demo().gobos.images, 64, haze, 7);
         const image::ImageF ours = relit_on_gpu(demo().ours, lights, haze);
-        const double ours_db = bake::display_psnr(ours, direct);
-        const double plain_db = bake::display_psnr(relit_on_gpu(demo().plain, lights, haze), direct);
+        const double ours_db = display_psnr(ours, direct);
+        const double plain_db = display_psnr(relit_on_gpu(demo().plain, lights, haze), direct);
         std::printf(
             "%.0f s: one position a pixel %.1f dB, fragments %.1f dB; GPU against CPU %.1f dB; against 64 "
             "other "
             "samples: fragments %.1f dB, direct itself %.1f dB\n",
             t_s, plain_db, ours_db,
-            bake::display_psnr(ours, scene::relight_cpu(demo().ours, lights, demo().gobos.images, haze)),
-            bake::display_psnr(ours, other), bake::display_psnr(direct, other));
+            display_psnr(ours, scene::relight_cpu(demo().ours, lights, demo().gobos.images, haze)),
+            display_psnr(ours, other), display_psnr(direct, other));
         EXPECT_GE(ours_db, 45.0);
         EXPECT_GT(ours_db, plain_db + 3.0);
     }

@@ -5,6 +5,7 @@
 // the other way; and from the house the picture is the reference's.
 #include "fixture_files/gdtf/gdtf.h"
 #include "light/rig.h"
+#include "support/must.h"
 #include "support/thesis_scene.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -25,11 +26,11 @@ constexpr int kZoom = 12;
 class Spot {
 public:
     Spot() {
-        auto loaded = fixture::load_gdtf(std::filesystem::path("assets/fixtures/Vari-Lite@VL2500_Spot.gdtf"));
-        EXPECT_TRUE(loaded.ok()) << loaded.error().text();
+        fixture::LoadedType loaded =
+            must(fixture::load_gdtf(std::filesystem::path("assets/fixtures/Vari-Lite@VL2500_Spot.gdtf")));
         scene::PatchedFixture fixture;
         fixture.name = "Spot";
-        fixture.type = std::make_shared<const fixture::Type>(std::move(loaded->type));
+        fixture.type = std::make_shared<const fixture::Type>(std::move(loaded.type));
         fixture.position_m = {0, 2, 6};
         show_.fixtures.push_back(std::move(fixture));
         Report report;

@@ -4,6 +4,7 @@
 // haze at all.
 #include "shared/beam.h"
 #include "shared/haze.h"
+#include "support/likeness.h"
 #include "support/test_view.h"
 
 #include <cstdio>
@@ -119,8 +120,8 @@ TEST_F(Smoke, SwirlsAndPlumesAgreeWithTheReference) {
         const image::ImageF reference = reference_of(house(), one.light, one.air);
         const image::ImageF gate = drawn(house(), one.light, smoky(one.air));
         const Difference difference = compare(gate, reference);
-        const double even_db = tone_mapped_psnr(drawn(house(), one.light, smoky(even_air())), reference);
-        const double db = tone_mapped_psnr(gate, reference);
+        const double even_db = likeness(drawn(house(), one.light, smoky(even_air())), reference).psnr_db;
+        const double db = likeness(gate, reference).psnr_db;
         std::printf("%-20s gate: %.1f dB, bias %.2f %%; even haze instead: %.1f dB\n", one.name, db,
                     100 * difference.mean_bias, even_db);
         EXPECT_GE(db, 45.0);
@@ -144,7 +145,7 @@ TEST_F(Smoke, SwirlsMakeNoSunRoundALampThatFacesTheCamera) {
             least = std::min(least, ratio);
             most = std::max(most, ratio);
         }
-        const double db = tone_mapped_psnr(gate, reference);
+        const double db = likeness(gate, reference).psnr_db;
         std::printf("%s: %.1f dB, ratio %.3f to %.3f\n", air.hazers > 0 ? "plume" : "swirls", db,
                     static_cast<double>(least), static_cast<double>(most));
         EXPECT_GE(db, 50.0);
@@ -184,9 +185,9 @@ TEST_F(Smoke, SwirlsGoWithTheWind) {
     light.position_m += drift_m;
     const image::ImageF went = drawn(along, light, smoky(air));
     std::printf("swirls after 2.7 m of wind: %.1f dB for who went along, %.1f dB for who stayed\n",
-                tone_mapped_psnr(went, before), tone_mapped_psnr(stayed, before));
-    EXPECT_GE(tone_mapped_psnr(went, before), 60.0);
-    EXPECT_LT(tone_mapped_psnr(stayed, before), 30.0);
+                likeness(went, before).psnr_db, likeness(stayed, before).psnr_db);
+    EXPECT_GE(likeness(went, before).psnr_db, 60.0);
+    EXPECT_LT(likeness(stayed, before).psnr_db, 30.0);
 }
 
 TEST_F(Smoke, NoSmokeLeavesTheSurfacesAndNoBeam) {
@@ -245,8 +246,8 @@ TEST_F(Smoke, AttenuationOfHazeIsTheClosedForm) {
         const Difference difference = compare(gate, reference);
         std::printf("haze, %g %g %g: %.1f dB, bias %.3f %%\n", static_cast<double>(attenuation.constant),
                     static_cast<double>(attenuation.linear), static_cast<double>(attenuation.quadratic),
-                    tone_mapped_psnr(gate, reference), 100 * difference.mean_bias);
-        EXPECT_GE(tone_mapped_psnr(gate, reference), 42.0);
+                    likeness(gate, reference).psnr_db, 100 * difference.mean_bias);
+        EXPECT_GE(likeness(gate, reference).psnr_db, 42.0);
         EXPECT_LT(std::abs(difference.mean_bias), 0.01);
     }
 }

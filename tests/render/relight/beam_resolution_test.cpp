@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Haze of wide beams at every 2nd or 4th ray against the same haze at every ray.
 #include "render/haze/wide_beams.h"
+#include "support/likeness.h"
 #include "support/test_view.h"
 
 #include <cstdio>
@@ -75,13 +76,10 @@ image::ImageF drawn(std::uint32_t step, const Drawing& drawing, std::uint32_t mo
     return relighter.frame();
 }
 
-double psnr_db(const image::ImageF& a, const image::ImageF& b) {
-    double squares = 0, most = 0;
-    for (std::size_t k = 0; k < a.samples.size(); ++k) {
-        squares += std::pow(static_cast<double>(a.samples[k]) - static_cast<double>(b.samples[k]), 2);
-        most = std::max(most, static_cast<double>(b.samples[k]));
-    }
-    return 10 * std::log10(most * most * static_cast<double>(a.samples.size()) / std::max(squares, 1e-30));
+// Of linear light, the brightest being 1.
+double psnr_db(const image::ImageF& picture, const image::ImageF& reference) {
+    const float most = *std::max_element(reference.samples.begin(), reference.samples.end());
+    return image::psnr_db(pair_of(picture, reference), [&](const vec3& value) { return value / most; });
 }
 
 // Worst difference of a pixel from another picture, as a fraction of the brightest.

@@ -473,7 +473,8 @@ TEST(image_slots, FollowsTheBudget) {
     EXPECT_EQ(image_slots(1024 * 300 * 8 * 5, 1024, 300, 10), 5);
     EXPECT_GT(image_slots(std::uint64_t{1} << 40, 16, 16, 100000), 1000); // bounded by the layers of an image
     EXPECT_LE(image_slots(std::uint64_t{1} << 40, 16, 16, 100000), 2047);
-    EXPECT_GE(image_slots(1, 8192, 8192, 0), 0);
+    EXPECT_EQ(image_slots(1, 8192, 8192, 0), 0);
+    EXPECT_EQ(image_slots(std::uint64_t{1} << 30, 8192, 8192, 0), 1) << "a tree of no light has one place";
 }
 
 } // namespace

@@ -5,7 +5,7 @@
 # are baked when they are not there yet. Arguments: source folder, build folder.
 set -u
 . "$1/tests/scripts/lib/desk.sh"
-/usr/bin/python3 -c 'import PIL' 2>/dev/null || skip "python3-pil is not installed"
+needs python3-pil
 desk_test "ola, iproute2, util-linux" olad ola_patch ola_streaming_client ip setpriv
 
 "$ghostlight" render "$source_dir/assets/demo" -o "$work/baked.png" --view house --replay "$source_dir/assets/demo/demo.show" \

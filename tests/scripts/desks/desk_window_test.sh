@@ -5,7 +5,7 @@
 # What is done and checked is in lib/desk_window.py. Arguments: source folder, build folder [, folder for pictures].
 set -u
 . "$1/tests/scripts/lib/desk.sh"
-/usr/bin/python3 -c 'import PIL, numpy' 2>/dev/null || skip "python3-pil or python3-numpy is not installed"
+needs python3-pil python3-numpy
 desk_test "qlcplus, iproute2, xvfb, xdotool" qlcplus ip Xvfb xdotool
 
 # Washes 1 to 3 on the cyclorama, four seconds red, four seconds blue.

@@ -4,7 +4,7 @@
 # In a network namespace of its own, so that ports are free. Arguments: source folder, build folder.
 set -u
 . "$1/tests/scripts/lib/desk.sh"
-/usr/bin/python3 -c 'import PIL' 2>/dev/null || skip "python3-pil is not installed"
+needs python3-pil
 desk_test "liblo-tools, iproute2" oscsend ip
 vis() { ip netns exec $VIS "$@"; }
 

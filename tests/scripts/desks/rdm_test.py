@@ -5,11 +5,13 @@ gets and sets what it may, in network namespaces. (Debian package ola.) Argument
 import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import tempfile
 import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "lib"))
+import needs  # noqa: E402
 
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 GHOSTLIGHT = str(pathlib.Path(sys.argv[2]).resolve() / "ghostlight")
@@ -17,11 +19,6 @@ DESK, VIS = f"gl_d{os.getpid()}", f"gl_v{os.getpid()}"
 HEADS = 400
 PLUGINS = ("dummy e131 espnet ftdidmx gpio karate kinet milinst nanoleaf opendmx openpixelcontrol osc pathport renard sandnet shownet spi "
            "stageprofi uartdmx usbdmx usbserial").split()
-
-
-def skip(reason):
-    print("skipped:", reason)
-    sys.exit(77)
 
 
 def ip(*words):
@@ -123,12 +120,10 @@ def drive(work):
 
 def main():
     if os.geteuid() != 0:
-        skip("needs root for network namespaces")
-    for tool in ("olad", "ola_rdm_discover", "ola_rdm_get", "ola_rdm_set", "ip", "setpriv"):
-        if not shutil.which(tool):
-            skip(f"{tool} is not installed (packages ola, iproute2, util-linux)")
+        needs.skip("needs root for network namespaces")
+    needs.packages("ola", "iproute2", "util-linux")
     if not os.access(GHOSTLIGHT, os.X_OK):
-        skip(f"{GHOSTLIGHT} is not built")
+        needs.skip(f"{GHOSTLIGHT} is not built")
     made = []
     try:
         try:
@@ -141,7 +136,7 @@ def main():
                 ip("-n", namespace, "addr", "add", f"{address}/24", "brd", "+", "dev", "net0")
                 ip("-n", namespace, "link", "set", "net0", "up")
         except subprocess.CalledProcessError as error:
-            skip(f"no network namespaces here: {error}")
+            needs.skip(f"no network namespaces here: {error}")
         with tempfile.TemporaryDirectory() as folder:
             drive(pathlib.Path(folder))
     finally:

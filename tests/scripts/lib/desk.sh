@@ -5,6 +5,7 @@
 source_dir=$1
 ghostlight=$2/ghostlight
 skip() { echo "skipped: $1"; exit 77; }
+needs() { /usr/bin/python3 "$source_dir/tests/scripts/lib/needs.py" "$@" || exit; }
 fail() { echo "FAILED: $1"; exit 1; }
 
 # desk_test PACKAGES TOOL...: skips where a tool is missing.

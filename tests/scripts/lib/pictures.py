@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Pictures for tests, as rows of pixels."""
-from PIL import Image
+from lib import needs
+
+needs.packages("python3-pil")
+from PIL import Image  # noqa: E402
 
 
 def read(path):

@@ -14,19 +14,16 @@ import tempfile
 import time
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).parent))
+import needs  # noqa: E402
+
+needs.packages("xvfb", "xdotool", "python3-numpy", "python3-pil")
+import numpy  # noqa: E402
+from PIL import Image  # noqa: E402
+
 SOURCE = pathlib.Path(sys.argv[1]).resolve()
 PROGRAM = pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
 PICTURES = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
-for tool in ("Xvfb", "xdotool"):
-    if not shutil.which(tool):
-        print(f"skipped: {tool} is not installed (packages xvfb, xdotool)")
-        sys.exit(77)
-try:
-    import numpy
-    from PIL import Image
-except ImportError:
-    print("skipped: python3-numpy or python3-pil is not installed")
-    sys.exit(77)
 
 WORK = None
 DISPLAY = None

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fixtures and the mouse in the picture: heads aimed at a place, lamps dragged along what they hang under,
 // bodies that are clicked, names that do not lie on each other.
+#include "support/must.h"
 #include "support/test_picture.h"
 #include "ui/actions/aiming.h"
 #include "ui/model/lamp_drag.h"
@@ -20,11 +21,10 @@ struct Heads : Bench {
     Heads() {
         Opened opened = four_lamps();
         auto show = std::make_shared<scene::Show>(*opened.show);
-        const auto spot = fixture::load_gdtf(std::filesystem::path(GHOST_SOURCE_DIR) /
-                                             "assets/fixtures/Vari-Lite@VL2500_Spot.gdtf");
-        EXPECT_TRUE(spot.ok());
+        const fixture::LoadedType spot = must(fixture::load_gdtf(
+            std::filesystem::path(GHOST_SOURCE_DIR) / "assets/fixtures/Vari-Lite@VL2500_Spot.gdtf"));
         for (scene::PatchedFixture& fixture : show->fixtures)
-            fixture.type = std::make_shared<fixture::Type>(spot->type);
+            fixture.type = std::make_shared<fixture::Type>(spot.type);
         show->fixtures[3].rotation_deg = {180, 0, 30}; // stands
         opened.show = std::move(show);
         link.opened.put(std::move(opened));

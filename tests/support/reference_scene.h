@@ -1,44 +1,51 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// A scene of ../shared/reference as its JSON has it: stage, camera, spot, gobo, haze and the picture of the
-// independent integrator. The spot's own profile (a smoothstep of the cosine) and its gobo become one picture
-// in the gate, with a flat profile of ours; all stays in the primaries of the reference, in which light and
-// paint are multiplied channel by channel.
+// A scene of tests/references or ../shared/reference as its JSON has it: stage, camera, spot, gobo, haze and
+// the picture of the independent integrator. The spot's own profile (a smoothstep of the cosine) and its gobo
+// become one picture in the gate, with a flat profile of ours; all stays in the primaries of the reference,
+// in which light and paint are multiplied channel by channel.
 
+#include "bounce/bounce_box.h"
 #include "files/files.h"
-#include "image/colour.h"
 #include "image/exr.h"
 #include "image/ldr.h"
 #include "shared/gobos.h"
 #include "show/show.h"
 #include "stage/model_reader.h"
+#include "support/likeness.h"
 
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
 
-namespace ghost::app {
+namespace ghost {
 
-struct BlenderScene {
-    scene::Stage stage;
-    scene::Camera camera;
-    shared::Light light{};
-    shared::Gobos gobos;
-    shared::Haze haze{};
-    image::ImageF theirs;
-    float preview_scale = 1;
-    glm::dvec2 lamp_px{0};
+// Those of our own are always there.
+struct ReferenceName {
+    const char* folder;
+    const char* name;
+
+    std::string path(const std::string& ending) const { return std::string(folder) + "/" + name + ending; }
+    bool is_missing() const {
+        return std::string(folder).starts_with("..") && !std::filesystem::exists(path(".json"));
+    }
 };
+inline constexpr const char* kOwnReferences = "tests/references"; // by tools/make_references.py
+inline constexpr const char* kSharedReferences = "../shared/reference";
+inline constexpr const char* kNoShared = "no ../shared beside the checkout: nothing to compare with";
 
-// Transmission of the gate at a place -1..1: profile times gobo, both as the JSON's "expected" has them.
-class BlenderGate {
+// Transmission of the gate at a place -1..1: profile times gobo, both as tools/make_references.py has them.
+class ReferenceGate {
 public:
-    BlenderGate(const nlohmann::json& light, image::Image8 gobo)
+    ReferenceGate(const nlohmann::json& light, image::Image8 gobo)
         : outer_(light["cos_outer"]), inner_(light["cos_inner"]),
           tan_half_(std::tan(glm::radians(light["cone_full_deg"].get<double>() / 2))),
           gobo_(std::move(gobo)) {}
 
+    double tan_half() const { return tan_half_; }
     glm::dvec3 at(const glm::dvec2& gate) const {
         const double cosine = 1 / std::sqrt(1 + glm::dot(gate, gate) * tan_half_ * tan_half_);
         if (!(cosine > outer_)) return glm::dvec3(0);
@@ -66,8 +73,21 @@ private:
     image::Image8 gobo_;
 };
 
+struct ReferenceScene {
+    scene::Stage stage;
+    scene::Camera camera;
+    shared::Light light{};
+    std::optional<ReferenceGate> gate;
+    shared::Gobos gobos; // the gate's picture
+    shared::Haze haze{};
+    scene::BounceBox air; // where there is haze
+    image::ImageF theirs; // light that was scattered once
+    float preview_scale = 1;
+    std::vector<image::Circle> left_out; // round the lamp, where 1/d^2 decides all
+};
+
 // Layer 1: the gate's picture, each texel the mean over its square.
-inline shared::Gobos gate_picture(const BlenderGate& gate) {
+inline shared::Gobos gate_picture(const ReferenceGate& gate) {
     constexpr int kPerTexel = 4;
     shared::Gobos gobos;
     gobos.layers = 2;
@@ -102,24 +122,18 @@ inline shared::Gobos gate_picture(const BlenderGate& gate) {
     return gobos;
 }
 
-inline void read_blender_scene(const std::filesystem::path& folder, const std::string& name,
-                               BlenderScene& made) {
+inline void read_reference(const ReferenceName& wanted, ReferenceScene& made) {
     using nlohmann::json;
-    const auto text = read_text_file(folder / (name + ".json"), 1 << 20);
-    const auto check_text = read_text_file(folder / "check.json", 1 << 20);
-    ASSERT_TRUE(text.ok() && check_text.ok());
-    const json scene = json::parse(*text);
-    const json check = json::parse(*check_text)[name];
-    auto theirs = image::read_exr(folder / (name + ".numpy.exr"));
-    ASSERT_TRUE(theirs.ok()) << theirs.error().text();
-    made.theirs = std::move(theirs->pixels);
+    const std::filesystem::path folder = wanted.folder;
+    const json scene = json::parse(must(read_text_file(wanted.path(".json"), 1 << 20)));
+    const json check = json::parse(must(read_text_file(folder / "check.json", 1 << 20)))[wanted.name];
+    made.theirs = must(image::read_exr(wanted.path(".numpy.exr"))).pixels;
     made.preview_scale = check["preview_scale"];
-    made.lamp_px = {check["light_pixel"][0].get<double>(), check["light_pixel"][1].get<double>()};
+    const float scale = static_cast<float>(made.theirs.width) / 512;
+    made.left_out = {{check["light_pixel"][0], check["light_pixel"][1], 20 * scale}};
 
     Report report;
-    auto stage = scene::load_stage_file(folder / scene["geometry_glb"].get<std::string>(), report);
-    ASSERT_TRUE(stage.ok()) << stage.error().text();
-    made.stage = std::move(*stage);
+    made.stage = must(scene::load_stage_file(folder / scene["geometry_glb"].get<std::string>(), report));
     made.stage.materials.clear();
     const auto vec3_of = [](const json& list) {
         return glm::vec3(list[0].get<float>(), list[1].get<float>(), list[2].get<float>());
@@ -171,13 +185,15 @@ inline void read_blender_scene(const std::filesystem::path& folder, const std::s
     const auto sigma_s = scene["medium"]["sigma_s"].get<float>();
     made.haze = {sigma_s + scene["medium"]["sigma_a"].get<float>(), sigma_s,
                  scene["medium"]["g"].get<float>(), 0, 0};
-    image::Image8 gobo;
-    if (!scene["light"]["gobo"].is_null()) {
-        auto read = image::read_ldr(folder / scene["light"]["gobo"].get<std::string>());
-        ASSERT_TRUE(read.ok()) << read.error().text();
-        gobo = std::move(*read);
+    for (int axis = 0; axis < 3; ++axis) {
+        made.air.low_m[axis] = scene["medium"]["domain_min"][static_cast<std::size_t>(axis)];
+        made.air.high_m[axis] = scene["medium"]["domain_max"][static_cast<std::size_t>(axis)];
     }
-    made.gobos = gate_picture(BlenderGate(scene["light"], std::move(gobo)));
+    image::Image8 gobo;
+    if (!scene["light"]["gobo"].is_null())
+        gobo = must(image::read_ldr(folder / scene["light"]["gobo"].get<std::string>()));
+    made.gate.emplace(scene["light"], std::move(gobo));
+    made.gobos = gate_picture(*made.gate);
 }
 
 struct DisplayFigures {
@@ -185,28 +201,10 @@ struct DisplayFigures {
     double mean_ratio = 0;
 };
 
-// sRGB of scale times the picture, without the pixels round the lamp.
-inline DisplayFigures compare_displayed(const BlenderScene& scene, const image::ImageF& ours,
-                                        double left_out_px = 20) {
-    double error = 0, sum_ours = 0, sum_theirs = 0;
-    int compared = 0;
-    for (int y = 0; y < ours.height; ++y)
-        for (int x = 0; x < ours.width; ++x) {
-            if (glm::distance(glm::dvec2(x + 0.5, y + 0.5), scene.lamp_px) < left_out_px) continue;
-            for (int c = 0; c < 3; ++c) {
-                const float a = ours.at(x, y)[c];
-                const float b = scene.theirs.at(x, y)[c];
-                const auto shown = [&](float v) {
-                    return static_cast<double>(
-                        image::linear_to_srgb(std::clamp(v * scene.preview_scale, 0.0f, 1.0f)));
-                };
-                sum_ours += static_cast<double>(a);
-                sum_theirs += static_cast<double>(b);
-                error += std::pow(shown(a) - shown(b), 2);
-                ++compared;
-            }
-        }
-    return {10 * std::log10(compared / std::max(error, 1e-12)), sum_ours / sum_theirs};
+// As a display shows it.
+inline DisplayFigures compare_displayed(const ReferenceScene& scene, const image::ImageF& ours) {
+    const image::PicturePair pair = pair_of(ours, scene.theirs, scene.left_out);
+    return {image::psnr_db(pair, srgb_curve(scene.preview_scale)), 1 + image::relative_errors(pair).bias};
 }
 
-} // namespace ghost::app
+} // namespace ghost

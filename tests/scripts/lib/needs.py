@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a test cannot run without: where a Debian package is missing, the test is skipped with one sentence that names it, which
+./dev test counts. Scripts of the shell run this file: needs.py PACKAGE..."""
+import importlib.util
+import shutil
+import sys
+
+MODULES = {"python3-numpy": "numpy", "python3-pil": "PIL"}
+PROGRAMS = {"iproute2": ["ip"], "ola": ["olad", "ola_rdm_discover", "ola_rdm_get", "ola_rdm_set"], "util-linux": ["setpriv"], "xvfb": ["Xvfb"],
+            "xdotool": ["xdotool"], "slurm-wlm": ["slurmctld", "slurmd", "sbatch", "squeue"], "munge": ["munged"]}
+
+
+def skip(reason):
+    print("skipped:", reason)
+    sys.exit(77)
+
+
+def is_there(package, path=None):
+    if package in MODULES:
+        return importlib.util.find_spec(MODULES[package]) is not None
+    return all(shutil.which(program, path=path) for program in PROGRAMS[package])
+
+
+def packages(*names, path=None):
+    """path: where programs are looked for, if not in PATH."""
+    missing = [name for name in names if not is_there(name, path)]
+    if missing:
+        skip(f"{' and '.join(missing)} {'is' if len(missing) == 1 else 'are'} not installed")
+
+
+if __name__ == "__main__":
+    packages(*sys.argv[1:])
