@@ -5,10 +5,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
+#include <string>
 
 namespace ghost::image {
 namespace {
+
+constexpr std::ptrdiff_t kMostScans = 32; // of a picture; a progressive one has some ten
 
 using Decoder = std::unique_ptr<void, int (*)(tjhandle)>;
 
@@ -51,6 +55,13 @@ bool is_cut_short(Bytes bytes) {
     return std::find_end(bytes.begin(), bytes.end(), kEnd.begin(), kEnd.end()) == bytes.end();
 }
 
+// Each goes over the whole picture, however few bytes it has. In what is packed no marker stands.
+bool has_too_many_scans(Bytes bytes) {
+    std::ptrdiff_t scans = 0;
+    for (std::size_t k = 0; k + 1 < bytes.size(); ++k) scans += bytes[k] == 0xff && bytes[k + 1] == 0xda;
+    return scans > kMostScans;
+}
+
 } // namespace
 
 bool is_jpeg(Bytes bytes) {
@@ -66,11 +77,12 @@ Result<PictureSize> jpeg_size(Bytes bytes) {
 
 Result<Image8> decode_jpeg(Bytes bytes, std::string& damage) {
     if (is_cut_short(bytes)) return Error{"the JPEG picture is cut short (no end marker)", ""};
+    if (has_too_many_scans(bytes))
+        return Error{"the JPEG picture has more than " + std::to_string(kMostScans) + " scans", ""};
     const Decoder decoder(tjInitDecompress(), tjDestroy);
     TRY(const Header header, read_header(decoder, bytes));
     const bool is_cmyk = header.colours == TJCS_CMYK || header.colours == TJCS_YCCK;
     Image8 image(header.size.width, header.size.height, 4);
-    // A megabyte of scans, each over the whole picture, takes hours.
     const int status =
         tjDecompress2(decoder.get(), bytes.data(), bytes.size(), image.samples.data(), image.width, 0,
                       image.height, is_cmyk ? TJPF_CMYK : TJPF_RGBA, TJFLAG_LIMITSCANS);

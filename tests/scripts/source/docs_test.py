@@ -55,7 +55,9 @@ def check_links(file, text):
 
 
 def check_dates(file, text):
-    """A table of figures says when they were measured."""
+    """A table of figures says when they were measured, or the whole document does at its beginning."""
+    if DATE.search(text.partition("\n## ")[0]):
+        return
     for section in re.split(r"^(?=#{1,3} )", text, flags=re.M):
         head, _, body = section.partition("\n")
         figures = re.search(r"^\|.*\|[ *<>]*\d[\d.,]*", body, re.M)
