@@ -54,8 +54,18 @@ Profile profile_of(float disc_radius_m) {
     return profile;
 }
 
+// Penumbrae of few texels are off by a part of one; limits a little above what was measured.
 TEST(SoftShadow, IsAsWideAsTheLensMakesIt) {
-    for (const float radius_m : {0.02f, 0.04f, 0.07f, 0.1f, 0.12f}) {
+    struct Lens {
+        float radius_m;
+        double width_off; // share of the width, at most
+        double share_off; // of the light
+    };
+    for (const auto& [radius_m, width_off, share_off] : {Lens{0.02f, 0.05, 0.04},
+                                                         {0.04f, 0.04, 0.045},
+                                                         {0.07f, 0.03, 0.015},
+                                                         {0.1f, 0.02, 0.027},
+                                                         {0.12f, 0.01, 0.018}}) {
         const Profile profile = profile_of(radius_m);
         // A point of the floor at x sees the lens past the plate's edge.
         const double half_m = static_cast<double>(radius_m * kPlate_m / (kLamp_m - kPlate_m));
@@ -63,13 +73,13 @@ TEST(SoftShadow, IsAsWideAsTheLensMakesIt) {
         for (std::size_t k = 0; k < profile.lit.size(); ++k)
             worst = std::max(worst, std::abs(profile.lit[k] - disc_share(profile.place_m[k] / half_m)));
         const double width_m = profile.at(0.9) - profile.at(0.1), wanted_m = 2 * 0.6870 * half_m;
-        std::printf("lens of %.0f mm: penumbra of %.1f texels, 10 to 90 %% in %.0f mm (%.0f), middle off by "
-                    "%.1f mm, worst share %.3f\n",
+        std::printf("lens of %.0f mm: penumbra of %.1f texels, 10 to 90 %% in %.1f mm (%.1f), middle off by "
+                    "%.1f mm, worst share %.4f\n",
                     1e3 * static_cast<double>(radius_m), 2 * half_m / kTexel_m, 1e3 * width_m, 1e3 * wanted_m,
                     1e3 * profile.at(0.5), worst);
-        EXPECT_NEAR(width_m / wanted_m, 1, 0.06);
-        EXPECT_NEAR(profile.at(0.5), 0, 1.5 * kTexel_m);
-        EXPECT_LE(worst, 0.05);
+        EXPECT_NEAR(width_m / wanted_m, 1, width_off);
+        EXPECT_NEAR(profile.at(0.5), 0, 0.05 * kTexel_m);
+        EXPECT_LE(worst, share_off);
     }
 }
 
