@@ -202,9 +202,8 @@ TEST_F(Tshark, reads_what_we_send_as_we_do) {
         const auto number = static_cast<std::uint16_t>(1 + random() % 32'000);
         const auto sequence = static_cast<std::uint8_t>(random());
         const auto options = static_cast<std::uint8_t>(random() % 4 << 6); // preview, stream terminated
-        add(build_sacn(number, Bytes(slots), sequence, static_cast<std::uint8_t>(random() % 201), cid,
-                       "desk " + std::to_string(k), options),
-            5568);
+        const SacnSource source{static_cast<std::uint8_t>(random() % 201), cid, "desk " + std::to_string(k)};
+        add(build_sacn(number, Bytes(slots), sequence, source, {options}), 5568);
         add(build_artdmx(number, Bytes(slots), sequence), 6454);
         if (k % 10 != 0) continue;
         add(build_sacn_sync(number, sequence, cid), 5568);
