@@ -65,7 +65,7 @@ Result<std::unique_ptr<Jobs>> compare(const scene::Show& show, const BakeOptions
         result->jobs.push_back(std::make_unique<CameraBake>(show, stage, keys, camera, options));
         const double work = result->jobs.back()->plan();
         if (result->jobs.back()->replaces_earlier_version())
-            report.add(Severity::note, scene::passes_folder(show, camera.name).string(),
+            report.add(Severity::warning, scene::passes_folder(show, camera.name).string(),
                        "these passes are of an earlier version of Ghostlight; they are made again, once");
         result->works.push_back({camera.name, result->jobs.back()->light_count(), work == 0});
         result->work += work;

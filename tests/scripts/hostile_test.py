@@ -215,13 +215,13 @@ LARGEST = "at most 16384 a side and 134217728 in all are allowed"
 def pictures(at):
     yield "gobo, PNG of 60,000 x 60,000", lambda: wheel(at / "a.gdtf", ("wheels/a.png", png(60000, 60000, 1, 0))), 96, "at most 4096 x 4096 pixels"
     yield "gobo, JPEG of 60,000 x 60,000", lambda: wheel(at / "b.gdtf", ("wheels/a.jpg", jpeg(60000, 60000)), name="a.jpg"), 96, "expected a PNG of at most 4096 x 4096 pixels"
-    yield "texture, PNG of 60,000 x 60,000", lambda: model(at / "c.mvr", triangle(textures=[png(60000, 60000, 1, 0)])), 96, "at most 16384 pixels a side"
-    yield "texture, JPEG of 60,000 x 60,000", lambda: model(at / "d.mvr", triangle(textures=[jpeg(60000, 60000)])), 96, "at most 16384 pixels a side"
+    yield "texture, PNG of 60,000 x 60,000", lambda: model(at / "c.mvr", triangle(textures=[png(60000, 60000, 1, 0)])), 96, LARGEST
+    yield "texture, JPEG of 60,000 x 60,000", lambda: model(at / "d.mvr", triangle(textures=[jpeg(60000, 60000)])), 96, LARGEST
     yield "texture, PNG of 16,384 x 16,384", lambda: model(at / "e.mvr", triangle(textures=[png(16384, 16384, rows=100)])), 96, LARGEST
     yield "texture, progressive JPEG of 16,384 x 16,384", lambda: model(at / "f.mvr", triangle(textures=[jpeg(16384, 16384, True)])), 96, LARGEST
-    yield "texture, the largest that is read, 16 bits", lambda: model(at / "g.mvr", triangle(textures=[png(16384, 8192, 16)])), 2200, ""
+    yield "texture, the largest that is read, 16 bits", lambda: model(at / "g.mvr", triangle(textures=[png(16384, 8192, 16)])), 1200, ""
     yield "100 textures of 8192 x 8192", lambda: model(at / "h.mvr", triangle(textures=[png(8192, 8192)] * 100)), 4400, "the textures need more than 2 GiB"
-    yield "gobo, PNG of 1 x 1 that unpacks to 300 MB", lambda: wheel(at / "i.gdtf", ("wheels/a.png", png(1, 1, data=300 * MB))), 96, "it unpacks to more than its size says"
+    yield "gobo, PNG of 1 x 1 that unpacks to 300 MB", lambda: wheel(at / "i.gdtf", ("wheels/a.png", png(1, 1, data=300 * MB))), 96, "Too much image data"
     yield "20 gobos of 4096 x 4096", lambda: gdtf(at / "j.gdtf", WHEEL.format("".join(SLOT.format(k) for k in range(20))), extra=[(f"wheels/{k}.png", data) for data in [png(4096, 4096)] for k in range(20)]), 640, "96 million pixels in all"
     yield "QXF, gobo of 16,384 x 8192 beside it", lambda: (at / "a.png").write_bytes(png(16384, 8192)) and qxf(at / "k.qxf", "a.png"), 96, "at most 4096 a side"
     shapes = '<svg viewBox="0 0 60000 60000" width="60000" height="60000">' + '<rect width="60000" height="60000"/>' * 100_000 + "</svg>"
