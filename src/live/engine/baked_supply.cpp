@@ -25,11 +25,11 @@ std::string stamp_of(const scene::Show& show, const scene::Camera& camera) {
 }
 
 // That of the show which stands there, but for the one of the live picture; or null.
-const scene::Camera* standing_as(const scene::Camera& camera, const Session& session) {
+const scene::Camera* standing_as(const scene::Camera& camera, float fov_y_deg, const Session& session) {
     const std::vector<scene::Camera>& cameras = session.show->cameras;
     for (std::size_t i = 0; i < cameras.size(); ++i)
         if (i != session.camera && cameras[i].position_m == camera.position_m &&
-            cameras[i].target_m == camera.target_m && cameras[i].fov_y_deg == camera.fov_y_deg)
+            cameras[i].target_m == camera.target_m && cameras[i].fov_y_deg == fov_y_deg)
             return &cameras[i];
     return nullptr;
 }
@@ -37,7 +37,7 @@ const scene::Camera* standing_as(const scene::Camera& camera, const Session& ses
 } // namespace
 
 bool BakedSupply::choose(const Session& session, const Wanted& wanted, double now_s) {
-    const scene::Camera* const stands = standing_as(wanted.camera, session);
+    const scene::Camera* const stands = standing_as(wanted.camera, wanted.fov_y_deg, session);
     if (!stands) {
         words_ = "live: a free camera";
         return false;

@@ -18,7 +18,8 @@ public:
     ~BakedSupply() { forget(); }
 
     struct Wanted {
-        const scene::Camera& camera; // of the window
+        const scene::Camera& camera; // of the window, as wide as its frame asks for
+        float fov_y_deg;             // without that
         const std::shared_ptr<const std::string>&
             text;               // of the show, where it may be another than the file's
         std::string needs_live; // why nothing baked will do; empty: it will

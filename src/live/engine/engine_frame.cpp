@@ -238,7 +238,8 @@ void Engine::frame() {
     else if (!request_.frozen)
         session_->media_s = timecode_ ? timecode_->at_s(kLongestFilm_s) : std::nullopt;
     session_->show_media(air_s_ + dt_s);
-    const bool baked = baked_.choose(*session_, {wanted_camera_, text_, needs_live()}, begin_s);
+    const bool baked =
+        baked_.choose(*session_, {wanted_camera_, request_.camera.fov_y_deg, text_, needs_live()}, begin_s);
     const bool switched = baked != std::exchange(shows_baked_, baked);
     if (switched) probe_.forget_frame();
     scene::FrameLights lit = session_->lit();
