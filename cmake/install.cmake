@@ -24,7 +24,7 @@ foreach(package program:ghostlight dev:libghostlight-dev)
 endforeach()
 
 # The rooms that are of use by themselves: wire formats, merge, recordings, RDM, fixtures and their files, MVR, lights; and what these stand on.
-foreach(room base files net image toml dmx/wire dmx/merge dmx/timecode dmx/receive dmx/send dmx/record rdm fixture fixture_files/common
+foreach(room base disk archives net image json_xml_toml psn_osc dmx/wire dmx/merge dmx/timecode dmx/receive dmx/send dmx/record rdm fixture fixture_files/common
         fixture_files/gdtf fixture_files/qxf fixture_files/ofl fixture_files/ies_ldt fixture_files stage show photometry beam_groups passes light
         mvr)
     string(REPLACE "/" "_" name ${room})

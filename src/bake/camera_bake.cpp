@@ -5,8 +5,8 @@
 #include "bake/private/pictures.h"
 #include "beam_groups/light_places.h"
 
-#include "files/files.h"
-#include "files/own_folder.h"
+#include "disk/files.h"
+#include "disk/own_folder.h"
 
 #include <algorithm>
 #include <optional>

@@ -6,7 +6,7 @@
 #include "bench/bench.h"
 #include "show_folder/load_show.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "video/film.h"
 
 #include <algorithm>

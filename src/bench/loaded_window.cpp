@@ -5,10 +5,10 @@
 #include "live/engine/engine.h"
 #include "ui/window/open_window.h"
 
-#include "base/json.h"
+#include "disk/files.h"
 #include "dmx/record/player.h"
 #include "dmx/send/sender.h"
-#include "files/files.h"
+#include "json_xml_toml/json.h"
 
 #include <atomic>
 #include <chrono>

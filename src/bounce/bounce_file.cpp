@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bounce/bounce_file.h"
 
-#include "files/crc32.h"
-#include "files/files.h"
+#include "disk/crc32.h"
+#include "disk/files.h"
 #include "show/show.h"
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include "base/log.h"
 #include "base/print.h"
 #include "base/progress.h"
-#include "show_folder/export_plot.h"
+#include "plots/export_plot.h"
 
 #include <chrono>
 #include <filesystem>

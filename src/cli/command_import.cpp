@@ -3,7 +3,7 @@
 #include "base/interrupt.h"
 #include "cli/commands.h"
 #include "live/session/session.h"
-#include "show_folder/import_plot.h"
+#include "plots/import_plot.h"
 #include "show_folder/load_show.h"
 
 #include "base/log.h"
@@ -107,7 +107,9 @@ int run(const Arguments& arguments) {
         [&](double share, const std::string& what) { progress.update(share, steady_now_s(), what); },
         interrupted};
     Report report;
-    const auto imported = scene::import_plot(arguments.plot, arguments.folder, report, loading);
+    const auto opened = scene::load_show(arguments.plot, true, report, loading);
+    const auto imported = opened.ok() ? scene::import_plot(*opened, arguments.folder, report)
+                                      : Result<scene::ImportedPlot>(opened.error());
     progress.finish();
     print_report(report);
     if (!imported.ok()) {

@@ -11,7 +11,7 @@
 #include "base/print.h"
 #include "base/progress.h"
 #include "base/steady_time.h"
-#include "files/files.h"
+#include "disk/files.h"
 
 #include <array>
 #include <filesystem>

@@ -7,7 +7,8 @@
 #include "cli/commands.h"
 #include "cli/options/number_option.h"
 #include "live/session/session.h"
-#include "show_folder/import_plot.h"
+#include "plots/import_plot.h"
+#include "show_folder/load_show.h"
 #include "xchange/xchange.h"
 
 #include <nlohmann/json.hpp>
@@ -42,7 +43,9 @@ void print(const ordered_json& line) {
 // The plot takes the place of the show's older version. True: it did.
 bool take_over(const XchangeEvent& event, const Arguments& arguments) {
     Report report;
-    const auto imported = scene::import_plot(event.file, arguments.show, report, {{}, interrupted});
+    const auto opened = scene::load_show(event.file, true, report, {{}, interrupted});
+    const auto imported = opened.ok() ? scene::import_plot(*opened, arguments.show, report)
+                                      : Result<scene::ImportedPlot>(opened.error());
     print_report(report);
     if (!imported.ok()) {
         log_error(imported.error().text());

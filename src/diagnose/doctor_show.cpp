@@ -4,14 +4,14 @@
 #include "base/text.h"
 #include "diagnose/doctor_substitute.h"
 #include "diagnose/private/doctor_patch.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "fixture/values.h"
 #include "fixture_files/gdtf/gdtf.h"
+#include "json_xml_toml/toml_reader.h"
 #include "mvr/mvr_load.h"
+#include "plots/plot_show.h"
 #include "show_file/show_toml.h"
-#include "show_folder/plot_show.h"
 #include "stage/model_file.h"
-#include "toml/toml_reader.h"
 
 #include <algorithm>
 #include <map>

@@ -4,7 +4,7 @@
 #include "base/text.h"
 #include "diagnose/private/doctor_patch.h"
 #include "fixture/values.h"
-#include "show_folder/plot_types.h"
+#include "plots/plot_types.h"
 
 #include "base/suggest.h"
 

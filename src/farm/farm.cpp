@@ -3,13 +3,13 @@
 
 #include "base/child.h"
 #include "base/interrupt.h"
-#include "base/json.h"
 #include "base/log.h"
 #include "base/print.h"
 #include "base/progress.h"
+#include "disk/files.h"
+#include "disk/hold.h"
 #include "farm/farm_task.h"
-#include "files/files.h"
-#include "files/hold.h"
+#include "json_xml_toml/json.h"
 #include "show/show.h"
 
 #include <chrono>

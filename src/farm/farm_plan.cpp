@@ -2,12 +2,12 @@
 #include "farm/farm_plan.h"
 
 #include "bake/hasher.h"
-#include "base/json.h"
-#include "files/files.h"
-#include "files/own_folder.h"
-#include "files/temporary.h"
-#include "files/user_cache.h"
-#include "files/user_file.h"
+#include "disk/files.h"
+#include "disk/own_folder.h"
+#include "disk/temporary.h"
+#include "disk/user_cache.h"
+#include "disk/user_file.h"
+#include "json_xml_toml/json.h"
 #include "live/session/passes_sources.h"
 
 #include <algorithm>

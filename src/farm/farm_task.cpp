@@ -4,8 +4,8 @@
 #include "base/child.h"
 #include "base/interrupt.h"
 #include "base/log.h"
-#include "files/crc32.h"
-#include "files/files.h"
+#include "disk/crc32.h"
+#include "disk/files.h"
 #include "show_folder/load_show.h"
 
 #include <chrono>

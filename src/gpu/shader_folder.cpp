@@ -2,7 +2,7 @@
 #include "gpu/shader_folder.h"
 
 #include "base/log.h"
-#include "files/files.h"
+#include "disk/files.h"
 
 #include <cstring>
 #include <utility>

@@ -2,7 +2,7 @@
 #include "image/exr.h"
 
 #include "base/check.h"
-#include "files/files.h"
+#include "disk/files.h"
 
 #include <ImathBox.h>
 #include <OpenEXR/ImfChannelList.h>

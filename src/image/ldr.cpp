@@ -2,7 +2,7 @@
 #include "image/ldr.h"
 
 #include "base/check.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "image/private/jpeg_file.h"
 #include "image/private/png_file.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/beam_shape.h"
 
+#include "json_xml_toml/toml_reader.h"
 #include "shared/gobos.h"
-#include "toml/toml_reader.h"
 
 #include <algorithm>
 #include <cmath>

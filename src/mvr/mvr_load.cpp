@@ -2,9 +2,9 @@
 #include "mvr/mvr_load.h"
 
 #include "base/text.h"
-#include "files/xml_encoding.h"
-#include "files/xml_entities.h"
 #include "fixture/values.h"
+#include "json_xml_toml/xml_encoding.h"
+#include "json_xml_toml/xml_entities.h"
 #include "mvr/private/mvr_reader.h"
 
 #include <algorithm>

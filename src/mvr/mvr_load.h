@@ -6,10 +6,10 @@
 // zip, no description, not well formed, over a limit that protects memory) or when it was cancelled. Any
 // thread, one at a time per LoadedPlot.
 
+#include "archives/archive.h"
 #include "base/byte_reader.h"
 #include "base/report.h"
 #include "base/result.h"
-#include "files/archive.h"
 #include "mvr/plot.h"
 
 #include <atomic>

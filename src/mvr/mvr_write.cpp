@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mvr/mvr_write.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "mvr/mvr_edit.h"
 #include "mvr/private/mvr_reader.h"
 

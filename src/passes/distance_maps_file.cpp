@@ -2,10 +2,10 @@
 #include "passes/distance_maps_file.h"
 
 #include "base/check.h"
-#include "base/json.h"
 #include "beam_groups/light_places.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "image/exr.h"
+#include "json_xml_toml/json.h"
 #include "passes/passes_file.h"
 #include "show/show.h"
 

@@ -4,7 +4,7 @@
 #include "image/exr.h"
 
 #include "base/check.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "show/show.h"
 
 #include <algorithm>

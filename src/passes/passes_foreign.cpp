@@ -2,11 +2,11 @@
 #include "passes/passes_foreign.h"
 
 #include "image/exr.h"
+#include "json_xml_toml/toml_reader.h"
 #include "passes/passes.h"
 #include "passes/passes_file.h"
-#include "toml/toml_reader.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "show/show.h"
 
 #include <cmath>

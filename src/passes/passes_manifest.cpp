@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "passes/passes_file.h"
 
-#include "base/json.h"
-#include "files/files.h"
+#include "disk/files.h"
+#include "json_xml_toml/json.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -2,9 +2,9 @@
 #include "show/cues.h"
 
 #include "base/suggest.h"
+#include "json_xml_toml/toml_reader.h"
 #include "show/looks.h"
 #include "show/show.h"
-#include "toml/toml_reader.h"
 
 #include <algorithm>
 

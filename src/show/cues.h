@@ -12,7 +12,7 @@
 
 namespace ghost::scene {
 
-class TableReader; // toml/toml_reader.h
+class TableReader; // json_xml_toml/toml_reader.h
 struct Show;       // show/show.h
 
 struct Cue {

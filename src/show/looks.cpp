@@ -3,13 +3,13 @@
 
 #include "base/suggest.h"
 #include "base/text.h"
-#include "files/files.h"
-#include "files/user_file.h"
+#include "disk/files.h"
+#include "disk/user_file.h"
+#include "json_xml_toml/toml_problem.h"
+#include "json_xml_toml/toml_reader.h"
+#include "json_xml_toml/toml_text.h"
 #include "show/show.h"
 #include "stage/model_file.h"
-#include "toml/toml_problem.h"
-#include "toml/toml_reader.h"
-#include "toml/toml_text.h"
 
 #include <algorithm>
 #include <set>

@@ -2,8 +2,8 @@
 #include "show/plot_entries.h"
 
 #include "dmx/wire/universes.h"
+#include "json_xml_toml/toml_reader.h"
 #include "show/show.h"
-#include "toml/toml_reader.h"
 
 namespace ghost::scene {
 namespace {

@@ -120,7 +120,7 @@ struct Show {
     std::filesystem::path file;       // show.toml, or the .mvr that was opened as it is
     std::filesystem::path folder;     // where relative names start
     std::string cache_name;           // its folder in .ghost; "": .ghost itself
-    std::filesystem::path user_cache; // stands for .ghost where that cannot be made (files/user_cache.h)
+    std::filesystem::path user_cache; // stands for .ghost where that cannot be made (disk/user_cache.h)
     std::string name;
     std::filesystem::path stage_file;
     std::vector<Model> models;
@@ -151,7 +151,7 @@ struct Show {
     // Index of the camera of this name (the first one where name is empty); the error suggests a near name.
     Result<std::size_t> find_camera(const std::string& camera_name) const;
     // What is kept for all shows of the folder, for this one, and the folder from which both are reached
-    // without following a link (files/own_folder.h).
+    // without following a link (disk/own_folder.h).
     std::filesystem::path cache_root() const { return user_cache.empty() ? folder / ".ghost" : user_cache; }
     std::filesystem::path cache_folder() const {
         return cache_name.empty() ? cache_root() : cache_root() / cache_name;

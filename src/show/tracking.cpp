@@ -2,8 +2,8 @@
 #include "show/tracking.h"
 
 #include "base/suggest.h"
+#include "json_xml_toml/toml_reader.h"
 #include "show/show.h"
-#include "toml/toml_reader.h"
 
 #include <algorithm>
 #include <array>

@@ -11,7 +11,7 @@
 
 namespace ghost::scene {
 
-class TableReader; // toml/toml_reader.h
+class TableReader; // json_xml_toml/toml_reader.h
 struct Show;       // show/show.h
 
 // One tracker and what follows it, by name.

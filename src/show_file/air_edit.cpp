@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "show_file/air_edit.h"
 
+#include "json_xml_toml/toml_keys.h"
 #include "shared/air.h"
 #include "show/show.h"
-#include "toml/toml_keys.h"
 
 namespace ghost::scene {
 namespace {

@@ -2,7 +2,7 @@
 #include "show_file/private/laser_toml.h"
 
 #include "base/suggest.h"
-#include "toml/toml_reader.h"
+#include "json_xml_toml/toml_reader.h"
 
 #include <algorithm>
 #include <vector>

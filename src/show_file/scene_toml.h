@@ -5,7 +5,7 @@
 // [[object]]. Values out of range are left out, with a message. Pure; part of show_toml.
 
 #include "base/report.h"
-#include "toml/toml_reader.h"
+#include "json_xml_toml/toml_reader.h"
 
 #include <string>
 

@@ -5,9 +5,9 @@
 #include "fixture_files/common/projector_type.h"
 #include "fixture_files/common/wall_type.h"
 #include "fixture_files/load_type.h"
+#include "json_xml_toml/toml_keys.h"
 #include "show/show.h"
 #include "show_file/show_toml.h"
-#include "toml/toml_keys.h"
 
 #include <algorithm>
 #include <map>

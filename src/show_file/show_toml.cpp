@@ -2,11 +2,11 @@
 #include "show_file/show_toml.h"
 
 #include "dmx/wire/universes.h"
+#include "json_xml_toml/toml_problem.h"
+#include "json_xml_toml/toml_reader.h"
 #include "show_file/private/laser_toml.h"
 #include "show_file/private/media_toml.h"
 #include "show_file/scene_toml.h"
-#include "toml/toml_problem.h"
-#include "toml/toml_reader.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "show_file/substitute_edit.h"
 
-#include "toml/toml_keys.h"
+#include "json_xml_toml/toml_keys.h"
 
 namespace ghost::scene {
 

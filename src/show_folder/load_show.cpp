@@ -6,19 +6,19 @@
 #include "show_folder/private/extra_models.h"
 
 #include "base/suggest.h"
-#include "files/files.h"
-#include "files/user_cache.h"
+#include "disk/files.h"
+#include "disk/user_cache.h"
 #include "fixture/patch.h"
 #include "fixture/values.h"
+#include "json_xml_toml/toml_reader.h"
+#include "plots/plot_changes.h"
+#include "plots/plot_show.h"
+#include "plots/plot_types.h"
+#include "show/default_cameras.h"
 #include "show_file/show_edit.h"
 #include "show_file/show_toml.h"
-#include "show_folder/plot_show.h"
-#include "show_folder/plot_types.h"
-#include "show_folder/private/default_cameras.h"
-#include "show_folder/private/plot_changes.h"
 #include "show_folder/private/show_types.h"
 #include "stage/model_reader.h"
-#include "toml/toml_reader.h"
 
 #include <algorithm>
 #include <cmath>

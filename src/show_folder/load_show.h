@@ -6,19 +6,13 @@
 
 #include "base/report.h"
 #include "base/result.h"
+#include "show/loading.h"
 #include "show/show.h"
 
 #include <filesystem>
-#include <functional>
 #include <string>
 
 namespace ghost::scene {
-
-struct ShowLoading {
-    // share 0..1 and what is being read; called from the loading thread, a few hundred times at most.
-    std::function<void(double share, const std::string& what)> progress;
-    std::function<bool()> stop; // asked as often; true: loading ends with an error
-};
 
 // path: show.toml, the folder that holds it, or an .mvr, which then gets cameras of its own (plot_show.h). An
 // error only where nothing can go on (no such file, not TOML, no camera at all, stopped); everything else

@@ -5,9 +5,9 @@
 #include "base/text.h"
 #include "fixture_files/ies_ldt/photometric.h"
 #include "fixture_files/load_type.h"
+#include "json_xml_toml/toml_reader.h"
 #include "light/beam_shape.h"
 #include "show_folder/private/made_types.h"
-#include "toml/toml_reader.h"
 
 #include <cmath>
 #include <utility>

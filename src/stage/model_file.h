@@ -5,9 +5,9 @@
 // load_model and load_stage_file, which read in a process apart.
 
 #include "base/byte_reader.h"
-#include "base/json.h"
 #include "base/report.h"
 #include "base/result.h"
+#include "json_xml_toml/json.h"
 #include "stage/stage.h"
 
 #include <functional>

@@ -3,7 +3,7 @@
 
 #include "base/helper_process.h"
 #include "base/text.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "fixture/values.h"
 #include "stage/model_wire.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/text.h"
-#include "files/xml_encoding.h"
 #include "fixture_files/common/mesh_check.h"
+#include "json_xml_toml/xml_encoding.h"
 #include "stage/gltf_pack.h"
 #include "stage/model_file.h"
 #include "stage/stage_checks.h"

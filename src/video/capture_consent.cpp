@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "video/capture_consent.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 
 #include <cstdlib>
 #include <set>

@@ -2,7 +2,7 @@
 #include "video/film.h"
 
 #include "base/zeroed_memory.h"
-#include "files/files.h"
+#include "disk/files.h"
 
 #include <string>
 

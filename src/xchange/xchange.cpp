@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xchange/xchange.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "mvr/mvr_load.h"
 #include "xchange/private/xchange_loop.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "xchange/protocol.h"
 
-#include "base/json.h"
 #include "base/report.h"
+#include "json_xml_toml/json.h"
 
 #include <algorithm>
 #include <cctype>

@@ -2,8 +2,8 @@
 // What stations say to each other: joining, commits, and the files themselves.
 #include "xchange/private/xchange_loop.h"
 
-#include "files/files.h"
-#include "files/user_file.h"
+#include "disk/files.h"
+#include "disk/user_file.h"
 
 #include <algorithm>
 #include <iterator>

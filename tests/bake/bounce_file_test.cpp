@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bounce/bounce_file.h"
-#include "files/files.h"
+#include "disk/files.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include "diagnose/doctor_show.h"
 #include "diagnose/doctor_substitute.h"
 #include "diagnose/private/doctor_patch.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "show_folder/load_show.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // load_gdtf, decode and step on anything. Input that starts with "PK" is taken as the zip itself, other input
 // as the description.xml of one. Seeds: assets/fixtures/src/*/description.xml, assets/fixtures/*.gdtf.
-#include "files/crc32.h"
+#include "disk/crc32.h"
 #include "fixture/curves.h"
 #include "fixture/decode.h"
 #include "fixture_files/common/mesh_check.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // load_mvr, its helpers, the editing of the description and merging, on anything. Input that starts with "PK"
 // is taken as the zip itself, other input as the description of one. Seeds: tests/support/mvr_files.h.
-#include "files/crc32.h"
+#include "disk/crc32.h"
 #include "mvr/mvr_edit.h"
 #include "mvr/mvr_load.h"
 #include "mvr/mvr_merge.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as an OSC packet.
-#include "dmx/wire/osc.h"
+#include "psn_osc/osc.h"
 
 #include <cstddef>
 #include <cstdlib>

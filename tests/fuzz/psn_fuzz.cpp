@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a PosiStageNet packet, into a table that lives as long as the run.
-#include "dmx/wire/psn.h"
+#include "psn_osc/psn.h"
 
 #include <cmath>
 #include <cstddef>

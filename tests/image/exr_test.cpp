@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/exr.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // PNGs put together here byte by byte, with stored (not packed) pixels.
-#include "files/crc32.h"
+#include "disk/crc32.h"
 #include "image/ldr.h"
 
 #include <gtest/gtest.h>

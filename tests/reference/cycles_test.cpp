@@ -9,7 +9,7 @@
 #include "support/likeness.h"
 #include "support/test_show.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "image/exr.h"
 
 #include <cstdio>

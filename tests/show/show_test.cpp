@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "beam_groups/light_places.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "light/bodies.h"
 #include "show/show.h"
 #include "show_file/show_toml.h"

@@ -3,7 +3,7 @@
 // UDP payloads of a little-endian pcap file with Ethernet or raw IPv4 frames, for tests.
 
 #include "base/byte_reader.h"
-#include "files/files.h"
+#include "disk/files.h"
 
 #include <algorithm>
 #include <chrono>

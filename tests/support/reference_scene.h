@@ -6,7 +6,7 @@
 // in which light and paint are multiplied channel by channel.
 
 #include "bounce/bounce_box.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "image/exr.h"
 #include "image/ldr.h"
 #include "shared/gobos.h"

@@ -5,7 +5,7 @@
 
 #include "support/test_window.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "show_file/show_toml.h"
 #include "ui/actions/patch_edit.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // For tests: zip archives (stored) and small GDTF files made in memory.
 
-#include "files/crc32.h"
+#include "disk/crc32.h"
 #include "fixture_files/gdtf/gdtf.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 // GLB files made by hand for the tests: one triangle (or what the JSON says) and any nodes.
 
 #include "base/byte_reader.h"
-#include "files/files.h"
+#include "disk/files.h"
 
 #include <cstdint>
 #include <cstring>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "video/private/movie.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "support/test_films.h"
 #include "video/private/camera.h"
 

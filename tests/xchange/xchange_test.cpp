@@ -7,7 +7,7 @@
 #include "support/must.h"
 #include "support/tiny_gdtf.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "net/mdns.h"
 #include "net/socket.h"
 #include "net/tcp.h"

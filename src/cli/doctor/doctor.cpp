@@ -11,11 +11,11 @@
 #include "light/bodies.h"
 #include "live/session/media_player.h"
 #include "passes/passes.h"
+#include "plots/plot_types.h"
 #include "show/looks.h"
 #include "show/show.h"
 #include "show_folder/load_show.h"
 #include "show_folder/place_checks.h"
-#include "show_folder/plot_types.h"
 
 #include <algorithm>
 #include <atomic>

@@ -4,9 +4,9 @@
 // merge as live, with the capture's own time, so the levels are what a receiver would have seen. Memory: what
 // the merge needs. One thread.
 
+#include "archives/byte_source.h"
 #include "dmx/record/recorded_frame.h"
 #include "dmx/wire/packet.h"
-#include "files/byte_source.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dmx/record/ghostdmx_format.h"
 
-#include "files/crc32.h"
+#include "disk/crc32.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 // index (a crash, a cut, one that is still being written) is found out block by block. Whatever is damaged is
 // said, with how much was lost; the rest plays. Memory: the index and what a block needs. One thread.
 
+#include "archives/byte_source.h"
 #include "dmx/record/ghostdmx_block.h"
-#include "files/byte_source.h"
 
 #include <string>
 

@@ -3,10 +3,10 @@
 
 #include "base/check.h"
 #include "base/text.h"
+#include "disk/disk_sync.h"
+#include "disk/files.h"
 #include "dmx/record/ghostdmx_writer.h"
 #include "dmx/record/ola_show.h"
-#include "files/disk_sync.h"
-#include "files/files.h"
 
 #include <algorithm>
 #include <cerrno>

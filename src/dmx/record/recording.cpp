@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dmx/record/recording.h"
 
+#include "disk/files.h"
 #include "dmx/record/ghostdmx_writer.h"
 #include "dmx/record/ola_show.h"
-#include "files/files.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #include "fixture_files/common/gobo_files.h"
 
 #include "base/text.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "fixture/values.h"
 #include "fixture_files/common/gobo_drawing.h"
 #include "image/ldr.h"

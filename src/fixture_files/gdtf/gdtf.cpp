@@ -2,13 +2,13 @@
 #include "fixture_files/gdtf/gdtf.h"
 
 #include "base/text.h"
-#include "files/files.h"
-#include "files/xml_encoding.h"
-#include "files/xml_entities.h"
+#include "disk/files.h"
 #include "fixture/slot_meanings.h"
 #include "fixture/values.h"
 #include "fixture_files/common/named_ranges.h"
 #include "fixture_files/gdtf/private/gdtf_reader.h"
+#include "json_xml_toml/xml_encoding.h"
+#include "json_xml_toml/xml_entities.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -2,7 +2,7 @@
 #include "fixture_files/ies_ldt/photometric.h"
 
 #include "base/text.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "fixture/values.h"
 
 #include <algorithm>

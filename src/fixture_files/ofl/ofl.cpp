@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fixture_files/ofl/ofl.h"
 
-#include "base/json.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "fixture/values.h"
 #include "fixture_files/ofl/private/ofl_reader.h"
+#include "json_xml_toml/json.h"
 
 #include <algorithm>
 #include <system_error>

@@ -2,7 +2,7 @@
 // Gobo pictures: in the file, as exports with embedded resources have them; beside it; or in the library's
 // own folder, "fixtures/maker/thing.json" beside "resources/gobos/10-circles.svg", also by an alias.
 #include "base/base64.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "fixture_files/ofl/private/ofl_reader.h"
 
 #include <system_error>

@@ -2,11 +2,11 @@
 #include "fixture_files/qxf/qxf.h"
 
 #include "base/text.h"
-#include "files/files.h"
-#include "files/xml_encoding.h"
-#include "files/xml_entities.h"
+#include "disk/files.h"
 #include "fixture/values.h"
 #include "fixture_files/qxf/private/qxf_reader.h"
+#include "json_xml_toml/xml_encoding.h"
+#include "json_xml_toml/xml_entities.h"
 
 #include <pugixml.hpp>
 

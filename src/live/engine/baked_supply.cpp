@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/engine/baked_supply.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "passes/passes_file.h"
 
 #include <filesystem>

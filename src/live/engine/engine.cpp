@@ -7,7 +7,7 @@
 #include "live/session/take_patch.h"
 
 #include "base/log.h"
-#include "files/leftovers.h"
+#include "disk/leftovers.h"
 
 #include <algorithm>
 #include <exception>

@@ -3,7 +3,7 @@
 // the show anew beside the one that is drawn until then.
 #include "live/engine/engine.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "live/session/take_patch.h"
 #include "show_file/show_edit.h"
 

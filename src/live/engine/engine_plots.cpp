@@ -3,7 +3,8 @@
 // them. The newer show is opened beside the older one, which is drawn until then.
 #include "live/engine/engine.h"
 
-#include "show_folder/import_plot.h"
+#include "plots/import_plot.h"
+#include "show_folder/load_show.h"
 
 namespace ghost::app {
 
@@ -15,7 +16,8 @@ Result<std::unique_ptr<Session>> open_with_plot(SessionOptions options, const st
     Report report;
     std::string merged;
     if (merges) {
-        TRY(const scene::ImportedPlot imported, scene::import_plot(plot, folder, report));
+        TRY(const scene::Show opened, scene::load_show(plot, true, report));
+        TRY(const scene::ImportedPlot imported, scene::import_plot(opened, folder, report));
         if (imported.merge) merged = scene::text_of(*imported.merge);
     }
     TRY(std::unique_ptr<Session> session, open_session(options));

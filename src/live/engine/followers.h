@@ -4,8 +4,8 @@
 // objects that go along, cameras that look. What was not heard of yet leaves all as it is. One session; its
 // thread.
 
-#include "dmx/wire/psn.h"
 #include "live/session/session.h"
+#include "psn_osc/psn.h"
 
 #include <optional>
 #include <vector>

@@ -4,8 +4,8 @@
 // Knows no socket and no picture: messages in, a request out. It changes what is seen, never a file.
 
 #include "base/result.h"
-#include "dmx/wire/osc.h"
 #include "image/tone.h"
+#include "psn_osc/osc.h"
 #include "show/cues.h"
 
 #include <cstddef>

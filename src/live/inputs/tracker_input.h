@@ -4,8 +4,8 @@
 // Bounded: what comes faster than it is read is dropped by the kernel.
 
 #include "base/result.h"
-#include "dmx/wire/psn.h"
 #include "net/socket.h"
+#include "psn_osc/psn.h"
 
 #include <cstdint>
 #include <memory>

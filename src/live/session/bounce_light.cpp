@@ -7,7 +7,7 @@
 #include "bounce/bounce_box.h"
 #include "bounce/bounce_file.h"
 #include "bounce/bounce_solver.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "show/show.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "live/session/live_view.h"
 
 #include "base/text.h"
-#include "files/files.h"
-#include "files/own_folder.h"
+#include "disk/files.h"
+#include "disk/own_folder.h"
 #include "passes/distance_maps_file.h"
 #include "stage/overrides.h"
 

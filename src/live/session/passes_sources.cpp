@@ -3,7 +3,7 @@
 
 #include "bake/hasher.h"
 #include "bake/keys.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "passes/passes_file.h"
 
 #include <algorithm>

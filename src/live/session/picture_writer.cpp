@@ -6,7 +6,7 @@
 #include "live/session/caption.h"
 #include "shared/develop.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "image/colour.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // The parts of show.toml about moving pictures: [[media]], the projector and the wall of a [[fixture]], and
 // [[wall]]. Values out of range are left out, with a message. Pure; part of show_toml.
 
+#include "json_xml_toml/toml_reader.h"
 #include "show/show.h"
-#include "toml/toml_reader.h"
 
 #include <optional>
 #include <string>

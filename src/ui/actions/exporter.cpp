@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/actions/exporter.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "show/looks.h"
 #include "show/show.h"
 #include "ui/model/look_fade.h"

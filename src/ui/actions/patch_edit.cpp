@@ -3,8 +3,8 @@
 
 #include "base/suggest.h"
 #include "base/text.h"
-#include "files/files.h"
-#include "files/user_file.h"
+#include "disk/files.h"
+#include "disk/user_file.h"
 #include "fixture/values.h"
 #include "fixture_files/load_type.h"
 #include "show/free_address.h"

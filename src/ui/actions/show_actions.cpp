@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/actions/show_actions.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "show/show.h"
 #include "show_file/show_edit.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/drafts.h"
 
-#include "files/crc32.h"
-#include "files/files.h"
-#include "files/own_folder.h"
-#include "files/user_file.h"
+#include "disk/crc32.h"
+#include "disk/files.h"
+#include "disk/own_folder.h"
+#include "disk/user_file.h"
 #include "show/show.h"
 
 #include <QFileInfo>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/looks.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "show/show.h"
 
 #include <QFile>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/model/show_document.h"
 
-#include "files/files.h"
-#include "files/user_file.h"
+#include "disk/files.h"
+#include "disk/user_file.h"
 #include "show_file/show_edit.h"
 #include "show_folder/load_show.h"
 #include "ui/model/private/undo_ids.h"

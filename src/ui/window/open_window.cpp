@@ -3,7 +3,7 @@
 
 #include "base/log.h"
 #include "base/memory.h"
-#include "files/files.h"
+#include "disk/files.h"
 #include "show/show.h"
 #include "ui/actions/script.h"
 #include "ui/widgets/plain_labels.h"

@@ -2,7 +2,7 @@
 // The actions of the window itself: open, save a picture, full screen, overlays.
 #include "ui/window/window.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "image/ldr.h"
 #include "show/show.h"
 #include "ui/panels/fixture_panel.h"

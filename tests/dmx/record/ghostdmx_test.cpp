@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The .ghostdmx format: lossless for any frames, and what cuts, flipped bits and hostile bytes do to it.
-#include "files/crc32.h"
+#include "disk/crc32.h"
 #include "support/test_recording.h"
 
 namespace ghost::dmx {

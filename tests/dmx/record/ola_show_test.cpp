@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "files/files.h"
+#include "disk/files.h"
 #include "support/test_recording.h"
 
 namespace ghost::dmx {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dmx/record/recorder.h"
 
+#include "disk/files.h"
 #include "dmx/record/changes.h"
-#include "files/files.h"
 #include "support/test_recording.h"
 
 #include <csignal>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Captures as recordings: every container and link type, what is left out is counted, and the levels are
 // those that a live receiver has.
+#include "disk/files.h"
 #include "dmx/receive/receiver.h"
 #include "dmx/send/sender.h"
-#include "files/files.h"
 #include "net/socket.h"
 #include "support/test_capture.h"
 

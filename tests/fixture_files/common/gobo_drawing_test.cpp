@@ -2,7 +2,7 @@
 // Drawings as gobos: black keeps light out, what is not drawn lets it through; areas against the geometry.
 #include "fixture_files/common/gobo_drawing.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "fixture_files/common/svg_path.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fixture_files/common/gobo_files.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "image/ldr.h"
 
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 // limits stand in docs/reference/gdtf.md.
 #include "support/tiny_gdtf.h"
 
+#include "archives/archive.h"
 #include "base/message_cap.h"
-#include "files/archive.h"
 #include "fixture/decode.h"
 #include "fixture_files/common/mesh_check.h"
 

@@ -34,7 +34,7 @@ BREACHES = [
     ("src/show/p.cpp", HEAD + "namespace ghost::scene {\nclass Twin {\n};\nnamespace {\nstruct Twin {};\n} // namespace\nstruct Twin;\n",
      "src/stage/aa.h:4: Twin: another type of this name stands at src/show/p.cpp:3"),
     ("src/cli/r.cpp", HEAD + 'std::printf("%s", name);\n', "r.cpp:2: what reaches a terminal goes through"),
-    ("src/show/q.cpp", HEAD + "const auto all = nlohmann::json::parse(text);\n", "q.cpp:2: JSON is read by base/json.h"),
+    ("src/show/q.cpp", HEAD + "const auto all = nlohmann::json::parse(text);\n", "q.cpp:2: JSON is read by json_xml_toml/json.h"),
     ("src/show/s.cpp", HEAD + '#include "stage/private/t.h"\n', 's.cpp:2: "stage/private/t.h": is for stage alone'),
     ("src/show/u.cpp", HEAD + '#include "show/none.h"\n', "there is no such header"),
     ("shaders/shared/n.h", HEAD + '#pragma once\n#include "show/show.h"\n', "shared does not link show"),

@@ -5,7 +5,7 @@
 #include "ui/model/jobs.h"
 
 #include "base/progress.h"
-#include "files/files.h"
+#include "disk/files.h"
 
 #include <QElapsedTimer>
 #include <QFile>

@@ -5,7 +5,7 @@
 #include "ui/model/looks.h"
 #include "ui/window/window.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 #include "fixture_files/gdtf/gdtf.h"
 #include "show/show.h"
 

@@ -6,7 +6,7 @@
 #include "ui/actions/script.h"
 #include "ui/window/window.h"
 
-#include "files/files.h"
+#include "disk/files.h"
 
 #include <QDockWidget>
 #include <QLabel>

@@ -4,7 +4,7 @@
 // pcapng (sections, interfaces, enhanced, simple and old packet blocks), one after another, without holding
 // the file. draft-ietf-opsawg-pcap, draft-ietf-opsawg-pcapng. One thread.
 
-#include "files/byte_source.h"
+#include "archives/byte_source.h"
 
 #include <chrono>
 #include <optional>

@@ -3,8 +3,8 @@
 // Private to load_gdtf: the state of one reading and the readers of the parts of description.xml. Every
 // getter says what it could not understand, with the line, and goes on with the standard's default.
 
+#include "archives/archive.h"
 #include "base/message_list.h"
-#include "files/archive.h"
 #include "fixture_files/gdtf/gdtf.h"
 
 #include <pugixml.hpp>

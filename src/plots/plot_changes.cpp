@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plots/plot_changes.h"
+
+#include "dmx/wire/universes.h"
+#include "json_xml_toml/toml_reader.h"
+#include "show_file/scene_toml.h"
+
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace ghost::scene {
+namespace {
+
+// As fixture_to_world turns, with the size of the axes it had.
+glm::dmat3 turned(const glm::dmat3& axes, const glm::vec3& rotation_deg) {
+    const glm::dvec3 turn_rad = glm::radians(glm::dvec3(rotation_deg));
+    glm::dmat4 matrix = glm::rotate(glm::dmat4(1.0), turn_rad.z, glm::dvec3(0, 0, 1));
+    matrix = glm::rotate(matrix, turn_rad.y, glm::dvec3(0, 1, 0));
+    matrix = glm::rotate(matrix, turn_rad.x, glm::dvec3(1, 0, 0));
+    glm::dmat3 result(matrix);
+    for (int k = 0; k < 3; ++k) result[k] *= glm::length(axes[k]);
+    if (glm::determinant(axes) < 0.0) result[0] = -result[0];
+    return result;
+}
+
+// As the plot counts breaks: from 0, or from 1 where its program does.
+int written_break(const PlotObject& object, int dmx_break) {
+    for (const PlotAddress& address : object.device.addresses)
+        if (gdtf_break(object.device, address) == dmx_break) return address.dmx_break;
+    const bool counts_from_1 =
+        !object.device.addresses.empty() && gdtf_break(object.device, object.device.addresses.front()) ==
+                                                object.device.addresses.front().dmx_break;
+    return counts_from_1 ? dmx_break : dmx_break - 1;
+}
+
+glm::dmat4 parent_world(const Plot& plot, const PlotObject& object) {
+    if (object.parent >= 0) return plot.objects[static_cast<std::size_t>(object.parent)].world;
+    if (object.layer >= 0) return plot.layers[static_cast<std::size_t>(object.layer)].local;
+    return glm::dmat4(1.0);
+}
+
+} // namespace
+
+std::vector<PlotChange> plot_changes(const Plot& plot, const std::vector<ChangeEntry>& entries,
+                                     const glm::dvec3& origin_m) {
+    std::vector<PlotChange> changes;
+    for (const ChangeEntry& entry : entries) {
+        const int found = find_object(plot, entry.uuid);
+        const PlotObject absent;
+        const PlotObject& object = found < 0 ? absent : plot.objects[static_cast<std::size_t>(found)];
+        const auto add = [&](PlotChange::What what) -> PlotChange& {
+            PlotChange& change = changes.emplace_back();
+            change.uuid = entry.uuid;
+            change.what = what;
+            return change;
+        };
+        if (entry.address) {
+            PlotChange& change = add(PlotChange::What::address);
+            change.dmx_break = written_break(object, entry.dmx_break);
+            change.address = *entry.address;
+        }
+        if (entry.mode) add(PlotChange::What::mode).text = *entry.mode;
+        if (entry.name) add(PlotChange::What::name).text = *entry.name;
+        if (entry.hidden) add(PlotChange::What::hidden).hidden = *entry.hidden;
+        if (!entry.position_m && !entry.rotation_deg) continue;
+        glm::dmat4 world = object.world;
+        if (entry.rotation_deg) {
+            const glm::dmat3 axes = turned(glm::dmat3(world), *entry.rotation_deg);
+            for (int k = 0; k < 3; ++k) world[k] = glm::dvec4(axes[k], 0.0);
+        }
+        if (entry.position_m) world[3] = glm::dvec4(glm::dvec3(*entry.position_m) + origin_m, 1.0);
+        const glm::dmat4 parent = parent_world(plot, object);
+        PlotChange& change = add(PlotChange::What::position);
+        change.local = std::abs(glm::determinant(parent)) > 1e-12 ? glm::inverse(parent) * world : world;
+    }
+    return changes;
+}
+
+void apply_changes(Plot& plot, const std::vector<ChangeEntry>& entries, const glm::dvec3& origin_m,
+                   Report& report) {
+    // One by one: a child is placed in the frame of a parent that has been moved already.
+    for (const ChangeEntry& entry : entries) {
+        if (entry.uuid.empty()) continue;
+        if (find_object(plot, entry.uuid) < 0) {
+            report.add(Severity::warning, entry.where,
+                       "[[change]] uuid '" + entry.uuid.substr(0, 60) + "'" +
+                           (entry.name ? " (" + entry.name->substr(0, 60) + ")" : "") +
+                           " is not in the plot (any more); the change waits for it");
+            continue;
+        }
+        for (const PlotChange& change : plot_changes(plot, {entry}, origin_m)) apply_change(plot, change);
+    }
+}
+
+} // namespace ghost::scene

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "plots/plot_types.h"
+
+#include "base/text.h"
+#include "fixture/patch.h"
+#include "fixture/values.h"
+#include "fixture_files/gdtf/gdtf.h"
+#include "fixture_files/load_type.h"
+#include "json_xml_toml/toml_reader.h"
+#include "stage/overrides.h"
+
+#include "base/suggest.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace ghost::scene {
+namespace fs = std::filesystem;
+
+namespace {
+
+// "mode 2 - 8 bit": 2, 8
+std::set<std::string> numbers_in(const std::string& text) {
+    constexpr const char* kDigits = "0123456789";
+    std::set<std::string> numbers;
+    for (std::size_t at = text.find_first_of(kDigits); at != std::string::npos;) {
+        const std::size_t end = std::min(text.find_first_not_of(kDigits, at), text.size());
+        numbers.insert(text.substr(at, end - at));
+        at = text.find_first_of(kDigits, end);
+    }
+    return numbers;
+}
+
+} // namespace
+
+int nearest_mode(const fixture::Type& type, const std::string& name) {
+    constexpr std::size_t kLooked = 200; // letters: names come from outside
+    const std::string wanted = lower(trimmed(name)).substr(0, kLooked);
+    const std::set<std::string> wanted_numbers = numbers_in(wanted);
+    int nearest = -1;
+    std::pair<std::size_t, std::size_t> fewest; // numbers that are not there, letters that differ
+    for (std::size_t k = 0; k < type.modes.size(); ++k) {
+        if (type.modes[k].name == name) return static_cast<int>(k);
+        const std::string other = lower(trimmed(type.modes[k].name)).substr(0, kLooked);
+        const std::set<std::string> numbers = numbers_in(other);
+        const auto missing = static_cast<std::size_t>(
+            std::count_if(wanted_numbers.begin(), wanted_numbers.end(),
+                          [&](const std::string& number) { return !numbers.contains(number); }));
+        const std::pair differs(missing, edit_distance(wanted, other));
+        if (nearest < 0 || differs < fewest) {
+            nearest = static_cast<int>(k);
+            fewest = differs;
+        }
+    }
+    return nearest;
+}
+
+fs::path PlotTypes::beside(const std::string& spec) const {
+    if (spec.empty() || spec.size() > 200) return {};
+    const std::string name = fs::path(spec).filename().string();
+    for (const fs::path& folder : {folder_, folder_ / "fixtures"})
+        for (const char* ending : {"", ".gdtf", ".qxf", ".json"}) {
+            const fs::path file = folder / (name + ending);
+            std::error_code code;
+            if (fixture::has_type_extension(file) && fs::is_regular_file(file, code)) return file;
+        }
+    return {};
+}
+
+std::shared_ptr<const fixture::Type> PlotTypes::read(const PlotGdtf& gdtf, const File& file) {
+    const std::string who = gdtf.objects == 1 ? "; its fixture stays dark" : "; its fixtures stay dark";
+    const auto load = [&]() -> Result<fixture::LoadedType> {
+        if (file.substitute || gdtf.member.empty()) return fixture::load_type(folder_ / file.name);
+        TRY(const auto bytes, loaded_.archive.read(gdtf.member));
+        return fixture::load_gdtf(bytes, loaded_.name + ": " + gdtf.member);
+    };
+    auto loaded = load();
+    if (!loaded.ok()) {
+        report_.add(Severity::error, loaded.error().where.empty() ? loaded_.name : loaded.error().where,
+                    loaded.error().what + who);
+        return nullptr;
+    }
+    for (const Message& message : loaded->messages)
+        report_.add(message.severity, message.where, message.what);
+    if (loaded->type.modes.empty()) {
+        report_.add(Severity::error, loaded_.name + ": " + file.name.string(), "has no DMX mode" + who);
+        return nullptr;
+    }
+    return std::make_shared<const fixture::Type>(std::move(loaded->type));
+}
+
+PlotTypes::File& PlotTypes::file(int index) {
+    File& file = files_[index];
+    if (file.is_read) return file;
+    file.is_read = true;
+    const PlotGdtf& gdtf = loaded_.plot.gdtf_files[static_cast<std::size_t>(index)];
+    file.name = fs::path(gdtf.member.empty() ? gdtf.spec : gdtf.member).filename();
+    if (const SubstituteEntry* substitute = substitute_for(gdtf)) {
+        file.substitute = substitute;
+        file.name = substitute->gdtf;
+        forgive(gdtf, file.name.string());
+    } else if (gdtf.member.empty()) {
+        const fs::path found = beside(gdtf.spec);
+        if (found.empty()) return file; // the reader of the plot has said so
+        file.name = found.lexically_relative(folder_);
+        forgive(gdtf, found.string());
+    }
+    file.type = read(gdtf, file);
+    return file;
+}
+
+// What the reader said of the archive is right, and no loss any more.
+void PlotTypes::forgive(const PlotGdtf& gdtf, const std::string& instead) {
+    for (Message& message : report_.messages)
+        if (message.severity == Severity::error &&
+            message.what.find("'" + gdtf.spec + "' is not in the archive") != std::string::npos) {
+            message.severity = Severity::note;
+            message.what += "; " + instead + " is taken";
+        }
+}
+
+const SubstituteEntry* PlotTypes::substitute_for(const PlotGdtf& gdtf) const {
+    for (const SubstituteEntry& entry : substitutes_)
+        for (const std::string& name : {gdtf.spec, gdtf.member})
+            if (!name.empty() && matches(lower(entry.spec), lower(name))) return &entry;
+    return nullptr;
+}
+
+PlotTypes::Found PlotTypes::find(const PlotDevice& device, const std::string& where) {
+    if (device.gdtf < 0) return {};
+    const File& file_of_plot = file(device.gdtf);
+    Found found{file_of_plot.type, 0};
+    if (!found.type) return found;
+    const bool is_chosen = file_of_plot.substitute && !file_of_plot.substitute->mode.empty();
+    const std::string& wanted = is_chosen ? file_of_plot.substitute->mode : device.gdtf_mode;
+    // Programs that know one mode only leave its name out.
+    found.mode = wanted.empty() ? 0 : nearest_mode(*found.type, wanted);
+    const std::string& taken = found.type->modes[static_cast<std::size_t>(found.mode)].name;
+    if (wanted.empty() || taken == wanted) return found;
+    WrongMode& wrong = wrong_modes_[{device.gdtf, wanted}];
+    if (wrong.fixtures++ == 0) {
+        // Another maker's fixture has other modes; only one that was asked for by name is missing.
+        if (file_of_plot.substitute && !is_chosen) wrong.severity = Severity::warning;
+        wrong.where = is_chosen ? file_of_plot.substitute->where : where;
+        const auto mode = fixture::find_mode(*found.type, wanted);
+        wrong.what = (mode.ok() ? "" : mode.error().what) + "; it gets '" + taken + "'";
+    }
+    return found;
+}
+
+fs::path PlotTypes::file_of(const PlotDevice& device) {
+    return device.gdtf >= 0 ? file(device.gdtf).name : fs::path(device.gdtf_spec).filename();
+}
+
+void PlotTypes::finish() {
+    for (const auto& [key, wrong] : wrong_modes_)
+        report_.add(wrong.severity, wrong.where,
+                    wrong.what +
+                        (wrong.fixtures > 1 ? " (" + std::to_string(wrong.fixtures) + " fixtures)" : ""));
+    wrong_modes_.clear();
+    for (const SubstituteEntry& entry : substitutes_) {
+        const bool used = std::any_of(files_.begin(), files_.end(),
+                                      [&](const auto& file) { return file.second.substitute == &entry; });
+        if (!used && !entry.spec.empty())
+            report_.add(Severity::warning, entry.where,
+                        "[[substitute]] for '" + entry.spec.substr(0, 80) +
+                            "': no fixture of the plot asks for a file of that name");
+    }
+}
+
+} // namespace ghost::scene
