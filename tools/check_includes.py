@@ -47,7 +47,7 @@ SOCKETS = ("arpa/", "ifaddrs.h", "net/", "netdb.h", "netinet/", "sys/epoll.h", "
 PLATFORM_FILES = {
     "src/disk/files.cpp": "fsync",
     "src/disk/own_folder.cpp": "folders without following links",
-    "src/disk/hold.cpp": "file locks, name of the host",
+    "src/show_folder/hold.cpp": "file locks, name of the host",
     "src/disk/user_file.cpp": "put into place without replacing",
     "src/disk/disk_sync.cpp": "fdatasync, flock",
     "src/disk/user_cache.cpp": "may this user write there",

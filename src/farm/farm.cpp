@@ -7,10 +7,10 @@
 #include "base/print.h"
 #include "base/progress.h"
 #include "disk/files.h"
-#include "disk/hold.h"
 #include "farm/farm_task.h"
 #include "json_xml_toml/json.h"
 #include "show/show.h"
+#include "show_folder/hold.h"
 
 #include <chrono>
 #include <fstream>

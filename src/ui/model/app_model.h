@@ -97,6 +97,7 @@ public:
     void fade_to(Look look, const QString& text, double seconds);
     bool fades() const { return fader_.is_going(); }
     QUndoStack& undo_stack() { return undo_; }
+    const QUndoStack& undo_stack() const { return undo_; }
     // The show is another text now, with what goes by index of the fixture as that text counts. It is shown
     // at once as `preview`, until the engine has opened it.
     void put_edit(std::shared_ptr<const std::string> text, scene::Show preview, const Look& look,

@@ -4,7 +4,7 @@
 // where that disk takes nothing or the show's folder is gone, the user's own folder. Window thread.
 
 #include "base/result.h"
-#include "disk/hold.h"
+#include "show_folder/hold.h"
 
 #include <QDateTime>
 

@@ -5,7 +5,7 @@
 // (ui/model/drafts.h) half a second later, so that neither a crash nor a window that is closed loses more;
 // the next time it is offered. Errors go to who asked. Window thread.
 
-#include "disk/hold.h"
+#include "show_folder/hold.h"
 #include "ui/model/app_model.h"
 #include "ui/model/drafts.h"
 

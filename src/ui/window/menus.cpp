@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/menus.h"
-#include "show/show.h"
+
+#include "ui/actions/can_do.h"
 
 #include <QFileInfo>
 
-#include <algorithm>
-#include <set>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -34,17 +34,6 @@ constexpr std::pair<const char*, const char*> kMenus[] = {
     {"Panels", ""},
     {"Help", "shortcuts documentation - about"},
 };
-
-const std::set<QString> kNeedNothing{
-    "new",           "open",  "import-plot", "open-demo", "quit",           "screenshot",   "shortcuts",
-    "documentation", "about", "full-screen", "chips",     "figures",        "frame",        "names",
-    "addresses",     "aims",  "marks",       "find",      "second-display", "second-window"};
-const std::set<QString> kNeedSelection{"select-none", "select-similar", "duplicate",  "remove",
-                                       "unpatch",     "hang",           "distribute", "align-x",
-                                       "align-y",     "align-z",        "focus",      "aim-through"};
-const std::set<QString> kNeedEditable{"add-fixture", "duplicate", "remove",      "unpatch", "hang",
-                                      "distribute",  "align-x",   "align-y",     "align-z", "set-stage",
-                                      "add-model",   "add-hazer", "keep-camera", "save",    "substitute"};
 
 } // namespace
 
@@ -110,32 +99,12 @@ void Menus::grey(QMenu& menu) {
     connect(&menu, &QMenu::aboutToShow, this, [this, &menu] {
         for (const Action& action : actions_.all())
             if (QAction* const item = actions_.item(action.name); menu.actions().contains(item))
-                item->setEnabled(can(action.name));
+                item->setEnabled(can_do(action.name, app_, document_));
     });
     connect(&menu, &QMenu::aboutToHide, this, [&menu] {
         for (QAction* const item : menu.actions())
             if (!item->menu()) item->setEnabled(true);
     });
-}
-
-bool Menus::can(const QString& name) const {
-    if (name.startsWith("panel-") || kNeedNothing.contains(name)) return true;
-    if (name == "take-plot") return app_.plot().number > 0;
-    if (name == "cancel-jobs") return app_.jobs().is_busy();
-    if (!app_.show()) return false;
-    if (name == "undo") return app_.undo_stack().canUndo();
-    if (name == "redo") return app_.undo_stack().canRedo();
-    if (name == "take-changes" || name == "drop-changes") return document_.has_draft();
-    if (name == "take-over") return document_.is_read_only();
-    if (name == "save-picture") return app_.picture().image != nullptr;
-    if (name == "release")
-        return std::any_of(app_.selection().begin(), app_.selection().end(),
-                           [&](std::size_t one) { return app_.look().fixtures.contains(one); });
-    if (name == "release-all") return !app_.look().is_empty();
-    if (name == "solo") return !app_.selection().empty() || !app_.look().solo.empty();
-    if (name == "play-recorded") return !app_.recorded().file.empty() && !app_.recorded().error;
-    if (kNeedSelection.contains(name) && app_.selection().empty()) return false;
-    return !kNeedEditable.contains(name) || document_.check_editable().ok();
 }
 
 } // namespace ghost::ui

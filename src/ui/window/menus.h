@@ -25,7 +25,6 @@ private:
     void add(QMenu& menu, const QString& names);
     void add_recent(QMenu& menu);
     void grey(QMenu& menu);
-    bool can(const QString& name) const;
 
     Actions& actions_;
     AppModel& app_;

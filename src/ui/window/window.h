@@ -10,7 +10,6 @@
 #include "ui/model/looks.h"
 #include "ui/model/recent_shows.h"
 #include "ui/model/show_document.h"
-#include "ui/picture/second_display.h"
 #include "ui/picture/view.h"
 #include "ui/widgets/loop_watch.h"
 #include "ui/widgets/on_screen.h"
@@ -18,6 +17,7 @@
 #include "ui/window/context_menus.h"
 #include "ui/window/menus.h"
 #include "ui/window/open_window.h"
+#include "ui/window/second_display.h"
 
 #include <QDockWidget>
 #include <QLabel>

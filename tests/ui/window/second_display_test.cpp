@@ -2,7 +2,7 @@
 // The picture on a second display: it is drawn for the larger window, goes when its display is unplugged, and
 // comes back with it.
 #include "support/test_window.h"
-#include "ui/picture/second_display.h"
+#include "ui/window/second_display.h"
 
 #include <QGuiApplication>
 #include <QPixmap>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "ui/picture/second_display.h"
+#include "ui/window/second_display.h"
 
 #include "ui/picture/overlays.h"
 

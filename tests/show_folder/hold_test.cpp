@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "disk/hold.h"
+#include "show_folder/hold.h"
 
 #include "disk/files.h"
 #include "support/must.h"

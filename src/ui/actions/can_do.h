@@ -1,0 +1,16 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// can_do: whether an action can be done now: what menus grey. Asked all the same, it says itself why not.
+// Window thread.
+
+#include "ui/model/app_model.h"
+#include "ui/model/show_document.h"
+
+#include <QString>
+
+namespace ghost::ui {
+
+// name: as the table of actions has it; one of no table needs a show.
+bool can_do(const QString& name, const AppModel& app, const ShowDocument& document);
+
+} // namespace ghost::ui
