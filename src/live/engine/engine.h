@@ -88,13 +88,13 @@ private:
     bool has_work_light() const;
     void forget_baked();
     // That of the picture that is shown.
-    const render::Relighter& relighter() const {
+    render::Relighter& relighter() {
         return shown_.is_baked ? baked_.view().relighter() : *session_->relighter;
     }
     render::FrameStatistics draw_live(const scene::Camera& wanted, double begin_s);
     render::FrameStatistics draw_baked(const scene::Camera& wanted, double begin_s);
     std::function<bool()> stop_of(double begin_s);
-    ShownPicture shown() const { return {*session_, relighter(), shown_.lights, shown_.camera}; }
+    ShownPicture shown() { return {*session_, relighter(), shown_.lights, shown_.camera}; }
     void publish_opened(Opening::Kind kind);
     void publish_rest(double now_s, bool drew);
     double now_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/engine/live_picture.h"
 
+#include "gpu/device_memory.h"
 #include "live/session/picture_room.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ void LivePicture::fit_into_memory(const scene::Camera& wanted, Session& session)
     whole_for_ = pixels;
     session.drop_parked();
     // What there is now goes before the next one is made.
-    const std::uint64_t room = session.device->memory_left_bytes() + session.relighter->picture_bytes();
+    const std::uint64_t room = session.device->memory().left_bytes() + session.relighter->picture_bytes();
     scene::Camera most = wanted;
     most.width = std::min(most.width, kMostPixels);
     most.height = std::min(most.height, kMostPixels);
