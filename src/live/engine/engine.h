@@ -64,16 +64,31 @@ private:
     void adopt(std::unique_ptr<Session> session, Opening::Kind kind);
     void clean();
     void begin_controls();
+    void forget_baked();
+    double now_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+    // engine_frame.cpp
     void frame();
     // What a remote control asks for now. True: the camera sees something else.
     bool hear_remote(double now_s);
-    // Of the request, exposed as the remote control says, turned to the tracker that it follows.
+    // Of the request, exposed as the remote control says, turned to the tracker that it follows: trackers are
+    // heard, and what else follows them does.
     scene::Camera wanted_camera();
+    bool is_moving(double now_s) const;
+    bool has_work_light() const;
+    std::string needs_live() const;
+    render::FrameStatistics draw_live(const scene::Camera& wanted, double begin_s);
+    render::FrameStatistics draw_baked(const scene::Camera& wanted, double begin_s);
+    std::function<bool()> stop_of(double begin_s);
+    // That of the picture that is shown.
+    render::Relighter& relighter() {
+        return shown_.is_baked ? baked_.view().relighter() : *session_->relighter;
+    }
+    ShownPicture shown() { return {*session_, relighter(), shown_.lights, shown_.camera}; }
 
     // The show that is open has another text; engine_edits.cpp.
     void take_edit();
     void take_air(const scene::Show& edited);
-
     void choose_recording();
 
     // engine_plots.cpp
@@ -81,23 +96,10 @@ private:
     void take_plot();
     void adopt_opened();
 
-    bool is_moving(double now_s) const;
     // engine_news.cpp
-    void publish_picture(const render::FrameStatistics& statistics, double draw_ms);
-    std::string needs_live() const;
-    bool has_work_light() const;
-    void forget_baked();
-    // That of the picture that is shown.
-    render::Relighter& relighter() {
-        return shown_.is_baked ? baked_.view().relighter() : *session_->relighter;
-    }
-    render::FrameStatistics draw_live(const scene::Camera& wanted, double begin_s);
-    render::FrameStatistics draw_baked(const scene::Camera& wanted, double begin_s);
-    std::function<bool()> stop_of(double begin_s);
-    ShownPicture shown() { return {*session_, relighter(), shown_.lights, shown_.camera}; }
     void publish_opened(Opening::Kind kind);
+    void publish_picture(const render::FrameStatistics& statistics, double draw_ms);
     void publish_rest(double now_s, bool drew);
-    double now_s() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
     ui::Link& link_;
     EngineOptions options_;
@@ -138,7 +140,7 @@ private:
     std::uint64_t settled_ = 0;           // number of the request
     std::chrono::nanoseconds arrival_{0}; // of packets that no picture shows yet
 
-    Opening opening_; // beside the session
+    Opening opening_; // what becomes of the session; waited for before all others go
     std::atomic<bool> stop_{false};
     std::thread thread_; // the last member: it uses all others
 };
