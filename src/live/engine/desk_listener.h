@@ -12,6 +12,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace ghost::app {
 
@@ -19,6 +20,8 @@ class DeskListener {
 public:
     DeskListener(dmx::ReceiverOptions options, DeskRecorder& recorder, MessageBoard& messages, ui::Link& link)
         : options_(std::move(options)), recorder_(recorder), messages_(messages), link_(link) {}
+    DeskListener(const DeskListener&) = delete;
+    DeskListener& operator=(const DeskListener&) = delete;
 
     // What recordings follow, before it listens; empty: nothing.
     void follow(const std::string& timecode);
