@@ -191,7 +191,7 @@ struct HazeMedium;
 struct ExplainInput {
     const Show& show;
     const Report& report; // of load_show
-    const Rig& rig;       // stepped with these universes
+    Rig& rig;             // stepped with these universes; its lights are asked for
     const GoboStack& gobos;
     const dmx::Universes& universes;
     const Reception& reception;

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "gpu/commands.h"
+#include "gpu/device_memory.h"
 
 #include <algorithm>
 #include <cstring>
@@ -39,7 +40,7 @@ Buffer::Buffer(const Device& device, std::uint64_t bytes, Access access)
     VkMemoryRequirements needs;
     vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
     std::uint32_t type = 0;
-    memory_ = device.allocate(needs, wanted_memory(access), type);
+    memory_ = device.memory().allocate(needs, wanted_memory(access), type);
     allocated_bytes_ = needs.size;
     VK_CALL(vkBindBufferMemory(device.handle(), buffer_, memory_, 0));
     // Mapping fails where the memory is not visible to the host; only then is staging needed.
@@ -54,7 +55,7 @@ Buffer::Buffer(const Device& device, std::uint64_t bytes, Access access)
 Buffer::~Buffer() {
     if (!device_) return;
     vkDestroyBuffer(device_->handle(), buffer_, nullptr);
-    device_->release(memory_, allocated_bytes_);
+    device_->memory().release(memory_, allocated_bytes_);
 }
 
 void Buffer::swap(Buffer& other) noexcept {

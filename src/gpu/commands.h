@@ -60,7 +60,7 @@ public:
     LateProgram(const Device& device, const Shader& shader, std::vector<std::uint32_t> constants = {})
         : device_(&device), shader_(shader), constants_(std::move(constants)) {}
 
-    const Program& get() const {
+    const Program& get() {
         if (!program_) program_ = std::make_unique<Program>(*device_, shader_, constants_);
         return *program_;
     }
@@ -69,7 +69,7 @@ private:
     const Device* device_ = nullptr;
     Shader shader_;
     std::vector<std::uint32_t> constants_;
-    mutable std::unique_ptr<Program> program_;
+    std::unique_ptr<Program> program_;
 };
 
 // Workgroups of so many items each that it takes.

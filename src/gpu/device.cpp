@@ -4,6 +4,7 @@
 #include "base/log.h"
 #include "base/text.h"
 #include "gpu/device_lost.h"
+#include "gpu/device_memory.h"
 #include "gpu/pipelines.h"
 #include "gpu/shader_folder.h"
 
@@ -93,8 +94,7 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     std::unique_ptr<Device> device(new Device);
     TRY_VOID(device->make_instance(options.validation));
     TRY_VOID(device->choose_physical(options.name));
-    device->make_device();
-    device->find_memory(options.memory_limit_bytes);
+    device->make_device(options.memory_limit_bytes);
     if (!options.shaders.empty()) device->shaders_ = std::make_unique<ShaderFolder>(options.shaders);
     return device;
 }
@@ -191,7 +191,7 @@ Result<void> Device::choose_physical(const std::string& wanted) {
     return Error{"no Vulkan device named '" + wanted + "' serves; found:" + list, "--device"};
 }
 
-void Device::make_device() {
+void Device::make_device(std::uint64_t memory_limit_bytes) {
     std::uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
@@ -239,7 +239,8 @@ void Device::make_device() {
     pipelines_ = std::make_unique<Pipelines>(device_);
     push_descriptors_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
         vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
-    has_budget_ = has_extension(physical_, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+    memory_ = std::make_unique<DeviceMemory>(*this, memory_limit_bytes,
+                                             has_extension(physical_, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME));
 }
 
 Device::Device() = default;

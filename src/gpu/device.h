@@ -15,6 +15,7 @@
 
 namespace ghost::gpu {
 
+class DeviceMemory;
 class Pipelines;
 class ShaderFolder;
 
@@ -41,6 +42,7 @@ public:
     PFN_vkCmdPushDescriptorSetKHR push_descriptors() const { return push_descriptors_; }
 
     Pipelines& pipelines() const { return *pipelines_; }
+    DeviceMemory& memory() const { return *memory_; }
     // The one that is built in, or that of DeviceOptions::shaders.
     Shader current(const Shader& built_in) const;
     // DeviceOptions::shaders has newer ones than are drawn with: whoever draws opens a device anew.
@@ -49,24 +51,11 @@ public:
     const std::string& name() const { return name_; } // "llvmpipe (LLVM 15.0.6, 256 bits)"
     bool is_cpu() const { return is_cpu_; }           // lavapipe and its like
     double timestamp_period_ns() const { return timestamp_period_ns_; }
-    std::uint64_t local_memory_bytes() const { return local_memory_bytes_; }
     std::uint32_t most_layers() const { return most_layers_; } // of an image
     std::size_t validation_errors() const { return validation_errors_; }
 
-    // Memory of a buffer or image, with as many of the wanted properties as there is; type: its index.
-    VkDeviceMemory allocate(const VkMemoryRequirements& needs, VkMemoryPropertyFlags wanted,
-                            std::uint32_t& type) const;
-    void release(VkDeviceMemory memory, std::uint64_t bytes) const;
-    std::uint64_t memory_used_bytes() const { return used_bytes_; }
-    // What may still be allocated: of the limit, of what the driver says is left, or of the processor's
-    // memory that was free at the start. Whoever makes something large asks first.
-    std::uint64_t memory_left_bytes() const;
-
     // The first of these formats whose images can do all that is wanted; the last one where none can.
     VkFormat first_format(std::span<const VkFormat> formats, VkFormatFeatureFlags wanted) const;
-
-    // Index of a memory type among `allowed` with all wanted properties, or with as many of them as there is.
-    std::uint32_t memory_type(std::uint32_t allowed, VkMemoryPropertyFlags wanted) const;
 
 private:
     Device();
@@ -75,8 +64,7 @@ private:
                                                         const VkDebugUtilsMessengerCallbackDataEXT*, void*);
     Result<void> make_instance(bool validation);
     Result<void> choose_physical(const std::string& name);
-    void make_device();
-    void find_memory(std::uint64_t limit_bytes);
+    void make_device(std::uint64_t memory_limit_bytes);
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
@@ -86,17 +74,12 @@ private:
     PFN_vkCmdPushDescriptorSetKHR push_descriptors_ = nullptr;
     std::unique_ptr<Pipelines> pipelines_;
     std::unique_ptr<ShaderFolder> shaders_; // or null
-    VkPhysicalDeviceMemoryProperties memory_{};
+    std::unique_ptr<DeviceMemory> memory_;
     std::uint32_t queue_family_ = 0;
     std::string name_;
     bool is_cpu_ = false;
     double timestamp_period_ns_ = 1;
-    std::uint64_t local_memory_bytes_ = 0;
     std::uint32_t most_layers_ = 256;
-    std::uint64_t limit_bytes_ = 0;
-    bool enforced_ = false;   // somebody asked for the limit
-    bool has_budget_ = false; // the driver says what is left, other programs counted in
-    mutable std::uint64_t used_bytes_ = 0;
     std::size_t validation_errors_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
+#include "gpu/device_memory.h"
 
 #include <algorithm>
 #include <cstring>
@@ -59,7 +60,7 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     vkGetImageMemoryRequirements(device.handle(), image_, &needs);
     bytes_ = needs.size;
     std::uint32_t type = 0;
-    memory_ = device.allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, type);
+    memory_ = device.memory().allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, type);
     VK_CALL(vkBindImageMemory(device.handle(), image_, memory_, 0));
 
     VkImageViewCreateInfo view{};
@@ -133,7 +134,7 @@ Texture::~Texture() {
     vkDestroySampler(device_->handle(), sampler_, nullptr);
     vkDestroyImageView(device_->handle(), view_, nullptr);
     vkDestroyImage(device_->handle(), image_, nullptr);
-    device_->release(memory_, bytes_);
+    device_->memory().release(memory_, bytes_);
 }
 
 void Texture::swap(Texture& other) noexcept {

@@ -271,7 +271,7 @@ Rig::Between Rig::between(std::size_t index) const {
     return result;
 }
 
-std::vector<LensFace> Rig::faces(std::size_t index, const FixturePose& hung, const GoboStack& gobos) const {
+std::vector<LensFace> Rig::faces(std::size_t index, const FixturePose& hung, const GoboStack& gobos) {
     const fixture::Type& type = *show_.fixtures[index].type;
     std::vector<LensFace> faces = faces_of(type, states_[index].beams, hung.to_world, gobos, profiles_,
                                            projector_of(index), show_.fixtures[index].shape.get());
@@ -288,7 +288,7 @@ std::vector<LensFace> Rig::faces(std::size_t index, const FixturePose& hung, con
     return faces;
 }
 
-FrameLights Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) const {
+FrameLights Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells) {
     FrameLights lit;
     std::vector<LensFace> facets;
     profiles_.trim();
@@ -317,7 +317,7 @@ FrameLights Rig::lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cel
     return lit;
 }
 
-FrameLights Rig::lit(const GoboStack& gobos, const Passes& passes) const {
+FrameLights Rig::lit(const GoboStack& gobos, const Passes& passes) {
     FrameLights lit;
     std::vector<LensFace> facets;
     profiles_.trim();
@@ -370,11 +370,11 @@ FrameLights Rig::lit(const GoboStack& gobos, const Passes& passes) const {
     return lit;
 }
 
-std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const Passes& passes) const {
+std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const Passes& passes) {
     return lit(gobos, passes).lights;
 }
 
-std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const DistanceMaps& maps) const {
+std::vector<shared::Light> Rig::lights(const GoboStack& gobos, const DistanceMaps& maps) {
     return lit(gobos, maps).lights;
 }
 

@@ -46,15 +46,15 @@ public:
     // All that shines, in the order of the show: the lights of each fixture's emitters, the face of each of
     // its beams. Fixtures without a readable type have none. A light whose pass is missing points at pass
     // number passes.lights.size(), the dark one.
-    FrameLights lit(const GoboStack& gobos, const Passes& passes) const;
+    FrameLights lit(const GoboStack& gobos, const Passes& passes);
 
     // The same for a free camera: the shadows of a light are in its distance map (between two stops: the
     // nearer one's), if there is one.
-    FrameLights lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells = Cells::grouped) const;
+    FrameLights lit(const GoboStack& gobos, const DistanceMaps& maps, Cells cells = Cells::grouped);
 
     // Of these the lights alone.
-    std::vector<shared::Light> lights(const GoboStack& gobos, const Passes& passes) const;
-    std::vector<shared::Light> lights(const GoboStack& gobos, const DistanceMaps& maps) const;
+    std::vector<shared::Light> lights(const GoboStack& gobos, const Passes& passes);
+    std::vector<shared::Light> lights(const GoboStack& gobos, const DistanceMaps& maps);
 
     const std::vector<fixture::State>& states() const { return states_; }
     // What the last step's levels asked of a fixture that had values by hand; null where it had none.
@@ -72,7 +72,7 @@ private:
     Between between(std::size_t fixture) const;
 
     void follow(std::size_t fixture, fixture::Targets& targets) const;
-    std::vector<LensFace> faces(std::size_t fixture, const FixturePose& hung, const GoboStack& gobos) const;
+    std::vector<LensFace> faces(std::size_t fixture, const FixturePose& hung, const GoboStack& gobos);
     void choose_medium(std::size_t fixture, const dmx::Universes& universes);
     std::optional<fixture::LaserCurve> figure_of(std::size_t fixture, const BeamGroup& emitter) const;
     void light_wall(std::size_t fixture, const GoboStack& gobos, std::vector<LensFace>& faces) const;
@@ -92,7 +92,7 @@ private:
     std::vector<std::shared_ptr<const BeamGroups>> emitters_; // one for all fixtures of a type and mode
     std::vector<std::optional<glm::vec3>> aims_;
     std::map<std::size_t, fixture::Programmer> programmer_, asked_; // of the last step
-    mutable ProfileTable profiles_; // of frames before, too: a light is the same with it and without
+    ProfileTable profiles_; // of frames before, too: a light is the same with it and without
 };
 
 } // namespace ghost::scene

@@ -2,6 +2,7 @@
 // 400 lights on devices with less and less memory: the picture gets coarser, one line says what was lowered,
 // nothing fails.
 #include "bench/bench_views.h"
+#include "gpu/device_memory.h"
 #include "support/live_picture.h"
 #include "support/must.h"
 
@@ -74,12 +75,12 @@ Outcome drawn_with(std::uint64_t limit_bytes, const scene::DistanceMaps& maps = 
                       {scene::camera_to_world(scene.camera), scene.camera.fov_y_deg, scene.camera.width,
                        scene.camera.height},
                       {glm::vec3(0), settings.haze});
-        outcome.before_bytes = gpu.memory_used_bytes();
+        outcome.before_bytes = gpu.memory().used_bytes();
         const render::DistanceImages distances(gpu, maps);
         outcome.side = distances.side();
         shared::Gobos gobos = bench_gobos();
         render::Relighter relighter(gpu, g_buffer, &distances, gobos, kLights, settings);
-        outcome.used_bytes = gpu.memory_used_bytes();
+        outcome.used_bytes = gpu.memory().used_bytes();
         // Two frames, so that kept images are used.
         std::vector<shared::Light> lights = scene.lights;
         relighter.draw(lights);
@@ -89,7 +90,7 @@ Outcome drawn_with(std::uint64_t limit_bytes, const scene::DistanceMaps& maps = 
     }
     outcome.messages = testing::internal::GetCapturedStderr();
     EXPECT_EQ(gpu.validation_errors(), 0u);
-    EXPECT_EQ(gpu.memory_used_bytes(), 0u);
+    EXPECT_EQ(gpu.memory().used_bytes(), 0u);
     return outcome;
 }
 

@@ -5,6 +5,7 @@
 
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
+#include "gpu/device_memory.h"
 #include "gpu/texture.h"
 
 #include <chrono>
@@ -27,7 +28,7 @@ protected:
 
 TEST_F(Gpu, DeviceHasANameAndMemory) {
     EXPECT_FALSE(device().name().empty());
-    EXPECT_GT(device().local_memory_bytes(), std::uint64_t{64} << 20);
+    EXPECT_GT(device().memory().local_bytes(), std::uint64_t{64} << 20);
     EXPECT_GT(device().timestamp_period_ns(), 0.0);
 }
 

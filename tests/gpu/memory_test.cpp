@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Who has how much of a device's memory.
 #include "gpu/buffer.h"
+#include "gpu/device_memory.h"
 #include "gpu/texture.h"
 #include "support/must.h"
 
@@ -17,21 +18,21 @@ std::unique_ptr<Device> device_with(std::uint64_t limit_bytes) {
 
 TEST(Memory, is_counted_while_it_is_held) {
     const auto device = device_with(0);
-    const std::uint64_t left = device->memory_left_bytes();
+    const std::uint64_t left = device->memory().left_bytes();
     EXPECT_GT(left, 64 * kMB);
-    EXPECT_EQ(device->memory_used_bytes(), 0u);
+    EXPECT_EQ(device->memory().used_bytes(), 0u);
     {
         Buffer buffer(*device, 3 * kMB, Access::device);
-        EXPECT_GE(device->memory_used_bytes(), 3 * kMB);
-        EXPECT_LE(device->memory_used_bytes(), 3 * kMB + 65536);
+        EXPECT_GE(device->memory().used_bytes(), 3 * kMB);
+        EXPECT_LE(device->memory().used_bytes(), 3 * kMB + 65536);
         const Texture texture(*device, {512, 512, 4, 1, VK_FORMAT_R16_SFLOAT});
-        EXPECT_GE(device->memory_used_bytes(), 5 * kMB);
-        const std::uint64_t both = device->memory_used_bytes();
+        EXPECT_GE(device->memory().used_bytes(), 5 * kMB);
+        const std::uint64_t both = device->memory().used_bytes();
         Buffer moved(std::move(buffer));
-        EXPECT_EQ(device->memory_used_bytes(), both);
+        EXPECT_EQ(device->memory().used_bytes(), both);
         moved = Buffer();
     }
-    EXPECT_EQ(device->memory_used_bytes(), 0u);
+    EXPECT_EQ(device->memory().used_bytes(), 0u);
     EXPECT_EQ(device->validation_errors(), 0u);
 }
 
@@ -48,10 +49,10 @@ TEST(Memory, a_texture_tells_its_size_before_it_is_made) {
 
 TEST(Memory, of_a_limit_what_is_left_is_told) {
     const auto device = device_with(16 * kMB);
-    EXPECT_EQ(device->memory_left_bytes(), 16 * kMB);
+    EXPECT_EQ(device->memory().left_bytes(), 16 * kMB);
     const Buffer buffer(*device, 10 * kMB, Access::upload);
-    EXPECT_LE(device->memory_left_bytes(), 6 * kMB);
-    EXPECT_GE(device->memory_left_bytes(), 6 * kMB - 65536);
+    EXPECT_LE(device->memory().left_bytes(), 6 * kMB);
+    EXPECT_GE(device->memory().left_bytes(), 6 * kMB - 65536);
 }
 
 } // namespace

@@ -195,7 +195,7 @@ Show show_of(const std::string& laser, Report& report, const std::string& more =
     return show;
 }
 
-std::vector<shared::Light> lit_by(const Rig& rig) {
+std::vector<shared::Light> lit_by(Rig& rig) {
     std::vector<shared::Light> lights;
     for (const shared::Light& light : rig.lights({}, DistanceMaps{}))
         if (light.intensity_cd != vec3(0)) lights.push_back(light);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/interrupt.h"
 #include "cli/options/input_options.h"
+#include "cli/render/film_controls.h"
 #include "cli/render/render_film.h"
 #include "dmx/record/recording_tasks.h"
 #include "live/engine/governor.h"
@@ -88,7 +89,7 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
     }
     TRY(const std::unique_ptr<dmx::Receiver> receiver, dmx::Receiver::start(options));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
-    TRY(LiveControls controls, LiveControls::open(arguments.controls, *session.show,
+    TRY(FilmControls controls, FilmControls::open(arguments.controls, *session.show,
                                                   arguments.input.interface, arguments.session.ev100));
     catch_interrupts();
     wait_for_sources(*receiver);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/engine/engine.h"
-#include "live/inputs/joined_universes.h"
 
 #include "base/interrupt.h"
 #include "gpu/device_lost.h"
@@ -16,9 +15,6 @@
 namespace ghost::app {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr double kListenAgain_s = 3;
 constexpr double kShortestStep_s = 1.0 / 120; // whatever comes: a display shows no more
 constexpr double kMovingStep_s = 1.0 / 60;
 constexpr double kRestingStep_s = 0.04;
@@ -33,7 +29,6 @@ Engine::~Engine() {
     stop_ = true;
     link_.wake.raise();
     thread_.join();
-    if (reopening_.valid()) reopening_.wait();
 }
 
 void Engine::run() {
@@ -61,7 +56,7 @@ void Engine::wait(double step_begin_s) {
             std::chrono::duration<double>(std::max(seconds, 0.0)));
     };
     std::this_thread::sleep_for(for_s(kShortestStep_s - (now_s() - step_begin_s)));
-    const bool rests = now_s() - last_change_s_ > kRest_s;
+    const bool rests = now_s() - last_change_s_ > LivePicture::kRest_s;
     (void)link_.wake.wait_for(for_s((rests ? kRestingStep_s : kMovingStep_s) - (now_s() - step_begin_s)));
 }
 
@@ -72,10 +67,10 @@ void Engine::step() {
         if (request_.show != tried_ || request_.opens != opens_) open(request_.show);
     }
     if (session_ && request_.text && request_.text != text_) take_edit();
-    if (session_ && !reopening_.valid() && session_->device->have_shaders_changed()) take_shaders();
+    if (session_ && !opening_.is_running() && session_->device->have_shaders_changed()) take_shaders();
     look_for_plots();
     if (session_) choose_recording();
-    recorder_.record(request_.record_to, receiver_ ? &options_.receiver : nullptr,
+    recorder_.record(request_.record_to, desk_.receiver() ? &desk_.options() : nullptr,
                      input_ ? &input_->desk() : nullptr);
     if (session_ && request_.camera.width > 0) frame();
 }
@@ -90,13 +85,13 @@ void Engine::replace_device(const std::string& why) {
     auto opened = open_session(session_options(session_->options.show));
     link_.activity.put("");
     if (!opened.ok()) throw std::runtime_error(why + ", and " + opened.error().text());
-    adopt(std::move(*opened), Opening::edit);
+    adopt(std::move(*opened), Opening::Kind::edit);
 }
 
 // SessionOptions::shaders has newer ones: what was drawn with the ones before stays if they do not work.
 void Engine::take_shaders() {
-    reopening_as_ = Opening::edit;
-    reopen([options = session_options(session_->options.show)] { return open_session(options); });
+    opening_.begin(Opening::Kind::edit,
+                   [options = session_options(session_->options.show)] { return open_session(options); });
 }
 
 void Engine::begin_inputs() {
@@ -105,49 +100,21 @@ void Engine::begin_inputs() {
             messages_.add(Severity::error, begun.error().where, begun.error().what);
     }
     if (options_.controls.psn) {
-        auto trackers = TrackerInput::open(options_.receiver.interface);
-        if (trackers.ok())
-            trackers_ = std::move(*trackers);
-        else
-            messages_.add(Severity::error, trackers.error().where, trackers.error().what);
+        if (const Result<void> opened = controls_.open_trackers(options_.receiver.interface); !opened.ok())
+            messages_.add(Severity::error, opened.error().where, opened.error().what);
     }
-    if (auto timecode = open_timecode(options_.timecode); timecode.ok() && *timecode) {
-        timecode_ = std::move(*timecode);
-        timecode_->listen(options_.receiver);
-    }
+    desk_.follow(options_.timecode);
 }
 
-// A port that is taken may be free again when whoever has it is closed.
 void Engine::listen() {
-    if (!options_.listens || receiver_ || now_s() < listens_again_s_) return;
-    listens_again_s_ = now_s() + kListenAgain_s;
-    options_.receiver.on_levels = [this](const dmx::Universes& universes, std::chrono::nanoseconds now) {
-        recorder_.put(universes, now);
-    };
-    options_.receiver.on_change = [this] { link_.wake.raise(); };
-    std::vector<Message> said;
-    auto receiver = dmx::Receiver::start(options_.receiver);
-    if (receiver.ok()) {
-        receiver_ = std::move(*receiver);
-        if (messages_.has_network()) log_info("the port is free: listening");
-        for (const std::string& warning : receiver_->warnings())
-            said.push_back({Severity::warning, "network", warning});
-        if (input_) input_->set_receiver(receiver_.get());
-        listen_to_patch();
-    } else {
-        dmx::Statistics none;
-        none.listening.problem = receiver.error().text();
-        link_.network.put(std::move(none));
-        link_.on_news();
-        said.push_back({Severity::error, receiver.error().where, receiver.error().what});
-        if (!messages_.has_network()) log_warning(receiver.error().text());
-    }
-    messages_.set_network(std::move(said));
+    if (!options_.listens || !desk_.listen(now_s())) return;
+    if (input_) input_->set_receiver(desk_.receiver());
+    listen_to_patch();
 }
 
 void Engine::listen_to_patch() {
     patch_ = session_ ? scene::PatchMap(*session_->show) : scene::PatchMap();
-    if (receiver_ && session_) receiver_->listen_to(joined_universes(options_.receiver.universes, patch_));
+    if (session_) desk_.listen_to(patch_);
 }
 
 void Engine::open(const std::string& path) {
@@ -163,7 +130,7 @@ void Engine::open(const std::string& path) {
         link_.on_news();
         return;
     }
-    adopt(std::move(*opened), Opening::another);
+    adopt(std::move(*opened), Opening::Kind::another);
 }
 
 SessionOptions Engine::session_options(const std::string& path) const {
@@ -181,22 +148,21 @@ SessionOptions Engine::session_options(const std::string& path) const {
     return options;
 }
 
-void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
+void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     forget_baked(); // all of them refer to the session before
     probe_.forget();
     look_.reset();
     const std::unique_ptr<Session> session_before = std::exchange(session_, std::move(session));
-    if (opening != Opening::another && session_before)
+    if (kind != Opening::Kind::another && session_before)
         session_->rig->go_on_from(*session_before->rig,
                                   same_fixtures(*session_before->show, *session_->show));
-    followers_ = {};
     begin_controls();
     const std::unique_ptr<LiveInput> before = std::move(input_);
     look_ = std::make_unique<AppliedLook>(*session_);
     motion_ = session_->show->motion;
-    input_ = std::make_unique<LiveInput>(receiver_.get(), timecode_.get());
+    input_ = std::make_unique<LiveInput>(desk_.receiver(), desk_.timecode());
     listen_to_patch();
-    if (opening == Opening::another) {
+    if (kind == Opening::Kind::another) {
         request_.recording.clear();
         played_.clear();
     }
@@ -204,29 +170,26 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
         played_.empty() ? session_->show->recording : std::filesystem::path(played_);
     if (auto loaded = input_->load_recording(played, session_->report); !loaded.ok())
         session_->report.add(Severity::warning, loaded.error().where, loaded.error().what);
-    if (opening != Opening::another && before) input_->go_on_from(*before);
-    drawn_from_ = live_from_ = {};
-    work_lux_ = 0;
-    flies_ = false;
-    whole_for_ = {};
-    drawn_ = {};
-    if (opening == Opening::another) pace_ = Pace(session_->show->fixtures.size());
-    haze_ = {};
+    if (kind != Opening::Kind::another && before) input_->go_on_from(*before);
+    shown_.camera = {};
+    shown_.lights = {};
+    live_.begin();
+    if (kind == Opening::Kind::another) live_.begin_show(session_->show->fixtures.size());
     last_step_s_ = now_s();
-    if (opening != Opening::edit) { // those of the show before are none of this one
+    if (kind != Opening::Kind::edit) { // those of the show before are none of this one
         request_.look = {};
         request_.explained.reset();
     }
-    if (opening == Opening::another) {
+    if (kind == Opening::Kind::another) {
         request_.camera.width = 0;
         clean();
     }
-    publish_opened(opening);
+    publish_opened(kind);
 }
 
 void Engine::forget_baked() {
     baked_.forget();
-    shows_baked_ = false;
+    shown_.is_baked = false;
 }
 
 // What programs left that were killed while they wrote.
@@ -240,21 +203,11 @@ void Engine::clean() {
 }
 
 void Engine::begin_controls() {
-    if (options_.controls.osc.empty()) return;
-    std::vector<std::string> cameras;
-    for (const scene::Camera& camera : session_->show->cameras) cameras.push_back(camera.name);
-    if (remote_) { // its faders stay where they are
-        remote_->know(std::move(cameras), session_->show->cues);
-        session_->haze_density = remote_request_.haze;
-        return;
-    }
-    const auto port = parse_port(options_.controls.osc, "--osc");
-    if (!port.ok()) return; // checked before
-    auto remote = RemoteInput::open(*port, std::move(cameras), session_->show->cues);
-    if (remote.ok())
-        remote_ = std::move(*remote);
-    else
-        session_->report.add(Severity::error, remote.error().where, remote.error().what);
+    controls_.begin(*session_);
+    const std::string& osc = options_.controls.osc;
+    if (osc.empty() || controls_.has_remote()) return;
+    if (const Result<void> opened = controls_.open_remote(osc, *session_->show); !opened.ok())
+        session_->report.add(Severity::error, opened.error().where, opened.error().what);
 }
 
 } // namespace ghost::app

@@ -21,7 +21,7 @@ bool differs_in_quick_things_only(const Session& session, const std::shared_ptr<
 } // namespace
 
 void Engine::take_edit() {
-    if (reopening_.valid()) return; // later
+    if (opening_.is_running()) return; // later
     forget_baked();
     const std::string& path = session_->options.show;
     const bool is_quick = differs_in_quick_things_only(*session_, text_, *request_.text);
@@ -32,23 +32,20 @@ void Engine::take_edit() {
         if (edited.ok() && take_patch(*session_, *edited, report)) {
             listen_to_patch();
             take_air(*edited);
-            if (remote_) begin_controls(); // it knows other cues now
-            drawn_ = {};
-            publish_opened(Opening::edit);
+            controls_.know(*session_); // other cues
+            shown_.lights = {};
+            publish_opened(Opening::Kind::edit);
             return;
         }
     }
     link_.activity.put("taking the changes of " + path);
     link_.on_news();
-    reopening_as_ = Opening::edit;
-    reopen([options = session_options(path)] { return open_session(options); });
+    opening_.begin(Opening::Kind::edit, [options = session_options(path)] { return open_session(options); });
 }
 
 void Engine::take_air(const scene::Show& edited) {
     if (!app::take_air(edited, *session_)) return;
-    session_->relighter->set_quality(haze_);
-    probe_.forget_meter(); // it knows one air
-    sees_else_ = true;
+    live_.take_air(*session_);
     last_change_s_ = now_s();
 }
 

@@ -7,12 +7,12 @@
 
 namespace ghost::app {
 
-void Engine::publish_opened(Opening opening) {
+void Engine::publish_opened(Opening::Kind kind) {
     ui::Opened news = opened_from(*session_);
     news.recording_s = input_->recording_s();
     news.opens = opens_;
-    news.again = opening == Opening::newer_plot;
-    news.is_edit = opening == Opening::edit;
+    news.again = kind == Opening::Kind::newer_plot;
+    news.is_edit = kind == Opening::Kind::edit;
     news.text = text_;
     link_.opened.put(std::move(news));
     messages_.show_anew(session_->report);
@@ -20,8 +20,9 @@ void Engine::publish_opened(Opening opening) {
 
 void Engine::publish_rest(double now_s, bool drew) {
     const bool has_text = !request_.text || request_.text == text_;
-    const bool rests = !drew && has_text && !reopening_.valid() && now_s - last_change_s_ >= kRest_s &&
-                       !session_->live->is_making_maps() && !baked_.is_reading();
+    const bool rests = !drew && has_text && !opening_.is_running() &&
+                       now_s - last_change_s_ >= LivePicture::kRest_s && !session_->live->is_making_maps() &&
+                       !baked_.is_reading();
     if (!rests || settled_ == request_.number) return;
     settled_ = request_.number;
     link_.settled.put(settled_);
@@ -34,16 +35,16 @@ void Engine::publish_picture(const render::FrameStatistics& statistics, double d
                         ? std::make_shared<const image::Image8>(relighter().picture())
                         : probe_.false_colours(request_.false_colour, shown());
     picture.false_colour = false_colour_ = request_.false_colour;
-    picture.camera = drawn_from_;
-    picture.framed = framed_;
+    picture.camera = shown_.camera;
+    picture.framed = shown_.framed;
     picture.ev100 = relighter().ev100_used();
     picture.draw_ms = draw_ms;
     picture.lights_drawn = statistics.drawn;
-    picture.is_baked = shows_baked_;
+    picture.is_baked = shown_.is_baked;
     picture.supply = supply_sent_ = baked_.words();
-    picture.is_coarse = !shows_baked_ && request_.quality.percent == 0 && drawn_from_.width < whole_.x;
+    picture.is_coarse = !shown_.is_baked && request_.quality.percent == 0 && !live_.is_whole(shown_.camera);
     picture.missing_maps = session_->live->missing_maps();
-    picture.has_work_light = !shows_baked_ && work_lux_ > 0;
+    picture.has_work_light = !shown_.is_baked && live_.has_work_light();
     picture.arrival = std::exchange(arrival_, std::chrono::nanoseconds{0});
     link_.picture.put(std::move(picture), [](const ui::Picture& unread, ui::Picture& next) {
         if (unread.arrival.count() > 0) next.arrival = unread.arrival;

@@ -29,12 +29,12 @@ Result<std::unique_ptr<Session>> open_with_plot(SessionOptions options, const st
 
 void Engine::look_for_plots() {
     plots_.look([this](const Message& said) { messages_.add(said.severity, said.where, said.what); });
-    adopt_reopened();
+    adopt_opened();
     take_plot();
 }
 
 void Engine::take_plot() {
-    if (reopening_.valid()) return;
+    if (opening_.is_running()) return;
     const ui::ReceivedPlot* const plot = plots_.take(request_.take_plot, options_.takes_plots);
     if (!plot) return;
     const scene::Show* const show = session_ ? session_->show.get() : nullptr;
@@ -42,25 +42,23 @@ void Engine::take_plot() {
     const std::string path = merges ? show->file.string() : plot->file;
     link_.activity.put("taking over " + plot->file);
     link_.on_news();
-    reopening_as_ = Opening::newer_plot;
-    reopen([options = session_options(path), file = plot->file, merges,
-            folder = show ? show->folder.string() : std::string()] {
+    opening_.begin(Opening::Kind::newer_plot, [options = session_options(path), file = plot->file, merges,
+                                               folder = show ? show->folder.string() : std::string()] {
         return open_with_plot(options, file, merges, folder);
     });
 }
 
-void Engine::adopt_reopened() {
-    if (!reopening_.valid() || reopening_.wait_for(std::chrono::seconds(0)) != std::future_status::ready)
-        return;
-    auto opened = reopening_.get();
+void Engine::adopt_opened() {
+    std::optional<Opening::Opened> opened = opening_.take();
+    if (!opened) return;
     link_.activity.put("");
-    if (!opened.ok()) {
-        messages_.add(Severity::error, opened.error().where, opened.error().what);
-        link_.failed.put(opened.error());
+    if (!opened->ok()) {
+        messages_.add(Severity::error, opened->error().where, opened->error().what);
+        link_.failed.put(opened->error());
         link_.on_news();
         return;
     }
-    adopt(std::move(*opened), session_ ? reopening_as_ : Opening::another);
+    adopt(std::move(**opened), session_ ? opening_.kind() : Opening::Kind::another);
 }
 
 } // namespace ghost::app

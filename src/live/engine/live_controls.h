@@ -1,7 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// LiveControls: what moves a live picture besides DMX: a remote control (OSC) and trackers (PosiStageNet).
-// Applied to a session before each frame, by the thread that draws.
+// LiveControls: what moves a picture besides DMX: a remote control (OSC) and trackers (PosiStageNet). Both
+// are heard before the rig's step: the haze that is asked for goes into the session, heads and objects
+// follow. Light, cameras, exposure and tone are of whoever draws. The thread that draws. Errors: ports that
+// are taken.
 
 #include "live/engine/followers.h"
 #include "live/inputs/remote_input.h"
@@ -9,7 +11,6 @@
 #include "live/session/session.h"
 
 #include <memory>
-#include <optional>
 #include <string>
 
 namespace ghost::app {
@@ -21,36 +22,41 @@ struct LiveControlOptions {
 
 Result<void> check_live_controls(const LiveControlOptions& options);
 
+// What a remote control has asked for since it was heard the last time.
+struct RemoteNews {
+    bool camera = false; // the same one, perhaps
+    bool jump = false;
+    bool haze = false; // a live picture has it from the next look_from on
+};
+
 class LiveControls {
 public:
-    // interface: where trackers are heard, as ReceiverOptions has it. ev100: the exposure that the command
-    // line wants of every camera.
-    static Result<LiveControls> open(const LiveControlOptions& options, const scene::Show& show,
-                                     const std::string& interface, std::optional<float> ev100);
+    // osc: as LiveControlOptions has it.
+    Result<void> open_remote(const std::string& osc, const scene::Show& show);
+    // interface: where they are heard, as ReceiverOptions has it.
+    Result<void> open_trackers(const std::string& interface);
+    bool has_remote() const { return remote_ != nullptr; }
+    bool has_trackers() const { return trackers_ != nullptr; }
 
-    // Before the rig's step.
-    void before_frame(Session& session, double now_s);
+    // Another session: what follows starts anew; faders stay where they are.
+    void begin(Session& session);
+    // Its show has other cameras or cues.
+    void know(Session& session);
+
+    RemoteNews hear_remote(Session& session, double now_s);
+    const dmx::Trackers* hear_trackers(Session& session); // null: they are not listened to
     // The same with what was heard, for tests.
-    void apply(Session& session, const RemoteRequest& request, double now_s);
-    void apply(Session& session, const dmx::Trackers& trackers);
+    RemoteNews take(const RemoteRequest& request, Session& session);
+    void take(const dmx::Trackers& trackers, Session& session) { followers_.apply(session, trackers); }
+
+    // What the remote control asks for.
+    const RemoteRequest& remote() const { return request_; }
 
 private:
-    void fly(Session& session, const RemoteRequest& request, double now_s);
-
-    struct Flight {
-        scene::Camera from, to;
-        double start_s = 0;
-        double length_s = 0;
-    };
     std::unique_ptr<RemoteInput> remote_;    // or null
     std::unique_ptr<TrackerInput> trackers_; // or null
     Followers followers_;
-    std::optional<float> ev100_;
-    std::optional<Flight> flight_;
-    std::optional<scene::Camera> exposed_; // whose exposure holds; none: that of the start
-    std::size_t calls_ = 0;
-    float haze_ = 1;
-    bool said_passes_ = false;
+    RemoteRequest request_;
 };
 
 } // namespace ghost::app

@@ -16,7 +16,7 @@ namespace ghost::app {
 // What is shown now.
 struct ShownPicture {
     const Session& session;
-    const render::Relighter& relighter; // of the live picture, or of a baked one
+    render::Relighter& relighter; // of the live picture, or of a baked one
     const scene::FrameLights& lights;
     const scene::Camera& camera;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/session/baked_view.h"
 
+#include "gpu/device_memory.h"
 #include "live/session/passes_sources.h"
 #include "passes/passes_file.h"
 
@@ -66,7 +67,7 @@ std::string why_too_coarse(const scene::Camera& passes, const glm::ivec2& window
 }
 
 Result<std::unique_ptr<BakedView>> BakedView::create(const Session& session, BakedPasses baked) {
-    if (const std::uint64_t bytes = bytes_of(baked.passes); bytes > session.device->memory_left_bytes() / 2)
+    if (const std::uint64_t bytes = bytes_of(baked.passes); bytes > session.device->memory().left_bytes() / 2)
         return Error{"its passes need " + std::to_string(bytes >> 20) +
                          " MB on the device, which has not got them",
                      ""};

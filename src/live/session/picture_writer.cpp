@@ -120,7 +120,7 @@ std::string PictureWriter::written() const {
     return first + " to " + numbered_path(count_ - 1).filename().string();
 }
 
-Result<void> PictureWriter::add(const render::Relighter& relighter, const std::string& caption) {
+Result<void> PictureWriter::add(render::Relighter& relighter, const std::string& caption) {
     image::Image8 picture;
     if (kind_ != OutputKind::exr) {
         picture = supersample_ == 1 ? scaled_up(relighter.picture(), width_, height_)

@@ -29,7 +29,7 @@ public:
                                                          int height, int fps, bool numbered,
                                                          int supersample = 1);
     // caption: burnt into the picture, but not into EXR.
-    Result<void> add(const render::Relighter& relighter, const std::string& caption = {});
+    Result<void> add(render::Relighter& relighter, const std::string& caption = {});
     // The number of the next picture, instead of one more than that of the last.
     void number_from(int number) { first_ = count_ = number; }
     // The last picture again, so often.

@@ -5,6 +5,7 @@
 #include "base/interrupt.h"
 #include "beam_groups/light_places.h"
 #include "beam_groups/prism.h"
+#include "gpu/device_memory.h"
 #include "live/session/made_session.h"
 #include "live/session/passes_sources.h"
 #include "live/session/picture_room.h"
@@ -239,7 +240,7 @@ std::unique_ptr<render::Relighter> Session::make_relighter(const scene::Camera& 
 bool Session::parks(const scene::Camera& from) const {
     const std::uint64_t pixels =
         static_cast<std::uint64_t>(from.width) * static_cast<std::uint64_t>(from.height);
-    return options.parks && device->memory_left_bytes() > 2 * kPictureBytesPerPixel * pixels + kSpareToPark;
+    return options.parks && device->memory().left_bytes() > 2 * kPictureBytesPerPixel * pixels + kSpareToPark;
 }
 
 bool Session::prepare(const scene::Camera& from, const std::function<bool()>& stop) {
@@ -296,7 +297,8 @@ void Session::use_coarse_light(bool coarse) {
         // The only one, where memory is short.
         const std::uint64_t pixels = static_cast<std::uint64_t>(other_light->width()) *
                                      static_cast<std::uint64_t>(other_light->height());
-        if (device->memory_left_bytes() < kPictureBytesPerPixel * pixels + kSpareToPark) other_light.reset();
+        if (device->memory().left_bytes() < kPictureBytesPerPixel * pixels + kSpareToPark)
+            other_light.reset();
         relighter = make_relighter(live->camera(), coarse);
     }
     relighter->set_tone(options.tone);

@@ -2,6 +2,8 @@
 // The part of StageModel that brings textures to the device.
 #include "render/geometry/stage_model.h"
 
+#include "gpu/device_memory.h"
+
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -63,7 +65,7 @@ void StageModel::add_textures(const scene::Stage& stage, Report& report, std::ui
             const int texture = textures_of(material)[k];
             want(texture, use_of(stage, texture, k));
         }
-    const std::uint64_t budget = std::min(texture_bytes, device_.local_memory_bytes() / 4);
+    const std::uint64_t budget = std::min(texture_bytes, device_.memory().local_bytes() / 4);
     const int whole_side = most_side;
     std::uint64_t bytes = whole_bytes;
     for (int lost = 0; bytes > budget && lost < kLevelsLost; ++lost) {

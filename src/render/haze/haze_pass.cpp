@@ -2,6 +2,7 @@
 #include "render/haze/haze_pass.h"
 
 #include "base/check.h"
+#include "gpu/device_memory.h"
 #include "render/haze/fan.h"
 #include "render/haze/private/haze_grid.h"
 #include "shaders/fan.h"
@@ -38,7 +39,7 @@ std::uint32_t rows_of(const shared::Fan& fan, bool shaped) {
 
 // Lights whose tables are kept: where memory is short, fewer.
 std::uint32_t kept_fans(const gpu::Device& device, std::uint32_t light_count) {
-    const std::uint64_t room = device.memory_left_bytes() / 16 / kFanBytes;
+    const std::uint64_t room = device.memory().left_bytes() / 16 / kFanBytes;
     return std::max(std::min({light_count, kKeptFans,
                               static_cast<std::uint32_t>(std::min<std::uint64_t>(room, kKeptFans))}),
                     1u);

@@ -147,7 +147,7 @@ void GlarePass::see(gpu::Commands& commands, const gpu::Texture& frame) const {
 }
 
 void GlarePass::develop(gpu::Commands& commands, const gpu::Texture& frame, const gpu::Buffer& exposure,
-                        const gpu::Texture& picture, std::uint32_t tone) const {
+                        const gpu::Texture& picture, std::uint32_t tone) {
     commands.dispatch(
         develop_[tone].get(), last_up_,
         {gpu::stored(finest()), gpu::stored(frame), gpu::uniform(exposure), gpu::stored(picture)},

@@ -42,7 +42,7 @@ public:
     const gpu::Texture& seen(const gpu::Texture& frame) const { return on() ? seen_ : frame; }
     // After record, where it is on: develops what see() would make, without making it.
     void develop(gpu::Commands& commands, const gpu::Texture& frame, const gpu::Buffer& exposure,
-                 const gpu::Texture& picture, std::uint32_t tone) const;
+                 const gpu::Texture& picture, std::uint32_t tone);
     std::uint64_t memory_bytes() const;
 
 private:

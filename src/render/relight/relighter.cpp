@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "gpu/device_memory.h"
 #include "shaders/bounce.h"
 #include "shaders/cull.h"
 #include "shaders/develop.h"
@@ -114,7 +115,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
     if (g_buffer && distances)
         visibility_ = std::make_unique<Visibility>(
             device, fragments(), rooms(), distances->count(), draws,
-            std::min(settings.visibility_bytes, device.memory_left_bytes() / kShareOfMemory));
+            std::min(settings.visibility_bytes, device.memory().left_bytes() / kShareOfMemory));
     no_pages_ = gpu::Texture(device, {1, 1, 1, 1, VK_FORMAT_R16G16_UNORM, true, false});
     nothing_ = gpu::Buffer(device, kChunkAlign, gpu::Access::device);
     lights_ = gpu::Buffer(device, draws * kLightRoom + kChunkBytes, gpu::Access::upload);
@@ -307,7 +308,7 @@ void Relighter::make_images() {
     const std::uint32_t across = coarse_ ? f.width : (f.width + 1) / 2;
     gpu::TextureShape shape{across, f.height, 1, 1, VK_FORMAT_R32G32B32A32_UINT, true, false};
     const std::uint64_t one = gpu::texture_bytes(device_, shape);
-    const std::uint64_t left = device_.memory_left_bytes();
+    const std::uint64_t left = device_.memory().left_bytes();
     const std::uint64_t spare = left / 8 + (kFixedImages + 1) * one; // pictures that are read back, uploads
     const std::uint64_t room = (left - std::min(left, spare)) / one;
     const int wanted = image_slots(settings_.image_memory_bytes, static_cast<int>(2 * across),
@@ -498,7 +499,7 @@ image::Image8 Relighter::picture() const {
     return result;
 }
 
-image::ImageF Relighter::frame() const {
+image::ImageF Relighter::frame() {
     image::ImageF result(width(), height(), 3);
     const gpu::Buffer buffer(device_, std::uint64_t{seen().width} * seen().height * kFrameBytesPerPixel,
                              gpu::Access::readback);

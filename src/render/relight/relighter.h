@@ -133,7 +133,7 @@ public:
     int height() const { return static_cast<int>(seen().height); }
     bool is_coarse() const { return coarse_ != nullptr; }
     image::Image8 picture() const; // RGBA, sRGB: the developed frame
-    image::ImageF frame() const;   // RGB, linear Rec.2020, cd/m^2, glare included
+    image::ImageF frame();         // RGB, linear Rec.2020, cd/m^2, glare included: read back
     float ev100_used() const;
     image::Tone tone() const { return settings_.tone; }
     std::uint64_t memory_bytes() const; // on the device
@@ -215,7 +215,7 @@ private:
     LedWallPass led_walls_;
     LensPass lens_;
     GlarePass glare_;
-    mutable gpu::Commands commands_;
+    gpu::Commands commands_;
     gpu::Buffer air_, lights_, addends_, masks_, lists_, groups_, work_, work_read_, exposure_, pixels_,
         nothing_;
     gpu::Texture gobos_, slides_, frame_, kept_, drawn_, haze_sources_, picture_, no_pages_;

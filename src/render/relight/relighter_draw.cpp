@@ -221,7 +221,7 @@ bool Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
         }
         commands_.begin_span("surfaces");
         const bool flies = visibility_ && !keeps_visibility_;
-        const auto& programs = flies ? flown_surface_ : thin ? thin_surface_ : surface_;
+        auto& programs = flies ? flown_surface_ : thin ? thin_surface_ : surface_;
         commands_.dispatch_indirect(programs[chunk.beam_class].get(), push, bindings, groups_,
                                     chunk.surface_groups(push.batch));
         commands_.barrier();

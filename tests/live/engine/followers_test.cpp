@@ -59,7 +59,7 @@ struct Stage {
         rig.step(levels(show), 0.1);
         view->follow(rig);
     }
-    image::ImageF picture() const {
+    image::ImageF picture() {
         const std::vector<shared::Light> lights = rig.lights(gobos, view->maps());
         render::Relighter relighter(live_device(), view->g_buffer(), view->distances(), gobos.images,
                                     static_cast<int>(lights.size()), {});
@@ -106,7 +106,7 @@ TEST(Followers, an_object_goes_with_its_tracker_and_so_does_its_shadow) {
         moved.move_m = by_m;
         there.objects.push_back(moved);
     }
-    const Stage expected(std::move(there));
+    Stage expected(std::move(there));
     ASSERT_FALSE(expected.report.lost_anything());
 
     Stage tracked(demo_show());

@@ -50,7 +50,7 @@ dmx::Universes levels(const scene::Show& show, int turn) {
     return universes;
 }
 
-image::ImageF picture_of(const LiveView& view, const scene::Rig& rig, const scene::GoboStack& gobos) {
+image::ImageF picture_of(const LiveView& view, scene::Rig& rig, const scene::GoboStack& gobos) {
     const std::vector<shared::Light> lights = rig.lights(gobos, view.maps());
     render::Relighter relighter(live_device(), view.g_buffer(), view.distances(), gobos.images,
                                 static_cast<int>(lights.size()), {});

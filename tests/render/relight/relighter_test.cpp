@@ -336,7 +336,7 @@ TEST_F(Frames, HistoryDoesNotShow) {
         squeezed.draw(lights);
         EXPECT_EQ(fresh.draw(lights).drawn, 11);
         const image::ImageF expected = fresh.frame();
-        for (const Relighter* other : {&kept, &squeezed}) {
+        for (Relighter* const other : {&kept, &squeezed}) {
             const Difference difference = compare(other->frame(), expected);
             EXPECT_LT(difference.worst, 0.005) << frame;
             EXPECT_LT(std::abs(difference.mean_bias), 0.001) << frame;

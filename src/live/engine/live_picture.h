@@ -1,0 +1,87 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// LivePicture: the picture that is drawn live, into the session. While anything moves it has as many pixels
+// and lights as the wanted rate leaves time for (live/engine/pace.h), at rest all of them, or as many as
+// memory holds, which is said. While its camera moves the session leaves out what takes long
+// (Session::look_from). Seconds of any steady clock. Engine thread.
+
+#include "link/link.h"
+#include "live/engine/message_board.h"
+#include "live/engine/pace.h"
+#include "live/engine/picture_probe.h"
+#include "live/session/session.h"
+#include "render/haze/quality.h"
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+namespace ghost::app {
+
+class LivePicture {
+public:
+    // Without a change, until the picture is drawn with all its pixels.
+    static constexpr double kRest_s = 0.2;
+
+    // messages: where short memory is said. probe: forgets what refers to a picture that goes.
+    LivePicture(MessageBoard& messages, PictureProbe& probe) : messages_(messages), probe_(probe) {}
+
+    // Another session is drawn from now on.
+    void begin();
+    // Of a show of so many fixtures: nothing is known of how fast it is drawn.
+    void begin_show(std::size_t fixtures) { pace_ = Pace(fixtures); }
+
+    struct Wanted {
+        const scene::Camera& camera; // size: pixels of the window
+        ui::PictureQuality quality;
+        bool has_work_light;
+        bool is_measured; // false colours are shown of it, which need all of its light
+        bool moves;       // something does, beside what draw() sees
+        double air_s;     // age of the swirls
+    };
+    struct Drawn {
+        render::FrameStatistics statistics;
+        std::optional<scene::Camera> from; // nothing: it was stopped before it was begun
+        bool changed = false;              // its camera moves, or it has other work light
+    };
+    // shown: what a person saw the stage from until now. stop: as Relighter::draw has it, for a picture at
+    // rest.
+    Drawn draw(Session& session, const Wanted& wanted, const scene::Camera& shown, double now_s,
+               const std::function<bool()>& stop);
+    // What the picture that was drawn last has cost, of all things that move.
+    void learn(const render::FrameStatistics& statistics, double draw_ms, int frames_per_s);
+
+    // The camera sees something else from the next picture on.
+    void look_anew() { sees_else_ = true; }
+    // Likewise: the session has other air.
+    void take_air(const Session& session);
+    // True: they are others, and all is drawn anew.
+    bool set_haze_samples(int samples, const Session& session);
+    // Of any picture of the session.
+    const render::HazeQuality& haze(bool moves);
+
+    // A picture from that camera has all pixels that memory holds.
+    bool is_whole(const scene::Camera& camera) const { return camera.width >= whole_.x; }
+    bool has_work_light() const { return work_lux_ > 0; } // in the one that was drawn last
+
+private:
+    bool set_work_light(const Wanted& wanted, const Session& session);
+    void fit_into_memory(const scene::Camera& wanted, Session& session);
+    scene::Camera camera_for(const Wanted& wanted, bool moves) const;
+    int lights_in(double frame_ms) const;
+
+    MessageBoard& messages_;
+    PictureProbe& probe_;
+    Pace pace_{0};
+    render::HazeQuality haze_;           // of the relighter
+    glm::ivec2 whole_{0}, whole_for_{0}; // pixels that memory holds of those that are wanted; of which wish
+    scene::Camera from_;                 // of the one that was drawn last
+    bool sees_else_ = false;             // since then
+    bool was_resized_ = false;           // by it
+    double flew_s_ = -1;                 // when its camera moved last
+    bool flies_ = false;                 // drawn as Session::look_from says
+    float work_lux_ = 0;
+    double light_ms_ = 0; // of a light that turns, where many do; 0: not known
+};
+
+} // namespace ghost::app
