@@ -3,6 +3,8 @@
 
 #include "show/show.h"
 
+#include <limits>
+
 namespace ghost::ui {
 namespace {
 
@@ -31,6 +33,23 @@ QString text_of(const scene::PatchedFixture& fixture, int column) {
                number(fixture.rotation_deg.z);
     default:
         return {};
+    }
+}
+
+// Names and modes by their letters, all that is a number by that; what is not patched comes last.
+QVariant order_of(const scene::PatchedFixture& fixture, const FixtureNow* now, int column) {
+    switch (column) {
+    case FixtureList::patch:
+        return fixture.address > 0 ? 512.0 * fixture.universe + fixture.address
+                                   : std::numeric_limits<double>::infinity();
+    case FixtureList::level:
+        return now ? static_cast<double>(now->dimmer) : -1.0;
+    case FixtureList::x:
+    case FixtureList::y:
+    case FixtureList::z:
+        return static_cast<double>(fixture.position_m[column - FixtureList::x]);
+    default:
+        return text_of(fixture, column);
     }
 }
 
@@ -83,6 +102,7 @@ QVariant FixtureList::data(const QModelIndex& index, int role) const {
     if (role == Qt::DisplayRole && index.column() == level)
         return now ? QString("%1 %").arg(100 * static_cast<double>(now->dimmer), 0, 'f', 0) : QString();
     if (role == Qt::DisplayRole || role == Qt::EditRole) return text_of(fixture, index.column());
+    if (role == kOrder) return order_of(fixture, now, index.column());
     if (role == kLight && index.column() == colour && now && now->candela > 0)
         return QVariant::fromValue(now->colour);
     if (role == Qt::TextAlignmentRole && index.column() == level)
@@ -124,6 +144,8 @@ FixtureFilter::FixtureFilter(QObject* parent) : QSortFilterProxyModel(parent) {
     setFilterCaseSensitivity(Qt::CaseInsensitive);
     setFilterKeyColumn(-1);
     setDynamicSortFilter(false); // levels change all the time
+    collator_.setNumericMode(true);
+    collator_.setCaseSensitivity(Qt::CaseInsensitive);
 }
 
 void FixtureFilter::show_only(std::optional<std::set<std::size_t>> fixtures) {
@@ -135,6 +157,12 @@ void FixtureFilter::show_only(std::optional<std::set<std::size_t>> fixtures) {
 bool FixtureFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
     if (only_ && !only_->contains(static_cast<std::size_t>(row))) return false;
     return QSortFilterProxyModel::filterAcceptsRow(row, parent);
+}
+
+bool FixtureFilter::lessThan(const QModelIndex& left, const QModelIndex& right) const {
+    const QVariant a = left.data(FixtureList::kOrder), b = right.data(FixtureList::kOrder);
+    if (a.typeId() == QMetaType::Double) return a.toDouble() < b.toDouble();
+    return collator_.compare(a.toString(), b.toString()) < 0;
 }
 
 } // namespace ghost::ui

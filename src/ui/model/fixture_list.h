@@ -7,6 +7,7 @@
 #include "ui/model/app_model.h"
 
 #include <QAbstractTableModel>
+#include <QCollator>
 #include <QSortFilterProxyModel>
 
 #include <functional>
@@ -22,7 +23,8 @@ public:
     enum Role {
         kIsWrong = Qt::UserRole, // bool
         kIsByHand,               // bool: the programmer has it
-        kLight                   // glm::vec3, the colour of the light, where there is one
+        kLight,                  // glm::vec3, the colour of the light, where there is one
+        kOrder                   // double or text: what rows are sorted by
     };
 
     FixtureList(AppModel& app, QObject* parent);
@@ -53,9 +55,11 @@ public:
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+    bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
 
 private:
     std::optional<std::set<std::size_t>> only_;
+    QCollator collator_{QLocale(QLocale::English)}; // C's knows no numbers
 };
 
 } // namespace ghost::ui

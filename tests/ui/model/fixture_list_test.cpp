@@ -3,6 +3,8 @@
 #include "support/test_window.h"
 #include "ui/model/fixture_list.h"
 
+#include <array>
+
 namespace ghost::ui {
 namespace {
 
@@ -33,6 +35,36 @@ TEST(FixtureList, rows_have_the_order_of_the_show) {
     EXPECT_EQ(listed.column(FixtureList::patch), (Texts{"1.001", "1.017", "1.033", "1.049"}));
     EXPECT_EQ(listed.column(FixtureList::x), (Texts{"-3", "-1", "1", "3"}));
     EXPECT_EQ(listed.column(FixtureList::level), (Texts{"", "", "", ""})) << "nothing is known yet";
+}
+
+TEST(FixtureList, numbers_are_sorted_by_what_they_are) {
+    Opened opened = four_lamps();
+    scene::Show show = *opened.show;
+    const char* const names[] = {"Lamp 10", "lamp 9", "Lamp 1", "Spot"};
+    for (std::size_t i = 0; i < 4; ++i) show.fixtures[i].name = names[i];
+    show.fixtures[0].universe = 10;
+    show.fixtures[1].universe = 9;
+    show.fixtures[2].address = 0;
+    show.fixtures[0].position_m.x = 12.5f;
+    show.fixtures[3].position_m.x = -10;
+    opened.show = std::make_shared<const scene::Show>(show);
+    Listed listed(std::move(opened));
+    RigNow rig;
+    rig.fixtures.resize(4);
+    for (std::size_t i = 0; i < 4; ++i) rig.fixtures[i].dimmer = std::array{1.0f, 0.05f, 0.4f, 0.0f}[i];
+    listed.link.rig.put(rig);
+    listed.link.on_news();
+    settle();
+    listed.filter.sort(FixtureList::name);
+    EXPECT_EQ(listed.column(FixtureList::name), (Texts{"Lamp 1", "lamp 9", "Lamp 10", "Spot"}));
+    listed.filter.sort(FixtureList::patch);
+    EXPECT_EQ(listed.column(FixtureList::patch), (Texts{"1.049", "9.017", "10.001", "none"}));
+    listed.filter.sort(FixtureList::level, Qt::DescendingOrder);
+    EXPECT_EQ(listed.column(FixtureList::level), (Texts{"100 %", "40 %", "5 %", "0 %"}));
+    listed.filter.sort(FixtureList::x);
+    EXPECT_EQ(listed.column(FixtureList::x), (Texts{"-10", "-1", "1", "12.5"}));
+    listed.filter.sort(-1);
+    EXPECT_EQ(listed.column(FixtureList::name), (Texts{"Lamp 10", "lamp 9", "Lamp 1", "Spot"}));
 }
 
 TEST(FixtureList, search_and_group_both_hold) {
