@@ -81,11 +81,11 @@ function(ghost_fuzz name)
     target_link_libraries(fuzz_${name} PRIVATE ${ARGN})
 endfunction()
 
-# ghost_shaders(libraries...): compiles shaders/*.comp, *.vert and *.frag to SPIR-V and embeds it; C++ reads it through
+# ghost_shaders(libraries...): compiles shaders/<room>/*.comp, *.vert and *.frag to SPIR-V and embeds it; C++ reads it through
 # <build>/generated/shaders/<name>.h as kShader_<name>, where the names of vertex and fragment shaders end in _vert and
 # _frag.
 function(ghost_shaders)
-    file(GLOB shaders CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.comp
+    file(GLOB_RECURSE shaders CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/*.comp
         ${CMAKE_SOURCE_DIR}/shaders/*.vert ${CMAKE_SOURCE_DIR}/shaders/*.frag)
     file(GLOB shared CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/shaders/shared/*.h ${CMAKE_SOURCE_DIR}/shaders/common/*.glsl)
     set(headers)

@@ -108,7 +108,7 @@ TEST(WideLens, PlanksAreLitByLightThatSkimsThem) {
     }
 }
 
-// Haze at a silhouette is mended with its neighbours' (shaders/fold.comp): that must not take more than is
+// Haze at a silhouette is mended with its neighbours' (shaders/relight/fold.comp): that must not take more than is
 // there.
 TEST(WideLens, NoPixelIsBlackerThanBlack) {
     LiveStage stage =
