@@ -34,7 +34,8 @@ TEST(FixtureList, rows_have_the_order_of_the_show) {
     EXPECT_EQ(listed.column(FixtureList::name), (Texts{"Lamp 1", "Lamp 2", "Lamp 3", "Lamp 4"}));
     EXPECT_EQ(listed.column(FixtureList::patch), (Texts{"1.001", "1.017", "1.033", "1.049"}));
     EXPECT_EQ(listed.column(FixtureList::x), (Texts{"-3", "-1", "1", "3"}));
-    EXPECT_EQ(listed.column(FixtureList::level), (Texts{"", "", "", ""})) << "nothing is known yet";
+    EXPECT_EQ(listed.column(FixtureList::level), (Texts{"0 %", "0 %", "0 %", "0 %"}))
+        << "dark until news come";
 }
 
 TEST(FixtureList, numbers_are_sorted_by_what_they_are) {
