@@ -301,6 +301,15 @@ def bounced(scene, count, seed):
     return picture.reshape(HEIGHT, WIDTH, 3)
 
 
+def rounded(value):
+    """Last digits of sines and square roots are the processor's own."""
+    if isinstance(value, dict):
+        return {key: rounded(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [rounded(item) for item in value]
+    return round(float(value), 10) + 0.0 if isinstance(value, float) else value
+
+
 def describe(name, scene, picture):
     """Writes NAME.json; returns its part of check.json."""
     own = scene.own
@@ -310,7 +319,7 @@ def describe(name, scene, picture):
                        "cos_inner": scene.cos_inner, "I0_W_per_sr": own["I0"], "rgb": own["rgb"], "gobo": own["gobo"]},
              "medium": {"sigma_s": own["sigma_s"], "sigma_a": own["sigma_a"], "g": own["g"], "domain_min": DOMAIN[0].tolist(), "domain_max": DOMAIN[1].tolist()},
              "objects": [{"name": box, "material": {"base_color": colour}} for box, (_, _, colour) in BOXES.items()]}
-    (OUT / f"{name}.json").write_text(json.dumps(shown, indent=1) + "\n", encoding="utf-8")
+    (OUT / f"{name}.json").write_text(json.dumps(rounded(shown), indent=1) + "\n", encoding="utf-8")
     at = (scene.lamp_m - EYE) @ matrix(EYE, LOOKS_AT)[:3, :3]
     at = at[:2] / -at[2] / np.tan(np.radians(FOV_Y_DEG / 2)) * (HEIGHT / WIDTH, -1)
     return {"preview_scale": 1 / float(np.percentile(picture, 98)), "light_pixel": ((at + 1) / 2 * (WIDTH, HEIGHT)).tolist()}
@@ -331,7 +340,7 @@ def main():
         noise = np.abs(halves[0] - halves[1]).mean() / 2 / (picture + more).mean()
         check[name] = describe(name, scene, picture)
         print(f"{name}: mean {picture.mean():.4g} cd/m^2, with bounces {(picture + more).mean():.4g}, noise {noise:.2g} of it")
-    (OUT / "check.json").write_text(json.dumps(check, indent=1) + "\n", encoding="utf-8")
+    (OUT / "check.json").write_text(json.dumps(rounded(check), indent=1) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -14,7 +14,7 @@ std::atomic<LogLevel> g_level{LogLevel::info};
 void print(LogLevel level, const char* prefix, const std::string& text) {
     if (level < g_level.load(std::memory_order_relaxed)) return;
     const std::string line =
-        prefix + printable(text) + "\n"; // one write, so lines of several threads stay whole
+        prefix + one_line(text) + "\n"; // one write, so lines of several threads stay whole
     std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

@@ -56,7 +56,7 @@ void Progress::update(double share, double now_s, const std::string& note) {
     if (style_ == Style::silent) return;
     if (now_s - shown_s_ < (style_ == Style::bar ? kBarEvery_s : line_every_s)) return;
     shown_s_ = now_s;
-    std::string line = printable(progress_line(label_, share, now_s - start_s_, note));
+    std::string line = one_line(progress_line(label_, share, now_s - start_s_, note));
     if (style_ == Style::lines) {
         std::fprintf(stderr, "%s\n", line.c_str());
         return;

@@ -68,7 +68,8 @@ void print_json(const bake::BakeStats& stats, const Report& report) {
 
 void print_table(const bake::BakeStats& stats) {
     for (const bake::BakedPass& pass : stats.passes)
-        print_text("%-12s %-28s %8.0f ms\n", pass.camera.c_str(), pass.name.c_str(), pass.ms);
+        print_text("%-12s %-28s %8.0f ms\n", one_line(pass.camera).c_str(), one_line(pass.name).c_str(),
+                   pass.ms);
     print_text("%zu passes baked, %d patched, %d kept, %d cameras, %.2f s", stats.passes.size(),
                stats.patched, stats.kept, stats.cameras, stats.seconds);
     if (stats.rays > 0)

@@ -172,7 +172,7 @@ Result<Picture> read_picture(const std::string& path) {
     return Error{"is no picture that can be compared, expected .exr, .png or .jpg", path};
 }
 
-// The automatic exposure of render (shaders/meter.comp), of every pixel.
+// The automatic exposure of render (shaders/relight/meter.comp), of every pixel.
 double metered_ev100(const image::PicturePair& pair) {
     double sum = 0;
     double count = 0;

@@ -91,8 +91,8 @@ void print_json(const scene::ImportedPlot& imported, const Report& report) {
 
 void print_words(const scene::ImportedPlot& imported) {
     if (imported.merge) print_text("%s", scene::text_of(*imported.merge).c_str());
-    print_text("%s: %zu objects, %zu fixtures", imported.show_file.string().c_str(), imported.objects,
-               imported.fixtures);
+    print_text("%s: %zu objects, %zu fixtures", one_line(imported.show_file.string()).c_str(),
+               imported.objects, imported.fixtures);
     if (imported.dark > 0) print_text(" (%zu dark)", imported.dark);
     print_text(", %zu cameras%s\n", imported.cameras,
                imported.merge ? "; what you changed in it is kept" : "");

@@ -55,8 +55,8 @@ bool take_over(const XchangeEvent& event, const Arguments& arguments) {
     if (arguments.json)
         print({{"event", "merged"}, {"show", imported->show_file.string()}, {"text", merged}});
     else
-        print_text("%s%s: %zu objects, %zu fixtures\n", merged.c_str(), imported->show_file.string().c_str(),
-                   imported->objects, imported->fixtures);
+        print_text("%s%s: %zu objects, %zu fixtures\n", merged.c_str(),
+                   one_line(imported->show_file.string()).c_str(), imported->objects, imported->fixtures);
     std::fflush(stdout);
     return true;
 }
@@ -118,8 +118,8 @@ int run(Arguments& arguments) {
                 if (file) line["comment"] = event.comment;
                 print(line);
             } else if (!arguments.quiet || file || event.kind == XchangeEvent::Kind::trouble) {
-                print_text("%-9s %s%s%s\n", name_of(event.kind), event.station.c_str(),
-                           event.station.empty() ? "" : ": ", event.text.c_str());
+                print_text("%-9s %s%s%s\n", name_of(event.kind), one_line(event.station).c_str(),
+                           event.station.empty() ? "" : ": ", one_line(event.text).c_str());
                 std::fflush(stdout);
             }
             if (file && !arguments.show.empty()) good = take_over(event, arguments) && good;

@@ -215,7 +215,7 @@ namespace {
 void print_usb_port(const dmx::UsbPortStatus& port) {
     const std::string place = one_line(port.path) + ", universe " + std::to_string(port.universe);
     if (!port.open)
-        print_text("%s: %s\n", place.c_str(), port.problem.c_str());
+        print_text("%s: %s\n", place.c_str(), one_line(port.problem).c_str());
     else if (!port.answered)
         print_text("%s: nobody answers; is it a DMX USB Pro? (An Open DMX USB cannot receive)\n",
                    place.c_str());
@@ -223,7 +223,7 @@ void print_usb_port(const dmx::UsbPortStatus& port) {
         print_text(
             "%s: DMX USB Pro %s, firmware %s; frames %llu, overruns %llu, not levels %llu, not understood "
             "%llu and %llu bytes\n",
-            place.c_str(), port.serial.c_str(), port.firmware.c_str(),
+            place.c_str(), one_line(port.serial).c_str(), one_line(port.firmware).c_str(),
             static_cast<unsigned long long>(port.counters.frames),
             static_cast<unsigned long long>(port.counters.overruns),
             static_cast<unsigned long long>(port.counters.not_levels),
@@ -235,7 +235,7 @@ void print_midi_port(const dmx::MidiStatus& midi) {
     if (midi.path.empty()) return;
     const std::string path = one_line(midi.path);
     if (!midi.open)
-        print_text("%s: %s\n", path.c_str(), midi.problem.c_str());
+        print_text("%s: %s\n", path.c_str(), one_line(midi.problem).c_str());
     else if (!midi.time)
         print_text("%s: MIDI, %llu bytes and no time code yet\n", path.c_str(),
                    static_cast<unsigned long long>(midi.counters.bytes));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "diagnose/doctor.h"
 
+#include "base/print.h"
 #include "base/text.h"
 #include "fixture/values.h"
 
@@ -223,7 +224,8 @@ std::string text_of(const FindingGroup& group) {
             text += ", ...";
         text += ")";
     }
-    if (!group.first.advice.empty()) text += "\n    do: " + group.first.advice;
+    text = one_line(text);
+    if (!group.first.advice.empty()) text += "\n    do: " + one_line(group.first.advice);
     return text;
 }
 

@@ -18,7 +18,7 @@ constexpr std::size_t kMostBeams = 24;
 std::string row(const char* head, const std::string& text) {
     char begin[16];
     std::snprintf(begin, sizeof begin, "%-10s", head);
-    return begin + text + "\n";
+    return begin + one_line(text) + "\n";
 }
 
 std::string padded(const std::string& text, std::size_t width) {
@@ -232,7 +232,7 @@ std::string line_of(const Explanation& explanation) {
 }
 
 std::string words_of(const Explanation& explanation, const Reception& reception) {
-    std::string text = explanation.fixture + ": " + explanation.verdict + "\n";
+    std::string text = line_of(explanation) + "\n";
     bool said_verdict = false;
     for (const Reason& finding : explanation.findings) {
         if (finding.blocks && !said_verdict) {
@@ -247,7 +247,7 @@ std::string words_of(const Explanation& explanation, const Reception& reception)
             text += row(i == 0 ? "universe" : "", universe_text(explanation.universes[i], reception));
         text += row("patch", patch_text(explanation)) + channel_lines(explanation) + beam_lines(explanation);
     }
-    return printable(text);
+    return text;
 }
 
 } // namespace ghost::scene

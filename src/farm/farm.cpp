@@ -344,9 +344,10 @@ int print_farm_status(const FarmPlan& plan) {
             log_warning(living.error().text());
     }
     const Counts counts = count(plan, is_whole);
-    print_text("%s: %s%s\n", name_of(plan).c_str(), status_text(plan, counts, jobs).c_str(),
+    print_text("%s: %s%s\n", one_line(name_of(plan)).c_str(), status_text(plan, counts, jobs).c_str(),
                is_whole ? ", all put together" : "");
-    if (!counts.first_failure.empty()) print_text("first failure: %s\n", counts.first_failure.c_str());
+    if (!counts.first_failure.empty())
+        print_text("first failure: %s\n", one_line(counts.first_failure).c_str());
     double seconds = 0;
     std::size_t timed = 0;
     if (!is_whole)

@@ -86,7 +86,8 @@ VKAPI_ATTR VkBool32 VKAPI_CALL Device::on_validation(VkDebugUtilsMessageSeverity
                                                      const VkDebugUtilsMessengerCallbackDataEXT* data,
                                                      void* user) {
     ++static_cast<Device*>(user)->validation_errors_;
-    log_error(std::string("Vulkan validation: ") + data->pMessage);
+    for (const std::string_view line : split(data->pMessage, '\n'))
+        log_error("Vulkan validation: " + std::string(line));
     return VK_FALSE;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mvr/mvr_merge.h"
 
+#include "base/print.h"
+
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -266,9 +268,11 @@ std::string identity(const std::string& fixture_id, const std::string& uuid) {
 
 void list(std::string& text, const char* title, const std::vector<MergeEntry>& entries) {
     for (std::size_t i = 0; i < entries.size() && i < kListed; ++i) {
-        text += std::string("  ") + title + ": " + scene::name_of(entries[i].kind) + " '" + entries[i].name +
-                "'" + identity(entries[i].fixture_id, entries[i].uuid);
-        text += entries[i].what.empty() ? "\n" : ": " + entries[i].what + "\n";
+        const MergeEntry& entry = entries[i];
+        text +=
+            one_line(std::string("  ") + title + ": " + scene::name_of(entry.kind) + " '" + entry.name + "'" +
+                     identity(entry.fixture_id, entry.uuid) + (entry.what.empty() ? "" : ": " + entry.what)) +
+            "\n";
     }
     if (entries.size() > kListed)
         text += std::string("  ") + title + ": " + std::to_string(entries.size() - kListed) + " more\n";
@@ -296,12 +300,14 @@ std::string text_of(const MergeReport& report) {
     list(text, "changed", report.changed);
     for (const KeptChange& kept : report.kept)
         if (kept.both)
-            text += std::string("  your ") + name_of(kept.change.what) + " of '" + kept.name + "'" +
-                    identity(kept.fixture_id, kept.change.uuid) + " is kept; the new plot says " +
-                    kept.plot_says + "\n";
+            text += one_line(std::string("  your ") + name_of(kept.change.what) + " of '" + kept.name + "'" +
+                             identity(kept.fixture_id, kept.change.uuid) + " is kept; the new plot says " +
+                             kept.plot_says) +
+                    "\n";
     for (const PlotChange& change : report.gone)
-        text += std::string("  your ") + name_of(change.what) + " of " + change.uuid +
-                " is dropped: there is no such object any more\n";
+        text += one_line(std::string("  your ") + name_of(change.what) + " of " + change.uuid +
+                         " is dropped: there is no such object any more") +
+                "\n";
     return text;
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Relighting of passes on the CPU: the surfaces of shaders/relight.comp without haze in the air (Screen Space
-// Re-Rendering 2.1), for tests of the baker and of the GPU. cd/m^2, linear Rec.2020, with extinction lamp ->
-// surface -> camera. Pure.
+// Relighting of passes on the CPU: the surfaces of shaders/relight/surface.comp without haze in the air
+// (Screen Space Re-Rendering 2.1), for tests of the baker and of the GPU. cd/m^2, linear Rec.2020, with
+// extinction lamp -> surface -> camera. Pure.
 
 #include "image/image.h"
 #include "passes/passes.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "plots/import_plot.h"
 
+#include "base/print.h"
 #include "disk/files.h"
 #include "disk/user_file.h"
 #include "mvr/mvr_load.h"
@@ -44,14 +45,6 @@ std::string number(float value, const char* format = "%.2f") {
 
 std::string point(const glm::vec3& m) {
     return "[" + number(m.x) + ", " + number(m.y) + ", " + number(m.z) + "]";
-}
-
-// A comment ends with its line.
-std::string comment(std::string text) {
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
-        ' ');
-    return text;
 }
 
 Result<void> copy_whole(const fs::path& from, const fs::path& to) {
@@ -133,10 +126,10 @@ Result<void> merge_into(const fs::path& show_file, const Show& opened, Report& r
 
 std::string show_text(const Show& show, const std::string& plot_name) {
     std::string text =
-        "# Made from the plot " + comment(plot_name) +
+        "# Made from the plot " + one_line(plot_name) +
         ". Yours to change: importing a newer version of the plot leaves it as it is.\n"
         "# What every key means: docs/reference/show-file.md and docs/reference/mvr.md.\n\n[show]\nname = " +
-        quoted(show.name) + "\nplot = " + quoted(plot_name) +
+        quoted(one_line(show.name)) + "\nplot = " + quoted(plot_name) +
         "\nambient_lux = " + number(show.ambient_lux, "%g") +
         "\n\n[haze]\nextinction_per_m = " + number(show.haze.extinction_per_m, "%.4f") + "\n";
     for (const Camera& camera : show.cameras)
@@ -149,7 +142,7 @@ std::string show_text(const Show& show, const std::string& plot_name) {
     text +=
         "\n# A fixture of the plot is changed by its UUID (address, mode, position_m, rotation_deg, name, "
         "hidden):\n# [[change]]\n# uuid = " +
-        comment(quoted(first.uuid)) + " # " + comment(first.name) + "\n# universe = 1\n# address = 1\n";
+        quoted(first.uuid) + " # " + one_line(first.name) + "\n# universe = 1\n# address = 1\n";
     return text;
 }
 
@@ -159,7 +152,7 @@ Result<ImportedPlot> import_plot(const Show& opened, const fs::path& folder, Rep
     const fs::path& plot = opened.plot_file;
     ImportedPlot imported;
     imported.show_file = folder / "show.toml";
-    imported.plot_file = folder / plot.filename();
+    imported.plot_file = folder / one_line(plot.filename().string()); // a show file has no others
     imported.objects = opened.plot->plot.objects.size();
     imported.fixtures = opened.fixtures.size();
     imported.dark =

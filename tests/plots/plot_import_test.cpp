@@ -282,6 +282,25 @@ TEST(ImportPlot, MakesAShowAndKeepsWhatTheUserChanged) {
     EXPECT_EQ(std::distance(fs::directory_iterator(out), fs::directory_iterator()), 4);
 }
 
+// Neither line breaks nor bytes that are no UTF-8 can stand in a show file.
+TEST(ImportPlot, GivesThePlotANameThatTheShowCanHold) {
+    const fs::path folder = scratch("import_names");
+    const fs::path plot = folder / "a\nb\xff.mvr";
+    write_mvr(plot, small_xml(fixture_xml(20, "Spot\n", kIdentity + "{0,0,5000}", "")));
+    Report report;
+    const auto first = imported_into(plot, folder / "tour", report);
+    ASSERT_TRUE(first.ok()) << first.error().text();
+    EXPECT_EQ(first->plot_file, folder / "tour" / "a\\u000ab\xef\xbf\xbd.mvr");
+    Report of_show;
+    const Show made = opened(folder / "tour", of_show);
+    EXPECT_FALSE(of_show.lost_anything()) << messages_of(of_show);
+    EXPECT_EQ(made.name, "a\\u000ab\xef\xbf\xbd");
+    EXPECT_EQ(made.fixtures.size(), 1u);
+    const auto second = imported_into(plot, folder / "tour", report);
+    ASSERT_TRUE(second.ok()) << second.error().text();
+    EXPECT_TRUE(second->merge.has_value());
+}
+
 // A show from elsewhere says which file its plot is.
 TEST(ImportPlot, ReplacesNoFileOutsideOfTheShow) {
     const fs::path folder = scratch("import_outside");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/doctor/doctor_text.h"
 
+#include "base/print.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -129,7 +131,7 @@ std::string text_of(const Checked& checked, Detail detail) {
             text += scene::text_of(group) + "\n";
     if (detail == Detail::losses) return text;
     const Counts counts = counts_of(checked);
-    text += checked.file + ": ";
+    text += one_line(checked.file) + ": ";
     if (!checked.is_done)
         text += "not checked (interrupted)";
     else if (counts.lost == 0 && counts.repaired == 0)
@@ -138,7 +140,7 @@ std::string text_of(const Checked& checked, Detail detail) {
         text += (counts.lost ? std::to_string(counts.lost) + " lost" : "") +
                 (counts.lost && counts.repaired ? ", " : "") +
                 (counts.repaired ? std::to_string(counts.repaired) + " repaired or guessed" : "");
-    if (!checked.summary.empty()) text += ", " + checked.summary;
+    if (!checked.summary.empty()) text += ", " + one_line(checked.summary);
     return text + "\n";
 }
 
@@ -153,18 +155,19 @@ std::string summary_of(std::span<const Checked> all, bool is_long) {
         return x.lost != y.lost ? x.lost > y.lost : x.repaired > y.repaired;
     });
     const std::string folder = common_folder(all);
+    const auto shown_name = [&](const Checked& checked) {
+        return one_line(std::string_view(checked.file).substr(folder.size()));
+    };
     const std::size_t shown = is_long ? order.size() : std::min(order.size(), kListedFiles);
     constexpr std::size_t kNumber = 9;
     constexpr std::size_t kName = kColumns - 3 * kNumber - 2;
-    std::string text = "\n" + padded(cut(folder.empty() ? "file" : folder, kName, true), kName) +
+    std::string text = "\n" + padded(cut(folder.empty() ? "file" : one_line(folder), kName, true), kName) +
                        "       lost repaired    notes\n";
     for (std::size_t k = 0; k < shown; ++k) {
         const Checked& checked = *order[k];
         const Counts counts = counts_of(checked);
-        const std::string name = padded(is_long ? checked.file.substr(folder.size())
-                                                : cut(checked.file.substr(folder.size()), kName, true),
-                                        kName) +
-                                 "  ";
+        const std::string name =
+            padded(is_long ? shown_name(checked) : cut(shown_name(checked), kName, true), kName) + "  ";
         if (!checked.is_done)
             text += name + " not checked\n";
         else if (is_unreadable(checked))
@@ -183,7 +186,7 @@ std::string summary_of(std::span<const Checked> all, bool is_long) {
     for (std::size_t k = 0; k < faults.size() && k < (is_long ? 4 * kListedFaults : kListedFaults); ++k) {
         const std::string line = right(faults[k].times, 5) + " x in " + right(faults[k].files.size(), 3) +
                                  (faults[k].severity == Severity::error ? "  lost      " : "  repaired  ") +
-                                 faults[k].what;
+                                 one_line(faults[k].what);
         text += (is_long ? line : cut(line, kColumns, false)) + "\n";
     }
     return text;

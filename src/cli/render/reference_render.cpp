@@ -20,11 +20,18 @@
 namespace ghost::app {
 namespace {
 
+// What light is in, and where it meets something.
+struct LitStage {
+    const bake::Tracer& tracer;
+    const std::vector<shared::Light>& lights;
+    const shared::Gobos& gobos;
+    const shared::Haze& haze;
+};
+
 // Bounced light by particles, added to the picture.
-Result<void> add_bounces(const ReferenceArguments& arguments, const bake::Tracer& tracer,
-                         const scene::Camera& camera, const std::vector<shared::Light>& lights,
-                         const shared::Gobos& gobos, const shared::Haze& haze, Progress& progress,
-                         image::ImageF& picture) {
+Result<void> add_bounces(const ReferenceArguments& arguments, const LitStage& stage,
+                         const scene::Camera& camera, Progress& progress, image::ImageF& picture) {
+    const auto& [tracer, lights, gobos, haze] = stage;
     bake::WalkOptions walk;
     walk.particles = static_cast<std::int64_t>(arguments.particles_m * 1e6);
     walk.camera = &camera;
@@ -111,8 +118,9 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
         picture = bake::reference_picture(&tracer, camera, lights, moment->gobos().images,
                                           atmosphere.medium(), show.ambient_lux, reference);
     if (picture.ok() && (arguments.order > 0 || (arguments.order < 0 && arguments.bounces > 0))) {
-        const Result<void> added = add_bounces(arguments, tracer, camera, lights, moment->gobos().images,
-                                               atmosphere.medium(), progress, *picture);
+        const Result<void> added =
+            add_bounces(arguments, {tracer, lights, moment->gobos().images, atmosphere.medium()}, camera,
+                        progress, *picture);
         if (!added.ok()) picture = added.error();
     }
     progress.finish();

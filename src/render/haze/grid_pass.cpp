@@ -37,12 +37,11 @@ GridPass::GridPass(const gpu::Device& device, std::uint32_t width, std::uint32_t
 }
 
 void GridPass::record(gpu::Commands& commands, const LightChunk& chunk, const shared::GridPush& push,
-                      bool fill, std::uint32_t focus, const gpu::Buffer& fans, std::uint64_t fans_offset,
-                      const GatherTables& tables) {
+                      bool fill, std::uint32_t focus, const GatherTables& tables) {
     const Fragments& f = chunk.fragments;
     const gpu::Binding view = gpu::uniform(f.view),
                        lights = gpu::uniform(chunk.light_buffer, chunk.light_offset),
-                       fan = gpu::uniform(fans, fans_offset), places = gpu::stored(f.places),
+                       fan = gpu::uniform(tables.fans, tables.fans_offset), places = gpu::stored(f.places),
                        drawn = gpu::stored(chunk.drawn), table = gpu::sampled(tables.table),
                        shade = gpu::sampled(tables.shade), air = gpu::uniform(chunk.air);
     const std::uint32_t groups_x = gpu::groups(push.grid.columns, kGroupWidth),

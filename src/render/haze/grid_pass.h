@@ -13,8 +13,11 @@
 
 namespace ghost::render {
 
-// What the haze of a light is gathered from, in the order that gate_scatter.glsl has it.
+// What the haze of a light is gathered from: its fan (shared::Fan of each light of the chunk, from the offset
+// on) and the tables of fans.
 struct GatherTables {
+    const gpu::Buffer& fans;
+    std::uint64_t fans_offset;
     const gpu::Texture& table;
     const gpu::Texture& shade;
 };
@@ -25,11 +28,9 @@ public:
     GridPass(const gpu::Device& device, std::uint32_t width, std::uint32_t height, std::uint32_t count,
              bool shadows, bool uneven);
 
-    // fill: else the grid is as it was filled before. focus: kFocus of gate_scatter.glsl. fans: its
-    // shared::Fan of each light of the chunk, from the offset on.
+    // fill: else the grid is as it was filled before. focus: kFocus of gate_scatter.glsl.
     void record(gpu::Commands& commands, const LightChunk& chunk, const shared::GridPush& push, bool fill,
-                std::uint32_t focus, const gpu::Buffer& fans, std::uint64_t fans_offset,
-                const GatherTables& tables);
+                std::uint32_t focus, const GatherTables& tables);
     std::uint64_t memory_bytes() const { return filled_.bytes() + grid_.bytes() + left_.bytes(); }
 
 private:

@@ -254,8 +254,8 @@ bool HazePass::record_grid(gpu::Commands& commands, const LightChunk& chunk, con
     Filled& filled = filled_[fan.layer];
     const bool fill = std::memcmp(&filled.grid, &*grid, sizeof *grid) != 0;
     filled.grid = *grid;
-    grid_->record(commands, chunk, {push, *grid, shared::kGridLayers * fan.layer}, fill, focus, fans_,
-                  fans_offset, {table_, shade_});
+    grid_->record(commands, chunk, {push, *grid, shared::kGridLayers * fan.layer}, fill, focus,
+                  {fans_, fans_offset, table_, shade_});
     return true;
 }
 

@@ -18,10 +18,6 @@
 namespace ghost::ui {
 namespace {
 
-QString number(float value) {
-    return QString::number(static_cast<double>(value), 'g', 6);
-}
-
 // Modes are chosen from those that the fixture has.
 class ModeDelegate : public QStyledItemDelegate {
 public:
@@ -43,7 +39,6 @@ private:
     AppModel& app_;
 };
 
-// The colour of the light, which the mark of a chosen row leaves free.
 // What is wrong stays red in a row that is selected; styles give those one colour of their own.
 class CellPainter : public QStyledItemDelegate {
 public:
@@ -52,177 +47,30 @@ public:
 protected:
     void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
         QStyledItemDelegate::initStyleOption(option, index);
-        if (const QVariant colour = index.data(Qt::ForegroundRole); colour.isValid())
-            option->palette.setColor(QPalette::HighlightedText, colour.value<QColor>());
+        const bool is_wrong = index.data(FixtureList::kIsWrong).toBool();
+        if (!is_wrong && !index.data(FixtureList::kIsByHand).toBool()) return;
+        const QColor colour = is_wrong ? bad() : accent();
+        option->palette.setColor(QPalette::Text, colour);
+        option->palette.setColor(QPalette::HighlightedText, colour);
     }
 };
 
+// The colour of the light, which the mark of a chosen row leaves free.
 class SwatchPainter : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override {
         QStyledItemDelegate::paint(painter, option, index);
-        if (const QVariant colour = index.data(FixtureModel::kSwatch); colour.isValid())
-            painter->fillRect(option.rect.adjusted(3, 3, -3, -3), colour.value<QColor>());
+        if (const QVariant light = index.data(FixtureList::kLight); light.isValid())
+            painter->fillRect(option.rect.adjusted(3, 3, -3, -3), screen_colour(light.value<glm::vec3>()));
     }
 };
 
-QString text_of(const scene::PatchedFixture& fixture, int column) {
-    switch (column) {
-    case FixtureModel::name:
-        return QString::fromStdString(fixture.name);
-    case FixtureModel::patch:
-        return fixture.address > 0
-                   ? QString("%1.%2").arg(fixture.universe).arg(fixture.address, 3, 10, QChar('0'))
-                   : QString("none");
-    case FixtureModel::type:
-        return fixture.type ? QString::fromStdString(fixture.type->name) : QString("file cannot be read");
-    case FixtureModel::mode:
-        return fixture.type ? QString::fromStdString(fixture.patch().mode_of().name) : QString();
-    case FixtureModel::x:
-    case FixtureModel::y:
-    case FixtureModel::z:
-        return number(fixture.position_m[column - FixtureModel::x]);
-    case FixtureModel::turn:
-        return number(fixture.rotation_deg.x) + " " + number(fixture.rotation_deg.y) + " " +
-               number(fixture.rotation_deg.z);
-    default:
-        return {};
-    }
-}
-
 } // namespace
 
-FixtureModel::FixtureModel(AppModel& app, ShowDocument& document, QObject* parent)
-    : QAbstractTableModel(parent), app_(app), document_(document) {
-    connect(&app_, &AppModel::opened_show, this, &FixtureModel::take_show);
-    const auto refresh = [this] {
-        if (rowCount() > 0) Q_EMIT dataChanged(index(0, level), index(rowCount() - 1, colour));
-    };
-    connect(&app_, &AppModel::rig_came, this, refresh);
-    connect(&app_, &AppModel::look_changed, this, refresh);
-}
-
-void FixtureModel::take_show() {
-    const std::vector<scene::PatchedFixture>& fixtures = app_.show()->fixtures;
-    // Rows that stay keep their place, and who types in one goes on.
-    const bool stays = app_.opened().is_edit && rows_ == static_cast<int>(fixtures.size());
-    if (!stays) beginResetModel();
-    rows_ = static_cast<int>(fixtures.size());
-    shared_.clear();
-    std::vector<fixture::Patch> patches;
-    std::vector<std::size_t> of_patch;
-    for (std::size_t i = 0; i < fixtures.size(); ++i) {
-        if (!fixtures[i].type) continue;
-        patches.push_back(fixtures[i].patch());
-        of_patch.push_back(i);
-    }
-    for (const fixture::Overlap& overlap : fixture::find_overlaps(patches))
-        shared_.insert({of_patch[overlap.first], of_patch[overlap.second]});
-    if (!stays)
-        endResetModel();
-    else if (rows_ > 0)
-        Q_EMIT dataChanged(index(0, 0), index(rows_ - 1, kColumns - 1));
-}
-
-int FixtureModel::rowCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : rows_;
-}
-
-int FixtureModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : kColumns;
-}
-
-QVariant FixtureModel::data(const QModelIndex& index, int role) const {
-    const auto row = static_cast<std::size_t>(index.row());
-    if (!app_.show() || row >= app_.show()->fixtures.size()) return {};
-    const scene::PatchedFixture& fixture = app_.show()->fixtures[row];
-    const FixtureNow* now = row < app_.rig().fixtures.size() ? &app_.rig().fixtures[row] : nullptr;
-    if (role == Qt::DisplayRole && index.column() == level)
-        return now ? QString("%1 %").arg(100 * static_cast<double>(now->dimmer), 0, 'f', 0) : QString();
-    if (role == Qt::DisplayRole || role == Qt::EditRole) return text_of(fixture, index.column());
-    if (role == kSwatch && index.column() == colour && now && now->candela > 0)
-        return screen_colour(now->colour);
-    if (role == Qt::TextAlignmentRole && index.column() == level)
-        return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
-    if (role == Qt::ForegroundRole) {
-        if (index.column() == patch && (fixture.address <= 0 || shared_.contains(row))) return bad();
-        if (index.column() == type && !fixture.type) return bad();
-        if (index.column() == level && app_.look().fixtures.contains(row)) return accent();
-    }
-    if (role == Qt::ToolTipRole) {
-        if (shared_.contains(row)) return "Another fixture reads a channel of this one.";
-        if (app_.look().fixtures.contains(row)) return "Set by hand; R releases it.";
-        return QString::fromStdString(fixture.gdtf.string());
-    }
-    return {};
-}
-
-QVariant FixtureModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    static const char* const kTitles[kColumns] = {"Name", "Patch", "Light", "",    "Type",
-                                                  "Mode", "X m",   "Y m",   "Z m", "Turn"};
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-    return kTitles[section];
-}
-
-Qt::ItemFlags FixtureModel::flags(const QModelIndex& index) const {
-    const int column = index.column();
-    const bool is_patch = column != level && column != colour && column != type;
-    return QAbstractTableModel::flags(index) | (is_patch ? Qt::ItemIsEditable : Qt::NoItemFlags);
-}
-
-bool FixtureModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-    const auto row = static_cast<std::size_t>(index.row());
-    const QString words = value.toString().trimmed();
-    if (role != Qt::EditRole || words == data(index, Qt::EditRole).toString()) return false;
-    if (!app_.selection().contains(row)) app_.select({row});
-    const Result<void> done = edit(index.column(), words);
-    if (!done.ok() && complain) complain(done.error());
-    return done.ok();
-}
-
-Result<void> FixtureModel::edit(int column, const QString& words) {
-    PatchEdit edit(app_, document_);
-    const QStringList parts = words.split(' ', Qt::SkipEmptyParts);
-    constexpr double kMost_m = 100000;
-    switch (column) {
-    case name:
-        return edit.rename(words);
-    case patch: {
-        TRY(const fixture::Address address, address_of(words));
-        return edit.set_address(address);
-    }
-    case mode:
-        return edit.set_mode(words);
-    case turn: {
-        glm::vec3 turn_deg{0};
-        for (int i = 0; i < 3; ++i) {
-            TRY(const double degrees, number_of(parts, i, "degrees", -360, 360));
-            turn_deg[i] = static_cast<float>(degrees);
-        }
-        return edit.set_rotation(turn_deg);
-    }
-    default: {
-        TRY(const double metres, number_of(parts, 0, "metres", -kMost_m, kMost_m));
-        return edit.set_axis(column - x, static_cast<float>(metres));
-    }
-    }
-}
-
-void FixtureFilter::show_only(std::optional<std::set<std::size_t>> fixtures) {
-    if (fixtures == only_) return;
-    only_ = std::move(fixtures);
-    invalidateFilter();
-}
-
-bool FixtureFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
-    if (only_ && !only_->contains(static_cast<std::size_t>(row))) return false;
-    return QSortFilterProxyModel::filterAcceptsRow(row, parent);
-}
-
 FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* parent)
-    : QWidget(parent), app_(app) {
+    : QWidget(parent), app_(app), document_(document) {
     search_ = new QLineEdit(this);
     search_->setPlaceholderText("Search");
     search_->setToolTip("In names, addresses, types and modes");
@@ -239,12 +87,14 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
     dark_->setText("Dark");
     dark_->setCheckable(true);
     dark_->setToolTip("Only fixtures that do not shine, by reasons");
-    model_ = new FixtureModel(app, document, this);
+    list_ = new FixtureList(app, this);
+    list_->edit = [this](FixtureList::Column column, const QString& words) {
+        const Result<void> done = edit(column, words);
+        if (!done.ok() && complain) complain(done.error());
+        return done.ok();
+    };
     sorted_ = new FixtureFilter(this);
-    sorted_->setSourceModel(model_);
-    sorted_->setFilterCaseSensitivity(Qt::CaseInsensitive);
-    sorted_->setFilterKeyColumn(-1);
-    sorted_->setDynamicSortFilter(false); // levels change all the time
+    sorted_->setSourceModel(list_);
     table_ = new FixtureTable(this);
     table_->setModel(sorted_);
     table_->setSortingEnabled(true);
@@ -255,22 +105,22 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
     table_->setTextElideMode(Qt::ElideMiddle); // numbers that tell lamps apart stand at the end
     table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
     table_->setItemDelegate(new CellPainter(table_));
-    table_->setItemDelegateForColumn(FixtureModel::mode, new ModeDelegate(app, table_));
-    table_->setItemDelegateForColumn(FixtureModel::colour, new SwatchPainter(table_));
+    table_->setItemDelegateForColumn(FixtureList::mode, new ModeDelegate(app, table_));
+    table_->setItemDelegateForColumn(FixtureList::colour, new SwatchPainter(table_));
     table_->verticalHeader()->hide();
     table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 8);
     table_->horizontalHeader()->setMinimumSectionSize(2 * table_->fontMetrics().averageCharWidth());
     table_->setAccessibleName("Fixtures");
     const int letter = table_->fontMetrics().averageCharWidth();
-    for (const auto& [column, letters] : {std::pair{FixtureModel::name, 18},
-                                          {FixtureModel::patch, 9},
-                                          {FixtureModel::level, 8},
-                                          {FixtureModel::colour, 4},
-                                          {FixtureModel::type, 18},
-                                          {FixtureModel::mode, 14},
-                                          {FixtureModel::x, 7},
-                                          {FixtureModel::y, 7},
-                                          {FixtureModel::z, 7}})
+    for (const auto& [column, letters] : {std::pair{FixtureList::name, 18},
+                                          {FixtureList::patch, 9},
+                                          {FixtureList::level, 8},
+                                          {FixtureList::colour, 4},
+                                          {FixtureList::type, 18},
+                                          {FixtureList::mode, 14},
+                                          {FixtureList::x, 7},
+                                          {FixtureList::y, 7},
+                                          {FixtureList::z, 7}})
         table_->setColumnWidth(column, letters * letter);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
@@ -303,13 +153,41 @@ FixturePanel::FixturePanel(AppModel& app, ShowDocument& document, QWidget* paren
     connect(search_, &QLineEdit::returnPressed, this, [this] {
         if (sorted_->rowCount() == 0) return;
         table_->setFocus();
-        table_->setCurrentIndex(sorted_->index(0, FixtureModel::name)); // that F2 edits
+        table_->setCurrentIndex(sorted_->index(0, FixtureList::name)); // that F2 edits
         table_->selectAll();
         take_selection(); // where they were selected already, the table says nothing
     });
     connect(&app_, &AppModel::selection_changed, this, &FixturePanel::show_selection);
     connect(table_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             &FixturePanel::take_selection);
+}
+
+Result<void> FixturePanel::edit(FixtureList::Column column, const QString& words) {
+    PatchEdit edit(app_, document_);
+    const QStringList parts = words.split(' ', Qt::SkipEmptyParts);
+    constexpr double kMost_m = 100000;
+    switch (column) {
+    case FixtureList::name:
+        return edit.rename(words);
+    case FixtureList::patch: {
+        TRY(const fixture::Address address, address_of(words));
+        return edit.set_address(address);
+    }
+    case FixtureList::mode:
+        return edit.set_mode(words);
+    case FixtureList::turn: {
+        glm::vec3 turn_deg{0};
+        for (int i = 0; i < 3; ++i) {
+            TRY(const double degrees, number_of(parts, i, "degrees", -360, 360));
+            turn_deg[i] = static_cast<float>(degrees);
+        }
+        return edit.set_rotation(turn_deg);
+    }
+    default: {
+        TRY(const double metres, number_of(parts, 0, "metres", -kMost_m, kMost_m));
+        return edit.set_axis(column - FixtureList::x, static_cast<float>(metres));
+    }
+    }
 }
 
 // The chosen group stays chosen where it is still there.
@@ -358,7 +236,7 @@ void FixturePanel::show_selection() {
     QItemSelection rows;
     QModelIndex first;
     for (const std::size_t fixture : app_.selection()) {
-        const QModelIndex index = sorted_->mapFromSource(model_->index(static_cast<int>(fixture), 0));
+        const QModelIndex index = sorted_->mapFromSource(list_->index(static_cast<int>(fixture), 0));
         if (!index.isValid()) continue; // searched away
         rows.select(index, index);
         if (!first.isValid()) first = index;

@@ -153,9 +153,9 @@ std::set<std::size_t> fixtures_in(const QRectF& picture, const scene::Camera& ca
     return inside;
 }
 
-void paint_fixtures(QPainter& painter, const QRectF& picture, const scene::Camera& camera,
-                    const scene::Show& show, const RigNow& rig, const std::set<std::size_t>& selection,
+void paint_fixtures(QPainter& painter, const SeenHeads& heads, const scene::Show& show,
                     std::optional<std::size_t> hovered, const OverlayChoice& choice) {
+    const auto& [picture, camera, rig, selection] = heads;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(small_font(painter));
@@ -191,9 +191,9 @@ void paint_fixtures(QPainter& painter, const QRectF& picture, const scene::Camer
     painter.restore();
 }
 
-void paint_moved(QPainter& painter, const QRectF& picture, const scene::Camera& camera, const RigNow& rig,
-                 const std::set<std::size_t>& selection, const glm::vec3& by_m, const QPointF& mouse,
+void paint_moved(QPainter& painter, const SeenHeads& heads, const glm::vec3& by_m, const QPointF& mouse,
                  const QString& words) {
+    const auto& [picture, camera, rig, selection] = heads;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setFont(small_font(painter));

@@ -42,13 +42,18 @@ std::optional<std::size_t> fixture_at(const QRectF& picture, const scene::Camera
 std::set<std::size_t> fixtures_in(const QRectF& picture, const scene::Camera& camera, const RigNow& rig,
                                   const QRectF& box);
 
+// The heads as they are seen, wherever the picture lies in the widget.
+struct SeenHeads {
+    const QRectF& picture;
+    const scene::Camera& camera;
+    const RigNow& rig;
+    const std::set<std::size_t>& selection;
+};
 // Labels do not lie on each other; hovered: what the mouse points at, with more words.
-void paint_fixtures(QPainter& painter, const QRectF& picture, const scene::Camera& camera,
-                    const scene::Show& show, const RigNow& rig, const std::set<std::size_t>& selection,
+void paint_fixtures(QPainter& painter, const SeenHeads& heads, const scene::Show& show,
                     std::optional<std::size_t> hovered, const OverlayChoice& choice);
 // Where the selection would go, with words beside the mouse.
-void paint_moved(QPainter& painter, const QRectF& picture, const scene::Camera& camera, const RigNow& rig,
-                 const std::set<std::size_t>& selection, const glm::vec3& by_m, const QPointF& mouse,
+void paint_moved(QPainter& painter, const SeenHeads& heads, const glm::vec3& by_m, const QPointF& mouse,
                  const QString& words);
 // A ring round an object, and its name.
 void paint_object(QPainter& painter, const QRectF& picture, const scene::Camera& camera,

@@ -126,11 +126,9 @@ void View::paintEvent(QPaintEvent*) {
     paint_picture(painter, place, *picture.image);
     wipe_.paint(painter, size());
     if (overlays.frame) paint_frame(painter, place, frame_rect(size(), app_.request().frame));
-    paint_fixtures(painter, place, picture.camera, *app_.show(), app_.rig(), app_.selection(), hovered_,
-                   overlays);
-    if (drag_ == Drag::lamp)
-        paint_moved(painter, place, picture.camera, app_.rig(), app_.selection(), moved_by_m_, drag_at_,
-                    lamp_->words(moved_by_m_));
+    const SeenHeads heads{place, picture.camera, app_.rig(), app_.selection()};
+    paint_fixtures(painter, heads, *app_.show(), hovered_, overlays);
+    if (drag_ == Drag::lamp) paint_moved(painter, heads, moved_by_m_, drag_at_, lamp_->words(moved_by_m_));
     if (const auto object = app_.marked(); object && overlays.marks)
         paint_object(painter, place, picture.camera, app_.opened().objects[*object]);
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);

@@ -112,7 +112,7 @@ Window::Window(Link& link, const WindowOptions& options)
     addToolBar(Qt::BottomToolBarArea, transport_);
     notice_ = new NoticeBar(actions_, document_, app_, this);
     addToolBar(Qt::TopToolBarArea, notice_);
-    fixtures_->model().complain = actions_.complain;
+    fixtures_->complain = actions_.complain;
     connect(&document_, &ShowDocument::changed, this, [this] { setWindowModified(document_.is_changed()); });
     connect(&app_, &AppModel::opened_show, this, &Window::name_cameras);
     connect(&app_, &AppModel::opened_show, this, [this] {

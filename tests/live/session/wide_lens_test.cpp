@@ -108,8 +108,8 @@ TEST(WideLens, PlanksAreLitByLightThatSkimsThem) {
     }
 }
 
-// Haze at a silhouette is mended with its neighbours' (shaders/fold.comp): that must not take more than is
-// there.
+// Haze at a silhouette is mended with its neighbours' (shaders/relight/fold.comp): that must not take more
+// than is there.
 TEST(WideLens, NoPixelIsBlackerThanBlack) {
     LiveStage stage =
         stage_of({"bars between the eye and the beam", 10, 0.07f, {-3.2f, 0.5f, 0}, {-3.1f, 0.6f, 8}});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The table of actions, through the window that fills it: lines of scripts do what they say, and every fault
 // is a sentence.
+#include "disk/files.h"
 #include "show/show.h"
 #include "support/test_window.h"
 #include "ui/actions/script.h"
@@ -85,6 +86,28 @@ TEST(Actions, no_name_and_no_key_stands_twice_and_what_is_in_a_menu_has_words) {
     }
     // They fly, in the picture.
     for (const char* const key : {"W", "A", "S", "D", "Q", "E"}) EXPECT_FALSE(keys.contains(key)) << key;
+}
+
+// Its list of lines, and no other place of it.
+TEST(Actions, the_guide_lists_every_action_and_nothing_else) {
+    const auto guide = read_text_file(GHOST_SOURCE_DIR "/docs/guide/window.md", 1 << 20);
+    ASSERT_TRUE(guide.ok()) << guide.error().text();
+    std::string list = guide->substr(guide->find("| about | lines |"));
+    list.resize(list.find("\n\n"));
+    std::set<QString> listed, known;
+    for (std::size_t begin = 0; (begin = list.find('`', begin)) != std::string::npos;) {
+        const std::size_t end = list.find('`', begin + 1);
+        const QString words = QString::fromStdString(list.substr(begin + 1, end - begin - 1));
+        begin = end + 1;
+        // Examples of values begin with a capital letter, switches stand alone.
+        if (words[0].isLower() && words != "on" && words != "off") listed.insert(words.section(' ', 0, 0));
+    }
+    Opened4 opened;
+    for (const Action& action : opened.window->actions().all()) known.insert(action.name);
+    for (const QString& name : known)
+        EXPECT_TRUE(listed.contains(name)) << name.toStdString() << " is missing in docs/guide/window.md";
+    for (const QString& name : listed)
+        EXPECT_TRUE(known.contains(name)) << name.toStdString() << " in docs/guide/window.md is no action";
 }
 
 TEST(Actions, the_tone_curve_is_chosen_by_name_and_by_key) {

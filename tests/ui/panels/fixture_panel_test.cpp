@@ -59,7 +59,7 @@ TEST(FixturePanel, a_double_click_edits_all_that_were_selected) {
     settle();
     desk.app.select({0, 1, 2});
     auto* table = panel.findChild<QTableView*>();
-    const QPointF at = table->visualRect(table->model()->index(1, FixtureModel::patch)).center();
+    const QPointF at = table->visualRect(table->model()->index(1, FixtureList::patch)).center();
     const auto send = [&](QEvent::Type type, Qt::MouseButtons held) {
         QMouseEvent event(type, at, table->viewport()->mapToGlobal(at), Qt::LeftButton, held, Qt::NoModifier);
         QCoreApplication::sendEvent(table->viewport(), &event);
@@ -89,7 +89,7 @@ TEST(FixturePanel, a_chosen_row_still_shows_its_colour) {
     settle();
     auto* table = panel.findChild<QTableView*>();
     const auto has_green = [&] {
-        const QModelIndex cell = table->model()->index(0, FixtureModel::colour);
+        const QModelIndex cell = table->model()->index(0, FixtureList::colour);
         const QImage picture = table->viewport()->grab(table->visualRect(cell)).toImage();
         return picture.pixelColor(picture.rect().center()) == QColor(0, 255, 0);
     };
