@@ -133,7 +133,7 @@ Result<FarmDone> finish_bake(const FarmPlan& plan) {
 
 Result<void> assemble_farm(const FarmPlan& plan) {
     if (has_result(plan)) {
-        log_info((plan.is_film() ? plan.out : plan.show).string() + ": is done already");
+        log_info(plan.result_name() + ": is done already");
         return {};
     }
     TRY_VOID(make_plan_folders(plan));

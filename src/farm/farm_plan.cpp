@@ -25,7 +25,9 @@ constexpr JsonLimits kPlanLimits{.bytes = std::size_t{16} << 20, .values = 20 * 
 constexpr JsonLimits kDoneLimits{.bytes = std::size_t{4} << 20};
 constexpr std::uintmax_t kMostProgramBytes = std::uintmax_t{1} << 30;
 constexpr std::uintmax_t kMostFailureBytes = 1 << 16;
+constexpr std::uintmax_t kMostNameBytes = 64;
 constexpr const char* kPlanFile = "plan.json";
+constexpr const char* kNewestFile = "newest";
 
 fs::path farms_of(const scene::Show& show) {
     return show.cache_folder() / "farm";
@@ -158,7 +160,8 @@ Result<void> store_plan(FarmPlan& plan, const scene::Show& show) {
     plan.folder = fs::absolute(farms_of(show), code) / hasher.hex().substr(0, 12);
     TRY_VOID(make_folders(plan.folder, fs::absolute(show.cache_home(), code)));
     TRY_VOID(make_plan_folders(plan));
-    return write_file_atomic(plan.folder / kPlanFile, text); // the newest, too
+    TRY_VOID(write_file_atomic(plan.folder / kPlanFile, text));
+    return write_file_atomic(plan.folder.parent_path() / kNewestFile, plan.folder.filename().string());
 }
 
 Result<FarmPlan> read_plan(const fs::path& folder) {
@@ -195,19 +198,14 @@ Result<FarmPlan> find_plan(const std::string& name) {
     if (show.folder.filename().empty()) show.folder = show.folder.parent_path();
     if (!is_folder && given.extension() == ".mvr") show.cache_name = given.filename().string();
     show.user_cache = user_cache_for(show.folder);
-    std::optional<fs::path> newest;
-    fs::file_time_type written;
-    for (fs::directory_iterator entry(farms_of(show), code), end; !code && entry != end;
-         entry.increment(code)) {
-        std::error_code unknown;
-        const auto time = fs::last_write_time(entry->path() / kPlanFile, unknown);
-        if (unknown || (newest && time < written)) continue;
-        newest = entry->path();
-        written = time;
-    }
-    if (!newest)
+    // By name, for the clocks of those who wrote them may differ.
+    const fs::path file = farms_of(show) / kNewestFile;
+    if (!fs::exists(file, code))
         return Error{"nothing of it was given to a farm; ghostlight bake or render with --farm does", name};
-    return read_plan(*newest);
+    TRY(const std::string newest, read_text_file(file, kMostNameBytes));
+    if (newest.empty() || newest.find_first_not_of("0123456789abcdef") != std::string::npos)
+        return Error{"is not the name of a plan; start the command again", file.string()};
+    return read_plan(farms_of(show) / newest);
 }
 
 std::optional<FarmDone> done_of(const FarmPlan& plan, std::size_t task) {

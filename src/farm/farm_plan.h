@@ -1,9 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // A bake or film cut into tasks that any machine can do that sees the show's folder. PLAN is a folder in the
-// show's cache, farm/ID: plan.json, which never changes; done/TASK.json, of which the
-// first one wins; failed/TASK.txt; frames/; log/ and submitted.json of an engine. What is done, the disk
-// says, never an engine. Any thread; several processes and machines at once.
+// show's cache, farm/ID: plan.json, which never changes; done/TASK.json, of which the first one wins;
+// failed/TASK.txt; frames/; log/ and submitted.json of an engine. Beside it, farm/newest names the plan that
+// was asked for last. What is done, the disk says, never an engine or a clock. Any thread; several processes
+// and machines at once.
 
 #include "base/result.h"
 
@@ -43,6 +44,7 @@ struct FarmPlan {
     std::vector<FarmTask> tasks;
 
     bool is_film() const { return !out.empty(); }
+    std::string result_name() const { return (is_film() ? out : show).string(); } // for messages
     std::filesystem::path done_file(std::size_t task) const;
     std::filesystem::path failed_file(std::size_t task) const;
     // What a whole result leaves behind: its film is written, its passes are in the manifest.

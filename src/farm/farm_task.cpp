@@ -6,6 +6,7 @@
 #include "base/log.h"
 #include "disk/crc32.h"
 #include "disk/files.h"
+#include "show/show.h"
 #include "show_folder/load_show.h"
 
 #include <chrono>
@@ -54,6 +55,31 @@ std::string random_name() {
     return digits;
 }
 
+// Of what the show is made of, the first that is not here; "": all is.
+fs::path unseen_file(const FarmPlan& plan, const scene::Show& show) {
+    std::vector<fs::path> files = plan.also;
+    files.insert(files.end(), {show.stage_file, show.plot_file});
+    for (const scene::Model& model : show.models) files.push_back(model.file);
+    for (const scene::Media& media : show.media) files.push_back(media.file);
+    for (const scene::PatchedFixture& fixture : show.fixtures) files.push_back(show.folder / fixture.gdtf);
+    std::error_code code;
+    for (const fs::path& file : files)
+        if (!file.empty() && !fs::exists(file, code)) return file;
+    return {};
+}
+
+Result<void> check_inputs(const FarmPlan& plan) {
+    Report report;
+    TRY(const scene::Show show, scene::load_show(plan.show, false, report));
+    if (farm_inputs(show, plan.also) == plan.inputs) return {};
+    if (const fs::path unseen = unseen_file(plan, show); !unseen.empty())
+        return Error{node_name() +
+                         " does not see this file; a farm needs all that the show is made of under the same "
+                         "path everywhere",
+                     unseen.string()};
+    return Error{"the show was changed since the plan was made; start the command again", plan.show.string()};
+}
+
 Result<void> run_task(const FarmPlan& plan, std::size_t task) {
     const FarmTask& wanted = plan.tasks[task];
     if (number_in_environment("SLURM_RESTART_COUNT") >= kMostRestarts)
@@ -97,6 +123,8 @@ Result<void> run_task(const FarmPlan& plan, std::size_t task) {
         if (said.empty()) said = "exit code " + std::to_string(child->exit_code) + " without a word";
         return give_up(Error{said, ""});
     }
+    // It read the show by itself, perhaps after an edit.
+    if (const Result<void> same = check_inputs(plan); !same.ok()) return give_up(same.error());
     done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     if (wanted.first_frame >= 0) {
         for (const auto& entry : fs::directory_iterator(pictures, code)) {
@@ -137,12 +165,7 @@ Result<void> check_same(const FarmPlan& plan) {
     if (!fs::is_directory(plan.from, code))
         return Error{node_name() + " does not see this folder, in which the command was given",
                      plan.from.string()};
-    Report report;
-    TRY(const scene::Show show, scene::load_show(plan.show, false, report));
-    if (farm_inputs(show, plan.also) != plan.inputs)
-        return Error{"the show was changed since the plan was made; start the command again",
-                     plan.show.string()};
-    return {};
+    return check_inputs(plan);
 }
 
 int farm_threads() {
