@@ -89,7 +89,8 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
         log_info(plan.result_name() + ": is given to the farm by " + hold->holder() + "; following it");
         return wait_for_farm(plan, quiet);
     }
-    if (has_result(plan)) {
+    const bool is_stale = passes_changed(plan);
+    if (!is_stale && has_result(plan)) {
         log_info(plan.result_name() + ": is done already");
         return 0;
     }
@@ -110,7 +111,7 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
             return wait_for_farm(plan, quiet);
         }
     }
-    if (fs::exists(plan.result_file(), code)) // of what is gone since
+    if (is_stale || fs::exists(plan.result_file(), code)) // of what is gone since
         for (const auto& entry : fs::directory_iterator(plan.folder / "done", code))
             fs::remove(entry.path(), code);
     for (const auto& entry : fs::directory_iterator(plan.folder / "failed", code))

@@ -39,6 +39,7 @@ struct FarmPlan {
     std::filesystem::path from;     // the folder that the words' names start at
     std::vector<std::string> words; // of the command without what is a task's own; [0] is its name
     std::filesystem::path out;      // of a film, absolute; "" for a bake
+    std::string camera;             // whose passes a film shows; "": it is drawn live
     int fps = 0;
     std::vector<std::filesystem::path> also; // files beside the show: recording, looks
     std::vector<FarmTask> tasks;
@@ -54,13 +55,14 @@ struct FarmPlan {
 struct FarmDone {
     std::string host;
     double seconds = 0;
-    std::string folder;                                                    // of its pictures, in frames/
+    std::string passes; // of a film's camera, as it was drawn from
+    std::string folder; // of its pictures, in frames/
     std::map<std::string, std::pair<std::uintmax_t, std::uint32_t>> files; // size and CRC
 };
 
 // Of the program that runs.
 Result<std::string> farm_build();
-// Of all files that a show is made of, and these beside it.
+// Of all files that a show is made of, and these beside it; not of what is baked.
 std::string farm_inputs(const scene::Show& show, const std::vector<std::filesystem::path>& also);
 
 // Names its folder below the show's cache by all that it depends on, and writes it where it is not yet.
