@@ -74,7 +74,8 @@ def the_controller_dies(ghost, cluster, show, whole):
 
 
 def two_submissions(ghost, cluster, show, whole):
-    words = ["render", show, "-o", "twice.mp4", *FILM, "--farm", "slurm"]
+    # Nothing runs for longer than the second one waits where it believes that nobody works.
+    words = ["render", show, "-o", "twice.mp4", *FILM, "--farm", "slurm", "--farm-options", "--begin=now+20"]
     both = [ghost.start(*words) for _ in range(2)]
     said = [ends(one, 0, "done, 4 tasks") for one in both]
     assert sum("tasks given to Slurm" in text for text in said) == 1 and sum("; following it" in text for text in said) == 1, said
