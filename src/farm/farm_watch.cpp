@@ -122,7 +122,7 @@ int wait_for_farm(const FarmPlan& plan, bool quiet, double most_silence_s) {
     Progress progress("farm", quiet ? Progress::Style::silent : Progress::style_for_stderr(), steady_now_s());
     Engine engine;
     bool is_alone = false;
-    std::optional<double> alone_since_s, silent_since_s;
+    double worked_s = steady_now_s(), answered_s = worked_s; // when somebody last did
     std::size_t done_before = 0;
     const auto end = [&](const Counts& counts, const std::string& why) {
         progress.finish();
@@ -153,24 +153,19 @@ int wait_for_farm(const FarmPlan& plan, bool quiet, double most_silence_s) {
             log_error(engine.silence->text());
             return 1;
         }
-        // What runs goes on while Slurm is started anew.
-        if (!engine.silence || counts.done != done_before)
-            silent_since_s.reset();
-        else if (!silent_since_s)
-            silent_since_s = steady_now_s();
+        const double now_s = steady_now_s();
+        if (!is_alone) worked_s = now_s;
+        if (!engine.silence || counts.done != done_before) answered_s = now_s;
         done_before = counts.done;
-        if (silent_since_s && steady_now_s() - *silent_since_s > most_silence_s)
+        // What runs goes on while Slurm is started anew.
+        if (now_s - answered_s > most_silence_s)
             return end(counts, "Slurm does not answer any more (" + engine.silence->what +
                                    "); what runs goes on, and ghostlight farm wait follows it again");
-        if (!is_alone)
-            alone_since_s.reset();
-        else if (!alone_since_s)
-            alone_since_s = steady_now_s();
-        if (alone_since_s && (!counts.first_failure.empty() || steady_now_s() - *alone_since_s > kPatience_s))
+        if (is_alone && (!counts.first_failure.empty() || now_s - worked_s > kPatience_s))
             return end(counts, "nobody does more" + reason(plan, counts));
         progress.update(static_cast<double>(counts.done) /
                             static_cast<double>(std::max(plan.tasks.size(), std::size_t{1})),
-                        steady_now_s(),
+                        now_s,
                         status_text(plan, counts, engine.jobs) +
                             (engine.silence ? ", Slurm does not answer" : ""));
         std::this_thread::sleep_for(kBetweenLooks);

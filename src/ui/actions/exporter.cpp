@@ -50,10 +50,14 @@ Result<void> check_file(const QString& file, const QStringList& endings) {
 
 } // namespace
 
+bool is_on_farm(const Job& job) {
+    return job.arguments.contains("--farm");
+}
+
 Exporter::Exporter(AppModel& app, ShowDocument& document) : app_(app), document_(document) {
     // Looks that were written for a job go with it; a farm's tasks may still read theirs.
     connect(&app_.jobs(), &Jobs::ended, this, [](const Job& job) {
-        if (job.is_on_farm()) return;
+        if (is_on_farm(job)) return;
         const auto at = job.arguments.indexOf("--looks");
         if (at >= 0 && at + 1 < job.arguments.size()) QFile::remove(job.arguments[at + 1]);
     });

@@ -31,6 +31,9 @@ struct PictureWish {
     QString farm; // of a film; likewise
 };
 
+// It only follows what a farm does.
+bool is_on_farm(const Job& job);
+
 class Exporter : public QObject {
     Q_OBJECT
 public:

@@ -30,8 +30,6 @@ struct Job {
     bool is_given_up = false; // somebody cancelled it; it may take a while to end
 
     bool is_over() const { return state != State::waits && state != State::runs; }
-    // It only follows what a farm does.
-    bool is_on_farm() const { return arguments.contains("--farm"); }
 };
 QString state_name(Job::State state);
 

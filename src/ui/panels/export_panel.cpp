@@ -2,6 +2,7 @@
 #include "ui/panels/export_panel.h"
 
 #include "show/show.h"
+#include "ui/actions/exporter.h"
 #include "ui/widgets/theme.h"
 
 #include <QFileDialog>
@@ -26,7 +27,7 @@ QString words_of(const Job& job) {
         return words;
     }
     words += state_name(job.state);
-    if (job.state == Job::State::failed || (job.state == Job::State::cancelled && job.is_on_farm()))
+    if (job.state == Job::State::failed || (job.state == Job::State::cancelled && is_on_farm(job)))
         words += ". " + job.last_said.toHtmlEscaped();
     return words;
 }
