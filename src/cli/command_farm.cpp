@@ -15,6 +15,7 @@ namespace {
 struct FarmArguments {
     std::string plan;
     std::size_t task = 0;
+    double most_silence_s = kMostSilence_s;
     bool quiet = false;
 };
 
@@ -44,7 +45,13 @@ void add_farm(CLI::App& app, int& exit_code) {
     };
     add("status", "how far it is, where it runs, what failed first; exit code 0 when all is done",
         print_farm_status);
-    add("wait", "follow it to its end", [](const FarmPlan& plan) { return wait_for_farm(plan, false); });
+    add("wait", "follow it to its end",
+        [a](const FarmPlan& plan) { return wait_for_farm(plan, false, a->most_silence_s); })
+        ->add_option("--patience", a->most_silence_s,
+                     "seconds for which Slurm may give no answer while nothing gets done")
+        ->check(CLI::Range(0.0, 1e6))
+        ->type_name("SECONDS")
+        ->capture_default_str();
     add("retry", "do what is missing, and only that", retry_farm);
     add("cancel", "take it back from the engine; what is done stays", cancel_farm);
     add("assemble", "put together what the tasks made", [](const FarmPlan& plan) {

@@ -172,7 +172,7 @@ Result<int> run_on_farm(const RenderArguments& arguments) {
     TRY_VOID(check_output(arguments));
     Report report;
     TRY(const scene::Show show, open_show(arguments.session.show, false, arguments.session.quiet, report));
-    TRY_VOID(show.find_camera(arguments.session.view));
+    TRY(const std::size_t camera, show.find_camera(arguments.session.view));
     namespace fs = std::filesystem;
     std::error_code code;
     FarmPlan plan;
@@ -180,6 +180,8 @@ Result<int> run_on_farm(const RenderArguments& arguments) {
     plan.from = fs::current_path(code);
     plan.show = fs::absolute(arguments.session.show, code);
     plan.out = fs::absolute(arguments.out, code);
+    if (!arguments.session.live && show.cameras[camera].foreign_passes.empty())
+        plan.camera = show.cameras[camera].name;
     plan.fps = arguments.fps;
     const fs::path recording = arguments.replay.empty() ? show.recording : fs::path(arguments.replay);
     if (arguments.session.plays_recording && recording.empty())

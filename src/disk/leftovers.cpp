@@ -14,7 +14,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr auto kRest = std::chrono::minutes(1);
-constexpr int kLevels = 8; // .ghost has four; others may nest without end
+constexpr auto kRestElsewhere = std::chrono::hours(24); // by another machine's clock
+constexpr int kLevels = 8;                              // .ghost has four; others may nest without end
 
 // ".NAME.partPID_NUMBER", with or without an ending.
 bool is_temporary_name(const std::string& name) {
@@ -32,8 +33,10 @@ bool is_temporary_name(const std::string& name) {
 }
 
 bool is_leftover(const OwnFolder::File& file) {
-    return is_temporary_name(file.name) && writer_of(file.name) != Writer::here &&
-           std::chrono::system_clock::now() - file.written > kRest;
+    const Writer writer = writer_of(file.name);
+    return is_temporary_name(file.name) && writer != Writer::here &&
+           std::chrono::system_clock::now() - file.written >
+               (writer == Writer::elsewhere ? kRestElsewhere : kRest);
 }
 
 std::size_t remove_in(const OwnFolder& folder, int levels) {

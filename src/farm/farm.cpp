@@ -4,128 +4,39 @@
 #include "base/child.h"
 #include "base/interrupt.h"
 #include "base/log.h"
-#include "base/print.h"
 #include "base/progress.h"
-#include "disk/files.h"
+#include "base/steady_time.h"
 #include "farm/farm_task.h"
-#include "json_xml_toml/json.h"
 #include "show/show.h"
 #include "show_folder/hold.h"
 
 #include <chrono>
 #include <fstream>
-#include <nlohmann/json.hpp>
-#include <set>
 #include <thread>
 
 namespace ghost::app {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 constexpr auto kBetweenLooks = std::chrono::seconds(1);
-constexpr int kLooksPerQuestion = 5;                 // to Slurm, which many ask
-constexpr auto kPatience = std::chrono::seconds(15); // for what the last job wrote
 constexpr int kLooksAtLast = 30;
-constexpr JsonLimits kSubmittedLimits{.bytes = 1 << 20};
+constexpr int kTries = 5;
+constexpr auto kBetweenTries = std::chrono::milliseconds(100);
 
-struct Submitted {
-    FarmOptions options;
-    std::vector<std::string> jobs; // of Slurm
-};
-
-fs::path submitted_file(const FarmPlan& plan) {
-    return plan.folder / "submitted.json";
-}
-
-Result<void> write_submitted(const FarmPlan& plan, const Submitted& submitted) {
-    return write_file_atomic(submitted_file(plan), json({{"engine", submitted.options.engine},
-                                                         {"options", submitted.options.options},
-                                                         {"at_once", submitted.options.jobs},
-                                                         {"jobs", submitted.jobs}})
-                                                           .dump() +
-                                                       "\n");
-}
-
-Submitted read_submitted(const FarmPlan& plan) {
-    Submitted submitted;
-    const auto text = read_text_file(submitted_file(plan), kSubmittedLimits.bytes);
-    if (!text.ok()) return submitted;
-    const auto all = read_json(*text, submitted_file(plan).string(), kSubmittedLimits);
-    if (!all.ok()) return submitted;
-    try {
-        submitted.options.engine = all->at("engine").get<std::string>();
-        submitted.options.options = all->at("options").get<std::string>();
-        submitted.options.jobs = std::clamp(all->at("at_once").get<int>(), 1, 1024);
-        for (const json& job : all->at("jobs")) submitted.jobs.push_back(job.get<std::string>());
-    } catch (const json::exception&) {
-        log_warning(submitted_file(plan).string() +
-                    ": is not what was written there; as if nothing were submitted");
-        return {};
+// The right to submit. Who follows a farm has it for a moment, to see whether somebody else does.
+Result<Hold> hold_of(const FarmPlan& plan) {
+    for (int attempt = 1;; ++attempt) {
+        auto hold = Hold::take(plan.folder / kSubmittingFile, plan.folder, Hold::Other::keeps);
+        if (!hold.ok() || hold->is_ours() || attempt == kTries) return hold;
+        std::this_thread::sleep_for(kBetweenTries);
     }
-    return submitted;
-}
-
-std::string name_of(const FarmPlan& plan) {
-    return (plan.is_film() ? plan.out : plan.show).string();
-}
-
-double now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-struct Counts {
-    std::size_t done = 0, failed = 0;
-    double seconds = 0; // of all that are done
-    std::string first_failure;
-};
-
-Counts count(const FarmPlan& plan, bool is_whole) {
-    Counts counts;
-    std::error_code code;
-    for (std::size_t task = 0; task <= plan.tasks.size(); ++task) {
-        const bool is_task = task < plan.tasks.size();
-        if (is_task && (is_whole || fs::exists(plan.done_file(task), code))) {
-            ++counts.done;
-            continue;
-        }
-        const std::string why = failure_of(plan, task);
-        if (why.empty()) continue;
-        if (is_task) ++counts.failed;
-        if (counts.first_failure.empty())
-            counts.first_failure =
-                (is_task ? plan.tasks[task].name : std::string("putting together")) + ": " + why;
-    }
-    return counts;
-}
-
-std::string status_text(const FarmPlan& plan, const Counts& counts, const std::vector<SlurmJob>& jobs) {
-    std::size_t running = 0, waiting = 0;
-    std::set<std::string> nodes, reasons;
-    for (const SlurmJob& job : jobs) {
-        const bool runs = job.state == "RUNNING";
-        ++(runs ? running : waiting);
-        if (runs && !job.node.empty()) nodes.insert(job.node);
-        if (!runs && !job.reason.empty() && job.reason != "None") reasons.insert(job.reason);
-    }
-    const auto listed = [](const std::set<std::string>& names) {
-        std::string all;
-        for (const std::string& name : names) all += (all.empty() ? " (" : ", ") + name;
-        return all.empty() ? all : all + ")";
-    };
-    std::string text =
-        std::to_string(counts.done) + " of " + std::to_string(plan.tasks.size()) + " tasks done";
-    if (running > 0) text += ", " + std::to_string(running) + " running" + listed(nodes);
-    if (waiting > 0) text += ", " + std::to_string(waiting) + " waiting" + listed(reasons);
-    if (counts.failed > 0) text += ", " + std::to_string(counts.failed) + " failed";
-    return text;
 }
 
 Result<void> do_here(const FarmPlan& plan, const std::vector<std::size_t>& tasks, int at_once, bool quiet) {
     std::error_code code;
     const std::string program = fs::read_symlink("/proc/self/exe", code).string();
-    Progress progress("farm", quiet ? Progress::Style::silent : Progress::style_for_stderr(), now_s());
+    Progress progress("farm", quiet ? Progress::Style::silent : Progress::style_for_stderr(), steady_now_s());
     std::size_t ended = 0;
     for (const int stage : {0, 1}) {
         int running = 0;
@@ -133,7 +44,7 @@ Result<void> do_here(const FarmPlan& plan, const std::vector<std::size_t>& tasks
             if (wait_for_child() < 0) return;
             --running;
             ++ended;
-            progress.update(static_cast<double>(ended) / static_cast<double>(tasks.size()), now_s(),
+            progress.update(static_cast<double>(ended) / static_cast<double>(tasks.size()), steady_now_s(),
                             std::to_string(ended) + " of " + std::to_string(tasks.size()) + " tasks");
         };
         for (const std::size_t task : tasks) {
@@ -153,7 +64,7 @@ Result<void> do_here(const FarmPlan& plan, const std::vector<std::size_t>& tasks
     progress.finish();
     if (interrupted())
         return Error{"interrupted; finished tasks are kept, the same command goes on from there",
-                     name_of(plan)};
+                     plan.result_name()};
     return assemble_farm(plan);
 }
 
@@ -162,7 +73,7 @@ int ended(const FarmPlan& plan, const Result<void>& done) {
         log_error(done.error().text());
         return 1;
     }
-    log_info(name_of(plan) + ": done, " + std::to_string(plan.tasks.size()) + " tasks");
+    log_info(plan.result_name() + ": done, " + std::to_string(plan.tasks.size()) + " tasks");
     return 0;
 }
 
@@ -172,14 +83,15 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
         return 1;
     };
     std::error_code code;
-    auto hold = Hold::take(plan.folder / "submitting", plan.folder, Hold::Other::keeps);
+    auto hold = hold_of(plan);
     if (!hold.ok()) return fail(hold.error());
     if (!hold->is_ours()) {
-        log_info(name_of(plan) + ": is given to the farm by " + hold->holder() + "; following it");
+        log_info(plan.result_name() + ": is given to the farm by " + hold->holder() + "; following it");
         return wait_for_farm(plan, quiet);
     }
-    if (has_result(plan)) {
-        log_info(name_of(plan) + ": is done already");
+    const bool is_stale = passes_changed(plan);
+    if (!is_stale && has_result(plan)) {
+        log_info(plan.result_name() + ": is done already");
         return 0;
     }
     const Submitted before = read_submitted(plan);
@@ -194,11 +106,12 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
         }
         if (!living.ok()) return fail(living.error());
         if (!living->empty()) {
-            log_info(name_of(plan) + ": is on the farm already; following it");
+            log_info(plan.result_name() + ": is on the farm already; following it");
+            { const Hold given_back = std::move(*hold); }
             return wait_for_farm(plan, quiet);
         }
     }
-    if (fs::exists(plan.result_file(), code)) // of what is gone since
+    if (is_stale || fs::exists(plan.result_file(), code)) // of what is gone since
         for (const auto& entry : fs::directory_iterator(plan.folder / "done", code))
             fs::remove(entry.path(), code);
     for (const auto& entry : fs::directory_iterator(plan.folder / "failed", code))
@@ -217,7 +130,7 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
         (void)cancel_slurm(now.jobs);
         return fail(written.error());
     }
-    log_info(name_of(plan) + ": " + std::to_string(missing.size()) +
+    log_info(plan.result_name() + ": " + std::to_string(missing.size()) +
              " tasks given to Slurm; Ctrl-C stops watching only");
     { const Hold given_back = std::move(*hold); }
     return wait_for_farm(plan, quiet);
@@ -250,8 +163,9 @@ std::vector<std::string> words_without(const std::map<std::string, int>& options
 
 int start_farm(FarmPlan plan, const scene::Show& show, const FarmOptions& options, bool quiet) {
     if (plan.tasks.size() > kMostFarmTasks) {
-        log_error(name_of(plan) + ": " + std::to_string(plan.tasks.size()) + " tasks are more than the " +
-                  std::to_string(kMostFarmTasks) + " of one plan; give it in parts");
+        log_error(plan.result_name() + ": " + std::to_string(plan.tasks.size()) +
+                  " tasks are more than the " + std::to_string(kMostFarmTasks) +
+                  " of one plan; give it in parts");
         return 1;
     }
     if (const Result<void> stored = store_plan(plan, show); !stored.ok()) {
@@ -264,7 +178,7 @@ int start_farm(FarmPlan plan, const scene::Show& show, const FarmOptions& option
 int retry_farm(const FarmPlan& plan) {
     const Submitted before = read_submitted(plan);
     if (before.options.engine.empty()) {
-        log_error(name_of(plan) + ": was given to no farm; start the command again");
+        log_error(plan.result_name() + ": was given to no farm; start the command again");
         return 1;
     }
     if (const Result<void> same = check_same(plan); !same.ok()) {
@@ -274,101 +188,10 @@ int retry_farm(const FarmPlan& plan) {
     return do_missing(plan, before.options, false);
 }
 
-int wait_for_farm(const FarmPlan& plan, bool quiet) {
-    catch_interrupts();
-    const Submitted submitted = read_submitted(plan);
-    Progress progress("farm", quiet ? Progress::Style::silent : Progress::style_for_stderr(), now_s());
-    std::vector<SlurmJob> jobs;
-    double alone_since_s = -1; // nobody is left who does something; below 0: somebody is
-    for (long look = 0;; ++look) {
-        const bool is_whole = has_result(plan);
-        const Counts counts = count(plan, is_whole);
-        if (is_whole) {
-            progress.finish();
-            return ended(plan, {});
-        }
-        if (interrupted()) {
-            progress.finish();
-            log_info("the farm goes on; ghostlight farm status says how far it is");
-            return 1;
-        }
-        bool is_alone = false;
-        if (submitted.options.engine == "slurm") {
-            if (look % kLooksPerQuestion == 0) {
-                auto living = slurm_jobs(submitted.jobs);
-                if (living.ok()) {
-                    jobs = std::move(*living);
-                    is_alone = jobs.empty();
-                } else if (look == 0) { // later it may be started anew
-                    progress.finish();
-                    log_error(living.error().text());
-                    return 1;
-                }
-            } else {
-                is_alone = alone_since_s >= 0;
-            }
-        } else {
-            const auto hold = Hold::take(plan.folder / "submitting", plan.folder, Hold::Other::keeps);
-            is_alone = !hold.ok() || hold->is_ours();
-        }
-        if (!is_alone)
-            alone_since_s = -1;
-        else if (alone_since_s < 0)
-            alone_since_s = now_s();
-        const double alone_s = is_alone ? now_s() - alone_since_s : 0;
-        if (is_alone &&
-            (!counts.first_failure.empty() || alone_s > std::chrono::duration<double>(kPatience).count())) {
-            progress.finish();
-            log_error(name_of(plan) + ": " + status_text(plan, counts, {}) + ", and nobody does more" +
-                      (counts.first_failure.empty() ? "; its logs: " + (plan.folder / "log").string()
-                                                    : "; " + counts.first_failure) +
-                      "; ghostlight farm retry does what is missing");
-            return 1;
-        }
-        progress.update(static_cast<double>(counts.done) /
-                            static_cast<double>(std::max(plan.tasks.size(), std::size_t{1})),
-                        now_s(), status_text(plan, counts, jobs));
-        std::this_thread::sleep_for(kBetweenLooks);
-    }
-}
-
-int print_farm_status(const FarmPlan& plan) {
-    const Submitted submitted = read_submitted(plan);
-    const bool is_whole = has_result(plan);
-    std::vector<SlurmJob> jobs;
-    if (!is_whole && submitted.options.engine == "slurm") {
-        auto living = slurm_jobs(submitted.jobs);
-        if (living.ok())
-            jobs = std::move(*living);
-        else
-            log_warning(living.error().text());
-    }
-    const Counts counts = count(plan, is_whole);
-    print_text("%s: %s%s\n", one_line(name_of(plan)).c_str(), status_text(plan, counts, jobs).c_str(),
-               is_whole ? ", all put together" : "");
-    if (!counts.first_failure.empty())
-        print_text("first failure: %s\n", one_line(counts.first_failure).c_str());
-    double seconds = 0;
-    std::size_t timed = 0;
-    if (!is_whole)
-        for (std::size_t task = 0; task < plan.tasks.size(); ++task)
-            if (const auto done = done_of(plan, task); done && plan.tasks[task].stage == 1) {
-                seconds += done->seconds;
-                ++timed;
-            }
-    const auto running = static_cast<std::size_t>(
-        std::count_if(jobs.begin(), jobs.end(), [](const SlurmJob& job) { return job.state == "RUNNING"; }));
-    if (timed > 0 && running > 0)
-        print_text("about %.0f s left\n", seconds / static_cast<double>(timed) *
-                                              static_cast<double>(plan.tasks.size() - counts.done) /
-                                              static_cast<double>(running));
-    return is_whole ? 0 : 1;
-}
-
 int cancel_farm(const FarmPlan& plan) {
     const Submitted submitted = read_submitted(plan);
     if (submitted.options.engine != "slurm") {
-        log_error(name_of(plan) + ": no engine has it; tasks of this machine end with Ctrl-C");
+        log_error(plan.result_name() + ": no engine has it; tasks of this machine end with Ctrl-C");
         return 1;
     }
     const Result<void> done = cancel_slurm(submitted.jobs);

@@ -1,9 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// The engines that do the tasks of a plan: processes of this machine, or Slurm. What an engine was asked to
-// do is kept in PLAN/submitted.json. Main thread.
+// The engines that do the tasks of a plan: processes of this machine, or Slurm. Whoever submits holds
+// PLAN/submitting meanwhile. Main thread.
 
 #include "farm/farm_plan.h"
+
+#include <set>
 
 namespace ghost::app {
 
@@ -19,10 +21,21 @@ std::vector<std::string> words_without(const std::map<std::string, int>& options
 int start_farm(FarmPlan plan, const scene::Show& show, const FarmOptions& options, bool quiet);
 // The same of a plan that is there, as it was asked for; what failed is tried again.
 int retry_farm(const FarmPlan& plan);
-// Follows what others do.
-int wait_for_farm(const FarmPlan& plan, bool quiet);
+inline constexpr double kMostSilence_s = 600; // of Slurm, which may be started anew
+// Follows what others do, and gives up where Slurm does not answer for so long and nothing gets done
+// meanwhile.
+int wait_for_farm(const FarmPlan& plan, bool quiet, double most_silence_s = kMostSilence_s);
 int print_farm_status(const FarmPlan& plan);
 int cancel_farm(const FarmPlan& plan);
+
+inline constexpr const char* kSubmittingFile = "submitting";
+// What an engine was asked to do, in PLAN/submitted.json.
+struct Submitted {
+    FarmOptions options;
+    std::vector<std::string> jobs; // of Slurm
+};
+Result<void> write_submitted(const FarmPlan& plan, const Submitted& submitted);
+Submitted read_submitted(const FarmPlan& plan); // nothing where none is there
 
 // Slurm, by its commands.
 struct SlurmJob {
@@ -34,6 +47,8 @@ Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std
                                                  const std::string& options);
 // Those of them that have not ended. Error: Slurm does not answer.
 Result<std::vector<SlurmJob>> slurm_jobs(const std::vector<std::string>& jobs);
+// Where they could not even begin, as far as Slurm remembers it.
+std::set<std::string> nodes_that_could_not_begin(const std::vector<std::string>& jobs);
 Result<void> cancel_slurm(const std::vector<std::string>& jobs);
 
 } // namespace ghost::app

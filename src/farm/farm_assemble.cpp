@@ -133,7 +133,7 @@ Result<FarmDone> finish_bake(const FarmPlan& plan) {
 
 Result<void> assemble_farm(const FarmPlan& plan) {
     if (has_result(plan)) {
-        log_info((plan.is_film() ? plan.out : plan.show).string() + ": is done already");
+        log_info(plan.result_name() + ": is done already");
         return {};
     }
     TRY_VOID(make_plan_folders(plan));
@@ -148,7 +148,8 @@ Result<void> assemble_farm(const FarmPlan& plan) {
         for (const auto& [name, file] : result.files) files[name] = {file.first, file.second};
         TRY_VOID(write_file_atomic(
             plan.result_file(),
-            nlohmann::json({{"host", result.host}, {"seconds", 0.0}, {"folder", ""}, {"files", files}})
+            nlohmann::json(
+                {{"host", result.host}, {"seconds", 0.0}, {"passes", ""}, {"folder", ""}, {"files", files}})
                     .dump() +
                 "\n"));
         return {};

@@ -25,7 +25,10 @@ constexpr JsonLimits kPlanLimits{.bytes = std::size_t{16} << 20, .values = 20 * 
 constexpr JsonLimits kDoneLimits{.bytes = std::size_t{4} << 20};
 constexpr std::uintmax_t kMostProgramBytes = std::uintmax_t{1} << 30;
 constexpr std::uintmax_t kMostFailureBytes = 1 << 16;
+constexpr std::uintmax_t kMostNameBytes = 64;
+constexpr std::size_t kMostForeignFiles = 100'000; // beside passes that another program made
 constexpr const char* kPlanFile = "plan.json";
+constexpr const char* kNewestFile = "newest";
 
 fs::path farms_of(const scene::Show& show) {
     return show.cache_folder() / "farm";
@@ -54,6 +57,7 @@ std::string text_of(const FarmPlan& plan) {
                  {"from", plan.from.string()},
                  {"words", plan.words},
                  {"out", plan.out.string()},
+                 {"camera", plan.camera},
                  {"fps", plan.fps},
                  {"also", also},
                  {"tasks", tasks}})
@@ -70,6 +74,7 @@ FarmPlan plan_of(const json& all) {
     plan.from = all.at("from").get<std::string>();
     plan.words = texts_of(all.at("words"));
     plan.out = all.at("out").get<std::string>();
+    plan.camera = all.at("camera").get<std::string>();
     plan.fps = all.at("fps").get<int>();
     for (const std::string& file : texts_of(all.at("also"))) plan.also.emplace_back(file);
     for (const json& entry : all.at("tasks")) {
@@ -92,6 +97,7 @@ std::optional<FarmDone> read_done(const fs::path& file) {
         FarmDone done;
         done.host = all->at("host").get<std::string>();
         done.seconds = all->at("seconds").get<double>();
+        done.passes = all->at("passes").get<std::string>();
         done.folder = all->at("folder").get<std::string>();
         for (const auto& [name, entry] : all->at("files").items())
             done.files[name] = {entry.at(0).get<std::uintmax_t>(), entry.at(1).get<std::uint32_t>()};
@@ -130,6 +136,16 @@ std::string farm_inputs(const scene::Show& show, const std::vector<fs::path>& al
     hasher.text(passes_fingerprint(show));
     std::vector<fs::path> files = also;
     for (const scene::Media& media : show.media) files.push_back(media.file);
+    for (const scene::Camera& camera : show.cameras) {
+        if (camera.foreign_passes.empty()) continue;
+        std::error_code code;
+        std::vector<fs::path> passes;
+        for (fs::directory_iterator entry(camera.foreign_passes.parent_path(), code), end;
+             !code && entry != end && passes.size() < kMostForeignFiles; entry.increment(code))
+            if (entry->is_regular_file(code)) passes.push_back(entry->path());
+        std::sort(passes.begin(), passes.end());
+        files.insert(files.end(), passes.begin(), passes.end());
+    }
     for (const fs::path& file : files) { // may be long
         std::error_code code;
         hasher.text(file.filename().string());
@@ -158,7 +174,8 @@ Result<void> store_plan(FarmPlan& plan, const scene::Show& show) {
     plan.folder = fs::absolute(farms_of(show), code) / hasher.hex().substr(0, 12);
     TRY_VOID(make_folders(plan.folder, fs::absolute(show.cache_home(), code)));
     TRY_VOID(make_plan_folders(plan));
-    return write_file_atomic(plan.folder / kPlanFile, text); // the newest, too
+    TRY_VOID(write_file_atomic(plan.folder / kPlanFile, text));
+    return write_file_atomic(plan.folder.parent_path() / kNewestFile, plan.folder.filename().string());
 }
 
 Result<FarmPlan> read_plan(const fs::path& folder) {
@@ -195,19 +212,14 @@ Result<FarmPlan> find_plan(const std::string& name) {
     if (show.folder.filename().empty()) show.folder = show.folder.parent_path();
     if (!is_folder && given.extension() == ".mvr") show.cache_name = given.filename().string();
     show.user_cache = user_cache_for(show.folder);
-    std::optional<fs::path> newest;
-    fs::file_time_type written;
-    for (fs::directory_iterator entry(farms_of(show), code), end; !code && entry != end;
-         entry.increment(code)) {
-        std::error_code unknown;
-        const auto time = fs::last_write_time(entry->path() / kPlanFile, unknown);
-        if (unknown || (newest && time < written)) continue;
-        newest = entry->path();
-        written = time;
-    }
-    if (!newest)
+    // By name, for the clocks of those who wrote them may differ.
+    const fs::path file = farms_of(show) / kNewestFile;
+    if (!fs::exists(file, code))
         return Error{"nothing of it was given to a farm; ghostlight bake or render with --farm does", name};
-    return read_plan(*newest);
+    TRY(const std::string newest, read_text_file(file, kMostNameBytes));
+    if (newest.empty() || newest.find_first_not_of("0123456789abcdef") != std::string::npos)
+        return Error{"is not the name of a plan; start the command again", file.string()};
+    return read_plan(farms_of(show) / newest);
 }
 
 std::optional<FarmDone> done_of(const FarmPlan& plan, std::size_t task) {
@@ -231,10 +243,13 @@ std::vector<std::size_t> missing_tasks(const FarmPlan& plan) {
 Result<bool> store_done(const FarmPlan& plan, std::size_t task, const FarmDone& done) {
     json files = json::object();
     for (const auto& [name, file] : done.files) files[name] = {file.first, file.second};
-    const std::string text =
-        json({{"host", done.host}, {"seconds", done.seconds}, {"folder", done.folder}, {"files", files}})
-            .dump(-1, ' ', false, json::error_handler_t::replace) +
-        "\n";
+    const std::string text = json({{"host", done.host},
+                                   {"seconds", done.seconds},
+                                   {"passes", done.passes},
+                                   {"folder", done.folder},
+                                   {"files", files}})
+                                 .dump(-1, ' ', false, json::error_handler_t::replace) +
+                             "\n";
     const fs::path file = plan.done_file(task);
     std::error_code code;
     // What it speaks of is gone.

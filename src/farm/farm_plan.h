@@ -1,9 +1,10 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // A bake or film cut into tasks that any machine can do that sees the show's folder. PLAN is a folder in the
-// show's cache, farm/ID: plan.json, which never changes; done/TASK.json, of which the
-// first one wins; failed/TASK.txt; frames/; log/ and submitted.json of an engine. What is done, the disk
-// says, never an engine. Any thread; several processes and machines at once.
+// show's cache, farm/ID: plan.json, which never changes; done/TASK.json, of which the first one wins;
+// failed/TASK.txt; frames/; log/ and submitted.json of an engine. Beside it, farm/newest names the plan that
+// was asked for last. What is done, the disk says, never an engine or a clock. Any thread; several processes
+// and machines at once.
 
 #include "base/result.h"
 
@@ -38,11 +39,13 @@ struct FarmPlan {
     std::filesystem::path from;     // the folder that the words' names start at
     std::vector<std::string> words; // of the command without what is a task's own; [0] is its name
     std::filesystem::path out;      // of a film, absolute; "" for a bake
+    std::string camera;             // whose passes a film shows; "": it is drawn live
     int fps = 0;
     std::vector<std::filesystem::path> also; // files beside the show: recording, looks
     std::vector<FarmTask> tasks;
 
     bool is_film() const { return !out.empty(); }
+    std::string result_name() const { return (is_film() ? out : show).string(); } // for messages
     std::filesystem::path done_file(std::size_t task) const;
     std::filesystem::path failed_file(std::size_t task) const;
     // What a whole result leaves behind: its film is written, its passes are in the manifest.
@@ -52,13 +55,14 @@ struct FarmPlan {
 struct FarmDone {
     std::string host;
     double seconds = 0;
-    std::string folder;                                                    // of its pictures, in frames/
+    std::string passes; // of a film's camera, as it was drawn from
+    std::string folder; // of its pictures, in frames/
     std::map<std::string, std::pair<std::uintmax_t, std::uint32_t>> files; // size and CRC
 };
 
 // Of the program that runs.
 Result<std::string> farm_build();
-// Of all files that a show is made of, and these beside it.
+// Of all files that a show is made of, and these beside it; not of what is baked.
 std::string farm_inputs(const scene::Show& show, const std::vector<std::filesystem::path>& also);
 
 // Names its folder below the show's cache by all that it depends on, and writes it where it is not yet.

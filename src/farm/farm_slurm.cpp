@@ -91,6 +91,27 @@ struct Sbatch {
     }
 };
 
+// Of these, those whose states Slurm is asked for; "": all that have not ended.
+Result<std::vector<SlurmJob>> jobs_in(const std::vector<std::string>& jobs, const std::string& states) {
+    std::vector<SlurmJob> found;
+    if (jobs.empty()) return found;
+    // All of ours: asked for by number, Slurm fails where it has forgotten one.
+    std::vector<std::string> words{"squeue", "-h", "-r", "--name=ghostlight", "-o", "%i|%T|%N|%r"};
+    if (!states.empty()) words.push_back("--states=" + states);
+    TRY(const std::string all, said_by(words));
+    std::istringstream lines(all);
+    for (std::string line; std::getline(lines, line);) {
+        std::vector<std::string> parts;
+        std::istringstream columns(line);
+        for (std::string part; std::getline(columns, part, '|');) parts.push_back(part);
+        if (parts.size() < 3) continue;
+        const std::string id = parts[0].substr(0, parts[0].find('_'));
+        if (parts[1] == "COMPLETING" || std::find(jobs.begin(), jobs.end(), id) == jobs.end()) continue;
+        found.push_back({parts[1], parts[2], parts.size() > 3 ? parts[3] : ""});
+    }
+    return found;
+}
+
 } // namespace
 
 Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std::vector<std::size_t>& tasks,
@@ -133,21 +154,16 @@ Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std
 }
 
 Result<std::vector<SlurmJob>> slurm_jobs(const std::vector<std::string>& jobs) {
-    std::vector<SlurmJob> living;
-    if (jobs.empty()) return living;
-    // All of ours: asked for by number, Slurm fails where it has forgotten one.
-    TRY(const std::string all, said_by({"squeue", "-h", "-r", "--name=ghostlight", "-o", "%i|%T|%N|%r"}));
-    std::istringstream lines(all);
-    for (std::string line; std::getline(lines, line);) {
-        std::vector<std::string> parts;
-        std::istringstream words(line);
-        for (std::string part; std::getline(words, part, '|');) parts.push_back(part);
-        if (parts.size() < 3) continue;
-        const std::string id = parts[0].substr(0, parts[0].find('_'));
-        if (parts[1] == "COMPLETING" || std::find(jobs.begin(), jobs.end(), id) == jobs.end()) continue;
-        living.push_back({parts[1], parts[2], parts.size() > 3 ? parts[3] : ""});
-    }
-    return living;
+    return jobs_in(jobs, "");
+}
+
+std::set<std::string> nodes_that_could_not_begin(const std::vector<std::string>& jobs) {
+    std::set<std::string> nodes;
+    const auto failed = jobs_in(jobs, "FAILED");
+    if (!failed.ok()) return nodes;
+    for (const SlurmJob& job : *failed)
+        if (job.reason == "JobLaunchFailure") nodes.insert(job.node);
+    return nodes;
 }
 
 Result<void> cancel_slurm(const std::vector<std::string>& jobs) {

@@ -6,6 +6,8 @@
 #include "base/log.h"
 #include "disk/crc32.h"
 #include "disk/files.h"
+#include "live/session/passes_sources.h"
+#include "show/show.h"
 #include "show_folder/load_show.h"
 
 #include <chrono>
@@ -54,6 +56,42 @@ std::string random_name() {
     return digits;
 }
 
+// Of what the show is made of, the first that is not here; "": all is.
+fs::path unseen_file(const FarmPlan& plan, const scene::Show& show) {
+    std::vector<fs::path> files = plan.also;
+    files.insert(files.end(), {show.stage_file, show.plot_file});
+    for (const scene::Model& model : show.models) files.push_back(model.file);
+    for (const scene::Media& media : show.media) files.push_back(media.file);
+    for (const scene::PatchedFixture& fixture : show.fixtures) files.push_back(show.folder / fixture.gdtf);
+    std::error_code code;
+    for (const fs::path& file : files)
+        if (!file.empty() && !fs::exists(file, code)) return file;
+    return {};
+}
+
+// As it was when the plan was made.
+Result<scene::Show> same_show(const FarmPlan& plan) {
+    Report report;
+    TRY(scene::Show show, scene::load_show(plan.show, false, report));
+    if (farm_inputs(show, plan.also) == plan.inputs) return show;
+    if (const fs::path unseen = unseen_file(plan, show); !unseen.empty())
+        return Error{node_name() +
+                         " does not see this file; a farm needs all that the show is made of under the same "
+                         "path everywhere",
+                     unseen.string()};
+    return Error{"the show was changed since the plan was made; start the command again", plan.show.string()};
+}
+
+std::string passes_of(const FarmPlan& plan, const scene::Show& show) {
+    return plan.camera.empty() ? "" : baked_fingerprint(show, plan.camera);
+}
+
+// Those of the first frame; where it is not drawn yet, none.
+std::optional<std::string> first_passes(const FarmPlan& plan) {
+    const auto first = plan.camera.empty() ? std::nullopt : done_of(plan, 0);
+    return first ? std::optional(first->passes) : std::nullopt;
+}
+
 Result<void> run_task(const FarmPlan& plan, std::size_t task) {
     const FarmTask& wanted = plan.tasks[task];
     if (number_in_environment("SLURM_RESTART_COUNT") >= kMostRestarts)
@@ -97,6 +135,14 @@ Result<void> run_task(const FarmPlan& plan, std::size_t task) {
         if (said.empty()) said = "exit code " + std::to_string(child->exit_code) + " without a word";
         return give_up(Error{said, ""});
     }
+    // It read show and passes by itself, perhaps after an edit or a bake.
+    const Result<scene::Show> show = same_show(plan);
+    if (!show.ok()) return give_up(show.error());
+    done.passes = passes_of(plan, *show);
+    if (wanted.stage > 0 && first_passes(plan).value_or(done.passes) != done.passes)
+        return give_up(Error{"camera '" + plan.camera +
+                                 "' was baked anew since the film was begun; the same command begins it anew",
+                             plan.show.string()});
     done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
     if (wanted.first_frame >= 0) {
         for (const auto& entry : fs::directory_iterator(pictures, code)) {
@@ -137,12 +183,15 @@ Result<void> check_same(const FarmPlan& plan) {
     if (!fs::is_directory(plan.from, code))
         return Error{node_name() + " does not see this folder, in which the command was given",
                      plan.from.string()};
-    Report report;
-    TRY(const scene::Show show, scene::load_show(plan.show, false, report));
-    if (farm_inputs(show, plan.also) != plan.inputs)
-        return Error{"the show was changed since the plan was made; start the command again",
-                     plan.show.string()};
+    TRY_VOID(same_show(plan));
     return {};
+}
+
+bool passes_changed(const FarmPlan& plan) {
+    const auto first = first_passes(plan);
+    if (!first) return false;
+    const Result<scene::Show> show = same_show(plan);
+    return show.ok() && passes_of(plan, *show) != *first;
 }
 
 int farm_threads() {

@@ -16,6 +16,9 @@ Result<void> assemble_farm(const FarmPlan& plan);
 // Error: this is another build, the show was edited since, or this machine does not see it.
 Result<void> check_same(const FarmPlan& plan);
 
+// The passes that a film was begun with were baked anew since: what is done of it is of no use.
+bool passes_changed(const FarmPlan& plan);
+
 // Where Slurm says how many processors a task has; 0: it does not.
 int farm_threads();
 

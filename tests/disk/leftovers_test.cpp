@@ -34,7 +34,8 @@ TEST_F(Leftovers, those_of_killed_programs_go_and_nothing_else_does) {
     const fs::path gone = write(std::string(".show.part") + kGone + "_0.toml", 5),
                    bare = write(std::string(".looks.part") + kGone + "_12", 5),
                    fresh = write(std::string(".fresh.part") + kGone + "_0.toml", 0),
-                   elsewhere = write(std::string(".far.part") + kGone + "_4294967303.exr", 5),
+                   elsewhere = write(std::string(".far.part") + kGone + "_4294967303.exr", 25 * 60),
+                   at_work = write(std::string(".far.part") + kGone + "_4294967304.exr", 90),
                    below = write(std::string("sub/.a.part") + kGone + "_1.png", 5),
                    alive = temporary_beside(root_ / "mine.toml");
     std::vector<fs::path> others;
@@ -46,6 +47,7 @@ TEST_F(Leftovers, those_of_killed_programs_go_and_nothing_else_does) {
     EXPECT_FALSE(fs::exists(gone));
     EXPECT_FALSE(fs::exists(bare));
     EXPECT_FALSE(fs::exists(elsewhere)); // rested long enough
+    EXPECT_TRUE(fs::exists(at_work));    // of a machine whose clock is an hour behind
     for (const fs::path& path : others) EXPECT_TRUE(fs::exists(path)) << path;
     EXPECT_TRUE(fs::exists(fresh));
     EXPECT_TRUE(fs::exists(alive));

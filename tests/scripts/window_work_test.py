@@ -198,6 +198,13 @@ class AtWork(unittest.TestCase):
             self.assertGreater((WORK / "clip.mp4").stat().st_size, 1000)
             self.assertEqual(read(WORK / "all.png").shape[:2], (1 * 40 + 4, 3 * 68 + 4))
             self.assertEqual(list((self.show / ".ghost").glob("*window-look*")), [])
+            # The same film in tasks, and of the farm's jobs the look stays as long as the plan.
+            window.do(f'export-film "{WORK / "one.mp4"}" 36 36.2 10 192x108', f'export-film "{WORK / "tasks.mp4"}" 36 36.2 10 192x108 local',
+                      "wait jobs")
+            self.assertEqual([job["state"] for job in window.state()["jobs"][-2:]], ["done"] * 2, window.state()["jobs"])
+            self.assertEqual((WORK / "one.mp4").read_bytes(), (WORK / "tasks.mp4").read_bytes())
+            self.assertEqual(len(list((self.show / ".ghost/farm").glob("look-*.toml"))), 1)
+            window.shoot("farm.png")
             # Cancelled: nothing is written.
             window.do(f'export-film "{WORK / "never.mp4"}" 0 50 30 640x360', "wait 1", "cancel-jobs", "wait jobs")
             self.assertEqual(window.state()["jobs"][-1]["state"], "cancelled")

@@ -68,6 +68,13 @@ std::string passes_fingerprint(const scene::Show& show) {
     return hasher.hex();
 }
 
+std::string baked_fingerprint(const scene::Show& show, const std::string& camera) {
+    bake::Hasher hasher;
+    const auto manifest = read_file(scene::passes_folder(show, camera) / "manifest.json", kMaxSourceBytes);
+    if (manifest.ok()) hasher.list(*manifest);
+    return hasher.hex();
+}
+
 Result<void> remember_sources(const scene::Show& show, const std::string& camera,
                               const std::string& fingerprint) {
     const fs::path file = file_beside(show, camera);

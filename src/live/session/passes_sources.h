@@ -12,6 +12,8 @@ namespace ghost::app {
 
 // Of the show file, the stage with what lies beside it, the fixture files and the baker.
 std::string passes_fingerprint(const scene::Show& show);
+// Of the passes that a camera has: another one means that it was baked meanwhile.
+std::string baked_fingerprint(const scene::Show& show, const std::string& camera);
 // The passes of this camera were made from that.
 Result<void> remember_sources(const scene::Show& show, const std::string& camera,
                               const std::string& fingerprint);

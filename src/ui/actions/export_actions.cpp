@@ -10,8 +10,15 @@ using Run = std::function<Result<void>(const QStringList& words)>;
 constexpr int kLeastPixels = 16, kMostPixels = 8192;
 constexpr double kLongest_s = 1e7;
 
-Result<void> bake(Exporter& exporter, const QStringList& words) {
+// The last word, where it names a farm: it is taken away.
+QString farm_of(QStringList& words) {
+    static const QStringList kFarms{"slurm", "local"};
+    return !words.isEmpty() && kFarms.contains(words.last()) ? words.takeLast() : QString();
+}
+
+Result<void> bake(Exporter& exporter, QStringList words) {
     BakeWish wish;
+    wish.farm = farm_of(words);
     wish.camera = words.value(0) == "all" ? QString() : words.value(0);
     if (words.size() > 1) {
         TRY(const double spp, number_of(words, 1, "number of samples per pixel", 1, 1024));
@@ -42,8 +49,9 @@ Result<void> still(Exporter& exporter, const QStringList& words) {
     return {};
 }
 
-Result<void> film(Exporter& exporter, const QStringList& words) {
+Result<void> film(Exporter& exporter, QStringList words) {
     PictureWish wish;
+    wish.farm = farm_of(words);
     wish.file = words.value(0);
     TRY(wish.from_s, number_of(words, 1, "first second", 0, kLongest_s));
     TRY(wish.to_s, number_of(words, 2, "last second", 0, kLongest_s));
@@ -76,11 +84,11 @@ void add_export_actions(Actions& actions, AppModel& app, Exporter& exporter) {
     const auto add = [&](const QString& name, const QString& arguments, const Run& run) {
         actions.add({name, "", name, "", arguments, run, {}});
     };
-    add("bake", "[CAMERA|all] [SAMPLES] [BOUNCES]",
+    add("bake", "[CAMERA|all] [SAMPLES] [BOUNCES] [slurm|local]",
         [&exporter](const QStringList& words) { return bake(exporter, words); });
     add("export-still", "FILE [WxH|CAMERA]",
         [&exporter](const QStringList& words) { return still(exporter, words); });
-    add("export-film", "FILE FROM TO [FPS] [WxH]",
+    add("export-film", "FILE FROM TO [FPS] [WxH] [slurm|local]",
         [&exporter](const QStringList& words) { return film(exporter, words); });
     add("export-sheet", "FILE [WxH]", [&exporter](const QStringList& words) -> Result<void> {
         TRY(const QSize size, size_of(words.value(1, "480x270")));

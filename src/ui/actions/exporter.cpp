@@ -6,6 +6,7 @@
 #include "show/show.h"
 #include "ui/model/look_fade.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -17,10 +18,25 @@ namespace {
 
 const char* const kLookName = "window";
 const char* const kLookFile = "window-look.toml";
+constexpr int kHashLetters = 16;
 
 // Without an exponent, which a command line takes for an option.
 QString metres(float value) {
     return QString::number(static_cast<double>(value), 'f', 4);
+}
+
+std::string hash_of(const std::string& text) {
+    return QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256)
+        .toHex()
+        .left(kHashLetters)
+        .toStdString();
+}
+
+// Added to the words of a command and to the title of its job.
+void give_to_farm(const QString& farm, QStringList& words, QString& title) {
+    if (farm.isEmpty()) return;
+    words << "--farm" << farm;
+    title += " on the farm";
 }
 
 Result<void> check_file(const QString& file, const QStringList& endings) {
@@ -34,9 +50,14 @@ Result<void> check_file(const QString& file, const QStringList& endings) {
 
 } // namespace
 
+bool is_on_farm(const Job& job) {
+    return job.arguments.contains("--farm");
+}
+
 Exporter::Exporter(AppModel& app, ShowDocument& document) : app_(app), document_(document) {
-    // Looks that were written for a job go with it.
+    // Looks that were written for a job go with it; a farm's tasks may still read theirs.
     connect(&app_.jobs(), &Jobs::ended, this, [](const Job& job) {
+        if (is_on_farm(job)) return;
         const auto at = job.arguments.indexOf("--looks");
         if (at >= 0 && at + 1 < job.arguments.size()) QFile::remove(job.arguments[at + 1]);
     });
@@ -65,7 +86,7 @@ QStringList Exporter::eye_arguments() const {
     return words;
 }
 
-Result<QStringList> Exporter::look_arguments() {
+Result<QStringList> Exporter::look_arguments(bool for_farm) {
     Look look = app_.look();
     leave_solo(look, app_.show()->fixtures.size());
     scene::StoredLook stored;
@@ -75,10 +96,15 @@ Result<QStringList> Exporter::look_arguments() {
         if (index < app_.show()->fixtures.size())
             stored.fixtures[app_.show()->fixtures[index].name] = programmer;
     if (stored.fixtures.empty() && stored.scene == SceneLook{}) return QStringList{};
-    const std::filesystem::path folder = app_.show()->cache_folder();
+    const std::string text = scene::text_of({stored});
+    const std::filesystem::path folder =
+        for_farm ? app_.show()->cache_folder() / "farm" : app_.show()->cache_folder();
     TRY_VOID(make_folders(folder, app_.show()->cache_home()));
-    const std::filesystem::path file = temporary_beside(folder / kLookFile); // one for each job
-    TRY_VOID(scene::write_looks(file, scene::text_of({stored})));
+    // One for each job. For a farm the same look is the same file, and so the same plan.
+    const std::filesystem::path file =
+        for_farm ? folder / ("look-" + hash_of(text) + ".toml") : temporary_beside(folder / kLookFile);
+    if (std::error_code code; !for_farm || !std::filesystem::exists(file, code))
+        TRY_VOID(scene::write_looks(file, text));
     return QStringList{"--looks", QString::fromStdString(std::filesystem::absolute(file).string()), "--look",
                        kLookName};
 }
@@ -91,8 +117,9 @@ Result<int> Exporter::bake(const BakeWish& wish) {
         TRY_VOID(app_.show()->find_camera(wish.camera.toStdString()));
         words << "--view" << wish.camera;
     }
-    return app_.jobs().start(wish.camera.isEmpty() ? QString("Bake all cameras") : "Bake " + wish.camera,
-                             words);
+    QString title = wish.camera.isEmpty() ? QString("Bake all cameras") : "Bake " + wish.camera;
+    give_to_farm(wish.farm, words, title);
+    return app_.jobs().start(title, words);
 }
 
 Result<int> Exporter::render(const PictureWish& wish) {
@@ -120,13 +147,15 @@ Result<int> Exporter::render(const PictureWish& wish) {
     } else if (plays) {
         words << "--at" << QString::number(app_.rig().at_s);
     }
-    TRY(const QStringList look, look_arguments());
+    TRY(const QStringList look, look_arguments(!wish.farm.isEmpty()));
     if (!plays && look.isEmpty())
         return Error{"nothing lights the picture: the show has no recording and nothing is set by hand; "
                      "'save-picture' saves what a desk does now",
                      ""};
     words += look;
-    return app_.jobs().start((is_film ? "Film " : "Still ") + QFileInfo(wish.file).fileName(), words);
+    QString title = (is_film ? "Film " : "Still ") + QFileInfo(wish.file).fileName();
+    give_to_farm(wish.farm, words, title);
+    return app_.jobs().start(title, words);
 }
 
 Result<int> Exporter::sheet(const QString& file, int width, int height) {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Exporter: bakes, stills, films and contact sheets as jobs (ui/model/jobs.h): what the commands bake, render
 // and sheet do, with the arguments that the window's camera, exposure and hand-made look ask for. They read
-// the show from its file, so it must be saved. Errors: why a job cannot begin. Window thread.
+// the show from its file, so it must be saved. With a farm the job follows what the farm does, and the farm
+// goes on where the job is cancelled. Errors: why a job cannot begin. Window thread.
 
 #include "base/result.h"
 #include "ui/model/app_model.h"
@@ -17,6 +18,7 @@ struct BakeWish {
     QString camera; // empty: all
     int spp = 16;
     int bounces = 0;
+    QString farm; // empty: none; else as --farm takes it
 };
 
 struct PictureWish {
@@ -26,7 +28,11 @@ struct PictureWish {
     int supersample = 1;             // likewise
     double from_s = -1, to_s = -1;   // of a film; below 0: a still of where the recording is now
     int fps = 30;
+    QString farm; // of a film; likewise
 };
+
+// It only follows what a farm does.
+bool is_on_farm(const Job& job);
 
 class Exporter : public QObject {
     Q_OBJECT
@@ -40,7 +46,7 @@ public:
 
 private:
     Result<QString> show_file() const;
-    Result<QStringList> look_arguments();
+    Result<QStringList> look_arguments(bool for_farm);
     QStringList tone_arguments() const;
     QStringList eye_arguments() const;
 

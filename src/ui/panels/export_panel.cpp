@@ -2,6 +2,7 @@
 #include "ui/panels/export_panel.h"
 
 #include "show/show.h"
+#include "ui/actions/exporter.h"
 #include "ui/widgets/theme.h"
 
 #include <QFileDialog>
@@ -26,7 +27,8 @@ QString words_of(const Job& job) {
         return words;
     }
     words += state_name(job.state);
-    if (job.state == Job::State::failed) words += ". " + job.last_said.toHtmlEscaped();
+    if (job.state == Job::State::failed || (job.state == Job::State::cancelled && is_on_farm(job)))
+        words += ". " + job.last_said.toHtmlEscaped();
     return words;
 }
 
@@ -34,6 +36,18 @@ QSpinBox* number_box(int low, int high, int value, const QString& name, QWidget*
     auto* box = new QSpinBox(parent);
     box->setRange(low, high);
     box->setValue(value);
+    box->setAccessibleName(name);
+    return box;
+}
+
+// Who does it: this machine, or a farm.
+QComboBox* maker_box(const QString& name, QWidget* parent) {
+    auto* box = new QComboBox(parent);
+    box->addItem("This machine", "");
+    box->addItem("A farm (Slurm)", " slurm");
+    box->setToolTip("A farm cuts it into tasks for many machines, which must see the show under the same "
+                    "path. Its partition: "
+                    "SBATCH_PARTITION in the environment. Cancel stops following it only.");
     box->setAccessibleName(name);
     return box;
 }
@@ -74,11 +88,17 @@ QWidget* ExportPanel::make_bake() {
     connect(button, &QPushButton::clicked, this, [this] {
         const QString camera =
             bake_camera_->currentIndex() <= 0 ? QString("all") : "\"" + bake_camera_->currentText() + "\"";
-        run(QString("bake %1 %2 %3").arg(camera).arg(spp_->value()).arg(bounces_->value()));
+        run(QString("bake %1 %2 %3%4")
+                .arg(camera)
+                .arg(spp_->value())
+                .arg(bounces_->value())
+                .arg(bake_by_->currentData().toString()));
     });
+    bake_by_ = maker_box("Who bakes", box);
     form->addRow("Camera", bake_camera_);
     form->addRow("Samples", spp_);
     form->addRow("Bounces", bounces_);
+    form->addRow("By", bake_by_);
     form->addRow(button);
     return box;
 }
@@ -118,11 +138,12 @@ QWidget* ExportPanel::make_pictures() {
     });
     connect(film, &QPushButton::clicked, this, [this] {
         run_with_file("export-film", "Save a film", "Films (*.mp4)",
-                      QString("%1 %2 %3 %4")
+                      QString("%1 %2 %3 %4%5")
                           .arg(from_->value())
                           .arg(to_->value())
                           .arg(fps_->value())
-                          .arg(size_->currentText()));
+                          .arg(size_->currentText())
+                          .arg(film_by_->currentData().toString()));
     });
     connect(sheet, &QPushButton::clicked, this,
             [this] { run_with_file("export-sheet", "Save a contact sheet", "Pictures (*.png)", ""); });
@@ -134,6 +155,8 @@ QWidget* ExportPanel::make_pictures() {
     form->addRow("Size", size_);
     form->addRow("Film", range);
     form->addRow("Its rate", fps_);
+    film_by_ = maker_box("Who draws films", box);
+    form->addRow("By", film_by_);
     fps_->setSuffix(" a second");
     auto* buttons = new QHBoxLayout;
     for (QPushButton* button : {still, film}) buttons->addWidget(button);

@@ -47,6 +47,7 @@ private:
     AppModel& app_;
     Actions& actions_;
     QComboBox *bake_camera_, *camera_, *size_;
+    QComboBox *bake_by_, *film_by_; // this machine, or a farm
     QSpinBox *spp_, *bounces_, *fps_;
     QDoubleSpinBox *from_, *to_;
     QVBoxLayout* list_;

@@ -24,12 +24,12 @@ def files_of(folder, pattern="**/*"):
 
 
 class Ghostlight:
-    def __init__(self, program, environment, folder):
-        self.program, self.environment, self.folder = program, environment, folder
+    def __init__(self, program, environment, folder, limit_s=600):
+        self.program, self.environment, self.folder, self.limit_s = program, environment, folder, limit_s
 
     def run(self, *words, code=0, says="", **more):
         done = subprocess.run([str(self.program), *map(str, words)], env=self.environment, cwd=self.folder, capture_output=True, text=True,
-                              timeout=600, **more)
+                              timeout=self.limit_s, **more)
         said = done.stdout + done.stderr
         assert done.returncode == code, (words, done.returncode, said)
         assert says in said, (words, says, said)
@@ -41,7 +41,33 @@ class Ghostlight:
 
 
 def plan_of(show):
-    return max((show / ".ghost/farm").iterdir(), key=lambda plan: (plan / "plan.json").stat().st_mtime_ns)
+    """The one that was asked for last."""
+    farm = show / ".ghost/farm"
+    return farm / (farm / "newest").read_text()
+
+
+def started(ghost, show, out, *words):
+    """A film that is on its way: the command that follows it, and its plan."""
+    watching = ghost.start("render", show, "-o", out, *FILM, *words)
+    newest = show / ".ghost/farm/newest"
+
+    def is_submitted():
+        if watching.poll() is not None:
+            raise AssertionError(watching.communicate()[0])
+        return newest.exists() and (plan_of(show) / "submitted.json").exists() and f'/{out}"' in (plan_of(show) / "plan.json").read_text()
+
+    wait_until(is_submitted, 120, out + " is submitted")
+    return watching, plan_of(show)
+
+
+def wait_for_pictures(plan, task):
+    wait_until(lambda: list((plan / "frames").glob(f"{task}.*/*.png")), 180, f"task {task} draws")
+
+
+def ends(watching, code, says):
+    said = watching.communicate(timeout=600)[0]
+    assert watching.returncode == code and says in said, (watching.args, watching.returncode, said)
+    return said
 
 
 def wait_until(holds, seconds, what):

@@ -100,6 +100,29 @@ def tasks_by_hand(show):
     print("tasks by hand, a full disk and a damaged picture: never a mixed or half film")
 
 
+def baked_anew(show):
+    """In the middle of a film, with other samples."""
+    words = ["render", show, "-o", "anew.mp4", *FILM, "--farm"]
+    bare = Ghostlight(ghost.program, {**ghost.environment, "PATH": str(work / "fresh")}, work)
+    bare.run(*words, "slurm", code=1, says="Slurm is not here")  # planned only
+    plan = plan_of(show)
+    for task in "01":
+        ghost.run("farm", "run", plan, task)
+    ghost.run("bake", show, "--view", "house", "--spp", "5")
+    ghost.run("farm", "run", plan, "2", code=1, says="camera 'house' was baked anew since the film was begun")
+    assert not list((plan / "frames").glob("2.*"))
+    ghost.run("farm", "assemble", plan, code=1, says="2 of 4 tasks are missing")
+    ghost.run("render", show, "-o", "other.mp4", *FILM)
+    for _ in range(2):
+        said = ghost.run(*words, "local")
+        assert (work / "anew.mp4").read_bytes() == (work / "other.mp4").read_bytes() != (work / "whole.mp4").read_bytes()
+    assert "is done already" in said, said
+    ghost.run("bake", show, "--view", "house", "--spp", "4")
+    ghost.run(*words, "local", says="4 tasks")
+    assert (work / "anew.mp4").read_bytes() == (work / "whole.mp4").read_bytes()
+    print("passes that are baked anew in the middle: said, and the same command begins anew")
+
+
 def what_cannot_be(show):
     (work / "hand.mp4").unlink()
     plan = plan_of(show)
@@ -115,6 +138,11 @@ def what_cannot_be(show):
     ghost.run("farm", "run", plan, "1", code=1, says="was changed since the plan was made")
     ghost.run("farm", "assemble", plan, code=1, says="was changed since the plan was made")
     os.utime(recording, ns=(before.st_atime_ns, before.st_mtime_ns))
+    aside = recording.rename(work / "aside.show")
+    ghost.run("farm", "run", plan, "1", code=1, says=f"{recording}: ")  # names the file that is not there
+    aside.rename(recording)
+    restarted = Ghostlight(ghost.program, {**ghost.environment, "SLURM_RESTART_COUNT": "3"}, work)
+    restarted.run("farm", "run", plan, "1", code=1, says="its node was lost 3 times")
     ghost.run("farm", "run", plan, "4", code=1, says="has 4 tasks")
     ghost.run("farm", "status", work / "nowhere", code=1, says="no such show")
     ghost.run("farm", "status", small_show(SOURCE, work / "fresh"), code=1, says="nothing of it was given to a farm")
@@ -130,6 +158,8 @@ def what_cannot_be(show):
     bare.run("render", show, "-o", "no.mp4", *FILM, "--farm", "slurm", code=1, says="Slurm is not here")
     (plan / "plan.json").write_text('{"version": 1, "words": 7}')
     ghost.run("farm", "run", plan, "1", code=1, says="is no plan")
+    (show / ".ghost/farm/newest").write_text("../../elsewhere")
+    ghost.run("farm", "status", show, code=1, says="is not the name of a plan")
     print("another build, an edited show, links, wrong words: a sentence and an exit code each")
 
 
@@ -138,6 +168,7 @@ try:
     films(baked)
     free_cameras(baked)
     tasks_by_hand(baked)
+    baked_anew(baked)
     what_cannot_be(baked)
 finally:
     shutil.rmtree(work)
