@@ -7,6 +7,7 @@
 
 #include "link/link.h"
 #include "live/engine/baked_supply.h"
+#include "live/engine/bounce_news.h"
 #include "live/engine/desk_recorder.h"
 #include "live/engine/followers.h"
 #include "live/engine/live_controls.h"
@@ -124,6 +125,8 @@ private:
     scene::PatchMap patch_; // of the session's show
     MessageBoard messages_{link_};
     RigNews rig_news_{link_};
+    BounceNews bounce_news_{link_};
+    double bounce_ms_ = 0; // of drawing the last picture
     double listens_again_s_ = 0; // where a port was taken
     int losses_ = 0;             // of the device
     std::unique_ptr<TrackerInput> trackers_;

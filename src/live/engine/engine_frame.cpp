@@ -176,6 +176,7 @@ std::string Engine::needs_live() const {
     if (!look.shown.empty()) return "objects are hidden or shown by hand";
     if (!look.surfaces.empty()) return "surfaces are set by hand";
     if (!(look.scene == ui::SceneLook{})) return "air, even light or shadows are set by hand";
+    if (session_->bounce_detail() != scene::BounceDetail::off) return "light bounces";
     if (remote_request_.haze != 1.0f) return "a remote control sets the haze";
     if (trackers_) return "trackers may move what is on stage";
     return "";
@@ -220,6 +221,7 @@ void Engine::frame() {
     if (arrival_.count() == 0) arrival_ = input_->arrival();
     session_->master =
         request_.black_out ? 0.0f : std::clamp(request_.master, 0.0f, 1.0f) * remote_request_.light();
+    session_->stop_bounce(request_.stops_bounce);
     const bool sees_else = look_->apply(request_.look, *session_) || thicker;
     sees_else_ = sees_else_ || sees_else;
     session_->relighter->set_exposure(wanted_camera_.ev100, wanted_camera_.auto_exposure);
@@ -269,6 +271,8 @@ void Engine::frame() {
     } else if (!statistics.stopped) {
         arrival_ = std::chrono::nanoseconds{0}; // they changed nothing that is seen
     }
+    if (drew) bounce_ms_ = statistics.bounce_ms();
+    bounce_news_.publish(*session_, bounce_ms_, begin_s);
     rig_news_.publish(*session_, *input_, drawn_, recorder_.seconds(), begin_s);
     rig_news_.explain(
         {request_.explained, request_.explains_all}, *session_, *input_, patch_,

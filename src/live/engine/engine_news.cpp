@@ -21,7 +21,8 @@ void Engine::publish_opened(Opening opening) {
 void Engine::publish_rest(double now_s, bool drew) {
     const bool has_text = !request_.text || request_.text == text_;
     const bool rests = !drew && has_text && !reopening_.valid() && now_s - last_change_s_ >= kRest_s &&
-                       !session_->live->is_making_maps() && !baked_.is_reading();
+                       !session_->live->is_making_maps() && session_->is_bounce_settled() &&
+                       !baked_.is_reading();
     if (!rests || settled_ == request_.number) return;
     settled_ = request_.number;
     link_.settled.put(settled_);
