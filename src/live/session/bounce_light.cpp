@@ -4,12 +4,16 @@
 #include "bake/hasher.h"
 #include "bake/keys.h"
 #include "base/interrupt.h"
+#include "base/log.h"
+#include "base/progress.h"
 #include "base/steady_time.h"
 #include "beam_groups/light_places.h"
 #include "bounce/bounce_box.h"
 #include "bounce/bounce_file.h"
 #include "bounce/bounce_solver.h"
 #include "disk/files.h"
+#include "light/gobos.h"
+#include "light/rig.h"
 #include "show/show.h"
 
 #include <algorithm>
@@ -145,6 +149,13 @@ void BounceLight::wait_for_links(const std::function<void(double share)>& on_pro
     while (!changed_.wait_for(lock, kLookEvery, [&] { return made_ || stop_; })) on_progress(share_);
 }
 
+void BounceLight::wait_for_links(bool quiet) {
+    Progress progress("links of bounced light",
+                      quiet ? Progress::Style::silent : Progress::style_for_stderr(), steady_now_s());
+    wait_for_links([&](double share) { progress.update(share, steady_now_s(), ""); });
+    progress.finish();
+}
+
 void BounceLight::stop_making() {
     if (!made_) stop_making_ = true;
 }
@@ -245,6 +256,20 @@ void BounceLight::run() {
         made_ = true;
         changed_.notify_all();
     }
+}
+
+Result<std::shared_ptr<const scene::BounceVolumes>>
+bounced_now(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
+            const scene::Rig& rig, const scene::GoboStack& gobos, const shared::Haze& haze, bool quiet) {
+    if (level == scene::BounceDetail::off) return std::shared_ptr<const scene::BounceVolumes>();
+    BounceLight light(show, stage, level, gobos.images);
+    light.wait_for_links(quiet);
+    auto solved =
+        light.update(rig.lit(gobos, scene::DistanceMaps{}).lights, gobos.images, haze, glm::vec3(0), true);
+    const std::optional<Error> failure = light.take_failure();
+    if (!solved) return failure.value_or(Error{"interrupted", ""});
+    if (failure) log_warning(failure->text());
+    return solved;
 }
 
 } // namespace ghost::app

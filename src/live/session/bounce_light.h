@@ -25,6 +25,8 @@
 #include <vector>
 
 namespace ghost::scene {
+class Rig;
+struct GoboStack;
 struct Show;
 } // namespace ghost::scene
 
@@ -50,6 +52,7 @@ public:
     std::optional<double> left_s() const;
     // Returns when the links are there, or cannot be. on_progress: now and then, with the share.
     void wait_for_links(const std::function<void(double share)>& on_progress);
+    void wait_for_links(bool quiet); // with a bar
     // Ends the making of links; what was made of them goes, and no light bounces. Nothing where they are
     // there.
     void stop_making();
@@ -95,5 +98,11 @@ private:
     bool failed_ = false;
     std::thread thread_; // the last member: it uses all others
 };
+
+// What bounces of the light of a moment, without a device; waits for it. quiet: no bar for the links. Null:
+// off. Error: why none bounces.
+Result<std::shared_ptr<const scene::BounceVolumes>>
+bounced_now(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
+            const scene::Rig& rig, const scene::GoboStack& gobos, const shared::Haze& haze, bool quiet);
 
 } // namespace ghost::app

@@ -89,4 +89,12 @@ Lux lux_at(const bake::Surface& surface, const scene::FrameLights& lit, const Se
                   session.shadows ? &tracer : nullptr, session.bounced.get());
 }
 
+std::function<float(const glm::vec3& place_m, const glm::vec3& normal)>
+bounced_lx_in(const scene::BounceVolumes* bounced) {
+    if (!bounced) return {};
+    return [bounced](const glm::vec3& place_m, const glm::vec3& normal) {
+        return shared::luminance_of(lux_on(*bounced, place_m, normal));
+    };
+}
+
 } // namespace ghost::app

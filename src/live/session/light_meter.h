@@ -9,6 +9,7 @@
 #include "live/session/session.h"
 #include "rays/tracer.h"
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <span>
@@ -44,6 +45,9 @@ struct Lux {
 Lux lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const Atmosphere& air,
            const scene::GoboStack& gobos, const bake::Tracer* tracer,
            const scene::BounceVolumes* bounced = nullptr);
+// For an Explainer.
+std::function<float(const glm::vec3& place_m, const glm::vec3& normal)>
+bounced_lx_in(const scene::BounceVolumes* bounced);
 Lux lux_at(const bake::Surface& surface, const scene::FrameLights& lit, const Session& session,
            const bake::Tracer& tracer);
 

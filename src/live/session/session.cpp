@@ -343,13 +343,7 @@ void Session::stop_bounce(bool stops) {
 void Session::update_bounce(const scene::FrameLights& lit) {
     if (!bounce) return;
     const bool waits = !options.maps_in_background;
-    if (waits && bounce->is_making_links()) {
-        Progress progress("links of bounced light",
-                          options.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
-                          steady_now_s());
-        bounce->wait_for_links([&](double share) { progress.update(share, steady_now_s(), ""); });
-        progress.finish();
-    }
+    if (waits && bounce->is_making_links()) bounce->wait_for_links(options.quiet);
     const shared::Haze haze = live->haze();
     const auto solved =
         bounce->update(lit.lights, gobos.images, haze, live->camera().position_m, waits);

@@ -19,6 +19,7 @@
 #include <chrono>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
+#include <span>
 #include <string_view>
 #include <utility>
 
