@@ -24,7 +24,8 @@ class Bounce(unittest.TestCase):
             window.shoot("bounce-off.png")
             state = window.state()
             self.assertEqual(state["bounce"]["state"], "off")
-            window.do("probe 0.5 0.75", "wait settled")
+            _, _, width, height = state["view"]
+            window.do(f"probe {width // 2} {height * 2 // 3}", "wait settled")
             probe = window.until(lambda state: state["probe"].get("lux") is not None)["probe"]
             self.assertIsNone(probe["bounced_lux"])
 
