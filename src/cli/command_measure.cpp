@@ -104,13 +104,13 @@ Result<void> run(const Options& options) {
     }
     const auto place = [](const glm::vec3& at_m) { return std::array{at_m.x, at_m.y, at_m.z}; };
     nlohmann::json figures = {{"points", grid.lux.size()},
-                                    {"mean_lux", all.mean},
-                                    {"least_lux", all.least},
-                                    {"least_at_m", place(all.least_at_m)},
-                                    {"most_lux", all.most},
-                                    {"most_at_m", place(all.most_at_m)},
-                                    {"least_over_mean", all.uniformity()},
-                                    {"least_over_most", all.diversity()}};
+                              {"mean_lux", all.mean},
+                              {"least_lux", all.least},
+                              {"least_at_m", place(all.least_at_m)},
+                              {"most_lux", all.most},
+                              {"most_at_m", place(all.most_at_m)},
+                              {"least_over_mean", all.uniformity()},
+                              {"least_over_most", all.diversity()}};
     if (!grid.bounced_lux.empty()) figures["mean_bounced_lux"] = all.mean_bounced;
     if (options.json) {
         print_text("%s\n", figures.dump().c_str());

@@ -109,7 +109,7 @@ struct ViewRequest {
     WorkLight work_light = WorkLight::automatic;
     std::optional<glm::vec2> probe; // what is measured there; (0, 0) is the top left corner of the picture
     Pick pick;
-    bool takes_baked = true; // where the camera stands as one whose passes are fresh
+    bool takes_baked = true;   // where the camera stands as one whose passes are fresh
     bool stops_bounce = false; // the links of bounced light are not made, for they are not there yet
     SaveFrame save_frame;
     std::uint64_t take_plot = 0; // number of the received plot to be merged into the show; 0: none

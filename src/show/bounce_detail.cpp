@@ -18,7 +18,8 @@ std::string no_such_bounce_detail(std::string_view name) {
     std::string text = "is '" + std::string(name.substr(0, 40)) + "', expected one of";
     for (const char* const detail : kBounceDetails)
         text += (detail == kBounceDetails[0] ? " \"" : ", \"") + std::string(detail) + "\"";
-    return text + did_you_mean(name, std::vector<std::string>(std::begin(kBounceDetails), std::end(kBounceDetails)));
+    return text +
+           did_you_mean(name, std::vector<std::string>(std::begin(kBounceDetails), std::end(kBounceDetails)));
 }
 
 } // namespace ghost::scene

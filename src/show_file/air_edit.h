@@ -1,8 +1,9 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Edits of the air in show.toml: [haze], [[hazer]], and whether light bounces in it, [light]. As in
-// show_edit.h: each function gives the whole new text, of which the rest stays byte for byte. Units as in docs/reference/show-file.md. Error, of all of
-// them: no TOML, or written in a way that cannot be edited. Pure, any thread.
+// show_edit.h: each function gives the whole new text, of which the rest stays byte for byte. Units as in
+// docs/reference/show-file.md. Error, of all of them: no TOML, or written in a way that cannot be edited.
+// Pure, any thread.
 
 #include "base/result.h"
 #include "show/bounce_detail.h"

@@ -231,8 +231,8 @@ TEST(Bounce, TheMeterReadsWhatLands) {
     const double in_air = static_cast<double>(lux_on(volumes, {0, 0, 3}, {0, 0, 1}).y);
     EXPECT_GT(in_air, 0.3 * lumens / area_m2);
     EXPECT_LT(in_air, 3 * lumens / area_m2);
-    EXPECT_EQ(lux_on(volumes, {0, 0, 100}, {0, 0, -1}).y,
-              lux_on(volumes, {0, 0, 90}, {0, 0, -1}).y) << "outside it is as at the edge";
+    EXPECT_EQ(lux_on(volumes, {0, 0, 100}, {0, 0, -1}).y, lux_on(volumes, {0, 0, 90}, {0, 0, -1}).y)
+        << "outside it is as at the edge";
 }
 
 TEST(Bounce, TellsHowFarItIs) {

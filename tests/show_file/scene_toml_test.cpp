@@ -356,9 +356,11 @@ TEST(SceneToml, HowLightBounces) {
         EXPECT_STREQ(name_of(good(kHead + "[light]\nbounce = \"" + name + "\"\n").bounce), name);
     Report report;
     EXPECT_EQ(parse(kHead + "[light]\nbounce = \"normel\"\n", report).bounce, BounceDetail::off);
-    EXPECT_EQ(all_text(report), "show/show.toml:9: [light] bounce is 'normel', expected one of \"off\", \"room\", "
-                                "\"normal\", \"fine\", did you mean 'normal'?\n");
-    for (const char* const wrong : {"bounce = true", "bounce = 2", "bounce = [\"fine\"]", "bounces = \"fine\""}) {
+    EXPECT_EQ(all_text(report),
+              "show/show.toml:9: [light] bounce is 'normel', expected one of \"off\", \"room\", "
+              "\"normal\", \"fine\", did you mean 'normal'?\n");
+    for (const char* const wrong :
+         {"bounce = true", "bounce = 2", "bounce = [\"fine\"]", "bounces = \"fine\""}) {
         Report said;
         EXPECT_EQ(parse(kHead + "[light]\n" + wrong + "\n", said).bounce, BounceDetail::off);
         EXPECT_EQ(said.messages.size(), 1u) << wrong << "\n" << all_text(said);

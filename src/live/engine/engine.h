@@ -126,7 +126,7 @@ private:
     MessageBoard messages_{link_};
     RigNews rig_news_{link_};
     BounceNews bounce_news_{link_};
-    double bounce_ms_ = 0; // of drawing the last picture
+    double bounce_ms_ = 0;       // of drawing the last picture
     double listens_again_s_ = 0; // where a port was taken
     int losses_ = 0;             // of the device
     std::unique_ptr<TrackerInput> trackers_;

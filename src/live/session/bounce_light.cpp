@@ -37,8 +37,7 @@ std::vector<glm::vec3> lamps_of(const scene::Show& show) {
     std::vector<glm::vec3> lamps_m;
     for (const scene::PatchedFixture& fixture : show.fixtures)
         for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop)
-            for (const glm::vec3& place_m : scene::light_places_m(fixture, stop))
-                lamps_m.push_back(place_m);
+            for (const glm::vec3& place_m : scene::light_places_m(fixture, stop)) lamps_m.push_back(place_m);
     return lamps_m;
 }
 
@@ -216,7 +215,8 @@ void BounceLight::run() {
         const Result<void> made = make_links(tracer);
         if (!made.ok()) {
             const std::lock_guard lock(mutex_);
-            if (!stop_ && !stop_making_) failure_ = Error{made.error().what + "; no light bounces", made.error().where};
+            if (!stop_ && !stop_making_)
+                failure_ = Error{made.error().what + "; no light bounces", made.error().where};
             failed_ = true;
             made_ = true;
             changed_.notify_all();

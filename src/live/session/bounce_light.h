@@ -6,10 +6,10 @@
 
 #include "bake/bounce.h"
 #include "base/result.h"
-#include "show/bounce_detail.h"
 #include "bounce/bounce_volumes.h"
 #include "shared/gobos.h"
 #include "shared/types.h"
+#include "show/bounce_detail.h"
 #include "stage/stage.h"
 
 #include <atomic>

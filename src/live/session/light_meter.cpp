@@ -77,8 +77,7 @@ Lux lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, 
         sum += arrives * share;
     }
     Lux lux;
-    if (bounced)
-        lux.bounced = shared::luminance_of(lux_on(*bounced, surface.position, surface.facet_normal));
+    if (bounced) lux.bounced = shared::luminance_of(lux_on(*bounced, surface.position, surface.facet_normal));
     lux.all = shared::luminance_of(sum) + shared::luminance_of(air.ambient) + lux.bounced;
     return lux;
 }

@@ -59,14 +59,14 @@ std::string summary_line(const LuxGrid& grid) {
     const LuxSummary all = summary_of(grid);
     const std::string bounced =
         grid.bounced_lux.empty() ? "" : ", of which " + value_text(all.mean_bounced) + " bounced";
-    return formatted("%zu points: mean %s lx%s, least %s lx at (%.2f, %.2f, %.2f), most %s lx at (%.2f, %.2f, "
-                     "%.2f); least/mean %.2f",
-                     grid.points_m.size(), value_text(all.mean).c_str(), bounced.c_str(),
-                     value_text(all.least).c_str(),
-                     static_cast<double>(all.least_at_m.x), static_cast<double>(all.least_at_m.y),
-                     static_cast<double>(all.least_at_m.z), value_text(all.most).c_str(),
-                     static_cast<double>(all.most_at_m.x), static_cast<double>(all.most_at_m.y),
-                     static_cast<double>(all.most_at_m.z), static_cast<double>(all.uniformity()));
+    return formatted(
+        "%zu points: mean %s lx%s, least %s lx at (%.2f, %.2f, %.2f), most %s lx at (%.2f, %.2f, "
+        "%.2f); least/mean %.2f",
+        grid.points_m.size(), value_text(all.mean).c_str(), bounced.c_str(), value_text(all.least).c_str(),
+        static_cast<double>(all.least_at_m.x), static_cast<double>(all.least_at_m.y),
+        static_cast<double>(all.least_at_m.z), value_text(all.most).c_str(),
+        static_cast<double>(all.most_at_m.x), static_cast<double>(all.most_at_m.y),
+        static_cast<double>(all.most_at_m.z), static_cast<double>(all.uniformity()));
 }
 
 std::string sheet_begin(double width, double height, const LuxGrid& grid, const std::string& title) {

@@ -345,8 +345,7 @@ void Session::update_bounce(const scene::FrameLights& lit) {
     const bool waits = !options.maps_in_background;
     if (waits && bounce->is_making_links()) bounce->wait_for_links(options.quiet);
     const shared::Haze haze = live->haze();
-    const auto solved =
-        bounce->update(lit.lights, gobos.images, haze, live->camera().position_m, waits);
+    const auto solved = bounce->update(lit.lights, gobos.images, haze, live->camera().position_m, waits);
     if (const auto failure = bounce->take_failure()) {
         const std::size_t before = report.messages.size();
         report.add(Severity::warning, failure->where, failure->what);

@@ -4,6 +4,7 @@
 #include "show_file/air_edit.h"
 
 #include <cmath>
+#include <iterator>
 
 namespace ghost::ui {
 namespace {
@@ -49,8 +50,8 @@ QString words_of(const BounceNow& bounce) {
         words = "it cannot be made, Messages say why: no light bounces";
         break;
     case BounceNow::State::bounces:
-        words = bounce.solve_ms > 0 ? "solved in " + in_ms(bounce.solve_ms) + " beside the picture, drawn in " +
-                                          in_ms(bounce.draw_ms) + " of it"
+        words = bounce.solve_ms > 0 ? "solved in " + in_ms(bounce.solve_ms) +
+                                          " beside the picture, drawn in " + in_ms(bounce.draw_ms) + " of it"
                                     : QString("is being solved");
         break;
     }
@@ -59,20 +60,10 @@ QString words_of(const BounceNow& bounce) {
     return words;
 }
 
-QString state_name(BounceNow::State state) {
-    switch (state) {
-    case BounceNow::State::off:
-        return "off";
-    case BounceNow::State::makes_links:
-        return "makes_links";
-    case BounceNow::State::stopped:
-        return "cancelled";
-    case BounceNow::State::failed:
-        return "failed";
-    case BounceNow::State::bounces:
-        return "bounces";
-    }
-    return "";
+const char* state_name(BounceNow::State state) {
+    static constexpr const char* kNames[] = {"off", "makes_links", "cancelled", "failed", "bounces"};
+    static_assert(std::size(kNames) == static_cast<std::size_t>(BounceNow::State::bounces) + 1);
+    return kNames[static_cast<std::size_t>(state)];
 }
 
 void add_bounce_actions(Actions& actions, AppModel& app, ShowDocument& document) {

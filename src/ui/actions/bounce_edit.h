@@ -15,7 +15,7 @@ void stop_bounce(AppModel& app, bool stops);
 
 // "links are being made, 40 %, 12 s left".
 QString words_of(const BounceNow& bounce);
-QString state_name(BounceNow::State state); // for programs
+const char* state_name(BounceNow::State state); // "makes_links"
 
 // "bounce normal", "cancel-bounce".
 void add_bounce_actions(Actions& actions, AppModel& app, ShowDocument& document);

@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // AirPanel: the air of the show as its file has it: how thick the haze is, how light bounces in it, clouds
-// and the wind that carries them, and a table of the hazers, whose cells are edited where they stand. What is changed here is an edit
-// of the show. Window thread.
+// and the wind that carries them, and a table of the hazers, whose cells are edited where they stand. What is
+// changed here is an edit of the show. Window thread.
 
 #include "ui/actions/air_edit.h"
 #include "ui/panels/bounce_row.h"

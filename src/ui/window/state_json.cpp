@@ -120,9 +120,8 @@ QJsonObject state_json(const AppModel& app, const View& view) {
     if (const std::optional<Probed>& probed = app.probed(); probed && app.request().probe == probed->place)
         probe = {{"cd_m2", static_cast<double>(probed->cd_m2)},
                  {"lux", probed->hit ? QJsonValue(static_cast<double>(probed->lux)) : QJsonValue()},
-                 {"bounced_lux", probed->bounced_lux
-                                     ? QJsonValue(static_cast<double>(*probed->bounced_lux))
-                                     : QJsonValue()},
+                 {"bounced_lux",
+                  probed->bounced_lux ? QJsonValue(static_cast<double>(*probed->bounced_lux)) : QJsonValue()},
                  {"at_m", array_of(probed->at_m)},
                  {"object", QString::fromStdString(probed->object)}};
     const BounceNow& bounce = app.bounce();

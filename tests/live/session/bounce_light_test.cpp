@@ -38,8 +38,8 @@ fs::path links() {
 }
 
 std::string with_key(const std::string& value) {
-    return must(read_text_file(DemoCopy::show() / "show.toml", scene::kMaxShowBytes)) + "\n[light]\nbounce = \"" +
-           value + "\"\n";
+    return must(read_text_file(DemoCopy::show() / "show.toml", scene::kMaxShowBytes)) +
+           "\n[light]\nbounce = \"" + value + "\"\n";
 }
 
 // All heads on, into the stage.
@@ -129,9 +129,8 @@ TEST(BounceLight, links_are_made_once_whatever_the_camera_and_the_lights_do) {
     EXPECT_EQ(fs::last_write_time(links()), made_at);
 
     // Nor without a device.
-    const auto bounced =
-        must(bounced_now(*again->show, again->live->solid(), BounceDetail::room, *again->rig, again->gobos,
-                         again->atmosphere().medium(), true));
+    const auto bounced = must(bounced_now(*again->show, again->live->solid(), BounceDetail::room, *again->rig,
+                                          again->gobos, again->atmosphere().medium(), true));
     ASSERT_TRUE(bounced);
     EXPECT_EQ(bounced->surfaces.texels, again->bounced->surfaces.texels);
     EXPECT_EQ(bounced->air.texels, again->bounced->air.texels);
@@ -205,7 +204,8 @@ TEST(BounceLight, the_meter_reads_it_by_rays_and_as_a_picture) {
     ASSERT_GT(ratios.size(), 20u);
     std::sort(ratios.begin(), ratios.end());
     std::printf("picture / rays in %zu places in shadow: %.3f %.3f %.3f\n", ratios.size(),
-                static_cast<double>(ratios[ratios.size() / 10]), static_cast<double>(ratios[ratios.size() / 2]),
+                static_cast<double>(ratios[ratios.size() / 10]),
+                static_cast<double>(ratios[ratios.size() / 2]),
                 static_cast<double>(ratios[ratios.size() * 9 / 10]));
     EXPECT_NEAR(ratios[ratios.size() / 2], 1, 0.03);
 }

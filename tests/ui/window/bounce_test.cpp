@@ -31,7 +31,8 @@ struct Bounce : Desk {
 TEST(BounceRow, its_level_is_an_edit_of_the_show) {
     Bounce desk;
     ASSERT_EQ(desk.complaint("bounce normal"), "");
-    EXPECT_EQ(desk.app.show()->bounce, scene::BounceDetail::normal) << "the window does not wait for the engine";
+    EXPECT_EQ(desk.app.show()->bounce, scene::BounceDetail::normal)
+        << "the window does not wait for the engine";
     EXPECT_EQ(desk.document.text(), kShow + "\n[light]\nbounce = \"normal\"\n");
     ASSERT_EQ(desk.complaint("bounce fine"), "");
     EXPECT_EQ(desk.app.undo_stack().count(), 2);
