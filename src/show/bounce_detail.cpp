@@ -15,11 +15,11 @@ std::optional<BounceDetail> find_bounce_detail(std::string_view name) {
 }
 
 std::string no_such_bounce_detail(std::string_view name) {
-    std::string text = "is '" + std::string(name.substr(0, 40)) + "', expected one of";
-    for (const char* const detail : kBounceDetails)
-        text += (detail == kBounceDetails[0] ? " \"" : ", \"") + std::string(detail) + "\"";
-    return text +
-           did_you_mean(name, std::vector<std::string>(std::begin(kBounceDetails), std::end(kBounceDetails)));
+    const std::vector<std::string> names(std::begin(kBounceDetails), std::end(kBounceDetails));
+    std::string listed;
+    for (const std::string& one : names) listed += (listed.empty() ? " \"" : ", \"") + one + "\"";
+    return "is '" + std::string(name.substr(0, 40)) + "', expected one of" + listed +
+           did_you_mean(name, names);
 }
 
 } // namespace ghost::scene
