@@ -24,7 +24,7 @@ struct BounceNodes {
     std::vector<std::vector<std::uint32_t>> subs_of_cell, subs_of_block, points_of_surfel, points_of_cluster;
 };
 
-// Fractions of all work, for the bar: as the demo takes its time.
+// Fractions of all work, for the bar; a guess.
 inline constexpr double kNodesMade = 0.1, kNearMade = 0.5, kFarMade = 0.9;
 
 // Grid, cells, surfels and their parents; links stay empty. False: stopped.
