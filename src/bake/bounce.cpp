@@ -51,7 +51,7 @@ Result<scene::Bounce> made(const Tracer& tracer, const BounceOptions& options) {
     }
     if (bounce.fine.cells.empty())
         return Error{"no lamp hangs in the air: light has no room to bounce in", "bounced light"};
-    if (options.progress) options.progress(0.1);
+    if (options.progress) options.progress(kNodesMade);
     if (!make_bounce_links(tracer, options, nodes, bounce)) return stopped;
     if (options.progress) options.progress(1);
     return bounce;

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
+#include <mutex>
 #include <numbers>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -67,18 +68,24 @@ public:
           block_m_(bounce.grid.sub_m * scene::kSubsOfBlock), cell_m_(bounce.grid.sub_m * scene::kSubsOfCell) {
     }
 
-    bool make(bool is_coarse) {
+    // Of all work it is that from one fraction to the other.
+    bool make(bool is_coarse, double from, double to) {
         const scene::BounceLevel& level = is_coarse ? bounce_.coarse : bounce_.fine;
         const std::size_t count = level.cells.size() + level.surfels.size();
         std::vector<std::vector<FoundLink>> rows(count);
         tbb::enumerable_thread_specific<Sums> sums;
         std::atomic<std::size_t> done{0};
+        std::mutex saying;
         tbb::parallel_for(std::size_t{0}, (count + kBand - 1) / kBand, [&](std::size_t band) {
             if (options_.stop && options_.stop()) return;
             const DenormalsOff mode;
             for (std::size_t node = band * kBand; node < std::min((band + 1) * kBand, count); ++node)
                 row(is_coarse, node, sums.local(), rows[node]);
             done += kBand;
+            if (!options_.progress) return;
+            if (const std::unique_lock lock(saying, std::try_to_lock); lock)
+                options_.progress(from + (to - from) * std::min(1.0, static_cast<double>(done) /
+                                                                         static_cast<double>(count)));
         });
         if (options_.stop && options_.stop()) return false;
         make_reciprocal(level, rows);
@@ -387,10 +394,8 @@ private:
 bool make_bounce_links(const Tracer& tracer, const BounceOptions& options, const BounceNodes& nodes,
                        scene::Bounce& bounce) {
     Links links(tracer, options, nodes, bounce);
-    if (!links.make(false)) return false;
-    if (options.progress) options.progress(0.5);
-    if (!links.make(true)) return false;
-    if (options.progress) options.progress(0.9);
+    if (!links.make(false, kNodesMade, kNearMade)) return false;
+    if (!links.make(true, kNearMade, kFarMade)) return false;
     return Parents(tracer, nodes, bounce).make(options);
 }
 

@@ -26,9 +26,14 @@ struct Bounds {
 } // namespace
 
 BounceBox bounce_box(const Stage& stage, const std::vector<shared::Light>& lights) {
+    std::vector<glm::vec3> lamps_m;
+    for (const shared::Light& light : lights) lamps_m.push_back(light.position_m - light.off_map_m);
+    return bounce_box(stage, lamps_m);
+}
+
+BounceBox bounce_box(const Stage& stage, const std::vector<glm::vec3>& lamps_m) {
     Bounds room, lamps, near_lamps;
-    for (const shared::Light& light : lights) {
-        const glm::vec3 place_m = light.position_m - light.off_map_m;
+    for (const glm::vec3& place_m : lamps_m) {
         lamps.add(place_m);
         near_lamps.add(place_m, kRoundLamps_m);
     }

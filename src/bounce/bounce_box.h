@@ -16,6 +16,7 @@ struct BounceBox {
 };
 
 // The stage without fixture bodies and some air round the lamps; of a field without end what lies near them.
+BounceBox bounce_box(const Stage& stage, const std::vector<glm::vec3>& lamps_m);
 BounceBox bounce_box(const Stage& stage, const std::vector<shared::Light>& lights);
 
 } // namespace ghost::scene

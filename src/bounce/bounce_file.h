@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 #include "bounce/bounce.h"
-#include "bounce/bounce_detail.h"
+#include "show/bounce_detail.h"
 
 #include <filesystem>
 #include <optional>

@@ -3,12 +3,15 @@
 // question "why is it dark?".
 #include "base/interrupt.h"
 #include "cli/commands.h"
+#include "cli/options/bounce_option.h"
 #include "cli/options/input_options.h"
 #include "cli/options/number_option.h"
 #include "diagnose/explain_print.h"
 #include "dmx/record/recording_tasks.h"
 #include "light/bodies.h"
 #include "live/inputs/joined_universes.h"
+#include "live/session/bounce_light.h"
+#include "live/session/light_meter.h"
 #include "live/session/media_player.h"
 #include "live/session/session.h"
 #include "rays/tracer.h"
@@ -45,6 +48,7 @@ struct Options {
     bool live_input = false;
     double for_s = 5;
     InputOptions input;
+    std::optional<scene::BounceDetail> bounce; // instead of the show's
     bool json = false;
     bool quiet = false;
 };
@@ -220,6 +224,8 @@ Result<void> run(const Options& options) {
     const scene::Stage stage = has_stage ? scene::stage_with_bodies(show, report) : scene::Stage{};
     print_report(report);
 
+    TRY(const auto bounced, bounced_now(show, stage, options.bounce.value_or(show.bounce), rig, gobos,
+                                        atmosphere_of(show).medium(), options.quiet));
     const bake::DenormalsOff mode;
     const bake::Tracer tracer(stage);
     const scene::ExplainInput input{
@@ -237,6 +243,7 @@ Result<void> run(const Options& options) {
                 const bake::Surface hit = tracer.first_hit(origin, direction, -1.0f, bake::Sees::no_bodies);
                 return scene::ExplainInput::Seen{hit.instance, hit.distance_m, hit.facet_normal};
             },
+        .bounced_lx = bounced_lx_in(bounced.get()),
     };
     const scene::Explainer explainer(input);
     std::vector<scene::Explanation> explanations;
@@ -295,6 +302,7 @@ void add_explain(CLI::App& app, int& exit_code) {
         ->check(number_in(0.1, 3600.0))
         ->needs(live)
         ->capture_default_str();
+    add_bounce_option(*command, options->bounce);
     command->add_flag("--json", options->json, "all facts as one JSON object");
     command->add_flag("--quiet", options->quiet, "print warnings and errors only, beside the answer");
     add_input_options(*command, options->input);

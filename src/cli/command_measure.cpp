@@ -2,7 +2,9 @@
 // ghostlight measure: lux along a line or over an area of the stage, as a light meter would read them.
 #include "base/interrupt.h"
 #include "cli/commands.h"
+#include "cli/options/bounce_option.h"
 #include "cli/options/number_option.h"
+#include "live/session/bounce_light.h"
 #include "live/session/light_meter.h"
 #include "live/session/lux_sheet.h"
 #include "live/session/show_moment.h"
@@ -59,6 +61,9 @@ Result<void> measure(const Options& options, LuxGrid& grid) {
     const bake::Tracer tracer(moment->stage());
     const std::vector<shared::Light> lights = moment->lights();
     const Atmosphere air = atmosphere_of(moment->show());
+    TRY(const auto bounced,
+        bounced_now(moment->show(), moment->stage(), options.session.bounce.value_or(moment->show().bounce),
+                    moment->rig(), moment->gobos(), air.medium(), options.session.quiet));
     const bake::DenormalsOff mode;
     bake::Surface meter;
     meter.instance = 0;
@@ -72,7 +77,9 @@ Result<void> measure(const Options& options, LuxGrid& grid) {
     for (const glm::vec3& at_m : grid.points_m) {
         if (interrupted()) return Error{"interrupted", ""};
         meter.position = meter.shadow_origin = at_m;
-        grid.lux.push_back(lux_at(meter, lights, air, moment->gobos(), &tracer));
+        const Lux lux = lux_at(meter, lights, air, moment->gobos(), &tracer, bounced.get());
+        grid.lux.push_back(lux.all);
+        if (bounced) grid.bounced_lux.push_back(lux.bounced);
         progress.update(static_cast<double>(grid.lux.size()) / static_cast<double>(grid.points_m.size()),
                         steady_now_s(), "");
     }
@@ -96,14 +103,15 @@ Result<void> run(const Options& options) {
         TRY_VOID(write_file_atomic(options.out, lux_svg(grid, title)));
     }
     const auto place = [](const glm::vec3& at_m) { return std::array{at_m.x, at_m.y, at_m.z}; };
-    const nlohmann::json figures = {{"points", grid.lux.size()},
-                                    {"mean_lux", all.mean},
-                                    {"least_lux", all.least},
-                                    {"least_at_m", place(all.least_at_m)},
-                                    {"most_lux", all.most},
-                                    {"most_at_m", place(all.most_at_m)},
-                                    {"least_over_mean", all.uniformity()},
-                                    {"least_over_most", all.diversity()}};
+    nlohmann::json figures = {{"points", grid.lux.size()},
+                              {"mean_lux", all.mean},
+                              {"least_lux", all.least},
+                              {"least_at_m", place(all.least_at_m)},
+                              {"most_lux", all.most},
+                              {"most_at_m", place(all.most_at_m)},
+                              {"least_over_mean", all.uniformity()},
+                              {"least_over_most", all.diversity()}};
+    if (!grid.bounced_lux.empty()) figures["mean_bounced_lux"] = all.mean_bounced;
     if (options.json) {
         print_text("%s\n", figures.dump().c_str());
         return {};
@@ -117,6 +125,8 @@ Result<void> run(const Options& options) {
         static_cast<double>(all.most_at_m.x), static_cast<double>(all.most_at_m.y),
         static_cast<double>(all.most_at_m.z), static_cast<double>(all.uniformity()),
         static_cast<double>(all.diversity()));
+    if (!grid.bounced_lux.empty())
+        print_text("of the mean %.2f lx bounced\n", static_cast<double>(all.mean_bounced));
     return {};
 }
 
@@ -145,6 +155,7 @@ void add_measure(CLI::App& app, int& exit_code) {
         ->expected(3)
         ->type_name("X Y Z")
         ->check(number_in(-kFar_m, kFar_m));
+    add_bounce_option(*command, a->session.bounce);
     command->add_option("-o,--out", a->out, "a table (.csv) or a sheet to print (.svg)")->type_name("FILE");
     command->add_flag("--json", a->json, "the summary as JSON");
     command->add_flag("-q,--quiet", a->session.quiet, "no progress");

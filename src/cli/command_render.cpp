@@ -50,9 +50,9 @@ Result<bool> check_usage(RenderArguments& arguments) {
     if (arguments.has_ev100) arguments.session.ev100 = arguments.ev100;
     arguments.session.shadows = !arguments.no_shadows;
     arguments.session.maps_in_background = arguments.live_input;
-    arguments.session.live = arguments.session.live || !arguments.eye_m.empty() ||
-                             !arguments.session.travel.empty() ||
-                             arguments.session.bounce != scene::BounceDetail::off;
+    arguments.session.live =
+        arguments.session.live || !arguments.eye_m.empty() || !arguments.session.travel.empty() ||
+        arguments.session.bounce.value_or(scene::BounceDetail::off) != scene::BounceDetail::off;
     if (arguments.eye_m.empty() != arguments.target_m.empty())
         return Error{"a free camera needs both", "--eye/--target"};
     if (!arguments.eye_m.empty()) {

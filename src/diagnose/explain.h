@@ -124,9 +124,10 @@ struct HitFacts {
     std::string object;
     float distance_m = 0; // from the lens; below 0: between the head's pivot and the lens
     glm::vec3 position_m{0};
-    float facing_lx = 0;      // on something that faces the lamp
-    float illuminance_lx = 0; // on the surface as it lies
-    bool lens_inside = false; // of that object
+    float facing_lx = 0;             // on something that faces the lamp
+    float illuminance_lx = 0;        // on the surface as it lies
+    std::optional<float> bounced_lx; // beside that, of all lights; nothing: no light bounces
+    bool lens_inside = false;        // of that object
 };
 
 // One beam; the parts are fractions of light, each of what the parts before it leave (of an open beam, where
@@ -205,6 +206,8 @@ struct ExplainInput {
     };
     const Stage* stage = nullptr; // null: what beams hit is not known
     std::function<Seen(const glm::vec3& origin, const glm::vec3& direction)> first_hit;
+    // Null: no light bounces.
+    std::function<float(const glm::vec3& place_m, const glm::vec3& normal)> bounced_lx;
 };
 
 class Explainer {

@@ -71,6 +71,9 @@ void look(const ExplainInput& input, const shared::Light& light, BeamFacts& fact
         const float towards_cd = facts.picture * facts.gobo * facts.animation * glm::dot(candela, kLuminance);
         hit.facing_lx = towards_cd / std::max(seen.distance_m * seen.distance_m, 1e-6f);
         hit.illuminance_lx = hit.facing_lx * std::abs(glm::dot(seen.normal, way));
+        if (input.bounced_lx)
+            hit.bounced_lx =
+                input.bounced_lx(hit.position_m, glm::dot(seen.normal, way) > 0 ? -seen.normal : seen.normal);
         hit.lens_inside = is_inside(*input.stage, seen.instance, facts.lens_m);
         facts.hit = hit;
         return;

@@ -124,6 +124,7 @@ Json beam_json(const BeamFacts& beam, const std::vector<ChannelFacts>& channels)
                {"position_m", vector_json(beam.hit->position_m)},
                {"illuminance_lx", rounded(beam.hit->illuminance_lx)},
                {"facing_lx", rounded(beam.hit->facing_lx)},
+               {"bounced_lx", beam.hit->bounced_lx ? Json(rounded(*beam.hit->bounced_lx)) : Json(nullptr)},
                {"lens_inside", beam.hit->lens_inside}};
     Json findings = Json::array();
     for (const Reason& finding : beam.findings) findings.push_back(finding_json(finding, channels));

@@ -182,7 +182,9 @@ std::string hits_text(const Explanation& explanation, const BeamFacts& beam) {
         return "'" + beam.hit->object + "' " + metres(beam.hit->distance_m) + " m from the lens, at x " +
                metres(beam.hit->position_m.x) + ", y " + metres(beam.hit->position_m.y) + ", z " +
                metres(beam.hit->position_m.z) + " m: " + lux(beam.hit->illuminance_lx) + " on it, " +
-               lux(beam.hit->facing_lx) + " facing the lamp (without haze)";
+               lux(beam.hit->facing_lx) + " facing the lamp (without haze)" +
+               (beam.hit->bounced_lx ? "; " + lux(*beam.hit->bounced_lx) + " more of all lights bounced there"
+                                     : "");
     }
     return beam.edge_object.empty() ? "nothing: it leaves the stage"
                                     : "nothing with its middle; its edge meets '" + beam.edge_object + "'";

@@ -11,6 +11,7 @@
 #include "image/image.h"
 #include "image/tone.h"
 #include "link/look.h"
+#include "show/bounce_detail.h"
 #include "show/camera.h"
 #include "show_folder/hang.h"
 #include "stage/stage.h"
@@ -108,7 +109,8 @@ struct ViewRequest {
     WorkLight work_light = WorkLight::automatic;
     std::optional<glm::vec2> probe; // what is measured there; (0, 0) is the top left corner of the picture
     Pick pick;
-    bool takes_baked = true; // where the camera stands as one whose passes are fresh
+    bool takes_baked = true;   // where the camera stands as one whose passes are fresh
+    bool stops_bounce = false; // the links of bounced light are not made, for they are not there yet
     SaveFrame save_frame;
     std::uint64_t take_plot = 0; // number of the received plot to be merged into the show; 0: none
 };
@@ -213,12 +215,26 @@ struct Verdict {
     std::string group; // the reason, in words that are the same for all fixtures with that trouble
 };
 
+// Light that bounces in the picture.
+struct BounceNow {
+    enum class State { off, makes_links, stopped, failed, bounces };
+    State state = State::off;
+    scene::BounceDetail detail = scene::BounceDetail::off;
+    bool is_of_command_line = false; // whatever the show says
+    double made_share = 0;           // of the links
+    std::optional<double> left_s;    // until they are made; nothing: not known yet
+    double solve_ms = 0;             // of the last solution, on a thread of its own
+    double draw_ms = 0;              // of the last picture
+    bool operator==(const BounceNow&) const = default;
+};
+
 // What the probe meets.
 struct Probed {
     glm::vec2 place{0}; // as in the request
     float cd_m2 = 0;    // that the camera sees there
     bool hit = false;   // a surface; what follows is of it
     float lux = 0;
+    std::optional<float> bounced_lux; // of them; nothing: no light bounces
     glm::vec3 at_m{0};
     float distance_m = 0; // from the camera
     std::string object;
@@ -263,6 +279,7 @@ struct Link {
     Mailbox<ReceivedPlot> plot;
     // How much changes in equal parts of the recording: 0 nothing .. 1 most. Comes some time after the show.
     Mailbox<std::vector<float>> activity_of_recording;
+    Mailbox<BounceNow> bounce;
     Mailbox<Probed> probed;
     Mailbox<Picked> picked;
     Mailbox<Saved> saved;

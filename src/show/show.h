@@ -9,6 +9,7 @@
 #include "fixture/motion.h"
 #include "fixture/patch.h"
 #include "fixture/type.h"
+#include "show/bounce_detail.h"
 #include "show/camera.h"
 #include "show/cues.h"
 #include "show/laser.h"
@@ -135,6 +136,7 @@ struct Show {
     HazeMedium haze;
     std::vector<Hazer> hazers;
     Attenuation attenuation;
+    BounceDetail bounce = BounceDetail::off; // of pictures that are drawn live
     bool shadows = true;
     fixture::Motion motion = fixture::Motion::as_the_machine;
     float shutter_deg = 360;   // of the camera: share of a frame, in degrees, for which strobes are seen

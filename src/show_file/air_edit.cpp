@@ -85,4 +85,8 @@ Result<std::string> remove_hazer(const std::string& text, const std::vector<Haze
     return remove_entries(text, "hazer", {index});
 }
 
+Result<std::string> edit_bounce(const std::string& text, BounceDetail detail) {
+    return set_in(text, "light", {{"bounce", toml_text(std::string(name_of(detail)))}});
+}
+
 } // namespace ghost::scene

@@ -1,10 +1,12 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// Edits of the air in show.toml: [haze] and [[hazer]]. As in show_edit.h: each function gives the whole new
-// text, of which the rest stays byte for byte. Units as in docs/reference/show-file.md. Error, of all of
-// them: no TOML, or written in a way that cannot be edited. Pure, any thread.
+// Edits of the air in show.toml: [haze], [[hazer]], and whether light bounces in it, [light]. As in
+// show_edit.h: each function gives the whole new text, of which the rest stays byte for byte. Units as in
+// docs/reference/show-file.md. Error, of all of them: no TOML, or written in a way that cannot be edited.
+// Pure, any thread.
 
 #include "base/result.h"
+#include "show/bounce_detail.h"
 
 #include <glm/glm.hpp>
 
@@ -42,5 +44,7 @@ Result<std::string> edit_hazer(const std::string& text, const std::vector<Hazer>
 Result<std::string> add_hazer(const std::string& text, const Hazer& hazer);
 Result<std::string> remove_hazer(const std::string& text, const std::vector<Hazer>& hazers,
                                  std::size_t index);
+
+Result<std::string> edit_bounce(const std::string& text, BounceDetail detail);
 
 } // namespace ghost::scene

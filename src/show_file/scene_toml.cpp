@@ -129,6 +129,17 @@ std::optional<Hazer> read_hazer(const toml::table& table, const std::string& fil
     return hazer;
 }
 
+void read_light(const toml::table& table, const std::string& file, BounceDetail& bounce, Report& report) {
+    TableReader reader(table, "[light]", file, report);
+    if (const auto name = reader.text("bounce")) {
+        if (const auto detail = find_bounce_detail(*name))
+            bounce = *detail;
+        else
+            reader.problem(Severity::error, "bounce", no_such_bounce_detail(*name));
+    }
+    reader.finish();
+}
+
 void read_attenuation(const toml::table& table, const std::string& file, Attenuation& attenuation,
                       Report& report) {
     TableReader reader(table, "[attenuation]", file, report);
@@ -207,6 +218,7 @@ void read_scene_sections(TableReader& top, const std::string& file, const std::s
     if (const toml::table* table = top.table("haze")) read_haze(*table, file, show.haze, report);
     for (const toml::table* table : top.tables("hazer", kMaxHazers))
         if (const auto hazer = read_hazer(*table, file, report)) show.hazers.push_back(*hazer);
+    if (const toml::table* table = top.table("light")) read_light(*table, file, show.bounce, report);
     if (const toml::table* table = top.table("attenuation"))
         read_attenuation(*table, file, show.attenuation, report);
     if (const toml::table* table = top.table("shadows")) read_shadows(*table, file, show, report);

@@ -1,8 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// The sections of show.toml that say how the scene looks: [scene], [haze], [[hazer]], [attenuation],
-// [shadows],
-// [[object]]. Values out of range are left out, with a message. Pure; part of show_toml.
+// The sections of show.toml that say how the scene looks: [scene], [haze], [[hazer]], [light], [attenuation],
+// [shadows], [[object]]. Values out of range are left out, with a message. Pure; part of show_toml.
 
 #include "base/report.h"
 #include "json_xml_toml/toml_reader.h"

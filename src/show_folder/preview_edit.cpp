@@ -21,6 +21,7 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
     show.cues = std::move(parsed.show.cues);
     show.haze = parsed.show.haze;
     show.hazers = std::move(parsed.show.hazers);
+    show.bounce = parsed.show.bounce;
     for (PatchedFixture& fixture : show.fixtures) {
         const auto same =
             std::find_if(before.fixtures.begin(), before.fixtures.end(), [&](const PatchedFixture& one) {

@@ -3,9 +3,11 @@
 #include "bake/bounce.h"
 
 #include "bounce/bounce_solver.h"
+#include "bounce/bounce_volumes.h"
 #include "reference/light_walk.h"
 #include "support/test_stage.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <gtest/gtest.h>
@@ -194,6 +196,59 @@ TEST(Bounce, LightIsNeverMadeFromNothing) {
             }
             for (const glm::vec4& lux : solved.solution.lux) ASSERT_TRUE(std::isfinite(lux.x)) << name;
         }
+}
+
+// What a meter reads of it: in a closed room all that was sent lands, and goes on, albedo by albedo.
+TEST(Bounce, TheMeterReadsWhatLands) {
+    constexpr float kAlbedo = 0.5f;
+    const glm::vec3 half_m(5, 6, 3);
+    const scene::Stage stage = closed_room(half_m, kAlbedo);
+    const Solved solved = solve(stage, {spot({1, 0, 5}, {-1, 2, 0}, 20, 0)}, {}, 20);
+    ASSERT_TRUE(solved.made);
+    scene::BounceVolumes volumes;
+    fill_lux(solved.bounce, solved.solution, volumes);
+    // Over all walls, at places between the surfels, too.
+    double lumens = 0, area_m2 = 0;
+    for (int side = 0; side < 6; ++side) {
+        const int axis = side / 2, u = (axis + 1) % 3, v = (axis + 2) % 3;
+        constexpr int kAcross = 31;
+        for (int k = 0; k < kAcross * kAcross; ++k) {
+            glm::vec3 place_m(0), normal(0);
+            normal[axis] = side % 2 == 0 ? 1.0f : -1.0f; // inwards
+            place_m[axis] = -normal[axis] * half_m[axis];
+            place_m[u] = half_m[u] * (2 * (static_cast<float>(k % kAcross) + 0.5f) / kAcross - 1);
+            place_m[v] = half_m[v] * (2 * (static_cast<float>(k / kAcross) + 0.5f) / kAcross - 1);
+            place_m.z += half_m.z;
+            const double share_m2 = 4 * static_cast<double>(half_m[u] * half_m[v]) / (kAcross * kAcross);
+            lumens += share_m2 * static_cast<double>(lux_on(volumes, place_m, normal).y);
+            area_m2 += share_m2;
+        }
+    }
+    const double expected_lm = solved.solution.sent_lm * kAlbedo / (1 - kAlbedo);
+    std::printf("bounced onto the walls %.4f of what lands there\n", lumens / expected_lm);
+    EXPECT_NEAR(lumens / expected_lm, 1.0, 0.05);
+    // Half way up and looking up it reads the air.
+    const double in_air = static_cast<double>(lux_on(volumes, {0, 0, 3}, {0, 0, 1}).y);
+    EXPECT_GT(in_air, 0.3 * lumens / area_m2);
+    EXPECT_LT(in_air, 3 * lumens / area_m2);
+    EXPECT_EQ(lux_on(volumes, {0, 0, 100}, {0, 0, -1}).y, lux_on(volumes, {0, 0, 90}, {0, 0, -1}).y)
+        << "outside it is as at the edge";
+}
+
+TEST(Bounce, TellsHowFarItIs) {
+    const scene::Stage stage = closed_room({4, 4, 2}, 0.5f);
+    const Tracer tracer(stage);
+    BounceOptions options;
+    options.box = {{-5, -5, -1}, {5, 5, 5}};
+    options.seeds_m = {{1, 0, 3}};
+    options.cell_m = 1;
+    std::vector<double> told;
+    options.progress = [&](double fraction) { told.push_back(fraction); };
+    ASSERT_TRUE(make_bounce(tracer, options).ok());
+    EXPECT_GT(told.size(), 10u);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_EQ(told.back(), 1.0);
+    EXPECT_GT(told.front(), 0.0);
 }
 
 TEST(Bounce, SaysWhyThereIsNone) {

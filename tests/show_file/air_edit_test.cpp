@@ -120,6 +120,22 @@ TEST(AirEdit, where_one_could_not_be_read_none_is_changed) {
     EXPECT_FALSE(edit_hazer(odd, {Hazer{}}, 0, {.rate = 1.0f}).ok());
 }
 
+TEST(AirEdit, how_light_bounces_is_written_where_it_stands_or_in_a_table_of_its_own) {
+    const auto made = edit_bounce(kText, BounceDetail::normal);
+    ASSERT_TRUE(made.ok()) << made.error().text();
+    EXPECT_EQ(*made, kText + "\n[light]\nbounce = \"normal\"\n");
+    EXPECT_EQ(read(*made).bounce, BounceDetail::normal);
+    const std::string commented = with(*made, "\"normal\"", "\"normal\" # for the band");
+    const auto changed = edit_bounce(commented, BounceDetail::fine);
+    ASSERT_TRUE(changed.ok()) << changed.error().text();
+    EXPECT_EQ(*changed, with(commented, "\"normal\"", "\"fine\""));
+    EXPECT_TRUE(differ_in_fixtures_air_and_cues_only(kText, *changed));
+    const auto preview = preview_edit(read(kText), *changed);
+    ASSERT_TRUE(preview.ok());
+    EXPECT_EQ(preview->bounce, BounceDetail::fine);
+    EXPECT_FALSE(edit_bounce("light = 1\n", BounceDetail::fine).ok());
+}
+
 TEST(AirEdit, a_preview_has_the_air_and_is_quick) {
     const Show before = read(kText);
     const auto edited = edit_haze(kText, {.wind_m_s = glm::vec3(1, 0, 0)});

@@ -349,5 +349,26 @@ TEST(SceneToml, PlacesThatAreNone) {
     }
 }
 
+TEST(SceneToml, HowLightBounces) {
+    EXPECT_EQ(good(kHead).bounce, BounceDetail::off);
+    EXPECT_EQ(good(kHead + "[light]\n").bounce, BounceDetail::off);
+    for (const char* const name : kBounceDetails)
+        EXPECT_STREQ(name_of(good(kHead + "[light]\nbounce = \"" + name + "\"\n").bounce), name);
+    Report report;
+    EXPECT_EQ(parse(kHead + "[light]\nbounce = \"normel\"\n", report).bounce, BounceDetail::off);
+    EXPECT_EQ(all_text(report),
+              "show/show.toml:9: [light] bounce is 'normel', expected one of \"off\", \"room\", "
+              "\"normal\", \"fine\", did you mean 'normal'?\n");
+    for (const char* const wrong :
+         {"bounce = true", "bounce = 2", "bounce = [\"fine\"]", "bounces = \"fine\""}) {
+        Report said;
+        EXPECT_EQ(parse(kHead + "[light]\n" + wrong + "\n", said).bounce, BounceDetail::off);
+        EXPECT_EQ(said.messages.size(), 1u) << wrong << "\n" << all_text(said);
+    }
+    Report of_list;
+    (void)parse(kHead + "[[light]]\nbounce = \"fine\"\n", of_list);
+    EXPECT_EQ(of_list.messages.size(), 1u) << all_text(of_list);
+}
+
 } // namespace
 } // namespace ghost::scene

@@ -24,6 +24,9 @@ struct BounceNodes {
     std::vector<std::vector<std::uint32_t>> subs_of_cell, subs_of_block, points_of_surfel, points_of_cluster;
 };
 
+// Fractions of all work, for the bar; a guess.
+inline constexpr double kNodesMade = 0.1, kNearMade = 0.5, kFarMade = 0.9;
+
 // Grid, cells, surfels and their parents; links stay empty. False: stopped.
 bool make_bounce_nodes(const Tracer& tracer, const BounceOptions& options, float cell_m,
                        scene::Bounce& bounce, BounceNodes& nodes);

@@ -6,6 +6,7 @@
 
 #include "link/link.h"
 #include "live/engine/baked_supply.h"
+#include "live/engine/bounce_news.h"
 #include "live/engine/desk_listener.h"
 #include "live/engine/desk_recorder.h"
 #include "live/engine/live_controls.h"
@@ -114,7 +115,9 @@ private:
     DeskListener desk_{options_.receiver, recorder_, messages_, link_};
     scene::PatchMap patch_; // of the session's show
     RigNews rig_news_{link_};
-    int losses_ = 0; // of the device
+    BounceNews bounce_news_{link_};
+    double bounce_ms_ = 0; // of drawing the last picture
+    int losses_ = 0;       // of the device
     LiveControls controls_;
     PlotInbox plots_{link_};
 

@@ -91,6 +91,7 @@ std::string Engine::needs_live() const {
     if (!look.shown.empty()) return "objects are hidden or shown by hand";
     if (!look.surfaces.empty()) return "surfaces are set by hand";
     if (!(look.scene == ui::SceneLook{})) return "air, even light or shadows are set by hand";
+    if (session_->bounce_detail() != scene::BounceDetail::off) return "light bounces";
     if (controls_.remote().haze != 1.0f) return "a remote control sets the haze";
     if (controls_.has_trackers()) return "trackers may move what is on stage";
     return "";
@@ -122,6 +123,7 @@ void Engine::frame() {
     if (arrival_.count() == 0) arrival_ = input_->arrival();
     session_->master =
         request_.black_out ? 0.0f : std::clamp(request_.master, 0.0f, 1.0f) * controls_.remote().light();
+    session_->stop_bounce(request_.stops_bounce);
     const bool sees_else = look_->apply(request_.look, *session_) || thicker;
     if (sees_else) live_.look_anew();
     session_->relighter->set_exposure(wanted.ev100, wanted.auto_exposure);
@@ -162,6 +164,8 @@ void Engine::frame() {
     } else if (!statistics.stopped) {
         arrival_ = std::chrono::nanoseconds{0}; // they changed nothing that is seen
     }
+    if (drew) bounce_ms_ = statistics.bounce_ms();
+    bounce_news_.publish(*session_, bounce_ms_, begin_s);
     rig_news_.publish(*session_, *input_, shown_.lights, recorder_.seconds(), begin_s);
     rig_news_.explain(
         {request_.explained, request_.explains_all}, *session_, *input_, patch_,

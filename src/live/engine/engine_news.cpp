@@ -22,7 +22,7 @@ void Engine::publish_rest(double now_s, bool drew) {
     const bool has_text = !request_.text || request_.text == text_;
     const bool rests = !drew && has_text && !opening_.is_running() &&
                        now_s - last_change_s_ >= LivePicture::kRest_s && !session_->live->is_making_maps() &&
-                       !baked_.is_reading();
+                       session_->is_bounce_settled() && !baked_.is_reading();
     if (!rests || settled_ == request_.number) return;
     settled_ = request_.number;
     link_.settled.put(settled_);

@@ -65,7 +65,9 @@ void PictureProbe::probe(const std::optional<glm::vec2>& wanted, const ShownPict
     const bake::Surface surface = surface_at(shown.camera, place, rays);
     if (surface.instance >= 0) {
         probed.hit = true;
-        probed.lux = lux_at(surface, shown.lights, shown.session, rays);
+        const Lux lux = lux_at(surface, shown.lights, shown.session, rays);
+        probed.lux = lux.all;
+        if (shown.session.bounced) probed.bounced_lux = lux.bounced;
         probed.at_m = surface.position;
         probed.distance_m = surface.distance_m;
         probed.object = rays.stage().instances[static_cast<std::size_t>(surface.instance)].name;

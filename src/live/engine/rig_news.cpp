@@ -3,6 +3,7 @@
 
 #include "beam_groups/light_places.h"
 #include "diagnose/explain_print.h"
+#include "live/session/light_meter.h"
 #include "photometry/photometry.h"
 
 #include <algorithm>
@@ -103,6 +104,7 @@ void RigNews::explain(const Question& question, const Session& session, const Li
                 const bake::Surface hit = rays.first_hit(origin, direction, -1.0f, bake::Sees::no_bodies);
                 return scene::ExplainInput::Seen{hit.instance, hit.distance_m, hit.facet_normal};
             },
+        .bounced_lx = bounced_lx_in(session.bounced.get()),
     };
     const scene::Explainer explainer(asked);
     if (explains_one) {

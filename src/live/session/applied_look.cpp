@@ -69,6 +69,8 @@ ui::Opened opened_from(const Session& session) {
 
 bool take_air(const scene::Show& edited, Session& session) {
     scene::Show& show = *session.show;
+    show.bounce = edited.bounce;
+    session.set_bounce(session.options.bounce.value_or(show.bounce));
     if (is_same(edited.haze, show.haze) &&
         std::equal(edited.hazers.begin(), edited.hazers.end(), show.hazers.begin(), show.hazers.end(),
                    is_same<scene::Hazer>))

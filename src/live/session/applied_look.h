@@ -11,8 +11,8 @@ namespace ghost::app {
 // What can be hidden and changed by hand, for the window.
 ui::Opened opened_from(const Session& session);
 
-// The session's show has the haze and the hazers of that one now. True: they are others, and look_from has to
-// follow.
+// The session's show has the haze, the hazers and the bounced light of that one now. True: the air is
+// another, and look_from has to follow.
 bool take_air(const scene::Show& edited, Session& session);
 
 class AppliedLook {

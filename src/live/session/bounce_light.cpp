@@ -4,10 +4,16 @@
 #include "bake/hasher.h"
 #include "bake/keys.h"
 #include "base/interrupt.h"
+#include "base/log.h"
+#include "base/progress.h"
+#include "base/steady_time.h"
+#include "beam_groups/light_places.h"
 #include "bounce/bounce_box.h"
 #include "bounce/bounce_file.h"
 #include "bounce/bounce_solver.h"
 #include "disk/files.h"
+#include "light/gobos.h"
+#include "light/rig.h"
 #include "show/show.h"
 
 #include <algorithm>
@@ -23,10 +29,16 @@ namespace {
 
 constexpr float kBesideLamp_m = 0.5f; // there is air
 constexpr int kPasses = 2;
+constexpr double kTold = 0.03; // of the work, before what is left can be told
+constexpr auto kLookEvery = std::chrono::milliseconds(100);
 
-double now_ms() {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
-        .count();
+// Wherever their heads point.
+std::vector<glm::vec3> lamps_of(const scene::Show& show) {
+    std::vector<glm::vec3> lamps_m;
+    for (const scene::PatchedFixture& fixture : show.fixtures)
+        for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop)
+            for (const glm::vec3& place_m : scene::light_places_m(fixture, stop)) lamps_m.push_back(place_m);
+    return lamps_m;
 }
 
 glm::vec3 place_of(const shared::Light& light) {
@@ -80,19 +92,21 @@ private:
 } // namespace
 
 BounceLight::BounceLight(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
-                         const std::vector<shared::Light>& lights, const shared::Gobos& gobos)
+                         const shared::Gobos& gobos)
     : stage_(stage), fixtures_(show.fixtures.size()), home_(show.folder),
       file_(scene::bounce_file(show, level)), options_(options_of(level)),
-      passes_(level == scene::BounceDetail::fine ? kPasses + 1 : kPasses), gobos_(gobos) {
-    options_.box = scene::bounce_box(stage, lights);
-    options_.stop = [this] { return stop_ || interrupted(); };
+      passes_(level == scene::BounceDetail::fine ? kPasses + 1 : kPasses), gobos_(gobos),
+      begin_s_(steady_now_s()) {
+    const std::vector<glm::vec3> lamps_m = lamps_of(show);
+    options_.box = scene::bounce_box(stage, lamps_m);
+    options_.stop = [this] { return stop_ || stop_making_ || interrupted(); };
     options_.progress = [this](double share) { share_ = share; };
-    for (const shared::Light& light : lights) {
-        options_.seeds_m.push_back(place_of(light));
-        for (const float aside_m : {-kBesideLamp_m, kBesideLamp_m}) // whatever stands round its middle
-            options_.seeds_m.push_back(place_of(light) + glm::vec3(0, 0, aside_m));
-    }
-    for (const scene::Camera& camera : show.cameras) options_.seeds_m.push_back(camera.position_m);
+    for (const glm::vec3& lamp_m : lamps_m)
+        for (const float aside_m : {0.0f, -kBesideLamp_m, kBesideLamp_m}) // whatever stands round its middle
+            options_.seeds_m.push_back(lamp_m + glm::vec3(0, 0, aside_m));
+    // Not of cameras where there are lamps: one that is added changes no light.
+    if (lamps_m.empty())
+        for (const scene::Camera& camera : show.cameras) options_.seeds_m.push_back(camera.position_m);
     thread_ = std::thread([this] { run(); });
 }
 
@@ -121,6 +135,38 @@ std::shared_ptr<const scene::BounceVolumes> BounceLight::update(const std::vecto
     }
     if (waits) changed_.wait(lock, [&] { return solved_number_ == asked_.number || failed_ || stop_; });
     return std::exchange(solved_, nullptr);
+}
+
+std::optional<double> BounceLight::left_s() const {
+    const double share = share_;
+    if (share < kTold) return std::nullopt;
+    return (steady_now_s() - begin_s_) * (1 - share) / share;
+}
+
+void BounceLight::wait_for_links(const std::function<void(double share)>& on_progress) {
+    std::unique_lock lock(mutex_);
+    while (!changed_.wait_for(lock, kLookEvery, [&] { return made_ || stop_; })) on_progress(share_);
+}
+
+void BounceLight::wait_for_links(bool quiet) {
+    Progress progress("links of bounced light",
+                      quiet ? Progress::Style::silent : Progress::style_for_stderr(), steady_now_s());
+    wait_for_links([&](double share) { progress.update(share, steady_now_s(), ""); });
+    progress.finish();
+}
+
+void BounceLight::stop_making() {
+    if (!made_) stop_making_ = true;
+}
+
+bool BounceLight::has_failed() {
+    const std::lock_guard lock(mutex_);
+    return failed_;
+}
+
+bool BounceLight::is_up_to_date() {
+    const std::lock_guard lock(mutex_);
+    return failed_ || (asked_.number > 0 && solved_number_ == asked_.number && !solved_);
 }
 
 std::optional<Error> BounceLight::take_failure() {
@@ -169,12 +215,14 @@ void BounceLight::run() {
         const Result<void> made = make_links(tracer);
         if (!made.ok()) {
             const std::lock_guard lock(mutex_);
-            if (!stop_) failure_ = Error{made.error().what + "; no light bounces", made.error().where};
+            if (!stop_ && !stop_making_)
+                failure_ = Error{made.error().what + "; no light bounces", made.error().where};
             failed_ = true;
             made_ = true;
             changed_.notify_all();
             return;
         }
+        changed_.notify_all();
         scene::BounceSolver solver(bounce_);
         Sights sights(tracer, bounce_);
         for (;;) {
@@ -185,7 +233,7 @@ void BounceLight::run() {
                 if (stop_) return;
                 wanted = std::move(*std::exchange(wanted_, std::nullopt));
             }
-            const double begin_ms = now_ms();
+            const double begin_s = steady_now_s();
             solver.set_haze(wanted.haze);
             gobos_.slides = wanted.slides;
             std::vector<const scene::LampSight*> of_lights;
@@ -195,7 +243,7 @@ void BounceLight::run() {
             fill_lux(bounce_, solution, *volumes);
             fill_glow(bounce_, solution, wanted.eye_m, *volumes);
             volumes->extinction_per_m = solver.air().extinction_per_m;
-            solve_ms_ = now_ms() - begin_ms;
+            solve_ms_ = 1e3 * (steady_now_s() - begin_s);
             const std::lock_guard lock(mutex_);
             solved_ = std::move(volumes);
             solved_number_ = wanted.number;
@@ -208,6 +256,20 @@ void BounceLight::run() {
         made_ = true;
         changed_.notify_all();
     }
+}
+
+Result<std::shared_ptr<const scene::BounceVolumes>>
+bounced_now(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
+            const scene::Rig& rig, const scene::GoboStack& gobos, const shared::Haze& haze, bool quiet) {
+    if (level == scene::BounceDetail::off) return std::shared_ptr<const scene::BounceVolumes>();
+    BounceLight light(show, stage, level, gobos.images);
+    light.wait_for_links(quiet);
+    auto solved =
+        light.update(rig.lit(gobos, scene::DistanceMaps{}).lights, gobos.images, haze, glm::vec3(0), true);
+    const std::optional<Error> failure = light.take_failure();
+    if (!solved) return failure.value_or(Error{"interrupted", ""});
+    if (failure) log_warning(failure->text());
+    return solved;
 }
 
 } // namespace ghost::app

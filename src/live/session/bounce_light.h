@@ -6,15 +6,16 @@
 
 #include "bake/bounce.h"
 #include "base/result.h"
-#include "bounce/bounce_detail.h"
 #include "bounce/bounce_volumes.h"
 #include "shared/gobos.h"
 #include "shared/types.h"
+#include "show/bounce_detail.h"
 #include "stage/stage.h"
 
 #include <atomic>
 #include <condition_variable>
 #include <filesystem>
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <mutex>
@@ -24,6 +25,8 @@
 #include <vector>
 
 namespace ghost::scene {
+class Rig;
+struct GoboStack;
 struct Show;
 } // namespace ghost::scene
 
@@ -31,9 +34,9 @@ namespace ghost::app {
 
 class BounceLight {
 public:
-    // lights: all of the show, wherever they point; gobos: those of their gates.
+    // gobos: those of the gates of all lights.
     BounceLight(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
-                const std::vector<shared::Light>& lights, const shared::Gobos& gobos);
+                const shared::Gobos& gobos);
     ~BounceLight();
     BounceLight(const BounceLight&) = delete;
     BounceLight& operator=(const BounceLight&) = delete;
@@ -45,6 +48,19 @@ public:
                                                        const glm::vec3& eye_m, bool waits);
     bool is_making_links() const { return !made_; }
     double made_share() const { return share_; }
+    // Until the links are there; nothing: not known yet.
+    std::optional<double> left_s() const;
+    // Returns when the links are there, or cannot be. on_progress: now and then, with the share.
+    void wait_for_links(const std::function<void(double share)>& on_progress);
+    void wait_for_links(bool quiet); // with a bar
+    // Ends the making of links; what was made of them goes, and no light bounces. Nothing where they are
+    // there.
+    void stop_making();
+    bool is_stopped() const { return stop_making_; }
+    // Why, take_failure says.
+    bool has_failed();
+    // Whether the newest lights are solved, or will never be.
+    bool is_up_to_date();
     // Milliseconds that the thread took for the last solution.
     double solve_ms() const { return solve_ms_; }
     // Once: why there is none, or why its links could not be kept.
@@ -70,7 +86,8 @@ private:
     shared::Gobos gobos_;  // of the thread
     scene::Bounce bounce_; // likewise
     Wanted asked_;         // last
-    std::atomic<bool> stop_{false}, made_{false};
+    const double begin_s_; // of the steady clock
+    std::atomic<bool> stop_{false}, stop_making_{false}, made_{false};
     std::atomic<double> share_{0}, solve_ms_{0};
     std::mutex mutex_; // of all below
     std::condition_variable changed_;
@@ -81,5 +98,11 @@ private:
     bool failed_ = false;
     std::thread thread_; // the last member: it uses all others
 };
+
+// What bounces of the light of a moment, without a device; waits for it. quiet: no bar for the links. Null:
+// off. Error: why none bounces.
+Result<std::shared_ptr<const scene::BounceVolumes>>
+bounced_now(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
+            const scene::Rig& rig, const scene::GoboStack& gobos, const shared::Haze& haze, bool quiet);
 
 } // namespace ghost::app

@@ -32,6 +32,10 @@ image::ImageF LightMeter::lux_picture(const scene::FrameLights& lit) {
     const Atmosphere air = session_.atmosphere();
     relighter_->set_air(air.field());
     relighter_->set_slides(session_.gobos.images.slides);
+    if (bounced_ != session_.bounced) {
+        bounced_ = session_.bounced;
+        relighter_->set_room_light(bounced_.get());
+    }
     relighter_->draw(lit);
     image::ImageF lux = luminance_of(relighter_->frame());
     const float even = shared::luminance_of(air.ambient); // it comes from everywhere
@@ -56,9 +60,11 @@ bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, co
     return surface_on(camera.position_m, scene::way_through(camera, place), tracer);
 }
 
-float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const Atmosphere& air,
-             const scene::GoboStack& gobos, const bake::Tracer* tracer) {
-    const scene::LitAir between{air.medium(), air.field().attenuation};
+Lux lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const Atmosphere& air,
+           const scene::GoboStack& gobos, const bake::Tracer* tracer, const scene::BounceVolumes* bounced) {
+    shared::Haze haze = air.medium();
+    if (bounced) haze.extinction_per_m = bounced->extinction_per_m;
+    const scene::LitAir between{haze, air.field().attenuation};
     glm::vec3 sum(0);
     for (const shared::Light& light : lights) {
         const glm::vec3 arrives =
@@ -70,13 +76,24 @@ float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights
         if (tracer) tracer->visibility(&one, 1, light.position_m - light.off_map_m, &share);
         sum += arrives * share;
     }
-    return shared::luminance_of(sum) + shared::luminance_of(air.ambient);
+    Lux lux;
+    if (bounced) lux.bounced = shared::luminance_of(lux_on(*bounced, surface.position, surface.facet_normal));
+    lux.all = shared::luminance_of(sum) + shared::luminance_of(air.ambient) + lux.bounced;
+    return lux;
 }
 
-float lux_at(const bake::Surface& surface, const scene::FrameLights& lit, const Session& session,
-             const bake::Tracer& tracer) {
+Lux lux_at(const bake::Surface& surface, const scene::FrameLights& lit, const Session& session,
+           const bake::Tracer& tracer) {
     return lux_at(surface, lit.lights, session.atmosphere(), session.gobos,
-                  session.shadows ? &tracer : nullptr);
+                  session.shadows ? &tracer : nullptr, session.bounced.get());
+}
+
+std::function<float(const glm::vec3& place_m, const glm::vec3& normal)>
+bounced_lx_in(const scene::BounceVolumes* bounced) {
+    if (!bounced) return {};
+    return [bounced](const glm::vec3& place_m, const glm::vec3& normal) {
+        return shared::luminance_of(lux_on(*bounced, place_m, normal));
+    };
 }
 
 } // namespace ghost::app

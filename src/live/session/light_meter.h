@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // LightMeter: what a light meter would show. lux_picture: illuminance of every surface that a free camera
 // sees, with the shadows of its distance maps and the haze between lamp and surface; drawn on the device.
-// lux_at: the same at one place, by rays. Even light is added to both. Lux; main thread; the session must
-// outlive it.
+// lux_at: the same at one place, by rays. Even light is added to both, and where light bounces, what
+// bounced. Lux; main thread; the session must outlive it.
 
 #include "image/image.h"
 #include "live/session/session.h"
 #include "rays/tracer.h"
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <span>
@@ -26,6 +27,7 @@ public:
 private:
     const Session& session_;
     std::unique_ptr<render::Relighter> relighter_;
+    std::shared_ptr<const scene::BounceVolumes> bounced_; // as the relighter has it
 };
 
 // cd/m^2 of each pixel, from what Relighter::frame gives; one channel.
@@ -35,10 +37,18 @@ image::ImageF luminance_of(const image::ImageF& frame);
 // left corner; instance -1: nothing but air.
 bake::Surface surface_on(const glm::vec3& from_m, const glm::vec3& way, const bake::Tracer& tracer);
 bake::Surface surface_at(const scene::Camera& camera, const glm::vec2& place, const bake::Tracer& tracer);
-// tracer: null: nothing throws a shadow.
-float lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const Atmosphere& air,
-             const scene::GoboStack& gobos, const bake::Tracer* tracer);
-float lux_at(const bake::Surface& surface, const scene::FrameLights& lit, const Session& session,
-             const bake::Tracer& tracer);
+struct Lux {
+    float all = 0;
+    float bounced = 0; // of that
+};
+// tracer: null: nothing throws a shadow. bounced: null: no light bounces.
+Lux lux_at(const bake::Surface& surface, std::span<const shared::Light> lights, const Atmosphere& air,
+           const scene::GoboStack& gobos, const bake::Tracer* tracer,
+           const scene::BounceVolumes* bounced = nullptr);
+// For an Explainer.
+std::function<float(const glm::vec3& place_m, const glm::vec3& normal)>
+bounced_lx_in(const scene::BounceVolumes* bounced);
+Lux lux_at(const bake::Surface& surface, const scene::FrameLights& lit, const Session& session,
+           const bake::Tracer& tracer);
 
 } // namespace ghost::app

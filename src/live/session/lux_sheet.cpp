@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <numeric>
 
 namespace ghost::app {
 namespace {
@@ -56,13 +57,16 @@ Result<std::size_t> count_along(float length_m, float step_m) {
 
 std::string summary_line(const LuxGrid& grid) {
     const LuxSummary all = summary_of(grid);
-    return formatted("%zu points: mean %s lx, least %s lx at (%.2f, %.2f, %.2f), most %s lx at (%.2f, %.2f, "
-                     "%.2f); least/mean %.2f",
-                     grid.points_m.size(), value_text(all.mean).c_str(), value_text(all.least).c_str(),
-                     static_cast<double>(all.least_at_m.x), static_cast<double>(all.least_at_m.y),
-                     static_cast<double>(all.least_at_m.z), value_text(all.most).c_str(),
-                     static_cast<double>(all.most_at_m.x), static_cast<double>(all.most_at_m.y),
-                     static_cast<double>(all.most_at_m.z), static_cast<double>(all.uniformity()));
+    const std::string bounced =
+        grid.bounced_lux.empty() ? "" : ", of which " + value_text(all.mean_bounced) + " bounced";
+    return formatted(
+        "%zu points: mean %s lx%s, least %s lx at (%.2f, %.2f, %.2f), most %s lx at (%.2f, %.2f, "
+        "%.2f); least/mean %.2f",
+        grid.points_m.size(), value_text(all.mean).c_str(), bounced.c_str(), value_text(all.least).c_str(),
+        static_cast<double>(all.least_at_m.x), static_cast<double>(all.least_at_m.y),
+        static_cast<double>(all.least_at_m.z), value_text(all.most).c_str(),
+        static_cast<double>(all.most_at_m.x), static_cast<double>(all.most_at_m.y),
+        static_cast<double>(all.most_at_m.z), static_cast<double>(all.uniformity()));
 }
 
 std::string sheet_begin(double width, double height, const LuxGrid& grid, const std::string& title) {
@@ -140,7 +144,7 @@ std::string line_svg(const LuxGrid& grid, const std::string& title) {
 
 Result<LuxGrid> line_grid(const glm::vec3& from_m, const glm::vec3& to_m, float step_m) {
     TRY(const std::size_t count, count_along(glm::distance(from_m, to_m), step_m));
-    LuxGrid grid{count, 1, {}, {}};
+    LuxGrid grid{count, 1, {}, {}, {}};
     for (std::size_t i = 0; i < count; ++i)
         grid.points_m.push_back(
             glm::mix(from_m, to_m, static_cast<float>(i) / static_cast<float>(count - 1)));
@@ -153,7 +157,7 @@ Result<LuxGrid> area_grid(const glm::vec3& corner_m, const glm::vec3& opposite_m
     TRY(const std::size_t rows, count_along(high.y - low.y, step_m));
     if (columns * rows > kMostLuxPoints)
         return Error{"more than " + std::to_string(kMostLuxPoints) + " points: take a larger step", ""};
-    LuxGrid grid{columns, rows, {}, {}};
+    LuxGrid grid{columns, rows, {}, {}, {}};
     for (std::size_t row = 0; row < rows; ++row)
         for (std::size_t column = 0; column < columns; ++column)
             grid.points_m.push_back(
@@ -174,6 +178,10 @@ LuxSummary summary_of(const LuxGrid& grid) {
         if (grid.lux[i] > grid.lux[most]) most = i;
     }
     all.mean = static_cast<float>(sum / static_cast<double>(grid.lux.size()));
+    if (!grid.bounced_lux.empty())
+        all.mean_bounced =
+            static_cast<float>(std::accumulate(grid.bounced_lux.begin(), grid.bounced_lux.end(), 0.0) /
+                               static_cast<double>(grid.bounced_lux.size()));
     all.least = grid.lux[least];
     all.most = grid.lux[most];
     all.least_at_m = grid.points_m[least];
@@ -182,11 +190,15 @@ LuxSummary summary_of(const LuxGrid& grid) {
 }
 
 std::string lux_csv(const LuxGrid& grid) {
-    std::string csv = "x_m,y_m,z_m,lux\n";
-    for (std::size_t i = 0; i < grid.lux.size(); ++i)
-        csv += formatted("%.3f,%.3f,%.3f,%.6g\n", static_cast<double>(grid.points_m[i].x),
+    const bool bounces = !grid.bounced_lux.empty();
+    std::string csv = bounces ? "x_m,y_m,z_m,lux,bounced_lux\n" : "x_m,y_m,z_m,lux\n";
+    for (std::size_t i = 0; i < grid.lux.size(); ++i) {
+        csv += formatted("%.3f,%.3f,%.3f,%.6g", static_cast<double>(grid.points_m[i].x),
                          static_cast<double>(grid.points_m[i].y), static_cast<double>(grid.points_m[i].z),
                          static_cast<double>(grid.lux[i]));
+        if (bounces) csv += formatted(",%.6g", static_cast<double>(grid.bounced_lux[i]));
+        csv += "\n";
+    }
     return csv;
 }
 

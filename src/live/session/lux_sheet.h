@@ -18,6 +18,7 @@ struct LuxGrid {
     std::size_t columns = 0, rows = 0;
     std::vector<glm::vec3> points_m; // row after row
     std::vector<float> lux;          // as many
+    std::vector<float> bounced_lux;  // of them; none: no light bounces
 };
 
 inline constexpr std::size_t kMostLuxPoints = 20000;
@@ -30,6 +31,7 @@ Result<LuxGrid> area_grid(const glm::vec3& corner_m, const glm::vec3& opposite_m
 
 struct LuxSummary {
     float least = 0, mean = 0, most = 0;
+    float mean_bounced = 0; // of the mean
     glm::vec3 least_at_m{0}, most_at_m{0};
     // As EN 12464 has it: least over mean, and least over most; 0 where all is dark.
     float uniformity() const { return mean > 0 ? least / mean : 0; }
@@ -37,7 +39,7 @@ struct LuxSummary {
 };
 LuxSummary summary_of(const LuxGrid& grid);
 
-// "x_m,y_m,z_m,lux", a line for each point.
+// "x_m,y_m,z_m,lux", a line for each point; where light bounces, bounced_lux behind.
 std::string lux_csv(const LuxGrid& grid);
 // title: of the sheet; any text.
 std::string lux_svg(const LuxGrid& grid, const std::string& title);

@@ -328,17 +328,26 @@ void Session::set_bounce(scene::BounceDetail level) {
     bounce.reset();
     bounced.reset();
     if (level != scene::BounceDetail::off)
-        bounce = std::make_unique<BounceLight>(*show, live->solid(), level, lit().lights, gobos.images);
+        bounce = std::make_unique<BounceLight>(*show, live->solid(), level, gobos.images);
     relighter->set_room_light(nullptr);
     if (other_light) other_light->set_room_light(nullptr);
     if (live->set_forward_per_m(0)) look_from(live->camera(), flies);
 }
 
+void Session::stop_bounce(bool stops) {
+    if (!bounce) return;
+    if (stops)
+        bounce->stop_making();
+    else if (bounce->is_stopped())
+        set_bounce(std::exchange(bounce_detail_, scene::BounceDetail::off));
+}
+
 void Session::update_bounce(const scene::FrameLights& lit) {
     if (!bounce) return;
+    const bool waits = !options.maps_in_background;
+    if (waits && bounce->is_making_links()) bounce->wait_for_links(options.quiet);
     const shared::Haze haze = live->haze();
-    const auto solved = bounce->update(lit.lights, gobos.images, haze, live->camera().position_m,
-                                       !options.maps_in_background);
+    const auto solved = bounce->update(lit.lights, gobos.images, haze, live->camera().position_m, waits);
     if (const auto failure = bounce->take_failure()) {
         const std::size_t before = report.messages.size();
         report.add(Severity::warning, failure->where, failure->what);
@@ -389,9 +398,9 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options) {
     return open_session(options, std::move(show), std::move(report));
 }
 
-Result<std::unique_ptr<Session>> open_session(const SessionOptions& options, scene::Show show, Report read) {
+Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene::Show show, Report read) {
     auto session = std::make_unique<Session>();
-    session->options = options;
+    SessionOptions& options = session->options = asked;
     session->report = std::move(read);
     Report& report = session->report;
     session->of_show_file = report.messages.size();
@@ -413,6 +422,11 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options, sce
         session->travel_to = session->show->cameras[end];
     }
     scene::Camera camera = options.eye.value_or(session->show->cameras[session->camera]);
+    const scene::BounceDetail bounce = options.bounce.value_or(session->show->bounce);
+    if (bounce != scene::BounceDetail::off && camera.foreign_passes.empty() && !options.live) {
+        log_info("light bounces: drawn live, whatever is baked");
+        options.live = true;
+    }
     if (options.width > 0) {
         camera.width = options.width;
         camera.height = options.height;
@@ -465,7 +479,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& options, sce
         pass.radiance = {};
         pass.indirect = {};
     }
-    session->set_bounce(options.bounce);
+    session->set_bounce(bounce);
     return session;
 }
 

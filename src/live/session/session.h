@@ -52,8 +52,9 @@ struct SessionOptions {
     bool maps_in_background = false;  // live only: LiveOptions
     bool keep_hidden = false;         // live only: LiveOptions
     bool parks = false;               // live only: Session::look_from
-    // live only
-    scene::BounceDetail bounce = scene::BounceDetail::off;
+    // Instead of the show's. Where light bounces the picture is live, unless its passes were rendered
+    // elsewhere.
+    std::optional<scene::BounceDetail> bounce;
     float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
     std::uint64_t memory_limit_bytes = 0; // of the device, see gpu::DeviceOptions
@@ -118,6 +119,10 @@ struct Session {
     // for them, as SessionOptions::maps_in_background says.
     void set_bounce(scene::BounceDetail level);
     scene::BounceDetail bounce_detail() const { return bounce_detail_; }
+    // The making of links is given up, or begins anew; nothing where they are there.
+    void stop_bounce(bool stops);
+    // Whether the picture has the bounced light of the newest lights, or never will.
+    bool is_bounce_settled() const { return !bounce || bounce->is_up_to_date(); }
     // Live: from the next frame on light is drawn at half the size of the picture
     // (render/relight/coarse_light.h), or at all of it. Of either what is kept stays, where there is memory.
     void use_coarse_light(bool coarse);

@@ -20,6 +20,7 @@
 #include <chrono>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -57,15 +58,24 @@ bool same_walls(const std::vector<shared::LedWall>& a, const std::vector<shared:
                       });
 }
 
+double ms_of(const std::vector<gpu::Span>& spans, std::span<const std::string_view> names) {
+    double sum = 0;
+    for (const gpu::Span& span : spans)
+        if (std::find(names.begin(), names.end(), span.name) != names.end()) sum += span.ms;
+    return sum;
+}
+
 } // namespace
 
 double FrameStatistics::haze_ms() const {
     constexpr std::array<std::string_view, 8> kOfHaze{"haze",   "fan",       "gate",         "lonely",
                                                       "spread", "haze fill", "haze look-up", "haze left"};
-    double sum = 0;
-    for (const gpu::Span& span : spans)
-        if (std::find(kOfHaze.begin(), kOfHaze.end(), span.name) != kOfHaze.end()) sum += span.ms;
-    return sum;
+    return ms_of(spans, kOfHaze);
+}
+
+double FrameStatistics::bounce_ms() const {
+    constexpr std::array<std::string_view, 2> kOfBounce{"glow", "room light"};
+    return ms_of(spans, kOfBounce);
 }
 
 int image_slots(std::uint64_t memory_bytes, int width, int height, int light_count) {

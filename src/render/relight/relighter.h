@@ -83,7 +83,8 @@ struct FrameStatistics {
     double draw_ms = 0;    // whole draw(), waiting included
     std::vector<gpu::Span> spans; // GPU time
 
-    double haze_ms() const; // of that
+    double haze_ms() const;   // of that
+    double bounce_ms() const; // likewise, to add bounced light
 };
 
 class Relighter {

@@ -93,6 +93,10 @@ void AppModel::read_news() {
         waveform_ = std::move(*news);
         Q_EMIT waveform_came();
     }
+    if (auto news = link_.bounce.take()) {
+        bounce_ = *news;
+        Q_EMIT bounce_came();
+    }
     if (auto news = link_.probed.take(); news && request_.probe) {
         probed_ = std::move(*news);
         Q_EMIT probe_came();
@@ -167,6 +171,7 @@ void AppModel::take_opened(Opened opened) {
     fader_.forget();
     look_ = request_.look = {};
     request_.explained.reset();
+    request_.stops_bounce = false;
     if (!opened_.again) {
         request_.transport = {};
         request_.recording.clear();

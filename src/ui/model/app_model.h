@@ -41,6 +41,7 @@ public:
     const std::vector<Verdict>& verdicts() const { return verdicts_; }
     const std::vector<Message>& messages() const { return messages_; }
     const std::string& activity() const { return activity_; }
+    const BounceNow& bounce() const { return bounce_; }
     const std::vector<float>& waveform() const { return waveform_; } // of the recording; empty: not known
     const std::optional<Probed>& probed() const { return probed_; }  // of the place that is wished for
     const Recorded& recorded() const { return recorded_; }           // the last one
@@ -136,6 +137,7 @@ Q_SIGNALS:
     void verdicts_came();
     void messages_came();
     void activity_came();
+    void bounce_came();
     void probe_came();
     void picked_came();
     void waveform_came();
@@ -174,6 +176,7 @@ private:
     std::vector<Verdict> verdicts_;
     std::vector<Message> messages_;
     std::string activity_;
+    BounceNow bounce_;
     ReceivedPlot plot_;
     std::optional<Probed> probed_;
     Picked picked_;

@@ -90,6 +90,9 @@ void AirPanel::add_rows(QLayout* layout) {
     haze_layout->addWidget(haze_label);
     haze_layout->addWidget(haze_, 1);
     layout->addWidget(haze_row);
+    bounce_ = new BounceRow(app_, document_, this);
+    bounce_->on_done = [this](const Result<void>& done) { take(done); };
+    layout->addWidget(bounce_);
     clouds_ = new ValueRow("Clouds", {0, 1, 2, ""}, this);
     clouds_->setToolTip("0: the same everywhere; 1: from nothing to twice as thick");
     clouds_->on_change = [this](double value) {
@@ -170,6 +173,7 @@ void AirPanel::refresh() {
     const scene::HazeMedium& haze = app_.show()->haze;
     const Following following(follows_);
     show_haze();
+    bounce_->show_detail(app_.show()->bounce);
     const glm::vec2 along(haze.wind_m_s);
     if (glm::length(along) > 0) {
         // -180 and 180 are the same: the one that a hand chose stays.

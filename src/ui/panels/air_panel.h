@@ -1,10 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// AirPanel: the air of the show as its file has it: how thick the haze is, clouds and the wind that carries
-// them, and a table of the hazers, whose cells are edited where they stand. What is changed here is an edit
-// of the show. Window thread.
+// AirPanel: the air of the show as its file has it: how thick the haze is, how light bounces in it, clouds
+// and the wind that carries them, and a table of the hazers, whose cells are edited where they stand. What is
+// changed here is an edit of the show. Window thread.
 
 #include "ui/actions/air_edit.h"
+#include "ui/panels/bounce_row.h"
 #include "ui/widgets/value_row.h"
 
 #include <QComboBox>
@@ -37,6 +38,7 @@ private:
     AppModel& app_;
     ShowDocument& document_;
     QComboBox* haze_;
+    BounceRow* bounce_;
     ValueRow *clouds_, *size_, *wind_, *towards_;
     double towards_deg_ = 0; // also while there is no wind
     QTableWidget* hazers_;

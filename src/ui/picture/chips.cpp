@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/picture/private/chips.h"
 
+#include "ui/actions/bounce_edit.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/widgets/theme.h"
 
@@ -44,6 +45,8 @@ std::vector<Chip> chips_of(const AppModel& app) {
     if (!app.look().is_empty()) chips.push_back({"by hand: " + words_of(app.look()), accent()});
     if (picture.missing_maps > 0)
         chips.push_back({QString("%1 lights throw no shadows yet").arg(picture.missing_maps), {}});
+    if (app.bounce().state == BounceNow::State::makes_links)
+        chips.push_back({"bounced light: " + words_of(app.bounce()), {}});
     return chips;
 }
 

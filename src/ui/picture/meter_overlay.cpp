@@ -81,7 +81,8 @@ void paint_probe(QPainter& painter, const QRectF& picture, const QSizeF& widget,
     }
     QStringList lines{meter_text(probed.cd_m2) + " cd/m²"};
     if (probed.hit)
-        lines << meter_text(probed.lux) + " lx"
+        lines << meter_text(probed.lux) + " lx" +
+                     (probed.bounced_lux ? ", of which " + meter_text(*probed.bounced_lux) + " bounced" : "")
               << QString("%1, %2 m away")
                      .arg(QString::fromStdString(probed.object))
                      .arg(static_cast<double>(probed.distance_m), 0, 'f', 1);

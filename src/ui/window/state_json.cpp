@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "ui/window/private/state_json.h"
 #include "show/show.h"
+#include "ui/actions/bounce_edit.h"
 
 #include <QJsonArray>
 
@@ -119,8 +120,19 @@ QJsonObject state_json(const AppModel& app, const View& view) {
     if (const std::optional<Probed>& probed = app.probed(); probed && app.request().probe == probed->place)
         probe = {{"cd_m2", static_cast<double>(probed->cd_m2)},
                  {"lux", probed->hit ? QJsonValue(static_cast<double>(probed->lux)) : QJsonValue()},
+                 {"bounced_lux",
+                  probed->bounced_lux ? QJsonValue(static_cast<double>(*probed->bounced_lux)) : QJsonValue()},
                  {"at_m", array_of(probed->at_m)},
                  {"object", QString::fromStdString(probed->object)}};
+    const BounceNow& bounce = app.bounce();
+    const QJsonObject of_bounce{{"show", scene::name_of(show.bounce)},
+                                {"picture", scene::name_of(bounce.detail)},
+                                {"state", state_name(bounce.state)},
+                                {"made_share", bounce.made_share},
+                                {"left_s", bounce.left_s ? QJsonValue(*bounce.left_s) : QJsonValue()},
+                                {"solve_ms", bounce.solve_ms},
+                                {"draw_ms", bounce.draw_ms},
+                                {"words", words_of(bounce)}};
     QJsonArray diagnosis;
     for (const scene::Sentence& sentence : app.diagnosis())
         diagnosis.append(QJsonObject{{"trouble", scene::trouble_name(sentence.trouble)},
@@ -151,6 +163,7 @@ QJsonObject state_json(const AppModel& app, const View& view) {
             {"messages", static_cast<int>(app.messages().size())},
             {"picture", of_picture},
             {"probe", probe},
+            {"bounce", of_bounce},
             {"saved", static_cast<qint64>(app.saved())},
             {"packet_to_window_ms", latency_json(app.latency())},
             {"window_ms", latency_json(app.window_cost())},

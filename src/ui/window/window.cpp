@@ -94,6 +94,7 @@ Window::Window(Link& link, const WindowOptions& options)
             actions_.complain(done.error());
     };
     add_air_actions(actions_, app_, document_);
+    add_bounce_actions(actions_, app_, document_);
     add_document_actions(actions_, document_);
     add_show_actions(actions_, app_, document_, options_.docs, *this);
     add_selection_actions(actions_, app_);

@@ -67,13 +67,13 @@ TEST(LightMeter, straight_below_a_lamp_it_shows_candela_over_the_square_of_metre
     ASSERT_GT(peak_cd, 10000) << "a VL2500 Spot";
     const float cosine = -glm::dot(floor.facet_normal, light.axis_w);
     const float wanted = peak_cd * cosine / (floor.distance_m * floor.distance_m);
-    EXPECT_NEAR(lux_at(floor, meter.lit, *meter.session, tracer), wanted, 0.01f * wanted);
+    EXPECT_NEAR(lux_at(floor, meter.lit, *meter.session, tracer).all, wanted, 0.01f * wanted);
     meter.look_at(floor.position + glm::vec3(1.5f, -1.5f, 2.5f), floor.position);
     const image::ImageF lux = LightMeter(*meter.session).lux_picture(meter.lit);
     EXPECT_NEAR(*lux.at(48, 36), wanted, 0.02f * wanted);
     // Even light adds what the show says.
     meter.session->show->ambient_lux = 50;
-    EXPECT_NEAR(lux_at(floor, meter.lit, *meter.session, tracer), wanted + 50, 0.01f * wanted);
+    EXPECT_NEAR(lux_at(floor, meter.lit, *meter.session, tracer).all, wanted + 50, 0.01f * wanted);
     EXPECT_NEAR(*LightMeter(*meter.session).lux_picture(meter.lit).at(48, 36), wanted + 50, 0.02f * wanted);
 }
 
@@ -94,7 +94,7 @@ TEST(LightMeter, the_picture_and_the_rays_say_the_same) {
             const glm::vec2 place((static_cast<float>(x) + 0.5f) / 96, (static_cast<float>(y) + 0.5f) / 72);
             const bake::Surface surface = surface_at(meter.session->live->camera(), place, tracer);
             if (surface.instance < 0) continue;
-            const float by_rays = lux_at(surface, meter.lit, *meter.session, tracer);
+            const float by_rays = lux_at(surface, meter.lit, *meter.session, tracer).all;
             if (by_rays >= 1) ratios.push_back(*lux.at(x, y) / by_rays);
         }
     ASSERT_GT(ratios.size(), 100u);
@@ -131,7 +131,7 @@ TEST(LightMeter, what_is_hidden_throws_no_shadow) {
     under = tracer.first_hit(light.position_m, light.axis_w, 0.5f, bake::Sees::no_bodies);
     ASSERT_GE(under.instance, 0) << "something lies below what was hidden";
     meter.look_at(under.position + glm::vec3(0, -1.0f, 0.5f), under.position);
-    const float wanted = lux_at(under, meter.lit, *meter.session, tracer);
+    const float wanted = lux_at(under, meter.lit, *meter.session, tracer).all;
     ASSERT_GT(wanted, 10);
     EXPECT_LT(*LightMeter(*meter.session).lux_picture(meter.lit).at(48, 36), 0.1f * wanted)
         << "the shadow is there until the maps are made";

@@ -52,6 +52,11 @@ TEST(LuxSheet, the_summary_the_table_and_the_sheet_have_the_same_figures) {
     EXPECT_NE(svg.find("Tom &amp; &lt;Jerry>"), std::string::npos);
     EXPECT_NE(svg.find(">600</text>"), std::string::npos);
     EXPECT_NE(svg.find("mean 350 lx, least 100 lx at (0.00, 0.00, 1.00)"), std::string::npos);
+    EXPECT_EQ(svg.find("bounced"), std::string::npos);
+    grid->bounced_lux = {10, 20, 30, 40, 50, 60};
+    EXPECT_FLOAT_EQ(summary_of(*grid).mean_bounced, 35);
+    EXPECT_EQ(lux_csv(*grid).substr(0, 55), "x_m,y_m,z_m,lux,bounced_lux\n0.000,0.000,1.000,100,10\n1.");
+    EXPECT_NE(lux_svg(*grid, "").find("mean 350 lx, of which 35 bounced, least 100 lx"), std::string::npos);
     auto dark = line_grid({0, 0, 0}, {1, 0, 0}, 0.5f);
     dark->lux = {0, 0, 0};
     EXPECT_EQ(summary_of(*dark).uniformity(), 0);
