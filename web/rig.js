@@ -103,13 +103,13 @@ class Rig extends HTMLElement {
   }
 
   explain() {
-    const {fixture, name, verdict, words} = now.explained;
+    const {fixture, verdict, words} = now.explained;
     if (fixture !== this.open) return;
     const sentence = verdict.charAt(0).toUpperCase() + verdict.slice(1);
-    const lines = words.startsWith(`${name}:`) || words.includes("\n") ? words.split("\n").slice(1).join("\n") : words;
+    const lines = words.split("\n").slice(1).join("\n").trimEnd();  // the first one is the sentence
     if (this.why.dataset.words === sentence + lines) return;
     this.why.dataset.words = sentence + lines;
-    this.why.replaceChildren(make("p", {}, sentence), make("pre", {tabindex: "0", "aria-label": "From packet to surface"}, lines.trim()));
+    this.why.replaceChildren(make("p", {}, sentence), make("pre", {tabindex: "0", "aria-label": "From packet to surface"}, lines));
   }
 }
 customElements.define("ghost-rig", Rig);

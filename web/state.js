@@ -36,7 +36,7 @@ class State extends HTMLElement {
       ["Levels", {desk: "from the desk", recording: "from the recording", none: "none"}[state.source] ?? "not known yet"],
       ["Lamps", state.lamps === undefined ? "not known yet" : `${state.shining} of ${state.lamps} shine`],
     ];
-    if (state.recording_s > 0) facts.push(["Recording", `${clock(state.at_s)} of ${clock(state.recording_s)}`]);
+    if (state.source === "recording") facts.push(["Recording", `${clock(state.at_s)} of ${clock(state.recording_s)}`]);
     if (state.cue) facts.push(["Cue", state.cue]);
     if (state.work_light) facts.push(["Work light", "on"]);
     if (now.show?.device) facts.push(["Graphics device", now.show.device]);
@@ -88,7 +88,7 @@ customElements.define("ghost-state", State);
 
 /** @param {string[]} heads @param {string[][]} rows */
 function table(heads, rows) {
-  return make(
-      "table", {}, make("thead", {}, make("tr", {}, ...heads.map((head) => make("th", {scope: "col"}, head)))),
-      make("tbody", {}, ...rows.map((cells) => make("tr", {}, ...cells.map((cell) => make("td", {}, cell))))));
+  const head = make("thead", {}, make("tr", {}, ...heads.map((one) => make("th", {scope: "col"}, one))));
+  const body = make("tbody", {}, ...rows.map((cells) => make("tr", {}, ...cells.map((cell) => make("td", {}, cell)))));
+  return make("div", {class: "wide-table"}, make("table", {}, head, body));
 }

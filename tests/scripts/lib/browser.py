@@ -113,7 +113,7 @@ class Page:
         """Waits until an expression is true; its value."""
         end_s = time.monotonic() + seconds
         while time.monotonic() < end_s:
-            value = self.value(f"Boolean(document.body) && ({expression})")
+            value = self.value(f"(() => {{ try {{ return {expression}; }} catch {{ return null; }} }})()")  # the page may not be there yet
             if value:
                 return value
             time.sleep(0.1)
