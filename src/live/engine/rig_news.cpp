@@ -82,9 +82,9 @@ void RigNews::explain(const Question& question, const Session& session, const Li
     const bool explains_one = question.fixture && *question.fixture < session.show->fixtures.size() &&
                               now_s - explained_s_ >= kExplainEvery_s;
     const bool explains_all = question.all && now_s - verdicts_s_ >= kVerdictsEvery_s;
-    std::optional<std::size_t> of_second = link_.question.take();
-    if (of_second && *of_second >= session.show->fixtures.size()) of_second.reset();
-    if (!explains_one && !explains_all && !of_second) return;
+    const std::size_t of_second = link_.question.take().value_or(session.show->fixtures.size());
+    const bool explains_second = of_second < session.show->fixtures.size();
+    if (!explains_one && !explains_all && !explains_second) return;
     const bake::DenormalsOff mode;
     const bake::Tracer& rays = rays_of();
     const scene::Stage& stage = rays.stage();
@@ -118,7 +118,7 @@ void RigNews::explain(const Question& question, const Session& session, const Li
         explained_s_ = now_s;
         link_.explained.put(explained(*question.fixture));
     }
-    if (of_second) link_.answer.put(explained(*of_second));
+    if (explains_second) link_.answer.put(explained(of_second));
     if (explains_all) {
         verdicts_s_ = now_s;
         link_.verdicts.put(verdicts_of(explainer, session.show->fixtures.size()));
