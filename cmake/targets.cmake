@@ -81,6 +81,18 @@ function(ghost_fuzz name)
     target_link_libraries(fuzz_${name} PRIVATE ${ARGN})
 endfunction()
 
+# ghost_embed(room folder): puts the files of a folder at the top into the room's library; it reads them through web_files() of
+# src/web/private/files.h.
+function(ghost_embed room folder)
+    file(GLOB files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*)
+    set(source ${CMAKE_BINARY_DIR}/generated/${folder}_files.cpp)
+    add_custom_command(OUTPUT ${source}
+        COMMAND ${CMAKE_COMMAND} -DFOLDER=${CMAKE_SOURCE_DIR}/${folder} -DOUTPUT=${source} -P ${CMAKE_SOURCE_DIR}/cmake/embed_files.cmake
+        DEPENDS ${files} ${CMAKE_SOURCE_DIR}/cmake/embed_files.cmake
+        COMMENT "files of ${folder}" VERBATIM)
+    target_sources(ghost_${room} PRIVATE ${source})
+endfunction()
+
 # ghost_shaders(libraries...): compiles shaders/<room>/*.comp, *.vert and *.frag to SPIR-V and embeds it; C++ reads it through
 # <build>/generated/shaders/<name>.h as kShader_<name>, where the names of vertex and fragment shaders end in _vert and
 # _frag.

@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
     ghost::app::add_play(app, exit_code);
     ghost::app::add_record(app, exit_code);
     ghost::app::add_render(app, exit_code);
+    ghost::app::add_serve(app, exit_code);
     ghost::app::add_sheet(app, exit_code);
     ghost::app::add_xchange(app, exit_code);
     try {

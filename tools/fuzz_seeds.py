@@ -61,6 +61,12 @@ def behind_sizes(packets):
     return b"".join(struct.pack(">HBB", len(packet), 1, k & 3) + packet for k, packet in enumerate(packets))
 
 
+def masked(opcode, payload):
+    """A frame of a browser, WebSocket."""
+    mask = b"\x37\xfa\x21\x3d"
+    return bytes([0x80 | opcode, 0x80 | len(payload)]) + mask + bytes(byte ^ mask[k & 3] for k, byte in enumerate(payload))
+
+
 def made():
     """Target -> files where the project has no real ones: what the standards print."""
     sacn = struct.pack(">HH12sHI16sHI64sBHBBH", 16, 0, b"ASC-E1.17\0\0\0", 0x7000 | 620, 4, b"c" * 16, 0x7000 | 598, 2, b"desk", 100, 0, 1, 0, 1)
@@ -73,6 +79,14 @@ def made():
         "osc": [b"/ghost/cue\0\0,s\0\0next\0\0\0\0", b"#bundle\0" + bytes(8) + struct.pack(">I", 8) + b"/a\0\0,\0\0\0"],
         "rdm": [bytes.fromhex("4172742d4e6574000083000e01000000000000000000000001187ff0000000017a700000000107010000002000600003c8"),
                 bytes.fromhex("4172742d4e6574000080000e00000000000000000000000100")],
+        "http": [b"GET /a/main.js HTTP/1.1\r\nHost: localhost:8010\r\nAccept: */*\r\n\r\n",
+                 b"POST /pair HTTP/1.1\r\nHost: localhost:8010\r\nOrigin: http://localhost:8010\r\nContent-Type: application/json\r\n"
+                 b'Content-Length: 17\r\n\r\n{"code":"123456"}',
+                 b"GET /live HTTP/1.1\r\nHost: localhost:8010\r\nOrigin: http://localhost:8010\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                 b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
+                 b"Sec-WebSocket-Protocol: ghostlight.1, t.0123456789abcdef0123456789abcdef\r\n\r\n"],
+        "websocket": [masked(1, b'{"type":"watch","width":854,"calm":false}') + masked(2, bytes([1, 7, 0, 0, 0])) + masked(9, b"there?"),
+                      masked(1, b'{"type":"explain","fixture":3}') + masked(1, b'{"type":"ping","t":1.5e3}') + masked(8, bytes([3, 232]))],
         "mdns": [bytes.fromhex("000084000000000100000000") + b"\x04_mvr\x04_tcp\x05local\0" + bytes.fromhex("000c000100000078000461616161")],
         "midi": [bytes.fromhex("0ff100f110f120f130f140f150f160f170f07f7f01010203040506f7")],
         "usb_pro": [b"\x7e\x05\x03\x00\x00\x01\x02\xe7"],

@@ -31,4 +31,18 @@ std::optional<std::vector<std::uint8_t>> from_base64(std::string_view text) {
     return bytes;
 }
 
+std::string to_base64(Bytes bytes) {
+    constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const std::uint8_t byte : bytes) {
+        bits = (bits << 8) | byte;
+        for (count += 8; count >= 6; count -= 6) text += kDigits[(bits >> (count - 6)) & 63];
+    }
+    if (count > 0) text += kDigits[(bits << (6 - count)) & 63];
+    text.append((4 - text.size() % 4) % 4, '=');
+    return text;
+}
+
 } // namespace ghost

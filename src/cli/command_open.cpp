@@ -6,6 +6,7 @@
 #include "cli/options/bounce_option.h"
 #include "cli/options/input_options.h"
 #include "cli/options/live_options.h"
+#include "cli/options/web_options.h"
 #include "live/engine/engine.h"
 #include "ui/window/open_window.h"
 
@@ -14,6 +15,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace ghost::app {
 namespace {
@@ -23,6 +25,8 @@ struct OpenArguments {
     EngineOptions engine;
     InputOptions input;
     XchangeOptions xchange;
+    WebOptions web;
+    std::optional<web::ServerOptions> server; // of browsers; none: nothing listens
     std::string save;
     std::string size;
     bool no_desk = false;
@@ -45,6 +49,9 @@ Result<void> check_usage(OpenArguments& arguments) {
         arguments.xchange.interface = arguments.input.interface;
         arguments.engine.xchange = arguments.xchange;
     }
+    if (!arguments.web.web.empty()) {
+        TRY(arguments.server, server_options(arguments.web));
+    }
     arguments.window.remembers = !arguments.forget;
     if (arguments.size.empty()) return {};
     char end = 0;
@@ -64,7 +71,19 @@ Result<void> run(OpenArguments& arguments) {
         return Error{"no such file or folder", show};
     catch_interrupts();
     ui::Link link;
-    arguments.window.begin = [&] { return std::make_shared<Engine>(link, arguments.engine); };
+    std::unique_ptr<web::Server> server;
+    if (arguments.server) {
+        TRY(server, web::Server::open(link, *arguments.server));
+        print_addresses(*server, *arguments.server);
+    }
+    arguments.window.begin = [&] {
+        if (server)
+            link.on_news = [&server, window = link.on_news] {
+                window();
+                server->news();
+            };
+        return std::make_shared<Engine>(link, arguments.engine);
+    };
     arguments.window.should_close = interrupted;
     arguments.window.demo = own_folder("demo").string();
     arguments.window.fixtures = own_folder("fixtures").string();
@@ -113,6 +132,7 @@ void add_open(CLI::App& app, int& exit_code) {
         ->add_flag("--take-plots", a->engine.takes_plots,
                    "merge them into the show as they come, without asking")
         ->needs(save);
+    add_web_options(*command, a->web);
     add_bounce_option(*command, a->engine.session.bounce);
     add_live_control_options(*command, a->engine.controls);
     add_midi_option(*command, a->input.midi)->needs(add_timecode_option(*command, a->engine.timecode));

@@ -11,6 +11,7 @@
 #include "image/image.h"
 #include "image/tone.h"
 #include "link/look.h"
+#include "link/news.h"
 #include "show/bounce_detail.h"
 #include "show/camera.h"
 #include "show_folder/hang.h"
@@ -264,15 +265,15 @@ struct Link {
     Mailbox<ViewRequest> request;
     Signal wake; // of the engine: after a request was put
 
-    Mailbox<Opened> opened;
+    News<Opened> opened;
     Mailbox<Error> not_opened; // the show of the request could not be; what was open stays
     Mailbox<Error> failed;     // something else that the window asked for
-    Mailbox<Picture> picture;
-    Mailbox<RigNow> rig;
-    Mailbox<dmx::Statistics> network;
+    News<Picture> picture;
+    News<RigNow> rig;
+    News<dmx::Statistics> network;
     Mailbox<Explained> explained;
     Mailbox<std::vector<Verdict>> verdicts; // of all fixtures, where the request wants them
-    Mailbox<std::vector<Message>> messages; // all of the show that is open
+    News<std::vector<Message>> messages;    // all of the show that is open
     // Number of the request whose picture is there, at rest: nothing moves, all pixels, all shadows.
     Mailbox<std::uint64_t> settled;
     Mailbox<std::string> activity; // what takes long now; empty: nothing
@@ -285,6 +286,10 @@ struct Link {
     Mailbox<Saved> saved;
     Mailbox<Recorded> recorded;
     Mailbox<CameraCall> camera_call;
+
+    // Of the second reader of the news: browsers.
+    Mailbox<std::size_t> question; // the fixture that is to be explained, once
+    Mailbox<Explained> answer;
 
     // The engine calls it after it put something, on its own thread. Set before the engine starts.
     std::function<void()> on_news;

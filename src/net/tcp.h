@@ -31,6 +31,8 @@ public:
     std::optional<Bytes> read();
     // How many bytes were taken. nullopt: it is closed, or did not come about.
     std::optional<std::size_t> send(Bytes bytes);
+    // Nothing more will be sent; what is on its way arrives. The other end may go on.
+    void finish();
     // Why it is closed, or did not come about; empty: the other end closed it.
     const std::string& problem() const { return problem_; }
     const IpAddress& peer() const { return peer_; }
@@ -66,6 +68,24 @@ private:
 
     int handle_;
     std::uint16_t port_;
+};
+
+// Ends a wait_for_streams() of another thread.
+class StreamWake {
+public:
+    static Result<std::unique_ptr<StreamWake>> open();
+    ~StreamWake();
+    StreamWake(const StreamWake&) = delete;
+    StreamWake& operator=(const StreamWake&) = delete;
+
+    void raise(); // any thread
+    void clear();
+    int handle() const { return handle_; }
+
+private:
+    explicit StreamWake(int handle) : handle_(handle) {}
+
+    int handle_;
 };
 
 struct WaitFor {

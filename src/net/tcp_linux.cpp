@@ -11,6 +11,7 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
+#include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -82,6 +83,10 @@ std::optional<std::size_t> TcpStream::send(Bytes bytes) {
     return std::nullopt;
 }
 
+void TcpStream::finish() {
+    (void)::shutdown(handle_, SHUT_WR);
+}
+
 Result<std::unique_ptr<TcpListener>> TcpListener::open(std::uint32_t address, std::uint16_t port,
                                                        const std::string& interface) {
     const IpAddress at = address ? IpAddress(address) : IpAddress();
@@ -117,6 +122,26 @@ std::unique_ptr<TcpStream> TcpListener::accept() {
     IpAddress peer;
     std::memcpy(peer.bytes.data(), &name.sin6_addr, peer.bytes.size());
     return std::unique_ptr<TcpStream>(new TcpStream(handle, peer));
+}
+
+Result<std::unique_ptr<StreamWake>> StreamWake::open() {
+    const int handle = ::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC);
+    if (handle < 0) return Error{std::string("cannot make an event: ") + std::strerror(errno), ""};
+    return std::unique_ptr<StreamWake>(new StreamWake(handle));
+}
+
+StreamWake::~StreamWake() {
+    ::close(handle_);
+}
+
+// A count that is full, or empty, is as good.
+void StreamWake::raise() {
+    (void)::eventfd_write(handle_, 1);
+}
+
+void StreamWake::clear() {
+    eventfd_t count = 0;
+    (void)::eventfd_read(handle_, &count);
 }
 
 void wait_for_streams(std::span<const WaitFor> streams, std::chrono::milliseconds timeout) {

@@ -23,5 +23,19 @@ TEST(base64, vectors_of_rfc_4648) {
     for (const char* bad : {"Zm9%", "Zm=v", " Zg==", "Zg\n"}) EXPECT_EQ(text_of(bad), "nothing") << bad;
 }
 
+TEST(base64, is_written_as_it_is_read) {
+    for (const auto& [text, encoded] :
+         std::vector<std::pair<std::string, std::string>>{{"", ""},
+                                                          {"f", "Zg=="},
+                                                          {"fo", "Zm8="},
+                                                          {"foo", "Zm9v"},
+                                                          {"foobar", "Zm9vYmFy"},
+                                                          {"\xfb\xff", "+/8="}}) {
+        const std::vector<std::uint8_t> bytes(text.begin(), text.end());
+        EXPECT_EQ(to_base64(bytes), encoded);
+        EXPECT_EQ(text_of(encoded), text);
+    }
+}
+
 } // namespace
 } // namespace ghost

@@ -83,7 +83,9 @@ void RigNews::explain(const Question& question, const Session& session, const Li
     const bool explains_one = question.fixture && *question.fixture < session.show->fixtures.size() &&
                               now_s - explained_s_ >= kExplainEvery_s;
     const bool explains_all = question.all && now_s - verdicts_s_ >= kVerdictsEvery_s;
-    if (!explains_one && !explains_all) return;
+    const std::size_t of_second = link_.question.take().value_or(session.show->fixtures.size());
+    const bool explains_second = of_second < session.show->fixtures.size();
+    if (!explains_one && !explains_all && !explains_second) return;
     const bake::DenormalsOff mode;
     const bake::Tracer& rays = rays_of();
     const scene::Stage& stage = rays.stage();
@@ -107,14 +109,18 @@ void RigNews::explain(const Question& question, const Session& session, const Li
         .bounced_lx = bounced_lx_in(session.bounced.get()),
     };
     const scene::Explainer explainer(asked);
+    const auto explained = [&](std::size_t fixture) {
+        ui::Explained news;
+        news.fixture = fixture;
+        news.explanation = explainer.explain(fixture);
+        news.words = scene::words_of(news.explanation, reception);
+        return news;
+    };
     if (explains_one) {
         explained_s_ = now_s;
-        ui::Explained explained;
-        explained.fixture = *question.fixture;
-        explained.explanation = explainer.explain(explained.fixture);
-        explained.words = scene::words_of(explained.explanation, reception);
-        link_.explained.put(std::move(explained));
+        link_.explained.put(explained(*question.fixture));
     }
+    if (explains_second) link_.answer.put(explained(of_second));
     if (explains_all) {
         verdicts_s_ = now_s;
         link_.verdicts.put(verdicts_of(explainer, session.show->fixtures.size()));

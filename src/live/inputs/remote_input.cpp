@@ -28,10 +28,9 @@ Result<PortOption> parse_port(const std::string& text, const std::string& option
     }
     const auto [end, failed] = std::from_chars(number.data(), number.data() + number.size(), result.port);
     if (failed != std::errc() || end != number.data() + number.size() || result.port == 0)
-        return Error{
-            "'" + text +
-                "', expected a UDP port like 9000, or an address of ours and a port like 0.0.0.0:9000",
-            option};
+        return Error{"'" + text +
+                         "', expected a port like 9000, or an address of ours and a port like 0.0.0.0:9000",
+                     option};
     return result;
 }
 

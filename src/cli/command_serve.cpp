@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// ghostlight serve: a show drawn live without a window, for browsers alone.
+#include "base/interrupt.h"
+#include "base/log.h"
+#include "base/signal.h"
+#include "cli/commands.h"
+#include "cli/options/bounce_option.h"
+#include "cli/options/input_options.h"
+#include "cli/options/live_options.h"
+#include "cli/options/web_options.h"
+#include "live/engine/engine.h"
+#include "show/camera_moves.h"
+#include "show/show.h"
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace ghost::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct ServeArguments {
+    std::string show;
+    std::string view; // camera; empty: the first one
+    std::string size = "1280x720";
+    int width = 0, height = 0;
+    int fps = 25;
+    EngineOptions engine;
+    InputOptions input;
+    WebOptions web;
+    web::ServerOptions server;
+    bool no_desk = false;
+    bool quiet = false;
+};
+
+Result<void> check_usage(ServeArguments& arguments) {
+    TRY(arguments.engine.receiver, receiver_options(arguments.input));
+    arguments.engine.receiver.listen_wider = true;
+    arguments.engine.receiver.slot_status = true; // for the page that explains
+    arguments.engine.listens = !arguments.no_desk;
+    arguments.engine.session.quiet = arguments.quiet;
+    TRY_VOID(check_live_controls(arguments.engine.controls));
+    TRY_VOID(open_timecode(arguments.engine.timecode));
+    if (!arguments.engine.timecode.empty() && arguments.no_desk)
+        return Error{"the time code comes by the network, too", "--no-desk/--timecode"};
+    TRY(arguments.server, server_options(arguments.web));
+    char end = 0;
+    if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &arguments.width, &arguments.height, &end) == 2 &&
+        arguments.width >= 320 && arguments.height >= 180 && arguments.width <= 3840 &&
+        arguments.height <= 2160)
+        return {};
+    return Error{"'" + arguments.size + "' is not WIDTHxHEIGHT between 320x180 and 3840x2160", "--size"};
+}
+
+// What the window does elsewhere: says which show and which camera.
+class Onlooker {
+public:
+    Onlooker(ui::Link& link, const ServeArguments& arguments) : link_(link), arguments_(arguments) {
+        request_.show = arguments.show;
+        request_.opens = 1;
+        request_.quality.fps = arguments.fps;
+        request_.camera.width = 0; // nothing is drawn before the show is open
+        send();
+    }
+
+    // An error is one that ends the command.
+    Result<void> read_news() {
+        if (const auto news = link_.not_opened.take()) return *news;
+        if (const auto news = link_.failed.take()) return *news;
+        if (const auto news = link_.opened.take(); news && !news->is_edit) TRY_VOID(look_at(*news));
+        if (const auto call = link_.camera_call.take()) look_from(call->camera);
+        return {};
+    }
+
+private:
+    Result<void> look_at(const ui::Opened& opened) {
+        if (!arguments_.view.empty() || !opened.show->cameras.empty()) {
+            TRY(const std::size_t camera, opened.show->find_camera(arguments_.view));
+            look_from(opened.show->cameras[camera]);
+        } else {
+            look_from(scene::focused(scene::Camera(), opened.centre_m, opened.radius_m));
+        }
+        return {};
+    }
+
+    void look_from(const scene::Camera& camera) {
+        request_.camera = camera;
+        request_.frame = {camera.width, camera.height};
+        request_.camera.width = arguments_.width;
+        request_.camera.height = arguments_.height;
+        send();
+    }
+
+    void send() {
+        ++request_.number;
+        link_.request.put(request_);
+        link_.wake.raise();
+    }
+
+    ui::Link& link_;
+    const ServeArguments& arguments_;
+    ui::ViewRequest request_;
+};
+
+Result<void> run(const ServeArguments& arguments) {
+    std::error_code code;
+    if (!std::filesystem::exists(arguments.show, code))
+        return Error{"no such file or folder", arguments.show};
+    catch_interrupts();
+    ui::Link link;
+    Signal news;
+    TRY(const std::unique_ptr<web::Server> server, web::Server::open(link, arguments.server));
+    link.on_news = [&] {
+        news.raise();
+        server->news();
+    };
+    print_addresses(*server, arguments.server);
+    const Engine engine(link, arguments.engine);
+    Onlooker onlooker(link, arguments);
+    while (!interrupted()) {
+        TRY_VOID(onlooker.read_news());
+        (void)news.wait_for(200ms);
+    }
+    return {};
+}
+
+} // namespace
+
+void add_serve(CLI::App& app, int& exit_code) {
+    CLI::App* command = app.add_subcommand("serve", "a show drawn live for browsers, without a window");
+    const auto a = std::make_shared<ServeArguments>();
+    command->add_option("SHOW", a->show, "folder with show.toml, or an .mvr")->required();
+    add_web_options(*command, a->web)->required();
+    command->add_option("--view", a->view, "camera of the show; default: the first one")->type_name("NAME");
+    command->add_option("--size", a->size, "WIDTHxHEIGHT of the picture")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command
+        ->add_option("--fps", a->fps,
+                     "pictures a second; the picture gets coarser while it moves, to hold it")
+        ->check(CLI::Range(1, 60))
+        ->capture_default_str();
+    command->add_flag("--no-desk", a->no_desk, "do not listen to a desk");
+    command
+        ->add_option("--device", a->engine.session.device, "Vulkan device: part of its name, or its number")
+        ->type_name("NAME");
+    command->add_flag("--validation", a->engine.session.validation, "check our use of Vulkan");
+    command->add_flag("--quiet", a->quiet, "print warnings and errors only");
+    add_bounce_option(*command, a->engine.session.bounce);
+    add_live_control_options(*command, a->engine.controls);
+    add_midi_option(*command, a->input.midi)->needs(add_timecode_option(*command, a->engine.timecode));
+    add_input_options(*command, a->input);
+    command->footer("Example: ghostlight serve assets/demo --web 8010\n"
+                    "         ghostlight serve tour.mvr --web 0.0.0.0:8010 --view house");
+    command->callback([a, &exit_code] {
+        if (a->quiet) set_log_level(LogLevel::warning);
+        if (const Result<void> usage = check_usage(*a); !usage.ok()) {
+            log_error(usage.error().text());
+            exit_code = 2;
+            return;
+        }
+        if (const Result<void> done = run(*a); !done.ok()) {
+            log_error(done.error().text());
+            exit_code = 1;
+        }
+    });
+}
+
+} // namespace ghost::app

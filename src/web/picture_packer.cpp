@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "web/private/picture_packer.h"
+
+#include "base/log.h"
+#include "image/jpeg.h"
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace ghost::web {
+namespace {
+
+constexpr image::JpegQuality kMoving{75, false};
+constexpr image::JpegQuality kAtRest{92, true}; // saturated beams smear where colour has fewer pixels
+
+} // namespace
+
+void PicturePacker::put(ui::Picture picture, double drawn_ms) {
+    if (!picture.image || picture.image->empty()) return;
+    next_ = std::move(picture);
+    next_ms_ = drawn_ms;
+}
+
+void PicturePacker::go_on(double now_s) {
+    if (spent_s_ > 0) may_go_s_ = now_s + 3 * std::exchange(spent_s_, 0.0);
+    if (now_s < may_go_s_) return;
+    if (next_) {
+        shown_ = std::exchange(next_, std::nullopt);
+        shown_ms_ = next_ms_;
+        begin(false, now_s);
+    } else if (shown_ && !at_rest_ && !shown_->is_coarse && now_s - shown_s_ >= kRest_s) {
+        begin(true, now_s);
+    }
+}
+
+void PicturePacker::begin(bool at_rest, double now_s) {
+    ++number_;
+    at_rest_ = at_rest;
+    shown_s_ = now_s;
+    packed_.clear();
+}
+
+Packed PicturePacker::packed(int width) {
+    if (!shown_) return nullptr;
+    const image::Image8& whole = *shown_->image;
+    const auto [place, is_new] = packed_.try_emplace(std::min(width, whole.width));
+    if (!is_new) return place->second;
+    const auto begin = std::chrono::steady_clock::now();
+    const bool narrows = place->first < whole.width;
+    const image::Image8 small = narrows ? image::narrowed(whole, place->first) : image::Image8();
+    const image::Image8& sent = narrows ? small : whole;
+    const auto jpeg = image::encode_jpeg(sent, at_rest_ ? kAtRest : kMoving);
+    spent_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (!jpeg.ok()) {
+        log_warning("browsers: " + jpeg.error().text());
+        return nullptr;
+    }
+    const double arrival_ms = std::chrono::duration<double, std::milli>(shown_->arrival).count();
+    const PictureHead head{.number = number_,
+                           .drawn_ms = shown_ms_,
+                           .desk_ms = arrival_ms > 0 ? static_cast<float>(shown_ms_ - arrival_ms)
+                                                     : std::numeric_limits<float>::quiet_NaN(),
+                           .ev100 = shown_->ev100,
+                           .width = sent.width,
+                           .height = sent.height,
+                           .coarse = shown_->is_coarse,
+                           .baked = shown_->is_baked,
+                           .at_rest = at_rest_,
+                           .false_colours = shown_->false_colour.measure != ui::Measure::none};
+    return place->second = std::make_shared<const std::vector<std::uint8_t>>(
+               build_frame(Opcode::binary, picture_message(head, *jpeg)));
+}
+
+} // namespace ghost::web

@@ -1,0 +1,64 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Connection: bytes of one TCP connection in and out: what was not understood yet, what was not sent yet, and
+// a polite end, in which the other side still reads the answer. Seconds of the server's clock. The server's
+// thread.
+
+#include "net/tcp.h"
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ghost::web {
+
+using Packed = std::shared_ptr<const std::vector<std::uint8_t>>; // shared by all who get the same
+
+class Connection {
+public:
+    Connection(std::unique_ptr<dmx::TcpStream> stream, double now_s)
+        : stream_(std::move(stream)), since_s_(now_s), heard_s_(now_s) {}
+
+    // What has arrived goes behind unread(). False: the other end is gone.
+    bool read(double now_s);
+    const std::vector<std::uint8_t>& unread() const { return unread_; }
+    void take(std::size_t bytes) {
+        unread_.erase(unread_.begin(), unread_.begin() + static_cast<std::ptrdiff_t>(bytes));
+    }
+
+    void put(Packed bytes);
+    void put(std::string_view text);
+    void put(std::vector<std::uint8_t> bytes) {
+        put(std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes)));
+    }
+    std::size_t unsent() const { return unsent_; }
+    // As much as goes. False: the other end is gone.
+    bool send();
+
+    // Ends when all is sent; what still comes is not read any more.
+    void end(double now_s);
+    bool is_ending() const { return ends_s_ >= 0; }
+    // Whether there is nothing left to wait for.
+    bool is_over(double now_s) const;
+
+    double since_s() const { return since_s_; }
+    double heard_s() const { return heard_s_; }
+    const dmx::TcpStream& stream() const { return *stream_; }
+
+private:
+    static constexpr double kEnd_s = 1; // for the other end to read an answer
+
+    std::unique_ptr<dmx::TcpStream> stream_;
+    double since_s_, heard_s_;
+    double ends_s_ = -1; // since when; below 0: it goes on
+    bool finished_ = false;
+    std::vector<std::uint8_t> unread_;
+    std::deque<Packed> out_;
+    std::size_t sent_of_first_ = 0;
+    std::size_t unsent_ = 0;
+};
+
+} // namespace ghost::web

@@ -1,0 +1,45 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// PicturePacker: the newest picture as the bytes that viewers get, encoded once for each width that somebody
+// looks at. After the time that encoding a picture took it rests three times as long: a quarter of a core at
+// most. The server's thread.
+
+#include "link/link.h"
+#include "web/private/connection.h"
+#include "web/protocol.h"
+
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace ghost::web {
+
+class PicturePacker {
+public:
+    // Newer than what there is.
+    void put(ui::Picture picture, double drawn_ms);
+    // The newest picture takes the place of the one that is given out, unless it rests.
+    void go_on(double now_s);
+
+    // Of the picture that is given out; 0: there is none. One that nothing followed for a moment gets a new
+    // number, and comes again with all its colours.
+    std::uint32_t number() const { return number_; }
+    // Null: it cannot be encoded, which is logged.
+    Packed packed(int width);
+
+private:
+    static constexpr double kRest_s = 0.3; // without a newer picture
+
+    void begin(bool at_rest, double now_s);
+
+    std::optional<ui::Picture> next_, shown_;
+    double next_ms_ = 0, shown_ms_ = 0;
+    double shown_s_ = 0;
+    bool at_rest_ = false;
+    std::uint32_t number_ = 0;
+    double spent_s_ = 0;           // on the one that is shown
+    double may_go_s_ = 0;          // to the next one
+    std::map<int, Packed> packed_; // by width
+};
+
+} // namespace ghost::web

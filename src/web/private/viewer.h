@@ -1,0 +1,47 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Viewer: one browser that looks on: what it wants, what it got, and how many messages it may still send.
+// Seconds of the server's clock. The server's thread.
+
+#include "web/flow.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+namespace ghost::web {
+
+inline constexpr int kMostMessagesPerSecond = 60;
+
+struct Viewer {
+    Flow flow;
+    bool wants_levels = false;
+    std::optional<std::size_t> asks;                  // a fixture to be explained
+    std::uint64_t show = 0, messages = 0, levels = 0; // versions that it has
+    double state_s = -1e9;                            // when it was told the state last
+    double asked_if_there_s = 0;                      // by a ping of the WebSocket
+    std::deque<double> painted_s;                     // in the last second
+
+    // False: too many in a second.
+    bool may_say(double now_s) {
+        if (now_s - second_s_ >= 1) {
+            second_s_ = now_s;
+            said_ = 0;
+        }
+        return ++said_ <= kMostMessagesPerSecond;
+    }
+    void count_painted(double now_s) {
+        painted_s.push_back(now_s);
+        forget_painted(now_s);
+    }
+    void forget_painted(double now_s) {
+        while (!painted_s.empty() && now_s - painted_s.front() > 1) painted_s.pop_front();
+    }
+
+private:
+    double second_s_ = -1e9;
+    int said_ = 0;
+};
+
+} // namespace ghost::web

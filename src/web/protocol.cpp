@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "web/protocol.h"
+
+#include "dmx/merge/merge.h"
+#include "dmx/wire/packet.h"
+#include "json_xml_toml/json.h"
+#include "show/show.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace ghost::web {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr JsonLimits kLimits{.bytes = kMostMessageBytes, .values = 64, .members = 16, .depth = 8};
+constexpr std::size_t kMostSources = 64;
+constexpr float kShines_cd = 1.0f; // less is not seen on any stage
+
+std::string text_of(const ordered_json& json) {
+    return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
+// A whole number of that range.
+Result<long> whole(const nlohmann::json& message, const char* key, long low, long high) {
+    const auto found = message.find(key);
+    if (found == message.end() || !found->is_number_integer() || *found < low || *found > high)
+        return Error{std::string("'") + key + "' is not a whole number of " + std::to_string(low) + ".." +
+                         std::to_string(high),
+                     "message"};
+    return found->get<long>();
+}
+
+Result<bool> flag(const nlohmann::json& message, const char* key) {
+    const auto found = message.find(key);
+    if (found == message.end() || !found->is_boolean())
+        return Error{std::string("'") + key + "' is neither true nor false", "message"};
+    return found->get<bool>();
+}
+
+class Writer {
+public:
+    Writer& u8(unsigned value) { return bytes(value, 1); }
+    Writer& u16(unsigned value) { return bytes(value, 2); }
+    Writer& u32(std::uint32_t value) { return bytes(value, 4); }
+    Writer& f32(float value) { return bytes(std::bit_cast<std::uint32_t>(value), 4); }
+    Writer& f64(double value) { return bytes(std::bit_cast<std::uint64_t>(value), 8); }
+    std::vector<std::uint8_t> take() { return std::move(bytes_); }
+
+private:
+    Writer& bytes(std::uint64_t value, int count) {
+        for (int i = 0; i < count; ++i) bytes_.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+        return *this;
+    }
+    std::vector<std::uint8_t> bytes_;
+};
+
+unsigned byte_of(float share) {
+    return std::isfinite(share) ? static_cast<unsigned>(std::lround(255 * std::clamp(share, 0.0f, 1.0f)))
+                                : 0u;
+}
+
+const char* severity_name(Severity severity) {
+    switch (severity) {
+    case Severity::note:
+        return "note";
+    case Severity::warning:
+        return "warning";
+    case Severity::error:
+        return "error";
+    }
+    return "";
+}
+
+// The cue of the recording that was passed last.
+std::string cue_at(const scene::Show& show, double at_s) {
+    const scene::Cue* last = nullptr;
+    for (const scene::Cue& cue : show.cues)
+        if (cue.at_s && *cue.at_s <= at_s && (!last || *cue.at_s >= *last->at_s)) last = &cue;
+    return last ? last->name : "";
+}
+
+ordered_json desk_json(const StateNow& now) {
+    ordered_json sources = ordered_json::array();
+    for (const dmx::SourceStatus& source : now.network->sources) {
+        if (sources.size() == kMostSources) break;
+        sources.push_back({{"name", source.name},
+                           {"from", dmx::place_text(source)},
+                           {"protocol", dmx::protocol_name(source.protocol)},
+                           {"universe", source.universe},
+                           {"priority", source.priority},
+                           {"rate_hz", source.rate_hz},
+                           {"age_s", std::chrono::duration<double>(source.age).count()}});
+    }
+    return {{"trouble", now.network->listening.problem},
+            {"sources", std::move(sources)},
+            {"more", now.network->sources.size() - std::min(now.network->sources.size(), kMostSources)},
+            {"problems", now.problems}};
+}
+
+} // namespace
+
+Result<ToServer> read_message(Opcode opcode, Bytes payload) {
+    if (opcode == Opcode::binary) {
+        ByteReader reader(payload);
+        const std::uint8_t kind = reader.u8();
+        const std::uint32_t number = reader.u32_le();
+        if (kind != 1 || !reader.ok() || reader.left() > 0)
+            return Error{"not five bytes that say what was painted", "message"};
+        return ToServer{Painted{number}};
+    }
+    const std::string_view text(reinterpret_cast<const char*>(payload.data()), payload.size());
+    TRY(const nlohmann::json message, read_json(text, "message", kLimits));
+    const auto type = message.is_object() ? message.find("type") : message.end();
+    if (!message.is_object() || type == message.end() || !type->is_string())
+        return Error{"not an object with a 'type'", "message"};
+    if (*type == "watch") {
+        TRY(const long width, whole(message, "width", 1, kMostWidth));
+        TRY(const bool calm, flag(message, "calm"));
+        return ToServer{Watch{static_cast<int>(width), calm}};
+    }
+    if (*type == "levels") {
+        TRY(const bool on, flag(message, "on"));
+        return ToServer{WantLevels{on}};
+    }
+    if (*type == "explain") {
+        TRY(const long fixture, whole(message, "fixture", 0, 1'000'000));
+        return ToServer{Explain{static_cast<std::size_t>(fixture)}};
+    }
+    if (*type == "ping") {
+        const auto t = message.find("t");
+        if (t == message.end() || !t->is_number() || !std::isfinite(t->get<double>()))
+            return Error{"'t' is not a number", "message"};
+        return ToServer{Ping{t->get<double>()}};
+    }
+    return Error{"unknown type, expected watch, levels, explain or ping", "message"};
+}
+
+std::vector<std::uint8_t> picture_message(const PictureHead& head, Bytes jpeg) {
+    const unsigned flags = (head.coarse ? 1u : 0u) | (head.baked ? 2u : 0u) | (head.at_rest ? 4u : 0u) |
+                           (head.false_colours ? 8u : 0u);
+    std::vector<std::uint8_t> message = Writer()
+                                            .u8(1)
+                                            .u8(flags)
+                                            .u16(0)
+                                            .u32(head.number)
+                                            .f64(head.drawn_ms)
+                                            .f32(head.desk_ms)
+                                            .f32(head.ev100)
+                                            .u16(static_cast<unsigned>(head.width))
+                                            .u16(static_cast<unsigned>(head.height))
+                                            .u32(0)
+                                            .take();
+    message.insert(message.end(), jpeg.begin(), jpeg.end());
+    return message;
+}
+
+std::vector<std::uint8_t> levels_message(std::uint16_t show_version, double at_ms,
+                                         std::span<const ui::FixtureNow> fixtures) {
+    Writer writer;
+    writer.u8(2).u8(0).u16(show_version).u32(static_cast<std::uint32_t>(fixtures.size())).f64(at_ms);
+    for (const ui::FixtureNow& fixture : fixtures)
+        writer.f32(fixture.candela)
+            .u8(byte_of(fixture.colour.r))
+            .u8(byte_of(fixture.colour.g))
+            .u8(byte_of(fixture.colour.b))
+            .u8(byte_of(fixture.dimmer));
+    return writer.take();
+}
+
+std::string hello_text() {
+    return text_of({{"type", "hello"}, {"protocol", 1}, {"right", "view"}});
+}
+
+std::string show_text(std::uint16_t version, const ui::Opened& opened) {
+    ordered_json fixtures = ordered_json::array(), cameras = ordered_json::array();
+    if (opened.show) {
+        for (const scene::PatchedFixture& fixture : opened.show->fixtures)
+            fixtures.push_back({{"name", fixture.name},
+                                {"type", fixture.type ? fixture.type->name : ""},
+                                {"patch", fixture.address > 0 ? std::to_string(fixture.universe) + "." +
+                                                                    std::to_string(fixture.address)
+                                                              : ""}});
+        for (const scene::Camera& camera : opened.show->cameras) cameras.push_back(camera.name);
+    }
+    return text_of({{"type", "show"},
+                    {"version", version},
+                    {"name", opened.show ? opened.show->name : ""},
+                    {"device", opened.device},
+                    {"cameras", std::move(cameras)},
+                    {"fixtures", std::move(fixtures)}});
+}
+
+std::string state_text(const StateNow& now) {
+    ordered_json state{{"type", "state"}};
+    if (now.picture) {
+        state["camera"] = now.picture->camera.name;
+        state["supply"] = now.picture->supply;
+        state["draw_ms"] = now.picture->draw_ms;
+        state["work_light"] = now.picture->has_work_light;
+    }
+    if (now.rig) {
+        const auto shines =
+            std::count_if(now.rig->fixtures.begin(), now.rig->fixtures.end(),
+                          [](const ui::FixtureNow& fixture) { return fixture.candela >= kShines_cd; });
+        state["source"] = now.rig->from_desk ? "desk" : now.rig->recording_s > 0 ? "recording" : "none";
+        state["at_s"] = now.rig->at_s;
+        state["recording_s"] = now.rig->recording_s;
+        state["shining"] = shines;
+        state["lamps"] = now.rig->fixtures.size();
+        if (now.show && !now.rig->from_desk) state["cue"] = cue_at(*now.show, now.rig->at_s);
+    }
+    if (now.network) state["desk"] = desk_json(now);
+    ordered_json lookers = ordered_json::array();
+    for (const Looker& looker : now.lookers)
+        lookers.push_back({{"from", looker.from},
+                           {"seconds", looker.seconds},
+                           {"rate_hz", looker.rate_hz},
+                           {"width", looker.width}});
+    state["viewers"] = std::move(lookers);
+    return text_of(state);
+}
+
+std::string explained_text(const ui::Explained& explained) {
+    return text_of({{"type", "explained"},
+                    {"fixture", explained.fixture},
+                    {"name", explained.explanation.fixture},
+                    {"visibility", scene::visibility_name(explained.explanation.visibility)},
+                    {"verdict", explained.explanation.verdict},
+                    {"words", explained.words}});
+}
+
+std::string messages_text(std::span<const Message> messages) {
+    const std::size_t shown = std::min(messages.size(), kMostMessagesShown);
+    ordered_json list = ordered_json::array();
+    for (const Message& message : messages.last(shown))
+        list.push_back({{"severity", severity_name(message.severity)},
+                        {"where", message.where},
+                        {"what", message.what}});
+    return text_of({{"type", "messages"}, {"more", messages.size() - shown}, {"messages", std::move(list)}});
+}
+
+std::string pong_text(double t, double now_ms) {
+    return text_of({{"type", "pong"}, {"t", t}, {"now_ms", now_ms}});
+}
+
+} // namespace ghost::web

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "web/site.h"
+
+#include "base/text.h"
+#include "json_xml_toml/json.h"
+#include "web/private/files.h"
+#include "web/websocket.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace ghost::web {
+namespace {
+
+constexpr JsonLimits kLimits{.bytes = kMostBodyBytes, .values = 8, .members = 4, .depth = 2};
+
+std::string type_of(std::string_view name) {
+    if (name.ends_with(".html")) return "text/html; charset=utf-8";
+    if (name.ends_with(".css")) return "text/css; charset=utf-8";
+    if (name.ends_with(".js")) return "text/javascript; charset=utf-8";
+    return "image/svg+xml";
+}
+
+Answer file(std::string_view name) {
+    for (const WebFile& one : web_files())
+        if (one.name == name) return {.type = type_of(name), .body = one.bytes, .text = {}, .fields = {}};
+    return refusal(404);
+}
+
+// One of the words of a list with commas.
+bool names(std::string_view list, std::string_view word) {
+    const std::vector<std::string_view> words = split(list, ',');
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view one) { return trimmed(one) == word; });
+}
+
+bool has_token(std::string_view protocols, const std::string& token) {
+    bool found = false;
+    for (const std::string_view one : split(protocols, ','))
+        if (const std::string_view word = trimmed(one); word.starts_with("t."))
+            found = is_same_secret(word.substr(2), token) || found;
+    return found;
+}
+
+Routed live(const Head& head, const Access& access) {
+    const std::string accept = accept_of(head.field("sec-websocket-key"));
+    if (lower(head.field("upgrade")) != "websocket" || head.field("sec-websocket-version") != "13" ||
+        !names(lower(head.field("connection")), "upgrade")) {
+        Answer answer = refusal(426);
+        answer.fields = {{"Upgrade", "websocket"}, {"Sec-WebSocket-Version", "13"}};
+        return {answer};
+    }
+    if (accept.empty()) return {refusal(400)};
+    const std::string_view protocols = head.field("sec-websocket-protocol");
+    if (!names(protocols, kProtocol) || !has_token(protocols, access.token)) return {refusal(401)};
+    Answer answer{.status = 101, .type = {}, .body = {}, .text = {}, .fields = {}};
+    answer.fields = {{"Upgrade", "websocket"},
+                     {"Connection", "Upgrade"},
+                     {"Sec-WebSocket-Accept", accept},
+                     {"Sec-WebSocket-Protocol", std::string(kProtocol)}};
+    return {answer, true};
+}
+
+// Tells a page whose handshake was refused whether it was for its token.
+Answer right(const Head& head, const Access& access) {
+    constexpr std::string_view kBearer = "Bearer ";
+    const std::string_view given = head.field("authorization");
+    if (!given.starts_with(kBearer) || !is_same_secret(given.substr(kBearer.size()), access.token))
+        return refusal(401);
+    return {.type = "application/json", .body = R"({"right":"view"})", .text = {}, .fields = {}};
+}
+
+Answer pair(const Head& head, std::string_view body, Access& access, double now_s) {
+    if (lower(trimmed(split(head.field("content-type"), ';').front())) != "application/json")
+        return refusal(415);
+    const auto asked = read_json(body, "pair", kLimits);
+    if (!asked.ok() || !asked->is_object() || !asked->contains("code") || !(*asked)["code"].is_string())
+        return refusal(400);
+    if (!access.pairing || !access.pairing->accepts((*asked)["code"].get<std::string>(), now_s))
+        return refusal(401);
+    return {.type = "application/json",
+            .body = {},
+            .text = nlohmann::json{{"token", access.token}, {"right", "view"}}.dump(),
+            .fields = {}};
+}
+
+} // namespace
+
+Answer refusal(int status) {
+    const char* why = "This is not here.\n";
+    switch (status) {
+    case 400:
+        why = "The request is malformed.\n";
+        break;
+    case 401:
+        why = "The token or the digits are not the right ones, or no longer.\n";
+        break;
+    case 403:
+        why = "Another page asked for this.\n";
+        break;
+    case 405:
+        why = "This address takes another method.\n";
+        break;
+    case 421:
+        why = "Ghostlight is not called so; start it with --host NAME if it is.\n";
+        break;
+    case 426:
+        why = "This address is for a WebSocket.\n";
+        break;
+    case 408:
+        why = "The request took too long.\n";
+        break;
+    case 503:
+        why = "Too many are looking on already.\n";
+        break;
+    default:
+        break;
+    }
+    return {.status = status, .type = "text/plain; charset=utf-8", .body = why, .text = {}, .fields = {}};
+}
+
+Routed route(const Head& head, std::string_view body, Access& access, double now_s) {
+    constexpr std::string_view kFiles = "/a/";
+    const std::string_view host = head.field("host");
+    if (!is_own_host(host, access.own)) return {refusal(421)};
+    const bool gets = head.method == "GET", posts = head.method == "POST";
+    if (!gets && !posts) return {refusal(405)};
+    const bool is_live = head.target == "/live", is_pair = head.target == "/pair";
+    if (is_pair ? !posts : posts) return {refusal(405)};
+    if ((is_live || is_pair) && !is_own_origin(head.field("origin"), host, access.own)) return {refusal(403)};
+    if (is_live) return live(head, access);
+    if (is_pair) return {pair(head, body, access, now_s)};
+    if (head.target == "/right") return {right(head, access)};
+    if (head.target == "/") return {file("index.html")};
+    if (head.target.starts_with(kFiles)) return {file(std::string_view(head.target).substr(kFiles.size()))};
+    return {refusal(404)};
+}
+
+} // namespace ghost::web

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+// @ts-check
+// Which screen is shown, and the way in.
+import "./rig.js";
+import "./state.js";
+
+import {takePicture} from "./picture.js";
+import {hear, keepToken, make, now, takeToken} from "./store.js";
+import {begin} from "./wire.js";
+
+const SCREENS = ["picture", "rig", "state"];
+const wide = matchMedia("(min-width: 900px)");
+let screen = "picture";
+let isIn = false;
+
+const line = /** @type {HTMLElement} */ (document.querySelector("#line"));
+const spoken = /** @type {HTMLElement} */ (document.querySelector("#spoken"));
+const nav = /** @type {HTMLElement} */ (document.querySelector("nav"));
+const main = /** @type {HTMLElement} */ (document.querySelector("main"));
+
+/** @param {string} name */
+function at(name) {
+  return /** @type {HTMLElement} */ (document.querySelector(`ghost-${name}`));
+}
+
+function lay() {
+  const both = wide.matches && screen === "picture";
+  main.classList.toggle("wide", isIn && both);
+  nav.hidden = !isIn;
+  for (const name of SCREENS) {
+    at(name).hidden = !isIn || !(name === screen || (both && name === "rig"));
+    const button = /** @type {HTMLElement} */ (nav.querySelector(`[data-screen=${name}]`));
+    if (name === screen)
+      button.setAttribute("aria-current", "page");
+    else
+      button.removeAttribute("aria-current");
+  }
+  at("pair").hidden = isIn;
+  if (screen !== "picture" || !isIn) document.body.classList.remove("alone");
+  dispatchEvent(new Event("resize"));
+}
+
+/** @param {string} name */
+function show(name) {
+  screen = name;
+  lay();
+}
+
+nav.addEventListener("click", (event) => {
+  const name = /** @type {HTMLElement} */ (event.target).dataset.screen;
+  if (name) show(name);
+});
+wide.addEventListener("change", lay);
+addEventListener("keydown", (event) => {
+  if (!isIn || event.ctrlKey || event.altKey || event.metaKey || event.target instanceof HTMLInputElement) return;
+  const name = SCREENS[Number(event.key) - 1];
+  if (name) show(name);
+});
+
+hear("line", () => {
+  const isLost = now.line !== "live";
+  if (isLost !== line.classList.contains("lost")) spoken.textContent = isLost ? `The line is lost: ${now.line}` : "The line is back";
+  line.textContent = now.line;
+  line.classList.toggle("lost", isLost);
+});
+hear("show", () => {
+  const name = now.show.name || "Ghostlight";
+  /** @type {HTMLElement} */ (document.querySelector("#show")).textContent = name;
+  document.title = `${name} - Ghostlight`;
+});
+let cue = "";
+hear("state", () => {
+  if (now.state.cue && now.state.cue !== cue && cue) spoken.textContent = `Cue ${now.state.cue}`;
+  cue = now.state.cue ?? "";
+});
+
+class Pair extends HTMLElement {
+  connectedCallback() {
+    const digits = /** @type {HTMLInputElement} */ (
+        make("input", {inputmode: "numeric", autocomplete: "off", maxlength: "6", pattern: "[0-9]{6}", required: ""}));
+    const wrong = make("p", {class: "wrong", role: "alert"});
+    const form = make("form", {}, make("label", {}, "Six digits", digits), make("button", {type: "submit"}, "Look on"));
+    form.addEventListener("submit", async (event) => {
+      event.preventDefault();
+      wrong.textContent = "";
+      try {
+        const answer = await fetch("/pair", {
+          method: "POST",
+          headers: {"Content-Type": "application/json"},
+          body: JSON.stringify({code: digits.value}),
+        });
+        if (!answer.ok)
+          throw new Error(
+              answer.status === 401 ? "These are not the digits, or they are no longer: they hold for two minutes and five tries." :
+                                      await answer.text());
+        const {token} = await answer.json();
+        keepToken(token);
+        enter(token);
+      } catch (problem) {
+        wrong.textContent = problem instanceof TypeError ? "Ghostlight does not answer." : String(/** @type {Error} */ (problem).message);
+      }
+    });
+    this.append(
+        make("h2", {}, "Who may look on"),
+        make("p", {}, "Open the whole address that Ghostlight printed, scan its code, or type the six digits beside it."),
+        form,
+        wrong,
+    );
+  }
+}
+customElements.define("ghost-pair", Pair);
+
+/** @param {string} token */
+function enter(token) {
+  isIn = true;
+  lay();
+  begin(token, takePicture, () => {
+    isIn = false;
+    line.textContent = "This address is no longer the right one: Ghostlight makes a new one at each start.";
+    line.classList.add("lost");
+    lay();
+  });
+}
+
+function comeIn() {
+  const token = takeToken();
+  if (token)
+    enter(token);
+  else
+    lay();
+}
+addEventListener("hashchange", comeIn);
+comeIn();

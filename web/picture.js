@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+// @ts-check
+// The picture as it is drawn now: pinch or Ctrl and the wheel enlarge it, a tap leaves it alone on the
+// screen.
+import {clock, hear, make, now} from "./store.js";
+import {ageMs, painted, wish} from "./wire.js";
+
+const HEAD = 32;  // bytes before the JPEG
+const OLD_MS = 3000;
+const MOST = 8;  // times enlarged
+
+const canvas = /** @type {HTMLCanvasElement} */ (make("canvas", {role: "img", width: "16", height: "9"}));
+const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", {alpha: false}));
+let newest = {number: 0, drawnMs: 0, deskMs: NaN, flags: 0, paintedMs: 0, latencyMs: NaN};
+let decoding = false;
+/** @type {DataView | null} */
+let waiting = null;
+
+/**
+ * The newest one only: what comes while one is decoded waits, and gives way to the next. @param {DataView}
+ * message
+ */
+export async function takePicture(message) {
+  if (decoding) {
+    waiting = message;
+    return;
+  }
+  decoding = true;
+  for (let next = /** @type {DataView | null} */ (message); next; waiting = null) {
+    await paint(next);
+    next = waiting;
+  }
+  decoding = false;
+}
+
+/** @param {DataView} message */
+async function paint(message) {
+  const number = message.getUint32(4, true);
+  try {
+    const bitmap = await createImageBitmap(new Blob([new Uint8Array(message.buffer, HEAD)], {type: "image/jpeg"}));
+    await new Promise(requestAnimationFrame);  // a hidden tab paints nothing, says nothing, and gets nothing
+    if (canvas.width !== bitmap.width || canvas.height !== bitmap.height) {
+      canvas.width = bitmap.width;
+      canvas.height = bitmap.height;
+    }
+    context.drawImage(bitmap, 0, 0);
+    bitmap.close();
+    const drawnMs = message.getFloat64(8, true);
+    const deskMs = message.getFloat32(16, true);
+    newest = {number, drawnMs, deskMs, flags: message.getUint8(1), paintedMs: performance.now(), latencyMs: ageMs(drawnMs) + deskMs};
+  } catch {
+    // A damaged picture: the next one comes all the same.
+  }
+  painted(number);
+}
+
+class Picture extends HTMLElement {
+  connectedCallback() {
+    this.stage = make(
+        "div", {class: "stage", tabindex: "0", role: "button", "aria-label": "The picture. Enter: alone on the screen, or with all else"},
+        canvas);
+    this.facts = make("p", {class: "grow"});
+    this.when = make("p", {class: "quiet"});
+    this.calm = make("button", {type: "button", "aria-pressed": "false", title: "Two pictures a second, against strobes"}, "Calm");
+    this.append(this.stage, make("div", {class: "under"}, this.facts, this.when, this.calm));
+    this.isCalm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    this.calm.addEventListener("click", () => {
+      this.isCalm = !this.isCalm;
+      this.ask();
+    });
+    this.scale = 1;
+    this.x = this.y = 0;
+    this.fingers = new Map();
+    this.stage.addEventListener("pointerdown", (event) => this.down(event));
+    this.stage.addEventListener("pointermove", (event) => this.move(event));
+    for (const name of ["pointerup", "pointercancel"])
+      this.stage.addEventListener(name, (event) => this.up(/** @type {PointerEvent} */ (event)));
+    this.stage.addEventListener("wheel", (event) => this.wheel(event), {passive: false});
+    this.stage.addEventListener("keydown", (event) => this.key(event));
+    addEventListener("resize", () => this.ask());
+    hear("state", () => this.tell());
+    setInterval(() => this.tellAge(), 250);
+    this.ask();
+  }
+
+  ask() {
+    this.calm.setAttribute("aria-pressed", String(this.isCalm));
+    const width = Math.round(this.stage.clientWidth * devicePixelRatio * Math.min(this.scale, 2));
+    wish({type: "watch", width: Math.min(Math.max(width, 320), 4096), calm: this.isCalm});
+  }
+
+  tell() {
+    const {camera, cue, source, at_s, recording_s, shining, lamps} = now.state;
+    const parts = [camera || "free camera"];
+    if (cue) parts.push(`cue ${cue}`);
+    if (source === "desk") parts.push("from the desk");
+    if (source === "recording") parts.push(`recording ${clock(at_s)} of ${clock(recording_s)}`);
+    if (source === "none") parts.push("no levels");
+    if (lamps !== undefined) parts.push(`${shining} of ${lamps} lamps shine`);
+    this.facts.textContent = parts.join(" \u00b7 ");
+    canvas.setAttribute("aria-label", `Picture: ${parts.join(", ")}`);
+  }
+
+  tellAge() {
+    const sinceMs = performance.now() - newest.paintedMs;
+    const isOld = newest.number > 0 && !now.isOpen && sinceMs > OLD_MS;
+    this.classList.toggle("old", isOld);
+    if (newest.number === 0)
+      this.when.textContent = "no picture yet";
+    else if (isOld)
+      this.when.textContent = `${Math.round(sinceMs / 1000)} s old`;
+    else if (newest.flags & 4)
+      this.when.textContent = "at rest";
+    else if (Number.isFinite(newest.latencyMs))
+      this.when.textContent = `${Math.round(newest.latencyMs)} ms after the desk`;
+    else
+      this.when.textContent = newest.flags & 1 ? "coarse while it moves" : "live";
+  }
+
+  // Enlarging. One finger moves what is enlarged, two pinch; a tap that does not move hides all else.
+
+  /** @param {PointerEvent} event */
+  down(event) {
+    this.stage.setPointerCapture(event.pointerId);
+    if (this.fingers.size === 0) this.strayed = false;
+    this.fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
+    if (this.fingers.size > 1) this.strayed = true;
+  }
+
+  /** @param {PointerEvent} event */
+  move(event) {
+    const before = this.fingers.get(event.pointerId);
+    if (!before) return;
+    const other = [...this.fingers.entries()].find(([id]) => id !== event.pointerId)?.[1];
+    const after = {x: event.clientX, y: event.clientY};
+    if (Math.hypot(after.x - before.x, after.y - before.y) > 3) this.strayed = true;
+    if (other) {
+      const spread = (/** @type {{x: number, y: number}} */ a) => Math.max(Math.hypot(a.x - other.x, a.y - other.y), 1);
+      this.zoom(spread(after) / spread(before), (after.x + other.x) / 2, (after.y + other.y) / 2);
+    } else if (this.strayed) {
+      this.place(this.x + after.x - before.x, this.y + after.y - before.y);
+    } else {
+      return;
+    }
+    this.fingers.set(event.pointerId, after);
+  }
+
+  /** @param {PointerEvent} event */
+  up(event) {
+    if (!this.fingers.delete(event.pointerId) || this.fingers.size > 0) return;
+    if (!this.strayed && event.type === "pointerup") this.alone();
+    this.ask();
+  }
+
+  /** @param {WheelEvent} event */
+  wheel(event) {
+    event.preventDefault();
+    this.zoom(Math.exp(-event.deltaY / 400), event.clientX, event.clientY);
+  }
+
+  /** @param {KeyboardEvent} event */
+  key(event) {
+    const box = this.stage.getBoundingClientRect();
+    const steps = {ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60]};
+    if (event.key === "Enter" || event.key === " ")
+      this.alone();
+    else if (event.key === "Escape")
+      document.body.classList.remove("alone");
+    else if (event.key === "+")
+      this.zoom(1.25, box.left + box.width / 2, box.top + box.height / 2);
+    else if (event.key === "-")
+      this.zoom(0.8, box.left + box.width / 2, box.top + box.height / 2);
+    else if (event.key === "0")
+      this.zoom(0, 0, 0);
+    else if (event.key in steps)
+      this.place(this.x + steps[event.key][0], this.y + steps[event.key][1]);
+    else
+      return;
+    event.preventDefault();
+  }
+
+  alone() {
+    document.body.classList.toggle("alone");
+    this.zoom(0, 0, 0);
+  }
+
+  /** @param {number} factor @param {number} clientX @param {number} clientY */
+  zoom(factor, clientX, clientY) {
+    const box = this.stage.getBoundingClientRect();
+    const scale = Math.min(Math.max(this.scale * factor, 1), MOST);
+    const share = scale / this.scale;
+    const x = clientX - box.left, y = clientY - box.top;
+    this.scale = scale;
+    this.place(x + (this.x - x) * share, y + (this.y - y) * share);
+  }
+
+  /** @param {number} x @param {number} y */
+  place(x, y) {
+    const least = (/** @type {number} */ side) => side * (1 - this.scale);
+    this.x = Math.min(Math.max(x, least(this.stage.clientWidth)), 0);
+    this.y = Math.min(Math.max(y, least(this.stage.clientHeight)), 0);
+    canvas.style.transform = `translate(${this.x}px, ${this.y}px) scale(${this.scale})`;
+  }
+}
+customElements.define("ghost-picture", Picture);

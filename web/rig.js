@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+// @ts-check
+// All lamps in rows: what each does in words, and, on a tap, why.
+import {hear, make, now} from "./store.js";
+import {say, wish} from "./wire.js";
+
+const HEAD = 16, EACH = 8;  // bytes of a message of levels, of one fixture in it
+const SHINES_CD = 1;
+const ASK_AGAIN_MS = 1000;
+
+class Rig extends HTMLElement {
+  connectedCallback() {
+    this.search = /** @type {HTMLInputElement} */ (
+        make("input", {type: "search", placeholder: "Search lamps", "aria-label": "Search lamps by name, type or address"}));
+    this.count = make("p", {class: "count", role: "status"});
+    this.list = make("ul", {class: "lamps"});
+    this.append(this.search, this.count, this.list);
+    this.rows = [];
+    this.open = -1;  // fixture that is explained
+    this.why = make("div", {class: "why", "aria-live": "polite"});
+    this.search.addEventListener("input", () => this.sift());
+    hear("show", () => this.build());
+    hear("levels", () => this.tell());
+    hear("explained", () => this.explain());
+    hear("isOpen", () => this.ask());
+    new MutationObserver(() => this.wants()).observe(this, {attributes: true, attributeFilter: ["hidden"]});
+    this.wants();
+    setInterval(() => this.ask(), ASK_AGAIN_MS);
+  }
+
+  wants() {
+    wish({type: "levels", on: !this.hidden});
+  }
+
+  build() {
+    this.open = -1;
+    this.rows = now.show.fixtures.map(
+        (/** @type {{name: string, type: string, patch: string}} */ fixture,
+         /** @type {number} */ index) => {
+          const dot = make("span", {class: "dot", "aria-hidden": "true"});
+          const does = make("span", {class: "does"}, fixture.patch ? "" : "not patched");
+          const type = [fixture.type || "its file cannot be read", fixture.patch].filter(Boolean).join(" \u00b7 ");
+          const button = make(
+              "button", {type: "button", "aria-expanded": "false"}, dot, make("span", {class: "name"}, fixture.name), does,
+              make("span", {class: "type"}, type));
+          button.addEventListener("click", () => this.toggle(index));
+          return {
+            item: make("li", {}, button),
+            button,
+            dot,
+            does,
+            fixture,
+            words: `${fixture.name} ${type}`.toLowerCase(),
+            said: "",
+            colour: ""
+          };
+        });
+    this.list.replaceChildren(...this.rows.map((row) => row.item));
+    this.sift();
+  }
+
+  sift() {
+    const wanted = this.search.value.trim().toLowerCase();
+    let shown = 0;
+    for (const row of this.rows) {
+      row.item.hidden = !row.words.includes(wanted);
+      if (!row.item.hidden) ++shown;
+    }
+    this.count.textContent = shown === this.rows.length ? `${shown} lamps` : `${shown} of ${this.rows.length} lamps`;
+  }
+
+  tell() {
+    const levels = now.levels;
+    if (!levels || this.hidden || levels.version !== now.show?.version || levels.count !== this.rows.length) return;
+    this.rows.forEach((row, index) => {
+      const at = HEAD + EACH * index;
+      const candela = levels.bytes.getFloat32(at, true);
+      const [red, green, blue, dimmer] = [4, 5, 6, 7].map((k) => levels.bytes.getUint8(at + k));
+      const isLit = candela >= SHINES_CD;
+      const said = !row.fixture.patch ? "not patched" : isLit ? `lit, ${Math.round((100 * dimmer) / 255)} %` : "dark";
+      const colour = isLit ? `rgb(${display(red)} ${display(green)} ${display(blue)})` : "transparent";
+      if (said !== row.said) row.does.textContent = row.said = said;
+      if (colour !== row.colour) row.dot.style.background = row.colour = colour;
+    });
+  }
+
+  /** @param {number} index */
+  toggle(index) {
+    const before = this.rows[this.open];
+    before?.button.setAttribute("aria-expanded", "false");
+    this.why.remove();
+    this.open = this.open === index ? -1 : index;
+    if (this.open < 0) return;
+    const row = this.rows[index];
+    row.button.setAttribute("aria-expanded", "true");
+    this.why.replaceChildren("asking ...");
+    row.item.append(this.why);
+    this.ask();
+  }
+
+  ask() {
+    if (this.open >= 0 && !this.hidden) say({type: "explain", fixture: this.open});
+  }
+
+  explain() {
+    const {fixture, verdict, words} = now.explained;
+    if (fixture !== this.open) return;
+    const sentence = verdict.charAt(0).toUpperCase() + verdict.slice(1);
+    const lines = words.split("\n").slice(1).join("\n").trimEnd();  // the first one is the sentence
+    if (this.why.dataset.words === sentence + lines) return;
+    this.why.dataset.words = sentence + lines;
+    this.why.replaceChildren(make("p", {}, sentence), make("pre", {tabindex: "0", "aria-label": "From packet to surface"}, lines));
+  }
+}
+customElements.define("ghost-rig", Rig);
+
+/** A linear share as a screen shows it. @param {number} byte */
+function display(byte) {
+  const share = byte / 255;
+  return Math.round(255 * (share <= 0.0031308 ? 12.92 * share : 1.055 * share ** (1 / 2.4) - 0.055));
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// @ts-check
+// What the server said last, and who wants to hear of it. The token is in the address's fragment once, and
+// then in this tab's session storage alone.
+
+const told = new Map();
+
+export const now = {
+  /** @type {any} */ show: null,
+                     /** @type {any} */
+                     state: null,
+                     /** @type {any} */
+                     messages: null,
+                     /** @type {any} */
+                     explained: null,
+                     /** @type {{version: number, count: number, bytes: DataView} | null} */
+                     levels: null,
+                     line: "connecting",  // what the connection is like, in words
+                     isOpen: false,
+};
+
+/** @param {string} topic @param {() => void} tell */
+export function hear(topic, tell) {
+  if (!told.has(topic)) told.set(topic, []);
+  told.get(topic).push(tell);
+}
+
+/** @param {string} topic @param {any} value */
+export function put(topic, value) {
+  now[topic] = value;
+  for (const tell of told.get(topic) ?? []) tell();
+}
+
+const KEY = "ghostlight-token";
+
+export function takeToken() {
+  const given = /^#t=([0-9a-f]{32})$/.exec(location.hash);
+  if (given) {
+    sessionStorage.setItem(KEY, given[1]);
+    history.replaceState(null, "", location.pathname);
+  }
+  return sessionStorage.getItem(KEY);
+}
+
+export function keepToken(token) {
+  sessionStorage.setItem(KEY, token);
+}
+
+export function dropToken() {
+  sessionStorage.removeItem(KEY);
+}
+
+/**
+ * Text into elements, never mark-up: names come from strangers. @param {string} name @param {Record<string,
+ * string>} [attributes] @param {(Node | string)[]} children
+ */
+export function make(name, attributes = {}, ...children) {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  element.append(...children);
+  return element;
+}
+
+/** @param {number} seconds */
+export function clock(seconds) {
+  const whole = Math.floor(seconds);
+  return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, "0")}`;
+}

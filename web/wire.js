@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// @ts-check
+// The connection: messages in and out, the server's clock, and coming back after it was lost.
+import {dropToken, now, put} from "./store.js";
+
+const WAITS_S = [0.5, 1, 2, 4];
+const PING_EVERY_MS = 20000;
+
+/** @type {WebSocket | null} */
+let socket = null;
+let lost = 0;  // times in a row
+let timer = 0;
+let token = "";
+let leastTrip = Infinity, clockOffset = 0, pings = 0;  // ours + offset is the server's
+/** @type {(message: DataView) => void} */
+let onPicture = () => {};
+/** @type {() => void} */
+let onRefused = () => {};
+const wishes = new Map();  // what the server is told again after each connection
+
+/** @param {string} withToken @param {(message: DataView) => void} picture @param {() => void} refused */
+export function begin(withToken, picture, refused) {
+  token = withToken;
+  onPicture = picture;
+  onRefused = refused;
+  lost = 0;
+  const before = socket;
+  socket = null;
+  before?.close();
+  connect();
+}
+
+function connect() {
+  clearTimeout(timer);
+  if (socket || !token) return;
+  const opening = new WebSocket(`${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/live`, ["ghostlight.1", `t.${token}`]);
+  let wasOpen = false;
+  socket = opening;
+  opening.binaryType = "arraybuffer";
+  opening.onopen = () => {
+    wasOpen = true;
+    lost = 0;
+    leastTrip = Infinity;
+    pings = 0;
+    for (const wish of wishes.values()) opening.send(wish);
+    put("isOpen", true);
+    put("line", "live");
+    ping();
+  };
+  opening.onmessage = (event) => (typeof event.data === "string" ? hearText(event.data) : hearBytes(new DataView(event.data)));
+  opening.onclose = (event) => {
+    if (socket !== opening) return;
+    socket = null;
+    put("isOpen", false);
+    if (wasOpen)
+      leave(event.reason || "the line was lost");
+    else
+      ask();
+  };
+}
+
+// Why a handshake was refused is hidden from a page; asked plainly, the server says whether the token is the
+// right one.
+async function ask() {
+  try {
+    const answer = await fetch("/right", {headers: {Authorization: `Bearer ${token}`}, cache: "no-store"});
+    if (answer.status !== 401) return leave(answer.ok ? "too many look on already" : `refused (${answer.status})`);
+  } catch {
+    return leave("Ghostlight does not answer");
+  }
+  token = "";
+  dropToken();
+  onRefused();
+}
+
+/** @param {string} why */
+function leave(why) {
+  const wait = WAITS_S[Math.min(lost++, WAITS_S.length - 1)];
+  put("line", `${why}; trying again`);
+  timer = setTimeout(connect, 1000 * wait);
+}
+
+function again() {
+  if (socket || !token) return;
+  lost = 0;
+  connect();
+}
+addEventListener("online", again);
+document.addEventListener("visibilitychange", () => document.visibilityState === "visible" && again());
+
+/** @param {string} text */
+function hearText(text) {
+  const message = JSON.parse(text);
+  if (message.type === "pong")
+    hearPong(message);
+  else if (["show", "state", "messages", "explained"].includes(message.type))
+    put(message.type, message);
+}
+
+/** @param {DataView} bytes */
+function hearBytes(bytes) {
+  const kind = bytes.getUint8(0);
+  if (kind === 1) onPicture(bytes);
+  if (kind === 2) put("levels", {version: bytes.getUint16(2, true), count: bytes.getUint32(4, true), bytes});
+}
+
+function ping() {
+  say({type: "ping", t: performance.now()});
+}
+setInterval(ping, PING_EVERY_MS);
+
+/** @param {{t: number, now_ms: number}} pong */
+function hearPong(pong) {
+  const trip = performance.now() - pong.t;
+  if (trip < leastTrip) {
+    leastTrip = trip;
+    clockOffset = pong.now_ms - (pong.t + trip / 2);
+  }
+  if (++pings < 16) setTimeout(ping, 250);
+}
+
+/** Milliseconds since the server's clock showed that. @param {number} serverMs */
+export function ageMs(serverMs) {
+  return leastTrip === Infinity ? NaN : performance.now() + clockOffset - serverMs;
+}
+
+/** @param {object} message */
+export function say(message) {
+  if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(message));
+}
+
+/** What holds until it is wished otherwise, over lost lines, too. @param {{type: string}} message */
+export function wish(message) {
+  const text = JSON.stringify(message);
+  if (wishes.get(message.type) === text) return;
+  wishes.set(message.type, text);
+  say(message);
+}
+
+/** @param {number} number */
+export function painted(number) {
+  if (socket?.readyState !== WebSocket.OPEN) return;
+  const bytes = new DataView(new ArrayBuffer(5));
+  bytes.setUint8(0, 1);
+  bytes.setUint32(1, number, true);
+  socket.send(bytes.buffer);
+}
+
+export {now};
