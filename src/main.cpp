@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     int exit_code = 0;
     ghost::app::add_bake(app, exit_code);
     ghost::app::add_bench(app, exit_code);
+    ghost::app::add_book(app, exit_code);
     ghost::app::add_capture(app, exit_code);
     ghost::app::add_check(app, exit_code);
     ghost::app::add_compare(app, exit_code);

@@ -31,7 +31,7 @@ LIBRARIES = {
     "assimp/": {"stage"},
     "meshoptimizer.h": {"render/geometry"},
     "toml++/": {"json_xml_toml", "show_file"},
-    "nlohmann/": {"json_xml_toml", "fixture_files/ofl", "stage", "passes", "diagnose", "xchange", "live/session", "farm", "bench", "cli"},
+    "nlohmann/": {"json_xml_toml", "fixture_files/ofl", "stage", "passes", "diagnose", "book", "xchange", "live/session", "farm", "bench", "cli"},
     "OpenEXR/": {"image"},
     "Imath": {"image"},
     "png.h": {"image"},

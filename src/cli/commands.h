@@ -9,6 +9,7 @@ namespace ghost::app {
 
 void add_bake(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
+void add_book(CLI::App& app, int& exit_code);
 void add_capture(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
