@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
     ghost::app::add_measure(app, exit_code);
     ghost::app::add_monitor(app, exit_code);
     ghost::app::add_open(app, exit_code);
+    ghost::app::add_paper(app, exit_code);
     ghost::app::add_play(app, exit_code);
     ghost::app::add_record(app, exit_code);
     ghost::app::add_render(app, exit_code);

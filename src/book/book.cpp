@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/book.h"
 
+#include "book/private/paper_tables.h"
 #include "show/show.h"
 
 namespace ghost::scene {
@@ -14,9 +15,7 @@ Book book_of(const Show& show) {
         entry.name = fixture.name;
         entry.id = fixture.fixture_id;
         entry.uuid = fixture.uuid;
-        entry.addresses.push_back({fixture.universe, fixture.address});
-        entry.addresses.insert(entry.addresses.end(), fixture.more_addresses.begin(),
-                               fixture.more_addresses.end());
+        entry.addresses = addresses_of(fixture);
         entry.position_m = fixture.position_m;
         if (!fixture.type) {
             ++unread;

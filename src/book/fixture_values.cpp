@@ -28,13 +28,6 @@ void add(std::string& list, const std::string& part) {
     list += (list.empty() ? "" : " + ") + part;
 }
 
-bool is_open(const Slot& slot) {
-    const fixture::ColorCie white;
-    return slot.media < 0 && slot.media_file.empty() && slot.facets.empty() && slot.filter < 0 &&
-           !slot.animation && slot.color.x == white.x && slot.color.y == white.y &&
-           slot.color.Y >= kOpenTransmission;
-}
-
 std::string slot_text(const fixture::Wheel& wheel, std::size_t slot) {
     if (is_open(wheel.slots[slot])) return "open";
     const std::string& name = wheel.slots[slot].name;
@@ -206,6 +199,17 @@ FixtureValues values_of(const Type& type, const fixture::State& state,
     if (optics.strobe != fixture::Strobe::none) values.strobe_hz = optics.strobe_hz;
     if (programmer) add_hands(*programmer, values);
     return values;
+}
+
+bool is_open(const Slot& slot) {
+    const fixture::ColorCie white;
+    return slot.media < 0 && slot.media_file.empty() && slot.facets.empty() && slot.filter < 0 &&
+           !slot.animation && slot.color.x == white.x && slot.color.y == white.y &&
+           slot.color.Y >= kOpenTransmission;
+}
+
+std::string colour_text(const fixture::ColorCie& colour) {
+    return hex(image::xyy_to_rec2020({colour.x, colour.y, 1.0f}));
 }
 
 float full_lm(const Type& type, const fixture::Mode& mode) {

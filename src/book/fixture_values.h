@@ -33,6 +33,12 @@ struct FixtureValues {
 FixtureValues values_of(const fixture::Type& type, const fixture::State& state,
                         const fixture::Programmer* programmer = nullptr);
 
+// A slot of a wheel that leaves the light as it is.
+bool is_open(const fixture::Slot& slot);
+
+// Of a filter: "#ff8000", as bright as that colour can be.
+std::string colour_text(const fixture::ColorCie& colour);
+
 // Lumens of all its beams at full, as the file says them; 0: it has none.
 float full_lm(const fixture::Type& type, const fixture::Mode& mode);
 

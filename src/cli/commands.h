@@ -20,6 +20,7 @@ void add_import(CLI::App& app, int& exit_code);
 void add_measure(CLI::App& app, int& exit_code);
 void add_monitor(CLI::App& app, int& exit_code);
 void add_open(CLI::App& app, int& exit_code);
+void add_paper(CLI::App& app, int& exit_code);
 void add_play(CLI::App& app, int& exit_code);
 void add_record(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
