@@ -36,6 +36,8 @@ LIBRARIES = {
     "Imath": {"image"},
     "png.h": {"image"},
     "turbojpeg.h": {"image"},
+    "cairo-pdf.h": {"book"},
+    "pango/": {"book"},
     "libav": {"video"},
     "libswscale/": {"video"},
     "CLI/": {"cli", "farm"},

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/book_html.h"
 
-#include "base/progress.h"
+#include "book/private/entry_text.h"
 #include "book/quantities.h"
 
 #include <cstdio>
 
 namespace ghost::scene {
 namespace {
-
-constexpr std::size_t kMostLines = 40; // of one entry; book.json has all
 
 // What the slider covers is cut away; a page from file:// loads no modules.
 constexpr std::string_view kScript = R"(<script>
@@ -29,19 +27,6 @@ std::string list_of(const std::vector<std::string>& sentences, const std::string
     return text + "</ul>\n";
 }
 
-std::string times_of(const BookEntry& entry) {
-    std::string text;
-    const auto put = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
-    if (entry.at_s && entry.goes_on)
-        put("goes on where the recording is; drawn at " + clock_text(*entry.at_s));
-    else if (entry.at_s)
-        put("at " + clock_text(*entry.at_s));
-    if (!entry.look.empty()) put("look " + html_name(entry.look));
-    if (entry.fade_s) put("fade " + number_text(*entry.fade_s, 1) + " s");
-    if (entry.follow_s) put("the next one follows after " + number_text(*entry.follow_s, 1) + " s");
-    return text;
-}
-
 std::string size_of(const Book& book) {
     return " width=\"" + std::to_string(book.width) + "\" height=\"" + std::to_string(book.height) + "\"";
 }
@@ -49,15 +34,7 @@ std::string size_of(const Book& book) {
 std::string changes_of_entry(const BookEntry& entry, bool is_first) {
     std::string text = is_first ? "<h3>From the dark</h3>\n" : "<h3>What changes</h3>\n";
     if (entry.changes.empty()) return text + "<p class=\"of\">nothing that is seen</p>\n";
-    std::vector<std::string> lines;
-    for (const BookChange& change : entry.changes) {
-        if (lines.size() == kMostLines) break;
-        lines.push_back(change.line());
-    }
-    if (entry.changes.size() > kMostLines)
-        lines.push_back("and " + std::to_string(entry.changes.size() - kMostLines) +
-                        " more changes, which book.json has");
-    return text + list_of(lines, "");
+    return text + list_of(change_lines(entry), "");
 }
 
 std::string anchor(std::size_t entry) {
@@ -68,8 +45,8 @@ std::string section_of(const Book& book, std::size_t index) {
     const BookEntry& entry = book.entries[index];
     std::string text = "<article class=\"entry\" id=\"" + anchor(index) + "\">\n<h2>" +
                        std::to_string(index + 1) + ". " + html_name(entry.name) + "</h2>\n";
-    if (const std::string times = times_of(entry); !times.empty())
-        text += "<p class=\"of\">" + times + "</p>\n";
+    if (const std::string times = times_text(entry); !times.empty())
+        text += "<p class=\"of\">" + html_name(times) + "</p>\n";
     if (!entry.notes.empty()) text += "<p>" + html_name(entry.notes) + "</p>\n";
     text += "<div class=\"pictures\">\n";
     for (const BookPicture& picture : entry.pictures)

@@ -2,6 +2,7 @@
 // ghostlight book: the cue book of a show, a folder with pictures and a page that opens in any browser.
 #include "book/book_html.h"
 #include "book/book_json.h"
+#include "book/pdf.h"
 #include "cli/commands.h"
 #include "cli/options/number_option.h"
 #include "cli/options/size_option.h"
@@ -30,6 +31,7 @@ struct BookArguments {
     std::string against;
     std::string paper = "A4";
     bool cues = false, looks = false, find = false;
+    bool pdf = false;
 };
 
 Result<void> check_usage(BookArguments& arguments) {
@@ -60,6 +62,10 @@ Result<void> make_book(BookArguments& arguments) {
     TRY_VOID(write_file_atomic(folder.written_to() / kBookFile, scene::text_of(drawn.book)));
     TRY_VOID(write_file_atomic(folder.written_to() / "index.html",
                                scene::html_of(drawn.book, difference ? &*difference : nullptr, paper)));
+    if (arguments.pdf) {
+        TRY(const std::string pdf, scene::pdf_of(drawn.book, folder.written_to(), paper));
+        TRY_VOID(write_file_atomic(folder.written_to() / "book.pdf", pdf));
+    }
     TRY_VOID(folder.commit());
     std::size_t pictures = 0;
     for (const scene::BookEntry& entry : drawn.book.entries) pictures += entry.pictures.size();
@@ -104,9 +110,10 @@ void add_book(CLI::App& app, int& exit_code) {
                      "the pictures differ")
         ->type_name("OLD")
         ->check(CLI::ExistingPath);
-    command->add_option("--paper", a->paper, "A4 or Letter, of the page when it is printed")
+    command->add_option("--paper", a->paper, "A4 or Letter, of the page when it is printed, and of the PDF")
         ->check(CLI::IsMember({"A4", "Letter"}))
         ->capture_default_str();
+    command->add_flag("--pdf", a->pdf, "write book.pdf, too: four entries on a page");
     add_tone_option(*command, session.tone);
     command->add_option("--device", session.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");

@@ -100,11 +100,11 @@ TEST(Instruments, name_what_the_plot_says) {
     plot.positions = {{"p1", "Truss 10", 0}, {"p2", "Truss 2", 0}};
     for (int i = 0; i < 3; ++i) {
         PlotObject& object = plot.objects.emplace_back();
-        object.uuid = "AB-" + std::to_string(i);
+        object.uuid = uuid(i);
         object.device.position = i == 2 ? 1 : 0;
         object.device.unit_number = 10 - i;
         show.fixtures.push_back(hung("Spot " + std::to_string(i), 1, 1 + 3 * i));
-        show.fixtures.back().uuid = "{ab-" + std::to_string(i) + "}";
+        show.fixtures.back().uuid = "{" + uuid(i) + "}";
         show.fixtures.back().fixture_id = std::to_string(101 + i);
     }
     show.fixtures.push_back(hung("lonely", 1, 100));

@@ -16,6 +16,9 @@ import tempfile
 import time
 import unittest
 
+from lib import needs
+
+needs.packages("poppler-utils")
 SOURCE, PROGRAM = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve() / "ghostlight"
 SIZE = ["--size", "96x54"]
 CUES = '''
@@ -66,6 +69,13 @@ def show(name, cues=CUES, level=0.8):
     return folder
 
 
+def pdf_text(file):
+    """What a reader of its own finds in it; fonts must be embedded."""
+    fonts = subprocess.run(["pdffonts", file], capture_output=True, text=True, check=True).stdout.splitlines()[2:]
+    assert fonts and all(font.split()[-5] == "yes" for font in fonts), fonts
+    return subprocess.run(["pdftotext", "-layout", file, "-"], capture_output=True, text=True, check=True).stdout
+
+
 def contents(folder):
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
@@ -95,7 +105,7 @@ class Book(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.show = show("show")
-        code, text = run("book", cls.show, "-o", WORK / "book", *SIZE)
+        code, text = run("book", cls.show, "-o", WORK / "book", "--pdf", *SIZE)
         assert code == 0, text
 
     def test_has_every_cue_and_refers_to_nothing_else(self):
@@ -114,8 +124,13 @@ class Book(unittest.TestCase):
         for part in ("Opening <b>", "שלום", "goes on where the recording is"):
             self.assertIn(part, page.text)
 
+    def test_can_be_printed(self):
+        text = pdf_text(WORK / "book/book.pdf")
+        for part in ("1. Opening <b>", "2. Blue", "3. Finale", "page 1 of 1", "Spot 1:"):
+            self.assertIn(part, text)
+
     def test_equal_input_gives_equal_bytes(self):
-        code, text = run("book", self.show, "-o", WORK / "again", *SIZE)
+        code, text = run("book", self.show, "-o", WORK / "again", "--pdf", *SIZE)
         self.assertEqual(code, 0, text)
         self.assertEqual(contents(WORK / "again"), contents(WORK / "book"))
 
@@ -216,7 +231,7 @@ class Paper(unittest.TestCase):
     def test_is_made_of_the_demo(self):
         folder = show("paper_show")
         for out in ("paper", "paper_again"):
-            code, text = run("paper", folder, "-o", WORK / out)
+            code, text = run("paper", folder, "-o", WORK / out, "--pdf")
             self.assertEqual(code, 0, text)
         self.assertEqual(contents(WORK / "paper"), contents(WORK / "paper_again"))
         with open(WORK / "paper/patch.csv", encoding="utf-8-sig", newline="") as file:
@@ -225,7 +240,10 @@ class Paper(unittest.TestCase):
         self.assertEqual(rows[-1]["name"], "free")
         self.assertEqual(sum(int(row["channels"]) for row in rows), 512)
         self.assertEqual({path.name for path in (WORK / "paper").iterdir()},
-                         {"index.html", *(name + ".csv" for name in ("instruments", "hookup", "patch", "universes", "gobos_colours", "types"))})
+                         {"index.html", "paper.pdf", *(name + ".csv" for name in ("instruments", "hookup", "patch", "universes", "gobos_colours", "types"))})
+        text = pdf_text(WORK / "paper/paper.pdf")
+        for part in ("Instrument schedule", "Patch by universe", "Spot 10", "free"):
+            self.assertIn(part, text)
         page = Page(WORK / "paper/index.html")
         self.assertEqual(page.sources, [])
         self.assertIn("What they hang on: 10 fixtures do not say it.", page.text)
