@@ -71,6 +71,7 @@ std::string change_of(const FixtureValues& before, const FixtureValues& after) {
         if (moves(before, after)) return "moves in the dark";
         return others.empty() ? "" : "is set in the dark";
     }
+    if (after.is_dark()) return list; // nobody sees what else it does then
     if (!others.empty()) add(list, others);
     if (moves(before, after)) add(list, "moves");
     if (list.empty() && before.cells != after.cells) add(list, "its cells change");

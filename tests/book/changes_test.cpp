@@ -86,6 +86,7 @@ TEST(Changes, in_the_dark_are_a_word) {
     EXPECT_EQ(change_of(before, values({0, 20, 0, 0, 200})), "moves in the dark");
     EXPECT_EQ(change_of(before, values({0, 20, 0, 0, 128})), "is set in the dark");
     EXPECT_EQ(change_of(before, before), "");
+    EXPECT_EQ(change_of(values({204, 0, 0, 0, 128}), values({0, 20, 60, 0, 200})), "80 to 0 %");
 }
 
 TEST(Changes, of_fixtures_that_do_alike_are_one_line_most_light_first) {
