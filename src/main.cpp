@@ -28,6 +28,7 @@ int main(int argc, char** argv) {
     int exit_code = 0;
     ghost::app::add_bake(app, exit_code);
     ghost::app::add_bench(app, exit_code);
+    ghost::app::add_book(app, exit_code);
     ghost::app::add_capture(app, exit_code);
     ghost::app::add_check(app, exit_code);
     ghost::app::add_compare(app, exit_code);
@@ -38,6 +39,7 @@ int main(int argc, char** argv) {
     ghost::app::add_measure(app, exit_code);
     ghost::app::add_monitor(app, exit_code);
     ghost::app::add_open(app, exit_code);
+    ghost::app::add_paper(app, exit_code);
     ghost::app::add_play(app, exit_code);
     ghost::app::add_record(app, exit_code);
     ghost::app::add_render(app, exit_code);

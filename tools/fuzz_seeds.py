@@ -21,6 +21,11 @@ GLTF = json.dumps({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes":
                    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "buffers": [{"uri": "a.bin", "byteLength": 36}],
                    "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}],
                    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]}]}).encode()
+BOOK = json.dumps({"ghostlight_book": 1, "show": "a", "kind": "cues", "size": [64, 36], "ev100": 6, "device": "d", "unknown": [],
+                   "fixtures": [{"name": "Spot 1", "id": "1", "uuid": "", "type": "t", "mode": "m", "addresses": [[1, 1]], "position_m": [0, 0, 6]}],
+                   "entries": [{"name": "a", "notes": "", "look": "", "at_s": 1.5, "goes_on": False, "fade_s": None, "follow_s": None, "unknown": [],
+                                "pictures": [{"camera": "house", "file": "pictures/0001-1.png"}],
+                                "changes": [{"fixtures": ["Spot 1"], "what": "0 to 80 %"}]}]}).encode()
 
 
 def members_swapped(data, chance):
@@ -97,6 +102,7 @@ def made():
         "picture": [b"<svg viewBox='0 0 9 9'><path d='M0 0L9 0A4 4 0 0 1 9 9z' fill='#fff'/></svg>"],
         "capture": [bytes.fromhex("d4c3b2a1020004000000000000000000ffff000001000000") + bytes(60)],
         "passes": [b'{"format":1,"width":4,"height":4,"folder":"a","lights":[]}'],
+        "book": [BOOK],
     }
 
 

@@ -6,13 +6,13 @@
 #include "cli/options/bounce_option.h"
 #include "cli/options/input_options.h"
 #include "cli/options/live_options.h"
+#include "cli/options/size_option.h"
 #include "cli/options/web_options.h"
 #include "live/engine/engine.h"
 #include "ui/window/open_window.h"
 
 #include "base/log.h"
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -54,13 +54,10 @@ Result<void> check_usage(OpenArguments& arguments) {
     }
     arguments.window.remembers = !arguments.forget;
     if (arguments.size.empty()) return {};
-    char end = 0;
-    if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &arguments.window.width, &arguments.window.height,
-                    &end) == 2 &&
-        arguments.window.width >= 320 && arguments.window.height >= 200 && arguments.window.width <= 16384 &&
-        arguments.window.height <= 16384)
-        return {};
-    return Error{"'" + arguments.size + "' is not WIDTHxHEIGHT between 320x200 and 16384x16384", "--size"};
+    TRY(const glm::ivec2 size, size_from(arguments.size, {320, 200}, 16384));
+    arguments.window.width = size.x;
+    arguments.window.height = size.y;
+    return {};
 }
 
 Result<void> run(OpenArguments& arguments) {

@@ -5,6 +5,7 @@
 #include "cli/options/input_options.h"
 #include "cli/options/live_options.h"
 #include "cli/options/number_option.h"
+#include "cli/options/size_option.h"
 #include "cli/options/tone_option.h"
 #include "cli/render/render_film.h"
 #include "dmx/record/recording_tasks.h"
@@ -27,13 +28,9 @@ constexpr float kFarthest_m = 10000; // of what a show file may place
 // What the command line asks for, checked before anything is opened.
 Result<bool> check_usage(RenderArguments& arguments) {
     if (!arguments.size.empty()) {
-        char end = 0;
-        if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &arguments.session.width,
-                        &arguments.session.height, &end) != 2 ||
-            arguments.session.width < 16 || arguments.session.height < 16 || arguments.session.width > 8192 ||
-            arguments.session.height > 8192)
-            return Error{"'" + arguments.size + "' is not WIDTHxHEIGHT between 16x16 and 8192x8192",
-                         "--size"};
+        TRY(const glm::ivec2 size, size_from(arguments.size, {16, 16}, 8192));
+        arguments.session.width = size.x;
+        arguments.session.height = size.y;
     }
     arguments.session.beams.beams = arguments.beams == "march"  ? render::Beams::march
                                     : arguments.beams == "cone" ? render::Beams::cone

@@ -4,8 +4,10 @@
 #include "base/interrupt.h"
 #include "cli/commands.h"
 #include "cli/options/number_option.h"
+#include "cli/options/size_option.h"
 #include "cli/options/tone_option.h"
 #include "cli/render/channel_sheet.h"
+#include "cli/render/chosen_cameras.h"
 #include "dmx/record/player.h"
 #include "dmx/record/recording_tasks.h"
 #include "fixture_files/load_type.h"
@@ -13,16 +15,15 @@
 #include "live/session/applied_look.h"
 #include "live/session/caption.h"
 #include "live/session/session.h"
+#include "live/session/settle.h"
 
 #include "base/log.h"
 #include "base/progress.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <set>
 
 namespace ghost::app {
 namespace {
@@ -30,9 +31,6 @@ namespace {
 constexpr int kGap_px = 4;
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 28; // of the sheet: a gigabyte
 constexpr std::uint8_t kGround = 24;
-// Wheels and filaments have arrived.
-constexpr double kSettle_s = 5;
-constexpr int kSettleSteps = 50;
 
 struct SheetArguments {
     SessionOptions session;
@@ -59,11 +57,10 @@ double now_s() {
 }
 
 Result<void> check_usage(SheetArguments& arguments) {
-    char end = 0;
     if (arguments.size.empty()) arguments.size = is_of_fixture(arguments) ? "160x120" : "480x270";
-    if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &arguments.width, &arguments.height, &end) != 2 ||
-        arguments.width < 16 || arguments.height < 16 || arguments.width > 4096 || arguments.height > 4096)
-        return Error{"'" + arguments.size + "' is not WIDTHxHEIGHT between 16x16 and 4096x4096", "--size"};
+    TRY(const glm::ivec2 size, size_from(arguments.size, {16, 16}, 4096));
+    arguments.width = size.x;
+    arguments.height = size.y;
     if (std::filesystem::path(arguments.out).extension() != ".png")
         return Error{"a contact sheet is a .png", arguments.out};
     if (is_of_fixture(arguments) && arguments.views.size() > 1)
@@ -96,28 +93,6 @@ Result<std::vector<Row>> rows_of(const Session& session, const SheetArguments& a
     return rows;
 }
 
-Result<std::vector<scene::Camera>> cameras_of(const Session& session, const SheetArguments& arguments) {
-    std::vector<scene::Camera> cameras = session.show->cameras;
-    if (cameras.size() > 1) cameras.pop_back(); // that of the size of the sheet, see open_session
-    if (!arguments.views.empty()) {
-        scene::Show named; // without the one that was added
-        named.file = session.show->file;
-        named.cameras = cameras;
-        std::vector<scene::Camera> chosen;
-        std::set<std::size_t> taken; // who says a camera twice sees it once
-        for (const std::string& view : arguments.views) {
-            TRY(const std::size_t index, named.find_camera(view));
-            if (taken.insert(index).second) chosen.push_back(cameras[index]);
-        }
-        cameras = std::move(chosen);
-    }
-    for (scene::Camera& camera : cameras) {
-        camera.width = arguments.width;
-        camera.height = arguments.height;
-    }
-    return cameras;
-}
-
 void put(const image::Image8& picture, int x, int y, image::Image8& sheet) {
     for (int row = 0; row < picture.height; ++row)
         std::copy_n(picture.at(0, row), 4 * picture.width, sheet.at(x, y + row));
@@ -126,7 +101,8 @@ void put(const image::Image8& picture, int x, int y, image::Image8& sheet) {
 Result<void> draw_sheet(SheetArguments& arguments) {
     TRY(const std::unique_ptr<Session> session, open_session(arguments.session));
     TRY(const std::vector<Row> rows, rows_of(*session, arguments, session->report));
-    TRY(const std::vector<scene::Camera> cameras, cameras_of(*session, arguments));
+    TRY(const std::vector<scene::Camera> cameras,
+        chosen_cameras(*session->show, arguments.views, arguments.width, arguments.height));
     std::optional<dmx::Player> player;
     if (std::any_of(rows.begin(), rows.end(), [](const Row& row) { return row.at_s >= 0; }) &&
         !session->show->recording.empty()) {
@@ -156,8 +132,7 @@ Result<void> draw_sheet(SheetArguments& arguments) {
     for (int line = 0; line < lines; ++line) {
         const Row& row = rows[static_cast<std::size_t>(line)];
         const dmx::Universes levels = player && row.at_s >= 0 ? player->at(row.at_s) : dmx::Universes{};
-        for (int step = 0; step < kSettleSteps; ++step)
-            session->rig->step(levels, kSettle_s / kSettleSteps, row.look.fixtures);
+        settle(*session->rig, levels, row.look.fixtures);
         applied.apply(row.look, *session);
         for (int column = 0; column < columns; ++column) {
             if (interrupted()) return Error{"interrupted: nothing is written", arguments.out};

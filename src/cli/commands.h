@@ -9,6 +9,7 @@ namespace ghost::app {
 
 void add_bake(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);
+void add_book(CLI::App& app, int& exit_code);
 void add_capture(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_compare(CLI::App& app, int& exit_code);
@@ -19,6 +20,7 @@ void add_import(CLI::App& app, int& exit_code);
 void add_measure(CLI::App& app, int& exit_code);
 void add_monitor(CLI::App& app, int& exit_code);
 void add_open(CLI::App& app, int& exit_code);
+void add_paper(CLI::App& app, int& exit_code);
 void add_play(CLI::App& app, int& exit_code);
 void add_record(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);

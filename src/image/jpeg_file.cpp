@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/private/jpeg_file.h"
 
+#include "base/check.h"
+#include "image/jpeg_bytes.h"
+
 #include <turbojpeg.h>
 
 #include <algorithm>
@@ -90,6 +93,21 @@ Result<Image8> decode_jpeg(Bytes bytes, std::string& damage) {
     if (status != 0) damage = tjGetErrorStr2(decoder.get());
     if (is_cmyk) rgb_from_cmyk(image);
     return image;
+}
+
+Result<std::vector<std::uint8_t>> jpeg_bytes(const Image8& pixels, int quality) {
+    CHECK(pixels.channels == 4 && !pixels.empty());
+    const std::unique_ptr<void, int (*)(tjhandle)> encoder(tjInitCompress(), tjDestroy);
+    unsigned char* packed = nullptr;
+    unsigned long size = 0;
+    const int status = encoder ? tjCompress2(encoder.get(), pixels.samples.data(), pixels.width, 0,
+                                             pixels.height, TJPF_RGBA, &packed, &size, TJSAMP_444, quality, 0)
+                               : -1;
+    std::vector<std::uint8_t> bytes;
+    if (status == 0) bytes.assign(packed, packed + size);
+    tjFree(packed);
+    if (status != 0) return Error{"cannot be packed as JPEG: memory is short, or it is too large", ""};
+    return bytes;
 }
 
 } // namespace ghost::image

@@ -7,6 +7,7 @@
 #include "image/ldr.h"
 #include "live/session/caption.h"
 #include "live/session/made_session.h"
+#include "live/session/settle.h"
 
 #include "base/log.h"
 #include "base/progress.h"
@@ -31,9 +32,7 @@ constexpr float kDarkerFace_ev = 1.0f;
 constexpr std::uint8_t kGround = 24;
 constexpr std::uint8_t kAlike = 6; // of 255: nobody sees it
 constexpr vec3 kLens_m{0.0f, 0.0f, 3.0f};
-// Wheels, filaments and whatever turns have gone on for a while.
-constexpr double kSettle_s = 5;
-constexpr int kSettleSteps = 50;
+constexpr double kArrived_s = 5; // so late nothing moves any more
 
 scene::Mesh quad(const vec3& corner, const vec3& right, const vec3& up) {
     scene::Mesh mesh;
@@ -70,7 +69,7 @@ scene::Stage hall() {
 // returns how far its beams lie apart.
 float hang(const fixture::Patch& patch, const std::vector<std::uint8_t>& rest, scene::PatchedFixture& hung) {
     fixture::State state = fixture::make_state(patch);
-    fixture::step(state, patch, fixture::decode_levels(patch, rest), kSettle_s,
+    fixture::step(state, patch, fixture::decode_levels(patch, rest), kArrived_s,
                   fixture::Motion::as_commanded);
     vec3 low(1e9f), high(-1e9f);
     for (const fixture::BeamState& beam : state.beams) {
@@ -194,8 +193,7 @@ Result<void> draw_channel_sheet(const ChannelSheetOptions& options) {
     const auto draw = [&](const std::vector<std::uint8_t>& levels) {
         fixture::Programmer programmer;
         programmer.levels = levels;
-        for (int step = 0; step < kSettleSteps; ++step)
-            session->rig->step({}, kSettle_s / kSettleSteps, {{0, programmer}});
+        settle(*session->rig, {}, {{0, programmer}});
         session->draw();
         return session->relighter->picture();
     };

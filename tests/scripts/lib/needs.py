@@ -7,7 +7,7 @@ import sys
 
 MODULES = {"python3-numpy": "numpy", "python3-pil": "PIL"}
 PROGRAMS = {"iproute2": ["ip"], "ola": ["olad", "ola_rdm_discover", "ola_rdm_get", "ola_rdm_set"], "util-linux": ["setpriv", "unshare", "nsenter"], "xvfb": ["Xvfb"],
-            "xdotool": ["xdotool"], "chromium": ["chromium"], "slurm-wlm": ["slurmctld", "slurmd", "sbatch", "squeue"], "munge": ["munged"],
+            "xdotool": ["xdotool"], "chromium": ["chromium"], "poppler-utils": ["pdftotext", "pdffonts"], "slurm-wlm": ["slurmctld", "slurmd", "sbatch", "squeue"], "munge": ["munged"],
             "faketime": ["faketime"]}
 
 

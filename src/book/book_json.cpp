@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "book/book_json.h"
+
+#include "json_xml_toml/json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace ghost::scene {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int kVersion = 1;
+constexpr JsonLimits kLimits{.bytes = kMostBookBytes, .values = 40'000'000};
+constexpr std::size_t kMostFixturesOfBook = 1'000'000;
+
+template <class T>
+Json optional(const std::optional<T>& value) {
+    return value ? Json(*value) : Json();
+}
+
+Json json_of(const BookFixture& fixture) {
+    Json addresses = Json::array();
+    for (const fixture::Address& address : fixture.addresses)
+        addresses.push_back({address.universe, address.channel});
+    return {{"name", fixture.name},
+            {"id", fixture.id},
+            {"uuid", fixture.uuid},
+            {"type", fixture.type},
+            {"mode", fixture.mode},
+            {"addresses", addresses},
+            {"position_m", {fixture.position_m.x, fixture.position_m.y, fixture.position_m.z}}};
+}
+
+Json json_of(const BookEntry& entry) {
+    Json pictures = Json::array(), changes = Json::array();
+    for (const BookPicture& picture : entry.pictures)
+        pictures.push_back({{"camera", picture.camera}, {"file", picture.file}});
+    for (const BookChange& change : entry.changes)
+        changes.push_back({{"fixtures", change.fixtures}, {"what", change.what}});
+    return {{"name", entry.name},
+            {"notes", entry.notes},
+            {"look", entry.look},
+            {"at_s", optional(entry.at_s)},
+            {"goes_on", entry.goes_on},
+            {"fade_s", optional(entry.fade_s)},
+            {"follow_s", optional(entry.follow_s)},
+            {"pictures", pictures},
+            {"changes", changes},
+            {"unknown", entry.unknown}};
+}
+
+// What follows throws Json::exception where something is missing or has another type.
+template <class T>
+std::optional<T> optional_from(const Json& value) {
+    return value.is_null() ? std::nullopt : std::optional<T>(value.get<T>());
+}
+
+std::vector<std::string> texts_from(const Json& list) {
+    std::vector<std::string> texts;
+    for (const Json& text : list) texts.push_back(text.get<std::string>());
+    return texts;
+}
+
+BookFixture fixture_from(const Json& all) {
+    BookFixture fixture;
+    fixture.name = all.at("name").get<std::string>();
+    fixture.id = all.at("id").get<std::string>();
+    fixture.uuid = all.at("uuid").get<std::string>();
+    fixture.type = all.at("type").get<std::string>();
+    fixture.mode = all.at("mode").get<std::string>();
+    for (const Json& address : all.at("addresses"))
+        fixture.addresses.push_back({address.at(0).get<int>(), address.at(1).get<int>()});
+    for (int k = 0; k < 3; ++k)
+        fixture.position_m[k] = all.at("position_m").at(static_cast<std::size_t>(k)).get<float>();
+    return fixture;
+}
+
+BookEntry entry_from(const Json& all) {
+    BookEntry entry;
+    entry.name = all.at("name").get<std::string>();
+    entry.notes = all.at("notes").get<std::string>();
+    entry.look = all.at("look").get<std::string>();
+    entry.at_s = optional_from<double>(all.at("at_s"));
+    entry.goes_on = all.at("goes_on").get<bool>();
+    entry.fade_s = optional_from<float>(all.at("fade_s"));
+    entry.follow_s = optional_from<float>(all.at("follow_s"));
+    for (const Json& picture : all.at("pictures"))
+        entry.pictures.push_back(
+            {picture.at("camera").get<std::string>(), picture.at("file").get<std::string>()});
+    for (const Json& change : all.at("changes"))
+        entry.changes.push_back({texts_from(change.at("fixtures")), change.at("what").get<std::string>()});
+    entry.unknown = texts_from(all.at("unknown"));
+    return entry;
+}
+
+Book whole_from(const Json& all) {
+    Book book;
+    book.show = all.at("show").get<std::string>();
+    book.kind = all.at("kind").get<std::string>();
+    book.width = all.at("size").at(0).get<int>();
+    book.height = all.at("size").at(1).get<int>();
+    book.ev100 = all.at("ev100").get<float>();
+    book.device = all.at("device").get<std::string>();
+    for (const Json& fixture : all.at("fixtures")) book.fixtures.push_back(fixture_from(fixture));
+    for (const Json& entry : all.at("entries")) book.entries.push_back(entry_from(entry));
+    book.unknown = texts_from(all.at("unknown"));
+    return book;
+}
+
+// "pictures/0001-1.png", as we name them.
+bool is_of_book(const std::string& file) {
+    constexpr std::string_view kFolder = "pictures/", kEnding = ".png";
+    if (!file.starts_with(kFolder) || !file.ends_with(kEnding)) return false;
+    const std::string name = file.substr(kFolder.size(), file.size() - kFolder.size() - kEnding.size());
+    return !name.empty() && name.find_first_not_of("0123456789-") == std::string::npos;
+}
+
+} // namespace
+
+std::string text_of(const Book& book) {
+    Json fixtures = Json::array(), entries = Json::array();
+    for (const BookFixture& fixture : book.fixtures) fixtures.push_back(json_of(fixture));
+    for (const BookEntry& entry : book.entries) entries.push_back(json_of(entry));
+    const Json all = {{"ghostlight_book", kVersion},       {"show", book.show},    {"kind", book.kind},
+                      {"size", {book.width, book.height}}, {"ev100", book.ev100},  {"device", book.device},
+                      {"unknown", book.unknown},           {"fixtures", fixtures}, {"entries", entries}};
+    return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<Book> book_from(std::string_view text, const std::string& where) {
+    TRY(const Json all, read_ordered_json(text, where, kLimits));
+    const auto version = all.is_object() ? all.find("ghostlight_book") : all.end();
+    if (version == all.end()) return Error{"is no cue book: 'ghostlight_book' is expected", where};
+    if (*version != kVersion)
+        return Error{"is a cue book of another version; " + std::to_string(kVersion) + " is read", where};
+    Book book;
+    try {
+        book = whole_from(all);
+    } catch (const Json::exception& error) {
+        return Error{std::string("is a damaged cue book: ") + error.what(), where};
+    }
+    if (book.entries.size() > kMostEntries || book.fixtures.size() > kMostFixturesOfBook)
+        return Error{"has more entries or fixtures than a cue book may have", where};
+    for (const BookEntry& entry : book.entries)
+        for (const BookPicture& picture : entry.pictures)
+            if (!is_of_book(picture.file))
+                return Error{"has a picture that is not one of a cue book: '" + picture.file.substr(0, 60) +
+                                 "'; 'pictures/0001-1.png' is expected",
+                             where};
+    return book;
+}
+
+} // namespace ghost::scene

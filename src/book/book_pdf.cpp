@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "book/pdf.h"
+
+#include "book/private/entry_text.h"
+#include "book/private/pdf_writer.h"
+#include "book/quantities.h"
+#include "image/ldr.h"
+
+#include <algorithm>
+
+namespace ghost::scene {
+namespace {
+
+constexpr double kMargin_pt = 40, kHead_pt = 24, kGap_pt = 10;
+constexpr std::size_t kEntriesOfPage = 4;
+constexpr std::size_t kMostPictures = 2; // of an entry; the page of the browser has all
+constexpr double kPictures_pt = 215;     // width of what stands left of the words
+constexpr double kPencil_pt = 16;
+
+constexpr PdfText kTitle{.size_pt = 11, .is_bold = true};
+constexpr PdfText kSmall{.size_pt = 8, .is_grey = true};
+constexpr PdfText kWords{.size_pt = 8.5};
+
+class BookPages {
+public:
+    BookPages(const Book& book, const std::filesystem::path& folder, PaperSize size)
+        : book_(book), folder_(folder), pdf_(size, false, book.show + ": cue book") {}
+
+    Result<std::string> draw() {
+        const std::size_t pages =
+            std::max<std::size_t>(1, (book_.entries.size() + kEntriesOfPage - 1) / kEntriesOfPage);
+        for (std::size_t page = 0; page < pages; ++page) {
+            draw_head(page, pages);
+            const double top = kMargin_pt + kHead_pt;
+            const double height = (pdf_.height_pt() - top - kMargin_pt) / kEntriesOfPage;
+            for (std::size_t k = 0; k < kEntriesOfPage; ++k) {
+                const std::size_t entry = page * kEntriesOfPage + k;
+                if (entry < book_.entries.size())
+                    TRY_VOID(draw_entry(entry, top + static_cast<double>(k) * height, height - kGap_pt));
+            }
+            pdf_.end_page();
+        }
+        return pdf_.finish();
+    }
+
+private:
+    void draw_head(std::size_t page, std::size_t pages) {
+        const double width = pdf_.width_pt() - 2 * kMargin_pt;
+        pdf_.line_of_text(kMargin_pt, kMargin_pt - 12, 0.75 * width, book_.show, kTitle);
+        pdf_.line_of_text(kMargin_pt + 0.75 * width, kMargin_pt - 12, 0.25 * width,
+                          "cue book, page " + std::to_string(page + 1) + " of " + std::to_string(pages),
+                          {.size_pt = 8, .is_grey = true, .is_right = true});
+        std::string said;
+        for (const std::string& sentence : book_.unknown) said += (said.empty() ? "" : "; ") + sentence;
+        if (page == 0) pdf_.line_of_text(kMargin_pt, kMargin_pt + 4, width, said, kSmall);
+    }
+
+    Result<void> draw_entry(std::size_t index, double y, double height) {
+        const BookEntry& entry = book_.entries[index];
+        const std::string title = std::to_string(index + 1) + ". " + entry.name;
+        pdf_.mark(title);
+        pdf_.line(kMargin_pt, y, pdf_.width_pt() - kMargin_pt, y);
+        TRY_VOID(draw_pictures(entry, y + 6, height - 6));
+        const double x = kMargin_pt + kPictures_pt + kGap_pt, width = pdf_.width_pt() - kMargin_pt - x;
+        const double end = y + height - 2 * kPencil_pt;
+        double at = y + 5;
+        pdf_.line_of_text(x, at, width, title, kTitle);
+        at += 15;
+        at += pdf_.text(x, at, width, 22, times_text(entry), kSmall);
+        at += pdf_.text(x, at, width, 22, entry.notes, kWords);
+        for (const std::string& sentence : entry.unknown)
+            at += pdf_.text(x, at, width, std::min(22.0, end - at), sentence, kSmall);
+        pdf_.text(x, at + 2, width, end - at - 2, changes_text(entry), kWords);
+        for (const double up : {kPencil_pt, 0.0}) pdf_.line(x, y + height - up, x + width, y + height - up);
+        return {};
+    }
+
+    Result<void> draw_pictures(const BookEntry& entry, double y, double height) {
+        const std::size_t count = std::min(entry.pictures.size(), kMostPictures);
+        const double each = (height - kGap_pt * static_cast<double>(count)) /
+                            static_cast<double>(std::max<std::size_t>(count, 1));
+        for (std::size_t k = 0; k < count; ++k) {
+            TRY(const image::Image8 pixels, image::read_ldr(folder_ / entry.pictures[k].file));
+            const double scale = std::min(kPictures_pt / pixels.width, each / pixels.height);
+            const double top = y + static_cast<double>(k) * (each + kGap_pt);
+            TRY_VOID(pdf_.picture(kMargin_pt, top, scale * pixels.width, scale * pixels.height, pixels));
+            pdf_.line_of_text(kMargin_pt, top + scale * pixels.height, kPictures_pt, entry.pictures[k].camera,
+                              kSmall);
+        }
+        return {};
+    }
+
+    const Book& book_;
+    const std::filesystem::path& folder_;
+    PdfWriter pdf_;
+};
+
+} // namespace
+
+Result<std::string> pdf_of(const Book& book, const std::filesystem::path& folder, PaperSize size) {
+    return BookPages(book, folder, size).draw();
+}
+
+} // namespace ghost::scene

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "book/changes.h"
+
+#include "book/quantities.h"
+#include "show/looks.h"
+#include "show/show.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace ghost::scene {
+namespace {
+
+struct Quantity {
+    float FixtureValues::*value;
+    const char* name;
+    const char* unit;
+    float least; // a change
+    int decimals;
+};
+constexpr Quantity kLight{&FixtureValues::light_percent, "", "%", 1.0f, 0};
+constexpr Quantity kOthers[] = {
+    {&FixtureValues::zoom_deg, "zoom ", "deg", 0.5f, 1},
+    {&FixtureValues::iris_percent, "iris ", "%", 1.0f, 0},
+    {&FixtureValues::frost_percent, "frost ", "%", 1.0f, 0},
+    {&FixtureValues::blades_percent, "shutters ", "%", 1.0f, 0},
+    {&FixtureValues::strobe_hz, "strobe ", "Hz", 0.1f, 1},
+};
+struct Word {
+    std::string FixtureValues::*value;
+    const char* name;
+};
+constexpr Word kWords[] = {{&FixtureValues::colour, "colour "},
+                           {&FixtureValues::gobo, "gobo "},
+                           {&FixtureValues::effects, "effects "}};
+constexpr float kLeastTurn_deg = 0.5f;
+
+void add(std::string& list, const std::string& part) {
+    list += (list.empty() ? "" : ", ") + part;
+}
+
+void add_quantity(const Quantity& quantity, const FixtureValues& before, const FixtureValues& after,
+                  std::string& list) {
+    const float from = before.*quantity.value, to = after.*quantity.value;
+    if (!(std::abs(to - from) >= quantity.least)) return;
+    add(list, quantity.name + number_text(from, quantity.decimals) + " to " +
+                  number_text(to, quantity.decimals) + " " + quantity.unit);
+}
+
+bool moves(const FixtureValues& before, const FixtureValues& after) {
+    return std::abs(after.pan_deg - before.pan_deg) >= kLeastTurn_deg ||
+           std::abs(after.tilt_deg - before.tilt_deg) >= kLeastTurn_deg;
+}
+
+} // namespace
+
+std::string BookChange::line() const {
+    return fixtures.empty() ? what : names_text(fixtures) + ": " + what;
+}
+
+std::string change_of(const FixtureValues& before, const FixtureValues& after) {
+    std::string list;
+    add_quantity(kLight, before, after, list);
+    std::string others;
+    for (const Word& word : kWords)
+        if (before.*word.value != after.*word.value)
+            add(others, word.name + before.*word.value + " to " + after.*word.value);
+    for (const Quantity& quantity : kOthers) add_quantity(quantity, before, after, others);
+    if (before.is_dark() && after.is_dark()) {
+        if (moves(before, after)) return "moves in the dark";
+        return others.empty() ? "" : "is set in the dark";
+    }
+    if (after.is_dark()) return list; // nobody sees what else it does then
+    if (!others.empty()) add(list, others);
+    if (moves(before, after)) add(list, "moves");
+    if (list.empty() && before.cells != after.cells) add(list, "its cells change");
+    return list;
+}
+
+std::vector<BookChange> changes_of(const Show& show, const std::vector<FixtureValues>& before,
+                                   const std::vector<FixtureValues>& after) {
+    struct Line {
+        BookChange change;
+        double lumens = 0;
+    };
+    std::vector<Line> lines;
+    std::map<std::string, std::size_t> known;
+    for (std::size_t i = 0; i < std::min({show.fixtures.size(), before.size(), after.size()}); ++i) {
+        const PatchedFixture& fixture = show.fixtures[i];
+        const std::string what = change_of(before[i], after[i]);
+        if (what.empty()) continue;
+        const auto [found, is_new] = known.try_emplace(what, lines.size());
+        if (is_new) lines.push_back({{{}, what}, 0});
+        Line& line = lines[found->second];
+        line.change.fixtures.push_back(fixture.name);
+        const float share = std::max(before[i].light_percent, after[i].light_percent) / 100.0f;
+        if (fixture.type && !(before[i].is_dark() && after[i].is_dark()))
+            line.lumens += static_cast<double>(share * full_lm(*fixture.type, fixture.patch().mode_of()));
+    }
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const Line& a, const Line& b) { return a.lumens > b.lumens; });
+    std::vector<BookChange> changes;
+    for (Line& line : lines) changes.push_back(std::move(line.change));
+    return changes;
+}
+
+std::vector<BookChange> changes_of(const Show& show, const SceneLook& before, const SceneLook& after) {
+    std::vector<BookChange> changes;
+    const auto put = [&changes](const std::string& what) { changes.push_back({{}, what}); };
+    const float smoke[] = {100.0f * before.smoke.value_or(1.0f), 100.0f * after.smoke.value_or(1.0f)};
+    if (std::abs(smoke[1] - smoke[0]) >= 1.0f)
+        put("haze " + number_text(smoke[0], 0) + " to " + number_text(smoke[1], 0) + " %");
+    const float lux[] = {before.ambient_lux.value_or(show.ambient_lux),
+                         after.ambient_lux.value_or(show.ambient_lux)};
+    if (std::abs(lux[1] - lux[0]) >= 0.01f)
+        put("even light " + number_text(lux[0], 2) + " to " + number_text(lux[1], 2) + " lx");
+    if (before.ambient_colour.value_or(show.ambient_colour) !=
+        after.ambient_colour.value_or(show.ambient_colour))
+        put("even light changes its colour");
+    return changes;
+}
+
+} // namespace ghost::scene

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "book/paper_pages.h"
+
+#include "base/print.h"
+
+#include <string_view>
+
+namespace ghost::scene {
+namespace {
+
+std::string csv_cell(const std::string& text, bool is_number) {
+    std::string cell = one_line(text);
+    if (!is_number && !cell.empty() && std::string_view("=+-@").find(cell[0]) != std::string_view::npos)
+        cell.insert(0, 1, '\'');
+    if (cell.find_first_of("\",") == std::string::npos) return cell;
+    std::string quoted = "\"";
+    for (const char letter : cell) quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
+    return quoted + "\"";
+}
+
+std::string html_table(const PaperTable& table) {
+    std::string text = "<section id=\"" + table.file + "\">\n<h2>" + html_text(table.title) + "</h2>\n";
+    if (!table.unknown.empty()) {
+        text += "<ul class=\"unknown\">\n";
+        for (const std::string& sentence : table.unknown) text += "<li>" + html_name(sentence) + "</li>\n";
+        text += "</ul>\n";
+    }
+    if (table.rows.empty()) return text + "<p class=\"of\">nothing</p>\n</section>\n";
+    text += "<table>\n<thead><tr>";
+    for (const PaperColumn& column : table.columns)
+        text += std::string("<th") + (column.is_number ? " class=\"n\"" : "") + ">" +
+                html_text(column.title) + "</th>";
+    text += "</tr></thead>\n<tbody>\n";
+    for (const PaperRow& row : table.rows) {
+        text += row.is_free ? "<tr class=\"free\">" : "<tr>";
+        for (std::size_t k = 0; k < row.cells.size(); ++k)
+            text += (table.columns[k].is_number ? "<td class=\"n\">" : "<td>") +
+                    (row.cells[k].empty() ? "" : html_name(row.cells[k])) + "</td>";
+        text += "</tr>\n";
+    }
+    return text + "</tbody></table>\n</section>\n";
+}
+
+} // namespace
+
+std::string csv_of(const PaperTable& table) {
+    std::string text = "\xef\xbb\xbf";
+    const auto line = [&](const auto& cell_of) {
+        for (std::size_t k = 0; k < table.columns.size(); ++k) text += (k > 0 ? "," : "") + cell_of(k);
+        text += "\r\n";
+    };
+    line([&](std::size_t k) { return csv_cell(table.columns[k].title, false); });
+    for (const PaperRow& row : table.rows)
+        line([&](std::size_t k) { return csv_cell(row.cells[k], table.columns[k].is_number); });
+    return text;
+}
+
+std::string html_of(const Paper& paper, PaperSize size) {
+    std::string page = html_begin(paper.show + ": paperwork", size);
+    page +=
+        "<h1>" + html_name(paper.show) +
+        "</h1>\n<p class=\"of\">Paperwork. Metres, kilograms, watts; x to "
+        "the right seen from the house, y up-stage, z up. Each table lies beside this page as .csv. What a "
+        "cell leaves empty, the show does not say.</p>\n<nav aria-label=\"tables\">\n";
+    for (const PaperTable& table : paper.tables)
+        page += "<a href=\"#" + table.file + "\">" + html_text(table.title) + "</a>\n";
+    page += "</nav>\n";
+    for (const PaperTable& table : paper.tables) page += html_table(table);
+    return page + html_end();
+}
+
+} // namespace ghost::scene

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "book/private/paper_tables.h"
+
+#include "book/quantities.h"
+#include "dmx/wire/universes.h"
+#include "show/show.h"
+
+#include <algorithm>
+#include <map>
+
+namespace ghost::scene {
+namespace {
+
+constexpr int kSlots = static_cast<int>(dmx::kSlots);
+
+// Channels of one universe that a fixture reads.
+struct Segment {
+    int from = 1; // 1..512
+    int to = 1;
+    std::size_t fixture = 0;
+    std::string what;     // "", "break 2", "track", "goes on"
+    bool is_whole = true; // false: its footprint is not known
+};
+
+// Segments by universe, each sorted by its first channel.
+using Segments = std::map<int, std::vector<Segment>>;
+
+// What runs past channel 512 goes on in the next universe.
+void add(Segments& all, const fixture::Address& address, int count, Segment segment) {
+    int universe = address.universe, from = address.channel;
+    segment.is_whole = count > 0;
+    for (int left = std::max(count, 1); left > 0 && universe <= dmx::kMaxUniverse; ++universe) {
+        segment.from = from;
+        segment.to = std::min(from + left - 1, kSlots);
+        all[universe].push_back(segment);
+        left -= segment.to - segment.from + 1;
+        from = 1;
+        segment.what += segment.what.empty() ? "goes on" : ", goes on";
+    }
+}
+
+Segments segments_of(const Show& show) {
+    Segments all;
+    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
+        const PatchedFixture& fixture = show.fixtures[i];
+        const std::vector<fixture::Address> addresses = addresses_of(fixture);
+        for (std::size_t part = 0; part < addresses.size(); ++part) {
+            const fixture::Address& address = addresses[part];
+            if (address.channel < 1 || address.channel > kSlots || address.universe < 1) continue;
+            const int count = footprint_of(fixture, part);
+            if (fixture.type && count == 0) continue; // its mode has no channels there
+            add(all, address, count,
+                {.fixture = i, .what = part > 0 ? "break " + std::to_string(part + 1) : ""});
+        }
+        if (fixture.track && fixture.track->address > 0)
+            add(all, {fixture.track->universe, fixture.track->address}, 2, {.fixture = i, .what = "track"});
+    }
+    for (auto& [universe, segments] : all)
+        std::stable_sort(segments.begin(), segments.end(),
+                         [](const Segment& a, const Segment& b) { return a.from < b.from; });
+    return all;
+}
+
+struct Gap {
+    int from = 1, to = 0;
+    int count() const { return to - from + 1; }
+};
+
+// What nobody reads before this segment, and after the last one.
+std::vector<Gap> gaps_of(const std::vector<Segment>& segments) {
+    std::vector<Gap> gaps;
+    int next = 1;
+    for (const Segment& segment : segments) {
+        if (segment.from > next) gaps.push_back({next, segment.from - 1});
+        next = std::max(next, segment.to + 1);
+    }
+    if (next <= kSlots) gaps.push_back({next, kSlots});
+    return gaps;
+}
+
+PaperRow free_row(int universe, const Gap& gap, bool is_certain) {
+    return {{std::to_string(universe), std::to_string(gap.from), std::to_string(gap.to),
+             std::to_string(gap.count()), is_certain ? "free" : "free at most", "", "", "", ""},
+            true};
+}
+
+} // namespace
+
+PaperTable patch_of(const Show& show) {
+    PaperTable table{"patch", "Patch by universe", {}, {}, {}};
+    table.columns = {{"universe", true}, {"from", true}, {"to", true}, {"channels", true}, {"name"},
+                     {"number"},         {"type"},       {"mode"},     {"remarks"}};
+    for (const auto& [universe, segments] : segments_of(show)) {
+        const std::vector<Gap> gaps = gaps_of(segments);
+        std::size_t gap = 0;
+        const Segment* before = nullptr; // that reaches farthest
+        bool is_certain = true;          // whether what is free is
+        const auto put_gaps = [&](int until) {
+            for (; gap < gaps.size() && gaps[gap].from < until; ++gap)
+                table.rows.push_back(free_row(universe, gaps[gap], is_certain));
+        };
+        for (const Segment& segment : segments) {
+            put_gaps(segment.from);
+            const PatchedFixture& fixture = show.fixtures[segment.fixture];
+            std::string remarks = segment.what;
+            const auto remark = [&](const std::string& what) {
+                remarks += (remarks.empty() ? "" : ", ") + what;
+            };
+            if (before && segment.from <= before->to)
+                remark("shares channels with " + show.fixtures[before->fixture].name);
+            if (!segment.is_whole) remark("how many channels is not known");
+            table.rows.push_back(
+                {{std::to_string(universe), std::to_string(segment.from),
+                  segment.is_whole ? std::to_string(segment.to) : "",
+                  segment.is_whole ? std::to_string(segment.to - segment.from + 1) : "", fixture.name,
+                  fixture.fixture_id, type_name(fixture), mode_name(fixture), remarks}});
+            if (!before || segment.to > before->to) {
+                before = &segment;
+                is_certain = segment.is_whole;
+            }
+        }
+        put_gaps(kSlots + 1);
+    }
+    std::vector<std::string> unpatched;
+    for (const PatchedFixture& fixture : show.fixtures) {
+        const auto addresses = addresses_of(fixture);
+        if (std::none_of(addresses.begin(), addresses.end(),
+                         [](const fixture::Address& address) { return address.channel > 0; }))
+            unpatched.push_back(fixture.name);
+    }
+    if (!unpatched.empty()) table.unknown.push_back("Not patched: " + names_text(unpatched) + ".");
+    drop_empty_columns(table);
+    return table;
+}
+
+PaperTable universes_of(const Show& show) {
+    PaperTable table{"universes", "Universes", {}, {}, {}};
+    table.columns = {{"universe", true}, {"fixtures", true},    {"channels used", true},
+                     {"free", true},     {"largest gap", true}, {"last used", true}};
+    for (const auto& [universe, segments] : segments_of(show)) {
+        int free = 0, largest = 0, last = 0;
+        for (const Gap& gap : gaps_of(segments)) {
+            free += gap.count();
+            largest = std::max(largest, gap.count());
+        }
+        std::vector<std::size_t> fixtures;
+        for (const Segment& segment : segments) {
+            last = std::max(last, segment.to);
+            fixtures.push_back(segment.fixture);
+        }
+        std::sort(fixtures.begin(), fixtures.end());
+        fixtures.erase(std::unique(fixtures.begin(), fixtures.end()), fixtures.end());
+        if (std::any_of(segments.begin(), segments.end(), [](const Segment& one) { return !one.is_whole; }))
+            table.unknown.push_back("Universe " + std::to_string(universe) +
+                                    ": less may be free, for a fixture's channels are not known.");
+        table.rows.push_back(
+            {{std::to_string(universe), std::to_string(fixtures.size()), std::to_string(kSlots - free),
+              std::to_string(free), std::to_string(largest), std::to_string(last)}});
+    }
+    return table;
+}
+
+} // namespace ghost::scene

@@ -1,0 +1,20 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Book and paperwork as PDF, for printers: four entries on a page, tables with their heads on each page. Text
+// can be searched, fonts are embedded. Equal input gives equal bytes. Any thread.
+
+#include "base/result.h"
+#include "book/book.h"
+#include "book/html.h"
+#include "book/paper.h"
+
+#include <filesystem>
+#include <string>
+
+namespace ghost::scene {
+
+// folder: of the book, where its pictures are. Error: one of them cannot be read.
+Result<std::string> pdf_of(const Book& book, const std::filesystem::path& folder, PaperSize size);
+Result<std::string> pdf_of(const Paper& paper, PaperSize size);
+
+} // namespace ghost::scene

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "book/private/pdf_writer.h"
+
+#include "base/print.h"
+#include "image/jpeg_bytes.h"
+
+#include <cairo-pdf.h>
+#include <pango/pangocairo.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace ghost::scene {
+namespace {
+
+constexpr double kA4Width_pt = 595.276, kA4Height_pt = 841.89;
+constexpr double kLetterWidth_pt = 612, kLetterHeight_pt = 792;
+constexpr double kGrey = 0.35;
+constexpr std::size_t kMeasuredBytes = 1000;
+constexpr int kPictureQuality = 85;
+// cairo would write the time of day, and no two files were equal.
+constexpr const char* kNoDate = "2000-01-01T00:00:00Z";
+
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned int size) {
+    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), size);
+    return CAIRO_STATUS_SUCCESS;
+}
+
+template <class T>
+using Freed = std::unique_ptr<T, void (*)(T*)>;
+
+} // namespace
+
+struct PdfWriter::Drawing {
+    std::string bytes;
+    Freed<cairo_surface_t> surface{nullptr, cairo_surface_destroy};
+    Freed<cairo_t> cairo{nullptr, cairo_destroy};
+    PangoLayout* layout = nullptr;
+
+    ~Drawing() {
+        if (layout) g_object_unref(layout);
+    }
+};
+
+PdfWriter::PdfWriter(PaperSize paper, bool is_wide, const std::string& title)
+    : width_pt_(paper == PaperSize::a4 ? kA4Width_pt : kLetterWidth_pt),
+      height_pt_(paper == PaperSize::a4 ? kA4Height_pt : kLetterHeight_pt), drawing_(new Drawing) {
+    if (is_wide) std::swap(width_pt_, height_pt_);
+    Drawing& d = *drawing_;
+    d.surface.reset(cairo_pdf_surface_create_for_stream(append, &d.bytes, width_pt_, height_pt_));
+    cairo_pdf_surface_set_metadata(d.surface.get(), CAIRO_PDF_METADATA_TITLE, one_line(title).c_str());
+    cairo_pdf_surface_set_metadata(d.surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, kNoDate);
+    d.cairo.reset(cairo_create(d.surface.get()));
+    d.layout = pango_cairo_create_layout(d.cairo.get());
+}
+
+PdfWriter::~PdfWriter() = default;
+
+void PdfWriter::set_text(const std::string& text, const PdfText& look) {
+    PangoLayout* const layout = drawing_->layout;
+    const Freed<PangoFontDescription> font(pango_font_description_from_string("Sans"),
+                                           pango_font_description_free);
+    pango_font_description_set_absolute_size(font.get(), look.size_pt * PANGO_SCALE);
+    pango_font_description_set_weight(font.get(), look.is_bold ? PANGO_WEIGHT_BOLD : PANGO_WEIGHT_NORMAL);
+    pango_layout_set_font_description(layout, font.get());
+    const std::string shown = printable(text); // UTF-8, whatever a name holds
+    pango_layout_set_text(layout, shown.data(), static_cast<int>(shown.size()));
+    pango_layout_set_alignment(layout, look.is_right ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT);
+    const double grey = look.is_grey ? kGrey : 0.0;
+    cairo_set_source_rgb(drawing_->cairo.get(), grey, grey, grey);
+}
+
+double PdfWriter::text(double x, double y, double width, double height, const std::string& text,
+                       const PdfText& look) {
+    if (text.empty() || height < look.size_pt) return 0;
+    PangoLayout* const layout = drawing_->layout;
+    set_text(text, look);
+    pango_layout_set_width(layout, static_cast<int>(width * PANGO_SCALE));
+    pango_layout_set_height(layout, static_cast<int>(height * PANGO_SCALE));
+    pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
+    pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_END);
+    cairo_move_to(drawing_->cairo.get(), x, y);
+    pango_cairo_show_layout(drawing_->cairo.get(), layout);
+    int taken = 0;
+    pango_layout_get_size(layout, nullptr, &taken);
+    return static_cast<double>(taken) / PANGO_SCALE;
+}
+
+void PdfWriter::line_of_text(double x, double y, double width, const std::string& text, const PdfText& look) {
+    if (text.empty()) return;
+    PangoLayout* const layout = drawing_->layout;
+    set_text(text, look);
+    pango_layout_set_width(layout, static_cast<int>(width * PANGO_SCALE));
+    pango_layout_set_height(layout, -1); // of one line
+    pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_END);
+    cairo_move_to(drawing_->cairo.get(), x, y);
+    pango_cairo_show_layout(drawing_->cairo.get(), layout);
+}
+
+double PdfWriter::width_of(const std::string& text, const PdfText& look) {
+    PangoLayout* const layout = drawing_->layout;
+    set_text(text.substr(0, kMeasuredBytes), look);
+    pango_layout_set_width(layout, -1);
+    pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_NONE);
+    int width = 0;
+    pango_layout_get_size(layout, &width, nullptr);
+    return static_cast<double>(width) / PANGO_SCALE;
+}
+
+void PdfWriter::line(double x, double y, double to_x, double to_y) {
+    cairo_t* const cairo = drawing_->cairo.get();
+    cairo_set_source_rgb(cairo, 0.6, 0.6, 0.6);
+    cairo_set_line_width(cairo, 0.5);
+    cairo_move_to(cairo, x, y);
+    cairo_line_to(cairo, to_x, to_y);
+    cairo_stroke(cairo);
+}
+
+void PdfWriter::fill(double x, double y, double width, double height, double grey) {
+    cairo_t* const cairo = drawing_->cairo.get();
+    cairo_set_source_rgb(cairo, grey, grey, grey);
+    cairo_rectangle(cairo, x, y, width, height);
+    cairo_fill(cairo);
+}
+
+Result<void> PdfWriter::picture(double x, double y, double width, double height,
+                                const image::Image8& pixels) {
+    TRY(auto jpeg, image::jpeg_bytes(pixels, kPictureQuality));
+    const Freed<cairo_surface_t> surface(
+        cairo_image_surface_create(CAIRO_FORMAT_RGB24, pixels.width, pixels.height), cairo_surface_destroy);
+    // cairo takes the bytes as they are, and keeps them until it has written them.
+    auto* const kept = new std::vector<std::uint8_t>(std::move(jpeg));
+    const auto drop = [](void* bytes) { delete static_cast<std::vector<std::uint8_t>*>(bytes); };
+    if (cairo_surface_set_mime_data(surface.get(), CAIRO_MIME_TYPE_JPEG, kept->data(), kept->size(), drop,
+                                    kept) != CAIRO_STATUS_SUCCESS) {
+        drop(kept);
+        return Error{"a picture cannot be put into the PDF: memory is short", ""};
+    }
+    cairo_t* const cairo = drawing_->cairo.get();
+    cairo_save(cairo);
+    cairo_translate(cairo, x, y);
+    cairo_scale(cairo, width / pixels.width, height / pixels.height);
+    cairo_set_source_surface(cairo, surface.get(), 0, 0);
+    cairo_paint(cairo);
+    cairo_restore(cairo);
+    return {};
+}
+
+void PdfWriter::mark(const std::string& name) {
+    // As cairo counts pages, which it does not say.
+    cairo_pdf_surface_add_outline(drawing_->surface.get(), CAIRO_PDF_OUTLINE_ROOT, one_line(name).c_str(),
+                                  ("page=" + std::to_string(page_)).c_str(), CAIRO_PDF_OUTLINE_FLAG_OPEN);
+}
+
+void PdfWriter::end_page() {
+    cairo_show_page(drawing_->cairo.get());
+    ++page_;
+}
+
+Result<std::string> PdfWriter::finish() {
+    Drawing& d = *drawing_;
+    d.cairo.reset();
+    cairo_surface_finish(d.surface.get());
+    const cairo_status_t status = cairo_surface_status(d.surface.get());
+    if (status != CAIRO_STATUS_SUCCESS)
+        return Error{std::string("no PDF can be made: ") + cairo_status_to_string(status), ""};
+    return std::move(d.bytes);
+}
+
+} // namespace ghost::scene

@@ -1,0 +1,19 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// What a page says of an entry of a book, whatever it is printed by. Pure.
+
+#include "book/book.h"
+
+#include <string>
+#include <vector>
+
+namespace ghost::scene {
+
+// "at 0:36, look Blue, fade 2 s".
+std::string times_text(const BookEntry& entry);
+// Lines of what changes, as many as a page takes, and how many more there are.
+std::vector<std::string> change_lines(const BookEntry& entry);
+// The same, a line each; "nothing that is seen".
+std::string changes_text(const BookEntry& entry);
+
+} // namespace ghost::scene

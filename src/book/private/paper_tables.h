@@ -1,0 +1,35 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// The tables of Paper (book/paper.h), one by one, and what they share. Pure.
+
+#include "book/paper.h"
+#include "fixture/patch.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace ghost::scene {
+
+struct PatchedFixture; // show/show.h
+
+PaperTable instruments_of(const Show& show);
+PaperTable hookup_of(const Show& show);
+PaperTable types_of(const Show& show);
+PaperTable patch_of(const Show& show);
+PaperTable universes_of(const Show& show);
+PaperTable wheels_of(const Show& show);
+
+// "Vari-Lite VL2500 Spot"; "": its file could not be read.
+std::string type_name(const PatchedFixture& fixture);
+std::string mode_name(const PatchedFixture& fixture);
+// Addresses of all breaks, 0 where one is not patched.
+std::vector<fixture::Address> addresses_of(const PatchedFixture& fixture);
+// Of a break; 0: not known.
+int footprint_of(const PatchedFixture& fixture, std::size_t part);
+// Columns in which no row has anything go.
+void drop_empty_columns(PaperTable& table);
+// "1 fixture does", "3 fixtures do".
+std::string fixtures_do(std::size_t count);
+
+} // namespace ghost::scene

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "book/quantities.h"
+
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace ghost::scene {
+namespace {
+
+constexpr std::size_t kMostPieces = 12;
+constexpr std::size_t kMostDigits = 9;
+
+// "Spot 1" and "Spot 2"; "Spot 09" and "Spot 10".
+bool counts_on(const std::string& before, const std::string& after) {
+    const std::size_t digits = digits_at_end(before), more = digits_at_end(after);
+    if (digits == 0 || more == 0) return false;
+    const std::size_t at = before.size() - digits, from = after.size() - more;
+    if (before.compare(0, at, after, 0, from) != 0) return false;
+    if (digits != more && (before[at] == '0' || after[from] == '0')) return false;
+    return std::strtol(before.c_str() + at, nullptr, 10) + 1 ==
+           std::strtol(after.c_str() + from, nullptr, 10);
+}
+
+} // namespace
+
+std::string number_text(float value, int decimals) {
+    if (!std::isfinite(value)) return "?";
+    char text[64];
+    std::snprintf(text, sizeof text, "%.*f", decimals, static_cast<double>(value));
+    std::string result = text;
+    if (result.find('.') != std::string::npos) {
+        result.erase(result.find_last_not_of('0') + 1);
+        if (result.back() == '.') result.pop_back();
+    }
+    return result == "-0" ? "0" : result;
+}
+
+std::size_t digits_at_end(const std::string& name) {
+    std::size_t digits = 0;
+    while (digits < std::min(name.size(), kMostDigits) &&
+           std::isdigit(static_cast<unsigned char>(name[name.size() - 1 - digits])))
+        ++digits;
+    return digits;
+}
+
+std::string names_text(const std::vector<std::string>& names) {
+    std::string text;
+    std::size_t pieces = 0, first = 0;
+    for (; first < names.size() && pieces < kMostPieces; ++pieces) {
+        std::size_t last = first;
+        while (last + 1 < names.size() && counts_on(names[last], names[last + 1])) ++last;
+        text += (pieces > 0 ? ", " : "") + names[first];
+        if (last > first) text += "-" + names[last].substr(names[last].size() - digits_at_end(names[last]));
+        first = last + 1;
+    }
+    if (first < names.size()) text += " and " + std::to_string(names.size() - first) + " more";
+    return text;
+}
+
+bool natural_less(const std::string& a, const std::string& b) {
+    const auto is_digit = [](char letter) { return letter >= '0' && letter <= '9'; };
+    std::size_t i = 0, k = 0;
+    while (i < a.size() && k < b.size()) {
+        if (!is_digit(a[i]) || !is_digit(b[k])) {
+            if (a[i] != b[k]) return static_cast<unsigned char>(a[i]) < static_cast<unsigned char>(b[k]);
+            ++i, ++k;
+            continue;
+        }
+        while (i + 1 < a.size() && a[i] == '0' && is_digit(a[i + 1])) ++i;
+        while (k + 1 < b.size() && b[k] == '0' && is_digit(b[k + 1])) ++k;
+        std::size_t end = i, other_end = k;
+        while (end < a.size() && is_digit(a[end])) ++end;
+        while (other_end < b.size() && is_digit(b[other_end])) ++other_end;
+        if (end - i != other_end - k) return end - i < other_end - k;
+        if (const int order = a.compare(i, end - i, b, k, other_end - k); order != 0) return order < 0;
+        i = end, k = other_end;
+    }
+    return a.size() - i < b.size() - k;
+}
+
+std::string address_text(int universe, int channel) {
+    return channel < 1 ? "not patched" : std::to_string(universe) + "." + std::to_string(channel);
+}
+
+} // namespace ghost::scene

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// ghostlight book: the cue book of a show, a folder with pictures and a page that opens in any browser.
+#include "book/book_html.h"
+#include "book/book_json.h"
+#include "book/pdf.h"
+#include "cli/commands.h"
+#include "cli/options/number_option.h"
+#include "cli/options/size_option.h"
+#include "cli/options/tone_option.h"
+#include "cli/render/book_against.h"
+#include "cli/render/book_drawing.h"
+#include "disk/files.h"
+#include "disk/whole_folder.h"
+
+#include "base/log.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace ghost::app {
+namespace {
+
+constexpr const char* kBookFile = "book.json"; // by which a folder is known as a book
+
+struct BookArguments {
+    BookOptions book;
+    std::string out;
+    std::string size = "640x360";
+    std::string against;
+    std::string paper = "A4";
+    bool cues = false, looks = false, find = false;
+    bool pdf = false;
+};
+
+Result<void> check_usage(BookArguments& arguments) {
+    TRY(const glm::ivec2 size, size_from(arguments.size, {16, 16}, 4096));
+    arguments.book.width = size.x;
+    arguments.book.height = size.y;
+    if (arguments.cues) arguments.book.kind = scene::BookKind::cues;
+    if (arguments.looks) arguments.book.kind = scene::BookKind::looks;
+    if (arguments.find) arguments.book.kind = scene::BookKind::found;
+    return {};
+}
+
+Result<void> make_book(BookArguments& arguments) {
+    TRY(WholeFolder folder, WholeFolder::open(arguments.out, kBookFile));
+    TRY_VOID(folder.make_folder("pictures"));
+    std::optional<scene::Book> old;
+    if (!arguments.against.empty()) {
+        TRY(old, old_book(arguments.against));
+    }
+    // Under another exposure every picture differs.
+    if (old && !arguments.book.session.ev100) arguments.book.session.ev100 = old->ev100;
+    TRY(const DrawnBook drawn, draw_book(arguments.book, folder.written_to(), nullptr));
+    std::optional<scene::BookDifference> difference;
+    if (!arguments.against.empty()) {
+        TRY(difference, compare_books(arguments.book, drawn, arguments.against, old, folder));
+    }
+    const scene::PaperSize paper = arguments.paper == "A4" ? scene::PaperSize::a4 : scene::PaperSize::letter;
+    TRY_VOID(write_file_atomic(folder.written_to() / kBookFile, scene::text_of(drawn.book)));
+    TRY_VOID(write_file_atomic(folder.written_to() / "index.html",
+                               scene::html_of(drawn.book, difference ? &*difference : nullptr, paper)));
+    if (arguments.pdf) {
+        TRY(const std::string pdf, scene::pdf_of(drawn.book, folder.written_to(), paper));
+        TRY_VOID(write_file_atomic(folder.written_to() / "book.pdf", pdf));
+    }
+    TRY_VOID(folder.commit());
+    std::size_t pictures = 0;
+    for (const scene::BookEntry& entry : drawn.book.entries) pictures += entry.pictures.size();
+    log_info("wrote " + arguments.out + ": " + std::to_string(drawn.book.entries.size()) + " entries (" +
+             drawn.book.kind + "), " + std::to_string(pictures) + " pictures; open index.html in it");
+    return {};
+}
+
+} // namespace
+
+void add_book(CLI::App& app, int& exit_code) {
+    CLI::App* command = app.add_subcommand(
+        "book", "the cue book: a folder with a picture of each cue and what changes in words, to read in a "
+                "browser and to print");
+    const auto a = std::make_shared<BookArguments>();
+    SessionOptions& session = a->book.session;
+    command->add_option("SHOW", session.show, "folder with show.toml, or an .mvr")->required();
+    command->add_option("-o,--out", a->out, "the folder to make; an older book there is replaced")
+        ->required();
+    CLI::Option* cues =
+        command->add_flag("--cues", a->cues, "an entry for each [[cue]] (default, where there are any)");
+    CLI::Option* looks =
+        command->add_flag("--looks", a->looks, "an entry for each look (default, where there are no cues)");
+    CLI::Option* find =
+        command->add_flag("--find", a->find, "an entry wherever the show's recording comes to rest");
+    cues->excludes(looks)->excludes(find);
+    looks->excludes(find);
+    command
+        ->add_option("--view", a->book.views,
+                     "from this camera (may be repeated; default: where the cues have put the picture)")
+        ->type_name("NAME")
+        ->take_all()
+        ->allow_extra_args(false);
+    command->add_option("--size", a->size, "WIDTHxHEIGHT of a picture")
+        ->type_name("WxH")
+        ->capture_default_str();
+    command->add_option("--ev", session.ev100, "EV100 of all pictures (default: that of the first camera)")
+        ->check(number_in(-20.0, 40.0));
+    command
+        ->add_option("--against", a->against,
+                     "an older show, plot or book: what is new, gone, moved, patched elsewhere, and how far "
+                     "the pictures differ")
+        ->type_name("OLD")
+        ->check(CLI::ExistingPath);
+    command->add_option("--paper", a->paper, "A4 or Letter, of the page when it is printed, and of the PDF")
+        ->check(CLI::IsMember({"A4", "Letter"}))
+        ->capture_default_str();
+    command->add_flag("--pdf", a->pdf, "write book.pdf, too: four entries on a page");
+    add_tone_option(*command, session.tone);
+    command->add_option("--device", session.device, "Vulkan device: part of its name, or its number")
+        ->type_name("NAME");
+    command->add_flag("--quiet", session.quiet, "print warnings and errors only");
+    command->footer("Example: ghostlight book assets/demo -o book --view house --view close\n"
+                    "         ghostlight book assets/demo -o book_2 --against book");
+    command->callback([a, &exit_code] {
+        if (a->book.session.quiet) set_log_level(LogLevel::warning);
+        if (const Result<void> usage = check_usage(*a); !usage.ok()) {
+            log_error(usage.error().text());
+            exit_code = 2;
+            return;
+        }
+        if (const Result<void> done = make_book(*a); !done.ok()) {
+            log_error(done.error().text());
+            exit_code = 1;
+        }
+    });
+}
+
+} // namespace ghost::app

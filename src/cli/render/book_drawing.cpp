@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render/book_drawing.h"
+
+#include "base/interrupt.h"
+#include "base/log.h"
+#include "base/progress.h"
+#include "base/steady_time.h"
+#include "book/rests.h"
+#include "cli/render/chosen_cameras.h"
+#include "dmx/record/player.h"
+#include "dmx/record/recording_tasks.h"
+#include "image/ldr.h"
+#include "live/session/applied_look.h"
+#include "live/session/settle.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+namespace ghost::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+using scene::FixtureValues;
+
+constexpr std::size_t kMostFound = 1000; // of a recording: more are no cues
+
+Error interruption() {
+    return Error{"interrupted: nothing is written", ""};
+}
+
+class BookDrawing {
+public:
+    static Result<std::unique_ptr<BookDrawing>> open(const BookOptions& options);
+    Result<DrawnBook> draw(const fs::path& folder, const BookFrame* frame);
+
+private:
+    explicit BookDrawing(const BookOptions& options) : options_(options) {}
+
+    Result<void> plan();
+    Result<std::vector<double>> find_rests();
+    Result<BookFrame> choose_frame(const BookFrame* given);
+    Result<float> metered(const scene::Camera& camera);
+    std::vector<scene::Camera> cameras_of(const scene::PlannedEntry& planned, const BookFrame& frame) const;
+    // The rig anew, so that what one entry shows does not hang on those before it.
+    void go_to(const scene::PlannedEntry* planned);
+    std::vector<FixtureValues> values() const;
+    Progress progress(const std::string& label) const {
+        return Progress(label,
+                        options_.session.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
+                        steady_now_s());
+    }
+
+    const BookOptions& options_;
+    std::unique_ptr<Session> session_;
+    std::unique_ptr<AppliedLook> applied_;
+    std::optional<dmx::Player> player_;
+    std::vector<scene::StoredLook> looks_;
+    scene::BookPlan plan_;
+    ui::Look look_; // of the entry that the rig does
+};
+
+Result<std::unique_ptr<BookDrawing>> BookDrawing::open(const BookOptions& options) {
+    auto drawing = std::unique_ptr<BookDrawing>(new BookDrawing(options));
+    TRY(drawing->session_, open_session(options.session));
+    drawing->session_->show->motion = fixture::Motion::as_commanded;
+    drawing->applied_ = std::make_unique<AppliedLook>(*drawing->session_);
+    TRY_VOID(drawing->plan());
+    return drawing;
+}
+
+Result<void> BookDrawing::plan() {
+    const scene::Show& show = *session_->show;
+    const fs::path file = scene::looks_file(show);
+    const std::size_t printed = session_->report.messages.size();
+    TRY(looks_, scene::load_looks(file, session_->report));
+    for (const scene::StoredLook& look : looks_)
+        scene::check_look(look, show, file.string(), session_->report);
+    print_report(session_->report, printed);
+    if (!show.recording.empty()) {
+        TRY(dmx::Recording recording, dmx::open_recording(show.recording, {}, options_.session.quiet));
+        player_.emplace(std::move(recording));
+    }
+    std::vector<double> found_s;
+    const bool may_find =
+        options_.kind == scene::BookKind::found ||
+        (options_.kind == scene::BookKind::by_itself && show.cues.empty() && looks_.empty());
+    if (may_find && player_) {
+        TRY(found_s, find_rests());
+    }
+    TRY(plan_, scene::plan_book(show, looks_, options_.kind, found_s));
+    return {};
+}
+
+Result<std::vector<double>> BookDrawing::find_rests() {
+    Progress progress = this->progress("finding cues");
+    scene::RestFinder finder;
+    const double end_s = player_->duration_s();
+    for (std::optional<double> at_s = 0.0; at_s; at_s = player_->next_after(*at_s)) {
+        if (interrupted()) return interruption();
+        finder.feed(*at_s, player_->at(*at_s));
+        progress.update(*at_s / std::max(end_s, 1e-3), steady_now_s(), clock_text(*at_s));
+    }
+    progress.finish();
+    std::vector<double> found_s = finder.finish(end_s);
+    if (found_s.size() > kMostFound)
+        return Error{"comes to rest " + std::to_string(found_s.size()) + " times, at most " +
+                         std::to_string(kMostFound) + " are taken as cues",
+                     session_->show->recording.string()};
+    return found_s;
+}
+
+std::vector<scene::Camera> BookDrawing::cameras_of(const scene::PlannedEntry& planned,
+                                                   const BookFrame& frame) const {
+    if (!options_.views.empty()) return frame.cameras;
+    const auto named = std::find_if(frame.cameras.begin(), frame.cameras.end(),
+                                    [&](const scene::Camera& one) { return one.name == planned.camera; });
+    return {named == frame.cameras.end() ? frame.cameras.front() : *named};
+}
+
+void BookDrawing::go_to(const scene::PlannedEntry* planned) {
+    session_->rig = std::make_unique<scene::Rig>(*session_->show);
+    look_ = {};
+    if (planned && planned->look) {
+        look_.fixtures = scene::programmer_of(looks_[*planned->look], *session_->show);
+        look_.scene = looks_[*planned->look].scene;
+    }
+    const bool is_sent = planned && player_ && planned->entry.at_s;
+    settle(*session_->rig, is_sent ? player_->at(*planned->entry.at_s) : dmx::Universes{}, look_.fixtures);
+    applied_->apply(look_, *session_);
+    session_->media_s = planned ? planned->entry.at_s : std::nullopt;
+    session_->media_waits = true;
+}
+
+std::vector<FixtureValues> BookDrawing::values() const {
+    std::vector<FixtureValues> all(session_->show->fixtures.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto by_hand = look_.fixtures.find(i);
+        if (const auto& type = session_->show->fixtures[i].type)
+            all[i] = scene::values_of(*type, session_->rig->states()[i],
+                                      by_hand == look_.fixtures.end() ? nullptr : &by_hand->second);
+    }
+    return all;
+}
+
+// Of the entry with the most light, from its first camera: nothing of the book is too bright.
+Result<float> BookDrawing::metered(const scene::Camera& camera) {
+    const scene::PlannedEntry* brightest = &plan_.entries.front();
+    double most_lm = -1;
+    for (const scene::PlannedEntry& planned : plan_.entries) {
+        if (interrupted()) return interruption();
+        go_to(&planned);
+        double lumens = 0;
+        const std::vector<FixtureValues> now = values();
+        for (std::size_t i = 0; i < now.size(); ++i)
+            if (const scene::PatchedFixture& fixture = session_->show->fixtures[i]; fixture.type)
+                lumens += static_cast<double>(now[i].light_percent *
+                                              scene::full_lm(*fixture.type, fixture.patch().mode_of()));
+        if (lumens > most_lm) brightest = &planned;
+        most_lm = std::max(most_lm, lumens);
+    }
+    go_to(brightest);
+    session_->look_from(camera);
+    session_->draw();
+    return session_->relighter->ev100_used();
+}
+
+Result<BookFrame> BookDrawing::choose_frame(const BookFrame* given) {
+    if (given) return *given;
+    BookFrame frame;
+    TRY(frame.cameras, chosen_cameras(*session_->show, options_.views, options_.width, options_.height));
+    const scene::Camera first = cameras_of(plan_.entries.front(), frame).front();
+    frame.ev100 = options_.session.ev100.value_or(first.ev100);
+    if (!options_.session.ev100 && first.auto_exposure) {
+        TRY(frame.ev100, metered(first));
+    }
+    return frame;
+}
+
+Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* given) {
+    DrawnBook drawn;
+    scene::Book& book = drawn.book;
+    TRY(drawn.frame, choose_frame(given));
+    session_->options.ev100 = drawn.frame.ev100;
+    book = scene::book_of(*session_->show);
+    book.kind = plan_.kind;
+    book.width = options_.width;
+    book.height = options_.height;
+    book.ev100 = drawn.frame.ev100;
+    book.device = session_->device->name();
+    book.unknown.insert(book.unknown.end(), plan_.unknown.begin(), plan_.unknown.end());
+
+    Progress progress = this->progress("cue book");
+    go_to(nullptr);
+    std::vector<FixtureValues> before = values();
+    ui::SceneLook scene_before;
+    for (std::size_t i = 0; i < plan_.entries.size(); ++i) {
+        const scene::PlannedEntry& planned = plan_.entries[i];
+        scene::BookEntry& entry = book.entries.emplace_back(planned.entry);
+        go_to(&planned);
+        std::vector<FixtureValues> now = values();
+        entry.changes = scene::changes_of(*session_->show, before, now);
+        const auto of_air = scene::changes_of(*session_->show, scene_before, look_.scene);
+        entry.changes.insert(entry.changes.end(), of_air.begin(), of_air.end());
+        before = std::move(now);
+        scene_before = look_.scene;
+        if (player_ && planned.entry.at_s && *planned.entry.at_s > player_->duration_s())
+            entry.unknown.push_back("the recording ends before it: this is its last look");
+        const std::vector<scene::Camera> cameras = cameras_of(planned, drawn.frame);
+        for (std::size_t k = 0; k < cameras.size(); ++k) {
+            if (interrupted()) return interruption();
+            session_->look_from(cameras[k]);
+            session_->draw();
+            char name[64];
+            std::snprintf(name, sizeof name, "pictures/%04zu-%zu.png", i + 1, k + 1);
+            TRY_VOID(image::write_png(folder / name, session_->relighter->picture()));
+            entry.pictures.push_back({cameras[k].name, name});
+            progress.update(
+                (static_cast<double>(i) + static_cast<double>(k + 1) / static_cast<double>(cameras.size())) /
+                    static_cast<double>(plan_.entries.size()),
+                steady_now_s(), entry.name);
+        }
+    }
+    progress.finish();
+    if (player_ && dmx::log_damage(*player_))
+        book.unknown.push_back("the recording is damaged: where it is, the look before is drawn");
+    return drawn;
+}
+
+} // namespace
+
+Result<DrawnBook> draw_book(const BookOptions& options, const fs::path& folder, const BookFrame* frame) {
+    catch_interrupts();
+    BookOptions asked = options;
+    asked.session.live = true;
+    asked.session.width = options.width;
+    asked.session.height = options.height;
+    TRY(const std::unique_ptr<BookDrawing> drawing, BookDrawing::open(asked));
+    return drawing->draw(folder, frame);
+}
+
+} // namespace ghost::app

@@ -1,0 +1,43 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Draws the pictures of a cue book: every entry at rest, from its cameras, all under one exposure, with the
+// air of time 0 and films at the second of the entry; and says what changed from one to the next. The same
+// show gives the same bytes. Main thread.
+
+#include "base/result.h"
+#include "book/book.h"
+#include "book/book_plan.h"
+#include "live/session/session.h"
+#include "show/camera.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ghost::app {
+
+struct BookOptions {
+    SessionOptions session;
+    scene::BookKind kind = scene::BookKind::by_itself;
+    std::vector<std::string> views; // empty: where the cues have put the picture
+    int width = 640, height = 360;
+};
+
+// What two versions of a show are drawn with, so that they can be compared.
+struct BookFrame {
+    std::vector<scene::Camera> cameras;
+    float ev100 = 0;
+};
+
+struct DrawnBook {
+    scene::Book book;
+    BookFrame frame;
+};
+
+// folder: gets the pictures, in its folder "pictures", which is there. frame: instead of the show's own.
+// Error: no such show or camera, nothing to draw, interrupted, a full disk.
+Result<DrawnBook> draw_book(const BookOptions& options, const std::filesystem::path& folder,
+                            const BookFrame* frame);
+
+} // namespace ghost::app

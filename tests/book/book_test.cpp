@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+// The plan of a book, its file and its page.
+#include "book/book.h"
+
+#include "book/book_html.h"
+#include "book/book_json.h"
+#include "book/book_plan.h"
+#include "book/rests.h"
+#include "show/looks.h"
+#include "show/show.h"
+
+#include <gtest/gtest.h>
+
+namespace ghost::scene {
+namespace {
+
+Show demo() {
+    Show show;
+    show.name = "Demo";
+    show.file = "demo/show.toml";
+    show.recording = "demo.ghostdmx";
+    show.cameras = {{.name = "house"}, {.name = "close"}};
+    return show;
+}
+
+Cue cue(const std::string& name, std::optional<double> at_s, const std::string& look = "",
+        const std::string& camera = "") {
+    Cue made;
+    made.name = name;
+    made.at_s = at_s;
+    made.look = look;
+    made.camera = camera;
+    return made;
+}
+
+Book small_book() {
+    Book book;
+    book.show = "Demo <\"&'>";
+    book.kind = "cues";
+    book.width = 640;
+    book.height = 360;
+    book.ev100 = 5.5f;
+    book.device = "device";
+    book.unknown = {"one thing"};
+    book.fixtures.push_back(
+        {"Spot 1", "101", "uuid", "Maker Spot", "Standard", {{1, 2}, {3, 0}}, {1, 2.5f, 3}});
+    BookEntry& entry = book.entries.emplace_back();
+    entry.name = "Verse";
+    entry.notes = "slowly";
+    entry.look = "Blue";
+    entry.at_s = 12.25;
+    entry.goes_on = true;
+    entry.fade_s = 2;
+    entry.pictures = {{"house", "pictures/0001-1.png"}};
+    entry.changes = {{{"Spot 1"}, "0 to 80 %"}};
+    entry.unknown = {"another"};
+    return book;
+}
+
+TEST(Plan, of_cues_goes_on_where_they_say_nothing) {
+    Show show = demo();
+    show.cues = {cue("a", {}), cue("b", 10.0, "", "close"), cue("c", {}, "Blue"), cue("d", 20.0),
+                 cue("e", {}, "Red")};
+    const std::vector<StoredLook> looks{{.name = "Blue", .fade_s = 3}};
+    const auto plan = plan_book(show, looks, BookKind::by_itself, {});
+    ASSERT_TRUE(plan.ok()) << plan.error().text();
+    ASSERT_EQ(plan->entries.size(), 5u);
+    EXPECT_EQ(plan->kind, "cues");
+    EXPECT_FALSE(plan->entries[0].entry.at_s);
+    EXPECT_EQ(plan->entries[0].entry.unknown.size(), 1u);
+    EXPECT_EQ(plan->entries[1].camera, "close");
+    EXPECT_EQ(plan->entries[2].entry.at_s, 10.0);
+    EXPECT_TRUE(plan->entries[2].entry.goes_on);
+    EXPECT_EQ(plan->entries[2].entry.fade_s, 3.0f);
+    EXPECT_EQ(plan->entries[3].look, 0u); // what hands set stays
+    EXPECT_EQ(plan->entries[3].camera, "close");
+    EXPECT_FALSE(plan->entries[4].look);
+    EXPECT_EQ(plan->entries[4].entry.unknown.at(0), "the show has no look 'Red'");
+}
+
+TEST(Plan, takes_what_the_show_has) {
+    Show show = demo();
+    const std::vector<StoredLook> looks{{.name = "Blue"}, {.name = "Red"}};
+    EXPECT_EQ(plan_book(show, looks, BookKind::by_itself, {})->kind, "looks");
+    EXPECT_EQ(plan_book(show, {}, BookKind::by_itself, {1.5, 72})->entries.at(1).entry.name,
+              "at rest from 1:12");
+    const auto bare = plan_book(show, {}, BookKind::by_itself, {});
+    ASSERT_TRUE(bare.ok());
+    EXPECT_EQ(bare->entries.size(), 1u);
+    EXPECT_EQ(bare->unknown.size(), 1u);
+    show.recording.clear();
+    EXPECT_FALSE(plan_book(show, {}, BookKind::by_itself, {})->entries[0].entry.at_s);
+}
+
+TEST(Plan, of_what_is_not_there_is_an_error) {
+    Show show = demo();
+    for (const BookKind kind : {BookKind::cues, BookKind::looks, BookKind::found})
+        EXPECT_FALSE(plan_book(show, {}, kind, {}).ok());
+    EXPECT_EQ(plan_book(show, {}, BookKind::found, {}).error().where, "demo.ghostdmx");
+    EXPECT_FALSE(plan_book(show, {}, BookKind::found, std::vector<double>(kMostEntries + 1, 1.0)).ok());
+}
+
+TEST(Rests, are_where_levels_stay) {
+    const auto levels = [](std::uint8_t level) {
+        dmx::Universes universes;
+        dmx::Levels values{};
+        values[0] = level;
+        universes.at(1).levels = std::make_shared<const dmx::Levels>(values);
+        return universes;
+    };
+    RestFinder finder;
+    finder.feed(0, levels(0));
+    for (int i = 0; i < 10; ++i) finder.feed(2 + 0.04 * i, levels(static_cast<std::uint8_t>(10 * i + 10)));
+    finder.feed(5, levels(100));    // sent again
+    finder.feed(8, levels(0));      // a flash
+    finder.feed(8.04, levels(100)); // the same look once more
+    finder.feed(11, levels(50));
+    const auto found = finder.finish(11.5);
+    ASSERT_EQ(found.size(), 2u); // the last one does not last
+    EXPECT_EQ(found[0], 0);
+    EXPECT_NEAR(found[1], 2.36, 1e-9);
+    EXPECT_TRUE(RestFinder().finish(10).empty());
+}
+
+TEST(BookFile, comes_back_as_it_was) {
+    const Book book = small_book();
+    const std::string text = text_of(book);
+    const auto read = book_from(text, "book.json");
+    ASSERT_TRUE(read.ok()) << read.error().text();
+    EXPECT_EQ(text_of(*read), text);
+    EXPECT_EQ(read->entries, book.entries);
+}
+
+TEST(BookFile, every_beginning_is_refused_with_its_name) {
+    const std::string text = text_of(small_book());
+    for (std::size_t size = 0; size + 1 < text.size(); ++size) {
+        const auto read = book_from(text.substr(0, size), "book.json");
+        ASSERT_FALSE(read.ok()) << size;
+        ASSERT_EQ(read.error().where, "book.json");
+    }
+}
+
+TEST(BookFile, of_another_kind_is_refused) {
+    EXPECT_FALSE(book_from("[]", "x").ok());
+    EXPECT_FALSE(book_from("{}", "x").ok());
+    EXPECT_FALSE(book_from(R"({"ghostlight_book": 2})", "x").ok());
+    EXPECT_FALSE(book_from(R"({"ghostlight_book": 1})", "x").ok());
+    for (const char* const file :
+         {"../secret.png", "pictures/../../a.png", "/etc/passwd", "pictures/.png", "a.png", ""}) {
+        Book book = small_book();
+        book.entries[0].pictures[0].file = file;
+        EXPECT_FALSE(book_from(text_of(book), "x").ok()) << file;
+    }
+}
+
+TEST(Page, escapes_names_and_keeps_every_script) {
+    Book book = small_book();
+    book.entries[0].name = "</h2><script>alert(1)</script>";
+    book.entries[0].notes = "\xd7\xa9\xd7\x9c\xd7\x95\xd7\x9d"; // right to left
+    book.fixtures[0].name = std::string(10'000, 'x');
+    const std::string page = html_of(book, nullptr, PaperSize::a4);
+    EXPECT_EQ(page.find("<script"), std::string::npos);
+    EXPECT_NE(page.find("&lt;script&gt;"), std::string::npos);
+    EXPECT_NE(page.find("<bdi>\xd7\xa9\xd7\x9c\xd7\x95\xd7\x9d</bdi>"), std::string::npos);
+    EXPECT_NE(page.find("Demo &lt;&quot;&amp;&#39;&gt;"), std::string::npos);
+    EXPECT_NE(page.find("one thing"), std::string::npos);
+    EXPECT_NE(page.find("goes on where the recording is; drawn at 0:12"), std::string::npos);
+    EXPECT_EQ(html_text("a\x1b\xff"), "a\\u001b\xef\xbf\xbd");
+}
+
+TEST(Page, says_that_nothing_is_seen) {
+    Book book = small_book();
+    book.entries.push_back(book.entries[0]);
+    book.entries[1].changes.clear();
+    EXPECT_NE(html_of(book, nullptr, PaperSize::letter).find("nothing that is seen"), std::string::npos);
+}
+
+TEST(BookOfShow, says_what_it_does_not_know) {
+    Show show = demo();
+    EXPECT_EQ(book_of(show).unknown.at(0), "the show has no fixtures");
+    show.fixtures.resize(3);
+    EXPECT_TRUE(book_of(show).unknown.at(0).starts_with("3 fixtures have no file"));
+}
+
+} // namespace
+} // namespace ghost::scene

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tables of a crew: sorted, with what is free and what is not known.
+#include "book/paper.h"
+
+#include "book/paper_pages.h"
+#include "book/quantities.h"
+#include "show/show.h"
+#include "support/mvr_files.h"
+#include "support/tiny_gdtf.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <memory>
+
+namespace ghost::scene {
+namespace {
+
+// Three channels and a wheel of two slots.
+std::shared_ptr<const fixture::Type> spot(const std::string& properties = "") {
+    fixture::Description description;
+    if (!properties.empty()) description.physical = "<Properties>" + properties + "</Properties>";
+    description.wheels =
+        R"(<Wheel Name="W"><Slot Name="Open"/><Slot Name="Red" Color="0.64,0.33,21"/></Wheel>)";
+    description.channels = R"(
+<DMXChannel Offset="1,2" Geometry="Beam"><LogicalChannel Attribute="Dimmer">
+  <ChannelFunction Name="Dimmer" Attribute="Dimmer"/></LogicalChannel></DMXChannel>
+<DMXChannel Offset="3" Geometry="Beam"><LogicalChannel Attribute="Color1">
+  <ChannelFunction Name="Colour" Attribute="Color1" Wheel="W"><ChannelSet Name="Red" DMXFrom="9/1" WheelSlotIndex="2"/>
+  </ChannelFunction></LogicalChannel></DMXChannel>)";
+    auto loaded = fixture::load_xml(description.xml());
+    EXPECT_TRUE(loaded.ok());
+    return std::make_shared<const fixture::Type>(std::move(loaded->type));
+}
+
+PatchedFixture hung(const std::string& name, int universe, int address) {
+    PatchedFixture fixture;
+    fixture.name = name;
+    fixture.universe = universe;
+    fixture.address = address;
+    static const auto type = spot();
+    fixture.type = type;
+    return fixture;
+}
+
+const PaperTable& table(const Paper& paper, const std::string& file) {
+    for (const PaperTable& one : paper.tables)
+        if (one.file == file) return one;
+    throw std::runtime_error("no table " + file);
+}
+
+std::vector<std::string> column(const PaperTable& table, const std::string& title) {
+    std::vector<std::string> cells;
+    for (std::size_t k = 0; k < table.columns.size(); ++k)
+        if (table.columns[k].title == title)
+            for (const PaperRow& row : table.rows) cells.push_back(row.cells[k]);
+    return cells;
+}
+
+using Cells = std::vector<std::string>;
+
+TEST(Patch, has_what_is_free_between) {
+    Show show;
+    show.fixtures = {hung("b", 1, 7), hung("a", 1, 1), hung("c", 3, 510)};
+    const PaperTable patch = table(paper_of(show), "patch");
+    EXPECT_EQ(column(patch, "name"), (Cells{"a", "free", "b", "free", "free", "c"}));
+    EXPECT_EQ(column(patch, "from"), (Cells{"1", "4", "7", "10", "1", "510"}));
+    EXPECT_EQ(column(patch, "to"), (Cells{"3", "6", "9", "512", "509", "512"}));
+    EXPECT_EQ(column(patch, "channels"), (Cells{"3", "3", "3", "503", "509", "3"}));
+    EXPECT_TRUE(patch.rows[1].is_free);
+    EXPECT_FALSE(patch.rows[0].is_free);
+    const PaperTable universes = table(paper_of(show), "universes");
+    EXPECT_EQ(column(universes, "universe"), (Cells{"1", "3"}));
+    EXPECT_EQ(column(universes, "free"), (Cells{"506", "509"}));
+    EXPECT_EQ(column(universes, "largest gap"), (Cells{"503", "509"}));
+}
+
+TEST(Patch, says_what_is_shared_runs_on_or_is_not_known) {
+    Show show;
+    show.fixtures = {hung("a", 1, 1), hung("b", 1, 3), hung("c", 1, 511), hung("d", 5, 1), hung("e", 1, 0)};
+    show.fixtures[3].type = nullptr;
+    show.fixtures[0].track = Track{{}, 2, 100};
+    const PaperTable patch = table(paper_of(show), "patch");
+    EXPECT_EQ(column(patch, "name"),
+              (Cells{"a", "b", "free", "c", "c", "free", "a", "free", "d", "free at most"}));
+    const Cells remarks = column(patch, "remarks");
+    EXPECT_EQ(remarks[1], "shares channels with a");
+    EXPECT_EQ(remarks[4], "goes on");
+    EXPECT_EQ(remarks[6], "track");
+    EXPECT_EQ(remarks[8], "how many channels is not known");
+    EXPECT_EQ(column(patch, "to")[8], "");
+    EXPECT_EQ(patch.unknown, (Cells{"Not patched: e."}));
+}
+
+TEST(Instruments, name_what_the_plot_says) {
+    Show show;
+    auto loaded = load_description(small_xml(""));
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+    show.plot = std::make_shared<LoadedPlot>(std::move(*loaded));
+    Plot& plot = show.plot->plot;
+    plot.positions = {{"p1", "Truss 10", 0}, {"p2", "Truss 2", 0}};
+    for (int i = 0; i < 3; ++i) {
+        PlotObject& object = plot.objects.emplace_back();
+        object.uuid = uuid(i);
+        object.device.position = i == 2 ? 1 : 0;
+        object.device.unit_number = 10 - i;
+        show.fixtures.push_back(hung("Spot " + std::to_string(i), 1, 1 + 3 * i));
+        show.fixtures.back().uuid = "{" + uuid(i) + "}";
+        show.fixtures.back().fixture_id = std::to_string(101 + i);
+    }
+    show.fixtures.push_back(hung("lonely", 1, 100));
+    const PaperTable instruments = table(paper_of(show), "instruments");
+    EXPECT_EQ(column(instruments, "name"), (Cells{"Spot 2", "Spot 1", "Spot 0", "lonely"}));
+    EXPECT_EQ(column(instruments, "hangs on"), (Cells{"Truss 2", "Truss 10", "Truss 10", ""}));
+    EXPECT_EQ(column(instruments, "channels"), (Cells{"3", "3", "3", "3"}));
+    EXPECT_EQ(instruments.unknown, (Cells{"What they hang on: 1 fixture does not say it."}));
+    EXPECT_EQ(column(table(paper_of(show), "hookup"), "number"), (Cells{"101", "102", "103", ""}));
+}
+
+TEST(Types, add_up_what_is_known_and_nothing_else) {
+    Show show;
+    show.fixtures = {hung("a", 1, 1), hung("b", 1, 4)};
+    const PaperTable unsaid = table(paper_of(show), "types");
+    EXPECT_EQ(unsaid.unknown.at(0), "Weight: no fixture file says it.");
+    EXPECT_TRUE(column(unsaid, "kg all").at(0).empty());
+    const auto heavy = spot(R"(<Weight Value="12.5"/><PowerConsumption Value="800"/>)");
+    for (PatchedFixture& fixture : show.fixtures) fixture.type = heavy;
+    show.fixtures.push_back(hung("c", 1, 7));
+    show.fixtures[2].type = nullptr;
+    const PaperTable types = table(paper_of(show), "types");
+    EXPECT_EQ(column(types, "fixtures"), (Cells{"1", "2"}));
+    if (heavy->properties.weight_kg > 0) {
+        EXPECT_EQ(column(types, "kg all").at(1), "25");
+        EXPECT_EQ(types.unknown.at(0), "Weight of the fixtures: 25 kg, without those that do not say it: 1.");
+    }
+    EXPECT_GT(heavy->properties.weight_kg, 0);
+}
+
+TEST(Wheels, have_their_slots) {
+    Show show;
+    show.fixtures = {hung("a", 1, 1), hung("b", 1, 4)};
+    const PaperTable wheels = table(paper_of(show), "gobos_colours");
+    EXPECT_EQ(column(wheels, "name"), (Cells{"Open", "Red"}));
+    EXPECT_EQ(column(wheels, "kind"), (Cells{"colour", "colour"}));
+    EXPECT_EQ(column(wheels, "fixtures"), (Cells{"2", "2"}));
+    EXPECT_EQ(column(wheels, "colour").at(0), "open");
+    EXPECT_TRUE(column(wheels, "colour").at(1).starts_with("#ff0")) << column(wheels, "colour").at(1);
+}
+
+TEST(Tables, of_a_show_without_fixtures_are_made) {
+    const Paper paper = paper_of(Show{});
+    EXPECT_EQ(paper.tables.size(), 6u);
+    for (const PaperTable& one : paper.tables) EXPECT_TRUE(csv_of(one).ends_with("\r\n")) << one.file;
+    EXPECT_NE(html_of(paper, PaperSize::letter).find("nothing"), std::string::npos);
+}
+
+TEST(Csv, quotes_and_lets_no_name_be_a_formula) {
+    const PaperTable one{
+        "x", "X", {{"name"}, {"z, m", true}}, {{{"=1+1", "-2.5"}}, {{"a \"b\"\n", ""}}, {{"@x,y", "1"}}}, {}};
+    EXPECT_EQ(csv_of(one),
+              "\xef\xbb\xbfname,\"z, m\"\r\n'=1+1,-2.5\r\n\"a \"\"b\"\"\\u000a\",\r\n\"'@x,y\",1\r\n");
+}
+
+TEST(Page, of_tables_escapes_and_marks_what_is_free) {
+    const Paper paper{"<b>", {{"x", "X", {{"name"}}, {{{"<i>"}, true}}, {"nobody knows"}}}};
+    const std::string page = html_of(paper, PaperSize::a4);
+    EXPECT_EQ(page.find("<i>"), std::string::npos);
+    EXPECT_EQ(page.find("<b>"), std::string::npos);
+    EXPECT_NE(page.find("<tr class=\"free\"><td><bdi>&lt;i&gt;</bdi></td></tr>"), std::string::npos);
+    EXPECT_NE(page.find("nobody knows"), std::string::npos);
+    EXPECT_NE(page.find("size:A4"), std::string::npos);
+}
+
+TEST(Order, is_that_of_people) {
+    EXPECT_TRUE(natural_less("Spot 2", "Spot 10"));
+    EXPECT_FALSE(natural_less("Spot 10", "Spot 2"));
+    EXPECT_TRUE(natural_less("Spot 09", "Spot 10"));
+    EXPECT_FALSE(natural_less("Spot 1", "Spot 1"));
+    EXPECT_TRUE(natural_less("Spot", "Spot 1"));
+    EXPECT_TRUE(natural_less("", "a"));
+    EXPECT_TRUE(natural_less(std::string(1000, '1'), std::string(1001, '1')));
+}
+
+} // namespace
+} // namespace ghost::scene
