@@ -102,6 +102,7 @@ struct ViewRequest {
     std::string record_to; // what the desk sends is recorded there; empty: it is not
     PictureQuality quality;
     std::optional<std::size_t> explained; // fixture
+    std::optional<std::size_t> hovered;   // likewise, one that the mouse rests on
     bool explains_all = false;            // all of them, in short, every few seconds
     image::Tone tone = image::Tone::agx;
     FalseColour false_colour;
@@ -255,6 +256,7 @@ struct Link {
     Mailbox<RigNow> rig;
     Mailbox<dmx::Statistics> network;
     Mailbox<Explained> explained;
+    Mailbox<Explained> hovered;
     Mailbox<std::vector<Verdict>> verdicts; // of all fixtures, where the request wants them
     Mailbox<std::vector<Message>> messages; // all of the show that is open
     // Number of the request whose picture is there, at rest: nothing moves, all pixels, all shadows.

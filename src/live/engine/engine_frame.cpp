@@ -271,7 +271,7 @@ void Engine::frame() {
     }
     rig_news_.publish(*session_, *input_, drawn_, recorder_.seconds(), begin_s);
     rig_news_.explain(
-        {request_.explained, request_.explains_all}, *session_, *input_, patch_,
+        {request_.explained, request_.hovered, request_.explains_all}, *session_, *input_, patch_,
         [&]() -> const bake::Tracer& { return probe_.tracer(*session_); }, begin_s);
     probe_.pick(request_.pick, *session_);
     if (!statistics.stopped) {

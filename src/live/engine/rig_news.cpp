@@ -79,10 +79,13 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
 void RigNews::explain(const Question& question, const Session& session, const LiveInput& input,
                       const scene::PatchMap& patch, const std::function<const bake::Tracer&()>& rays_of,
                       double now_s) {
-    const bool explains_one = question.fixture && *question.fixture < session.show->fixtures.size() &&
-                              now_s - explained_s_ >= kExplainEvery_s;
+    const auto is_due = [&](const std::optional<std::size_t>& fixture, double last_s) {
+        return fixture && *fixture < session.show->fixtures.size() && now_s - last_s >= kExplainEvery_s;
+    };
+    const bool explains_one = is_due(question.fixture, explained_s_);
+    const bool explains_hovered = is_due(question.hovered, hovered_s_);
     const bool explains_all = question.all && now_s - verdicts_s_ >= kVerdictsEvery_s;
-    if (!explains_one && !explains_all) return;
+    if (!explains_one && !explains_hovered && !explains_all) return;
     const bake::DenormalsOff mode;
     const bake::Tracer& rays = rays_of();
     const scene::Stage& stage = rays.stage();
@@ -105,13 +108,18 @@ void RigNews::explain(const Question& question, const Session& session, const Li
             },
     };
     const scene::Explainer explainer(asked);
+    const auto explain_one = [&](std::size_t fixture) {
+        scene::Explanation explanation = explainer.explain(fixture);
+        std::string words = scene::words_of(explanation, reception);
+        return ui::Explained{fixture, std::move(explanation), std::move(words)};
+    };
     if (explains_one) {
         explained_s_ = now_s;
-        ui::Explained explained;
-        explained.fixture = *question.fixture;
-        explained.explanation = explainer.explain(explained.fixture);
-        explained.words = scene::words_of(explained.explanation, reception);
-        link_.explained.put(std::move(explained));
+        link_.explained.put(explain_one(*question.fixture));
+    }
+    if (explains_hovered) {
+        hovered_s_ = now_s;
+        link_.hovered.put(explain_one(*question.hovered));
     }
     if (explains_all) {
         verdicts_s_ = now_s;

@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace ghost::ui {
@@ -137,6 +138,10 @@ void AppModel::read_news() {
         explained_ = std::move(*news);
         Q_EMIT explanation_came();
     }
+    if (auto news = link_.hovered.take(); news && request_.hovered == news->fixture) {
+        hovered_ = std::move(*news);
+        Q_EMIT hovered_came();
+    }
     news_cost_ += std::chrono::steady_clock::now() - begin;
 }
 
@@ -160,13 +165,15 @@ void AppModel::take_opened(Opened opened) {
     waveform_.clear();
     flight_.stop();
     undo_.clear();
-    selection_.clear();
+    put_selection({});
     rig_ = opened_.show ? rig_at_home(*opened_.show) : RigNow{};
     explained_ = {};
+    hovered_.reset();
     verdicts_.clear();
     fader_.forget();
     look_ = request_.look = {};
     request_.explained.reset();
+    request_.hovered.reset();
     if (!opened_.again) {
         request_.transport = {};
         request_.recording.clear();
@@ -296,7 +303,7 @@ void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show pre
                         std::set<std::size_t> selection) {
     opened_.show = std::make_shared<const scene::Show>(std::move(preview));
     opened_.is_edit = true;
-    selection_ = std::move(selection);
+    put_selection(std::move(selection));
     wish([&](ViewRequest& request) {
         request.text = std::move(text);
         request.look = look;
@@ -309,7 +316,7 @@ void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show pre
 
 void AppModel::show_edit() {
     patch_ = scene::PatchMap(*show());
-    std::erase_if(selection_, [&](std::size_t index) { return index >= show()->fixtures.size(); });
+    put_selection(selection_);
     wish([&](ViewRequest& request) { request.explained = current(); });
     Q_EMIT opened_show();
     Q_EMIT selection_changed();
@@ -317,12 +324,33 @@ void AppModel::show_edit() {
 }
 
 void AppModel::select(std::set<std::size_t> fixtures) {
-    const std::size_t count = show() ? show()->fixtures.size() : 0;
-    std::erase_if(fixtures, [&](std::size_t index) { return index >= count; });
-    if (fixtures == selection_) return;
-    selection_ = std::move(fixtures);
+    const std::set<std::size_t> before = selection_;
+    put_selection(std::move(fixtures));
+    if (selection_ == before) return;
     wish([&](ViewRequest& request) { request.explained = current(); });
     Q_EMIT selection_changed();
+}
+
+void AppModel::select_in_order(std::vector<std::size_t> fixtures) {
+    selected_in_order_ = std::move(fixtures);
+    select({selected_in_order_.begin(), selected_in_order_.end()});
+}
+
+// Those that the show has.
+void AppModel::put_selection(std::set<std::size_t> fixtures) {
+    const std::size_t count = show() ? show()->fixtures.size() : 0;
+    std::erase_if(fixtures, [&](std::size_t index) { return index >= count; });
+    selection_ = std::move(fixtures);
+    std::erase_if(selected_in_order_, [&](std::size_t one) { return !selection_.contains(one); });
+    const std::set<std::size_t> known(selected_in_order_.begin(), selected_in_order_.end());
+    std::set_difference(selection_.begin(), selection_.end(), known.begin(), known.end(),
+                        std::back_inserter(selected_in_order_));
+}
+
+void AppModel::hover(std::optional<std::size_t> fixture) {
+    if (fixture == request_.hovered) return;
+    hovered_.reset();
+    wish([&](ViewRequest& request) { request.hovered = fixture; });
 }
 
 void AppModel::mark(std::optional<std::size_t> object) {
@@ -336,7 +364,7 @@ std::optional<std::size_t> AppModel::marked() const {
 }
 
 std::optional<std::size_t> AppModel::current() const {
-    return selection_.empty() ? std::nullopt : std::optional(*selection_.begin());
+    return selected_in_order_.empty() ? std::nullopt : std::optional(selected_in_order_.front());
 }
 
 void AppModel::send() {

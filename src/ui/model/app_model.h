@@ -37,6 +37,9 @@ public:
     std::vector<scene::Sentence> diagnosis() const { return scene::diagnose(network_, patch_); }
     const scene::PatchMap& patch() const { return patch_; }
     const Explained& explained() const { return explained_; }
+    // The fixture that the mouse rests on; nothing: none, or it comes.
+    const std::optional<Explained>& hovered() const { return hovered_; }
+    void hover(std::optional<std::size_t> fixture);
     // Of all fixtures; empty: nobody wants them, or they come. Some seconds old.
     const std::vector<Verdict>& verdicts() const { return verdicts_; }
     const std::vector<Message>& messages() const { return messages_; }
@@ -112,7 +115,10 @@ public:
 
     // Fixtures, by index of the show.
     const std::set<std::size_t>& selection() const { return selection_; }
+    // The same in the order in which they were selected; those that came at once, by the list.
+    const std::vector<std::size_t>& selected_in_order() const { return selected_in_order_; }
     void select(std::set<std::size_t> fixtures);
+    void select_in_order(std::vector<std::size_t> fixtures); // each once
     // An object of the stage that the picture shall point out; index into Opened::objects.
     void mark(std::optional<std::size_t> object);
     std::optional<std::size_t> marked() const;
@@ -132,6 +138,7 @@ Q_SIGNALS:
     void rig_came();
     void network_came();
     void explanation_came();
+    void hovered_came();
     void verdicts_came();
     void messages_came();
     void activity_came();
@@ -156,6 +163,7 @@ private:
     void show_look();
     void send_size();
     void put_camera(const scene::Camera& camera, const glm::ivec2& frame);
+    void put_selection(std::set<std::size_t> fixtures);
     void send();
 
     Link& link_;
@@ -170,6 +178,7 @@ private:
     std::chrono::nanoseconds news_cost_{0}; // since the last picture was painted
     QSize view_size_, second_size_;
     Explained explained_;
+    std::optional<Explained> hovered_;
     std::vector<Verdict> verdicts_;
     std::vector<Message> messages_;
     std::string activity_;
@@ -185,6 +194,7 @@ private:
     std::optional<Error> open_error_;
     std::uint64_t settled_ = 0;
     std::set<std::size_t> selection_;
+    std::vector<std::size_t> selected_in_order_;
     std::optional<std::size_t> marked_;
     QUndoStack undo_;
     Jobs jobs_;

@@ -42,10 +42,15 @@ std::optional<std::size_t> fixture_at(const QRectF& picture, const scene::Camera
 std::set<std::size_t> fixtures_in(const QRectF& picture, const scene::Camera& camera, const RigNow& rig,
                                   const QRectF& box);
 
-// Labels do not lie on each other; hovered: what the mouse points at, with more words.
+// What the mouse points at, and why it shines or not; empty: that comes.
+struct Hovered {
+    std::optional<std::size_t> fixture;
+    QString why;
+};
+// Labels do not lie on each other; what is hovered has more words.
 void paint_fixtures(QPainter& painter, const QRectF& picture, const scene::Camera& camera,
                     const scene::Show& show, const RigNow& rig, const std::set<std::size_t>& selection,
-                    std::optional<std::size_t> hovered, const OverlayChoice& choice);
+                    const Hovered& hovered, const OverlayChoice& choice);
 // Where the selection would go, with words beside the mouse.
 void paint_moved(QPainter& painter, const QRectF& picture, const scene::Camera& camera, const RigNow& rig,
                  const std::set<std::size_t>& selection, const glm::vec3& by_m, const QPointF& mouse,

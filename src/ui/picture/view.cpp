@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kRest_ms = 150; // of a window that is being resized
 constexpr int kFly_ms = 16;
+constexpr int kHover_ms = 150; // a mouse that only passes asks nothing
 constexpr float kFly_m_s = 4;
 constexpr float kFastFly = 4;
 
@@ -76,13 +77,17 @@ View::View(AppModel& app, QWidget* parent) : QWidget(parent), app_(app), figures
             update();
     });
     connect(&app_, &AppModel::picked_came, this, &View::select_picked);
+    hover_timer_.setSingleShot(true);
+    hover_timer_.setInterval(kHover_ms);
+    connect(&hover_timer_, &QTimer::timeout, this, [this] { app_.hover(hovered_); });
     connect(&app_, &AppModel::opened_show, this, [this] {
-        hovered_.reset();
+        set_hovered(std::nullopt);
         if (!app_.opened().is_edit && !app_.opened().again) wipe_.end();
         if (drag_ == Drag::lamp) drag_ = Drag::none;
     });
-    for (const auto signal : {&AppModel::selection_changed, &AppModel::marked_changed,
-                              &AppModel::activity_came, &AppModel::opened_show, &AppModel::probe_came})
+    for (const auto signal :
+         {&AppModel::selection_changed, &AppModel::marked_changed, &AppModel::activity_came,
+          &AppModel::opened_show, &AppModel::probe_came, &AppModel::hovered_came})
         connect(&app_, signal, this, qOverload<>(&QWidget::update));
 }
 
@@ -126,8 +131,8 @@ void View::paintEvent(QPaintEvent*) {
     paint_picture(painter, place, *picture.image);
     wipe_.paint(painter, size());
     if (overlays.frame) paint_frame(painter, place, frame_rect(size(), app_.request().frame));
-    paint_fixtures(painter, place, picture.camera, *app_.show(), app_.rig(), app_.selection(), hovered_,
-                   overlays);
+    paint_fixtures(painter, place, picture.camera, *app_.show(), app_.rig(), app_.selection(),
+                   {hovered_, why_hovered()}, overlays);
     if (drag_ == Drag::lamp)
         paint_moved(painter, place, picture.camera, app_.rig(), app_.selection(), moved_by_m_, drag_at_,
                     lamp_->words(moved_by_m_));

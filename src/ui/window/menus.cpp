@@ -16,7 +16,7 @@ constexpr std::pair<const char*, const char*> kMenus[] = {
      "new open @recent import-plot open-demo - save save-as save-copy reload - save-picture screenshot "
      "panel-export cancel-jobs - take-plot - quit"},
     {"Edit",
-     "undo redo - select-all select-none select-similar find - release release-all - add-fixture "
+     "undo redo - select-all select-none select-similar find - hold release release-all - add-fixture "
      "duplicate remove unpatch hang aim-through - distribute align-x align-y align-z - set-stage add-model "
      "add-hazer substitute - take-changes drop-changes take-over"},
     {"View",
@@ -39,9 +39,9 @@ const std::set<QString> kNeedNothing{
     "new",           "open",  "import-plot", "open-demo", "quit",           "screenshot",   "shortcuts",
     "documentation", "about", "full-screen", "chips",     "figures",        "frame",        "names",
     "addresses",     "aims",  "marks",       "find",      "second-display", "second-window"};
-const std::set<QString> kNeedSelection{"select-none", "select-similar", "duplicate",  "remove",
-                                       "unpatch",     "hang",           "distribute", "align-x",
-                                       "align-y",     "align-z",        "focus",      "aim-through"};
+const std::set<QString> kNeedSelection{"select-none", "hold",  "select-similar", "duplicate", "remove",
+                                       "unpatch",     "hang",  "distribute",     "align-x",   "align-y",
+                                       "align-z",     "focus", "aim-through"};
 const std::set<QString> kNeedEditable{"add-fixture", "duplicate", "remove",      "unpatch", "hang",
                                       "distribute",  "align-x",   "align-y",     "align-z", "set-stage",
                                       "add-model",   "add-hazer", "keep-camera", "save",    "substitute"};
@@ -98,10 +98,10 @@ void Menus::fill_for_fixtures(QMenu& menu) {
     if (app_.selection().empty())
         add(menu, "select-all find - see-all keep-camera work-light - add-fixture add-model");
     else
-        add(menu,
-            "select-similar select-none - focus solo aim-through - release panel-programmer panel-values - "
-            "hang duplicate "
-            "unpatch remove - substitute");
+        add(menu, "select-similar select-none - focus solo aim-through - hold release panel-programmer "
+                  "panel-values - "
+                  "hang duplicate "
+                  "unpatch remove - substitute");
     grey(menu);
 }
 

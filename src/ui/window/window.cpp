@@ -4,6 +4,7 @@
 #include "show/show.h"
 #include "ui/actions/aiming.h"
 #include "ui/actions/export_actions.h"
+#include "ui/actions/fan_actions.h"
 #include "ui/actions/hang_edit.h"
 #include "ui/actions/look_actions.h"
 #include "ui/actions/patch_actions.h"
@@ -56,10 +57,10 @@ constexpr double kDemoBegins_s = 55;     // its first eight seconds are dark
 
 Window::Window(Link& link, const WindowOptions& options)
     : options_(options), app_(link), document_(app_), looks_(app_), cues_(app_, document_, looks_),
-      exporter_(app_, document_), second_(app_), actions_(*this), view_(new View(app_, this)),
-      recent_(app_, options.remembers), menus_(actions_, app_, document_, recent_), toast_(new Toast(view_)),
-      status_input_(new QLabel(this)), status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)),
-      status_device_(new QLabel(this)) {
+      palettes_(app_, document_), exporter_(app_, document_), second_(app_), actions_(*this),
+      view_(new View(app_, this)), recent_(app_, options.remembers),
+      menus_(actions_, app_, document_, recent_), toast_(new Toast(view_)), status_input_(new QLabel(this)),
+      status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)), status_device_(new QLabel(this)) {
     setWindowTitle("Ghostlight");
     setAcceptDrops(true);
     qApp->installEventFilter(new WheelGuard(this));
@@ -81,6 +82,8 @@ Window::Window(Link& link, const WindowOptions& options)
     add_play_actions(actions_, app_);
     add_look_actions(actions_, app_, looks_);
     add_cue_actions(actions_, cues_);
+    add_fan_actions(actions_, app_);
+    add_palette_actions(actions_, palettes_);
     add_export_actions(actions_, app_, exporter_);
     add_patch_actions(actions_, app_, document_);
     add_hang_action(actions_, app_, document_);
@@ -102,7 +105,10 @@ Window::Window(Link& link, const WindowOptions& options)
     menus_.fill(*menuBar());
     menuBar()->setCornerWidget(new ViewBar(app_, actions_, menuBar()), Qt::TopRightCorner);
     auto* context_menus = new ContextMenus(menus_, app_, view_);
-    context_menus->serve(fixtures_->table());
+    context_menus->serve_fixtures(fixtures_->table());
+    context_menus->serve(look_list_->list(), [this](QMenu& menu) { look_list_->fill_menu(menu); });
+    PaletteBox& palettes = programmer_->palettes();
+    context_menus->serve(palettes.list(), [&palettes](QMenu& menu) { palettes.fill_menu(menu); });
     actions_.on_done = [this](const Action& action) { say_done(action); };
     connect(&app_, &AppModel::look_changed, this, &Window::say_hand_taken);
     transport_ = new QToolBar("Transport", this);
@@ -231,8 +237,8 @@ void Window::add_panels() {
     fixtures_ = new FixturePanel(app_, document_, this);
     add_panel("fixtures", "Fixtures", fixtures_, Qt::LeftDockWidgetArea);
     QDockWidget* values = add_panel("values", "Values", new ValuePanel(app_, this), Qt::RightDockWidgetArea);
-    QDockWidget* hand =
-        add_panel("programmer", "Programmer", new ProgrammerPanel(app_, this), Qt::RightDockWidgetArea);
+    programmer_ = new ProgrammerPanel(app_, palettes_, actions_, this);
+    QDockWidget* hand = add_panel("programmer", "Programmer", programmer_, Qt::RightDockWidgetArea);
     auto* scene_panel = new ScenePanel(app_, this);
     QDockWidget* scene = add_panel("scene", "Scene", scene_panel, Qt::RightDockWidgetArea);
     tabifyDockWidget(values, hand);
@@ -244,8 +250,8 @@ void Window::add_panels() {
         add_panel("messages", "Messages", new MessagePanel(app_, this), Qt::BottomDockWidgetArea);
     tabifyDockWidget(network, messages);
     // Behind the others, whose keys people know.
-    QDockWidget* looks =
-        add_panel("looks", "Looks", new LookPanel(app_, looks_, actions_, this), Qt::RightDockWidgetArea);
+    look_list_ = new LookPanel(app_, looks_, actions_, this);
+    QDockWidget* looks = add_panel("looks", "Looks", look_list_, Qt::RightDockWidgetArea);
     tabifyDockWidget(scene, looks);
     QDockWidget* exports =
         add_panel("export", "Export", new ExportPanel(app_, actions_, this), Qt::RightDockWidgetArea);
@@ -321,9 +327,10 @@ void Window::begin_where_there_is_light() {
 
 // What else would show nothing.
 void Window::say_done(const Action& action) {
-    static const std::set<QString> kSays{"keep-camera", "hang",       "duplicate",   "remove",
-                                         "unpatch",     "distribute", "add-fixture", "add-model",
-                                         "set-stage",   "substitute"};
+    static const std::set<QString> kSays{"keep-camera", "hang",       "duplicate",     "remove",
+                                         "unpatch",     "distribute", "add-fixture",   "add-model",
+                                         "set-stage",   "substitute", "palette-store", "palette-remove",
+                                         "cue-add"};
     if (action.name == "save")
         toast_->say("Saved: " + QString::fromStdString(app_.show()->file.filename().string()));
     else if (kSays.contains(action.name))

@@ -6,6 +6,7 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/cue_list.h"
 #include "ui/actions/exporter.h"
+#include "ui/actions/palette_list.h"
 #include "ui/model/app_model.h"
 #include "ui/model/looks.h"
 #include "ui/model/recent_shows.h"
@@ -27,7 +28,9 @@
 namespace ghost::ui {
 
 class FixturePanel;
+class LookPanel;
 class NoticeBar;
+class ProgrammerPanel;
 
 class Window : public QMainWindow {
     Q_OBJECT
@@ -71,6 +74,7 @@ private:
     ShowDocument document_;
     Looks looks_;
     CueList cues_;
+    PaletteList palettes_;
     Exporter exporter_;
     SecondDisplay second_;
     OnScreen reach_;
@@ -82,6 +86,8 @@ private:
     Toast* toast_;
     bool had_hand_ = false; // something was set by hand when it was last looked at
     FixturePanel* fixtures_ = nullptr;
+    ProgrammerPanel* programmer_ = nullptr;
+    LookPanel* look_list_ = nullptr;
     std::vector<QDockWidget*> docks_;
     std::vector<QDockWidget*> docks_waiting_; // shown with the first show
     std::vector<bool> docks_shown_;           // before full screen

@@ -10,11 +10,13 @@
 
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSettings>
+#include <QToolButton>
 
 #include <map>
 
@@ -136,6 +138,98 @@ TEST(ContextMenu, the_right_button_brings_one_up_where_it_was_not_dragged) {
         EXPECT_TRUE(menu()->actions().contains(in.window.actions().item(name))) << name;
     menu()->close();
     settle();
+}
+
+// Of a list with one row, at that row.
+QMenu* context_menu(QListWidget* list, Window& window, const char* panel) {
+    auto* const dock = window.findChild<QDockWidget*>(panel);
+    dock->show();
+    dock->raise();
+    settle();
+    list->setCurrentRow(0);
+    Q_EMIT list->customContextMenuRequested(list->visualItemRect(list->item(0)).center());
+    settle();
+    return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+}
+
+void choose(QMenu* menu, const QString& text) {
+    for (QAction* const one : menu->actions())
+        if (one->text() == text) one->trigger();
+    menu->close();
+    settle();
+}
+
+QListWidget* list_called(Window& window, const QString& name) {
+    for (QListWidget* const one : window.findChildren<QListWidget*>())
+        if (one->accessibleName() == name) return one;
+    return nullptr;
+}
+
+struct WithShow : InWindow {
+    WithShow() {
+        const std::string text =
+            "[show]\nstage = \"none.glb\"\n[[camera]]\nname = \"front\"\n[[fixture]]\nname = "
+            "\"Lamp 1\"\ngdtf = \"lamp.gdtf\"\naddress = 1\nposition_m = [0, 0, 4]\n";
+        const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "show.toml";
+        EXPECT_TRUE(write_file_atomic(file, text).ok());
+        Opened opened = four_lamps();
+        auto show = std::make_shared<scene::Show>(*opened.show);
+        show->file = file;
+        show->folder = file.parent_path();
+        opened.show = std::move(show);
+        open(std::move(opened));
+        EXPECT_EQ(error_of("select \"Lamp 1\""), "");
+        EXPECT_EQ(error_of("colour #ff8000"), "");
+    }
+    QTemporaryDir folder;
+};
+
+TEST(ContextMenu, a_look_is_recalled_renamed_updated_removed_and_becomes_a_cue) {
+    WithShow in;
+    EXPECT_EQ(in.error_of("look-store Verse"), "");
+    QListWidget* const list = list_called(in.window, "Looks");
+    ASSERT_TRUE(list && list->count() == 1);
+    QMenu* menu = context_menu(list, in.window, "looks");
+    ASSERT_TRUE(menu);
+    QStringList items;
+    for (const QAction* const one : menu->actions())
+        if (!one->isSeparator()) items << one->text();
+    EXPECT_EQ(items,
+              (QStringList{"Recall", "Add as a cue", "Rename", "Update with what hands set", "Remove"}));
+    choose(menu, "Add as a cue");
+    ASSERT_EQ(in.window.app().show()->cues.size(), 1u);
+    EXPECT_EQ(in.window.app().show()->cues[0].look, "Verse");
+    choose(context_menu(list, in.window, "looks"), "Rename");
+    EXPECT_TRUE(list->isPersistentEditorOpen(list->item(0)) || list->findChild<QLineEdit*>())
+        << "where it stands";
+    choose(context_menu(list, in.window, "looks"), "Remove");
+    EXPECT_EQ(list->count(), 0);
+    Q_EMIT list->customContextMenuRequested({5, 5});
+    settle();
+    EXPECT_FALSE(QApplication::activePopupWidget()) << "of nothing";
+}
+
+TEST(ContextMenu, a_palette_is_given_by_a_click_and_has_a_menu) {
+    WithShow in;
+    EXPECT_EQ(in.error_of("palette-store colour Amber"), "");
+    QListWidget* const list = list_called(in.window, "Palettes");
+    ASSERT_TRUE(list);
+    EXPECT_EQ(list->count(), 0) << "positions are shown first";
+    for (QToolButton* const one : list->parentWidget()->findChildren<QToolButton*>())
+        if (one->text() == "Colour") one->click();
+    ASSERT_EQ(list->count(), 1);
+    EXPECT_FALSE(list->item(0)->icon().isNull()) << "its colour";
+    EXPECT_EQ(in.error_of("release-all"), "");
+    Q_EMIT list->itemClicked(list->item(0));
+    settle();
+    EXPECT_TRUE(in.window.app().look().fixtures.at(0).colour);
+    list->item(0)->setText("Warm");
+    settle();
+    EXPECT_EQ(in.window.app().show()->palettes[0].name, "Warm");
+    choose(context_menu(list, in.window, "programmer"), "Remove");
+    EXPECT_EQ(list->count(), 0);
+    EXPECT_EQ(in.error_of("undo"), "");
+    EXPECT_EQ(list->count(), 1);
 }
 
 TEST(ContextMenu, all_of_a_type_are_selected) {
