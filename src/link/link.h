@@ -109,7 +109,8 @@ struct ViewRequest {
     WorkLight work_light = WorkLight::automatic;
     std::optional<glm::vec2> probe; // what is measured there; (0, 0) is the top left corner of the picture
     Pick pick;
-    bool takes_baked = true; // where the camera stands as one whose passes are fresh
+    bool wants_camera_pictures = false; // small ones of the show's cameras, while the picture rests
+    bool takes_baked = true;            // where the camera stands as one whose passes are fresh
     SaveFrame save_frame;
     std::uint64_t take_plot = 0; // number of the received plot to be merged into the show; 0: none
 };
@@ -225,6 +226,12 @@ struct Probed {
     std::string object;
 };
 
+// What a camera of the show saw when the picture rested last.
+struct CameraPicture {
+    std::string camera; // name
+    std::shared_ptr<const image::Image8> image;
+};
+
 struct Picked {
     std::uint64_t number = 0; // of the request
     bool hit = false;         // a surface; what follows is of it
@@ -270,6 +277,7 @@ struct Link {
     Mailbox<Saved> saved;
     Mailbox<Recorded> recorded;
     Mailbox<CameraCall> camera_call;
+    Mailbox<std::vector<CameraPicture>> camera_pictures; // all there are
 
     // The engine calls it after it put something, on its own thread. Set before the engine starts.
     std::function<void()> on_news;

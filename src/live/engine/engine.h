@@ -7,6 +7,7 @@
 
 #include "link/link.h"
 #include "live/engine/baked_supply.h"
+#include "live/engine/camera_pictures.h"
 #include "live/engine/desk_recorder.h"
 #include "live/engine/followers.h"
 #include "live/engine/live_controls.h"
@@ -137,6 +138,7 @@ private:
     std::unique_ptr<LiveInput> input_;
     std::unique_ptr<AppliedLook> look_;
     PictureProbe probe_{link_};
+    CameraPictures camera_pictures_{link_}; // refers to the session, and goes before it
     ui::FalseColour false_colour_; // of the picture that was published last
     std::unique_ptr<RemoteInput> remote_;
     Followers followers_;

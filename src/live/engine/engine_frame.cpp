@@ -288,6 +288,8 @@ void Engine::frame() {
         link_.on_news();
     }
     publish_rest(begin_s, drew);
+    if (request_.wants_camera_pictures && settled_ == request_.number && !is_moving(begin_s))
+        camera_pictures_.draw(*session_, drawn_, {begin_s, last_change_s_, air_s_}, stop_of(begin_s));
 }
 
 } // namespace ghost::app

@@ -118,6 +118,10 @@ void AppModel::read_news() {
         else
             cut_to(news->camera);
     }
+    if (auto news = link_.camera_pictures.take()) {
+        camera_pictures_ = std::move(*news);
+        Q_EMIT camera_pictures_came();
+    }
     if (auto news = link_.rig.take()) {
         rig_ = std::move(*news);
         Q_EMIT rig_came();
@@ -170,6 +174,7 @@ void AppModel::take_opened(Opened opened) {
     explained_ = {};
     hovered_.reset();
     verdicts_.clear();
+    camera_pictures_.clear();
     fader_.forget();
     look_ = request_.look = {};
     request_.explained.reset();
@@ -198,6 +203,16 @@ void AppModel::open(const std::string& show) {
 void AppModel::set_camera(const scene::Camera& camera) {
     flight_.stop();
     wish([&](ViewRequest& request) { request.camera = camera; });
+}
+
+std::optional<std::size_t> AppModel::stored_camera() const {
+    if (!show()) return std::nullopt;
+    const std::vector<scene::Camera>& cameras = show()->cameras;
+    const auto found = std::find_if(cameras.begin(), cameras.end(), [&](const scene::Camera& one) {
+        return one.position_m == request_.camera.position_m && one.target_m == request_.camera.target_m;
+    });
+    return found == cameras.end() ? std::nullopt
+                                  : std::optional(static_cast<std::size_t>(found - cameras.begin()));
 }
 
 void AppModel::cut_to(const scene::Camera& stored) {

@@ -47,6 +47,7 @@ public:
     const std::vector<float>& waveform() const { return waveform_; } // of the recording; empty: not known
     const std::optional<Probed>& probed() const { return probed_; }  // of the place that is wished for
     const Recorded& recorded() const { return recorded_; }           // the last one
+    const std::vector<CameraPicture>& camera_pictures() const { return camera_pictures_; }
     std::uint64_t saved() const { return saved_; } // number of the picture that was saved last
     // Came from the network and may be taken; number 0: none yet.
     const ReceivedPlot& plot() const { return plot_; }
@@ -56,6 +57,8 @@ public:
     // As it is meant; while it fades, the request has one on the way there.
     const Look& look() const { return look_; }
     const scene::Camera& camera() const { return request_.camera; }
+    // The show's camera that stands there, by index; nothing: a free one.
+    std::optional<std::size_t> stored_camera() const;
     // Nothing happens where it is open or being opened; one that could not be is tried again.
     void open(const std::string& show);
     bool is_opening() const { return answered_opens_ < request_.opens; }
@@ -148,6 +151,7 @@ Q_SIGNALS:
     void recording_ended();
     void picture_saved(const QString& error); // empty: it is there
     void plot_came();
+    void camera_pictures_came();
     void wishes_changed();
     void look_changed();
     void selection_changed();
@@ -183,6 +187,7 @@ private:
     std::vector<Message> messages_;
     std::string activity_;
     ReceivedPlot plot_;
+    std::vector<CameraPicture> camera_pictures_;
     std::optional<Probed> probed_;
     Picked picked_;
     std::vector<float> waveform_;

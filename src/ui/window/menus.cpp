@@ -23,7 +23,7 @@ constexpr std::pair<const char*, const char*> kMenus[] = {
      "work-light black-out - false-lux false-luminance probe wipe - chips figures frame names addresses aims "
      "marks - full-screen second-display second-window"},
     {"Camera",
-     "camera-1 camera-2 camera-3 camera-4 camera-5 camera-6 camera-7 camera-8 camera-9 - keep-camera "
+     "camera-1 camera-2 camera-3 camera-4 camera-5 camera-6 camera-7 camera-8 camera-9 - camera-strip keep-camera "
      "focus see-all - brighter darker auto-exposure tone tone-agx tone-aces tone-linear - baked"},
     {"Play", "play to-start freeze - cue-go cue-back cue-follow - look-next look-before solo - "
              "input-automatic input-desk "

@@ -140,6 +140,7 @@ QJsonObject state_json(const AppModel& app, const View& view) {
             {"selection", selection},
             {"hovered", hovered},
             {"palettes", palettes},
+            {"camera_pictures", static_cast<int>(app.camera_pictures().size())},
             {"by_hand", look_json(app.look(), show)},
             {"fades", app.fades()},
             {"black_out", app.request().black_out},

@@ -24,6 +24,7 @@
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/transport_panel.h"
 #include "ui/panels/value_panel.h"
+#include "ui/picture/camera_strip.h"
 #include "ui/picture/view_bar.h"
 #include "ui/widgets/focus_guide.h"
 #include "ui/widgets/wheel_guard.h"
@@ -73,6 +74,7 @@ Window::Window(Link& link, const WindowOptions& options)
     actions_.complain = [this](const Error& error) { say(QString::fromStdString(error.text()), 8000); };
     cues_.complain = actions_.complain;
     add_panels();
+    add_strip();
     add_window_actions();
     add_view_switches();
     add_meter_actions(actions_, app_, *view_);
@@ -115,6 +117,7 @@ Window::Window(Link& link, const WindowOptions& options)
     transport_->setObjectName("transport");
     transport_->setMovable(false);
     transport_->addWidget(new TransportPanel(app_, actions_, transport_));
+    addToolBarBreak(Qt::BottomToolBarArea);
     addToolBar(Qt::BottomToolBarArea, transport_);
     notice_ = new NoticeBar(actions_, document_, app_, this);
     addToolBar(Qt::TopToolBarArea, notice_);
@@ -278,6 +281,23 @@ void Window::add_panels() {
     network->hide();
     messages->hide();
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+}
+
+// Below the picture, where it is wanted.
+void Window::add_strip() {
+    strip_ = new QToolBar("Cameras", this);
+    strip_->setObjectName("cameras");
+    strip_->setMovable(false);
+    strip_->addWidget(new CameraStrip(app_, actions_, strip_));
+    addToolBar(Qt::BottomToolBarArea, strip_);
+    strip_->hide();
+    actions_.add({"camera-strip", "Camera", "Strip of the cameras' pictures", "Ctrl+Shift+K", "",
+                  [this](const QStringList&) -> Result<void> {
+                      strip_->setVisible(!strip_->isVisible());
+                      return {};
+                  },
+                  [this] { return strip_->isVisible(); }});
+    connect(strip_, &QToolBar::visibilityChanged, this, [this] { actions_.refresh(); });
 }
 
 // The picture first: of a window of 1366x768, 1920x1080 and 2560x1440 it has 60, 70 and 75 %.

@@ -51,6 +51,7 @@ private:
     QDockWidget* add_panel(const QString& name, const QString& title, QWidget* panel,
                            Qt::DockWidgetArea area);
     void add_panels();
+    void add_strip();
     void add_window_actions();
     void add_view_switches();
     void lay_out();
@@ -94,8 +95,9 @@ private:
     std::vector<QDockWidget*> in_front_;      // likewise, of those behind one another
     NoticeBar* notice_ = nullptr;
     QToolBar* transport_ = nullptr;
-    bool transport_shown_ = true; // likewise
-    bool closes_anyway_ = false;  // with changes that can be written nowhere
+    QToolBar* strip_ = nullptr;                         // of cameras
+    bool transport_shown_ = true, strip_shown_ = false; // likewise
+    bool closes_anyway_ = false;                        // with changes that can be written nowhere
     QLabel* status_input_;
     QLabel* status_supply_;
     QLabel* status_jobs_;

@@ -241,6 +241,38 @@ TEST(ContextMenu, all_of_a_type_are_selected) {
     EXPECT_EQ(in.window.app().selection().size(), 4u);
 }
 
+TEST(CameraStrip, has_the_pictures_that_came_and_a_click_goes_there) {
+    InWindow in;
+    in.open();
+    QListWidget* const strip = list_called(in.window, "Cameras");
+    ASSERT_TRUE(strip);
+    EXPECT_FALSE(strip->isVisible()) << "the picture first";
+    EXPECT_FALSE(in.window.app().request().wants_camera_pictures);
+    EXPECT_EQ(in.error_of("camera-strip on"), "");
+    settle();
+    EXPECT_TRUE(strip->isVisible());
+    EXPECT_TRUE(in.window.app().request().wants_camera_pictures);
+    ASSERT_EQ(strip->count(), 2);
+    EXPECT_EQ(strip->currentRow(), 0) << "where the picture is seen from";
+    auto image = std::make_shared<image::Image8>(160, 90, 4);
+    for (std::size_t i = 0; i < image->samples.size(); i += 4) image->samples[i] = 200; // red
+    in.link.camera_pictures.put({{"side", image}, {"gone", image}});
+    in.link.on_news();
+    settle();
+    const auto colour = [&](int row) {
+        return strip->item(row)->icon().pixmap(strip->iconSize()).toImage().pixelColor(50, 30);
+    };
+    EXPECT_GT(colour(1).red(), 150);
+    EXPECT_LT(colour(0).red(), 50) << "its own comes";
+    Q_EMIT strip->itemClicked(strip->item(1));
+    for (int i = 0; i < 200 && in.window.app().travels(); ++i) wait_ms(25);
+    EXPECT_EQ(in.window.app().camera().position_m, in.window.app().show()->cameras[1].position_m);
+    EXPECT_EQ(strip->currentRow(), 1);
+    EXPECT_EQ(in.error_of("camera-strip off"), "");
+    settle();
+    EXPECT_FALSE(in.window.app().request().wants_camera_pictures) << "what is not seen is not made";
+}
+
 TEST(FirstScreen, three_ways_to_a_show_and_no_panels_until_one_is_there) {
     InWindow in({.demo = "assets/demo", .remembers = false, .width = 900, .height = 600});
     auto* const welcome = in.window.findChild<QWidget*>("welcome");
