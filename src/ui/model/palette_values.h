@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Palette values: what hands set of a head as a palette keeps it (show/palettes.h), and the way back. Pure.
 
-#include "fixture/programmer.h"
+#include "link/link.h"
 #include "show/palettes.h"
 
 #include <QString>

@@ -109,6 +109,7 @@ Window::Window(Link& link, const WindowOptions& options)
     auto* context_menus = new ContextMenus(menus_, app_, view_);
     context_menus->serve_fixtures(fixtures_->table());
     context_menus->serve(look_list_->list(), [this](QMenu& menu) { look_list_->fill_menu(menu); });
+    context_menus->serve(cue_table_->table(), [this](QMenu& menu) { cue_table_->fill_menu(menu); });
     PaletteBox& palettes = programmer_->palettes();
     context_menus->serve(palettes.list(), [&palettes](QMenu& menu) { palettes.fill_menu(menu); });
     actions_.on_done = [this](const Action& action) { say_done(action); };
@@ -271,8 +272,8 @@ void Window::add_panels() {
         if (const Result<void> done = hang_under(app_, document_, object); !done.ok())
             actions_.complain(done.error());
     });
-    QDockWidget* cues =
-        add_panel("cues", "Cues", new CuePanel(app_, cues_, looks_, actions_, this), Qt::RightDockWidgetArea);
+    cue_table_ = new CuePanel(app_, cues_, looks_, actions_, this);
+    QDockWidget* cues = add_panel("cues", "Cues", cue_table_, Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, cues);
     exports->hide();
     air->hide();

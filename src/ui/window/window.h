@@ -27,6 +27,7 @@
 
 namespace ghost::ui {
 
+class CuePanel;
 class FixturePanel;
 class LookPanel;
 class NoticeBar;
@@ -89,6 +90,7 @@ private:
     FixturePanel* fixtures_ = nullptr;
     ProgrammerPanel* programmer_ = nullptr;
     LookPanel* look_list_ = nullptr;
+    CuePanel* cue_table_ = nullptr;
     std::vector<QDockWidget*> docks_;
     std::vector<QDockWidget*> docks_waiting_; // shown with the first show
     std::vector<bool> docks_shown_;           // before full screen
