@@ -102,10 +102,10 @@ pan_deg = 1
     EXPECT_EQ(read.show.palettes[0].name, "B");
     EXPECT_EQ(read.show.palettes[0].values.attributes.size(), 1u);
     ASSERT_EQ(read.report.messages.size(), 6u);
-    EXPECT_NE(read.said(0).find("show.toml:14: [[palette]] kind is 'colours', expected position, colour"),
+    EXPECT_NE(read.said(0).find("show.toml:15: [[palette]] kind is 'colours', expected position, colour"),
               std::string::npos)
         << read.said(0);
-    EXPECT_NE(read.said(1).find("show.toml:15: [[palette]] name is missing"), std::string::npos)
+    EXPECT_NE(read.said(1).find("show.toml:16: [[palette]] name is missing"), std::string::npos)
         << read.said(1);
     EXPECT_NE(read.said(2).find("zoom_deg"), std::string::npos) << read.said(2);
     EXPECT_NE(read.said(3).find("[[palette]] attributes Iris"), std::string::npos) << read.said(3);

@@ -2,6 +2,7 @@
 #include "ui/model/fan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace ghost::ui {
@@ -11,10 +12,10 @@ float fanned(Fan fan, float a, float b, std::size_t number, std::size_t count) {
     const std::size_t last = count - 1;
     const auto share = static_cast<float>(number) / static_cast<float>(last);
     if (fan == Fan::centre) return a + b * (2 * share - 1);
-    if (fan == Fan::line) return a + (b - a) * share;
+    if (fan == Fan::line) return std::lerp(a, b, share);
     const std::size_t to_middle = last / 2;
     const auto inside = static_cast<float>(std::min(number, last - number));
-    return to_middle == 0 ? a : a + (b - a) * inside / static_cast<float>(to_middle);
+    return to_middle == 0 ? a : std::lerp(a, b, inside / static_cast<float>(to_middle));
 }
 
 glm::vec3 fanned(Fan fan, const glm::vec3& a, const glm::vec3& b, std::size_t number, std::size_t count) {

@@ -205,6 +205,8 @@ Window::~Window() {
         panel->disconnect(this);
         delete panel;
     }
+    strip_->disconnect(this);
+    delete strip_;
     delete takeCentralWidget();
 }
 

@@ -226,7 +226,7 @@ TEST(FanBox, a_number_that_is_changed_spreads_at_once_and_all_of_it_is_one_step)
 TEST(FanBox, aligns_to_the_first_and_the_last_and_spreads_between_them) {
     FanHeads heads;
     heads.choose("What is spread", "Iris");
-    heads.number("Last")->setValue(100);
+    heads.number("First")->setValue(0); // open, as they are
     const auto iris = [&](std::size_t index) {
         return heads.app.look().fixtures.at(index).channels.begin()->second;
     };
