@@ -201,12 +201,12 @@ Window::Window(Link& link, const WindowOptions& options)
 
 // Qt closes a window that goes, and its panels would speak to what went before them.
 Window::~Window() {
+    strip_->disconnect(this);
+    delete strip_; // while there are panels: it says that it goes
     for (QDockWidget* const panel : findChildren<QDockWidget*>()) {
         panel->disconnect(this);
         delete panel;
     }
-    strip_->disconnect(this);
-    delete strip_;
     delete takeCentralWidget();
 }
 
