@@ -41,6 +41,7 @@ FanBox::FanBox(AppModel& app, Actions& actions, QWidget* parent)
     auto* inside = new QWidget(this);
     add_rows(*inside);
     inside->hide();
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the panel may be narrow
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(unfold_);

@@ -44,7 +44,7 @@ QIcon swatch_of(const scene::Palette& palette) {
 
 PaletteBox::PaletteBox(AppModel& app, PaletteList& palettes, Actions& actions, QWidget* parent)
     : QWidget(parent), app_(app), palettes_(palettes), actions_(actions), kinds_(new QButtonGroup(this)),
-      store_(new QPushButton("Store", this)), list_(new QListWidget(this)) {
+      store_(new QToolButton(this)), list_(new QListWidget(this)) {
     auto* row = new QHBoxLayout;
     row->setSpacing(2);
     for (int i = 0; i < 4; ++i) {
@@ -58,6 +58,8 @@ PaletteBox::PaletteBox(AppModel& app, PaletteList& palettes, Actions& actions, Q
     }
     row->addStretch(1);
     row->addWidget(store_);
+    store_->setText("+");
+    store_->setAccessibleName("Store palette");
     store_->setToolTip("What hands set of it for the selected fixtures, as a new palette of the show");
     list_->setAccessibleName("Palettes");
     list_->setFlow(QListView::LeftToRight);
@@ -68,13 +70,14 @@ PaletteBox::PaletteBox(AppModel& app, PaletteList& palettes, Actions& actions, Q
     list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     list_->setFixedHeight(kRows * (fontMetrics().height() + 10) + 6);
     list_->setToolTip("A click gives it to the selected fixtures. F2: another name.");
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the panel may be narrow
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(2);
     layout->addLayout(row);
     layout->addWidget(list_);
     connect(kinds_, &QButtonGroup::idToggled, this, &PaletteBox::fill);
-    connect(store_, &QPushButton::clicked, this,
+    connect(store_, &QToolButton::clicked, this,
             [this] { run("palette-store " + kind_word() + " " + quoted(new_name())); });
     for (const auto signal : {&QListWidget::itemClicked, &QListWidget::itemActivated})
         connect(list_, signal, this,

@@ -8,7 +8,7 @@
 #include <QButtonGroup>
 #include <QListWidget>
 #include <QMenu>
-#include <QPushButton>
+#include <QToolButton>
 #include <QWidget>
 
 namespace ghost::ui {
@@ -35,7 +35,7 @@ private:
     PaletteList& palettes_;
     Actions& actions_;
     QButtonGroup* kinds_;
-    QPushButton* store_;
+    QToolButton* store_;
     QListWidget* list_;
     bool follows_ = false; // it is being filled, not edited
 };

@@ -118,8 +118,10 @@ Window::Window(Link& link, const WindowOptions& options)
     transport_->setObjectName("transport");
     transport_->setMovable(false);
     transport_->addWidget(new TransportPanel(app_, actions_, transport_));
-    addToolBarBreak(Qt::BottomToolBarArea);
     addToolBar(Qt::BottomToolBarArea, transport_);
+    addToolBarBreak(Qt::BottomToolBarArea); // the later one lies above
+    addToolBar(Qt::BottomToolBarArea, strip_);
+    strip_->hide();
     notice_ = new NoticeBar(actions_, document_, app_, this);
     addToolBar(Qt::TopToolBarArea, notice_);
     fixtures_->model().complain = actions_.complain;
@@ -292,8 +294,6 @@ void Window::add_strip() {
     strip_->setObjectName("cameras");
     strip_->setMovable(false);
     strip_->addWidget(new CameraStrip(app_, actions_, strip_));
-    addToolBar(Qt::BottomToolBarArea, strip_);
-    strip_->hide();
     actions_.add({"camera-strip", "Camera", "Strip of the cameras' pictures", "Ctrl+Shift+K", "",
                   [this](const QStringList&) -> Result<void> {
                       strip_->setVisible(!strip_->isVisible());
