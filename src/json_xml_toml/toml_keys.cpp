@@ -2,6 +2,21 @@
 #include "json_xml_toml/toml_keys.h"
 
 namespace ghost::scene {
+namespace {
+
+std::string with_line_ends(const std::string& block, const std::string& line_end) {
+    std::string lines;
+    for (const char letter : block) lines += letter == '\n' ? line_end : std::string(1, letter);
+    return lines;
+}
+
+// What a block says of its one [[name]].
+toml::table entry_in(const std::string& block, const std::string& name) {
+    toml::table root = toml::parse(block);
+    return std::move(*root[name][0].as_table());
+}
+
+} // namespace
 
 std::string toml_text(const glm::vec3& numbers) {
     return "[" + toml_text(numbers.x) + ", " + toml_text(numbers.y) + ", " + toml_text(numbers.z) + "]";
@@ -73,21 +88,34 @@ Result<std::string> set_in(const std::string& text, const std::string& name, con
 }
 
 Result<std::string> add_entry(const std::string& text, const std::string& name, const Keys& keys) {
+    return add_block(text, name, block_of("[[" + name + "]]", keys, "\n"));
+}
+
+Result<std::string> add_block(const std::string& text, const std::string& name, const std::string& block) {
     TRY(TomlText document, TomlText::parse(text));
-    const std::string block = block_of("[[" + name + "]]", keys, document.line_end());
+    const std::string lines = with_line_ends(block, document.line_end());
     const std::vector<const toml::table*> tables = document.tables(name);
     if (!tables.empty() && tables.back() && !tables.back()->is_inline()) {
         TRY(const TomlText::Span span, document.span_of(*tables.back(), name));
         const bool is_open = document.text()[span.end - 1] != '\n';
         document.replace({span.end, span.end},
-                         (is_open ? document.line_end() : "") + document.line_end() + block);
+                         (is_open ? document.line_end() : "") + document.line_end() + lines);
     } else {
-        document.append(block);
+        document.append(lines);
     }
     toml::table expected = document.root();
-    toml::table made;
-    write(made, keys);
-    array_of(expected, name).push_back(std::move(made));
+    array_of(expected, name).push_back(entry_in(block, name));
+    return checked(document, expected);
+}
+
+Result<std::string> replace_entry(const std::string& text, const std::string& name, std::size_t number,
+                                  const std::string& block) {
+    TRY(TomlText document, TomlText::parse(text));
+    TRY(const toml::table* table, entry_of(document, name, number));
+    TRY(const TomlText::Span span, document.span_of(*table, name));
+    document.replace(span, with_line_ends(block, document.line_end()));
+    toml::table expected = document.root();
+    *array_of(expected, name).get(number)->as_table() = entry_in(block, name);
     return checked(document, expected);
 }
 

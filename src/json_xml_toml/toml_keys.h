@@ -37,6 +37,11 @@ Result<const toml::table*> entry_of(const TomlText& document, const std::string&
 Result<std::string> set_in(const std::string& text, const std::string& name, const Keys& keys);
 // One more [[name]], behind the last one.
 Result<std::string> add_entry(const std::string& text, const std::string& name, const Keys& keys);
+// Likewise, with tables below it: a block that begins with its header, lines that end with "\n".
+Result<std::string> add_block(const std::string& text, const std::string& name, const std::string& block);
+// Another block where the number-th one stands.
+Result<std::string> replace_entry(const std::string& text, const std::string& name, std::size_t number,
+                                  const std::string& block);
 // Each with the blank line behind it.
 Result<std::string> remove_entries(const std::string& text, const std::string& name,
                                    const std::set<std::size_t>& numbers);

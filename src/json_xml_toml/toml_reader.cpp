@@ -178,6 +178,29 @@ std::optional<glm::vec3> TableReader::vec3(const std::string& key, double limit)
     return value;
 }
 
+std::optional<glm::vec3> TableReader::light_colour(const std::string& key) {
+    const auto colour = vec3(key, 1000);
+    if (!colour || std::min({colour->x, colour->y, colour->z}) >= 0) return colour;
+    problem(Severity::error, key, "has a component below 0, expected three shares of light");
+    return std::nullopt;
+}
+
+std::map<std::string, float> TableReader::fractions(const std::string& key, std::size_t at_most) {
+    std::map<std::string, float> fractions;
+    const toml::table* const inside = table(key);
+    if (inside == nullptr) return fractions;
+    if (inside->size() > at_most) {
+        problem(Severity::error, key,
+                "has more than " + std::to_string(at_most) + " entries; all are left out");
+        return fractions;
+    }
+    TableReader reader(*inside, section_ + " " + key, file_, report_);
+    for (const auto& [name, value] : *inside)
+        if (const auto fraction = reader.number(std::string(name.str()), 0, 1))
+            fractions[std::string(name.str())] = static_cast<float>(*fraction);
+    return fractions;
+}
+
 std::optional<std::vector<double>> TableReader::numbers(const std::string& key, std::size_t count, double low,
                                                         double high) {
     const toml::node* node = find(key);

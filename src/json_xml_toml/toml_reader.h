@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <map>
 #include <optional>
 #include <string>
 #include <toml++/toml.h>
@@ -34,6 +35,10 @@ public:
     std::optional<glm::vec3> colour(const std::string& key);
     std::optional<std::string> text(const std::string& key); // at most 1000 bytes, no control characters
     std::optional<glm::vec3> vec3(const std::string& key, double limit); // components in -limit .. limit
+    // Linear Rec.2020 and not below 0; a filter, or light of any strength up to 1000.
+    std::optional<glm::vec3> light_colour(const std::string& key);
+    // A table of names, each with a number from 0 to 1: { "Iris" = 0.5 }. Empty: there is none, or too many.
+    std::map<std::string, float> fractions(const std::string& key, std::size_t at_most);
     std::optional<std::vector<double>> numbers(const std::string& key, std::size_t count, double low,
                                                double high);
     std::optional<std::vector<int>> integers(const std::string& key, std::size_t count, int low, int high);

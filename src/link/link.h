@@ -104,14 +104,16 @@ struct ViewRequest {
     std::string record_to; // what the desk sends is recorded there; empty: it is not
     PictureQuality quality;
     std::optional<std::size_t> explained; // fixture
+    std::optional<std::size_t> hovered;   // likewise, one that the mouse rests on
     bool explains_all = false;            // all of them, in short, every few seconds
     image::Tone tone = image::Tone::agx;
     FalseColour false_colour;
     WorkLight work_light = WorkLight::automatic;
     std::optional<glm::vec2> probe; // what is measured there; (0, 0) is the top left corner of the picture
     Pick pick;
-    bool takes_baked = true;   // where the camera stands as one whose passes are fresh
-    bool stops_bounce = false; // the links of bounced light are not made, for they are not there yet
+    bool wants_camera_pictures = false; // small ones of the show's cameras, while the picture rests
+    bool takes_baked = true;            // where the camera stands as one whose passes are fresh
+    bool stops_bounce = false;          // the links of bounced light are not made, for they are not there yet
     SaveFrame save_frame;
     std::uint64_t take_plot = 0; // number of the received plot to be merged into the show; 0: none
 };
@@ -241,6 +243,12 @@ struct Probed {
     std::string object;
 };
 
+// What a camera of the show saw when the picture rested last.
+struct CameraPicture {
+    std::string camera; // name
+    std::shared_ptr<const image::Image8> image;
+};
+
 struct Picked {
     std::uint64_t number = 0; // of the request
     bool hit = false;         // a surface; what follows is of it
@@ -272,6 +280,7 @@ struct Link {
     News<RigNow> rig;
     News<dmx::Statistics> network;
     Mailbox<Explained> explained;
+    Mailbox<Explained> hovered;
     Mailbox<std::vector<Verdict>> verdicts; // of all fixtures, where the request wants them
     News<std::vector<Message>> messages;    // all of the show that is open
     // Number of the request whose picture is there, at rest: nothing moves, all pixels, all shadows.
@@ -286,6 +295,7 @@ struct Link {
     Mailbox<Saved> saved;
     Mailbox<Recorded> recorded;
     Mailbox<CameraCall> camera_call;
+    Mailbox<std::vector<CameraPicture>> camera_pictures; // all there are
 
     // Of the second reader of the news: browsers.
     Mailbox<std::size_t> question; // the fixture that is to be explained, once

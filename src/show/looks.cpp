@@ -32,30 +32,6 @@ void put(std::optional<float>& target, const std::optional<double>& value) {
     if (value) target = static_cast<float>(*value);
 }
 
-// Linear Rec.2020, nothing below 0.
-std::optional<glm::vec3> light_colour(TableReader& reader, const std::string& key) {
-    const auto colour = reader.vec3(key, 1000);
-    if (!colour || std::min({colour->x, colour->y, colour->z}) >= 0) return colour;
-    reader.problem(Severity::error, key, "has a component below 0, expected three shares of light");
-    return std::nullopt;
-}
-
-// channels = { "Head_Iris" = 0.5 }
-void read_channels(TableReader& reader, const std::string& file, fixture::Programmer& programmer,
-                   Report& report) {
-    const toml::table* const table = reader.table("channels");
-    if (table == nullptr) return;
-    if (table->size() > kMostChannels) {
-        reader.problem(Severity::error, "channels",
-                       "has more than " + std::to_string(kMostChannels) + " entries; all are left out");
-        return;
-    }
-    TableReader channels(*table, "[[look.fixture]] channels", file, report);
-    for (const auto& [key, value] : *table)
-        if (const auto share = channels.number(std::string(key.str()), 0, 1))
-            programmer.channels[std::string(key.str())] = static_cast<float>(*share);
-}
-
 std::optional<std::pair<std::string, fixture::Programmer>>
 read_fixture(const toml::table& table, const std::string& file, Report& report) {
     TableReader reader(table, "[[look.fixture]]", file, report);
@@ -63,16 +39,16 @@ read_fixture(const toml::table& table, const std::string& file, Report& report) 
     if (!reader.has("name")) reader.missing("name", "that of a fixture of the show");
     fixture::Programmer programmer;
     put(programmer.intensity, reader.number("intensity", 0, 1));
-    programmer.colour = light_colour(reader, "colour_rec2020");
+    programmer.colour = reader.light_colour("colour_rec2020");
     put(programmer.zoom_deg, reader.number("zoom_deg", 0, 180));
     put(programmer.pan_deg, reader.number("pan_deg", -kMost_deg, kMost_deg));
     put(programmer.tilt_deg, reader.number("tilt_deg", -kMost_deg, kMost_deg));
     programmer.gobo = reader.integer("gobo", 0, 255);
-    programmer.gel = light_colour(reader, "gel_rec2020");
+    programmer.gel = reader.light_colour("gel_rec2020");
     put(programmer.lamp, reader.number("lamp", 0, kMostLamp));
     put(programmer.lamp_k, reader.number("lamp_k", kLeastLamp_k, kMostLamp_k));
     programmer.levels = reader.bytes("levels", kMostLevels).value_or(std::vector<std::uint8_t>{});
-    read_channels(reader, file, programmer, report);
+    programmer.channels = reader.fractions("channels", kMostChannels);
     reader.finish();
     if (!name || programmer.is_empty()) return std::nullopt;
     return std::pair{*name, programmer};
@@ -84,13 +60,13 @@ std::optional<StoredLook> read_look(const toml::table& table, const std::string&
     const auto name = reader.text("name");
     if (!reader.has("name")) reader.missing("name", "what it is called; the look is left out");
     look.name = name.value_or("");
-    const Result<void> good_name = name ? check_look_name(look.name) : Result<void>();
+    const Result<void> good_name = name ? check_stored_name("look", look.name) : Result<void>();
     if (!good_name.ok()) reader.problem(Severity::error, "name", good_name.error().what);
     look.fade_s = static_cast<float>(reader.number("fade_s", 0, kLongestFade_s).value_or(0));
     put(look.scene.smoke, reader.number("smoke", 0, kMostSmoke));
     put(look.scene.ambient_lux, reader.number("ambient_lux", 0, kMostLux));
-    look.scene.ambient_colour = light_colour(reader, "ambient_rec2020");
-    look.scene.attenuation = light_colour(reader, "attenuation");
+    look.scene.ambient_colour = reader.light_colour("ambient_rec2020");
+    look.scene.attenuation = reader.light_colour("attenuation");
     if (look.scene.attenuation == glm::vec3(0)) {
         reader.problem(Severity::error, "attenuation", "is 0, 0, 0, expected one of the three above 0");
         look.scene.attenuation.reset();
@@ -151,14 +127,14 @@ std::filesystem::path looks_file(const Show& show) {
     return show.folder / (show.cache_name.empty() ? "looks.toml" : show.cache_name + ".looks.toml");
 }
 
-Result<void> check_look_name(const std::string& name) {
+Result<void> check_stored_name(const std::string& what, const std::string& name) {
     const bool printable = std::none_of(name.begin(), name.end(),
                                         [](char letter) { return static_cast<unsigned char>(letter) < 32; });
     if (!name.empty() && name.size() <= kLongestName && printable && name.front() != ' ' &&
         name.back() != ' ')
         return {};
-    return Error{"'" + name.substr(0, kLongestName) +
-                     "' is no name of a look, expected 1 to 100 bytes, no blanks at its ends",
+    return Error{"'" + name.substr(0, kLongestName) + "' is no name of a " + what +
+                     ", expected 1 to 100 bytes, no blanks at its ends",
                  ""};
 }
 

@@ -55,8 +55,8 @@ std::string text_of(const std::vector<StoredLook>& looks);
 // Error: more than load_looks takes, or it cannot be written; what was there stays.
 Result<void> write_looks(const std::filesystem::path& file, const std::string& text);
 
-// Error: what a name of a look must be.
-Result<void> check_look_name(const std::string& name);
+// what: "look", or what else is kept under a name. Error: what such a name must be.
+Result<void> check_stored_name(const std::string& what, const std::string& name);
 // Index of that look; the error lists a near name.
 Result<std::size_t> find_look(const std::vector<StoredLook>& looks, const std::string& name);
 // Of the fixtures that the show has, by index; levels whose number is not that of the fixture's mode are left

@@ -14,6 +14,7 @@
 #include "show/cues.h"
 #include "show/laser.h"
 #include "show/led_wall.h"
+#include "show/palettes.h"
 #include "show/projector.h"
 #include "show/tracking.h"
 #include "stage/overrides.h"
@@ -145,6 +146,7 @@ struct Show {
     std::vector<Camera> cameras;
     std::vector<PatchedFixture> fixtures;
     std::vector<Cue> cues;
+    std::vector<Palette> palettes;
     std::vector<Media> media;
     int media_side = kMediaSide;
     Tracking tracking;

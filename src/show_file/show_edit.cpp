@@ -136,7 +136,7 @@ bool differ_in_fixtures_air_and_cues_only(const std::string& a, const std::strin
     const auto rest = [](const std::string& text) -> Result<toml::table> {
         TRY(const TomlText document, TomlText::parse(text));
         toml::table root = document.root();
-        for (const char* const name : {"fixture", "change", "haze", "hazer", "light", "cue"})
+        for (const char* const name : {"fixture", "change", "haze", "hazer", "light", "cue", "palette"})
             root.erase(name);
         return root;
     };

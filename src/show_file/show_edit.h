@@ -66,7 +66,7 @@ Result<std::string> add_model(const std::string& text, const std::string& file, 
 Result<std::string> set_of_show(const std::string& text, const std::string& key, const std::string& value);
 
 // Whether two show files say the same but for [[fixture]], [[change]], [[cue]], [haze], [[hazer]] and
-// [light]. False where one is no TOML.
+// [light], and [[palette]], which changes no picture. False where one is no TOML.
 bool differ_in_fixtures_air_and_cues_only(const std::string& a, const std::string& b);
 
 } // namespace ghost::scene

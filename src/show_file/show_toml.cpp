@@ -248,6 +248,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
 
     show.tracking = read_tracking(top, file, report);
     show.cues = read_cues(top, file, report);
+    show.palettes = read_palettes(top, file, report);
     read_media(top, file, show, report);
     read_models(top, file, show, report);
     parsed.walls = read_walls(top, file, show, report);

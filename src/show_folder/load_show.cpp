@@ -288,6 +288,7 @@ Result<Show> load_parsed(ParsedShow parsed, bool load_stage, Report& report, con
     check_files(parsed, report);
     check_tracking(show, report);
     check_cues(show, report);
+    check_palettes(show, report);
     const bool needs_cameras = show.cameras.empty();
     if (load_stage || needs_cameras) {
         TRY(show.stage, read_stage(show, report, part_of(loading, kFixturesShare, 1.0)));

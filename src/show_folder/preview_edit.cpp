@@ -19,6 +19,7 @@ Result<Show> preview_edit(const Show& before, const std::string& text) {
     if (!parsed.show.cameras.empty())
         show.cameras = std::move(parsed.show.cameras); // else those that were made
     show.cues = std::move(parsed.show.cues);
+    show.palettes = std::move(parsed.show.palettes);
     show.haze = parsed.show.haze;
     show.hazers = std::move(parsed.show.hazers);
     show.bounce = parsed.show.bounce;

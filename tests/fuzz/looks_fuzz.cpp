@@ -15,7 +15,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (!looks.ok()) return 0;
     CHECK(looks->size() <= ghost::scene::kMostLooks);
     for (const auto& look : *looks) {
-        CHECK(ghost::scene::check_look_name(look.name).ok());
+        CHECK(ghost::scene::check_stored_name("look", look.name).ok());
         CHECK(look.fade_s >= 0 && look.fade_s <= ghost::scene::kLongestFade_s);
         for (const auto& [name, programmer] : look.fixtures) {
             CHECK(!programmer.is_empty());

@@ -71,6 +71,17 @@ class MouseAndKeys(unittest.TestCase):
             window.until(lambda state: state["camera"]["target_m"] != before["target_m"])
             window.xdo("keyup", "w")
 
+            # Where the mouse rests on a dark head, the picture says why it is dark.
+            window.do("camera house", "select \"Spot 2\"", "intensity 0", "select-none", "wait settled")
+            lamp = window.state()["lamps"]["Spot 2"]
+            window.xdo("mousemove", x + round(lamp[0]), y + round(lamp[1]))
+            hovered = window.until(lambda state: state["hovered"])["hovered"]
+            self.assertEqual(hovered["name"], "Spot 2")
+            self.assertIn("dark", hovered["why"])
+            window.xdo("mousemove", x + 20, y + height - 20)
+            window.until(lambda state: not state["hovered"])
+            window.do("release-all")
+
             window.xdo("key", "b")
             window.until(lambda state: state["black_out"])
             window.xdo("key", "b")
@@ -199,6 +210,45 @@ class Controls(unittest.TestCase):
         self.assertGreater((linear.max(axis=2) == 255).sum(), (self.show.max(axis=2) == 255).sum())
         dark = (self.show > 5) & (self.show < 60)
         self.assertLess(aces[dark].mean(), 0.9 * self.show[dark].mean())
+
+
+class ManyHeads(unittest.TestCase):
+    """Fan, hold and palettes, and what of them is in the show."""
+
+    def test_fan_hold_and_palettes(self):
+        show = WORK / "heads"
+        shutil.copytree(SOURCE / "assets/demo", show, ignore=shutil.ignore_patterns(".ghost"))
+        before = (show / "show.toml").read_bytes()
+        window = Window("--size", "900x600", "--no-desk", "--quiet", show=show)
+        try:
+            def pans():
+                return [one["pan_deg"] for one in window.state()["by_hand"]["fixtures"].values()]
+
+            window.do("wait opened", "resolution 5", "jump 36", "wait 0.2", "freeze on", 'select "Spot *"', "fan pan -40 40")
+            self.assertEqual(pans(), [-40, -20, 0, 20, 40])
+            window.do("palette-store position Wide", "fan pan 30 0 symmetric", "fan colour #ff0000 #0000ff")
+            self.assertEqual(pans(), [30, 15, 0, 15, 30])
+            window.do("palette-store colour Rainbow", "release-all", "palette Wide", "palette Rainbow")
+            self.assertEqual(pans(), [-40, -20, 0, 20, 40])
+            self.assertEqual(window.state()["palettes"], ["Wide", "Rainbow"])
+            window.do("save")
+            saved = (show / "show.toml").read_bytes()
+            self.assertTrue(saved.startswith(before))
+            self.assertIn(b'[[palette]]\nname = "Wide"\nkind = "position"\n[[palette.fixture]]\nname = "Spot 1"\npan_deg = -40\n', saved)
+            self.assertIn("there is no palette 'Wde', did you mean 'Wide'", window.ask("palette Wde"))
+            window.do("palette-remove Wide", "palette-remove Rainbow", "save")
+            self.assertEqual((show / "show.toml").read_bytes().rstrip(), before.rstrip())
+
+            # What is held stays while the recording goes on.
+            window.do("release-all", "select *", "hold", "wait settled")
+            held = window.picture("held")
+            window.do("jump 20", "wait 0.5")
+            self.assertLess(changed(window.picture("later"), held), 0.5)
+            window.do("release-all")
+            self.assertGreater(changed(window.picture("released"), held), 2)
+        finally:
+            code = window.close()
+        self.assertEqual(code, 0, window.text())
 
 
 class Desk(unittest.TestCase):

@@ -151,6 +151,7 @@ SessionOptions Engine::session_options(const std::string& path) const {
 void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     forget_baked(); // all of them refer to the session before
     probe_.forget();
+    camera_pictures_.forget();
     look_.reset();
     const std::unique_ptr<Session> session_before = std::exchange(session_, std::move(session));
     if (kind != Opening::Kind::another && session_before)

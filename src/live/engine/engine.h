@@ -7,6 +7,7 @@
 #include "link/link.h"
 #include "live/engine/baked_supply.h"
 #include "live/engine/bounce_news.h"
+#include "live/engine/camera_pictures.h"
 #include "live/engine/desk_listener.h"
 #include "live/engine/desk_recorder.h"
 #include "live/engine/live_controls.h"
@@ -126,6 +127,7 @@ private:
     std::unique_ptr<LiveInput> input_;
     std::unique_ptr<AppliedLook> look_;
     PictureProbe probe_{link_};
+    CameraPictures camera_pictures_{link_};                    // refers to the session, and goes before it
     ui::FalseColour false_colour_;                             // of the picture that was published last
     fixture::Motion motion_ = fixture::Motion::as_the_machine; // of the show
     LivePicture live_{messages_, probe_};

@@ -168,7 +168,7 @@ void Engine::frame() {
     bounce_news_.publish(*session_, bounce_ms_, begin_s);
     rig_news_.publish(*session_, *input_, shown_.lights, recorder_.seconds(), begin_s);
     rig_news_.explain(
-        {request_.explained, request_.explains_all}, *session_, *input_, patch_,
+        {request_.explained, request_.hovered, request_.explains_all}, *session_, *input_, patch_,
         [&]() -> const bake::Tracer& { return probe_.tracer(*session_); }, begin_s);
     probe_.pick(request_.pick, *session_);
     if (!statistics.stopped) {
@@ -185,6 +185,8 @@ void Engine::frame() {
         link_.on_news();
     }
     publish_rest(begin_s, drew);
+    if (request_.wants_camera_pictures && settled_ == request_.number && !is_moving(begin_s))
+        camera_pictures_.draw(*session_, shown_.lights, {begin_s, last_change_s_, air_s_}, stop_of(begin_s));
 }
 
 } // namespace ghost::app

@@ -80,12 +80,15 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
 void RigNews::explain(const Question& question, const Session& session, const LiveInput& input,
                       const scene::PatchMap& patch, const std::function<const bake::Tracer&()>& rays_of,
                       double now_s) {
-    const bool explains_one = question.fixture && *question.fixture < session.show->fixtures.size() &&
-                              now_s - explained_s_ >= kExplainEvery_s;
+    const auto is_due = [&](const std::optional<std::size_t>& fixture, double last_s) {
+        return fixture && *fixture < session.show->fixtures.size() && now_s - last_s >= kExplainEvery_s;
+    };
+    const bool explains_one = is_due(question.fixture, explained_s_);
+    const bool explains_hovered = is_due(question.hovered, hovered_s_);
     const bool explains_all = question.all && now_s - verdicts_s_ >= kVerdictsEvery_s;
     const std::size_t of_second = link_.question.take().value_or(session.show->fixtures.size());
     const bool explains_second = of_second < session.show->fixtures.size();
-    if (!explains_one && !explains_all && !explains_second) return;
+    if (!explains_one && !explains_hovered && !explains_all && !explains_second) return;
     const bake::DenormalsOff mode;
     const bake::Tracer& rays = rays_of();
     const scene::Stage& stage = rays.stage();
@@ -119,6 +122,10 @@ void RigNews::explain(const Question& question, const Session& session, const Li
     if (explains_one) {
         explained_s_ = now_s;
         link_.explained.put(explained(*question.fixture));
+    }
+    if (explains_hovered) {
+        hovered_s_ = now_s;
+        link_.hovered.put(explained(*question.hovered));
     }
     if (explains_second) link_.answer.put(explained(of_second));
     if (explains_all) {

@@ -23,6 +23,7 @@ public:
 
     struct Question {
         std::optional<std::size_t> fixture; // of the show
+        std::optional<std::size_t> hovered; // likewise
         bool all = false;
     };
     // rays_of: asked only where something is due.
@@ -32,7 +33,7 @@ public:
 
 private:
     ui::Link& link_;
-    double sent_s_ = 0, explained_s_ = 0, verdicts_s_ = 0;
+    double sent_s_ = 0, explained_s_ = 0, hovered_s_ = 0, verdicts_s_ = 0;
 };
 
 } // namespace ghost::app

@@ -51,6 +51,11 @@ public:
     // look_from need not; what is shown stays. False: stop ended it (GBuffer::draw), and the next one goes
     // on.
     bool prepare(const scene::Camera& camera, const std::function<bool()>& stop);
+    // Another G-buffer from there, with less detail; what is shown stays. False: stop ended it.
+    bool draw_beside(const scene::Camera& camera, render::GBuffer& into,
+                     const std::function<bool()>& stop) const {
+        return into.draw(model_, pose_of(camera, true), surroundings(), stop);
+    }
     // There is none of another size.
     void drop_parked() { parked_.reset(); }
     const scene::Camera& camera() const { return camera_; }

@@ -46,6 +46,7 @@ bool take_patch(Session& session, const scene::Show& edited, const Report& repor
         fixtures[i].shape = std::move(shape);
     }
     session.show->cues = edited.cues;
+    session.show->palettes = edited.palettes;
     const std::unique_ptr<scene::Rig> before = std::move(session.rig);
     session.rig = std::make_unique<scene::Rig>(*session.show);
     std::vector<std::optional<std::size_t>> same;

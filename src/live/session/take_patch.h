@@ -6,9 +6,9 @@
 
 namespace ghost::app {
 
-// True: the two differ at most in names, addresses and cues, and the session has those of the edited one,
-// with the messages of its report instead of the old ones. False: nothing was done; stage, shadows or
-// pictures have to follow, so the show must be opened anew. All but the fixtures must be the same.
+// True: the two differ at most in names, addresses, cues and palettes, and the session has those of the
+// edited one, with the messages of its report instead of the old ones. False: nothing was done; stage,
+// shadows or pictures have to follow, so the show must be opened anew. All but the fixtures must be the same.
 //
 // The rig goes on from where it was.
 bool take_patch(Session& session, const scene::Show& edited, const Report& report);

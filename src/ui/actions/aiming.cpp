@@ -5,6 +5,7 @@
 #include "show/camera_moves.h"
 #include "show/show.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/model/fan.h"
 
 #include <algorithm>
 #include <vector>
@@ -17,16 +18,13 @@ constexpr float kNear_deg = 0.01f; // a reach is held to that
 
 // Those that turn both ways, from left to right.
 std::vector<std::size_t> heads_of(const AppModel& app) {
-    std::vector<std::size_t> heads;
-    for (const std::size_t index : app.selection()) {
+    std::vector<std::size_t> heads = heads_in(HeadOrder::left_to_right, app);
+    std::erase_if(heads, [&](std::size_t index) {
         const scene::PatchedFixture& fixture = app.show()->fixtures[index];
-        if (!fixture.type || index >= app.rig().fixtures.size()) continue;
+        if (!fixture.type || index >= app.rig().fixtures.size()) return true;
         const fixture::Patch patch = fixture.patch();
-        if (fixture::reach_of(patch, fixture::Role::pan) && fixture::reach_of(patch, fixture::Role::tilt))
-            heads.push_back(index);
-    }
-    std::stable_sort(heads.begin(), heads.end(), [&](std::size_t a, std::size_t b) {
-        return app.rig().fixtures[a].light_m.x < app.rig().fixtures[b].light_m.x;
+        return !fixture::reach_of(patch, fixture::Role::pan) ||
+               !fixture::reach_of(patch, fixture::Role::tilt);
     });
     return heads;
 }

@@ -7,6 +7,7 @@
 #include "show/show.h"
 #include "stage/overrides.h"
 #include "ui/model/head_parameters.h"
+#include "ui/model/head_values.h"
 
 #include <QColor>
 
@@ -46,7 +47,6 @@ void add_number(Actions& actions, AppModel& app, const QString& name, Programmer
                  {}});
 }
 
-// By the name of GDTF or the words of the panel.
 Result<void> set_parameter_by_name(AppModel& app, const QStringList& words) {
     TRY_VOID(need_selection(app));
     std::optional<float> share;
@@ -54,20 +54,12 @@ Result<void> set_parameter_by_name(AppModel& app, const QStringList& words) {
         TRY(const double number, number_of(words, 1, "share", 0, 1));
         share = static_cast<float>(number);
     }
-    std::vector<std::string> names;
-    for (const HeadParameter& parameter : parameters_of(*app.show(), app.selection())) {
-        names.push_back(parameter.attribute);
-        if (words.value(0) != QString::fromStdString(parameter.attribute) && words.value(0) != parameter.name)
-            continue;
-        Look look = app.look();
-        for (const std::size_t index : app.selection())
-            set_parameter(app.show()->fixtures[index], parameter.attribute, share, look.fixtures[index]);
-        app.set_look(std::move(look), parameter.name.toLower());
-        return {};
-    }
-    return Error{"no selected fixture has '" + words.value(0).toStdString() + "'" +
-                     did_you_mean(words.value(0).toStdString(), names),
-                 ""};
+    TRY(const std::string attribute, attribute_named(app, words.value(0)));
+    Look look = app.look();
+    for (const std::size_t index : app.selection())
+        set_parameter(app.show()->fixtures[index], attribute, share, look.fixtures[index]);
+    app.set_look(std::move(look), words.value(0).toLower());
+    return {};
 }
 
 void add_fixture_actions(Actions& actions, AppModel& app) {
@@ -266,6 +258,18 @@ void add_scene_actions(Actions& actions, AppModel& app) {
 }
 
 } // namespace
+
+Result<std::string> attribute_named(const AppModel& app, const QString& words) {
+    std::vector<std::string> names;
+    for (const HeadParameter& parameter : parameters_of(*app.show(), app.selection())) {
+        if (words == QString::fromStdString(parameter.attribute) || words == parameter.name)
+            return parameter.attribute;
+        names.push_back(parameter.attribute);
+    }
+    return Error{"no selected fixture has '" + words.toStdString() + "'" +
+                     did_you_mean(words.toStdString(), names),
+                 ""};
+}
 
 glm::vec3 filter_from(const QColor& colour) {
     const auto linear = [](double encoded) { return image::srgb_to_linear(static_cast<float>(encoded)); };

@@ -24,6 +24,7 @@ enum class ProgrammerStep : int {
     scene,
     surface,
     samples,
+    fan = 20,             // and on: the words of head_words(), then any attribute
     first_parameter = 100 // and on: those of HeadParameter, by their place in the panel
 };
 
@@ -41,6 +42,9 @@ void change_scene(AppModel& app, const QString& text, ProgrammerStep kind, F&& f
     f(look.scene);
     app.set_look(std::move(look), text, static_cast<int>(kind));
 }
+
+// The attribute of that name, or of these words of the panel. Error: no selected fixture has it.
+Result<std::string> attribute_named(const AppModel& app, const QString& words);
 
 // Of the haze along a ray through one beam; nothing: as many as the program finds good.
 void change_samples(AppModel& app, std::optional<int> samples);

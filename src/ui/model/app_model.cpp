@@ -10,6 +10,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace ghost::ui {
@@ -121,6 +122,10 @@ void AppModel::read_news() {
         else
             cut_to(news->camera);
     }
+    if (auto news = link_.camera_pictures.take()) {
+        camera_pictures_ = std::move(*news);
+        Q_EMIT camera_pictures_came();
+    }
     if (auto news = link_.rig.take()) {
         rig_ = std::move(*news);
         Q_EMIT rig_came();
@@ -140,6 +145,10 @@ void AppModel::read_news() {
     if (auto news = link_.explained.take()) {
         explained_ = std::move(*news);
         Q_EMIT explanation_came();
+    }
+    if (auto news = link_.hovered.take(); news && request_.hovered == news->fixture) {
+        hovered_ = std::move(*news);
+        Q_EMIT hovered_came();
     }
     news_cost_ += std::chrono::steady_clock::now() - begin;
 }
@@ -164,14 +173,17 @@ void AppModel::take_opened(Opened opened) {
     waveform_.clear();
     flight_.stop();
     undo_.clear();
-    selection_.clear();
+    put_selection({});
     rig_ = opened_.show ? rig_at_home(*opened_.show) : RigNow{};
     explained_ = {};
+    hovered_.reset();
     verdicts_.clear();
+    camera_pictures_.clear();
     fader_.forget();
     look_ = request_.look = {};
     request_.explained.reset();
     request_.stops_bounce = false;
+    request_.hovered.reset();
     if (!opened_.again) {
         request_.transport = {};
         request_.recording.clear();
@@ -196,6 +208,16 @@ void AppModel::open(const std::string& show) {
 void AppModel::set_camera(const scene::Camera& camera) {
     flight_.stop();
     wish([&](ViewRequest& request) { request.camera = camera; });
+}
+
+std::optional<std::size_t> AppModel::stored_camera() const {
+    if (!show()) return std::nullopt;
+    const std::vector<scene::Camera>& cameras = show()->cameras;
+    const auto found = std::find_if(cameras.begin(), cameras.end(), [&](const scene::Camera& one) {
+        return one.position_m == request_.camera.position_m && one.target_m == request_.camera.target_m;
+    });
+    return found == cameras.end() ? std::nullopt
+                                  : std::optional(static_cast<std::size_t>(found - cameras.begin()));
 }
 
 void AppModel::cut_to(const scene::Camera& stored) {
@@ -301,7 +323,7 @@ void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show pre
                         std::set<std::size_t> selection) {
     opened_.show = std::make_shared<const scene::Show>(std::move(preview));
     opened_.is_edit = true;
-    selection_ = std::move(selection);
+    put_selection(std::move(selection));
     wish([&](ViewRequest& request) {
         request.text = std::move(text);
         request.look = look;
@@ -314,7 +336,7 @@ void AppModel::put_edit(std::shared_ptr<const std::string> text, scene::Show pre
 
 void AppModel::show_edit() {
     patch_ = scene::PatchMap(*show());
-    std::erase_if(selection_, [&](std::size_t index) { return index >= show()->fixtures.size(); });
+    put_selection(selection_);
     wish([&](ViewRequest& request) { request.explained = current(); });
     Q_EMIT opened_show();
     Q_EMIT selection_changed();
@@ -322,12 +344,33 @@ void AppModel::show_edit() {
 }
 
 void AppModel::select(std::set<std::size_t> fixtures) {
-    const std::size_t count = show() ? show()->fixtures.size() : 0;
-    std::erase_if(fixtures, [&](std::size_t index) { return index >= count; });
-    if (fixtures == selection_) return;
-    selection_ = std::move(fixtures);
+    const std::set<std::size_t> before = selection_;
+    put_selection(std::move(fixtures));
+    if (selection_ == before) return;
     wish([&](ViewRequest& request) { request.explained = current(); });
     Q_EMIT selection_changed();
+}
+
+void AppModel::select_in_order(std::vector<std::size_t> fixtures) {
+    selected_in_order_ = std::move(fixtures);
+    select({selected_in_order_.begin(), selected_in_order_.end()});
+}
+
+// Those that the show has.
+void AppModel::put_selection(std::set<std::size_t> fixtures) {
+    const std::size_t count = show() ? show()->fixtures.size() : 0;
+    std::erase_if(fixtures, [&](std::size_t index) { return index >= count; });
+    selection_ = std::move(fixtures);
+    std::erase_if(selected_in_order_, [&](std::size_t one) { return !selection_.contains(one); });
+    const std::set<std::size_t> known(selected_in_order_.begin(), selected_in_order_.end());
+    std::set_difference(selection_.begin(), selection_.end(), known.begin(), known.end(),
+                        std::back_inserter(selected_in_order_));
+}
+
+void AppModel::hover(std::optional<std::size_t> fixture) {
+    if (fixture == request_.hovered) return;
+    hovered_.reset();
+    wish([&](ViewRequest& request) { request.hovered = fixture; });
 }
 
 void AppModel::mark(std::optional<std::size_t> object) {
@@ -341,7 +384,7 @@ std::optional<std::size_t> AppModel::marked() const {
 }
 
 std::optional<std::size_t> AppModel::current() const {
-    return selection_.empty() ? std::nullopt : std::optional(*selection_.begin());
+    return selected_in_order_.empty() ? std::nullopt : std::optional(selected_in_order_.front());
 }
 
 void AppModel::send() {

@@ -37,6 +37,9 @@ public:
     std::vector<scene::Sentence> diagnosis() const { return scene::diagnose(network_, patch_); }
     const scene::PatchMap& patch() const { return patch_; }
     const Explained& explained() const { return explained_; }
+    // The fixture that the mouse rests on; nothing: none, or it comes.
+    const std::optional<Explained>& hovered() const { return hovered_; }
+    void hover(std::optional<std::size_t> fixture);
     // Of all fixtures; empty: nobody wants them, or they come. Some seconds old.
     const std::vector<Verdict>& verdicts() const { return verdicts_; }
     const std::vector<Message>& messages() const { return messages_; }
@@ -45,6 +48,7 @@ public:
     const std::vector<float>& waveform() const { return waveform_; } // of the recording; empty: not known
     const std::optional<Probed>& probed() const { return probed_; }  // of the place that is wished for
     const Recorded& recorded() const { return recorded_; }           // the last one
+    const std::vector<CameraPicture>& camera_pictures() const { return camera_pictures_; }
     std::uint64_t saved() const { return saved_; } // number of the picture that was saved last
     // Came from the network and may be taken; number 0: none yet.
     const ReceivedPlot& plot() const { return plot_; }
@@ -54,6 +58,8 @@ public:
     // As it is meant; while it fades, the request has one on the way there.
     const Look& look() const { return look_; }
     const scene::Camera& camera() const { return request_.camera; }
+    // The show's camera that stands there, by index; nothing: a free one.
+    std::optional<std::size_t> stored_camera() const;
     // Nothing happens where it is open or being opened; one that could not be is tried again.
     void open(const std::string& show);
     bool is_opening() const { return answered_opens_ < request_.opens; }
@@ -114,7 +120,10 @@ public:
 
     // Fixtures, by index of the show.
     const std::set<std::size_t>& selection() const { return selection_; }
+    // The same in the order in which they were selected; those that came at once, by the list.
+    const std::vector<std::size_t>& selected_in_order() const { return selected_in_order_; }
     void select(std::set<std::size_t> fixtures);
+    void select_in_order(std::vector<std::size_t> fixtures); // each once
     // An object of the stage that the picture shall point out; index into Opened::objects.
     void mark(std::optional<std::size_t> object);
     std::optional<std::size_t> marked() const;
@@ -134,6 +143,7 @@ Q_SIGNALS:
     void rig_came();
     void network_came();
     void explanation_came();
+    void hovered_came();
     void verdicts_came();
     void messages_came();
     void activity_came();
@@ -144,6 +154,7 @@ Q_SIGNALS:
     void recording_ended();
     void picture_saved(const QString& error); // empty: it is there
     void plot_came();
+    void camera_pictures_came();
     void wishes_changed();
     void look_changed();
     void selection_changed();
@@ -159,6 +170,7 @@ private:
     void show_look();
     void send_size();
     void put_camera(const scene::Camera& camera, const glm::ivec2& frame);
+    void put_selection(std::set<std::size_t> fixtures);
     void send();
 
     Link& link_;
@@ -173,11 +185,13 @@ private:
     std::chrono::nanoseconds news_cost_{0}; // since the last picture was painted
     QSize view_size_, second_size_;
     Explained explained_;
+    std::optional<Explained> hovered_;
     std::vector<Verdict> verdicts_;
     std::vector<Message> messages_;
     std::string activity_;
     BounceNow bounce_;
     ReceivedPlot plot_;
+    std::vector<CameraPicture> camera_pictures_;
     std::optional<Probed> probed_;
     Picked picked_;
     std::vector<float> waveform_;
@@ -189,6 +203,7 @@ private:
     std::optional<Error> open_error_;
     std::uint64_t settled_ = 0;
     std::set<std::size_t> selection_;
+    std::vector<std::size_t> selected_in_order_;
     std::optional<std::size_t> marked_;
     QUndoStack undo_;
     Jobs jobs_;

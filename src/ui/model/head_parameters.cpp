@@ -142,17 +142,6 @@ QString words_of(const std::string& attribute) {
     return QString(name).replace(kParts, "\\1\\3 \\2\\4").replace('_', ' ').replace("Color", "Colour");
 }
 
-std::string attribute_of(const Channel& channel) {
-    return channel.logical.empty() ? channel.name : channel.logical.front().attribute;
-}
-
-// Of the first function that a picture shows.
-Role role_of(const Channel& channel) {
-    for (const ChannelFunction& function : channel.functions)
-        if (function.meaning.role != Role::none) return function.meaning.role;
-    return Role::none;
-}
-
 float share_of(const Channel& channel, std::uint32_t raw) {
     return static_cast<float>(static_cast<double>(raw) / std::max(static_cast<double>(channel.max), 1.0));
 }
@@ -232,6 +221,20 @@ QString meaning_of(const Channel& channel, std::uint32_t raw) {
 
 } // namespace
 
+std::string attribute_of(const Channel& channel) {
+    return channel.logical.empty() ? channel.name : channel.logical.front().attribute;
+}
+
+Role role_of(const Channel& channel) {
+    for (const ChannelFunction& function : channel.functions)
+        if (function.meaning.role != Role::none) return function.meaning.role;
+    return Role::none;
+}
+
+QString group_of(const Channel& channel) {
+    return group_of(role_of(channel));
+}
+
 std::vector<HeadParameter> parameters_of(const scene::Show& show, const std::set<std::size_t>& selection) {
     std::vector<HeadParameter> parameters;
     std::set<std::string> known;
@@ -275,22 +278,6 @@ std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture
         values[i] = {share_of(*found, raw), is_by_hand, meaning_of(*found, raw)};
     }
     return values;
-}
-
-void set_parameter(const scene::PatchedFixture& fixture, const std::string& attribute,
-                   std::optional<float> share, fixture::Programmer& programmer) {
-    if (!fixture.type) return;
-    const fixture::Patch patch = fixture.patch();
-    for (const Channel& channel : patch.mode_of().channels) {
-        if (attribute_of(channel) != attribute) continue;
-        const QString group = group_of(role_of(channel));
-        if (share && group == "Colour") programmer.colour.reset();
-        if (share && group == "Gobo") programmer.gobo.reset();
-        if (share)
-            programmer.channels[channel.name] = *share;
-        else
-            programmer.channels.erase(channel.name);
-    }
 }
 
 } // namespace ghost::ui

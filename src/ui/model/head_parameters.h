@@ -49,9 +49,10 @@ std::vector<std::optional<ParameterValue>> values_of(const scene::PatchedFixture
                                                      const fixture::Programmer& programmer,
                                                      const fixture::Levels& levels,
                                                      const std::vector<HeadParameter>& parameters);
-// All channels of that attribute; share nothing: given back. Who asks for a colour channel gives a colour by
-// hand back, which would win over it.
-void set_parameter(const scene::PatchedFixture& fixture, const std::string& attribute,
-                   std::optional<float> share, fixture::Programmer& programmer);
+
+// What a channel is called by, what the first of its functions that a picture shows does, and its group.
+std::string attribute_of(const fixture::Channel& channel);
+fixture::Role role_of(const fixture::Channel& channel);
+QString group_of(const fixture::Channel& channel);
 
 } // namespace ghost::ui

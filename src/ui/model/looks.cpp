@@ -3,6 +3,7 @@
 
 #include "disk/files.h"
 #include "show/show.h"
+#include "ui/model/head_values.h"
 
 #include <QFile>
 
@@ -133,7 +134,7 @@ Result<void> Looks::edit(const QString& what, List after) {
 }
 
 Result<void> Looks::put_in(scene::StoredLook look) {
-    TRY_VOID(scene::check_look_name(look.name));
+    TRY_VOID(scene::check_stored_name("look", look.name));
     List after = looks_;
     const auto same =
         std::find_if(after.begin(), after.end(), [&](const auto& one) { return one.name == look.name; });
@@ -168,9 +169,7 @@ Result<void> Looks::store_as_it_shines(const std::string& name) {
     scene::StoredLook look;
     look.name = name;
     look.scene = app_.look().scene;
-    fixture::Levels levels;
-    const dmx::Universes& universes = app_.rig().universes;
-    for (const dmx::Universe& universe : universes.list) levels.set(universe.number, *universe.levels);
+    const fixture::Levels levels = levels_of(app_.rig().universes);
     const std::set<std::size_t>& chosen = app_.selection();
     for (std::size_t i = 0; i < app_.show()->fixtures.size(); ++i) {
         const scene::PatchedFixture& fixture = app_.show()->fixtures[i];
@@ -207,7 +206,7 @@ Result<void> Looks::step(int by) {
 }
 
 Result<void> Looks::rename(const std::string& name, const std::string& to) {
-    TRY_VOID(scene::check_look_name(to));
+    TRY_VOID(scene::check_stored_name("look", to));
     TRY(const std::size_t index, scene::find_look(looks_, name));
     if (name != to && scene::find_look(looks_, to).ok())
         return Error{"another look is called '" + to + "'", ""};

@@ -156,6 +156,21 @@ QPushButton* CuePanel::add_button(const QString& text, const QString& tip, std::
     return button;
 }
 
+void CuePanel::fill_menu(QMenu& menu) {
+    if (table_->currentRow() < 0) return;
+    const auto add = [&](const QString& text, const QString& line, bool can = true) {
+        QAction* const item = menu.addAction(text);
+        item->setEnabled(can);
+        connect(item, &QAction::triggered, this, [this, line] { actions_.choose(line); });
+    };
+    add("Go to this", "cue " + chosen());
+    menu.addSeparator();
+    add("Up", "cue-move " + chosen() + " up", up_->isEnabled());
+    add("Down", "cue-move " + chosen() + " down", down_->isEnabled());
+    menu.addSeparator();
+    add("Remove", "cue-remove " + chosen());
+}
+
 QString CuePanel::chosen() const {
     return table_->currentRow() < 0 ? QString("\"\"") : QString::number(table_->currentRow() + 1);
 }

@@ -6,6 +6,7 @@
 #include "ui/actions/cue_list.h"
 
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTimer>
@@ -17,6 +18,10 @@ class CuePanel : public QWidget {
     Q_OBJECT
 public:
     CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions, QWidget* parent);
+
+    QTableWidget* table() { return table_; }
+    // What the right button brings up over the table.
+    void fill_menu(QMenu& menu);
 
 private:
     QPushButton* add_button(const QString& text, const QString& tip, std::function<QString()> line);

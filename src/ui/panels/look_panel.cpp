@@ -111,6 +111,21 @@ void LookPanel::add_what_if(QLayout* layout) {
         layout->addWidget(widget);
 }
 
+void LookPanel::fill_menu(QMenu& menu) {
+    if (chosen().isEmpty()) return;
+    const auto add = [&](const QString& text, std::function<void()> done) {
+        connect(menu.addAction(text), &QAction::triggered, this, std::move(done));
+    };
+    const QString name = quoted(chosen());
+    add("Recall", [this, name] { run("look-recall " + name); });
+    add("Add as a cue", [this, name] { run("cue-add \"\" " + name); });
+    menu.addSeparator();
+    add("Rename", [this] { list_->editItem(list_->currentItem()); });
+    add("Update with what hands set", [this, name] { run("look-store " + name); });
+    menu.addSeparator();
+    add("Remove", [this, name] { run("look-remove " + name); });
+}
+
 void LookPanel::run(const QString& line) {
     actions_.choose(line);
     refresh();

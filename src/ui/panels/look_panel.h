@@ -12,6 +12,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QWidget>
 
@@ -22,6 +23,10 @@ class LookPanel : public QWidget {
 public:
     // Buttons run actions, so that what goes wrong is said where it is for keys.
     LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* parent);
+
+    QListWidget* list() { return list_; }
+    // What the right button brings up over the list.
+    void fill_menu(QMenu& menu);
 
 private:
     QPushButton* add_button(const QString& text, const QString& tip, std::function<QString()> line);

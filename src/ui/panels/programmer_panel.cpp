@@ -3,6 +3,7 @@
 
 #include "show/show.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/model/head_values.h"
 
 #include <QAbstractItemView>
 #include <QFormLayout>
@@ -26,19 +27,20 @@ ValueRange range_of(const fixture::AxisRange& reach) {
 
 } // namespace
 
-ProgrammerPanel::ProgrammerPanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
+ProgrammerPanel::ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& actions, QWidget* parent)
+    : QWidget(parent), app_(app) {
     title_ = new QLabel(this);
     title_->setWordWrap(true);
     auto* const inside = new QWidget(this);
     column_ = new QVBoxLayout(inside);
     column_->setContentsMargins(0, 0, 2, 0);
     add_row("Intensity", {0, 100, 0, " %"}, static_cast<int>(ProgrammerStep::intensity),
-            &fixture::Programmer::intensity, &FixtureNow::dimmer, 0.01);
-    zoom_ = add_row("Zoom", range_of(kZoom), static_cast<int>(ProgrammerStep::zoom),
+            fixture::Role::dimmer, &fixture::Programmer::intensity, &FixtureNow::dimmer, 0.01);
+    zoom_ = add_row("Zoom", range_of(kZoom), static_cast<int>(ProgrammerStep::zoom), fixture::Role::zoom,
                     &fixture::Programmer::zoom_deg, &FixtureNow::zoom_deg, 1);
-    pan_ = add_row("Pan", range_of(kPan), static_cast<int>(ProgrammerStep::pan),
+    pan_ = add_row("Pan", range_of(kPan), static_cast<int>(ProgrammerStep::pan), fixture::Role::pan,
                    &fixture::Programmer::pan_deg, &FixtureNow::pan_deg, 1);
-    tilt_ = add_row("Tilt", range_of(kTilt), static_cast<int>(ProgrammerStep::tilt),
+    tilt_ = add_row("Tilt", range_of(kTilt), static_cast<int>(ProgrammerStep::tilt), fixture::Role::tilt,
                     &fixture::Programmer::tilt_deg, &FixtureNow::tilt_deg, 1);
     colour_ = new ColourRow("Colour", this);
     column_->addWidget(colour_);
@@ -60,6 +62,9 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, QWidget* parent) : QWidget(paren
                 programmer.gobo = index - 1;
         });
     });
+    hold_ = new QPushButton("Hold (H)", this);
+    hold_->setToolTip("What the desk asks of the selected fixtures stays, whatever it sends then");
+    connect(hold_, &QPushButton::clicked, this, [&actions] { actions.choose("hold"); });
     release_ = new QPushButton("Give all back (R)", this);
     connect(release_, &QPushButton::clicked, this, [this] {
         change_selected(app_, "release", ProgrammerStep::step,
@@ -68,6 +73,10 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, QWidget* parent) : QWidget(paren
     auto* form = new QFormLayout;
     form->addRow("Gobo", gobo_);
     column_->addLayout(form);
+    palettes_ = new PaletteBox(app_, palettes, actions, this);
+    column_->addWidget(palettes_);
+    fan_ = new FanBox(app_, actions, this);
+    column_->addWidget(fan_);
     column_->addStretch(1);
     auto* scroll = new QScrollArea(this);
     scroll->setWidget(inside);
@@ -78,7 +87,10 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, QWidget* parent) : QWidget(paren
     layout->setContentsMargins(6, 6, 4, 6);
     layout->addWidget(title_);
     layout->addWidget(scroll, 1);
-    layout->addWidget(release_);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(hold_);
+    buttons->addWidget(release_, 1);
+    layout->addLayout(buttons);
     parameter_timer_.setSingleShot(true);
     parameter_timer_.setInterval(kParametersEvery_ms);
     connect(&parameter_timer_, &QTimer::timeout, this, &ProgrammerPanel::refresh_parameters);
@@ -93,7 +105,7 @@ ProgrammerPanel::ProgrammerPanel(AppModel& app, QWidget* parent) : QWidget(paren
     refresh();
 }
 
-ValueRow* ProgrammerPanel::add_row(const QString& name, const ValueRange& range, int kind,
+ValueRow* ProgrammerPanel::add_row(const QString& name, const ValueRange& range, int kind, fixture::Role role,
                                    std::optional<float> fixture::Programmer::*value, float FixtureNow::*now,
                                    double per_unit) {
     auto* row = new ValueRow(name, range, this);
@@ -104,17 +116,28 @@ ValueRow* ProgrammerPanel::add_row(const QString& name, const ValueRange& range,
                             programmer.*value = static_cast<float>(number * per_unit);
                         });
     };
-    row->on_release = [this, name, value] {
-        change_selected(app_, "release " + name.toLower(), ProgrammerStep::step,
-                        [&](fixture::Programmer& programmer) { (programmer.*value).reset(); });
+    row->on_release = [this, name, role, value] {
+        Look look = app_.look();
+        for (const std::size_t index : app_.selection()) {
+            (look.fixtures[index].*value).reset();
+            give_back(app_.show()->fixtures[index], role, look.fixtures[index]);
+        }
+        app_.set_look(std::move(look), "release " + name.toLower());
     };
-    rows_.push_back({row, value, now, per_unit});
+    rows_.push_back({row, role, value, now, per_unit});
     return row;
 }
 
 fixture::Programmer ProgrammerPanel::programmer_of(std::size_t fixture) const {
     const auto found = app_.look().fixtures.find(fixture);
     return found == app_.look().fixtures.end() ? fixture::Programmer{} : found->second;
+}
+
+bool ProgrammerPanel::is_by_hand(const Row& row, std::size_t fixture) const {
+    const auto found = app_.look().fixtures.find(fixture);
+    return found != app_.look().fixtures.end() &&
+           ((found->second.*row.value).has_value() ||
+            holds(app_.show()->fixtures[fixture], row.role, found->second));
 }
 
 // As far as any of the selected goes.
@@ -164,6 +187,7 @@ void ProgrammerPanel::make_parameters() {
                                  });
     if (same && parameter_box_) return;
     parameters_ = std::move(parameters);
+    fan_->set_parameters(parameters_);
     parameter_rows_.clear();
     delete parameter_box_;
     parameter_box_ = new QWidget(this);
@@ -207,7 +231,8 @@ void ProgrammerPanel::refresh() {
     const auto current = app_.current();
     const bool any = app_.show() && current && *current < app_.rig().fixtures.size();
     for (const Row& row : rows_) row.row->setEnabled(any);
-    for (QWidget* one : std::initializer_list<QWidget*>{colour_, gobo_, release_}) one->setEnabled(any);
+    for (QWidget* one : std::initializer_list<QWidget*>{colour_, gobo_, hold_, release_})
+        one->setEnabled(any);
     if (!any) {
         title_->setText("Select fixtures to light the scene by hand, with or without a desk.");
         for (const Row& row : rows_) row.row->show_value(0, false);
@@ -226,7 +251,7 @@ void ProgrammerPanel::refresh() {
         bool by_hand = false, mixed = false;
         for (const std::size_t index : app_.selection()) {
             if (index >= now.size()) continue;
-            by_hand = by_hand || (programmer_of(index).*row.value).has_value();
+            by_hand = by_hand || is_by_hand(row, index);
             mixed = mixed || std::abs(shown(index) - shown(*current)) > kSame;
         }
         row.row->show_value(shown(*current), by_hand, mixed);
@@ -247,9 +272,7 @@ void ProgrammerPanel::refresh() {
 
 void ProgrammerPanel::refresh_parameters() {
     if (!app_.show() || parameters_.empty()) return;
-    fixture::Levels levels;
-    for (const dmx::Universe& universe : app_.rig().universes.list)
-        levels.set(universe.number, *universe.levels);
+    const fixture::Levels levels = levels_of(app_.rig().universes);
     std::vector<std::optional<ParameterValue>> shown(parameters_.size());
     std::vector<bool> mixed(parameters_.size(), false);
     for (const std::size_t index : app_.selection()) {

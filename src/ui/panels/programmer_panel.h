@@ -1,11 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // ProgrammerPanel: the selected fixtures under the hand, beside DMX: intensity, colour, zoom, pan, tilt,
-// gobo, and all other parameters of their heads. What is moved is set for all of them; what is not moved
-// stays the desk's. Where they differ it says so. Window thread.
+// gobo, palettes, and all other parameters of their heads. What is moved is set for all of them; what is not
+// moved stays the desk's. Where they differ it says so. Window thread.
 
 #include "ui/model/app_model.h"
 #include "ui/model/head_parameters.h"
+#include "ui/panels/fan_box.h"
+#include "ui/panels/palette_box.h"
 #include "ui/widgets/colour_row.h"
 #include "ui/widgets/parameter_row.h"
 #include "ui/widgets/value_row.h"
@@ -22,18 +24,21 @@ namespace ghost::ui {
 class ProgrammerPanel : public QWidget {
     Q_OBJECT
 public:
-    ProgrammerPanel(AppModel& app, QWidget* parent);
+    ProgrammerPanel(AppModel& app, PaletteList& palettes, Actions& actions, QWidget* parent);
+    PaletteBox& palettes() { return *palettes_; }
 
 private:
     struct Row {
         ValueRow* row;
+        fixture::Role role;
         std::optional<float> fixture::Programmer::*value;
         float FixtureNow::*now;
         double per_unit; // of the row's number: 0.01 for percent
     };
-    ValueRow* add_row(const QString& name, const ValueRange& range, int kind,
+    ValueRow* add_row(const QString& name, const ValueRange& range, int kind, fixture::Role role,
                       std::optional<float> fixture::Programmer::*value, float FixtureNow::*now,
                       double per_unit);
+    bool is_by_hand(const Row& row, std::size_t fixture) const;
     void refresh();
     void refresh_parameters();
     void set_reach(ValueRow& row, fixture::Role role, const fixture::AxisRange& otherwise);
@@ -48,7 +53,9 @@ private:
     ValueRow *zoom_, *pan_, *tilt_;
     ColourRow* colour_;
     QComboBox* gobo_;
-    QPushButton* release_;
+    PaletteBox* palettes_;
+    FanBox* fan_;
+    QPushButton *hold_, *release_;
     QWidget* parameter_box_ = nullptr;
     std::vector<HeadParameter> parameters_;
     std::vector<ParameterRow*> parameter_rows_;

@@ -31,11 +31,26 @@ QString address_of(const scene::PatchedFixture& fixture) {
                                : QString("no address");
 }
 
+// Lines that are no longer than a person reads at a glance, but for single long words.
+QStringList wrapped(const QString& words) {
+    constexpr int kLetters = 48;
+    QStringList lines{QString()};
+    for (const QString& word : words.split(' ', Qt::SkipEmptyParts)) {
+        QString& line = lines.back();
+        if (!line.isEmpty() && line.size() + 1 + word.size() > kLetters)
+            lines << word;
+        else
+            line += (line.isEmpty() ? "" : " ") + word;
+    }
+    return lines;
+}
+
 // What there is to be known of a fixture at a glance.
-QStringList words_about(const scene::PatchedFixture& fixture, const FixtureNow& now) {
+QStringList words_about(const scene::PatchedFixture& fixture, const FixtureNow& now, const QString& why) {
     QStringList lines{QString::fromStdString(fixture.name)};
     const QString type = fixture.type ? QString::fromStdString(fixture.type->name) : QString("no type");
     lines << type + ", " + address_of(fixture);
+    if (!why.isEmpty()) return lines + wrapped(why);
     lines << (now.candela > 0 ? QString("%1 cd").arg(static_cast<double>(now.candela), 0, 'f', 0)
                               : QString("dark"));
     return lines;
@@ -154,7 +169,7 @@ std::set<std::size_t> fixtures_in(const QRectF& picture, const scene::Camera& ca
 }
 
 void paint_fixtures(QPainter& painter, const SeenHeads& heads, const scene::Show& show,
-                    std::optional<std::size_t> hovered, const OverlayChoice& choice) {
+                    const Hovered& hovered, const OverlayChoice& choice) {
     const auto& [picture, camera, rig, selection] = heads;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -170,16 +185,16 @@ void paint_fixtures(QPainter& painter, const SeenHeads& heads, const scene::Show
         if (choice.aims || (selected && names_selection)) paint_aim(painter, picture, camera, now, selected);
         if (selected && choice.marks)
             paint_ring(painter, *lamp, accent());
-        else if (hovered == i)
+        else if (hovered.fixture == i)
             paint_ring(painter, *lamp, QColor(225, 225, 225));
         QStringList lines;
-        if (hovered == i)
-            lines = words_about(show.fixtures[i], now);
+        if (hovered.fixture == i)
+            lines = words_about(show.fixtures[i], now, hovered.why);
         else if (choice.names || (selected && names_selection))
             lines << QString::fromStdString(show.fixtures[i].name);
-        if (choice.addresses && hovered != i) lines << address_of(show.fixtures[i]);
+        if (choice.addresses && hovered.fixture != i) lines << address_of(show.fixtures[i]);
         if (lines.isEmpty()) continue;
-        const int rank = hovered == i ? 0 : selected ? 1 : 2;
+        const int rank = hovered.fixture == i ? 0 : selected ? 1 : 2;
         marked.push_back({rank, glm::distance(now.light_m, camera.position_m), *lamp, lines,
                           selected ? accent() : QColor(225, 225, 225)});
     }

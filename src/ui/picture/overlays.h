@@ -42,6 +42,11 @@ std::optional<std::size_t> fixture_at(const QRectF& picture, const scene::Camera
 std::set<std::size_t> fixtures_in(const QRectF& picture, const scene::Camera& camera, const RigNow& rig,
                                   const QRectF& box);
 
+// What the mouse points at, and why it shines or not; empty: that comes.
+struct Hovered {
+    std::optional<std::size_t> fixture;
+    QString why;
+};
 // The heads as they are seen, wherever the picture lies in the widget.
 struct SeenHeads {
     const QRectF& picture;
@@ -49,9 +54,9 @@ struct SeenHeads {
     const RigNow& rig;
     const std::set<std::size_t>& selection;
 };
-// Labels do not lie on each other; hovered: what the mouse points at, with more words.
+// Labels do not lie on each other; what is hovered has more words.
 void paint_fixtures(QPainter& painter, const SeenHeads& heads, const scene::Show& show,
-                    std::optional<std::size_t> hovered, const OverlayChoice& choice);
+                    const Hovered& hovered, const OverlayChoice& choice);
 // Where the selection would go, with words beside the mouse.
 void paint_moved(QPainter& painter, const SeenHeads& heads, const glm::vec3& by_m, const QPointF& mouse,
                  const QString& words);

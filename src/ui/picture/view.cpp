@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kRest_ms = 150; // of a window that is being resized
 constexpr int kFly_ms = 16;
+constexpr int kHover_ms = 150; // a mouse that only passes asks nothing
 constexpr float kFly_m_s = 4;
 constexpr float kFastFly = 4;
 
@@ -76,13 +77,17 @@ View::View(AppModel& app, QWidget* parent) : QWidget(parent), app_(app), figures
             update();
     });
     connect(&app_, &AppModel::picked_came, this, &View::select_picked);
+    hover_timer_.setSingleShot(true);
+    hover_timer_.setInterval(kHover_ms);
+    connect(&hover_timer_, &QTimer::timeout, this, [this] { app_.hover(hovered_); });
     connect(&app_, &AppModel::opened_show, this, [this] {
-        hovered_.reset();
+        set_hovered(std::nullopt);
         if (!app_.opened().is_edit && !app_.opened().again) wipe_.end();
         if (drag_ == Drag::lamp) drag_ = Drag::none;
     });
-    for (const auto signal : {&AppModel::selection_changed, &AppModel::marked_changed,
-                              &AppModel::activity_came, &AppModel::opened_show, &AppModel::probe_came})
+    for (const auto signal :
+         {&AppModel::selection_changed, &AppModel::marked_changed, &AppModel::activity_came,
+          &AppModel::opened_show, &AppModel::probe_came, &AppModel::hovered_came})
         connect(&app_, signal, this, qOverload<>(&QWidget::update));
 }
 
@@ -127,7 +132,7 @@ void View::paintEvent(QPaintEvent*) {
     wipe_.paint(painter, size());
     if (overlays.frame) paint_frame(painter, place, frame_rect(size(), app_.request().frame));
     const SeenHeads heads{place, picture.camera, app_.rig(), app_.selection()};
-    paint_fixtures(painter, heads, *app_.show(), hovered_, overlays);
+    paint_fixtures(painter, heads, *app_.show(), {hovered_, why_hovered()}, overlays);
     if (drag_ == Drag::lamp) paint_moved(painter, heads, moved_by_m_, drag_at_, lamp_->words(moved_by_m_));
     if (const auto object = app_.marked(); object && overlays.marks)
         paint_object(painter, place, picture.camera, app_.opened().objects[*object]);

@@ -66,6 +66,8 @@ private:
     Drag drag_of_left(Qt::KeyboardModifiers keys);
     void drag_lamp(bool upright);
     void hover_at(const QPointF& place);
+    void set_hovered(std::optional<std::size_t> fixture);
+    QString why_hovered() const;
     void click(const QPointF& place, Qt::KeyboardModifiers keys);
     void select_one(std::size_t fixture, bool adds);
     void select_picked();
@@ -79,6 +81,7 @@ private:
     std::optional<LampDrag> lamp_; // that is dragged
     glm::vec3 moved_by_m_{0};
     std::optional<std::size_t> hovered_; // fixture
+    QTimer hover_timer_;                 // until the mouse rests on it
     std::uint64_t picked_ = 0;           // number of the pick that a click waits for; 0: none
     bool adds_picked_ = false;
     QSet<int> held_; // keys that fly

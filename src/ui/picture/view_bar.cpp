@@ -35,6 +35,9 @@ ViewBar::ViewBar(AppModel& app, Actions& actions, QWidget* parent)
     tone_->setAccessibleName("Tone curve");
     tone_->setToolTip("Tone curve (T)");
     tone_->addItems({"AgX", "ACES", "no curve"});
+    auto* strip = new QToolButton(this);
+    strip->setDefaultAction(actions.item("camera-strip"));
+    strip->setText("Strip");
     auto* work_light = new QToolButton(this);
     work_light->setDefaultAction(actions.item("work-light"));
     work_light->setText("Work light");
@@ -42,16 +45,17 @@ ViewBar::ViewBar(AppModel& app, Actions& actions, QWidget* parent)
     layout->setContentsMargins(0, 0, 4, 0);
     layout->setSpacing(4);
     for (QWidget* const one :
-         std::initializer_list<QWidget*>{camera_, exposure_, automatic_, tone_, work_light}) {
+         std::initializer_list<QWidget*>{camera_, strip, exposure_, automatic_, tone_, work_light}) {
         one->setFocusPolicy(one == exposure_ ? Qt::ClickFocus : Qt::NoFocus);
         layout->addWidget(one);
     }
     // The words of the menu are longer.
-    const auto keep_words = [this, work_light] {
+    const auto keep_words = [this, strip, work_light] {
+        strip->setText("Strip");
         automatic_->setText("Auto");
         work_light->setText("Work light");
     };
-    for (QToolButton* const button : {automatic_, work_light})
+    for (QToolButton* const button : {strip, automatic_, work_light})
         connect(button->defaultAction(), &QAction::changed, this, keep_words);
     connect(camera_, &QComboBox::activated, this,
             [&actions](int index) { actions.choose(QString("camera %1").arg(index + 1)); });
@@ -84,11 +88,8 @@ void ViewBar::refresh() {
     if (!app_.show() || follows_) return;
     const Following following(follows_);
     const scene::Camera& now = app_.camera();
-    int index = -1;
-    const std::vector<scene::Camera>& cameras = app_.show()->cameras;
-    for (std::size_t i = 0; i < cameras.size() && index < 0; ++i)
-        if (cameras[i].position_m == now.position_m && cameras[i].target_m == now.target_m)
-            index = static_cast<int>(i);
+    const std::optional<std::size_t> stored = app_.stored_camera();
+    const int index = stored ? static_cast<int>(*stored) : -1;
     if (camera_->currentIndex() != index) camera_->setCurrentIndex(index);
     const double ev = static_cast<double>(now.auto_exposure ? app_.picture().ev100 : now.ev100);
     if (!exposure_->hasFocus() && std::abs(exposure_->value() - ev) > 0.04) exposure_->setValue(ev);

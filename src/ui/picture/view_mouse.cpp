@@ -63,7 +63,7 @@ void View::mouseMoveEvent(QMouseEvent* event) {
     const QPointF moved = event->position() - drag_at_;
     if (drag_ == Drag::undecided && QLineF(drag_from_, event->position()).length() > kClick_px)
         drag_ = drag_of_left(event->modifiers());
-    if (drag_ != Drag::none) hovered_.reset();
+    if (drag_ != Drag::none) set_hovered(std::nullopt);
     if (drag_ == Drag::none) {
         if (overlays.probe) probe_at(event->position());
         hover_at(event->position());
@@ -99,11 +99,27 @@ void View::hover_at(const QPointF& place) {
     setCursor(wipe_.is_near(size(), place.x()) ? Qt::SplitHCursor
               : moves                          ? Qt::SizeAllCursor
                                                : Qt::ArrowCursor);
-    if (hit != std::exchange(hovered_, hit)) update();
+    set_hovered(hit);
+}
+
+void View::set_hovered(std::optional<std::size_t> fixture) {
+    if (fixture == std::exchange(hovered_, fixture)) return;
+    app_.hover(std::nullopt);
+    if (fixture)
+        hover_timer_.start();
+    else
+        hover_timer_.stop();
+    update();
+}
+
+QString View::why_hovered() const {
+    const std::optional<Explained>& explained = app_.hovered();
+    if (!explained || explained->fixture != hovered_) return QString();
+    return QString::fromStdString(explained->explanation.verdict);
 }
 
 void View::leaveEvent(QEvent*) {
-    if (std::exchange(hovered_, std::nullopt)) update();
+    set_hovered(std::nullopt);
 }
 
 void View::probe_at(const QPointF& place) {

@@ -4,26 +4,31 @@
 #include "show/show.h"
 #include "ui/picture/overlays.h"
 
-#include <QAbstractItemView>
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QMouseEvent>
 
 #include <algorithm>
+#include <utility>
 
 namespace ghost::ui {
 
 ContextMenus::ContextMenus(Menus& menus, AppModel& app, QWidget* view)
-    : QObject(view), menus_(menus), app_(app), view_(view) {
+    : QObject(view), app_(app), view_(view),
+      fill_for_fixtures_([&menus](QMenu& menu) { menus.fill_for_fixtures(menu); }) {
     view->installEventFilter(this);
 }
 
-void ContextMenus::serve(QWidget* list) {
+void ContextMenus::serve(QAbstractItemView* list, std::function<void(QMenu&)> fill) {
     list->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(list, &QWidget::customContextMenuRequested, this, [this, list](const QPoint& at) {
-        auto* const table = qobject_cast<QAbstractItemView*>(list);
-        pop_up(list, (table ? table->viewport() : list)->mapToGlobal(at));
-    });
+    connect(list, &QWidget::customContextMenuRequested, this,
+            [list, fill = std::move(fill)](const QPoint& at) {
+                pop_up(list, list->viewport()->mapToGlobal(at), fill);
+            });
+}
+
+void ContextMenus::serve_fixtures(QAbstractItemView* list) {
+    serve(list, fill_for_fixtures_);
 }
 
 // The right button also looks around: only where it stayed is a menu meant.
@@ -32,7 +37,7 @@ bool ContextMenus::eventFilter(QObject* object, QEvent* event) {
     if (event->type() == QEvent::ContextMenu) {
         const auto* const asked = static_cast<QContextMenuEvent*>(event);
         if (asked->reason() != QContextMenuEvent::Keyboard) return false;
-        pop_up(view_, view_->mapToGlobal(view_->rect().center()));
+        pop_up(view_, view_->mapToGlobal(view_->rect().center()), fill_for_fixtures_);
         return true;
     }
     if (event->type() != QEvent::MouseButtonPress && event->type() != QEvent::MouseButtonRelease)
@@ -52,16 +57,19 @@ bool ContextMenus::eventFilter(QObject* object, QEvent* event) {
     if (lamp && !app_.selection().contains(*lamp)) app_.select({*lamp});
     // After the view has ended its drag.
     QMetaObject::invokeMethod(
-        this, [this, on_screen] { pop_up(view_, on_screen); }, Qt::QueuedConnection);
+        this, [this, on_screen] { pop_up(view_, on_screen, fill_for_fixtures_); }, Qt::QueuedConnection);
     return false;
 }
 
-void ContextMenus::pop_up(QWidget* over, const QPoint& at) {
+void ContextMenus::pop_up(QWidget* over, const QPoint& at, const std::function<void(QMenu&)>& fill) {
     auto* menu = new QMenu(over);
     menu->setObjectName("context");
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    menus_.fill_for_fixtures(*menu);
-    menu->popup(at);
+    fill(*menu);
+    if (menu->isEmpty())
+        delete menu;
+    else
+        menu->popup(at);
 }
 
 void add_selection_actions(Actions& actions, AppModel& app) {

@@ -1,13 +1,17 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // ContextMenus: what the right button brings up: over the picture where it was not dragged, over the list of
-// fixtures and of looks. All of it are actions of the one table. Window thread.
+// fixtures, and over the lists of looks, palettes and cues. All of it are actions of the one table. Window
+// thread.
 
 #include "ui/window/menus.h"
 
+#include <QAbstractItemView>
 #include <QPoint>
 #include <QPointer>
 #include <QWidget>
+
+#include <functional>
 
 namespace ghost::ui {
 
@@ -15,18 +19,21 @@ class ContextMenus : public QObject {
     Q_OBJECT
 public:
     ContextMenus(Menus& menus, AppModel& app, QWidget* view);
-    // A table or list whose selection is that of the model.
-    void serve(QWidget* list);
+    // A table or list; fill gets the menu once the row under the mouse is the current one; where it leaves
+    // it empty none comes up.
+    void serve(QAbstractItemView* list, std::function<void(QMenu&)> fill);
+    // One whose selection is that of the model.
+    void serve_fixtures(QAbstractItemView* list);
 
 protected:
     bool eventFilter(QObject* object, QEvent* event) override;
 
 private:
-    void pop_up(QWidget* over, const QPoint& at);
+    static void pop_up(QWidget* over, const QPoint& at, const std::function<void(QMenu&)>& fill);
 
-    Menus& menus_;
     AppModel& app_;
     QWidget* view_;
+    std::function<void(QMenu&)> fill_for_fixtures_;
     QPoint pressed_;
 };
 

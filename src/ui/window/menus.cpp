@@ -16,15 +16,15 @@ constexpr std::pair<const char*, const char*> kMenus[] = {
      "new open @recent import-plot open-demo - save save-as save-copy reload - save-picture screenshot "
      "panel-export cancel-jobs - take-plot - quit"},
     {"Edit",
-     "undo redo - select-all select-none select-similar find - release release-all - add-fixture "
+     "undo redo - select-all select-none select-similar find - hold release release-all - add-fixture "
      "duplicate remove unpatch hang aim-through - distribute align-x align-y align-z - set-stage add-model "
      "add-hazer substitute - take-changes drop-changes take-over"},
     {"View",
      "work-light black-out - false-lux false-luminance probe wipe - chips figures frame names addresses aims "
      "marks - full-screen second-display second-window"},
-    {"Camera",
-     "camera-1 camera-2 camera-3 camera-4 camera-5 camera-6 camera-7 camera-8 camera-9 - keep-camera "
-     "focus see-all - brighter darker auto-exposure tone tone-agx tone-aces tone-linear - baked"},
+    {"Camera", "camera-1 camera-2 camera-3 camera-4 camera-5 camera-6 camera-7 camera-8 camera-9 - "
+               "camera-strip keep-camera "
+               "focus see-all - brighter darker auto-exposure tone tone-agx tone-aces tone-linear - baked"},
     {"Play", "play to-start freeze - cue-go cue-back cue-follow - look-next look-before solo - "
              "input-automatic input-desk "
              "input-recording - record play-recorded play-file play-own"},
@@ -87,10 +87,10 @@ void Menus::fill_for_fixtures(QMenu& menu) {
     if (app_.selection().empty())
         add(menu, "select-all find - see-all keep-camera work-light - add-fixture add-model");
     else
-        add(menu,
-            "select-similar select-none - focus solo aim-through - release panel-programmer panel-values - "
-            "hang duplicate "
-            "unpatch remove - substitute");
+        add(menu, "select-similar select-none - focus solo aim-through - hold release panel-programmer "
+                  "panel-values - "
+                  "hang duplicate "
+                  "unpatch remove - substitute");
     grey(menu);
 }
 

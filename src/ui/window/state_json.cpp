@@ -133,6 +133,12 @@ QJsonObject state_json(const AppModel& app, const View& view) {
                                 {"solve_ms", bounce.solve_ms},
                                 {"draw_ms", bounce.draw_ms},
                                 {"words", words_of(bounce)}};
+    QJsonObject hovered;
+    if (const std::optional<Explained>& one = app.hovered(); one && one->fixture < show.fixtures.size())
+        hovered = {{"name", QString::fromStdString(show.fixtures[one->fixture].name)},
+                   {"why", QString::fromStdString(one->explanation.verdict)}};
+    QJsonArray palettes;
+    for (const scene::Palette& palette : show.palettes) palettes.append(QString::fromStdString(palette.name));
     QJsonArray diagnosis;
     for (const scene::Sentence& sentence : app.diagnosis())
         diagnosis.append(QJsonObject{{"trouble", scene::trouble_name(sentence.trouble)},
@@ -144,6 +150,9 @@ QJsonObject state_json(const AppModel& app, const View& view) {
             {"fixtures", static_cast<int>(show.fixtures.size())},
             {"received_plot", QString::fromStdString(app.plot().file)},
             {"selection", selection},
+            {"hovered", hovered},
+            {"palettes", palettes},
+            {"camera_pictures", static_cast<int>(app.camera_pictures().size())},
             {"by_hand", look_json(app.look(), show)},
             {"fades", app.fades()},
             {"black_out", app.request().black_out},

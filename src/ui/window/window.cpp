@@ -4,6 +4,7 @@
 #include "show/show.h"
 #include "ui/actions/aiming.h"
 #include "ui/actions/export_actions.h"
+#include "ui/actions/fan_actions.h"
 #include "ui/actions/hang_edit.h"
 #include "ui/actions/look_actions.h"
 #include "ui/actions/patch_actions.h"
@@ -23,6 +24,7 @@
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/transport_panel.h"
 #include "ui/panels/value_panel.h"
+#include "ui/picture/camera_strip.h"
 #include "ui/picture/view_bar.h"
 #include "ui/widgets/focus_guide.h"
 #include "ui/widgets/wheel_guard.h"
@@ -56,10 +58,10 @@ constexpr double kDemoBegins_s = 55;     // its first eight seconds are dark
 
 Window::Window(Link& link, const WindowOptions& options)
     : options_(options), app_(link), document_(app_), looks_(app_), cues_(app_, document_, looks_),
-      exporter_(app_, document_), second_(app_), actions_(*this), view_(new View(app_, this)),
-      recent_(app_, options.remembers), menus_(actions_, app_, document_, recent_), toast_(new Toast(view_)),
-      status_input_(new QLabel(this)), status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)),
-      status_device_(new QLabel(this)) {
+      palettes_(app_, document_), exporter_(app_, document_), second_(app_), actions_(*this),
+      view_(new View(app_, this)), recent_(app_, options.remembers),
+      menus_(actions_, app_, document_, recent_), toast_(new Toast(view_)), status_input_(new QLabel(this)),
+      status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)), status_device_(new QLabel(this)) {
     setWindowTitle("Ghostlight");
     setAcceptDrops(true);
     qApp->installEventFilter(new WheelGuard(this));
@@ -72,6 +74,7 @@ Window::Window(Link& link, const WindowOptions& options)
     actions_.complain = [this](const Error& error) { say(QString::fromStdString(error.text()), 8000); };
     cues_.complain = actions_.complain;
     add_panels();
+    add_strip();
     add_window_actions();
     add_view_switches();
     add_meter_actions(actions_, app_, *view_);
@@ -81,6 +84,8 @@ Window::Window(Link& link, const WindowOptions& options)
     add_play_actions(actions_, app_);
     add_look_actions(actions_, app_, looks_);
     add_cue_actions(actions_, cues_);
+    add_fan_actions(actions_, app_);
+    add_palette_actions(actions_, palettes_);
     add_export_actions(actions_, app_, exporter_);
     add_patch_actions(actions_, app_, document_);
     add_hang_action(actions_, app_, document_);
@@ -103,7 +108,11 @@ Window::Window(Link& link, const WindowOptions& options)
     menus_.fill(*menuBar());
     menuBar()->setCornerWidget(new ViewBar(app_, actions_, menuBar()), Qt::TopRightCorner);
     auto* context_menus = new ContextMenus(menus_, app_, view_);
-    context_menus->serve(fixtures_->table());
+    context_menus->serve_fixtures(fixtures_->table());
+    context_menus->serve(look_list_->list(), [this](QMenu& menu) { look_list_->fill_menu(menu); });
+    context_menus->serve(cue_table_->table(), [this](QMenu& menu) { cue_table_->fill_menu(menu); });
+    PaletteBox& palettes = programmer_->palettes();
+    context_menus->serve(palettes.list(), [&palettes](QMenu& menu) { palettes.fill_menu(menu); });
     actions_.on_done = [this](const Action& action) { say_done(action); };
     connect(&app_, &AppModel::look_changed, this, &Window::say_hand_taken);
     transport_ = new QToolBar("Transport", this);
@@ -111,6 +120,9 @@ Window::Window(Link& link, const WindowOptions& options)
     transport_->setMovable(false);
     transport_->addWidget(new TransportPanel(app_, actions_, transport_));
     addToolBar(Qt::BottomToolBarArea, transport_);
+    addToolBarBreak(Qt::BottomToolBarArea); // the later one lies above
+    addToolBar(Qt::BottomToolBarArea, strip_);
+    strip_->hide();
     notice_ = new NoticeBar(actions_, document_, app_, this);
     addToolBar(Qt::TopToolBarArea, notice_);
     fixtures_->complain = actions_.complain;
@@ -192,6 +204,8 @@ Window::Window(Link& link, const WindowOptions& options)
 
 // Qt closes a window that goes, and its panels would speak to what went before them.
 Window::~Window() {
+    strip_->disconnect(this);
+    delete strip_; // while there are panels: it says that it goes
     for (QDockWidget* const panel : findChildren<QDockWidget*>()) {
         panel->disconnect(this);
         delete panel;
@@ -232,8 +246,8 @@ void Window::add_panels() {
     fixtures_ = new FixturePanel(app_, document_, this);
     add_panel("fixtures", "Fixtures", fixtures_, Qt::LeftDockWidgetArea);
     QDockWidget* values = add_panel("values", "Values", new ValuePanel(app_, this), Qt::RightDockWidgetArea);
-    QDockWidget* hand =
-        add_panel("programmer", "Programmer", new ProgrammerPanel(app_, this), Qt::RightDockWidgetArea);
+    programmer_ = new ProgrammerPanel(app_, palettes_, actions_, this);
+    QDockWidget* hand = add_panel("programmer", "Programmer", programmer_, Qt::RightDockWidgetArea);
     auto* scene_panel = new ScenePanel(app_, this);
     QDockWidget* scene = add_panel("scene", "Scene", scene_panel, Qt::RightDockWidgetArea);
     tabifyDockWidget(values, hand);
@@ -245,8 +259,8 @@ void Window::add_panels() {
         add_panel("messages", "Messages", new MessagePanel(app_, this), Qt::BottomDockWidgetArea);
     tabifyDockWidget(network, messages);
     // Behind the others, whose keys people know.
-    QDockWidget* looks =
-        add_panel("looks", "Looks", new LookPanel(app_, looks_, actions_, this), Qt::RightDockWidgetArea);
+    look_list_ = new LookPanel(app_, looks_, actions_, this);
+    QDockWidget* looks = add_panel("looks", "Looks", look_list_, Qt::RightDockWidgetArea);
     tabifyDockWidget(scene, looks);
     QDockWidget* exports =
         add_panel("export", "Export", new ExportPanel(app_, actions_, this), Qt::RightDockWidgetArea);
@@ -263,8 +277,8 @@ void Window::add_panels() {
         if (const Result<void> done = hang_under(app_, document_, object); !done.ok())
             actions_.complain(done.error());
     });
-    QDockWidget* cues =
-        add_panel("cues", "Cues", new CuePanel(app_, cues_, looks_, actions_, this), Qt::RightDockWidgetArea);
+    cue_table_ = new CuePanel(app_, cues_, looks_, actions_, this);
+    QDockWidget* cues = add_panel("cues", "Cues", cue_table_, Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, cues);
     exports->hide();
     air->hide();
@@ -273,6 +287,21 @@ void Window::add_panels() {
     network->hide();
     messages->hide();
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+}
+
+// Below the picture, where it is wanted.
+void Window::add_strip() {
+    strip_ = new QToolBar("Cameras", this);
+    strip_->setObjectName("cameras");
+    strip_->setMovable(false);
+    strip_->addWidget(new CameraStrip(app_, actions_, strip_));
+    actions_.add({"camera-strip", "Camera", "Strip of the cameras' pictures", "Ctrl+Shift+K", "",
+                  [this](const QStringList&) -> Result<void> {
+                      strip_->setVisible(!strip_->isVisible());
+                      return {};
+                  },
+                  [this] { return strip_->isVisible(); }});
+    connect(strip_, &QToolBar::visibilityChanged, this, [this] { actions_.refresh(); });
 }
 
 // The picture first: of a window of 1366x768, 1920x1080 and 2560x1440 it has 60, 70 and 75 %.
@@ -322,9 +351,10 @@ void Window::begin_where_there_is_light() {
 
 // What else would show nothing.
 void Window::say_done(const Action& action) {
-    static const std::set<QString> kSays{"keep-camera", "hang",       "duplicate",   "remove",
-                                         "unpatch",     "distribute", "add-fixture", "add-model",
-                                         "set-stage",   "substitute"};
+    static const std::set<QString> kSays{"keep-camera", "hang",       "duplicate",     "remove",
+                                         "unpatch",     "distribute", "add-fixture",   "add-model",
+                                         "set-stage",   "substitute", "palette-store", "palette-remove",
+                                         "cue-add"};
     if (action.name == "save")
         toast_->say("Saved: " + QString::fromStdString(app_.show()->file.filename().string()));
     else if (kSays.contains(action.name))

@@ -6,6 +6,7 @@
 #include "ui/actions/actions.h"
 #include "ui/actions/cue_list.h"
 #include "ui/actions/exporter.h"
+#include "ui/actions/palette_list.h"
 #include "ui/model/app_model.h"
 #include "ui/model/looks.h"
 #include "ui/model/recent_shows.h"
@@ -26,8 +27,11 @@
 
 namespace ghost::ui {
 
+class CuePanel;
 class FixturePanel;
+class LookPanel;
 class NoticeBar;
+class ProgrammerPanel;
 
 class Window : public QMainWindow {
     Q_OBJECT
@@ -48,6 +52,7 @@ private:
     QDockWidget* add_panel(const QString& name, const QString& title, QWidget* panel,
                            Qt::DockWidgetArea area);
     void add_panels();
+    void add_strip();
     void add_window_actions();
     void add_view_switches();
     void lay_out();
@@ -71,6 +76,7 @@ private:
     ShowDocument document_;
     Looks looks_;
     CueList cues_;
+    PaletteList palettes_;
     Exporter exporter_;
     SecondDisplay second_;
     OnScreen reach_;
@@ -82,14 +88,18 @@ private:
     Toast* toast_;
     bool had_hand_ = false; // something was set by hand when it was last looked at
     FixturePanel* fixtures_ = nullptr;
+    ProgrammerPanel* programmer_ = nullptr;
+    LookPanel* look_list_ = nullptr;
+    CuePanel* cue_table_ = nullptr;
     std::vector<QDockWidget*> docks_;
     std::vector<QDockWidget*> docks_waiting_; // shown with the first show
     std::vector<bool> docks_shown_;           // before full screen
     std::vector<QDockWidget*> in_front_;      // likewise, of those behind one another
     NoticeBar* notice_ = nullptr;
     QToolBar* transport_ = nullptr;
-    bool transport_shown_ = true; // likewise
-    bool closes_anyway_ = false;  // with changes that can be written nowhere
+    QToolBar* strip_ = nullptr;                         // of cameras
+    bool transport_shown_ = true, strip_shown_ = false; // likewise
+    bool closes_anyway_ = false;                        // with changes that can be written nowhere
     QLabel* status_input_;
     QLabel* status_supply_;
     QLabel* status_jobs_;

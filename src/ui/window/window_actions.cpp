@@ -250,9 +250,11 @@ void Window::set_full_screen(bool full) {
         }
         for (QDockWidget* dock : docks_) dock->hide();
         transport_shown_ = transport_->isVisible();
+        strip_shown_ = strip_->isVisible();
     }
     menuBar()->setVisible(!full);
     transport_->setVisible(!full && transport_shown_);
+    strip_->setVisible(!full && strip_shown_);
     statusBar()->setVisible(!full);
     if (full) {
         // What is left may need more width than a window has whose display got another scale; Qt resizes it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // By hand: several heads at once, all of their parameters, and what the rest of the light does with them.
 #include "support/test_window.h"
+#include "ui/actions/fan_actions.h"
 #include "ui/actions/programmer_actions.h"
 #include "ui/model/gel_book.h"
 #include "ui/panels/programmer_panel.h"
@@ -40,6 +41,7 @@ struct Heads : Bench {
         link.rig.put(four_lit());
         link.on_news();
         settle();
+        add_fan_actions(actions, app);
         panel.resize(300, 900);
         panel.show();
         settle();
@@ -59,7 +61,11 @@ struct Heads : Bench {
         return row->findChild<QLabel*>()->palette().color(QPalette::WindowText) == accent();
     }
 
-    ProgrammerPanel panel{app, nullptr};
+    ShowDocument document{app};
+    PaletteList palettes{app, document};
+    QWidget widget;
+    Actions actions{widget};
+    ProgrammerPanel panel{app, palettes, actions, nullptr};
 };
 
 TEST(ProgrammerPanel, values_that_differ_are_mixed_until_one_is_given_to_all) {
@@ -149,6 +155,93 @@ TEST(ProgrammerPanel, a_strobe_by_hand_goes_on_under_an_intensity_by_hand) {
     ASSERT_FALSE(programmer.channels.empty());
     EXPECT_NE(targets().beams.front().strobe, fixture::Strobe::none);
     EXPECT_EQ(targets().beams.front().dimmer, 1.0f);
+}
+
+// What the desk asks for is the hand's, warm in every row, and goes back row by row.
+TEST(ProgrammerPanel, what_is_held_is_warm_and_given_back_one_by_one) {
+    Heads heads;
+    heads.app.select({0, 1});
+    for (QPushButton* const one : heads.panel.findChildren<QPushButton*>())
+        if (one->text() == "Hold (H)") one->click();
+    settle();
+    EXPECT_TRUE(Heads::is_warm(heads.value("Pan")));
+    EXPECT_TRUE(Heads::is_warm(heads.value("Intensity")));
+    EXPECT_TRUE(Heads::is_warm(heads.row("Iris")));
+    heads.value("Pan")->on_release();
+    EXPECT_FALSE(Heads::is_warm(heads.value("Pan")));
+    EXPECT_TRUE(Heads::is_warm(heads.value("Tilt")));
+    EXPECT_TRUE(Heads::is_warm(heads.row("Iris")));
+}
+
+struct FanHeads : Heads {
+    FanHeads() {
+        app.select({0, 1, 2});
+        box->findChild<QToolButton*>()->setChecked(true);
+        settle();
+    }
+    QDoubleSpinBox* number(const QString& name) {
+        for (QDoubleSpinBox* const one : box->findChildren<QDoubleSpinBox*>())
+            if (one->accessibleName() == name) return one;
+        return nullptr;
+    }
+    void choose(const QString& name, const QString& item) {
+        for (QComboBox* const one : box->findChildren<QComboBox*>())
+            if (one->accessibleName() == name) {
+                one->setCurrentText(item);
+                Q_EMIT one->activated(one->currentIndex());
+            }
+    }
+    void press(const QString& text) {
+        for (QPushButton* const one : box->findChildren<QPushButton*>())
+            if (one->text() == text) one->click();
+        settle();
+    }
+    std::vector<float> pans() {
+        std::vector<float> all;
+        for (const auto& [index, programmer] : app.look().fixtures)
+            all.push_back(programmer.pan_deg.value_or(-999));
+        return all;
+    }
+    FanBox* box = panel.findChild<FanBox*>();
+};
+
+TEST(FanBox, a_number_that_is_changed_spreads_at_once_and_all_of_it_is_one_step) {
+    FanHeads heads;
+    ASSERT_TRUE(heads.number("First"));
+    EXPECT_TRUE(heads.number("First")->isVisible());
+    EXPECT_TRUE(heads.app.look().is_empty()) << "nothing is done by unfolding";
+    heads.number("First")->setValue(-40);
+    heads.number("Last")->setValue(40);
+    EXPECT_EQ(heads.pans(), (std::vector<float>{-40, 0, 40}));
+    heads.choose("How it is spread", "Symmetric");
+    EXPECT_EQ(heads.number("Ends")->value(), -40) << "it begins with what they have";
+    EXPECT_EQ(heads.number("Middle")->value(), 0);
+    EXPECT_EQ(heads.pans(), (std::vector<float>{-40, 0, 40})) << "and does nothing by itself";
+    heads.number("Middle")->setValue(10);
+    EXPECT_EQ(heads.pans(), (std::vector<float>{-40, 10, -40}));
+    heads.app.undo_stack().undo();
+    EXPECT_TRUE(heads.app.look().is_empty());
+}
+
+TEST(FanBox, aligns_to_the_first_and_the_last_and_spreads_between_them) {
+    FanHeads heads;
+    heads.choose("What is spread", "Iris");
+    heads.number("First")->setValue(0); // open, as they are
+    const auto iris = [&](std::size_t index) {
+        return heads.app.look().fixtures.at(index).channels.begin()->second;
+    };
+    EXPECT_EQ(iris(1), 0.5f);
+    heads.press("All as last");
+    EXPECT_EQ(iris(0), 1.0f);
+    heads.app.undo_stack().undo();
+    heads.press("All as first");
+    EXPECT_EQ(iris(2), 0.0f);
+    heads.app.undo_stack().undo();
+    heads.app.select({1});
+    EXPECT_FALSE(heads.box->isEnabled()) << "one head is no fan";
+    heads.app.select({0, 1, 2});
+    heads.press("Between them");
+    EXPECT_EQ(iris(1), 0.5f);
 }
 
 TEST(ColourField, a_colour_is_chosen_in_the_panel_itself) {

@@ -34,6 +34,41 @@ TEST(View, a_click_selects_the_lamp_and_beside_it_nothing) {
     EXPECT_TRUE(watched.bench.app.selection().empty());
 }
 
+// A mouse that rests on a head asks why it is dark, one that passes or is gone does not.
+TEST(View, the_sentence_about_a_head_is_asked_for_where_the_mouse_rests_and_seen_beside_it) {
+    Watched watched;
+    AppModel& app = watched.bench.app;
+    watched.mouse(QEvent::MouseMove, watched.lamp(1), Qt::NoButton);
+    watched.mouse(QEvent::MouseMove, {5, 175}, Qt::NoButton);
+    wait_ms(250);
+    EXPECT_FALSE(app.request().hovered);
+    watched.mouse(QEvent::MouseMove, watched.lamp(1), Qt::NoButton);
+    for (int i = 0; i < 100 && !app.request().hovered; ++i) wait_ms(25);
+    ASSERT_EQ(app.request().hovered, 1u);
+    settle();
+    const QImage before = watched.view.grab().toImage();
+    Explained other;
+    other.fixture = 2; // late, of another one
+    other.explanation.verdict = "dark";
+    watched.bench.link.hovered.put(other);
+    watched.bench.link.on_news();
+    settle();
+    EXPECT_FALSE(app.hovered());
+    Explained explained;
+    explained.fixture = 1;
+    explained.explanation.verdict =
+        "dark: its shutter is closed, for the function 'Closed' (DMX 3-5) is active on channel 11 (1.55)";
+    watched.bench.link.hovered.put(explained);
+    watched.bench.link.on_news();
+    settle();
+    ASSERT_TRUE(app.hovered());
+    EXPECT_NE(watched.view.grab().toImage(), before) << "more words beside the lamp";
+    watched.mouse(QEvent::MouseMove, {5, 175}, Qt::NoButton);
+    EXPECT_FALSE(app.request().hovered);
+    EXPECT_FALSE(app.hovered());
+    EXPECT_FALSE(app.selection().contains(1)) << "and nothing is selected by it";
+}
+
 TEST(View, a_box_selects_all_in_it) {
     Watched watched;
     watched.drag(watched.lamp(1) - QPointF(8, 8), watched.lamp(3) + QPointF(8, 8), Qt::LeftButton,

@@ -10,11 +10,13 @@
 
 #include <QDockWidget>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMenuBar>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSettings>
+#include <QToolButton>
 
 #include <map>
 
@@ -138,6 +140,98 @@ TEST(ContextMenu, the_right_button_brings_one_up_where_it_was_not_dragged) {
     settle();
 }
 
+// Of a list with one row, at that row.
+QMenu* context_menu(QListWidget* list, Window& window, const char* panel) {
+    auto* const dock = window.findChild<QDockWidget*>(panel);
+    dock->show();
+    dock->raise();
+    settle();
+    list->setCurrentRow(0);
+    Q_EMIT list->customContextMenuRequested(list->visualItemRect(list->item(0)).center());
+    settle();
+    return qobject_cast<QMenu*>(QApplication::activePopupWidget());
+}
+
+void choose(QMenu* menu, const QString& text) {
+    for (QAction* const one : menu->actions())
+        if (one->text() == text) one->trigger();
+    menu->close();
+    settle();
+}
+
+QListWidget* list_called(Window& window, const QString& name) {
+    for (QListWidget* const one : window.findChildren<QListWidget*>())
+        if (one->accessibleName() == name) return one;
+    return nullptr;
+}
+
+struct WithShow : InWindow {
+    WithShow() {
+        const std::string text =
+            "[show]\nstage = \"none.glb\"\n[[camera]]\nname = \"front\"\n[[fixture]]\nname = "
+            "\"Lamp 1\"\ngdtf = \"lamp.gdtf\"\naddress = 1\nposition_m = [0, 0, 4]\n";
+        const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "show.toml";
+        EXPECT_TRUE(write_file_atomic(file, text).ok());
+        Opened opened = four_lamps();
+        auto show = std::make_shared<scene::Show>(*opened.show);
+        show->file = file;
+        show->folder = file.parent_path();
+        opened.show = std::move(show);
+        open(std::move(opened));
+        EXPECT_EQ(error_of("select \"Lamp 1\""), "");
+        EXPECT_EQ(error_of("colour #ff8000"), "");
+    }
+    QTemporaryDir folder;
+};
+
+TEST(ContextMenu, a_look_is_recalled_renamed_updated_removed_and_becomes_a_cue) {
+    WithShow in;
+    EXPECT_EQ(in.error_of("look-store Verse"), "");
+    QListWidget* const list = list_called(in.window, "Looks");
+    ASSERT_TRUE(list && list->count() == 1);
+    QMenu* menu = context_menu(list, in.window, "looks");
+    ASSERT_TRUE(menu);
+    QStringList items;
+    for (const QAction* const one : menu->actions())
+        if (!one->isSeparator()) items << one->text();
+    EXPECT_EQ(items,
+              (QStringList{"Recall", "Add as a cue", "Rename", "Update with what hands set", "Remove"}));
+    choose(menu, "Add as a cue");
+    ASSERT_EQ(in.window.app().show()->cues.size(), 1u);
+    EXPECT_EQ(in.window.app().show()->cues[0].look, "Verse");
+    choose(context_menu(list, in.window, "looks"), "Rename");
+    EXPECT_TRUE(list->isPersistentEditorOpen(list->item(0)) || list->findChild<QLineEdit*>())
+        << "where it stands";
+    choose(context_menu(list, in.window, "looks"), "Remove");
+    EXPECT_EQ(list->count(), 0);
+    Q_EMIT list->customContextMenuRequested({5, 5});
+    settle();
+    EXPECT_FALSE(QApplication::activePopupWidget()) << "of nothing";
+}
+
+TEST(ContextMenu, a_palette_is_given_by_a_click_and_has_a_menu) {
+    WithShow in;
+    EXPECT_EQ(in.error_of("palette-store colour Amber"), "");
+    QListWidget* const list = list_called(in.window, "Palettes");
+    ASSERT_TRUE(list);
+    EXPECT_EQ(list->count(), 0) << "positions are shown first";
+    for (QToolButton* const one : list->parentWidget()->findChildren<QToolButton*>())
+        if (one->text() == "Colour") one->click();
+    ASSERT_EQ(list->count(), 1);
+    EXPECT_FALSE(list->item(0)->icon().isNull()) << "its colour";
+    EXPECT_EQ(in.error_of("release-all"), "");
+    Q_EMIT list->itemClicked(list->item(0));
+    settle();
+    EXPECT_TRUE(in.window.app().look().fixtures.at(0).colour);
+    list->item(0)->setText("Warm");
+    settle();
+    EXPECT_EQ(in.window.app().show()->palettes[0].name, "Warm");
+    choose(context_menu(list, in.window, "programmer"), "Remove");
+    EXPECT_EQ(list->count(), 0);
+    EXPECT_EQ(in.error_of("undo"), "");
+    EXPECT_EQ(list->count(), 1);
+}
+
 TEST(ContextMenu, all_of_a_type_are_selected) {
     InWindow in;
     in.open();
@@ -145,6 +239,38 @@ TEST(ContextMenu, all_of_a_type_are_selected) {
     EXPECT_EQ(in.error_of("select \"Lamp 2\""), "");
     EXPECT_EQ(in.error_of("select-similar"), "");
     EXPECT_EQ(in.window.app().selection().size(), 4u);
+}
+
+TEST(CameraStrip, has_the_pictures_that_came_and_a_click_goes_there) {
+    InWindow in;
+    in.open();
+    QListWidget* const strip = list_called(in.window, "Cameras");
+    ASSERT_TRUE(strip);
+    EXPECT_FALSE(strip->isVisible()) << "the picture first";
+    EXPECT_FALSE(in.window.app().request().wants_camera_pictures);
+    EXPECT_EQ(in.error_of("camera-strip on"), "");
+    settle();
+    EXPECT_TRUE(strip->isVisible());
+    EXPECT_TRUE(in.window.app().request().wants_camera_pictures);
+    ASSERT_EQ(strip->count(), 2);
+    EXPECT_EQ(strip->currentRow(), 0) << "where the picture is seen from";
+    auto image = std::make_shared<image::Image8>(160, 90, 4);
+    for (std::size_t i = 0; i < image->samples.size(); i += 4) image->samples[i] = 200; // red
+    in.link.camera_pictures.put({{"side", image}, {"gone", image}});
+    in.link.on_news();
+    settle();
+    const auto colour = [&](int row) {
+        return strip->item(row)->icon().pixmap(strip->iconSize()).toImage().pixelColor(50, 30);
+    };
+    EXPECT_GT(colour(1).red(), 150);
+    EXPECT_LT(colour(0).red(), 50) << "its own comes";
+    Q_EMIT strip->itemClicked(strip->item(1));
+    for (int i = 0; i < 200 && in.window.app().travels(); ++i) wait_ms(25);
+    EXPECT_EQ(in.window.app().camera().position_m, in.window.app().show()->cameras[1].position_m);
+    EXPECT_EQ(strip->currentRow(), 1);
+    EXPECT_EQ(in.error_of("camera-strip off"), "");
+    settle();
+    EXPECT_FALSE(in.window.app().request().wants_camera_pictures) << "what is not seen is not made";
 }
 
 TEST(FirstScreen, three_ways_to_a_show_and_no_panels_until_one_is_there) {

@@ -1,0 +1,39 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// CameraPictures: a small picture of each camera of the show, for the window's strip: one after the other
+// while the picture rests, and again when it rests otherwise. Seconds. Engine thread.
+
+#include "link/link.h"
+#include "live/session/small_picture.h"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace ghost::app {
+
+class CameraPictures {
+public:
+    explicit CameraPictures(ui::Link& link) : link_(link) {}
+
+    struct Now {
+        double now_s = 0;
+        double changed_s = 0; // when the picture moved last
+        double air_s = 0;
+    };
+    // One at most, a second after the one before. stop: something else is to be shown.
+    void draw(const Session& session, const scene::FrameLights& lit, const Now& now,
+              const std::function<bool()>& stop);
+    // The session is another one.
+    void forget();
+
+private:
+    ui::Link& link_;
+    std::unique_ptr<SmallPicture> small_;
+    std::vector<ui::CameraPicture> pictures_;
+    std::size_t next_ = 0; // of the cameras whose pictures are of an earlier state
+    double of_s_ = -1;     // Now::changed_s of those before it
+    double made_s_ = -1;
+};
+
+} // namespace ghost::app

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/model/palette_values.h"
+
+#include "show/show.h"
+#include "ui/model/head_parameters.h"
+#include "ui/model/head_values.h"
+
+#include <QStringList>
+
+#include <cmath>
+
+namespace ghost::ui {
+namespace {
+
+using fixture::Role;
+using scene::PaletteKind;
+
+std::optional<PaletteKind> kind_of(const fixture::Channel& channel) {
+    const Role role = role_of(channel);
+    if (role == Role::pan || role == Role::tilt) return PaletteKind::position;
+    if (role == Role::zoom) return PaletteKind::beam;
+    const QString group = group_of(channel);
+    if (group == "Position") return PaletteKind::position;
+    if (group == "Colour") return PaletteKind::colour;
+    if (group == "Gobo") return PaletteKind::gobo;
+    if (group == "Beam" || group == "Shutter" || group == "Blades" || group == "Laser")
+        return PaletteKind::beam;
+    return std::nullopt;
+}
+
+} // namespace
+
+scene::PaletteValues palette_values_of(PaletteKind kind, const scene::PatchedFixture& fixture,
+                                       const fixture::Programmer& programmer) {
+    scene::PaletteValues values;
+    if (kind == PaletteKind::position) {
+        values.pan_deg = programmer.pan_deg;
+        values.tilt_deg = programmer.tilt_deg;
+    }
+    if (kind == PaletteKind::colour) values.colour = programmer.colour;
+    if (kind == PaletteKind::beam) values.zoom_deg = programmer.zoom_deg;
+    if (kind == PaletteKind::gobo) values.gobo = programmer.gobo;
+    if (!fixture.type) return values;
+    const fixture::Patch patch = fixture.patch();
+    for (const fixture::Channel& channel : patch.mode_of().channels)
+        if (const auto share = programmer.channels.find(channel.name);
+            share != programmer.channels.end() && kind_of(channel) == kind)
+            values.attributes.try_emplace(attribute_of(channel), share->second);
+    return values;
+}
+
+bool give_values(const scene::PaletteValues& values, const scene::PatchedFixture& fixture,
+                 fixture::Programmer& programmer) {
+    bool any = false;
+    const auto give = [&](const std::string& word, const HeadValue& value) {
+        any = any || has_value(fixture, word);
+        set_value(fixture, word, value, programmer);
+    };
+    // A value that stands above attributes is to win.
+    for (const auto& [attribute, share] : values.attributes) give(attribute, share);
+    if (values.pan_deg) give("pan", *values.pan_deg);
+    if (values.tilt_deg) give("tilt", *values.tilt_deg);
+    if (values.colour) give("colour", *values.colour);
+    if (values.zoom_deg) give("zoom", *values.zoom_deg);
+    if (values.gobo) give("gobo", static_cast<float>(*values.gobo));
+    return any;
+}
+
+QString words_of(const scene::PaletteValues& values) {
+    QStringList words;
+    const auto degrees = [&](const char* what, const std::optional<float>& deg) {
+        if (deg) words << QString("%1 %2\u00b0").arg(what).arg(static_cast<double>(*deg), 0, 'f', 1);
+    };
+    degrees("pan", values.pan_deg);
+    degrees("tilt", values.tilt_deg);
+    degrees("zoom", values.zoom_deg);
+    if (values.colour) words << "a colour";
+    if (values.gobo) words << QString("gobo %1").arg(*values.gobo);
+    for (const auto& [attribute, share] : values.attributes)
+        words << QString("%1 %2 %").arg(QString::fromStdString(attribute)).arg(std::lround(100 * share));
+    return words.join(", ");
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/panels/palette_box.h"
+
+#include "ui/actions/programmer_actions.h"
+#include "ui/model/palette_values.h"
+#include "ui/widgets/following.h"
+
+#include <QHBoxLayout>
+#include <QPixmap>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace ghost::ui {
+namespace {
+
+constexpr const char* kTitles[] = {"Position", "Colour", "Beam", "Gobo"};
+constexpr int kRows = 2; // of palettes that are seen without scrolling
+
+QString quoted(const QString& words) {
+    return "\"" + QString(words).remove('"') + "\"";
+}
+
+QString tip_of(const scene::Palette& palette) {
+    if (palette.fixtures.empty()) return "All heads: " + words_of(palette.values);
+    return QString("%1 heads, each its own").arg(palette.fixtures.size());
+}
+
+// Of a colour, or of as many as fit beside each other.
+QIcon swatch_of(const scene::Palette& palette) {
+    constexpr int kSide_px = 14;
+    constexpr int kMost = kSide_px / 2;
+    std::vector<QColor> colours;
+    if (palette.values.colour) colours.push_back(screen_colour(*palette.values.colour));
+    for (const auto& [name, own] : palette.fixtures)
+        if (own.colour && static_cast<int>(colours.size()) < kMost)
+            colours.push_back(screen_colour(*own.colour));
+    if (colours.empty()) return {};
+    QImage image(static_cast<int>(colours.size()), 1, QImage::Format_RGB32);
+    for (std::size_t i = 0; i < colours.size(); ++i) image.setPixelColor(static_cast<int>(i), 0, colours[i]);
+    return QIcon(QPixmap::fromImage(image.scaled(kSide_px, kSide_px)));
+}
+
+} // namespace
+
+PaletteBox::PaletteBox(AppModel& app, PaletteList& palettes, Actions& actions, QWidget* parent)
+    : QWidget(parent), app_(app), palettes_(palettes), actions_(actions), kinds_(new QButtonGroup(this)),
+      store_(new QToolButton(this)), list_(new QListWidget(this)) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(2);
+    for (int i = 0; i < 4; ++i) {
+        auto* button = new QToolButton(this);
+        button->setText(kTitles[i]);
+        button->setCheckable(true);
+        button->setToolTip(QString("Palettes of %1").arg(QString(kTitles[i]).toLower()));
+        button->setChecked(i == 0);
+        kinds_->addButton(button, i);
+        row->addWidget(button);
+    }
+    row->addStretch(1);
+    row->addWidget(store_);
+    store_->setText("+");
+    store_->setAccessibleName("Store palette");
+    store_->setToolTip("What hands set of it for the selected fixtures, as a new palette of the show");
+    list_->setAccessibleName("Palettes");
+    list_->setFlow(QListView::LeftToRight);
+    list_->setWrapping(true);
+    list_->setResizeMode(QListView::Adjust);
+    list_->setSpacing(2);
+    list_->setEditTriggers(QAbstractItemView::EditKeyPressed);
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setFixedHeight(kRows * (fontMetrics().height() + 10) + 6);
+    list_->setToolTip("A click gives it to the selected fixtures. F2: another name.");
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the panel may be narrow
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 4, 0, 0);
+    layout->setSpacing(2);
+    layout->addLayout(row);
+    layout->addWidget(list_);
+    connect(kinds_, &QButtonGroup::idToggled, this, &PaletteBox::fill);
+    connect(store_, &QToolButton::clicked, this,
+            [this] { run("palette-store " + kind_word() + " " + quoted(new_name())); });
+    for (const auto signal : {&QListWidget::itemClicked, &QListWidget::itemActivated})
+        connect(list_, signal, this,
+                [this](QListWidgetItem* item) { run("palette " + quoted(item->text())); });
+    connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
+        if (follows_) return;
+        const QString before = item->data(Qt::UserRole).toString(), after = item->text();
+        if (before != after) run("palette-rename " + quoted(before) + " " + quoted(after));
+        // The list is not filled while it tells of a change.
+        QMetaObject::invokeMethod(this, &PaletteBox::fill, Qt::QueuedConnection);
+    });
+    connect(&app_, &AppModel::opened_show, this, &PaletteBox::fill);
+    connect(&app_, &AppModel::selection_changed, this,
+            [this] { store_->setEnabled(!app_.selection().empty()); });
+    store_->setEnabled(false);
+}
+
+scene::PaletteKind PaletteBox::kind() const {
+    return static_cast<scene::PaletteKind>(kinds_->checkedId());
+}
+
+QString PaletteBox::kind_word() const {
+    return scene::kPaletteKinds[static_cast<std::size_t>(kind())];
+}
+
+QString PaletteBox::chosen() const {
+    return list_->currentItem() ? list_->currentItem()->data(Qt::UserRole).toString() : QString();
+}
+
+QString PaletteBox::new_name() const {
+    for (int number = list_->count() + 1;; ++number)
+        if (const QString name = QString("%1 %2").arg(kTitles[kinds_->checkedId()]).arg(number);
+            !scene::find_palette(palettes_.all(), name.toStdString()).ok())
+            return name;
+}
+
+void PaletteBox::run(const QString& line) {
+    actions_.choose(line);
+}
+
+void PaletteBox::fill_menu(QMenu& menu) {
+    if (chosen().isEmpty()) return;
+    const auto add = [&](const QString& text, std::function<void()> done) {
+        connect(menu.addAction(text), &QAction::triggered, this, std::move(done));
+    };
+    const QString name = quoted(chosen());
+    add("Give it to the selected fixtures", [this, name] { run("palette " + name); });
+    menu.addSeparator();
+    add("Rename", [this] { list_->editItem(list_->currentItem()); });
+    add("Update with what hands set", [this, name] { run("palette-store " + kind_word() + " " + name); });
+    menu.addSeparator();
+    add("Remove", [this, name] { run("palette-remove " + name); });
+}
+
+void PaletteBox::fill() {
+    const Following following(follows_);
+    const QString before = chosen();
+    list_->clear();
+    for (const scene::Palette& palette : palettes_.all()) {
+        if (palette.kind != kind()) continue;
+        auto* item = new QListWidgetItem(swatch_of(palette), QString::fromStdString(palette.name), list_);
+        item->setData(Qt::UserRole, item->text());
+        item->setFlags(item->flags() | Qt::ItemIsEditable);
+        item->setToolTip(tip_of(palette));
+        if (item->text() == before) list_->setCurrentItem(item);
+    }
+}
+
+} // namespace ghost::ui

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pictures for the strip of cameras: all of them while the stage rests, not more than one a second; none
+// while it moves or where nobody wants them.
+#include "live/engine/engine.h"
+#include "support/demo_copy.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+namespace ghost::app {
+namespace {
+
+template <class F>
+bool within(double seconds, F&& holds) {
+    for (int i = 0; i < static_cast<int>(seconds * 50); ++i) {
+        if (holds()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
+}
+
+TEST(CameraPictures, come_one_by_one_while_nothing_moves_and_never_while_it_does) {
+    ui::Link link;
+    link.on_news = [] {};
+    EngineOptions options;
+    options.listens = false;
+    options.session.quiet = true;
+    Engine engine(link, options);
+    ui::ViewRequest request;
+    request.show = DemoCopy::show().string();
+    request.number = 1;
+    request.camera.width = 0;
+    link.request.put(request);
+    std::optional<ui::Opened> opened;
+    ASSERT_TRUE(within(60, [&] { return (opened = link.opened.take()).has_value(); }));
+    const std::size_t count = opened->show->cameras.size();
+    ASSERT_GE(count, 2u);
+    const auto ask = [&](auto change) {
+        change(request);
+        ++request.number;
+        link.request.put(request);
+        link.wake.raise();
+    };
+    const auto settles = [&] {
+        return within(120, [&] {
+            const auto settled = link.settled.take();
+            return settled && *settled == request.number;
+        });
+    };
+    ask([&](ui::ViewRequest& wanted) {
+        wanted.camera = opened->show->cameras.front();
+        wanted.camera.width = 96;
+        wanted.camera.height = 54;
+        wanted.transport.seeks = 1;
+        wanted.transport.at_s = 36;
+        wanted.frozen = true;
+    });
+    ASSERT_TRUE(settles());
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500));
+    EXPECT_FALSE(link.camera_pictures.take()) << "nobody wants them";
+
+    ask([](ui::ViewRequest& wanted) { wanted.wants_camera_pictures = true; });
+    std::vector<ui::CameraPicture> pictures;
+    std::size_t seen = 0;
+    auto last = std::chrono::steady_clock::now();
+    ASSERT_TRUE(within(60 + 3 * static_cast<double>(count), [&] {
+        auto news = link.camera_pictures.take();
+        if (!news) return false;
+        const auto now = std::chrono::steady_clock::now();
+        EXPECT_EQ(news->size(), seen + 1) << "one at a time";
+        EXPECT_TRUE(seen == 0 || now - last > std::chrono::milliseconds(500));
+        last = now;
+        seen = news->size();
+        pictures = std::move(*news);
+        return seen == count;
+    }));
+    for (std::size_t i = 0; i < count; ++i) {
+        EXPECT_EQ(pictures[i].camera, opened->show->cameras[i].name);
+        EXPECT_EQ(pictures[i].image->width, 160);
+    }
+    EXPECT_NE(pictures[0].image->samples, pictures[1].image->samples);
+    std::this_thread::sleep_for(std::chrono::milliseconds(2500));
+    EXPECT_FALSE(link.camera_pictures.take()) << "they are those of what rests";
+
+    ask([](ui::ViewRequest& wanted) {
+        wanted.frozen = false;
+        wanted.transport.playing = true;
+    });
+    std::this_thread::sleep_for(std::chrono::milliseconds(3000));
+    EXPECT_FALSE(link.camera_pictures.take()) << "while the recording plays";
+    ask([](ui::ViewRequest& wanted) { wanted.frozen = true; });
+    EXPECT_TRUE(within(60, [&] { return link.camera_pictures.take().has_value(); })) << "as it rests now";
+}
+
+} // namespace
+} // namespace ghost::app
