@@ -37,6 +37,7 @@ LIBRARIES = {
     "png.h": {"image"},
     "turbojpeg.h": {"image"},
     "libav": {"video"},
+    "libswresample/": {"video"},
     "libswscale/": {"video"},
     "CLI/": {"cli", "farm"},
     "glm/": None,  # vectors, everywhere

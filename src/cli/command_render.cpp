@@ -8,6 +8,7 @@
 #include "cli/options/tone_option.h"
 #include "cli/render/render_film.h"
 #include "dmx/record/recording_tasks.h"
+#include "live/session/film_sound.h"
 
 #include "bake/bake_show.h"
 #include "base/log.h"
@@ -147,9 +148,20 @@ Result<void> run(RenderArguments& arguments, bool film) {
                                 arguments.fps, arguments.out);
     TRY(const std::unique_ptr<Session> session, open_session(arguments.session));
     TRY(const std::unique_ptr<PictureWriter> writer,
+    video::FilmSound sound;
+    if (output_kind(arguments.out).value() == OutputKind::film && !arguments.live_input) {
+        const long first = film_frames(arguments.from_s, arguments.to_s, arguments.fps).first;
+        auto found = film_sound(*session->show, static_cast<double>(first) / arguments.fps);
+        if (found.ok()) {
+            sound = std::move(*found);
+        } else {
+            log_error(found.error().text() + "; the film is silent");
+            session->report.add(Severity::error, found.error().where, found.error().what);
+        }
+    }
         PictureWriter::create(arguments.out, session->relighter->width() / arguments.session.supersample,
                               session->relighter->height() / arguments.session.supersample, arguments.fps,
-                              film, arguments.session.supersample));
+                              film, arguments.session.supersample, std::move(sound)));
     if (arguments.first_frame >= 0) writer->number_from(static_cast<int>(arguments.first_frame));
     Tally tally;
     TRY_VOID(arguments.live_input ? render_live(arguments, *session, *writer, tally)
@@ -159,6 +171,8 @@ Result<void> run(RenderArguments& arguments, bool film) {
         return Error{"interrupted: nothing is written but the pictures that were finished", arguments.out};
     TRY_VOID(writer->finish());
     if (interrupted()) return Error{"interrupted: it ends early", arguments.out};
+    if (const std::string problem = writer->sound_problem(); !problem.empty())
+        log_warning(session->show->sound.file.string() + ": " + problem);
     print_tally(arguments, *session, *writer, tally);
     if (session->report.lost_anything())
         return Error{"drawn, but something that the show asks for is missing (see above)",
@@ -188,6 +202,7 @@ Result<int> run_on_farm(const RenderArguments& arguments) {
     for (const fs::path& file : {recording, fs::path(arguments.session.looks_file)})
         if (!file.empty()) plan.also.push_back(fs::absolute(file, code));
     plan.inputs = farm_inputs(show, plan.also);
+    if (plan.out.extension() == ".mp4") TRY_VOID(film_sound(show, 0)); // else it comes out at the end
     plan.words = words_without({{"-o", 1}, {"--out", 1}, {"--json", 0}, {"--quiet", 0}});
     plan.words.push_back("--quiet");
     const auto [first, last] = film_frames(arguments.from_s, arguments.to_s, arguments.fps);

@@ -130,6 +130,10 @@ std::string farm_inputs(const scene::Show& show, const std::vector<fs::path>& al
     hasher.text(passes_fingerprint(show));
     std::vector<fs::path> files = also;
     for (const scene::Media& media : show.media) files.push_back(media.file);
+    if (!show.sound.file.empty()) {
+        files.push_back(show.sound.file);
+        hasher.value(show.sound.offset_s);
+    }
     for (const fs::path& file : files) { // may be long
         std::error_code code;
         hasher.text(file.filename().string());

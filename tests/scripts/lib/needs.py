@@ -6,8 +6,8 @@ import shutil
 import sys
 
 MODULES = {"python3-numpy": "numpy", "python3-pil": "PIL"}
-PROGRAMS = {"iproute2": ["ip"], "ola": ["olad", "ola_rdm_discover", "ola_rdm_get", "ola_rdm_set"], "util-linux": ["setpriv"], "xvfb": ["Xvfb"],
-            "xdotool": ["xdotool"], "slurm-wlm": ["slurmctld", "slurmd", "sbatch", "squeue"], "munge": ["munged"]}
+PROGRAMS = {"iproute2": ["ip"], "ola": ["olad", "ola_rdm_discover", "ola_rdm_get", "ola_rdm_set"], "util-linux": ["setpriv"], "ffmpeg": ["ffmpeg", "ffprobe"],
+            "xvfb": ["Xvfb"], "xdotool": ["xdotool"], "slurm-wlm": ["slurmctld", "slurmd", "sbatch", "squeue"], "munge": ["munged"]}
 
 
 def skip(reason):
