@@ -39,6 +39,8 @@ LIBRARIES = {
     "libav": {"video"},
     "libswresample/": {"video"},
     "libswscale/": {"video"},
+    "alsa/": {"sound"},
+    "ltc.h": {"sound"},
     "CLI/": {"cli", "farm"},
     "glm/": None,  # vectors, everywhere
 }

@@ -32,13 +32,15 @@ struct OpenArguments {
 
 Result<void> check_usage(OpenArguments& arguments) {
     TRY(arguments.engine.receiver, receiver_options(arguments.input));
+    arguments.input.ltc = arguments.engine.timecode.ltc;
     arguments.engine.receiver.listen_wider = true;
     arguments.engine.receiver.slot_status = true; // for the panel that explains
     arguments.engine.listens = arguments.window.takes_desk = !arguments.no_desk;
     arguments.engine.session.quiet = arguments.quiet;
     TRY_VOID(check_live_controls(arguments.engine.controls));
     TRY_VOID(open_timecode(arguments.engine.timecode));
-    if (!arguments.engine.timecode.empty() && arguments.no_desk)
+    if (!arguments.engine.timecode.begin.empty() && arguments.engine.timecode.ltc.empty() &&
+        arguments.no_desk)
         return Error{"the time code comes by the network, too", "--no-desk/--timecode"};
     if (!arguments.save.empty()) {
         arguments.xchange.save = arguments.save;
@@ -115,7 +117,7 @@ void add_open(CLI::App& app, int& exit_code) {
         ->needs(save);
     add_bounce_option(*command, a->engine.session.bounce);
     add_live_control_options(*command, a->engine.controls);
-    add_midi_option(*command, a->input.midi)->needs(add_timecode_option(*command, a->engine.timecode));
+    add_timecode_options(*command, a->engine.timecode, a->input.midi);
     add_input_options(*command, a->input);
     command->footer("Example: ghostlight open assets/demo\n"
                     "         ghostlight open tour.mvr --full-screen");

@@ -70,13 +70,14 @@ Result<bool> check_usage(RenderArguments& arguments) {
             return Error{"the camera stands at what it looks at", "--eye/--target"};
         if (!arguments.session.view.empty()) return Error{"two cameras; give one", "--view/--eye"};
     }
+    arguments.input.ltc = arguments.timecode.ltc;
     if (arguments.live_input) TRY_VOID(receiver_options(arguments.input));
     TRY_VOID(open_timecode(arguments.timecode));
-    if (arguments.live_input && !arguments.replay.empty() && arguments.timecode.empty())
+    if (arguments.live_input && !arguments.replay.empty() && arguments.timecode.begin.empty())
         return Error{"a desk's levels or a recording's; with --timecode a recording is played live",
                      "--replay"};
     TRY_VOID(check_live_controls(arguments.controls));
-    arguments.session.plays_recording = (!arguments.live_input || !arguments.timecode.empty()) &&
+    arguments.session.plays_recording = (!arguments.live_input || !arguments.timecode.begin.empty()) &&
                                         arguments.replay.empty() && arguments.session.look.empty();
     if (!arguments.session.look.empty() && arguments.reference.wanted)
         return Error{"the reference draws what a recording does", "--look"};
@@ -147,7 +148,6 @@ Result<void> run(RenderArguments& arguments, bool film) {
         return render_reference(arguments.session, arguments.reference, arguments.replay, arguments.at_s,
                                 arguments.fps, arguments.out);
     TRY(const std::unique_ptr<Session> session, open_session(arguments.session));
-    TRY(const std::unique_ptr<PictureWriter> writer,
     video::FilmSound sound;
     if (output_kind(arguments.out).value() == OutputKind::film && !arguments.live_input) {
         const long first = film_frames(arguments.from_s, arguments.to_s, arguments.fps).first;
@@ -159,6 +159,7 @@ Result<void> run(RenderArguments& arguments, bool film) {
             session->report.add(Severity::error, found.error().where, found.error().what);
         }
     }
+    TRY(const std::unique_ptr<PictureWriter> writer,
         PictureWriter::create(arguments.out, session->relighter->width() / arguments.session.supersample,
                               session->relighter->height() / arguments.session.supersample, arguments.fps,
                               film, arguments.session.supersample, std::move(sound)));
@@ -170,9 +171,9 @@ Result<void> run(RenderArguments& arguments, bool film) {
     if (interrupted() && !arguments.live_input)
         return Error{"interrupted: nothing is written but the pictures that were finished", arguments.out};
     TRY_VOID(writer->finish());
-    if (interrupted()) return Error{"interrupted: it ends early", arguments.out};
     if (const std::string problem = writer->sound_problem(); !problem.empty())
         log_warning(session->show->sound.file.string() + ": " + problem);
+    if (interrupted()) return Error{"interrupted: it ends early", arguments.out};
     print_tally(arguments, *session, *writer, tally);
     if (session->report.lost_anything())
         return Error{"drawn, but something that the show asks for is missing (see above)",
@@ -201,8 +202,8 @@ Result<int> run_on_farm(const RenderArguments& arguments) {
     if (!recording.empty() && !fs::exists(recording, code)) return Error{"no such file", recording.string()};
     for (const fs::path& file : {recording, fs::path(arguments.session.looks_file)})
         if (!file.empty()) plan.also.push_back(fs::absolute(file, code));
-    plan.inputs = farm_inputs(show, plan.also);
     if (plan.out.extension() == ".mp4") TRY_VOID(film_sound(show, 0)); // else it comes out at the end
+    plan.inputs = farm_inputs(show, plan.also);
     plan.words = words_without({{"-o", 1}, {"--out", 1}, {"--json", 0}, {"--quiet", 0}});
     plan.words.push_back("--quiet");
     const auto [first, last] = film_frames(arguments.from_s, arguments.to_s, arguments.fps);
@@ -336,9 +337,7 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_option("--looks", a->session.looks_file, "the file that it is in (default: the show's)")
         ->type_name("FILE")
         ->needs(look);
-    CLI::Option* const timecode = add_timecode_option(*command, a->timecode);
-    timecode->needs("--live-input");
-    add_midi_option(*command, a->input.midi)->needs(timecode);
+    add_timecode_options(*command, a->timecode, a->input.midi)->needs("--live-input");
     command->add_option("--seconds", a->seconds, "length of --live-input")
         ->check(number_in(0.1, 86400.0))
         ->needs("--live-input")

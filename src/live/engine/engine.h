@@ -35,7 +35,7 @@ struct EngineOptions {
     dmx::ReceiverOptions receiver;
     bool listens = true;                   // to a desk
     LiveControlOptions controls;           // remote control and trackers
-    std::string timecode;                  // what the recording follows; empty: nothing
+    TimeCodeOptions timecode;              // what the recording follows
     std::optional<XchangeOptions> xchange; // where plots come from
     bool takes_plots = false;              // at once, without asking
 };
