@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sounds of any edges (a byte is how long the level stays): whatever comes, what is handed on is a time of day
-// and a moment that was heard.
+// Sounds of any edges (a byte is how long the level stays): whatever comes, what is handed on is a time of
+// day and a moment that was heard.
 #include "dmx/wire/timecode.h"
 #include "sound/ltc_decoder.h"
 

@@ -195,6 +195,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening opening) {
     look_ = std::make_unique<AppliedLook>(*session_);
     motion_ = session_->show->motion;
     input_ = std::make_unique<LiveInput>(receiver_.get(), timecode_.get());
+    sound_.use(session_->show->sound);
     listen_to_patch();
     if (opening == Opening::another) {
         request_.recording.clear();

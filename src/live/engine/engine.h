@@ -15,6 +15,7 @@
 #include "live/engine/picture_probe.h"
 #include "live/engine/plot_inbox.h"
 #include "live/engine/rig_news.h"
+#include "live/engine/show_sound.h"
 #include "live/inputs/live_input.h"
 #include "live/session/applied_look.h"
 #include "live/session/session.h"
@@ -36,6 +37,7 @@ struct EngineOptions {
     bool listens = true;                   // to a desk
     LiveControlOptions controls;           // remote control and trackers
     TimeCodeOptions timecode;              // what the recording follows
+    std::string sound;                     // output of the show's sound (show_sound.h); empty: none
     std::optional<XchangeOptions> xchange; // where plots come from
     bool takes_plots = false;              // at once, without asking
 };
@@ -127,6 +129,7 @@ private:
     double listens_again_s_ = 0; // where a port was taken
     int losses_ = 0;             // of the device
     std::unique_ptr<TrackerInput> trackers_;
+    ShowSound sound_{options_.sound};
     PlotInbox plots_{link_};
     // A show that is opened while another one is drawn.
     std::future<Result<std::unique_ptr<Session>>> reopening_;
