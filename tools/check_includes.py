@@ -40,7 +40,10 @@ LIBRARIES = {
     "cairo-pdf.h": {"book"},
     "pango/": {"book"},
     "libav": {"video"},
+    "libswresample/": {"video"},
     "libswscale/": {"video"},
+    "alsa/": {"sound"},
+    "ltc.h": {"sound"},
     "CLI/": {"cli", "farm"},
     "glm/": None,  # vectors, everywhere
 }

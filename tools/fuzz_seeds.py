@@ -94,6 +94,7 @@ def made():
                       masked(1, b'{"type":"explain","fixture":3}') + masked(1, b'{"type":"ping","t":1.5e3}') + masked(8, bytes([3, 232]))],
         "mdns": [bytes.fromhex("000084000000000100000000") + b"\x04_mvr\x04_tcp\x05local\0" + bytes.fromhex("000c000100000078000461616161")],
         "midi": [bytes.fromhex("0ff100f110f120f130f140f150f160f170f07f7f01010203040506f7")],
+        "ltc": [b"".join(b"\x0c\x0c" if bit == "1" else b"\x18" for frame in range(4) for bit in f"{frame:04b}"[::-1] + "0" * 60 + "0011111111111101")],
         "usb_pro": [b"\x7e\x05\x03\x00\x00\x01\x02\xe7"],
         "xchange": [b"\x07" + struct.pack(">IIIIIQ", 778682, 1, 0, 1, 0, len(join)) + join],
         "merge": [bytes(8) + bytes([10, 15, 0, 0, 1, k, 100, 255]) * 3 + bytes([10, 4, 0, 0, 0, 0, 0, 0]) for k in range(3)],

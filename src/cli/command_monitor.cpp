@@ -5,6 +5,7 @@
 #include "base/print.h"
 #include "cli/commands.h"
 #include "cli/options/input_options.h"
+#include "cli/options/live_options.h"
 #include "cli/options/number_option.h"
 #include "cli/private/monitor_report.h"
 #include "diagnose/diagnosis_parts.h"
@@ -128,6 +129,9 @@ Result<void> monitor(const MonitorOptions& options, dmx::ReceiverOptions input) 
     TRY(const auto receiver, dmx::Receiver::start(input));
     for (const std::string& warning : receiver->warnings()) log_warning(warning);
     if (options.learn) log_info("leave the faders alone for two seconds: what moves by itself is left out");
+    std::unique_ptr<LtcInput> ltc;
+    if (!options.input.ltc.empty())
+        ltc = std::make_unique<LtcInput>(options.input.ltc, [](const auto&, auto) {});
     catch_interrupts();
 
     std::uint64_t triggers = 0, links = 0; // said so far
@@ -151,6 +155,7 @@ Result<void> monitor(const MonitorOptions& options, dmx::ReceiverOptions input) 
         report.unix_s =
             std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
         if (auto newest = receiver->take()) report.universes = std::move(*newest);
+        if (ltc) report.ltc = ltc->status();
         log_events(report.statistics, triggers, links);
         if (rdm) log_rdm(*rdm, *show);
         if (options.json && !options.learn)
@@ -185,6 +190,7 @@ void add_monitor(CLI::App& app, int& exit_code) {
                     "         ghostlight monitor --show myshow --learn");
     add_input_options(*command, options->input);
     add_midi_option(*command, options->input.midi);
+    add_ltc_option(*command, options->input.ltc);
     command->add_option("--seconds", options->seconds, "stop after this long; 0 and default: until Ctrl-C")
         ->check(number_in(0.0, kLongest_s));
     command->add_option("--every", options->every_s, "seconds between two reports")

@@ -29,20 +29,24 @@ struct OpenArguments {
     std::optional<web::ServerOptions> server; // of browsers; none: nothing listens
     std::string save;
     std::string size;
+    std::string sound = "default";
     bool no_desk = false;
     bool forget = false;
     bool quiet = false;
 };
 
 Result<void> check_usage(OpenArguments& arguments) {
+    arguments.input.ltc = arguments.engine.timecode.ltc;
     TRY(arguments.engine.receiver, receiver_options(arguments.input));
     arguments.engine.receiver.listen_wider = true;
     arguments.engine.receiver.slot_status = true; // for the panel that explains
     arguments.engine.listens = arguments.window.takes_desk = !arguments.no_desk;
     arguments.engine.session.quiet = arguments.quiet;
+    if (arguments.sound != "off") arguments.engine.sound = arguments.sound;
     TRY_VOID(check_live_controls(arguments.engine.controls));
     TRY_VOID(open_timecode(arguments.engine.timecode));
-    if (!arguments.engine.timecode.empty() && arguments.no_desk)
+    if (!arguments.engine.timecode.begin.empty() && arguments.engine.timecode.ltc.empty() &&
+        arguments.no_desk)
         return Error{"the time code comes by the network, too", "--no-desk/--timecode"};
     if (!arguments.save.empty()) {
         arguments.xchange.save = arguments.save;
@@ -132,7 +136,13 @@ void add_open(CLI::App& app, int& exit_code) {
     add_web_options(*command, a->web);
     add_bounce_option(*command, a->engine.session.bounce);
     add_live_control_options(*command, a->engine.controls);
-    add_midi_option(*command, a->input.midi)->needs(add_timecode_option(*command, a->engine.timecode));
+    add_timecode_options(*command, a->engine.timecode, a->input.midi);
+    command
+        ->add_option("--sound", a->sound,
+                     "where the show's sound is heard: an output of ALSA like default or hw:1,0 (aplay -L "
+                     "lists them), or off")
+        ->type_name("OUTPUT")
+        ->capture_default_str();
     add_input_options(*command, a->input);
     command->footer("Example: ghostlight open assets/demo\n"
                     "         ghostlight open tour.mvr --full-screen");

@@ -42,7 +42,7 @@ struct PlayOptions {
     double from_s = 0.0;
     double until_s = 0.0;
     double speed = 1.0;
-    std::string timecode;
+    TimeCodeOptions timecode;
     std::string midi;
     double seconds = 0.0;
     bool loop = false;
@@ -93,13 +93,20 @@ int write(const PlayOptions& options) {
     return 0;
 }
 
+// Once when it changes.
+void say(const dmx::ChaseStatus& status, dmx::ChaseStatus::State& said) {
+    if (status.state == std::exchange(said, status.state)) return;
+    const std::string text = dmx::chase_text(status);
+    log_info(text.empty() ? "time code runs" : text);
+}
+
 // Sends what the time code wants until Ctrl-C: what it stands at, again and again.
 Result<void> follow_timecode(const PlayOptions& options, dmx::Player& player, dmx::Sender& sender) {
     TRY(const std::unique_ptr<TimeCodeInput> timecode, open_timecode(options.timecode));
     dmx::ReceiverOptions listen;
     listen.interface = options.send.interface;
     listen.sacn = false;
-    listen.artnet = options.midi.empty();
+    listen.artnet = options.midi.empty() && options.timecode.ltc.empty();
     listen.midi = options.midi;
     listen.answer_polls = false;
     // While we send Art-Net to its own port, the time code comes by that one.
@@ -111,7 +118,9 @@ Result<void> follow_timecode(const PlayOptions& options, dmx::Player& player, dm
     const auto start = Clock::now();
     const double end_s = player.duration_s();
     Outlet outlet(sender, player, options.rate_hz);
+    auto said = dmx::ChaseStatus::State::waits;
     for (auto now = start; !interrupted(); now = Clock::now()) {
+        say(timecode->status(), said);
         if (options.seconds > 0.0 && now - start >= std::chrono::duration<double>(options.seconds)) break;
         const auto at_s = timecode->at_s(end_s);
         if (at_s) TRY_VOID(outlet.send(*at_s));
@@ -138,7 +147,7 @@ int send(PlayOptions options) {
     if (!sender.ok()) return failed(sender.error());
     catch_interrupts();
     log_info(options.file + ": " + what);
-    if (!options.timecode.empty()) {
+    if (!options.timecode.begin.empty()) {
         const auto followed = follow_timecode(options, player, *sender);
         if (!followed.ok()) return failed(followed.error());
         if (options.json)
@@ -239,10 +248,9 @@ void add_play(CLI::App& app, int& exit_code) {
         command->add_option("--speed", options->speed, "2: twice as fast, 0.5: half as fast")
             ->check(number_in(kSlowest, kFastest))
             ->capture_default_str();
-    CLI::Option* const timecode = add_timecode_option(*command, options->timecode);
+    CLI::Option* const timecode = add_timecode_options(*command, options->timecode, options->midi);
     sending(timecode)->excludes(from)->excludes(until)->excludes(speed)->excludes(
         command->get_option("--loop"));
-    sending(add_midi_option(*command, options->midi))->needs(timecode);
     command
         ->add_option("--seconds", options->seconds, "of --timecode: end after this time; default: at Ctrl-C")
         ->check(number_in(0.0, kLongest_s))

@@ -9,6 +9,7 @@
 #include "cli/options/tone_option.h"
 #include "cli/render/render_film.h"
 #include "dmx/record/recording_tasks.h"
+#include "live/session/film_sound.h"
 
 #include "bake/bake_show.h"
 #include "base/log.h"
@@ -66,13 +67,14 @@ Result<bool> check_usage(RenderArguments& arguments) {
             return Error{"the camera stands at what it looks at", "--eye/--target"};
         if (!arguments.session.view.empty()) return Error{"two cameras; give one", "--view/--eye"};
     }
+    arguments.input.ltc = arguments.timecode.ltc;
     if (arguments.live_input) TRY_VOID(receiver_options(arguments.input));
     TRY_VOID(open_timecode(arguments.timecode));
-    if (arguments.live_input && !arguments.replay.empty() && arguments.timecode.empty())
+    if (arguments.live_input && !arguments.replay.empty() && arguments.timecode.begin.empty())
         return Error{"a desk's levels or a recording's; with --timecode a recording is played live",
                      "--replay"};
     TRY_VOID(check_live_controls(arguments.controls));
-    arguments.session.plays_recording = (!arguments.live_input || !arguments.timecode.empty()) &&
+    arguments.session.plays_recording = (!arguments.live_input || !arguments.timecode.begin.empty()) &&
                                         arguments.replay.empty() && arguments.session.look.empty();
     if (!arguments.session.look.empty() && arguments.reference.wanted)
         return Error{"the reference draws what a recording does", "--look"};
@@ -143,10 +145,21 @@ Result<void> run(RenderArguments& arguments, bool film) {
         return render_reference(arguments.session, arguments.reference, arguments.replay, arguments.at_s,
                                 arguments.fps, arguments.out);
     TRY(const std::unique_ptr<Session> session, open_session(arguments.session));
+    video::FilmSound sound;
+    if (output_kind(arguments.out).value() == OutputKind::film && !arguments.live_input) {
+        const long first = film_frames(arguments.from_s, arguments.to_s, arguments.fps).first;
+        auto found = film_sound(*session->show, static_cast<double>(first) / arguments.fps);
+        if (found.ok()) {
+            sound = std::move(*found);
+        } else {
+            log_error(found.error().text() + "; the film is silent");
+            session->report.add(Severity::error, found.error().where, found.error().what);
+        }
+    }
     TRY(const std::unique_ptr<PictureWriter> writer,
         PictureWriter::create(arguments.out, session->relighter->width() / arguments.session.supersample,
                               session->relighter->height() / arguments.session.supersample, arguments.fps,
-                              film, arguments.session.supersample));
+                              film, arguments.session.supersample, std::move(sound)));
     if (arguments.first_frame >= 0) writer->number_from(static_cast<int>(arguments.first_frame));
     Tally tally;
     TRY_VOID(arguments.live_input ? render_live(arguments, *session, *writer, tally)
@@ -155,6 +168,8 @@ Result<void> run(RenderArguments& arguments, bool film) {
     if (interrupted() && !arguments.live_input)
         return Error{"interrupted: nothing is written but the pictures that were finished", arguments.out};
     TRY_VOID(writer->finish());
+    if (const std::string problem = writer->sound_problem(); !problem.empty())
+        log_warning(session->show->sound.file.string() + ": " + problem);
     if (interrupted()) return Error{"interrupted: it ends early", arguments.out};
     print_tally(arguments, *session, *writer, tally);
     if (session->report.lost_anything())
@@ -186,6 +201,7 @@ Result<int> run_on_farm(const RenderArguments& arguments) {
     if (!recording.empty() && !fs::exists(recording, code)) return Error{"no such file", recording.string()};
     for (const fs::path& file : {recording, fs::path(arguments.session.looks_file)})
         if (!file.empty()) plan.also.push_back(fs::absolute(file, code));
+    if (plan.out.extension() == ".mp4") TRY_VOID(film_sound(show, 0)); // else it comes out at the end
     plan.inputs = farm_inputs(show, plan.also);
     plan.words = words_without({{"-o", 1}, {"--out", 1}, {"--json", 0}, {"--quiet", 0}});
     plan.words.push_back("--quiet");
@@ -320,9 +336,7 @@ void add_render(CLI::App& app, int& exit_code) {
     command->add_option("--looks", a->session.looks_file, "the file that it is in (default: the show's)")
         ->type_name("FILE")
         ->needs(look);
-    CLI::Option* const timecode = add_timecode_option(*command, a->timecode);
-    timecode->needs("--live-input");
-    add_midi_option(*command, a->input.midi)->needs(timecode);
+    add_timecode_options(*command, a->timecode, a->input.midi)->needs("--live-input");
     command->add_option("--seconds", a->seconds, "length of --live-input")
         ->check(number_in(0.1, 86400.0))
         ->needs("--live-input")

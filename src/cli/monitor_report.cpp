@@ -120,6 +120,31 @@ Json midi_json(const dmx::Statistics& statistics) {
     return result;
 }
 
+const char* state_text(const LtcStatus& ltc) {
+    return !ltc.open ? "not open" : ltc.time ? "ok" : "no time code";
+}
+
+constexpr double kSilent_dbfs = -60;
+
+Json ltc_json(const std::optional<LtcStatus>& ltc) {
+    if (!ltc) return nullptr;
+    Json result{{"input", ltc->name},
+                {"state", state_text(*ltc)},
+                {"problem", ltc->problem},
+                {"openings", ltc->openings},
+                {"loudest_dbfs", ltc->loudest_dbfs}};
+    if (ltc->time) {
+        result["time"] = dmx::timecode_text(*ltc->time);
+        result["age_s"] = seconds_of(std::chrono::steady_clock::now().time_since_epoch() - ltc->arrival);
+        result["channel"] = ltc->channel;
+        result["backwards"] = ltc->counters.is_backwards;
+        result["level_dbfs"] = ltc->counters.level_dbfs;
+        result["frames"] = ltc->counters.frames;
+        result["left_out"] = ltc->counters.left_out;
+    }
+    return result;
+}
+
 Json diagnosis_json(const std::vector<scene::Sentence>& sentences) {
     Json list = Json::array();
     for (const scene::Sentence& sentence : sentences)
@@ -200,6 +225,7 @@ std::string monitor_json(const MonitorReport& from, bool levels) {
     report["network"] = network_json(statistics);
     report["usb"] = usb_json(statistics);
     report["midi"] = midi_json(statistics);
+    report["ltc"] = ltc_json(from.ltc);
     if (from.has_patch) {
         report["patch"] = Json::array();
         for (const scene::PatchedUniverse& one : from.patch.universes())
@@ -247,6 +273,20 @@ void print_midi_port(const dmx::MidiStatus& midi) {
                    static_cast<unsigned long long>(midi.counters.malformed));
 }
 
+void print_ltc(const LtcStatus& ltc) {
+    const std::string name = one_line(ltc.name);
+    if (!ltc.time)
+        print_text("%s: %s\n", name.c_str(),
+                   !ltc.open                         ? ltc.problem.c_str()
+                   : ltc.loudest_dbfs < kSilent_dbfs ? "silent: is the cable in, is the input turned up?"
+                                                     : "a sound, and no time code (LTC) in it yet");
+    else
+        print_text("%s: LTC %s%s, channel %d, %.0f dBFS; frames %llu, left out %llu%s\n", name.c_str(),
+                   dmx::timecode_text(*ltc.time).c_str(), ltc.counters.is_backwards ? " backwards" : "",
+                   ltc.channel, ltc.counters.level_dbfs, static_cast<unsigned long long>(ltc.counters.frames),
+                   static_cast<unsigned long long>(ltc.counters.left_out), ltc.open ? "" : "; it has ended");
+}
+
 } // namespace
 
 void print_monitor_table(const MonitorReport& from) {
@@ -270,6 +310,7 @@ void print_monitor_table(const MonitorReport& from) {
                        universe.black ? "black" : "last look held");
     for (const dmx::UsbPortStatus& port : statistics.usb) print_usb_port(port);
     print_midi_port(statistics.midi);
+    if (from.ltc) print_ltc(*from.ltc);
     if (statistics.sampling) print_text("finding out who sends; levels show after 1.5 s\n");
     if (statistics.timecode)
         print_text("time code %s from %s\n", dmx::timecode_text(statistics.timecode->time).c_str(),

@@ -7,8 +7,9 @@
 #include "disk/crc32.h"
 #include "disk/files.h"
 #include "image/ldr.h"
-#include "live/session/picture_writer.h"
+#include "live/session/film_sound.h"
 #include "show/show.h"
+#include "show_folder/load_show.h"
 #include "video/film.h"
 
 #include <chrono>
@@ -71,6 +72,13 @@ std::string number_text(long number) {
     return "-" + std::string(digits.size() < 5 ? 5 - digits.size() : 0, '0') + digits;
 }
 
+// Of a film whose first picture has this number. What is drawn in parts has no sound; it comes with the film.
+Result<video::FilmSound> sound_of(const FarmPlan& plan, long first_frame) {
+    Report report;
+    TRY(const scene::Show show, scene::load_show(plan.show, false, report));
+    return film_sound(show, static_cast<double>(first_frame) / plan.fps);
+}
+
 Result<FarmDone> write_film(const FarmPlan& plan) {
     FarmDone result;
     const bool is_film = plan.out.extension() == ".mp4";
@@ -93,7 +101,9 @@ Result<FarmDone> write_film(const FarmPlan& plan) {
             if (is_film) {
                 TRY(const image::Image8 picture, image::decode_ldr(bytes, name));
                 if (!film) {
-                    TRY(film, video::FilmWriter::create(plan.out, picture.width, picture.height, plan.fps));
+                    TRY(video::FilmSound sound, sound_of(plan, frame));
+                    TRY(film, video::FilmWriter::create(plan.out, picture.width, picture.height, plan.fps,
+                                                        std::move(sound)));
                 }
                 TRY_VOID(film->add(picture.samples.data()));
             } else {
@@ -106,6 +116,8 @@ Result<FarmDone> write_film(const FarmPlan& plan) {
     }
     if (film) {
         TRY_VOID(film->finish());
+        if (const std::string problem = film->sound_problem(); !problem.empty())
+            log_warning(plan.show.string() + ": its sound: " + problem);
         std::error_code code;
         result.files[plan.out.filename().string()] = {fs::file_size(plan.out, code), 0};
     }

@@ -146,6 +146,10 @@ std::string farm_inputs(const scene::Show& show, const std::vector<fs::path>& al
         std::sort(passes.begin(), passes.end());
         files.insert(files.end(), passes.begin(), passes.end());
     }
+    if (!show.sound.file.empty()) {
+        files.push_back(show.sound.file);
+        hasher.value(show.sound.offset_s);
+    }
     for (const fs::path& file : files) { // may be long
         std::error_code code;
         hasher.text(file.filename().string());

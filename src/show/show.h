@@ -62,6 +62,13 @@ struct Model {
     std::string where; // file:line
 };
 
+// What is heard while the recording plays.
+struct Sound {
+    std::filesystem::path file; // or empty
+    double offset_s = 0;        // second of the recording at which it begins; below 0: before it
+    std::string where;          // file:line
+};
+
 // The thesis's factors: light falls with 1 / (constant + linear d + quadratic d^2); (0, 0, 1) is physics.
 struct Attenuation {
     float constant = 0;
@@ -132,8 +139,9 @@ struct Show {
     std::vector<std::string> hidden_layers; // of the plot, by name
     std::vector<std::string> hidden_classes;
     std::filesystem::path recording; // the show's own DMX recording, or empty
-    float ambient_lux = 0.0f;        // even light from everywhere, so that the house is not pitch black
-    glm::vec3 ambient_colour{1.0f};  // of it: linear Rec.2020, luminance 1
+    Sound sound;
+    float ambient_lux = 0.0f;       // even light from everywhere, so that the house is not pitch black
+    glm::vec3 ambient_colour{1.0f}; // of it: linear Rec.2020, luminance 1
     HazeMedium haze;
     std::vector<Hazer> hazers;
     Attenuation attenuation;

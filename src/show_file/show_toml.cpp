@@ -25,6 +25,7 @@ constexpr std::size_t kMaxChanges = 100'000;
 constexpr std::size_t kMaxBreaks = 64;
 constexpr int kMaxPictureSide = 16384;
 constexpr std::size_t kMaxNameBytes = 100;
+constexpr double kLongestOffset_s = 86'400;
 
 template <class Target, class Value>
 void put(Target& target, const std::optional<Value>& value) {
@@ -218,6 +219,12 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
         parsed.stage_line = reader.line_of("stage");
         if (const auto recording = reader.text("recording")) show.recording = show.folder / *recording;
         parsed.recording_line = reader.line_of("recording");
+        if (const auto sound = reader.text("sound")) show.sound.file = show.folder / *sound;
+        put(show.sound.offset_s, reader.number("sound_offset_s", -kLongestOffset_s, kLongestOffset_s));
+        show.sound.where = reader.where("sound");
+        if (reader.has("sound_offset_s") && !reader.has("sound"))
+            reader.problem(Severity::warning, "sound_offset_s",
+                           "is not used: there is no sound (sound = the name of a file)");
         if (const auto motion = reader.text("motion")) {
             if (const auto chosen = fixture::motion_from(*motion))
                 show.motion = *chosen;

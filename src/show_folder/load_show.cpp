@@ -154,6 +154,9 @@ void check_files(const ParsedShow& parsed, Report& report) {
     if (!show.recording.empty() && !is_file(show.recording))
         report.add(Severity::error, file_line(file, parsed.recording_line),
                    "[show] recording: " + missing_file(show.recording));
+    if (!show.sound.file.empty() && !is_file(show.sound.file))
+        report.add(Severity::error, show.sound.where,
+                   "[show] sound: " + missing_file(show.sound.file) + " Films are silent.");
     for (const Media& media : show.media)
         if (media.kind == MediaKind::file && !is_file(media.file))
             report.add(Severity::error, media.where,

@@ -3,8 +3,11 @@
 
 #include "base/zeroed_memory.h"
 #include "disk/files.h"
+#include "video/private/ffmpeg.h"
+#include "video/private/film_sound.h"
 
 #include <string>
+#include <utility>
 
 extern "C" {
 #include <libavcodec/avcodec.h>
@@ -14,15 +17,6 @@ extern "C" {
 }
 
 namespace ghost::video {
-namespace {
-
-Error ffmpeg_error(const std::string& action, int code, const std::filesystem::path& path) {
-    char text[AV_ERROR_MAX_STRING_SIZE] = {};
-    av_strerror(code, text, sizeof text);
-    return Error{action + ": " + text, path.string()};
-}
-
-} // namespace
 
 struct FilmWriter::Encoder {
     std::filesystem::path path;
@@ -35,6 +29,7 @@ struct FilmWriter::Encoder {
     AVFrame* frame = nullptr;
     AVPacket* packet = nullptr;
     SwsContext* scaler = nullptr;
+    std::unique_ptr<FilmSoundTrack> sound; // null: none
     std::int64_t count = 0;
     bool finished = false;
 
@@ -51,11 +46,12 @@ struct FilmWriter::Encoder {
         }
     }
 
-    Result<void> open(int width, int height, int fps);
+    Result<void> open(int width, int height, int fps, FilmSound with_sound);
     Result<void> drain();
+    double seconds() const { return static_cast<double>(count) * av_q2d(codec->time_base); }
 };
 
-Result<void> FilmWriter::Encoder::open(int width, int height, int fps) {
+Result<void> FilmWriter::Encoder::open(int width, int height, int fps, FilmSound with_sound) {
     av_log_set_level(AV_LOG_WARNING); // the encoder's figures would tear our progress bar
     const AVCodec* encoder = avcodec_find_encoder_by_name("libx264");
     if (!encoder) encoder = avcodec_find_encoder(AV_CODEC_ID_MPEG4);
@@ -87,6 +83,10 @@ Result<void> FilmWriter::Encoder::open(int width, int height, int fps) {
     code = avcodec_parameters_from_context(stream->codecpar, codec);
     if (code < 0) return ffmpeg_error("cannot describe the film", code, path);
     stream->time_base = codec->time_base;
+    if (with_sound.file) {
+        TRY(sound, FilmSoundTrack::create(std::move(with_sound), file, path));
+        file->max_interleave_delta = 0; // a slow film's encoder holds more than ten seconds back
+    }
     code = avio_open(&file->pb, temporary.c_str(), AVIO_FLAG_WRITE);
     if (code < 0) return ffmpeg_error("cannot create", code, path);
     code = avformat_write_header(file, nullptr);
@@ -122,14 +122,14 @@ Result<void> FilmWriter::Encoder::drain() {
 }
 
 Result<std::unique_ptr<FilmWriter>> FilmWriter::create(const std::filesystem::path& path, int width,
-                                                       int height, int fps) {
+                                                       int height, int fps, FilmSound sound) {
     auto encoder = std::make_unique<Encoder>();
     encoder->path = path;
     encoder->temporary = temporary_beside(path);
     encoder->source_width = width;
     encoder->source_height = height;
     const ZeroedMemory same_bytes;
-    TRY_VOID(encoder->open(width & ~1, height & ~1, fps));
+    TRY_VOID(encoder->open(width & ~1, height & ~1, fps, std::move(sound)));
     return std::unique_ptr<FilmWriter>(new FilmWriter(std::move(encoder)));
 }
 
@@ -138,6 +138,10 @@ FilmWriter::~FilmWriter() = default;
 
 int FilmWriter::frames() const {
     return static_cast<int>(encoder_->count);
+}
+
+std::string FilmWriter::sound_problem() const {
+    return encoder_->sound ? encoder_->sound->problem() : std::string();
 }
 
 Result<void> FilmWriter::add(const std::uint8_t* rgba) {
@@ -150,7 +154,8 @@ Result<void> FilmWriter::add(const std::uint8_t* rgba) {
     e.frame->pts = e.count++;
     code = avcodec_send_frame(e.codec, e.frame);
     if (code < 0) return ffmpeg_error("cannot encode", code, e.path);
-    return e.drain();
+    TRY_VOID(e.drain());
+    return e.sound ? e.sound->write_to(e.seconds()) : Result<void>{};
 }
 
 Result<void> FilmWriter::finish() {
@@ -159,6 +164,7 @@ Result<void> FilmWriter::finish() {
     int code = avcodec_send_frame(e.codec, nullptr);
     if (code < 0) return ffmpeg_error("cannot encode", code, e.path);
     TRY_VOID(e.drain());
+    if (e.sound) TRY_VOID(e.sound->finish(e.seconds()));
     code = av_write_trailer(e.file);
     if (code < 0) return ffmpeg_error("cannot write", code, e.path);
     code = avio_closep(&e.file->pb);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "video/private/movie.h"
 
+#include "video/private/ffmpeg.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -24,12 +26,6 @@ constexpr int kMostPackets = 4'000'000; // looked at where a file does not say h
 constexpr int kThreads = 2;
 constexpr int kLargePicture = 1920 * 1088; // beyond, more threads decode
 constexpr int kThreadsLarge = 4;
-
-Error ffmpeg_error(const std::string& action, int code, const std::filesystem::path& path) {
-    char text[AV_ERROR_MAX_STRING_SIZE] = {};
-    av_strerror(code, text, sizeof text);
-    return Error{action + ": " + text, path.string()};
-}
 
 // Matrix of the file's colours; where it does not say, as players guess.
 const int* matrix_of(const AVFrame& frame) {
@@ -133,17 +129,7 @@ struct Movie::Decoder {
 };
 
 Result<void> Movie::Decoder::open() {
-    std::error_code unreadable; // then FFmpeg says why
-    if (std::filesystem::exists(path, unreadable) && !std::filesystem::is_regular_file(path, unreadable))
-        return Error{"not a plain file", path.string()}; // a pipe would be waited for without an end
-    av_log_set_level(AV_LOG_FATAL);                      // what it says names no file; we say it
-    AVDictionary* options = nullptr;
-    av_dict_set(&options, "protocol_whitelist", "file", 0);
-    int code = avformat_open_input(&file, ("file:" + path.string()).c_str(), nullptr, &options);
-    av_dict_free(&options);
-    if (code < 0) return ffmpeg_error("cannot be opened as a film", code, path);
-    code = avformat_find_stream_info(file, nullptr);
-    if (code < 0) return ffmpeg_error("says nothing of what is in it", code, path);
+    TRY_VOID(open_plain_file(path, "a film", file));
     const int index = av_find_best_stream(file, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (index < 0) return Error{"has no pictures, expected a film", path.string()};
     stream = file->streams[index];

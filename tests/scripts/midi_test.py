@@ -105,7 +105,7 @@ def play(work):
     (work / "count.show").write_text("\n".join(lines) + "\n")
     levels = Levels()
     device = work / "midi"
-    player = start("play", work / "count.show", "--timecode", "10:00:00:00", "--midi", device, "--to", "127.0.0.1",
+    player = start("play", work / "count.show", "--timecode", "10:00:00:00", "--midi", device, "--freewheel", "0", "--to", "127.0.0.1",
                    "--sacn-port", levels.socket.getsockname()[1])
     try:
         wait_for(player, f"{device}: is not plugged in; it is looked for once a second")

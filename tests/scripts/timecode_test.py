@@ -64,6 +64,21 @@ def position_at(sent, now):
     return min(ends) - 0.05, max(ends) + 0.05
 
 
+def freewheels(work, artnet, desk, listener):
+    """Without --freewheel it goes on for a second; what the player said."""
+    player = subprocess.Popen([str(PROGRAM), "play", str(work / "count.show"), "--timecode", "10:00:00:00", "--to", "127.0.0.1",
+                               "--interface", "127.0.0.1", "--sacn-port", str(listener.getsockname()[1]), "--artnet-port", str(artnet),
+                               "--seconds", "7"], stderr=subprocess.PIPE, text=True)
+    time.sleep(1.5)
+    ended = desk.run(5.0, 51)[-1][0]  # 5 to 7 s
+    time.sleep(2.2)
+    seen = {after_s: [level for now, level in desk.levels if abs(now - ended - after_s) < 0.06] for after_s in (0.5, 1.6, 2.0)}
+    said = player.communicate(timeout=30)[1]
+    for after_s, level in ((0.5, 75), (1.6, 80), (2.0, 80)):
+        assert seen[after_s] and min(abs(one - level) for one in seen[after_s]) <= 1, (after_s, seen)
+    return said
+
+
 def main():
     work = pathlib.Path(tempfile.mkdtemp())
     # Level n from n/10 s on: 20 s.
@@ -73,7 +88,7 @@ def main():
     listener.bind(("127.0.0.1", 0))
     artnet = free_port()
     desk = Desk(artnet, listener)
-    player = subprocess.Popen([str(PROGRAM), "play", str(work / "count.show"), "--timecode", "10:00:00:00", "--to", "127.0.0.1",
+    player = subprocess.Popen([str(PROGRAM), "play", str(work / "count.show"), "--timecode", "10:00:00:00", "--freewheel", "0", "--to", "127.0.0.1",
                                "--interface", "127.0.0.1", "--sacn-port", str(listener.getsockname()[1]), "--artnet-port", str(artnet),
                                "--quiet"], stderr=subprocess.PIPE, text=True)
     try:
@@ -121,6 +136,9 @@ def main():
     finally:
         player.kill()
         player.wait()
+    said = freewheels(work, artnet, desk, listener)
+    for words in ("time code runs", "time code freewheels since 0.", "time code dropped out 1 s ago"):
+        assert words in said, (words, said)
     for wrong in ("10:00", "25:00:00:00", "x"):
         done = subprocess.run([str(PROGRAM), "play", str(work / "count.show"), "--timecode", wrong], capture_output=True, text=True, timeout=30)
         assert done.returncode == 2 and "--timecode" in done.stderr, (wrong, done)

@@ -93,6 +93,8 @@ TEST(ShowToml, Everything) {
 name = "Hall"
 stage = "hall.glb"
 recording = "hall.show"
+sound = "song.flac"
+sound_offset_s = -1.5
 ambient_lux = 1.5
 [haze]
 extinction_per_m = 0.02
@@ -131,6 +133,8 @@ track = { stops_m = [[0, 0, 5], [1, 0, 5], [2, 0, 5]], universe = 3, address = 7
     EXPECT_EQ(show.folder, "show");
     EXPECT_EQ(show.stage_file, "show/hall.glb");
     EXPECT_EQ(show.recording, "show/hall.show");
+    EXPECT_EQ(show.sound.file, "show/song.flac");
+    EXPECT_EQ(show.sound.offset_s, -1.5);
     EXPECT_FLOAT_EQ(show.ambient_lux, 1.5f);
     EXPECT_FLOAT_EQ(show.haze.extinction_per_m, 0.02f);
     EXPECT_FLOAT_EQ(show.haze.albedo, 0.9f);
@@ -195,6 +199,8 @@ const Wrong kWrong[] = {
      "expected a number from 0 to 1"},
     {"not_a_number", kHead + "[haze]\nextinction_per_m = nan\n", 10, Severity::error,
      "expected a number from 0 to 10"},
+    {"offset_of_no_sound", "[show]\nsound_offset_s = 1\n" + kHead.substr(kHead.find('\n') + 1), 2,
+     Severity::warning, "there is no sound"},
     {"infinite", kHead + "[haze]\nextinction_per_m = inf\n", 10, Severity::error,
      "expected a number from 0 to 10"},
     {"two_concentrations", kHead + "[haze]\nextinction_per_m = 0.1\nconcentration_mg_per_m3 = 5\n", 11,
@@ -345,10 +351,10 @@ TEST(Show, MissingFilesAreNamedAndTheRestStays) {
     std::string text = kHead + fixture("a", 1) + fixture("b", 23);
     text.replace(text.find("tiny.glb"), 8, "tony.glb");
     text.replace(text.find("VL2500_Spot"), 11, "VL2600_Spot");
-    text.insert(text.find("[[camera]]"), "recording = \"gone.show\"\n");
+    text.insert(text.find("[[camera]]"), "recording = \"gone.show\"\nsound = \"gone.wav\"\n");
     Report report;
     const Show show = load(show_folder("missing", text), report);
-    ASSERT_EQ(report.messages.size(), 3u) << all_text(report);
+    ASSERT_EQ(report.messages.size(), 4u) << all_text(report);
     const auto has = [&](const std::string& line, const std::string& part) {
         for (const Message& message : report.messages)
             if (message.where.ends_with("show.toml:" + line) &&
@@ -356,10 +362,11 @@ TEST(Show, MissingFilesAreNamedAndTheRestStays) {
                 return true;
         return false;
     };
-    EXPECT_TRUE(has("12", "VL2600_Spot.gdtf, did you mean 'Vari-Lite@VL2500_Spot.gdtf'?"))
+    EXPECT_TRUE(has("13", "VL2600_Spot.gdtf, did you mean 'Vari-Lite@VL2500_Spot.gdtf'?"))
         << all_text(report);
     EXPECT_TRUE(has("3", "tony.glb, did you mean 'tiny.glb'?")) << all_text(report);
     EXPECT_TRUE(has("4", "gone.show")) << all_text(report);
+    EXPECT_TRUE(has("5", "gone.wav")) << all_text(report);
     EXPECT_FALSE(show.fixtures[0].type);
     EXPECT_TRUE(show.fixtures[1].type);
 }

@@ -9,6 +9,7 @@
 #include "fixture/values.h"
 #include "fixture_files/load_type.h"
 #include "light/bodies.h"
+#include "live/session/film_sound.h"
 #include "live/session/media_player.h"
 #include "passes/passes.h"
 #include "plots/plot_types.h"
@@ -120,6 +121,7 @@ void check_show(const fs::path& path, const scene::FixtureOffers& offers, const 
         }
     }
     check_media(*show, report);
+    check_sound(*show, report);
     scene::check_prisms(*show, report);
     for (const scene::Camera& camera : show->cameras) {
         if (camera.foreign_passes.empty()) continue;

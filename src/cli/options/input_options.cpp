@@ -174,7 +174,7 @@ Result<dmx::ReceiverOptions> receiver_options(const InputOptions& options) {
     result.artnet = options.protocols == "artnet" || options.protocols == "both";
     TRY(result.usb, parse_usb_ports(options.usb));
     result.midi = options.midi;
-    if (options.protocols == "none" && result.usb.empty() && result.midi.empty())
+    if (options.protocols == "none" && result.usb.empty() && result.midi.empty() && options.ltc.empty())
         return Error{"nothing to listen to; name a port with --usb", "--protocols none"};
     if (options.protocols == "both") TRY_VOID(dmx::check_ports(options.sacn_port, options.artnet_port));
     TRY(result.universes, parse_universes(options.universes));

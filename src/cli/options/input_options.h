@@ -33,6 +33,7 @@ struct InputOptions {
     bool no_poll_reply = false;
     std::vector<std::string> usb; // "/dev/ttyUSB0=3", "auto"
     std::string midi;             // add_midi_option
+    std::string ltc;              // add_ltc_option; no receiver listens to it
 };
 
 // Adds --sacn-port and --artnet-port alone.

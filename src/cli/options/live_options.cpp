@@ -1,15 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/options/live_options.h"
 
-namespace ghost::app {
+#include "cli/options/input_options.h"
+#include "cli/options/number_option.h"
 
-CLI::Option* add_timecode_option(CLI::App& command, std::string& text) {
+namespace ghost::app {
+namespace {
+
+constexpr double kLongestFreewheel_s = 3600;
+
+} // namespace
+
+CLI::Option* add_timecode_options(CLI::App& command, TimeCodeOptions& options, std::string& midi) {
+    CLI::Option* const timecode =
+        command
+            .add_option("--timecode", options.begin,
+                        "the recording follows the time code of the network (Art-Net), of --midi or of "
+                        "--ltc, and begins at this one, like 10:00:00:00 or 0")
+            ->type_name("TIME");
+    CLI::Option* const port = add_midi_option(command, midi)->needs(timecode);
+    add_ltc_option(command, options.ltc)->needs(timecode)->excludes(port);
+    command
+        .add_option("--freewheel", options.freewheel_s,
+                    "where no time code comes any more the recording goes on for so many seconds, then it "
+                    "stands")
+        ->check(number_in(0.0, kLongestFreewheel_s))
+        ->needs(timecode)
+        ->capture_default_str();
+    return timecode;
+}
+
+CLI::Option* add_ltc_option(CLI::App& command, std::string& name) {
     return command
-        .add_option(
-            "--timecode", text,
-            "the recording follows the time code of the network (Art-Net) or of --midi, and begins at this "
-            "one, like 10:00:00:00 or 0")
-        ->type_name("TIME");
+        .add_option("--ltc", name,
+                    "time code that is a sound (LTC), instead of Art-Net's: an input of ALSA like default or "
+                    "hw:1,0 (arecord -L lists them), or a sound file, which plays once")
+        ->type_name("INPUT|FILE");
 }
 
 CLI::Option* add_rdm_option(CLI::App& command, std::string& text) {

@@ -5,14 +5,17 @@
 
 #include "farm/farm.h"
 #include "live/engine/live_controls.h"
+#include "live/inputs/timecode_input.h"
 
 #include <CLI/CLI.hpp>
 #include <string>
 
 namespace ghost::app {
 
-// Adds --timecode. text must outlive command.
-CLI::Option* add_timecode_option(CLI::App& command, std::string& text);
+// Adds --timecode, and --midi, --ltc and --freewheel, which need it. options and midi must outlive command.
+CLI::Option* add_timecode_options(CLI::App& command, TimeCodeOptions& options, std::string& midi);
+// Adds --ltc. name must outlive command.
+CLI::Option* add_ltc_option(CLI::App& command, std::string& name);
 // Adds --rdm. text must outlive command.
 CLI::Option* add_rdm_option(CLI::App& command, std::string& text);
 // Adds --osc and --psn. options must outlive command.

@@ -5,7 +5,9 @@
 
 #include "diagnose/patch_map.h"
 #include "dmx/receive/receiver.h"
+#include "live/inputs/ltc_input.h"
 
+#include <optional>
 #include <string>
 
 namespace ghost::app {
@@ -16,6 +18,7 @@ struct MonitorReport {
     dmx::Statistics statistics;
     bool has_patch = false; // of a show
     scene::PatchMap patch;
+    std::optional<LtcStatus> ltc; // where one was asked for
 };
 
 // levels: all 512 of each universe.

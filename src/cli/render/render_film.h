@@ -38,8 +38,8 @@ struct RenderArguments {
     FarmOptions farm;
     std::string beams = "gate";
     std::string replay;
-    std::string timecode; // live: the recording by time code instead of a desk
-    std::string motion;   // empty: the show's
+    TimeCodeOptions timecode; // live: the recording by time code instead of a desk
+    std::string motion;       // empty: the show's
     double at_s = -1;
     double from_s = -1;
     double to_s = -1;

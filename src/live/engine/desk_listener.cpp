@@ -15,7 +15,7 @@ constexpr double kListenAgain_s = 3;
 
 } // namespace
 
-void DeskListener::follow(const std::string& timecode) {
+void DeskListener::follow(const TimeCodeOptions& timecode) {
     auto input = open_timecode(timecode);
     if (!input.ok() || !*input) return; // checked before
     timecode_ = std::move(*input);

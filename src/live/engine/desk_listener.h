@@ -23,8 +23,8 @@ public:
     DeskListener(const DeskListener&) = delete;
     DeskListener& operator=(const DeskListener&) = delete;
 
-    // What recordings follow, before it listens; empty: nothing.
-    void follow(const std::string& timecode);
+    // What recordings follow, before it listens.
+    void follow(const TimeCodeOptions& timecode);
     // Tries to, every few seconds. True: it has begun to.
     bool listen(double now_s);
     // Universes of a show, beside those of the options.

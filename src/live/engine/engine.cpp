@@ -162,6 +162,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     look_ = std::make_unique<AppliedLook>(*session_);
     motion_ = session_->show->motion;
     input_ = std::make_unique<LiveInput>(desk_.receiver(), desk_.timecode());
+    sound_.use(session_->show->sound);
     listen_to_patch();
     if (kind == Opening::Kind::another) {
         request_.recording.clear();

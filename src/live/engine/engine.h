@@ -16,6 +16,7 @@
 #include "live/engine/picture_probe.h"
 #include "live/engine/plot_inbox.h"
 #include "live/engine/rig_news.h"
+#include "live/engine/show_sound.h"
 #include "live/inputs/live_input.h"
 #include "live/session/applied_look.h"
 #include "live/session/opening.h"
@@ -36,7 +37,8 @@ struct EngineOptions {
     dmx::ReceiverOptions receiver;
     bool listens = true;                   // to a desk
     LiveControlOptions controls;           // remote control and trackers
-    std::string timecode;                  // what the recording follows; empty: nothing
+    TimeCodeOptions timecode;              // what the recording follows
+    std::string sound;                     // output of the show's sound (show_sound.h); empty: none
     std::optional<XchangeOptions> xchange; // where plots come from
     bool takes_plots = false;              // at once, without asking
 };
@@ -120,6 +122,7 @@ private:
     double bounce_ms_ = 0; // of drawing the last picture
     int losses_ = 0;       // of the device
     LiveControls controls_;
+    ShowSound sound_{options_.sound};
     PlotInbox plots_{link_};
 
     // Of the show that is open.

@@ -138,6 +138,12 @@ void Engine::frame() {
         session_->media_s = input_->at_s();
     else if (!request_.frozen)
         session_->media_s = desk_.timecode() ? desk_.timecode()->at_s(kLongestFilm_s) : std::nullopt;
+    if (session_->media_s)
+        sound_.follow(*session_->media_s,
+                      start_.time_since_epoch() + std::chrono::round<std::chrono::nanoseconds>(
+                                                      std::chrono::duration<double>(begin_s)));
+    for (const std::string& sentence : sound_.take_messages())
+        messages_.add(Severity::warning, session_->show->sound.where, sentence);
     session_->show_media(air_s_ + dt_s);
     const bool baked =
         baked_.choose(*session_, {wanted, request_.camera.fov_y_deg, text_, needs_live()}, begin_s);

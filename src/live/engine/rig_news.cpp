@@ -39,6 +39,7 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
     rig.from_desk = input.shows_desk();
     rig.at_s = input.at_s();
     rig.recording_s = input.recording_s();
+    rig.timecode = input.timecode_text();
     if (recorded_s) rig.recorded_s = *recorded_s;
     const std::vector<fixture::State>& states = session.rig->states();
     std::size_t face = 0; // one for each beam of a fixture with a type

@@ -17,6 +17,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ghost::app {
@@ -46,6 +47,10 @@ public:
     const dmx::Universes& desk() const { return desk_; } // heard, shown or not
     bool shows_desk() const { return shows_desk_; }
     double at_s() const { return at_s_; }
+    // "time code freewheels since 0.4 s"; "" while it runs, and where none is followed.
+    std::string timecode_text() const {
+        return timecode_ ? dmx::chase_text(timecode_->status()) : std::string();
+    }
     // The recording that plays has other levels so much later.
     bool plays_else_in(double dt_s) const;
     // A remote control jumps; the transport goes on from there.

@@ -91,7 +91,7 @@ Result<void> write_picture(const std::filesystem::path& path, const image::Image
 
 Result<std::unique_ptr<PictureWriter>> PictureWriter::create(const std::filesystem::path& path, int width,
                                                              int height, int fps, bool numbered,
-                                                             int supersample) {
+                                                             int supersample, video::FilmSound sound) {
     std::unique_ptr<PictureWriter> writer(new PictureWriter);
     writer->path_ = path;
     writer->numbered_ = numbered;
@@ -100,7 +100,7 @@ Result<std::unique_ptr<PictureWriter>> PictureWriter::create(const std::filesyst
     writer->height_ = height;
     TRY(writer->kind_, output_kind(path));
     if (writer->kind_ == OutputKind::film) {
-        TRY(writer->film_, video::FilmWriter::create(path, width, height, fps));
+        TRY(writer->film_, video::FilmWriter::create(path, width, height, fps, std::move(sound)));
     }
     return writer;
 }

@@ -24,10 +24,10 @@ class PictureWriter {
 public:
     // width, height: of the file. numbered: PNG and EXR become NAME-00000.png, NAME-00001.png, ...
     // supersample: the relighter's picture is that many times as large. One that is smaller is scaled
-    // smoothly.
+    // smoothly. sound: of a film; pictures have none.
     static Result<std::unique_ptr<PictureWriter>> create(const std::filesystem::path& path, int width,
                                                          int height, int fps, bool numbered,
-                                                         int supersample = 1);
+                                                         int supersample = 1, video::FilmSound sound = {});
     // caption: burnt into the picture, but not into EXR.
     Result<void> add(render::Relighter& relighter, const std::string& caption = {});
     // The number of the next picture, instead of one more than that of the last.
@@ -35,6 +35,8 @@ public:
     // The last picture again, so often.
     Result<void> repeat(long times);
     Result<void> finish();
+    // What was wrong with the sound of a film; empty: nothing.
+    std::string sound_problem() const { return film_ ? film_->sound_problem() : std::string(); }
     // The files that were written: "a.png", "a-00000.png to a-00019.png".
     std::string written() const;
     // The first of them.

@@ -162,6 +162,7 @@ QJsonObject state_json(const AppModel& app, const View& view) {
             {"at_s", app.rig().at_s},
             {"recording_s", app.rig().recording_s},
             {"recorded_s", app.rig().recorded_s},
+            {"timecode", QString::fromStdString(app.rig().timecode)},
             {"recorded", QString::fromStdString(app.recorded().file)},
             {"from_desk", app.rig().from_desk},
             {"universes", universes},

@@ -399,6 +399,7 @@ void Window::show_status() {
                          : "No recording, and no desk: started with --no-desk";
     else
         text = QString("Recording, %1 of %2 s").arg(rig.at_s, 0, 'f', 1).arg(rig.recording_s, 0, 'f', 1);
+    if (!rig.timecode.empty()) text += "; " + QString::fromStdString(rig.timecode);
     if (rig.recorded_s >= 0) text += QString("; RECORDING, %1 s").arg(rig.recorded_s, 0, 'f', 1);
     status_input_->setText(text);
 }

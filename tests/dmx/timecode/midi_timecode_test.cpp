@@ -89,7 +89,7 @@ TEST(MidiTimeCode, the_clock_runs_with_it) {
     const auto began = 5s; // frame 0
     EXPECT_NEAR(*clock.at_s(cable.now - 10ms),
                 36000.0 + std::chrono::duration<double>(cable.now - 10ms - began).count(), 1e-6);
-    EXPECT_NEAR(*clock.at_s(cable.now + 1h), 36002.0, 1e-6) << "stands at most one frame further";
+    EXPECT_NEAR(*clock.at_s(cable.now + 1h), 36003.0, 0.05) << "freewheels for a second";
 }
 
 TEST(MidiTimeCode, begins_in_the_middle_and_after_a_gap) {

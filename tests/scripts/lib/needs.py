@@ -2,13 +2,15 @@
 """What a test cannot run without: where a Debian package is missing, the test is skipped with one sentence that names it, which
 ./dev test counts. Scripts of the shell run this file: needs.py PACKAGE..."""
 import importlib.util
+import pathlib
 import shutil
 import sys
 
+FILES = {"libasound2-plugins": "*/alsa-lib/libasound_module_pcm_pulse.so"}
 MODULES = {"python3-numpy": "numpy", "python3-pil": "PIL"}
 PROGRAMS = {"iproute2": ["ip"], "ola": ["olad", "ola_rdm_discover", "ola_rdm_get", "ola_rdm_set"], "util-linux": ["setpriv", "unshare", "nsenter"], "xvfb": ["Xvfb"],
             "xdotool": ["xdotool"], "chromium": ["chromium"], "poppler-utils": ["pdftotext", "pdffonts"], "slurm-wlm": ["slurmctld", "slurmd", "sbatch", "squeue"], "munge": ["munged"],
-            "faketime": ["faketime"]}
+            "faketime": ["faketime"], "ffmpeg": ["ffmpeg", "ffprobe"], "pulseaudio": ["pulseaudio"], "pulseaudio-utils": ["pactl", "parec"]}
 
 
 def skip(reason):
@@ -17,6 +19,8 @@ def skip(reason):
 
 
 def is_there(package, path=None):
+    if package in FILES:
+        return any(pathlib.Path("/usr/lib").glob(FILES[package]))
     if package in MODULES:
         return importlib.util.find_spec(MODULES[package]) is not None
     return all(shutil.which(program, path=path) for program in PROGRAMS[package])
