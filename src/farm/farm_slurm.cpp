@@ -158,8 +158,10 @@ Result<std::vector<SlurmJob>> slurm_jobs(const std::vector<std::string>& jobs) {
 }
 
 bool anybody_works(const std::vector<SlurmJob>& jobs) {
-    return std::any_of(jobs.begin(), jobs.end(), [](const SlurmJob& job) {
-        return job.reason != "launch failed requeued held" && job.reason != "Dependency";
+    const auto is_held = [](const SlurmJob& job) { return job.reason == "launch failed requeued held"; };
+    const bool holds_back = std::any_of(jobs.begin(), jobs.end(), is_held);
+    return std::any_of(jobs.begin(), jobs.end(), [&](const SlurmJob& job) {
+        return !holds_back || (!is_held(job) && job.reason != "Dependency");
     });
 }
 
