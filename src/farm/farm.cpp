@@ -98,14 +98,14 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
     if (options.engine == "slurm") {
         auto living = slurm_jobs(before.jobs);
         // Those of a whole that was finished, and is gone since, are just ending.
-        for (int look = 0;
-             look < kLooksAtLast && living.ok() && !living->empty() && fs::exists(plan.result_file(), code);
+        for (int look = 0; look < kLooksAtLast && living.ok() && anybody_works(*living) &&
+                           fs::exists(plan.result_file(), code);
              ++look) {
             std::this_thread::sleep_for(kBetweenLooks);
             living = slurm_jobs(before.jobs);
         }
         if (!living.ok()) return fail(living.error());
-        if (!living->empty()) {
+        if (anybody_works(*living)) {
             log_info(plan.result_name() + ": is on the farm already; following it");
             { const Hold given_back = std::move(*hold); }
             return wait_for_farm(plan, quiet);
@@ -123,6 +123,7 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
         catch_interrupts();
         return ended(plan, do_here(plan, missing, options.jobs, quiet));
     }
+    if (!before.jobs.empty()) (void)cancel_slurm(before.jobs); // those that it holds back
     auto jobs = submit_to_slurm(plan, missing, options.options);
     if (!jobs.ok()) return fail(jobs.error());
     now.jobs = std::move(*jobs);

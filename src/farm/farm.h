@@ -47,6 +47,8 @@ Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std
                                                  const std::string& options);
 // Those of them that have not ended. Error: Slurm does not answer.
 Result<std::vector<SlurmJob>> slurm_jobs(const std::vector<std::string>& jobs);
+// Not where Slurm holds back what it could not begin, and all others wait for that.
+bool anybody_works(const std::vector<SlurmJob>& jobs);
 // Where they could not even begin, as far as Slurm remembers it.
 std::set<std::string> nodes_that_could_not_begin(const std::vector<std::string>& jobs);
 Result<void> cancel_slurm(const std::vector<std::string>& jobs);

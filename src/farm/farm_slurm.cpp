@@ -157,6 +157,14 @@ Result<std::vector<SlurmJob>> slurm_jobs(const std::vector<std::string>& jobs) {
     return jobs_in(jobs, "");
 }
 
+bool anybody_works(const std::vector<SlurmJob>& jobs) {
+    const auto is_held = [](const SlurmJob& job) { return job.reason == "launch failed requeued held"; };
+    const bool holds_back = std::any_of(jobs.begin(), jobs.end(), is_held);
+    return std::any_of(jobs.begin(), jobs.end(), [&](const SlurmJob& job) {
+        return !holds_back || (!is_held(job) && job.reason != "Dependency");
+    });
+}
+
 std::set<std::string> nodes_that_could_not_begin(const std::vector<std::string>& jobs) {
     std::set<std::string> nodes;
     const auto failed = jobs_in(jobs, "FAILED");

@@ -126,7 +126,7 @@ int wait_for_farm(const FarmPlan& plan, bool quiet, double most_silence_s) {
     std::size_t done_before = 0;
     const auto end = [&](const Counts& counts, const std::string& why) {
         progress.finish();
-        log_error(plan.result_name() + ": " + status_text(plan, counts, {}) + ", and " + why);
+        log_error(plan.result_name() + ": " + status_text(plan, counts, engine.jobs) + ", and " + why);
         return 1;
     };
     for (long look = 0;; ++look) {
@@ -146,7 +146,7 @@ int wait_for_farm(const FarmPlan& plan, bool quiet, double most_silence_s) {
             // First, for who submits may be handing over to Slurm just now.
             const bool is_submitting = is_being_submitted(plan);
             engine = ask_engine(plan);
-            is_alone = !is_submitting && engine.jobs.empty() && !engine.silence;
+            is_alone = !is_submitting && !anybody_works(engine.jobs) && !engine.silence;
         }
         if (engine.silence && look == 0) {
             progress.finish();
