@@ -18,8 +18,8 @@ constexpr double kLetterWidth_pt = 612, kLetterHeight_pt = 792;
 constexpr double kGrey = 0.35;
 constexpr std::size_t kMeasuredBytes = 1000;
 constexpr int kPictureQuality = 85;
-// cairo would write the time of day, and no two files were equal.
-constexpr const char* kNoDate = "2000-01-01T00:00:00Z";
+// None: cairo would write the time of day, and no two files would be equal.
+constexpr const char* kNoDate = "";
 
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned int size) {
     static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), size);
