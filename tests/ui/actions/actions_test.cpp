@@ -16,6 +16,7 @@
 #include <QLocalSocket>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QRegularExpression>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTreeWidget>
@@ -102,10 +103,13 @@ TEST(Actions, the_guide_lists_every_action_and_nothing_else) {
         // Examples of values begin with a capital letter, switches stand alone.
         if (words[0].isLower() && words != "on" && words != "off") listed.insert(words.section(' ', 0, 0));
     }
+    // Entries of menus: "fps-30" is `fps` with its value.
+    static const QRegularExpression kWithValue("^((fps|resolution|camera)-\\d+|tone-[a-z]+)$");
     Opened4 opened;
     for (const Action& action : opened.window->actions().all()) known.insert(action.name);
     for (const QString& name : known)
-        EXPECT_TRUE(listed.contains(name)) << name.toStdString() << " is missing in docs/guide/window.md";
+        EXPECT_TRUE(listed.contains(name) || kWithValue.match(name).hasMatch())
+            << name.toStdString() << " is missing in docs/guide/window.md";
     for (const QString& name : listed)
         EXPECT_TRUE(known.contains(name)) << name.toStdString() << " in docs/guide/window.md is no action";
 }
