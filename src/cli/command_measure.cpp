@@ -4,9 +4,9 @@
 #include "cli/commands.h"
 #include "cli/options/bounce_option.h"
 #include "cli/options/number_option.h"
+#include "live/lux/light_meter.h"
+#include "live/lux/lux_sheet.h"
 #include "live/session/bounce_light.h"
-#include "live/session/light_meter.h"
-#include "live/session/lux_sheet.h"
 #include "live/session/show_moment.h"
 
 #include "base/log.h"

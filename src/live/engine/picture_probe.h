@@ -4,7 +4,7 @@
 // the mouse, what a click meets, the picture as a file. Answers go by the link. Engine thread.
 
 #include "link/link.h"
-#include "live/session/light_meter.h"
+#include "live/lux/light_meter.h"
 #include "live/session/session.h"
 #include "rays/tracer.h"
 

@@ -3,7 +3,7 @@
 
 #include "beam_groups/light_places.h"
 #include "diagnose/explain_print.h"
-#include "live/session/light_meter.h"
+#include "live/lux/light_meter.h"
 #include "photometry/photometry.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "live/session/bounce_light.h"
 
 #include "disk/files.h"
+#include "live/lux/light_meter.h"
 #include "live/session/applied_look.h"
-#include "live/session/light_meter.h"
 #include "shared/develop.h"
 #include "support/demo_copy.h"
 #include "support/must.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "live/session/light_meter.h"
+#include "live/lux/light_meter.h"
 
 #include "light/illuminance.h"
 #include "shared/develop.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lux on lines and areas: where the points lie, what is summed up, and that the table and the sheet say so.
-#include "live/session/lux_sheet.h"
+#include "live/lux/lux_sheet.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "live/session/lux_sheet.h"
+#include "live/lux/lux_sheet.h"
 
 #include "image/false_colour.h"
 

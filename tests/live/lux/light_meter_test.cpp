@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The light meter against what is known: a lamp of the demo straight above the floor gives I / d^2, the
 // picture of lux and the rays say the same, shadows included, and what is hidden throws none.
-#include "live/session/light_meter.h"
+#include "live/lux/light_meter.h"
 
 #include "light/illuminance.h"
 #include "shared/develop.h"
