@@ -130,6 +130,7 @@ PaperTable instruments_of(const Show& show) {
         // What hangs nowhere comes last.
         if (one.position.empty() != other.position.empty()) return other.position.empty();
         if (one.position != other.position) return natural_less(one.position, other.position);
+        if (one.position.empty() && one.layer != other.layer) return natural_less(one.layer, other.layer);
         return natural_less(one.unit, other.unit);
     });
     std::size_t nowhere = 0, unread = 0;

@@ -116,6 +116,28 @@ TEST(Instruments, name_what_the_plot_says) {
     EXPECT_EQ(column(table(paper_of(show), "hookup"), "number"), (Cells{"101", "102", "103", ""}));
 }
 
+TEST(Instruments, that_hang_nowhere_are_sorted_by_layer) {
+    Show show;
+    auto loaded = load_description(small_xml(""));
+    ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+    show.plot = std::make_shared<LoadedPlot>(std::move(*loaded));
+    Plot& plot = show.plot->plot;
+    plot.layers.resize(2);
+    plot.layers[0].name = "Truss";
+    plot.layers[1].name = "Floor";
+    for (int i = 0; i < 4; ++i) {
+        PlotObject& object = plot.objects.emplace_back();
+        object.uuid = uuid(i);
+        object.layer = i % 2;
+        object.device.unit_number = 4 - i;
+        show.fixtures.push_back(hung("Spot " + std::to_string(i), 1, 1 + 3 * i));
+        show.fixtures.back().uuid = uuid(i);
+    }
+    const PaperTable instruments = table(paper_of(show), "instruments");
+    EXPECT_EQ(column(instruments, "name"), (Cells{"Spot 3", "Spot 1", "Spot 2", "Spot 0"}));
+    EXPECT_EQ(column(instruments, "layer"), (Cells{"Floor", "Floor", "Truss", "Truss"}));
+}
+
 TEST(Types, add_up_what_is_known_and_nothing_else) {
     Show show;
     show.fixtures = {hung("a", 1, 1), hung("b", 1, 4)};

@@ -85,7 +85,7 @@ class Page(html.parser.HTMLParser):
 
     def __init__(self, file):
         super().__init__()
-        self.sources, self.text, self.rows, self.cell = [], "", [], None
+        self.sources, self.text, self.rows, self.is_cell = [], "", [], False
         self.feed(file.read_text(encoding="utf-8"))
 
     def handle_starttag(self, tag, attributes):
@@ -94,11 +94,15 @@ class Page(html.parser.HTMLParser):
             self.rows.append([])
         if tag in ("td", "th"):
             self.rows[-1].append("")
+            self.is_cell = True
+
+    def handle_endtag(self, tag):
+        self.is_cell = self.is_cell and tag not in ("td", "th")
 
     def handle_data(self, data):
         self.text += data
-        if self.rows and self.rows[-1]:
-            self.rows[-1][-1] += data.strip()
+        if self.is_cell:
+            self.rows[-1][-1] += data
 
 
 class Book(unittest.TestCase):
