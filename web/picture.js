@@ -85,13 +85,14 @@ class Picture extends HTMLElement {
 
   ask() {
     this.calm.setAttribute("aria-pressed", String(this.isCalm));
+    if (this.stage.clientWidth === 0) return;  // another screen is shown
     const width = Math.round(this.stage.clientWidth * devicePixelRatio * Math.min(this.scale, 2));
     wish({type: "watch", width: Math.min(Math.max(width, 320), 4096), calm: this.isCalm});
   }
 
   tell() {
     const {camera, cue, source, at_s, recording_s, shining, lamps} = now.state;
-    const parts = [camera || "free camera"];
+    const parts = camera === undefined ? [] : [camera || "free camera"];
     if (cue) parts.push(`cue ${cue}`);
     if (source === "desk") parts.push("from the desk");
     if (source === "recording") parts.push(`recording ${clock(at_s)} of ${clock(recording_s)}`);
