@@ -7,13 +7,13 @@
 #include "cli/options/bounce_option.h"
 #include "cli/options/input_options.h"
 #include "cli/options/live_options.h"
+#include "cli/options/size_option.h"
 #include "cli/options/web_options.h"
 #include "live/engine/engine.h"
 #include "show/camera_moves.h"
 #include "show/show.h"
 
 #include <chrono>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 
@@ -37,6 +37,7 @@ struct ServeArguments {
 };
 
 Result<void> check_usage(ServeArguments& arguments) {
+    arguments.input.ltc = arguments.engine.timecode.ltc;
     TRY(arguments.engine.receiver, receiver_options(arguments.input));
     arguments.engine.receiver.listen_wider = true;
     arguments.engine.receiver.slot_status = true; // for the page that explains
@@ -44,15 +45,14 @@ Result<void> check_usage(ServeArguments& arguments) {
     arguments.engine.session.quiet = arguments.quiet;
     TRY_VOID(check_live_controls(arguments.engine.controls));
     TRY_VOID(open_timecode(arguments.engine.timecode));
-    if (!arguments.engine.timecode.empty() && arguments.no_desk)
+    if (!arguments.engine.timecode.begin.empty() && arguments.engine.timecode.ltc.empty() &&
+        arguments.no_desk)
         return Error{"the time code comes by the network, too", "--no-desk/--timecode"};
     TRY(arguments.server, server_options(arguments.web));
-    char end = 0;
-    if (std::sscanf(arguments.size.c_str(), "%dx%d%c", &arguments.width, &arguments.height, &end) == 2 &&
-        arguments.width >= 320 && arguments.height >= 180 && arguments.width <= 3840 &&
-        arguments.height <= 2160)
-        return {};
-    return Error{"'" + arguments.size + "' is not WIDTHxHEIGHT between 320x180 and 3840x2160", "--size"};
+    TRY(const glm::ivec2 size, size_from(arguments.size, {320, 180}, 3840));
+    arguments.width = size.x;
+    arguments.height = size.y;
+    return {};
 }
 
 // What the window does elsewhere: says which show and which camera.
@@ -151,7 +151,7 @@ void add_serve(CLI::App& app, int& exit_code) {
     command->add_flag("--quiet", a->quiet, "print warnings and errors only");
     add_bounce_option(*command, a->engine.session.bounce);
     add_live_control_options(*command, a->engine.controls);
-    add_midi_option(*command, a->input.midi)->needs(add_timecode_option(*command, a->engine.timecode));
+    add_timecode_options(*command, a->engine.timecode, a->input.midi);
     add_input_options(*command, a->input);
     command->footer("Example: ghostlight serve assets/demo --web 8010\n"
                     "         ghostlight serve tour.mvr --web 0.0.0.0:8010 --view house");

@@ -103,6 +103,6 @@ private:
 // off. Error: why none bounces.
 Result<std::shared_ptr<const scene::BounceVolumes>>
 bounced_now(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
-            const scene::Rig& rig, const scene::GoboStack& gobos, const shared::Haze& haze, bool quiet);
+            scene::Rig& rig, const scene::GoboStack& gobos, const shared::Haze& haze, bool quiet);
 
 } // namespace ghost::app

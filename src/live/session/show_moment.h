@@ -29,7 +29,7 @@ public:
     void step_to(double at_s, int fps, Report& report);
 
     const scene::Show& show() const { return *show_; }
-    const scene::Rig& rig() const { return *rig_; }
+    scene::Rig& rig() { return *rig_; }
     const scene::GoboStack& gobos() const { return gobos_; }
     const scene::Stage& stage() const { return stage_; } // heads turned as they are now
     std::vector<shared::Light> lights() const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/session/small_picture.h"
 
+#include "gpu/device_memory.h"
+
 #include "show/camera_moves.h"
 
 namespace ghost::app {
@@ -12,7 +14,7 @@ constexpr std::uint64_t kFewImages = 1;                   // bytes: it keeps non
 } // namespace
 
 bool SmallPicture::fits(const Session& session) {
-    return session.live && session.device->memory_left_bytes() > kRoom;
+    return session.live && session.device->memory().left_bytes() > kRoom;
 }
 
 SmallPicture::SmallPicture(const Session& session, int width, int height)

@@ -69,9 +69,9 @@ TEST(DeskListener, time_code_is_followed_where_it_is_asked_for) {
     DeskRecorder recorder(link);
     MessageBoard messages(link);
     DeskListener desk(on_loopback(), recorder, messages, link);
-    desk.follow("");
+    desk.follow({});
     EXPECT_EQ(desk.timecode(), nullptr);
-    desk.follow("01:00:00:00");
+    desk.follow({.begin = "01:00:00:00"});
     ASSERT_NE(desk.timecode(), nullptr);
     ASSERT_TRUE(desk.options().on_timecode);
     EXPECT_FALSE(desk.timecode()->at_s(100).has_value()) << "none was heard yet";
