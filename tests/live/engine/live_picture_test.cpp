@@ -81,6 +81,8 @@ TEST_F(LivePictureTest, has_fewer_pixels_while_anything_moves_and_all_of_them_at
 TEST_F(LivePictureTest, what_rests_can_be_stopped_before_it_is_begun) {
     open();
     (void)draw(1, true);
+    camera_.position_m.x += 1; // of that view no picture with all pixels is kept
+    (void)draw(1.1, true);
     const scene::Camera before = shown_;
     const auto stopped = draw(2, false, [] { return true; });
     EXPECT_TRUE(stopped.statistics.stopped);

@@ -100,7 +100,7 @@ TEST(BounceRow, it_says_what_it_costs_and_how_far_links_are) {
     desk.say({.state = BounceNow::State::bounces,
               .detail = scene::BounceDetail::normal,
               .solve_ms = 7.94,
-              .draw_ms = 1.25});
+              .draw_ms = 1.23});
     EXPECT_TRUE(said().contains("solved in 7.9 ms beside the picture, drawn in 1.2 ms of it"))
         << said().toStdString();
     EXPECT_TRUE(button->isHidden());
