@@ -49,7 +49,7 @@ int run(const Options& options) {
         log_error(exported.error().text());
         return 1;
     }
-    print_text("%s: %zu objects, %zu files, %zu changes of the show\n", options.output.c_str(),
+    print_text("%s: %zu objects, %zu files, %zu changes of the show\n", one_line(options.output).c_str(),
                exported->objects, exported->files, exported->changes);
     return 0;
 }

@@ -36,7 +36,9 @@ class Bounce(unittest.TestCase):
         cls.plain = (cls.show / "show.toml").read_text()
         cls.size = ("--size", "160x90", "--quiet")
         cls.before = cls.still(cls, "before.png", "--live")
-        (cls.show / "show.toml").write_text(cls.plain + '\n[light]\nbounce = "room"\n')
+
+    def setUp(self):
+        (self.show / "show.toml").write_text(self.plain + '\n[light]\nbounce = "room"\n')
 
     def still(self, name, *arguments):
         good("render", self.show, "-o", WORK / name, "--view", "close", "--at", 36, *self.size, *arguments)
@@ -110,11 +112,10 @@ class Bounce(unittest.TestCase):
         done = run("render", self.show, "-o", WORK / "x.png", "--bounce", "normel")
         self.assertEqual(done.returncode, 2)
         self.assertIn("did you mean 'normal'", done.stdout + done.stderr)
-        (self.show / "show.toml").write_text(self.plain + '\n[light]\nbounce = "rome"\n')
+        (self.show / "show.toml").write_text(self.plain + '\n[light]\nbounce = "roam"\n')
         done = run("check", self.show)
-        self.assertIn("[light] bounce is 'rome', expected one of", done.stdout + done.stderr)
+        self.assertIn("[light] bounce is 'roam', expected one of", done.stdout + done.stderr)
         self.assertIn("did you mean 'room'", done.stdout + done.stderr)
-        (self.show / "show.toml").write_text(self.plain + '\n[light]\nbounce = "room"\n')
 
 
 if __name__ == "__main__":

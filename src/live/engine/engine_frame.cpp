@@ -85,13 +85,13 @@ render::FrameStatistics Engine::draw_live(const scene::Camera& wanted, double be
 std::string Engine::needs_live() const {
     const ui::Look& look = request_.look;
     if (!request_.takes_baked) return "baked pictures are turned off";
+    if (session_->bounce_detail() != scene::BounceDetail::off) return "light bounces";
     if (has_work_light()) return "the work light is on";
     if (request_.quality.percent > 0) return "a share of the pixels is asked for";
     if (request_.false_colour.measure == ui::Measure::lux) return "lux are measured on surfaces";
     if (!look.shown.empty()) return "objects are hidden or shown by hand";
     if (!look.surfaces.empty()) return "surfaces are set by hand";
     if (!(look.scene == ui::SceneLook{})) return "air, even light or shadows are set by hand";
-    if (session_->bounce_detail() != scene::BounceDetail::off) return "light bounces";
     if (controls_.remote().haze != 1.0f) return "a remote control sets the haze";
     if (controls_.has_trackers()) return "trackers may move what is on stage";
     return "";
