@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "web/protocol.h"
 
+#include "diagnose/doctor.h"
 #include "dmx/merge/merge.h"
 #include "dmx/wire/packet.h"
 #include "json_xml_toml/json.h"
@@ -62,18 +63,6 @@ private:
 unsigned byte_of(float share) {
     return std::isfinite(share) ? static_cast<unsigned>(std::lround(255 * std::clamp(share, 0.0f, 1.0f)))
                                 : 0u;
-}
-
-const char* severity_name(Severity severity) {
-    switch (severity) {
-    case Severity::note:
-        return "note";
-    case Severity::warning:
-        return "warning";
-    case Severity::error:
-        return "error";
-    }
-    return "";
 }
 
 // The cue of the recording that was passed last.
@@ -238,7 +227,7 @@ std::string messages_text(std::span<const Message> messages) {
     const std::size_t shown = std::min(messages.size(), kMostMessagesShown);
     ordered_json list = ordered_json::array();
     for (const Message& message : messages.last(shown))
-        list.push_back({{"severity", severity_name(message.severity)},
+        list.push_back({{"severity", scene::name_of(message.severity)},
                         {"where", message.where},
                         {"what", message.what}});
     return text_of({{"type", "messages"}, {"more", messages.size() - shown}, {"messages", std::move(list)}});
