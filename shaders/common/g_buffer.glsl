@@ -8,6 +8,7 @@
 layout(constant_id = 0) const uint kAlpha = kMask;
 #endif
 layout(constant_id = 1) const uint kTextures = 0u;
+layout(constant_id = 2) const uint kOfPixel = kSamples; // samples: all of them or one
 layout(location = 0) centroid in vec3 in_normal;
 layout(location = 1) centroid in vec4 in_tangent;
 layout(location = 2) centroid in vec2 in_uv;
@@ -64,11 +65,11 @@ void main() {
         fraction = (base.a - p.alpha_cutoff) / max(fwidth(base.a), 1e-4) + 0.5;
         between = 0.5;
     }
-    uint count = uint(clamp(fraction, 0.0, 1.0) * float(kSamples) + between);
-    count = min(count, kSamples);
+    uint count = uint(clamp(fraction, 0.0, 1.0) * float(kOfPixel) + between);
+    count = min(count, kOfPixel);
     uint bits = (1u << count) - 1u;
-    uint turn = chance & 3u;
-    bits = ((bits << turn) | (bits >> (kSamples - turn))) & ((1u << kSamples) - 1u);
+    uint turn = chance & (kOfPixel - 1u);
+    bits = ((bits << turn) | (bits >> (kOfPixel - turn))) & ((1u << kOfPixel) - 1u);
     gl_SampleMask[0] = int(bits);
 #endif
     float roughness = p.roughness;

@@ -54,7 +54,9 @@ public:
     // Another G-buffer from there, with less detail; what is shown stays. False: stop ended it.
     bool draw_beside(const scene::Camera& camera, render::GBuffer& into,
                      const std::function<bool()>& stop) const {
-        return into.draw(model_, pose_of(camera, true), surroundings(), stop);
+        render::Pose pose = pose_of(camera, true);
+        pose.single = false;
+        return into.draw(model_, pose, surroundings(), stop);
     }
     // There is none of another size.
     void drop_parked() { parked_.reset(); }

@@ -9,6 +9,7 @@
 #include "shaders/g_buffer_frag.h"
 #include "shaders/g_buffer_vert.h"
 #include "shaders/gather.h"
+#include "shaders/gather_single.h"
 #include "shared/g_buffer.h"
 #include "shared/push.h"
 
@@ -30,11 +31,11 @@ constexpr VkFormat kFloats = VK_FORMAT_R32G32B32A32_SFLOAT;
 constexpr double kPiece_ms = 8;
 constexpr std::size_t kFirstPiece_indices = 6000;
 
-gpu::Texture attachment(const gpu::Device& device, std::uint32_t width, std::uint32_t height,
-                        VkFormat format) {
-    gpu::TextureShape shape{width, height, 1, 1, format};
+gpu::Texture attachment(const gpu::Device& device, const Fragments& fragments, VkFormat format,
+                        std::uint32_t samples) {
+    gpu::TextureShape shape{fragments.width, fragments.height, 1, 1, format};
     shape.attachment = true;
-    shape.samples = shared::kSamples;
+    shape.samples = samples;
     return {device, shape};
 }
 
@@ -42,7 +43,7 @@ gpu::Texture stored(const gpu::Device& device, std::uint32_t width, std::uint32_
     return {device, {width, height, 1, 1, format, true, false}};
 }
 
-gpu::RasterShape raster_shape(std::uint32_t alpha, std::uint32_t textures) {
+gpu::RasterShape raster_shape(std::uint32_t alpha, std::uint32_t textures, std::uint32_t samples) {
     gpu::RasterShape shape;
     shape.inputs = {
         {VK_FORMAT_R32G32B32_SFLOAT, offsetof(StageVertex, position_m)},
@@ -51,11 +52,13 @@ gpu::RasterShape raster_shape(std::uint32_t alpha, std::uint32_t textures) {
         {VK_FORMAT_R32G32_SFLOAT, offsetof(StageVertex, uv)},
     };
     shape.vertex_stride = sizeof(StageVertex);
-    shape.constants = {alpha, textures};
+    shape.constants = {alpha, textures, samples};
     shape.colours = {kHalves, kHalves, kHalves, VK_FORMAT_R8_UNORM};
-    shape.samples = shared::kSamples;
+    shape.samples = samples;
     return shape;
 }
+
+std::uint32_t samples_of(const Pose& pose) { return pose.single ? 1 : shared::kSamples; }
 
 struct Axes {
     glm::vec3 eye_m, right, up, forward;
@@ -108,7 +111,9 @@ std::vector<VkRect2D> regions(const TileSet& tiles) {
 }
 
 GBuffer::GBuffer(const gpu::Device& device, int width, int height)
-    : device_(device), gather_(device, shaders::kShader_gather),
+    : device_(device),
+      gather_{gpu::LateProgram(device, shaders::kShader_gather),
+              gpu::LateProgram(device, shaders::kShader_gather_single)},
       block_bounds_(device, shaders::kShader_block_bounds), commands_(device) {
     using gpu::Access;
     using gpu::Buffer;
@@ -131,7 +136,6 @@ GBuffer::GBuffer(const gpu::Device& device, int width, int height)
     diffuse_ = stored(device, w, rows, kHalves);
     specular_ = stored(device, w, rows, kHalves);
     normals_ = stored(device, w, rows, kHalves);
-    samples_ = make_samples();
     const std::uint64_t tiles = std::uint64_t{fragments_.tiles_x} * fragments_.tiles_y;
     rooms_ = Buffer(device, tiles * sizeof(shared::TileRoom), Access::device);
     tile_list_ = Buffer(device, tiles * sizeof(std::uint32_t), Access::upload);
@@ -147,10 +151,11 @@ GBuffer::GBuffer(const gpu::Device& device, int width, int height)
 }
 
 GBuffer::Samples GBuffer::make_samples() const {
-    const std::uint32_t w = fragments_.width, h = fragments_.height;
-    return {attachment(device_, w, h, VK_FORMAT_D32_SFLOAT), attachment(device_, w, h, kHalves),
-            attachment(device_, w, h, kHalves), attachment(device_, w, h, kHalves),
-            attachment(device_, w, h, VK_FORMAT_R8_UNORM)};
+    const auto made = [&](VkFormat format) {
+        return attachment(device_, fragments_, format, samples_of(pose_));
+    };
+    return {made(VK_FORMAT_D32_SFLOAT), made(kHalves), made(kHalves), made(kHalves),
+            made(VK_FORMAT_R8_UNORM)};
 }
 
 bool GBuffer::draw(const StageModel& model, const Pose& pose, const Surroundings& surroundings,
@@ -214,7 +219,7 @@ bool GBuffer::draw_still(const StageModel& model, const std::function<bool()>& s
 
 bool GBuffer::stands_at(const Pose& pose, const Surroundings& surroundings) const {
     return pose_.width > 0 && pose.camera_to_world == pose_.camera_to_world &&
-           pose.fov_y_deg == pose_.fov_y_deg && pose.most_error_px == pose_.most_error_px &&
+           pose.fov_y_deg == pose_.fov_y_deg && pose.most_error_px == pose_.most_error_px && pose.single == pose_.single &&
            surroundings.ambient == surroundings_.ambient && surroundings.work_lux == surroundings_.work_lux &&
            std::memcmp(&surroundings.haze, &surroundings_.haze, sizeof surroundings.haze) == 0;
 }
@@ -294,7 +299,9 @@ GBuffer::MovingPlan GBuffer::plan_moving(const StageModel& model) {
 
 void GBuffer::draw_moving(const StageModel& model, const MovingPlan& plan) {
     if (plan.tiles.empty()) return;
-    if (!hidden_.depth.image()) hidden_ = make_samples();
+    const Samples& shown = target().shown;
+    Samples& hidden = target().hidden;
+    if (!hidden.depth.image()) hidden = make_samples();
     TileSet fresh = plan.tiles;
     fresh.remove(saved_);
     TileSet known = plan.tiles;
@@ -302,9 +309,9 @@ void GBuffer::draw_moving(const StageModel& model, const MovingPlan& plan) {
     saved_.add(fresh);
     const std::vector<VkRect2D> to_save = regions(fresh), to_restore = regions(known);
     commands_.begin_span("restore");
-    for (std::size_t k = 0; k < samples_.all().size(); ++k) {
-        commands_.copy(*samples_.all()[k], *hidden_.all()[k], to_save);
-        commands_.copy(*hidden_.all()[k], *samples_.all()[k], to_restore);
+    for (std::size_t k = 0; k < shown.all().size(); ++k) {
+        commands_.copy(*shown.all()[k], *hidden.all()[k], to_save);
+        commands_.copy(*hidden.all()[k], *shown.all()[k], to_restore);
     }
     commands_.begin_span("moving");
     // Without a scissor: beyond these tiles they stand already, at the same depth, and do not win again.
@@ -312,21 +319,25 @@ void GBuffer::draw_moving(const StageModel& model, const MovingPlan& plan) {
 }
 
 const gpu::Raster& GBuffer::raster_for(const StageModel::Surface& surface) {
-    std::unique_ptr<gpu::Raster>& raster = rasters_[surface.alpha << 8 | surface.textures];
+    const std::uint32_t samples = samples_of(pose_);
+    std::unique_ptr<gpu::Raster>& raster =
+        rasters_[samples << 16 | surface.alpha << 8 | surface.textures];
     const gpu::Shader& opaque = shaders::kShader_g_buffer_frag;
     const gpu::Shader& cut = shaders::kShader_g_buffer_cut_frag;
     if (!raster)
         raster = std::make_unique<gpu::Raster>(device_, shaders::kShader_g_buffer_vert,
                                                surface.alpha == shared::kOpaque ? opaque : cut,
-                                               raster_shape(surface.alpha, surface.textures));
+                                               raster_shape(surface.alpha, surface.textures, samples));
     return *raster;
 }
 
 void GBuffer::draw_meshes(const StageModel& model, std::span<const StageModel::Draw> draws,
                           gpu::Before before) {
     const glm::mat4 eye_to_clip = to_clip(axes_of(pose_));
-    gpu::begin_drawing(commands_, {&samples_.base, &samples_.normal, &samples_.emission, &samples_.metalness},
-                       samples_.depth, before);
+    Samples& shown = target().shown;
+    if (!shown.depth.image()) shown = make_samples();
+    gpu::begin_drawing(commands_, {&shown.base, &shown.normal, &shown.emission, &shown.metalness},
+                       shown.depth, before);
     gpu::use_vertices(commands_, model.vertices(), model.indices());
     const StageModel::Surface* used = nullptr;
     const gpu::Raster* raster = nullptr;
@@ -372,14 +383,17 @@ void GBuffer::gather(const TileSet* tiles) {
         commands_.write(fragments_.view, std::vector{view});
         commands_.write(counts_, std::vector<shared::GatherCounts>{{{0, 1, 1}, 0, 0, 0, 0, 0}});
     }
-    commands_.dispatch(
-        gather_, push,
-        {gpu::uniform(fragments_.view), gpu::sampled(samples_.depth), gpu::sampled(samples_.base),
-         gpu::sampled(samples_.normal), gpu::sampled(samples_.emission), gpu::sampled(samples_.metalness),
-         gpu::stored(fragments_.places), gpu::stored(diffuse_), gpu::stored(specular_), gpu::stored(normals_),
-         gpu::stored(fragments_.base), gpu::stored(fragments_.edges), gpu::storage(fragments_.tile_bounds),
-         gpu::storage(counts_), gpu::storage(rooms_), gpu::storage(tile_list_), gpu::storage(block_list_)},
-        groups_x, groups_y);
+    const Samples& shown = target().shown;
+    std::vector<gpu::Binding> bindings{
+        gpu::uniform(fragments_.view), gpu::sampled(shown.depth), gpu::sampled(shown.base),
+        gpu::sampled(shown.normal), gpu::sampled(shown.emission), gpu::sampled(shown.metalness),
+        gpu::stored(fragments_.places), gpu::stored(diffuse_), gpu::stored(specular_), gpu::stored(normals_),
+        gpu::stored(fragments_.base), gpu::storage(fragments_.tile_bounds), gpu::storage(rooms_),
+        gpu::storage(tile_list_)};
+    if (!pose_.single) // one sample is one fragment
+        bindings.insert(bindings.end(), {gpu::stored(fragments_.edges), gpu::storage(counts_),
+                                         gpu::storage(block_list_)});
+    commands_.dispatch(gather_[pose_.single ? 1 : 0].get(), push, bindings, groups_x, groups_y);
     commands_.barrier();
     commands_.begin_span("blocks");
     commands_.dispatch_indirect(block_bounds_, push,
@@ -399,8 +413,9 @@ std::uint64_t GBuffer::memory_bytes() const {
     for (const gpu::Texture* texture :
          {&fragments_.places, &fragments_.edges, &fragments_.base, &diffuse_, &specular_, &normals_})
         sum += texture->bytes();
-    for (const Samples* samples : {&samples_, &hidden_})
-        for (const gpu::Texture* texture : samples->all()) sum += texture->bytes();
+    for (const Target& target : targets_)
+        for (const Samples* samples : {&target.shown, &target.hidden})
+            for (const gpu::Texture* texture : samples->all()) sum += texture->bytes();
     return sum;
 }
 

@@ -5,7 +5,7 @@
 // into reversed depth and material attachments; a compute pass sorts the samples into fragments, as the baker
 // sorts its rays. Positions are those of the samples, from their depth. Blended surfaces take a fraction of
 // the samples of a pixel, by chance that is the same in every frame: a fraction of a quarter at least, noise
-// beyond that. Instances that move are drawn last, and what they hide is kept: when they move on, only the
+// beyond that. A picture of a moment may have one sample a pixel, a third of the work: its silhouettes are steps. Instances that move are drawn last, and what they hide is kept: when they move on, only the
 // tiles where they were and are change. Main thread; the device must outlive it.
 
 #include "gpu/commands.h"
@@ -34,6 +34,7 @@ struct Pose {
     int width = 0; // of the picture: as the GBuffer was made
     int height = 0;
     float most_error_px = 0; // that surfaces of the stage may be off by, to be drawn faster
+    bool single = false;     // likewise: one sample a pixel instead of kSamples
 };
 
 // What is between and around the surfaces.
@@ -84,7 +85,7 @@ public:
     std::uint64_t memory_bytes() const; // on the device
 
 private:
-    // What is drawn to, kSamples a pixel.
+    // What is drawn to.
     struct Samples {
         gpu::Texture depth, base, normal, emission, metalness;
         std::array<const gpu::Texture*, 5> all() const {
@@ -96,7 +97,12 @@ private:
         glm::mat4 to_eye{1.0f};
         PixelRect rect;
     };
-    Samples make_samples() const;
+    // What a pose is drawn to, and what its moving instances hide, in the tiles of saved_.
+    struct Target {
+        Samples shown, hidden; // made when they are wanted
+    };
+    Samples make_samples() const; // for this pose
+    Target& target() { return targets_[pose_.single ? 1 : 0]; }
     const gpu::Raster& raster_for(const StageModel::Surface& surface);
     bool draw_still(const StageModel& model, const std::function<bool()>& stop); // false: stopped
     void draw_meshes(const StageModel& model, std::span<const StageModel::Draw> draws, gpu::Before before);
@@ -115,12 +121,12 @@ private:
     const gpu::Device& device_;
     std::uint32_t capacity_; // extra fragments
     std::map<std::uint32_t, std::unique_ptr<gpu::Raster>> rasters_;
-    gpu::Program gather_, block_bounds_;
+    std::array<gpu::LateProgram, 2> gather_; // likewise
+    gpu::Program block_bounds_;
     gpu::Commands commands_;
     Fragments fragments_;
     gpu::Texture diffuse_, specular_, normals_;
-    Samples samples_;
-    Samples hidden_; // what the moving instances hide, in the tiles of saved_; made when there are any
+    std::array<Target, 2> targets_; // kSamples of a pixel, and one
     TileSet saved_;
     std::map<std::size_t, Shown> shown_; // moving instances
     Pose pose_;
