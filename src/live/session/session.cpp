@@ -282,7 +282,7 @@ void Session::look_from(const scene::Camera& from, bool goes_on, std::optional<b
             one->forget();
         else
             one->touch();
-        one->set_keeps_visibility(!flies);
+        one->set_flies(flies);
         if (!stays) one->set_room_light(bounced.get());
     }
     use_coarse_light(is_coarse);
@@ -302,7 +302,7 @@ void Session::use_coarse_light(bool coarse) {
         relighter = make_relighter(live->camera(), coarse);
     }
     relighter->set_tone(options.tone);
-    relighter->set_keeps_visibility(!flies);
+    relighter->set_flies(flies);
     if (bounced) relighter->set_room_light(bounced.get());
 }
 

@@ -34,7 +34,7 @@ std::optional<image::Image8> SmallPicture::draw(const scene::Camera& camera, con
         relighter_ = std::make_unique<render::Relighter>(*session_.device, g_buffer_,
                                                          session_.live->distances(), session_.gobos.images,
                                                          static_cast<int>(lit.lights.size()), settings);
-        relighter_->set_keeps_visibility(false); // the next one is from elsewhere
+        relighter_->set_flies(true); // the next one is from elsewhere
     }
     relighter_->forget();
     relighter_->set_exposure(from.ev100, from.auto_exposure);

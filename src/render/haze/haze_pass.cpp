@@ -178,8 +178,8 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
     for (std::uint32_t k = 0; k < chunk.count(); ++k) {
         const shared::Light& light = chunk.lights[k];
         shared::Fan fan = make_fan(light, chunk.fragments.eye_m, chunk.fragments.pixels_per_rad,
-                                   reach_m(light, chunk.fragments), detail_, k % batch_size_,
-                                   uses_grid_ && filled_.size() >= kManyTables);
+                                   reach_m(light, chunk.fragments), flies_ ? FanDetail::plain : detail_,
+                                   k % batch_size_, flies_ || (uses_grid_ && filled_.size() >= kManyTables));
         if (!filled_.empty()) {
             fan.layer = 0;
             const auto [layer, is_new] = layer_for(light, fan);

@@ -45,6 +45,8 @@ public:
 
     // Of gate: segments, from the next frame on.
     void set_quality(const HazeQuality& quality);
+    // Of gate: tables are plain, for the next picture is seen from elsewhere.
+    void set_flies(bool flies) { flies_ = flies; }
     // Shadows changed: no table holds what it did.
     void forget() { std::fill(filled_.begin(), filled_.end(), Filled{}); }
     // Forgets the fans of the frame before.
@@ -72,6 +74,7 @@ private:
     std::unique_ptr<gpu::Program> shade_fill_;
     std::unique_ptr<GridPass> grid_; // null: HazeIntegrator::grid is off, or many lights share a dispatch
     bool uses_grid_ = false;
+    bool flies_ = false;
     const DistanceImages* distances_;
     FanDetail detail_;
     // What a layer of the tables holds: a light that changed in nothing but its weight finds its own again.

@@ -198,10 +198,11 @@ void Relighter::set_quality(const HazeQuality& quality) {
     wide_step_ = quality.wide_beam_step;
 }
 
-void Relighter::set_keeps_visibility(bool keeps) {
+void Relighter::set_flies(bool flies) {
     // What was handed out meanwhile was not filled.
-    if (visibility_ && keeps && !keeps_visibility_) visibility_->forget();
-    keeps_visibility_ = keeps;
+    if (visibility_ && !flies && flies_) visibility_->forget();
+    flies_ = flies;
+    haze_.set_flies(flies);
 }
 
 void Relighter::forget() {

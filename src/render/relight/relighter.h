@@ -115,9 +115,9 @@ public:
     void set_quality(const HazeQuality& quality);
     // Lights that may turn from a frame to the next one, 0: all (render/relight/light_budget.h).
     void set_most_lights(int most) { most_lights_ = most; }
-    // Whether what surfaces see of lamps is kept (render/haze/visibility.h): not while the camera flies, when
-    // each frame sees others and most of them lie in no beam.
-    void set_keeps_visibility(bool keeps);
+    // The camera flies: each frame sees others. What surfaces see of lamps is not kept
+    // (render/haze/visibility.h), for most of them lie in no beam, and tables of the haze are plain.
+    void set_flies(bool flies);
     // From the next frame on; automatic: measured, and ev100 is not used.
     void set_exposure(float ev100, bool automatic);
     // Likewise.
@@ -179,7 +179,7 @@ private:
     LightTree tree_;
     std::unique_ptr<Visibility> visibility_; // null: from passes, or without shadows
     bool pages_full_ = false;
-    bool keeps_visibility_ = true;
+    bool flies_ = false;
     std::unique_ptr<DirtyTiles> dirty_tiles_; // null: from passes, in which nothing moves
     std::uint32_t mended_tiles_ = 0;          // above 0: only these tiles, of mender_, are drawn now
     bool touched_ = false;                    // since the last draw

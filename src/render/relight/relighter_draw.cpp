@@ -206,7 +206,7 @@ bool Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
                              visibility_ ? visibility_->units() : 0,
                              visibility_ ? visibility_->page_count() : 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
-        if (visibility_ && keeps_visibility_) {
+        if (visibility_ && !flies_) {
             commands_.begin_span("visibility");
             commands_.dispatch_indirect(
                 visible_.get(), push,
@@ -220,7 +220,7 @@ bool Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
             if (wants_stop()) return false;
         }
         commands_.begin_span("surfaces");
-        const bool flies = visibility_ && !keeps_visibility_;
+        const bool flies = visibility_ && flies_;
         auto& programs = flies ? flown_surface_ : thin ? thin_surface_ : surface_;
         commands_.dispatch_indirect(programs[chunk.beam_class].get(), push, bindings, groups_,
                                     chunk.surface_groups(push.batch));
