@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where what a unit sees of a lamp is kept (shared/visibility.h), or lies just for this draw: behind the pages is room for one light's
-// units. Who includes this has kSingle and the push constants p: RelightPush, and defines KEEPS, the first of three bindings.
+// Where what a unit sees of a lamp is kept (shared/visibility.h). Who includes this has the push constants p: RelightPush, and defines
+// KEEPS, the first of three bindings.
 #include "shared/visibility.h"
 
 layout(binding = KEEPS, scalar) uniform KeepBlock { Keep keeps[kLightsPerChunk]; };
@@ -15,12 +15,12 @@ struct Page {
 };
 
 Page page_of(Keep keep, uint unit) {
-    uvec2 entry = keep.place == 0u ? uvec2(0u, 1u) : entries[(keep.place - 1u) * p.units + unit];
-    uint page = entry.x != 0u ? entry.x - 1u : p.pages + unit;
+    uvec2 entry = keep.place == 0u ? uvec2(0u) : entries[(keep.place - 1u) * p.units + unit];
+    uint page = max(entry.x, 1u) - 1u;
     uint in_layer = page % kPagesOfLayer;
     uvec2 corner = uvec2(in_layer % kPagesAcross, in_layer / kPagesAcross) * uvec2(kTileWidth, kTileHeight);
     uvec2 local = uvec2(gl_LocalInvocationIndex % kTileWidth, gl_LocalInvocationIndex / kTileWidth);
-    return Page(ivec3(corner + local, page / kPagesOfLayer), kSingle || entry.x != 0u, (entry.y & kMakes) != 0u || entry.x == 0u, entry.x != 0u && (entry.y & kHasOld) != 0u);
+    return Page(ivec3(corner + local, page / kPagesOfLayer), entry.x != 0u, (entry.y & kMakes) != 0u, (entry.y & kHasOld) != 0u);
 }
 
 // A fragment's mark, 0..1 in steps of 16 bits.

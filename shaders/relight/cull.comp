@@ -44,24 +44,36 @@ bool beside_panel(Light light, vec3 a, vec3 b, float room_m) {
     return light.slide.layer != 0u && beside;
 }
 
-// Whether what a unit sees of a lamp is kept; if not, from this draw on, where there is a page. Another light at the same place may ask, too.
-bool is_kept(Keep light, uint unit) {
-    if (light.place == 0u) return false;
+const uint kIsKept = 0u, kIsMade = 1u, kIsDirect = 2u;
+
+// What a unit sees of a lamp: kept, or made by this draw, or not. Another light at the same place may ask, too.
+uint way_of(Keep light, uint unit) {
+    bool single = p.batch_size == 1u;
+    if (light.place == 0u) return single ? kIsDirect : kIsMade;
     uint at = (light.place - 1u) * p.units + unit;
     uvec2 entry = entries[at];
-    uint made = entry.y >> 2;
-    if (entry.x != 0u && made >= max(light.since, changed_at[unit])) {
-        if (made != p.now) entries[at].y = made << 2;
-        return made != p.now;
+    uint time = entry.y >> kTimeShift;
+    bool asked = (entry.y & kAsked) != 0u;
+    bool fresh = time >= max(light.since, changed_at[unit]);
+    if (entry.x != 0u && fresh && !asked) {
+        if (time != p.now) entries[at].y = time << kTimeShift;
+        return time != p.now ? kIsKept : kIsMade;
     }
-    uint old = entry.x != 0u && made >= light.since ? kHasOld : 0u;
+    uint old = entry.x != 0u && time >= light.since && (!asked || (entry.y & kHasOld) != 0u) ? kHasOld : 0u;
+    if (single && !(asked && fresh)) {
+        entries[at].y = p.now << kTimeShift | old | kAsked;
+        return kIsDirect;
+    }
+    if (single && atomicAdd(work.units_to_make, 1u) >= p.most_made) return kIsDirect;
     if (entry.x == 0u && pages_used < p.pages) {
         uint page = atomicAdd(pages_used, 1u) + 1u;
         if (page <= p.pages) atomicCompSwap(entries[at].x, 0u, page);
     }
-    if (entries[at].x == 0u) atomicAdd(work.units_without_page, 1u);
-    entries[at].y = p.now << 2 | old | kMakes;
-    return false;
+    bool has_page = entries[at].x != 0u;
+    if (!has_page) atomicAdd(work.units_without_page, 1u);
+    if (single && !has_page) return kIsDirect;
+    entries[at].y = p.now << kTimeShift | old | kMakes;
+    return kIsMade;
 }
 
 void main() {
@@ -86,6 +98,7 @@ void main() {
     uint haze_count = 0u;
     uint surface_count = 0u;
     uint made_count = 0u;
+    uint direct_count = 0u;
     uint words = (count + 31u) / 32u;
     for (uint word = 0u; word < words; ++word) {
         uint surface_mask = 0u;
@@ -104,7 +117,11 @@ void main() {
             q.z += sphere.w * (k < kThinTangent ? kPixelMore : 1.0) * back_per_m;
             bool meets_surface = lit && !beside && sphere.w >= 0.0 && q.z > 0.0 && dot(q.xy, q.xy) < k * k * q.z * q.z;
             surface_mask |= meets_surface ? bit : 0u;
-            if (kKept && meets_surface && p.surfaces != 0u && light.map != 0u) made_count += is_kept(keeps[first + i], tile) ? 0u : 1u;
+            if (kKept && meets_surface && p.surfaces != 0u && light.map != 0u && p.now != 0u) {
+                uint way = way_of(keeps[first + i], tile);
+                made_count += way == kIsMade ? 1u : 0u;
+                direct_count += way == kIsDirect ? 1u : 0u;
+            }
 
             // The bundle is narrow near the eye: each stretch of it is as wide as at its own far end.
             vec3 eye = to_gate(light, view.eye_m - light.position_m);
@@ -136,8 +153,10 @@ void main() {
         atomicAdd(work.haze_tiles, haze_count);
     }
     if (any_surface && p.surfaces != 0u) {
-        list[surface_list(batch, p.tiles, p.blocks) + atomicAdd(groups[batch].surface[0], 1u)] = tile;
+        if (direct_count > 0u) list[direct_list(batch, p.tiles, p.blocks) + atomicAdd(groups[batch].direct[0], 1u)] = tile;
+        else list[surface_list(batch, p.tiles, p.blocks) + atomicAdd(groups[batch].surface[0], 1u)] = tile;
         atomicAdd(work.surface_tiles, surface_count);
+        if (direct_count > 0u) atomicAdd(work.direct_units, direct_count);
         if (made_count > 0u) list[made_list(batch, p.tiles, p.blocks) + atomicAdd(groups[batch].made[0], 1u)] = tile;
         if (made_count > 0u) atomicAdd(work.made_units, made_count);
     }

@@ -99,7 +99,8 @@ vec3 shown(Light light, Keep keep, Fragment f, Haze haze, uint unit) {
 
 void main() {
     uvec2 size = uvec2(view.width, view.height);
-    uint tile = list[surface_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x];
+    uint first = p.direct != 0u ? direct_list(p.batch, p.tiles, p.blocks) : surface_list(p.batch, p.tiles, p.blocks);
+    uint tile = list[first + gl_WorkGroupID.x];
     uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
     uint extra = (tile - p.tiles) * kTilePixels + gl_LocalInvocationIndex;
     bool is_extra = tile >= p.tiles;

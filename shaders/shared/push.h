@@ -32,12 +32,13 @@ vec4 light_to_store(vec4 light) {
 SHARED_CONST float kPassScale = 1024.0f;
 
 // Which lights of each batch can reach which tile; the tiles that any of them reaches are appended to the batch's lists for
-// the passes below. A batch has three lists, one after the other: haze, surfaces, and what of the surfaces sees a lamp for which that
-// must be made (shared/visibility.h).
-SHARED_FN uint lists_length(uint tiles, uint blocks) { return 3u * tiles + 2u * blocks; }
+// the passes below. A batch has four lists, one after the other: haze, surfaces, what of these sees a lamp for which that must be made
+// (shared/visibility.h), and surfaces of single lights for which it is worked out just where light falls.
+SHARED_FN uint lists_length(uint tiles, uint blocks) { return 4u * tiles + 3u * blocks; }
 SHARED_FN uint haze_list(uint batch, uint tiles, uint blocks) { return batch * lists_length(tiles, blocks); }
 SHARED_FN uint surface_list(uint batch, uint tiles, uint blocks) { return haze_list(batch, tiles, blocks) + tiles; }
 SHARED_FN uint made_list(uint batch, uint tiles, uint blocks) { return surface_list(batch, tiles, blocks) + tiles + blocks; }
+SHARED_FN uint direct_list(uint batch, uint tiles, uint blocks) { return made_list(batch, tiles, blocks) + tiles + blocks; }
 struct CullPush {
     uint light_count;
     uint batch_size; // 1 or kLightsPerChunk
@@ -47,28 +48,32 @@ struct CullPush {
     uint surfaces; // 1: list tiles and blocks for the surface pass
     uint air;      // 1: list tiles for the haze pass
     uint haze_group; // tiles that a workgroup of the haze pass draws
-    uint now;        // shared/visibility.h
+    uint now;        // shared/visibility.h; 0: nothing is kept
     uint pages;      // of kept visibility
     uint units;      // tiles and room for blocks
+    uint most_made;  // of them in a frame
 };
-SHARED_SIZE(CullPush, 44);
+SHARED_SIZE(CullPush, 48);
 
-// Workgroups of the two indirect dispatches of a batch, as Vulkan wants them.
+// Workgroups of the indirect dispatches of a batch, as Vulkan wants them.
 struct TileGroups {
     uint surface[4];
     uint haze[4]; // the last one: tiles
     uint made[4];
+    uint direct[4];
 };
-SHARED_SIZE(TileGroups, 48);
+SHARED_SIZE(TileGroups, 64);
 
 // What the lists of a frame add up to: tiles (and blocks) that are drawn, once for each light that reaches them.
 struct FrameWork {
     uint haze_tiles;
     uint surface_tiles;
-    uint made_units; // of surface_tiles: what they see of a lamp was not kept
-    uint units_without_page; // of these: there was no room to keep it
+    uint made_units; // of surface_tiles: what they see of a lamp was made, to be kept
+    uint direct_units; // likewise: it was worked out just where light falls
+    uint units_to_make; // of single lights, those beyond CullPush::most_made too
+    uint units_without_page; // there was no room to keep it
 };
-SHARED_SIZE(FrameWork, 16);
+SHARED_SIZE(FrameWork, 24);
 
 // target = kept images (+ the picture without lights).
 SHARED_CONST uint kMostAddends = 2048u; // as many as there can be layers
@@ -98,7 +103,7 @@ struct RelightPush {
     uint blocks;
     uint march_steps; // 0: samples inside the cone; else over the whole ray
     uint units;       // of kept visibility
-    uint pages;
+    uint direct;      // 1: the list of surfaces for which it is not kept
 };
 SHARED_SIZE(RelightPush, 32);
 

@@ -3,6 +3,7 @@
 // moments at rest.
 #include "base/interrupt.h"
 #include "bench/bench.h"
+#include "bench/private/festival.h"
 #include "cli/options/input_options.h"
 #include "dmx/record/recording_tasks.h"
 
@@ -34,11 +35,16 @@ struct Film {
     int height;
     bool grid;   // haze as it is drawn while things move; else every ray, as at rest
     bool coarse; // light at half the size
+    int most_lights = 0; // that may turn from one frame to the next, 0: all
+    const char* of = ""; // the show, for the table
 };
 constexpr Film kFilms[] = {
     {"close", 640, 360, true, false}, {"close", 640, 360, false, false}, {"house", 640, 360, true, false},
     {"high", 640, 360, true, false},  {"close", 1280, 720, true, true},  {"house", 1280, 720, true, true},
     {"high", 1280, 720, true, true},  {"close", 1280, 720, true, false}, {"close", 1280, 720, false, false}};
+
+// At the fewest pixels of a window of 1280x760, as many lights as there is time for.
+constexpr Film kFestival = {"wide", 250, 168, true, false, 8, "festival of "};
 
 constexpr Film kFlights[] = {{"house", 320, 180, true, false}, {"house", 640, 360, true, true}};
 constexpr const char* kFlightTo = "close";
@@ -81,6 +87,7 @@ void use(Session& session, const Film& film, bool moves) {
     quality.grid = moves && film.grid;
     session.use_coarse_light(moves && film.coarse);
     session.relighter->set_quality(quality);
+    session.relighter->set_most_lights(moves ? film.most_lights : 0);
 }
 
 double display_db(const image::ImageF& test, const image::ImageF& reference) {
@@ -121,12 +128,15 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         means.add("ms", drawn.draw_ms);
         means.add("processor_ms", processor_ms);
         means.add("lights_drawn", drawn.drawn);
-        means.add("made_share", drawn.made_units / std::max(1.0, static_cast<double>(drawn.surface_tiles)));
+        means.add("lights_mended", drawn.mended);
+        const double units = std::max(1.0, static_cast<double>(drawn.surface_tiles));
+        means.add("made_share", drawn.made_units / units);
+        means.add("direct_share", drawn.direct_units / units);
         for (const gpu::Span& span : drawn.spans) {
             means.add(span.name, span.ms);
             spans.insert(span.name);
         }
-        if ((frame - first) % kCompareEvery != 0) continue;
+        if (film.most_lights > 0 || (frame - first) % kCompareEvery != 0) continue;
         const image::ImageF moving = session.relighter->frame();
         use(session, film, false);
         session.relighter->draw_anew();
@@ -137,18 +147,23 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         (void)session.draw(static_cast<double>(frame) / kFps);
     }
     BenchRow row{"live",
-                 std::string(film.view) + " " + std::to_string(film.width) + "x" +
+                 film.of + (film.most_lights > 0 ? std::to_string(session.show->fixtures.size()) + ", " : "") +
+                     film.view + " " + std::to_string(film.width) + "x" +
                      std::to_string(film.height) + (film.coarse ? ", light at half" : "") +
                      (film.grid ? "" : ", every ray"),
                  {},
                  ""};
     row.figures = {{"ms", means.of("ms")},
                    {"processor_ms", means.of("processor_ms")},
-                   {"lights_drawn", means.of("lights_drawn")}};
+                   {"lights_drawn", means.of("lights_drawn")},
+                   {"lights_mended", means.of("lights_mended")}};
     for (const std::string& span : spans) row.figures.emplace_back(span + "_ms", means.of(span));
-    row.figures.emplace_back("made_share", means.of("made_share"));
-    row.figures.emplace_back("least_db", db);
-    row.note = "mean of " + std::to_string(means.frames) + " frames; dB against the same moments at rest";
+    for (const char* share : {"made_share", "direct_share"}) row.figures.emplace_back(share, means.of(share));
+    row.note = "mean of " + std::to_string(means.frames) + " frames";
+    if (film.most_lights == 0) {
+        row.figures.emplace_back("least_db", db);
+        row.note += "; dB against the same moments at rest";
+    }
     sink(row);
     return {};
 }
@@ -166,12 +181,14 @@ Result<void> flight_row(const BenchOptions& options, const Film& film, const Ben
     const auto first = static_cast<long>(kFrom_s * kFps), last = static_cast<long>(kTo_s * kFps);
     Means means;
     std::set<std::string> spans;
+    double db = 1e9;
     for (long frame = first - 2; frame <= last; ++frame) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
         bench.step_to(frame);
         const double begin_s = steady_now_s();
         const auto share = static_cast<float>(frame - first + 2) / static_cast<float>(last - first + 2);
-        session.look_from(scene::camera_between(from, *to, share), true);
+        const scene::Camera here = scene::camera_between(from, *to, share);
+        session.look_from(here, true);
         std::vector<gpu::Span> of_frame = session.live->g_buffer().spans();
         const double stage_ms = 1e3 * (steady_now_s() - begin_s);
         const render::FrameStatistics drawn = session.draw(static_cast<double>(frame) / kFps);
@@ -184,14 +201,23 @@ Result<void> flight_row(const BenchOptions& options, const Film& film, const Ben
             means.add(span.name, span.ms);
             spans.insert(span.name);
         }
+        if ((frame - first) % kCompareEvery != 0) continue;
+        const image::ImageF flying = session.relighter->frame();
+        session.look_from(here);
+        use(session, film, false);
+        (void)session.draw(static_cast<double>(frame) / kFps);
+        db = std::min(db, display_db(flying, session.relighter->frame()));
+        use(session, film, true);
     }
     BenchRow row{"live",
                  "flight " + std::to_string(film.width) + "x" + std::to_string(film.height) +
                      (film.coarse ? ", light at half" : ""),
                  {},
-                 "mean of " + std::to_string(means.frames) + " frames; stage: the picture without lights"};
+                 "mean of " + std::to_string(means.frames) +
+                     " frames; stage: the picture without lights; dB against the same moments at rest"};
     row.figures = {{"ms", means.of("ms")}, {"stage_ms", means.of("stage_ms")}};
     for (const std::string& span : spans) row.figures.emplace_back(span + "_ms", means.of(span));
+    row.figures.emplace_back("least_db", db);
     sink(row);
     return {};
 }
@@ -233,7 +259,14 @@ Result<void> bench_live(const BenchOptions& options, const BenchSink& sink) {
     catch_interrupts();
     for (const Film& film : kFlights) TRY_VOID(flight_row(options, film, sink));
     for (const Film& film : kFilms) TRY_VOID(film_row(options, film, sink));
-    return fade_row(options, sink);
+    TRY_VOID(fade_row(options, sink));
+    for (const int fixtures : {60, 400}) {
+        TRY(const Festival festival, Festival::make(fixtures));
+        BenchOptions there = options;
+        there.show = festival.folder();
+        TRY_VOID(film_row(there, kFestival, sink));
+    }
+    return {};
 }
 
 } // namespace ghost::app

@@ -3,13 +3,12 @@
 // counters say how late a change is seen and how long its event loop was busy at a stretch.
 #include "base/interrupt.h"
 #include "bench/bench.h"
+#include "bench/private/festival.h"
 #include "bench/private/loaded_window.h"
 
 #include "base/memory.h"
 
 #include <cmath>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace ghost::app {
 namespace {
@@ -18,32 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr double kWarm_s = 4;
 constexpr double kSeconds = 15;
-constexpr const char* kFestival = "tools/make_festival.py"; // run in the source folder, as the demo is
-
-struct TemporaryFestival {
-    fs::path folder;
-    ~TemporaryFestival() {
-        std::error_code code;
-        fs::remove_all(folder, code);
-    }
-};
-
-Result<void> make_festival(const fs::path& folder, int fixtures) {
-    const std::string out = folder.string(), count = std::to_string(fixtures);
-    const pid_t child = ::fork();
-    if (child < 0) return Error{"cannot start a process", kFestival};
-    if (child == 0) {
-        ::dup2(STDERR_FILENO, STDOUT_FILENO); // rows only there
-        ::execlp("python3", "python3", kFestival, "--out", out.c_str(), "--fixtures", count.c_str(),
-                 "--seconds", "30", static_cast<char*>(nullptr));
-        ::_exit(127);
-    }
-    int status = 0;
-    if (::waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
-        return Error{"makes no festival; the bench runs in the source folder and needs Python", kFestival};
-    return {};
-}
-
 Result<void> bake_first_camera(const BenchOptions& options) {
     SessionOptions session;
     session.show = options.show;
@@ -114,10 +87,9 @@ Result<void> bench_window(const BenchOptions& options, const BenchSink& sink) {
     TRY_VOID(measure(options, {"baked camera", "camera 1\nbaked on\n", ""}, sink));
     TRY_VOID(measure(options, {"camera that flies", "baked off\n", flight()}, sink));
     for (const int fixtures : {60, 400}) {
-        const TemporaryFestival festival{loaded_window_file("-festival-" + std::to_string(fixtures))};
-        TRY_VOID(make_festival(festival.folder, fixtures));
+        TRY(const Festival festival, Festival::make(fixtures));
         BenchOptions there = options;
-        there.show = festival.folder.string();
+        there.show = festival.folder();
         TRY_VOID(measure(there, {"festival of " + std::to_string(fixtures), "", ""}, sink));
     }
     return {};

@@ -21,7 +21,8 @@ constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on
 constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Fan);
 constexpr std::uint32_t kRowsPerGroup = 16; // fan.comp
 constexpr std::uint32_t kKeptFans = 64;
-// While things move shades are coarser from here on: with few lights they cost 3 dB of 47 and save a tenth.
+// While things move shades are coarser from here on, and where light is coarse: else they cost 3 dB of 47 and
+// save a tenth.
 constexpr std::size_t kManyTables = 24;
 constexpr std::uint64_t kFanBytes = std::uint64_t{6} << 20; // tables and grid
 // From here on shaped beams have plain tables: many lie over each other.
@@ -146,6 +147,10 @@ void HazePass::record_samples(gpu::Commands& commands, const LightChunk& chunk) 
     }
 }
 
+bool HazePass::has_coarse_shade() const {
+    return flies_ || (uses_grid_ && (filled_.size() >= kManyTables || detail_ == FanDetail::plain));
+}
+
 std::pair<std::uint32_t, bool> HazePass::layer_for(const shared::Light& light, const shared::Fan& fan) {
     shared::Light weightless = light;
     weightless.intensity_cd = weightless.bounce_cd = glm::vec3(0.0f);
@@ -179,7 +184,7 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
         const shared::Light& light = chunk.lights[k];
         shared::Fan fan = make_fan(light, chunk.fragments.eye_m, chunk.fragments.pixels_per_rad,
                                    reach_m(light, chunk.fragments), flies_ ? FanDetail::plain : detail_,
-                                   k % batch_size_, flies_ || (uses_grid_ && filled_.size() >= kManyTables));
+                                   k % batch_size_, has_coarse_shade());
         if (!filled_.empty()) {
             fan.layer = 0;
             const auto [layer, is_new] = layer_for(light, fan);

@@ -58,6 +58,7 @@ public:
     }
 
 private:
+    bool has_coarse_shade() const;
     void record_samples(gpu::Commands& commands, const LightChunk& chunk);
     void record_gate(gpu::Commands& commands, const LightChunk& chunk);
     // False: the grid does not pay for this light, or is off.

@@ -44,6 +44,9 @@ struct LightChunk {
     std::uint64_t made_groups(std::uint32_t batch) const {
         return batch * sizeof(shared::TileGroups) + offsetof(shared::TileGroups, made);
     }
+    std::uint64_t direct_groups(std::uint32_t batch) const {
+        return batch * sizeof(shared::TileGroups) + offsetof(shared::TileGroups, direct);
+    }
     std::uint64_t haze_groups(std::uint32_t batch) const {
         return batch * sizeof(shared::TileGroups) + offsetof(shared::TileGroups, haze);
     }

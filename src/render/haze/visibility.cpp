@@ -20,6 +20,7 @@ constexpr std::uint32_t kGroup = 64;        // visibility_touch.comp
 constexpr std::size_t kMostTouched = 16384; // tiles that can be listed; more: everything is stale
 constexpr std::uint64_t kUsual = 4;         // beams reach about one in so many units of a picture
 constexpr std::uint64_t kFewPlaces = 16;    // of which every page has room
+constexpr std::uint32_t kMostNow = (~0u >> shared::kTimeShift) / 2;
 constexpr std::uint64_t kMostLayers = 2048; // of an image, on every device
 
 std::uint32_t units_of(const Fragments& f) {
@@ -41,13 +42,12 @@ Visibility::Visibility(const gpu::Device& device, const Fragments& fragments, co
     const std::uint64_t all = entries * units_;
     const std::uint64_t wanted = std::min(all, std::max(kFewPlaces * units_, all / kUsual));
     const std::uint64_t room = (memory_bytes - entries * units_ * kEntryBytes) / kPageBytes;
-    // Behind the kept pages, one light's own.
     const std::uint64_t most = kMostLayers * shared::kPagesOfLayer;
-    const std::uint64_t count = std::min(std::min(wanted, room) + units_, most);
+    const std::uint64_t count = std::max<std::uint64_t>(std::min({wanted, room, most}), 1);
     const std::uint64_t rows = (count + shared::kPagesAcross - 1) / shared::kPagesAcross;
     const std::uint64_t layers = (rows + shared::kPagesAcross - 1) / shared::kPagesAcross;
     const std::uint64_t rows_of_layer = layers > 1 ? shared::kPagesAcross : rows;
-    page_count_ = static_cast<std::uint32_t>(layers * rows_of_layer * shared::kPagesAcross - units_);
+    page_count_ = static_cast<std::uint32_t>(layers * rows_of_layer * shared::kPagesAcross);
     pages_ =
         gpu::Texture(device, {shared::kPagesAcross * shared::kTileWidth,
                               static_cast<std::uint32_t>(rows_of_layer) * shared::kTileHeight,
@@ -66,6 +66,11 @@ void Visibility::touch(const std::vector<PixelRect>& rects, bool extras_moved) {
 void Visibility::begin_frame(gpu::Commands& commands, bool is_full) {
     keeps_used_ = 0;
     ++frames_;
+    if (now_ > kMostNow) { // times are kept in fewer bits
+        for (Place& place : places_) place = {};
+        now_ = 1;
+        forgotten_ = true;
+    }
     const bool anew = forgotten_ || touched_.count() > kMostTouched || (is_full && frames_ >= kLeastFrames);
     const Fragments& f = fragments_;
     ++now_;

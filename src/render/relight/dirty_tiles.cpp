@@ -44,7 +44,9 @@ DirtyTiles::DirtyTiles(const gpu::Device& device, const Fragments& fragments, co
 
 bool DirtyTiles::touch(const std::vector<PixelRect>& rects) {
     bool fits = true;
+    ++touches_;
     for (auto& [slot, kept] : kept_) {
+        if (kept.stale.empty()) kept.since = touches_;
         for (const PixelRect& rect : rects) kept.stale.add(grown(rect, kBeside, kBeside));
         fits = fits && kept.stale.count() <= kMostTiles;
     }
@@ -58,7 +60,10 @@ void DirtyTiles::made(const ImageSum& sum) {
               TileSet(static_cast<int>(f.width), static_cast<int>(f.height))};
     for (const Addend& addend : sum.addends) {
         const auto part = kept_.find(addend.slot);
-        CHECK(part != kept_.end() && part->second.stale.empty());
+        CHECK(part != kept_.end());
+        if (!part->second.stale.empty())
+            kept.since = kept.stale.empty() ? part->second.since : std::min(kept.since, part->second.since);
+        kept.stale.add(part->second.stale);
         kept.lights.insert(kept.lights.end(), part->second.lights.begin(), part->second.lights.end());
         kept.base = kept.base || part->second.base;
     }
@@ -68,6 +73,10 @@ void DirtyTiles::made(const ImageSum& sum) {
 bool DirtyTiles::is_stale(int slot) const {
     const auto kept = kept_.find(slot);
     return kept != kept_.end() && !kept->second.stale.empty();
+}
+
+bool DirtyTiles::is_stale_since(int slot, int touches) const {
+    return is_stale(slot) && kept_.at(slot).since + static_cast<std::uint64_t>(touches) <= touches_;
 }
 
 ImageSum DirtyTiles::mend(int slot, const std::vector<shared::Light>& lights) const {

@@ -25,11 +25,14 @@ public:
     // Fragments changed in these rectangles: every image made so far is stale there. False: in too many
     // tiles by now, they must be forgotten.
     bool touch(const std::vector<PixelRect>& rects);
-    // An image was made (ImageSum::target >= 0) from lights and other images.
+    // An image was made (ImageSum::target >= 0) from lights and other images; it is stale where one of these
+    // is.
     void made(const ImageSum& sum);
     void forget() { kept_.clear(); }
 
     bool is_stale(int slot) const;
+    // Since so many touches at least.
+    bool is_stale_since(int slot, int touches) const;
     // What to draw into an image where it is stale.
     ImageSum mend(int slot, const std::vector<shared::Light>& lights) const;
     // Records bounds() and tiles() for this image, which then counts as mended. Returns the number of tiles.
@@ -54,12 +57,14 @@ private:
         bool base = false;
         bool at_unit = false;
         TileSet stale;
+        std::uint64_t since = 0; // which touch made it stale
     };
     const Fragments& fragments_;
     const gpu::Buffer& rooms_;
     gpu::Program program_;
     gpu::Buffer bounds_, wanted_, tiles_;
     std::map<int, Kept> kept_; // by slot
+    std::uint64_t touches_ = 0;
 };
 
 // Whether a beam may be seen in these pixels, in the air or on a surface. Conservative.

@@ -148,7 +148,7 @@ void Relighter::make_surface_programs() {
         };
         surface_[kind] = program(0, 1);
         thin_surface_[kind] = program(1, 1);
-        flown_surface_[kind] = program(1, 0);
+        direct_surface_[kind] = program(1, 0);
         if (kind < shared::kPlanesClass) (void)surface_[kind].get();
     }
 }
@@ -199,8 +199,6 @@ void Relighter::set_quality(const HazeQuality& quality) {
 }
 
 void Relighter::set_flies(bool flies) {
-    // What was handed out meanwhile was not filled.
-    if (visibility_ && !flies && flies_) visibility_->forget();
     flies_ = flies;
     haze_.set_flies(flies);
 }
@@ -362,6 +360,8 @@ FrameStatistics Relighter::draw(const scene::FrameLights& lit, const std::functi
         last_walls_ = lit.walls;
     }
 
+    if (!budget_.is_short() && std::exchange(owes_, false)) tree_.invalidate_frame();
+
     using enum LightTree::Making;
     const Plan plan = tree_.plan(changes.changed, changes.dimmed,
                                  stop ? one_by_one : (budget_.is_short() ? by_branches : as_needed));
@@ -397,6 +397,7 @@ FrameStatistics Relighter::draw(const scene::FrameLights& lit, const std::functi
         statistics.haze_tiles = static_cast<int>(work->haze_tiles);
         statistics.surface_tiles = static_cast<int>(work->surface_tiles);
         statistics.made_units = static_cast<int>(work->made_units);
+        statistics.direct_units = static_cast<int>(work->direct_units);
         pages_full_ = work->units_without_page > 0;
     }
     statistics.draw_ms =
@@ -408,10 +409,19 @@ FrameStatistics Relighter::draw(const scene::FrameLights& lit, const std::functi
 bool Relighter::make_images_of(const Plan& plan, FrameStatistics& statistics) {
     for (std::size_t k = 0; k < plan.sums.size(); ++k) {
         const ImageSum& sum = plan.sums[k];
-        // While something moves an image that was mended would be stale in the next frame, too.
-        const bool patches = dirty_tiles_ && touched_ && !stop_ && sum.target < 0;
+        // While something moves an image that was mended would be stale in the next frame, too. Where time is
+        // short most images are made again soon, and the others wait as long.
+        const bool patches =
+            dirty_tiles_ && touched_ && !stop_ && sum.target < 0 && !budget_.is_short();
         if (!patches)
-            for (const Addend& addend : sum.addends) statistics.mended += mend(addend.slot);
+            for (const Addend& addend : sum.addends) {
+                const bool waits = budget_.is_short() && dirty_tiles_ && dirty_tiles_->is_stale(addend.slot) &&
+                                   !dirty_tiles_->is_stale_since(addend.slot, LightBudget::kOldest);
+                if (waits)
+                    owes_ = true;
+                else
+                    statistics.mended += mend(addend.slot);
+            }
         draw_sum(sum);
         if (patches) statistics.mended += patch(sum);
         if (statistics.stopped) {

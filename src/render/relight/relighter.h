@@ -77,7 +77,8 @@ struct FrameStatistics {
     int additions = 0;     // of two images
     int haze_tiles = 0;    // of shared::kTilePixels, whose haze was drawn: once for each light
     int surface_tiles = 0; // the same for surfaces; blocks of extra fragments count as tiles
-    int made_units = 0;    // of surface_tiles: visibility was not kept
+    int made_units = 0;    // of surface_tiles: visibility was made, to be kept
+    int direct_units = 0;  // likewise: worked out just where light falls
     int faces = 0;         // lenses drawn
     bool stopped = false;  // there is no new picture
     double draw_ms = 0;    // whole draw(), waiting included
@@ -159,7 +160,7 @@ private:
     bool wants_stop();
     // Both: false where it was stopped.
     bool draw_lights(const std::vector<shared::Light>& lights, std::uint32_t beam_class, bool wide);
-    bool record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
+    void record_surfaces(const LightChunk& chunk, std::uint64_t keeps_offset);
     void develop(const scene::FrameLights& lit);
     const Fragments& seen() const { return g_buffer_ ? g_buffer_->fragments() : passes_.fragments; }
     const Fragments& fragments() const { return coarse_ ? coarse_->fragments() : seen(); } // lights fall on
@@ -180,6 +181,9 @@ private:
     std::unique_ptr<Visibility> visibility_; // null: from passes, or without shadows
     bool pages_full_ = false;
     bool flies_ = false;
+    bool owes_ = false; // the last frame has parts that are stale
+    // Not of a picture at rest, whose lights are drawn once each, nor of one of a moment.
+    bool keeps_visibility() const { return visibility_ && !flies_ && !stop_; }
     std::unique_ptr<DirtyTiles> dirty_tiles_; // null: from passes, in which nothing moves
     std::uint32_t mended_tiles_ = 0;          // above 0: only these tiles, of mender_, are drawn now
     bool touched_ = false;                    // since the last draw
@@ -202,7 +206,7 @@ private:
     gpu::Program cull_, bounce_, silhouettes_, fold_, meter_;
     std::array<gpu::LateProgram, shared::kToneCount> develop_;
     std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_,
-        flown_surface_; // the last: where no visibility is kept
+        direct_surface_; // the last: where no visibility is kept
     gpu::LateProgram visible_;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::unique_ptr<gpu::Program>> sums_; // sum_of
     HazePass haze_;
