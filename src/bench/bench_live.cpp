@@ -26,7 +26,7 @@ constexpr double kFps = 15;
 constexpr double kFrom_s = 20, kTo_s = 22.5; // of the demo: ten lights, half of them turning at a time
 constexpr double kFade_s = 0.04;             // a frame of the fade
 constexpr int kFadeFrames = 25;
-constexpr int kWarmUp = 4;
+constexpr int kWarmUp = 4, kFilmWarmUp = 10; // frames
 constexpr int kCompareEvery = 12; // frames
 
 struct Film {
@@ -117,7 +117,7 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
     Means means;
     std::set<std::string> spans;
     double db = 1e9;
-    for (long frame = first - 2; frame <= last; ++frame) {
+    for (long frame = first - kFilmWarmUp; frame <= last; ++frame) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
         bench.step_to(frame);
         const std::clock_t begin = std::clock();

@@ -50,7 +50,8 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
     }
     // What was left out goes into the picture when the camera has come to rest.
     const bool flies = now_s - flew_s_ < kRest_s;
-    sees_else_ = sees_else_ || flies != std::exchange(flies_, flies);
+    const bool lands = flies != std::exchange(flies_, flies);
+    sees_else_ = sees_else_ || lands;
     const bool moves = wanted.moves || drawn.changed;
     fit_into_memory(wanted.camera, session);
     const scene::Camera camera = camera_for(wanted, moves);
@@ -59,10 +60,10 @@ LivePicture::Drawn LivePicture::draw(Session& session, const Wanted& wanted, con
         return drawn;
     }
     const bool uses_coarse =
-        moves && wanted.quality.percent == 0 && pace_.level().coarse_light && !wanted.is_measured;
+        moves && wanted.quality.percent == 0 && pace().level().coarse_light && !wanted.is_measured;
     const bool is_other_size =
         camera.width != session.relighter->width() || camera.height != session.relighter->height();
-    was_resized_ = is_other_size || uses_coarse != session.relighter->is_coarse();
+    is_unusual_ = lands || is_other_size || uses_coarse != session.relighter->is_coarse();
     if (std::exchange(sees_else_, false) || !same_view(camera, from_)) {
         if (is_other_size) probe_.forget_meter();
         session.look_from(camera, flies, uses_coarse);
@@ -113,7 +114,7 @@ void LivePicture::fit_into_memory(const scene::Camera& wanted, Session& session)
 scene::Camera LivePicture::camera_for(const Wanted& wanted, bool moves) const {
     scene::Camera camera = wanted.camera;
     const double share = wanted.quality.percent > 0 ? std::sqrt(wanted.quality.percent / 100.0)
-                         : moves                    ? pace_.level().sides
+                         : moves                    ? pace().level().sides
                                                     : 1.0;
     const auto pixels = [&](int whole) {
         return std::clamp(static_cast<int>(std::lround(whole * share)), kLeastPixels, kMostPixels);
@@ -135,8 +136,8 @@ int LivePicture::lights_in(double frame_ms) const {
 void LivePicture::learn(const render::FrameStatistics& statistics, double draw_ms, int frames_per_s) {
     constexpr int kMany = 16; // below, the time is that of the picture and not of its lights
     constexpr double kOfNew = 0.3;
-    if (was_resized_) return; // a new size costs what no other picture does
-    pace_.add(draw_ms, frames_per_s);
+    if (is_unusual_) return; // the first one costs what no other does
+    paces_[flies_ ? 1 : 0].add(draw_ms, frames_per_s);
     if (statistics.drawn < kMany) return;
     const double ms = draw_ms / statistics.drawn;
     light_ms_ = light_ms_ == 0 ? ms : light_ms_ + kOfNew * (ms - light_ms_);

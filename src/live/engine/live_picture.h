@@ -12,6 +12,7 @@
 #include "live/session/session.h"
 #include "render/haze/quality.h"
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -29,7 +30,7 @@ public:
     // Another session is drawn from now on.
     void begin();
     // Of a show of so many fixtures: nothing is known of how fast it is drawn.
-    void begin_show(std::size_t fixtures) { pace_ = Pace(fixtures); }
+    void begin_show(std::size_t fixtures) { paces_ = {Pace(fixtures), Pace(fixtures)}; }
 
     struct Wanted {
         const scene::Camera& camera; // size: pixels of the window
@@ -69,15 +70,16 @@ private:
     void fit_into_memory(const scene::Camera& wanted, Session& session);
     scene::Camera camera_for(const Wanted& wanted, bool moves) const;
     int lights_in(double frame_ms) const;
+    const Pace& pace() const { return paces_[flies_ ? 1 : 0]; }
 
     MessageBoard& messages_;
     PictureProbe& probe_;
-    Pace pace_{0};
+    std::array<Pace, 2> paces_{Pace(0), Pace(0)}; // of a camera that stands, and of one that flies
     render::HazeQuality haze_;           // of the relighter
     glm::ivec2 whole_{0}, whole_for_{0}; // pixels that memory holds of those that are wanted; of which wish
     scene::Camera from_;                 // of the one that was drawn last
     bool sees_else_ = false;             // since then
-    bool was_resized_ = false;           // by it
+    bool is_unusual_ = false;            // it has another size, or a camera that begins or ends to fly
     double flew_s_ = -1;                 // when its camera moved last
     bool flies_ = false;                 // drawn as Session::look_from says
     float work_lux_ = 0;

@@ -44,6 +44,9 @@ std::size_t Pace::best_level(double usual_ms, double wanted_ms) const {
     return level;
 }
 
+// Of the next better level. A blur is worse than a picture that is late.
+double Pace::bearable_ms(double wanted_ms) const { return level_ > kHalf ? kStillMoves * wanted_ms : wanted_ms; }
+
 void Pace::learn(double usual_ms) {
     if (before_ms_ == 0) return;
     const std::size_t first = std::min(level_, level_before_), last = std::max(level_, level_before_);
@@ -84,8 +87,11 @@ bool Pace::add(double frame_ms, double frames_per_s) {
         }
         if (raised_ && level > level_) wait_ = std::min(2 * wait_, kLongestWait);
         calm_ = 0;
-    } else if (level_ > 0 && expected_ms(level_ - 1, usual_ms) < kMuchRoom * wanted_ms) {
-        if (++calm_ >= wait_) level = std::min(best_level(usual_ms, kMuchRoom * wanted_ms), level_);
+    } else if (level_ > 0 && expected_ms(level_ - 1, usual_ms) < kMuchRoom * bearable_ms(wanted_ms)) {
+        if (++calm_ >= wait_) {
+            level = level_ > kHalf ? level_ - 1 : level_;
+            level = std::min(best_level(usual_ms, kMuchRoom * wanted_ms), level);
+        }
     } else {
         calm_ = 0;
     }

@@ -7,7 +7,7 @@
 // first makes shaders) goes to where the time seems to be enough. Later down likewise after seven frames, or
 // two that are far too slow, and up after many frames that leave much room: a picture of another size costs
 // what several frames do, and one that comes and goes is worse than a coarse one. What a level costs beside
-// the next is measured at each change. Below half of the sides only where nothing would move there any more.
+// the next is measured at each change. Below half of the sides only where nothing would move there any more, and up again as soon as it would.
 // Pure: times come in, a level comes out.
 
 #include <array>
@@ -51,6 +51,7 @@ private:
 
     double expected_ms(std::size_t level, double usual_ms) const;
     std::size_t best_level(double usual_ms, double wanted_ms) const;
+    double bearable_ms(double wanted_ms) const;
     void learn(double usual_ms);
 };
 

@@ -127,6 +127,16 @@ TEST(Pace, few_lights_never_go_below_half_of_the_sides) {
     }
 }
 
+// The second frame of a picture may make much that is kept: a blur that no machine needs does not stay.
+TEST(Pace, below_half_of_the_sides_it_does_not_stay_where_half_would_move) {
+    Pace pace(kFew);
+    run(pace, 1, 900);
+    EXPECT_TRUE(pace.add(300, kFps));
+    ASSERT_EQ(pace.share(), 0.25);
+    run(pace, 200, 80, 30); // 35 ms there; 50 at half of the sides, which is 1.25 times what is wanted
+    EXPECT_EQ(pace.share(), 0.5);
+}
+
 // Other sizes of the picture that come and go are seen as flicker.
 TEST(Pace, no_series_of_frames_makes_it_flicker) {
     std::uint32_t seed = 7;
