@@ -23,6 +23,9 @@ Page page_of(Keep keep, uint unit) {
     return Page(ivec3(corner + local, page / kPagesOfLayer), entry.x != 0u, (entry.y & kMakes) != 0u, (entry.y & kHasOld) != 0u);
 }
 
+// What a page holds of a fraction, to the bit, whether it was kept or not: which units are made hangs on what else is drawn.
+float as_kept(float fraction) { return floor(fraction * 65535.0 + 0.5) / 65535.0; }
+
 // A fragment's mark, 0..1 in steps of 16 bits.
 float mark_of(vec3 place_m, vec3 facet) {
     uvec3 bits = floatBitsToUint(place_m) ^ (floatBitsToUint(facet) >> 5u);

@@ -52,11 +52,11 @@ struct Fragment {
 // Made before, or, where many lights share a dispatch and there is no page for it, now.
 float kept_fraction(Light light, Keep keep, Fragment f, vec3 from_map, bool wanted, uint unit) {
     if (light.map == 0u) return 1.0;
-    if (!kKeeps) return lit_fraction(light, f.facet, from_map, wanted);
+    if (!kKeeps) return as_kept(lit_fraction(light, f.facet, from_map, wanted));
     Page page = page_of(keep, unit);
-    if (kSingle) return imageLoad(pages, page.texel).x;
+    if (kSingle) return as_kept(imageLoad(pages, page.texel).x);
     float fraction = lit_fraction(light, f.facet, from_map, wanted && !page.there);
-    return page.there ? imageLoad(pages, page.texel).x : fraction;
+    return as_kept(page.there ? imageLoad(pages, page.texel).x : fraction);
 }
 
 vec3 shown(Light light, Keep keep, Fragment f, Haze haze, uint unit) {

@@ -31,7 +31,7 @@ void make(Light light, Keep keep, vec3 place_m, vec3 facet, uint unit, bool ther
     float mark = mark_of(place_m, facet);
     bool same = page.has_old && page.there && abs(imageLoad(pages, page.texel).y - mark) < 0.5 / 65535.0;
     float fraction = lit_fraction(light, facet, from_map, wanted && !same);
-    if (page.there && page.make && !same) imageStore(pages, page.texel, vec4(wanted ? fraction : 0.0, mark, 0.0, 0.0));
+    if (page.there && page.make && !same) imageStore(pages, page.texel, vec4(wanted ? as_kept(fraction) : 0.0, mark, 0.0, 0.0));
 }
 
 void main() {
