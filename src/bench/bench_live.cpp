@@ -27,14 +27,14 @@ constexpr double kFrom_s = 20, kTo_s = 22.5; // of the demo: ten lights, half of
 constexpr double kFade_s = 0.04;             // a frame of the fade
 constexpr int kFadeFrames = 25;
 constexpr int kWarmUp = 4, kFilmWarmUp = 10; // frames
-constexpr int kCompareEvery = 12; // frames
+constexpr int kCompareEvery = 12;            // frames
 
 struct Film {
     const char* view;
     int width;
     int height;
-    bool grid;   // haze as it is drawn while things move; else every ray, as at rest
-    bool coarse; // light at half the size
+    bool grid;           // haze as it is drawn while things move; else every ray, as at rest
+    bool coarse;         // light at half the size
     int most_lights = 0; // that may turn from one frame to the next, 0: all
     const char* of = ""; // the show, for the table
 };
@@ -147,10 +147,10 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         (void)session.draw(static_cast<double>(frame) / kFps);
     }
     BenchRow row{"live",
-                 film.of + (film.most_lights > 0 ? std::to_string(session.show->fixtures.size()) + ", " : "") +
-                     film.view + " " + std::to_string(film.width) + "x" +
-                     std::to_string(film.height) + (film.coarse ? ", light at half" : "") +
-                     (film.grid ? "" : ", every ray"),
+                 film.of +
+                     (film.most_lights > 0 ? std::to_string(session.show->fixtures.size()) + ", " : "") +
+                     film.view + " " + std::to_string(film.width) + "x" + std::to_string(film.height) +
+                     (film.coarse ? ", light at half" : "") + (film.grid ? "" : ", every ray"),
                  {},
                  ""};
     row.figures = {{"ms", means.of("ms")},

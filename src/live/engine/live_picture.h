@@ -75,7 +75,7 @@ private:
     MessageBoard& messages_;
     PictureProbe& probe_;
     std::array<Pace, 2> paces_{Pace(0), Pace(0)}; // of a camera that stands, and of one that flies
-    render::HazeQuality haze_;           // of the relighter
+    render::HazeQuality haze_;                    // of the relighter
     glm::ivec2 whole_{0}, whole_for_{0}; // pixels that memory holds of those that are wanted; of which wish
     scene::Camera from_;                 // of the one that was drawn last
     bool sees_else_ = false;             // since then

@@ -45,7 +45,9 @@ std::size_t Pace::best_level(double usual_ms, double wanted_ms) const {
 }
 
 // Of the next better level. A blur is worse than a picture that is late.
-double Pace::bearable_ms(double wanted_ms) const { return level_ > kHalf ? kStillMoves * wanted_ms : wanted_ms; }
+double Pace::bearable_ms(double wanted_ms) const {
+    return level_ > kHalf ? kStillMoves * wanted_ms : wanted_ms;
+}
 
 void Pace::learn(double usual_ms) {
     if (before_ms_ == 0) return;

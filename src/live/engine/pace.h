@@ -7,8 +7,8 @@
 // first makes shaders) goes to where the time seems to be enough. Later down likewise after seven frames, or
 // two that are far too slow, and up after many frames that leave much room: a picture of another size costs
 // what several frames do, and one that comes and goes is worse than a coarse one. What a level costs beside
-// the next is measured at each change. Below half of the sides only where nothing would move there any more, and up again as soon as it would.
-// Pure: times come in, a level comes out.
+// the next is measured at each change. Below half of the sides only where nothing would move there any more,
+// and up again as soon as it would. Pure: times come in, a level comes out.
 
 #include <array>
 #include <cstddef>

@@ -183,8 +183,12 @@ bool LiveView::follow(const scene::Rig& rig) {
 }
 
 render::Pose LiveView::pose_of(const scene::Camera& camera, bool flies) const {
-    return {scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height,
-            flies ? kFlightError_px : 0.0f, flies};
+    return {scene::camera_to_world(camera),
+            camera.fov_y_deg,
+            camera.width,
+            camera.height,
+            flies ? kFlightError_px : 0.0f,
+            flies};
 }
 
 render::Surroundings LiveView::surroundings() const {

@@ -58,7 +58,9 @@ gpu::RasterShape raster_shape(std::uint32_t alpha, std::uint32_t textures, std::
     return shape;
 }
 
-std::uint32_t samples_of(const Pose& pose) { return pose.single ? 1 : shared::kSamples; }
+std::uint32_t samples_of(const Pose& pose) {
+    return pose.single ? 1 : shared::kSamples;
+}
 
 struct Axes {
     glm::vec3 eye_m, right, up, forward;
@@ -111,9 +113,8 @@ std::vector<VkRect2D> regions(const TileSet& tiles) {
 }
 
 GBuffer::GBuffer(const gpu::Device& device, int width, int height)
-    : device_(device),
-      gather_{gpu::LateProgram(device, shaders::kShader_gather),
-              gpu::LateProgram(device, shaders::kShader_gather_single)},
+    : device_(device), gather_{gpu::LateProgram(device, shaders::kShader_gather),
+                               gpu::LateProgram(device, shaders::kShader_gather_single)},
       block_bounds_(device, shaders::kShader_block_bounds), commands_(device) {
     using gpu::Access;
     using gpu::Buffer;
@@ -219,8 +220,9 @@ bool GBuffer::draw_still(const StageModel& model, const std::function<bool()>& s
 
 bool GBuffer::stands_at(const Pose& pose, const Surroundings& surroundings) const {
     return pose_.width > 0 && pose.camera_to_world == pose_.camera_to_world &&
-           pose.fov_y_deg == pose_.fov_y_deg && pose.most_error_px == pose_.most_error_px && pose.single == pose_.single &&
-           surroundings.ambient == surroundings_.ambient && surroundings.work_lux == surroundings_.work_lux &&
+           pose.fov_y_deg == pose_.fov_y_deg && pose.most_error_px == pose_.most_error_px &&
+           pose.single == pose_.single && surroundings.ambient == surroundings_.ambient &&
+           surroundings.work_lux == surroundings_.work_lux &&
            std::memcmp(&surroundings.haze, &surroundings_.haze, sizeof surroundings.haze) == 0;
 }
 
@@ -320,8 +322,7 @@ void GBuffer::draw_moving(const StageModel& model, const MovingPlan& plan) {
 
 const gpu::Raster& GBuffer::raster_for(const StageModel::Surface& surface) {
     const std::uint32_t samples = samples_of(pose_);
-    std::unique_ptr<gpu::Raster>& raster =
-        rasters_[samples << 16 | surface.alpha << 8 | surface.textures];
+    std::unique_ptr<gpu::Raster>& raster = rasters_[samples << 16 | surface.alpha << 8 | surface.textures];
     const gpu::Shader& opaque = shaders::kShader_g_buffer_frag;
     const gpu::Shader& cut = shaders::kShader_g_buffer_cut_frag;
     if (!raster)
@@ -385,14 +386,14 @@ void GBuffer::gather(const TileSet* tiles) {
     }
     const Samples& shown = target().shown;
     std::vector<gpu::Binding> bindings{
-        gpu::uniform(fragments_.view), gpu::sampled(shown.depth), gpu::sampled(shown.base),
-        gpu::sampled(shown.normal), gpu::sampled(shown.emission), gpu::sampled(shown.metalness),
-        gpu::stored(fragments_.places), gpu::stored(diffuse_), gpu::stored(specular_), gpu::stored(normals_),
-        gpu::stored(fragments_.base), gpu::storage(fragments_.tile_bounds), gpu::storage(rooms_),
-        gpu::storage(tile_list_)};
+        gpu::uniform(fragments_.view),  gpu::sampled(shown.depth),    gpu::sampled(shown.base),
+        gpu::sampled(shown.normal),     gpu::sampled(shown.emission), gpu::sampled(shown.metalness),
+        gpu::stored(fragments_.places), gpu::stored(diffuse_),        gpu::stored(specular_),
+        gpu::stored(normals_),          gpu::stored(fragments_.base), gpu::storage(fragments_.tile_bounds),
+        gpu::storage(rooms_),           gpu::storage(tile_list_)};
     if (!pose_.single) // one sample is one fragment
-        bindings.insert(bindings.end(), {gpu::stored(fragments_.edges), gpu::storage(counts_),
-                                         gpu::storage(block_list_)});
+        bindings.insert(bindings.end(),
+                        {gpu::stored(fragments_.edges), gpu::storage(counts_), gpu::storage(block_list_)});
     commands_.dispatch(gather_[pose_.single ? 1 : 0].get(), push, bindings, groups_x, groups_y);
     commands_.barrier();
     commands_.begin_span("blocks");

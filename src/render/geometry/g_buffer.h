@@ -5,8 +5,9 @@
 // into reversed depth and material attachments; a compute pass sorts the samples into fragments, as the baker
 // sorts its rays. Positions are those of the samples, from their depth. Blended surfaces take a fraction of
 // the samples of a pixel, by chance that is the same in every frame: a fraction of a quarter at least, noise
-// beyond that. A picture of a moment may have one sample a pixel, a third of the work: its silhouettes are steps. Instances that move are drawn last, and what they hide is kept: when they move on, only the
-// tiles where they were and are change. Main thread; the device must outlive it.
+// beyond that. A picture of a moment may have one sample a pixel, a third of the work: its silhouettes are
+// steps. Instances that move are drawn last, and what they hide is kept: when they move on, only the tiles
+// where they were and are change. Main thread; the device must outlive it.
 
 #include "gpu/commands.h"
 #include "gpu/raster.h"

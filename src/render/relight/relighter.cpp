@@ -411,11 +411,11 @@ bool Relighter::make_images_of(const Plan& plan, FrameStatistics& statistics) {
         const ImageSum& sum = plan.sums[k];
         // While something moves an image that was mended would be stale in the next frame, too. Where time is
         // short most images are made again soon, and the others wait as long.
-        const bool patches =
-            dirty_tiles_ && touched_ && !stop_ && sum.target < 0 && !budget_.is_short();
+        const bool patches = dirty_tiles_ && touched_ && !stop_ && sum.target < 0 && !budget_.is_short();
         if (!patches)
             for (const Addend& addend : sum.addends) {
-                const bool waits = budget_.is_short() && dirty_tiles_ && dirty_tiles_->is_stale(addend.slot) &&
+                const bool waits = budget_.is_short() && dirty_tiles_ &&
+                                   dirty_tiles_->is_stale(addend.slot) &&
                                    !dirty_tiles_->is_stale_since(addend.slot, LightBudget::kOldest);
                 if (waits)
                     owes_ = true;

@@ -12,8 +12,8 @@
 namespace ghost::render {
 namespace {
 
-// Units of visibility that are made in a frame (shared/visibility.h), each 0.1 ms of two slow cores: a part of
-// all there are, so that a picture of a new size is not late and has them soon.
+// Units of visibility that are made in a frame (shared/visibility.h), each 0.1 ms of two slow cores: a part
+// of all there are, so that a picture of a new size is not late and has them soon.
 constexpr std::uint32_t kLeastMade = 256, kPartMade = 8;
 
 // Facets of prisms that are not in the beam, and lamps that are out.
@@ -153,8 +153,8 @@ bool Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
                                 visibility_ ? visibility_->units() : 0,
                                 visibility_ ? std::max(kLeastMade, visibility_->units() / kPartMade) : 0};
     commands_.begin_span("cull");
-    commands_.write(groups_, std::vector<shared::TileGroups>(chunk.batches(),
-                                                             {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}}));
+    commands_.write(groups_, std::vector<shared::TileGroups>(
+                                 chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}}));
     commands_.dispatch(cull_, cull,
                        {gpu::uniform(f.view), gpu::uniform(lights_, offset),
                         gpu::storage(mended_tiles_ > 0 ? dirty_tiles_->bounds() : f.tile_bounds),
@@ -205,14 +205,8 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
         bindings.insert(bindings.end(), {gpu::uniform(air_), gpu::sampled(slides_)});
     const bool thin = std::any_of(chunk.lights.begin(), chunk.lights.end(),
                                   [&](const shared::Light& light) { return may_be_thin(light, f); });
-    shared::RelightPush push{chunk.count(),
-                             0,
-                             f.tiles_x,
-                             chunk.tiles(),
-                             f.blocks,
-                             0,
-                             visibility_ ? visibility_->units() : 0,
-                             0};
+    shared::RelightPush push{
+        chunk.count(), 0, f.tiles_x, chunk.tiles(), f.blocks, 0, visibility_ ? visibility_->units() : 0, 0};
     for (push.batch = 0; push.batch < chunk.batches(); ++push.batch) {
         if (keeps_visibility()) {
             commands_.begin_span("visibility");
