@@ -68,7 +68,6 @@ PLATFORM_FILES = {
     "src/video/camera_linux.cpp": "video devices",
     "src/rays/tracer.cpp": "SSE mode of Embree",
     "src/bench/bench_offline.cpp": "memory and start of another process",
-    "src/bench/festival.cpp": "start of another process",
 }
 # Headers of shaders/ that C++ reads too, and the headers made from shaders.
 SHADER_HEADERS = {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/private/festival.h"
 
+#include "base/child.h"
 #include "bench/private/loaded_window.h"
 
 #include <filesystem>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace ghost::app {
 namespace {
@@ -18,16 +17,10 @@ constexpr const char* kSeconds = "30"; // of its recording
 Result<Festival> Festival::make(int fixtures) {
     const std::string count = std::to_string(fixtures);
     Festival made(loaded_window_file("-festival-" + count).string());
-    const pid_t child = ::fork();
-    if (child < 0) return Error{"cannot start a process", kMaker};
-    if (child == 0) {
-        ::dup2(STDERR_FILENO, STDOUT_FILENO); // rows only there
-        ::execlp("python3", "python3", kMaker, "--out", made.folder_.c_str(), "--fixtures", count.c_str(),
-                 "--seconds", kSeconds, static_cast<char*>(nullptr));
-        ::_exit(127);
-    }
-    int status = 0;
-    if (::waitpid(child, &status, 0) < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0)
+    const auto made_by = run_child(
+        {"python3", kMaker, "--out", made.folder_, "--fixtures", count, "--seconds", kSeconds}, "", true);
+    if (!made_by.ok()) return made_by.error();
+    if (made_by->exit_code != 0)
         return Error{"makes no festival; the bench runs in the source folder and needs Python", kMaker};
     return made;
 }

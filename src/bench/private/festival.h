@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Festival: a show of many fixtures for the tables that need one, made by tools/make_festival.py (so the
-// bench runs in the source folder, as it does for the demo) in a folder that goes with it. Any thread.
+// bench runs in the source folder, as it does for the demo) in a folder that goes with it. Main thread.
 
 #include "base/result.h"
 

@@ -221,15 +221,15 @@ void Relighter::record_surfaces(const LightChunk& chunk, std::uint64_t keeps_off
             commands_.barrier();
         }
         commands_.begin_span("surfaces");
-        const gpu::Program& direct = direct_surface_[chunk.beam_class].get();
+        gpu::LateProgram& direct = direct_surface_[chunk.beam_class];
         const bool all_direct = visibility_ && !keeps_visibility();
-        const gpu::Program& listed =
-            all_direct ? direct : (thin ? thin_surface_ : surface_)[chunk.beam_class].get();
-        commands_.dispatch_indirect(listed, push, bindings, groups_, chunk.surface_groups(push.batch));
+        gpu::LateProgram& listed = all_direct ? direct : (thin ? thin_surface_ : surface_)[chunk.beam_class];
+        commands_.dispatch_indirect(listed.get(), push, bindings, groups_, chunk.surface_groups(push.batch));
         if (keeps_visibility() && batch_size_ == 1) {
             // Other tiles than those above.
             push.direct = 1;
-            commands_.dispatch_indirect(direct, push, bindings, groups_, chunk.direct_groups(push.batch));
+            commands_.dispatch_indirect(direct.get(), push, bindings, groups_,
+                                        chunk.direct_groups(push.batch));
             push.direct = 0;
         }
         commands_.barrier();
