@@ -10,6 +10,9 @@ function(ghost_options target)
     endif()
     target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/src>
         $<BUILD_INTERFACE:${CMAKE_SOURCE_DIR}/shaders> $<INSTALL_INTERFACE:include/ghostlight>)
+    if(GHOST_UNITY)
+        set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
+    endif()
     if(GHOST_FUZZ) # without counters in the libraries the fuzzer is blind to them
         target_compile_options(${target} PRIVATE -fsanitize=fuzzer-no-link)
     endif()

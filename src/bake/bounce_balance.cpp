@@ -10,7 +10,7 @@ namespace {
 
 // Any haze would do: it says how much of a cell counts beside surfaces.
 constexpr float kTypicalHaze_per_m = 0.02f;
-constexpr float kLeast = 3e-4f; // of what both ends see in all: fainter links are left out
+constexpr float kLeastLink = 3e-4f; // of what both ends see in all: fainter links are left out
 constexpr int kRounds = 20;
 constexpr float kMostFactor = 4;
 
@@ -67,7 +67,7 @@ void make_reciprocal(const scene::BounceLevel& level, std::vector<std::vector<Fo
                 metres += links[k].weight * links[k].distance_m;
             }
             sum.distance_m = sum.weight > 0 ? metres / sum.weight : 0;
-            if (sum.weight > kLeast * std::min(sees[sum.receiver], sees[reversed(level, sum.emitter)]))
+            if (sum.weight > kLeastLink * std::min(sees[sum.receiver], sees[reversed(level, sum.emitter)]))
                 links[kept++] = sum;
         }
         links.resize(kept);

@@ -75,6 +75,7 @@ Result<void> bench_bounce(const BenchOptions& options, const BenchSink& sink);
 Result<void> bench_start(const BenchOptions& options, const BenchSink& sink);
 
 // Shared by the tables.
+inline constexpr int kPaperPictureWidth = 1024, kPaperPictureHeight = 300; // pixels
 double median(std::vector<double> values);
 // GPU time of the passes of a name.
 double span_ms(const render::FrameStatistics& frame, const std::string& name);

@@ -18,7 +18,7 @@ namespace ghost::app {
 namespace {
 
 constexpr double kMoments_s[] = {8, 28, 50, 66, 82};
-constexpr int kFps = 25;
+constexpr int kSteps_hz = 25;
 constexpr std::int64_t kParticles = 500'000;
 constexpr int kSolves = 10; // the best counts
 constexpr int kPowerOrders = 6;
@@ -93,7 +93,7 @@ Result<void> power_rows(ShowMoment& moment, const Room& room, const bake::Tracer
     solver.set_haze(haze);
     for (const double at_s : kMoments_s) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
-        moment.step_to(at_s, kFps, report);
+        moment.step_to(at_s, kSteps_hz, report);
         const std::vector<shared::Light> lights = moment.lights();
         bake::WalkOptions walk;
         walk.particles = kParticles;
@@ -139,7 +139,7 @@ Result<void> power_rows(ShowMoment& moment, const Room& room, const bake::Tracer
 
 Result<void> solve_rows(ShowMoment& moment, const Room& room, Report& report, const BenchSink& sink) {
     for (const double at_s : kMoments_s) {
-        moment.step_to(at_s, kFps, report);
+        moment.step_to(at_s, kSteps_hz, report);
         const std::vector<shared::Light> lights = moment.lights();
         double all_ms = std::numeric_limits<double>::max(), same_ms = all_ms;
         for (int k = 0; k < kSolves; ++k) {

@@ -21,7 +21,7 @@ constexpr int kAirSamples = 2048;    // of the reference
 constexpr int kMapSide = 2048;       // of the distance maps: what is compared is the integrator
 constexpr int kMostSteps = 4096;     // of the search for equal error
 constexpr double kMostSeconds = 1.0; // of the draws of one figure
-constexpr int kFewest = 3;
+constexpr int kFewestDraws = 3;
 
 Error stopped() {
     return Error{"interrupted; the rows above are whole", ""};
@@ -43,7 +43,8 @@ double draw_time_ms(render::Relighter& relighter, const shared::Light& light, in
     relighter.draw({light});
     const Clock::time_point start = Clock::now();
     for (int frame = 0; frame < frames; ++frame) {
-        if (frame >= kFewest && std::chrono::duration<double>(Clock::now() - start).count() > kMostSeconds)
+        if (frame >= kFewestDraws &&
+            std::chrono::duration<double>(Clock::now() - start).count() > kMostSeconds)
             break;
         ms.push_back(relighter.draw({light}).draw_ms);
     }

@@ -22,12 +22,13 @@
 namespace ghost::app {
 namespace {
 
-constexpr double kFps = 15;
-constexpr double kFrom_s = 20, kTo_s = 22.5; // of the demo: ten lights, half of them turning at a time
-constexpr double kFade_s = 0.04;             // a frame of the fade
+constexpr double kFilmFps = 15;
+// Of the demo: ten lights, half of them turning at a time.
+constexpr double kFilmFrom_s = 20, kFilmTo_s = 22.5;
+constexpr double kFade_s = 0.04; // a frame of the fade
 constexpr int kFadeFrames = 25;
-constexpr int kWarmUp = 4, kFilmWarmUp = 10; // frames
-constexpr int kCompareEvery = 12;            // frames
+constexpr int kFadeWarmUp = 4, kFilmWarmUp = 10; // frames
+constexpr int kCompareEvery = 12;                // frames
 
 struct Film {
     const char* view;
@@ -72,7 +73,7 @@ public:
     // Steps the rig to this frame; frames come in order.
     void step_to(long frame) {
         for (; frame_ <= frame; ++frame_)
-            session_->rig->step(player_->at(static_cast<double>(frame_) / kFps), 1.0 / kFps);
+            session_->rig->step(player_->at(static_cast<double>(frame_) / kFilmFps), 1.0 / kFilmFps);
     }
 
 private:
@@ -113,7 +114,8 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
     TRY(LiveBench bench, LiveBench::open(options, film));
     Session& session = bench.session();
     use(session, film, true);
-    const auto first = static_cast<long>(kFrom_s * kFps), last = static_cast<long>(kTo_s * kFps);
+    const auto first = static_cast<long>(kFilmFrom_s * kFilmFps),
+               last = static_cast<long>(kFilmTo_s * kFilmFps);
     Means means;
     std::set<std::string> spans;
     double db = 1e9;
@@ -121,7 +123,7 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
         bench.step_to(frame);
         const std::clock_t begin = std::clock();
-        const render::FrameStatistics drawn = session.draw(static_cast<double>(frame) / kFps);
+        const render::FrameStatistics drawn = session.draw(static_cast<double>(frame) / kFilmFps);
         const double processor_ms = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
         if (frame < first) continue;
         ++means.frames;
@@ -140,11 +142,11 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         const image::ImageF moving = session.relighter->frame();
         use(session, film, false);
         session.relighter->draw_anew();
-        (void)session.draw(static_cast<double>(frame) / kFps);
+        (void)session.draw(static_cast<double>(frame) / kFilmFps);
         db = std::min(db, display_db(moving, session.relighter->frame()));
         use(session, film, true);
         session.relighter->draw_anew();
-        (void)session.draw(static_cast<double>(frame) / kFps);
+        (void)session.draw(static_cast<double>(frame) / kFilmFps);
     }
     BenchRow row{"live",
                  film.of +
@@ -178,7 +180,8 @@ Result<void> flight_row(const BenchOptions& options, const Film& film, const Ben
     if (to == cameras.end()) return Error{"there is no such camera to fly to", kFlightTo};
     const scene::Camera from = session.live->camera();
     use(session, film, true);
-    const auto first = static_cast<long>(kFrom_s * kFps), last = static_cast<long>(kTo_s * kFps);
+    const auto first = static_cast<long>(kFilmFrom_s * kFilmFps),
+               last = static_cast<long>(kFilmTo_s * kFilmFps);
     Means means;
     std::set<std::string> spans;
     double db = 1e9;
@@ -191,7 +194,7 @@ Result<void> flight_row(const BenchOptions& options, const Film& film, const Ben
         session.look_from(here, true);
         std::vector<gpu::Span> of_frame = session.live->g_buffer().spans();
         const double stage_ms = 1e3 * (steady_now_s() - begin_s);
-        const render::FrameStatistics drawn = session.draw(static_cast<double>(frame) / kFps);
+        const render::FrameStatistics drawn = session.draw(static_cast<double>(frame) / kFilmFps);
         if (frame < first) continue;
         ++means.frames;
         means.add("ms", 1e3 * (steady_now_s() - begin_s));
@@ -205,7 +208,7 @@ Result<void> flight_row(const BenchOptions& options, const Film& film, const Ben
         const image::ImageF flying = session.relighter->frame();
         session.look_from(here);
         use(session, film, false);
-        (void)session.draw(static_cast<double>(frame) / kFps);
+        (void)session.draw(static_cast<double>(frame) / kFilmFps);
         db = std::min(db, display_db(flying, session.relighter->frame()));
         use(session, film, true);
     }
@@ -226,12 +229,12 @@ Result<void> flight_row(const BenchOptions& options, const Film& film, const Ben
 Result<void> fade_row(const BenchOptions& options, const BenchSink& sink) {
     TRY(LiveBench bench, LiveBench::open(options, kFilms[0]));
     Session& session = bench.session();
-    bench.step_to(static_cast<long>(kFrom_s * kFps));
+    bench.step_to(static_cast<long>(kFilmFrom_s * kFilmFps));
     std::vector<double> total;
     std::map<std::string, std::vector<double>> spans;
     int redrawn = 0;
     const scene::FrameLights lit = session.lit();
-    for (int frame = 0; frame < kFadeFrames + kWarmUp; ++frame) {
+    for (int frame = 0; frame < kFadeFrames + kFadeWarmUp; ++frame) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
         scene::FrameLights faded = lit;
         for (std::size_t k = 0; k < faded.lights.size(); ++k) {
@@ -241,7 +244,7 @@ Result<void> fade_row(const BenchOptions& options, const BenchSink& sink) {
             faded.lights[k].intensity_cd *= share;
         }
         const render::FrameStatistics drawn = session.relighter->draw(faded);
-        if (frame < kWarmUp) continue;
+        if (frame < kFadeWarmUp) continue;
         total.push_back(drawn.draw_ms);
         for (const gpu::Span& span : drawn.spans) spans[span.name].push_back(span.ms);
         redrawn = std::max(redrawn, drawn.drawn);

@@ -27,14 +27,14 @@ struct Rung {
     int desks;
 };
 constexpr Rung kLadder[] = {{256, 44, 1}, {512, 44, 1}, {512, 60, 1}, {512, 44, 2}, {1024, 44, 1}};
-constexpr double kSeconds = 5.0;
+constexpr double kSent_s = 5.0;
 
 // A desk that is late goes on from there: real ones do not make up for it with several refreshes at once.
 std::uint64_t run_desk(dmx::Sender& desk, const Rung& rung) {
     dmx::Universes all;
     for (std::uint16_t universe = 1; universe <= rung.universes; ++universe) all.at(universe);
     const auto period = std::chrono::nanoseconds(1'000'000'000 / rung.rate_hz);
-    const int refreshes = static_cast<int>(kSeconds * rung.rate_hz);
+    const int refreshes = static_cast<int>(kSent_s * rung.rate_hz);
     auto next = Clock::now();
     for (int i = 0; i < refreshes && !interrupted(); ++i) {
         std::this_thread::sleep_until(next);

@@ -26,9 +26,7 @@
 namespace ghost::app {
 namespace {
 
-constexpr int kWidth = 1024; // the paper's picture
-constexpr int kHeight = 300;
-constexpr int kWarmUp = 3;
+constexpr int kOpticsWarmUp = 3;
 constexpr int kBeams = 10;
 constexpr double kFrame_s = 0.04;
 constexpr const char* kEverything = "gobos, iris, blades, animation wheel";
@@ -163,7 +161,7 @@ std::vector<shared::Light> wall_at(double seconds) {
     return lights;
 }
 
-struct Measured {
+struct OpticsMeasuring {
     const gpu::Device& device;
     const scene::Passes& passes;
     const shared::Gobos& gobos;
@@ -174,16 +172,16 @@ struct Measured {
 
 using LightsAt = std::function<std::vector<shared::Light>(double seconds)>;
 
-void measure(const std::string& name, const LightsAt& lights_at, Measured& measured) {
+void measure(const std::string& name, const LightsAt& lights_at, OpticsMeasuring& measured) {
     const std::size_t count = lights_at(0).size();
     render::Relighter relighter(measured.device, measured.passes, measured.gobos, static_cast<int>(count),
                                 bench_settings());
     std::vector<double> frames, tables, rays, surfaces;
     std::clock_t begin = 0; // of the processor, all threads: what other programs do does not count
-    for (int frame = 0; frame < measured.frames + kWarmUp; ++frame) {
-        if (frame == kWarmUp) begin = std::clock();
+    for (int frame = 0; frame < measured.frames + kOpticsWarmUp; ++frame) {
+        if (frame == kOpticsWarmUp) begin = std::clock();
         const render::FrameStatistics drawn = relighter.draw(lights_at(frame * kFrame_s));
-        if (frame < kWarmUp) continue;
+        if (frame < kOpticsWarmUp) continue;
         frames.push_back(drawn.draw_ms);
         tables.push_back(span_ms(drawn, "fan"));
         rays.push_back(span_ms(drawn, "gate"));
@@ -217,7 +215,7 @@ Result<void> bench_optics(const BenchOptions& options, const BenchSink& sink) {
     Report report;
     const scene::GoboStack gobos = scene::build_gobos(show, report);
     const fixture::Type& type = *fixture.type;
-    const scene::Passes passes = bench_passes(kWidth, kHeight, kBeams);
+    const scene::Passes passes = bench_passes(kPaperPictureWidth, kPaperPictureHeight, kBeams);
     fixture::BeamState open;
     open.geometry = first_beam(type);
     open.optics.dimmer = 1;
@@ -230,7 +228,7 @@ Result<void> bench_optics(const BenchOptions& options, const BenchSink& sink) {
         };
     };
     const std::vector<Row> rows = rows_of(type);
-    Measured few{*device, passes, gobos.images, options.frames, sink};
+    OpticsMeasuring few{*device, passes, gobos.images, options.frames, sink};
     for (const Row& row : rows) {
         if (interrupted()) return {};
         measure(row.name, beams_with(row.set, kBeams), few);
@@ -251,7 +249,7 @@ Result<void> bench_optics(const BenchOptions& options, const BenchSink& sink) {
 
     // How many: that of all optics beside plain beams.
     const scene::Passes many_passes = bench_passes(kManySide, kManySide, kManyBeams);
-    Measured many{*device, many_passes, gobos.images, std::min(options.frames, kManyFrames), sink};
+    OpticsMeasuring many{*device, many_passes, gobos.images, std::min(options.frames, kManyFrames), sink};
     for (const Row& row : rows) {
         const std::string name = row.name;
         if (interrupted()) return {};

@@ -27,26 +27,26 @@ using Clock = std::chrono::steady_clock;
 constexpr int kProjectors = 10;
 constexpr int kFilmWidth = 640;
 constexpr int kFilmHeight = 360;
-constexpr int kFps = 25;
-constexpr int kWarmUp = 5;
+constexpr int kProjectorFps = 25;
+constexpr int kProjectorWarmUp = 5;
 constexpr int kChannels = 22;
 
-struct Place {
+struct ProjectorPlace {
     float x_m, y_m, z_m;
     double pan_deg, tilt_deg;
 };
 
 // Five on the front truss, at the backdrop; five above the band, at floor and backdrop.
-constexpr std::array<Place, kProjectors> kPlaces{{{-5.2f, 0.255f, 6.56f, 4, 66},
-                                                  {-2.6f, 0.255f, 6.56f, 2, 70},
-                                                  {0.0f, 0.255f, 6.56f, 0, 64},
-                                                  {2.6f, 0.255f, 6.56f, -2, 70},
-                                                  {5.2f, 0.255f, 6.56f, -4, 66},
-                                                  {-4.4f, 4.155f, 6.76f, 25, -30},
-                                                  {-2.2f, 4.155f, 6.76f, 12, -38},
-                                                  {0.0f, 4.155f, 6.76f, 0, -30},
-                                                  {2.2f, 4.155f, 6.76f, -12, -38},
-                                                  {4.4f, 4.155f, 6.76f, -25, -30}}};
+constexpr std::array<ProjectorPlace, kProjectors> kPlaces{{{-5.2f, 0.255f, 6.56f, 4, 66},
+                                                           {-2.6f, 0.255f, 6.56f, 2, 70},
+                                                           {0.0f, 0.255f, 6.56f, 0, 64},
+                                                           {2.6f, 0.255f, 6.56f, -2, 70},
+                                                           {5.2f, 0.255f, 6.56f, -4, 66},
+                                                           {-4.4f, 4.155f, 6.76f, 25, -30},
+                                                           {-2.2f, 4.155f, 6.76f, 12, -38},
+                                                           {0.0f, 4.155f, 6.76f, 0, -30},
+                                                           {2.2f, 4.155f, 6.76f, -12, -38},
+                                                           {4.4f, 4.155f, 6.76f, -25, -30}}};
 
 using Colour = std::function<std::array<double, 3>(double x, double y, double s)>;
 
@@ -54,15 +54,15 @@ Result<void> make_film(const fs::path& path, double seconds, const Colour& colou
     std::error_code code;
     if (fs::exists(path, code)) return {};
     TRY(const std::unique_ptr<video::FilmWriter> film,
-        video::FilmWriter::create(path, kFilmWidth, kFilmHeight, kFps));
+        video::FilmWriter::create(path, kFilmWidth, kFilmHeight, kProjectorFps));
     std::vector<std::uint8_t> rgba(static_cast<std::size_t>(kFilmWidth) * kFilmHeight * 4, 255);
-    for (int frame = 0; frame < static_cast<int>(seconds * kFps); ++frame) {
+    for (int frame = 0; frame < static_cast<int>(seconds * kProjectorFps); ++frame) {
         std::size_t to = 0;
         for (int y = 0; y < kFilmHeight; ++y)
             for (int x = 0; x < kFilmWidth; ++x, to += 4) {
                 const std::array<double, 3> rgb =
                     colour(static_cast<double>(x) / kFilmHeight, static_cast<double>(y) / kFilmHeight,
-                           static_cast<double>(frame) / kFps);
+                           static_cast<double>(frame) / kProjectorFps);
                 for (std::size_t k = 0; k < 3; ++k)
                     rgba[to + k] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(rgb[k], 0.0, 1.0)));
             }
@@ -105,7 +105,7 @@ std::string show_text(const fs::path& demo) {
             "[[media]]\nname = \"camera\"\ncamera = \"camera.mp4\"\n";
     constexpr std::array<const char*, 3> kMedia{"waves", "rings", "camera"};
     for (int k = 0; k < kProjectors; ++k) {
-        const Place& place = kPlaces[static_cast<std::size_t>(k)];
+        const ProjectorPlace& place = kPlaces[static_cast<std::size_t>(k)];
         text << "\n[[fixture]]\nname = \"Projector " << k + 1 << "\"\ngdtf = \""
              << (demo / "../fixtures/Vari-Lite@VL2500_Spot.gdtf").string()
              << "\"\nmode = \"Standard 22 channels\"\naddress = " << 1 + kChannels * k << "\nposition_m = ["
@@ -135,7 +135,7 @@ dmx::Levels levels_at(const fixture::Type& type, double seconds, double sway_deg
             if (function.attribute == "Tilt") tilt_deg = range;
         }
     for (int k = 0; k < kProjectors; ++k) {
-        const Place& place = kPlaces[static_cast<std::size_t>(k)];
+        const ProjectorPlace& place = kPlaces[static_cast<std::size_t>(k)];
         const int address = 1 + kChannels * k;
         const auto at = [&](int channel) -> std::uint8_t& {
             return levels[static_cast<std::size_t>(address + channel - 2)];
@@ -160,11 +160,11 @@ dmx::Universes universes_of(dmx::Levels levels) {
 std::string recording_of(const fixture::Type& type) {
     std::ostringstream text;
     text << "OLA Show\n";
-    for (int frame = 0; frame < 10 * kFps; ++frame) {
-        const dmx::Levels levels = levels_at(type, static_cast<double>(frame) / kFps, 3);
+    for (int frame = 0; frame < 10 * kProjectorFps; ++frame) {
+        const dmx::Levels levels = levels_at(type, static_cast<double>(frame) / kProjectorFps, 3);
         text << "1 ";
         for (std::size_t k = 0; k < levels.size(); ++k) text << (k ? "," : "") << int{levels[k]};
-        text << "\n" << 1000 / kFps << "\n";
+        text << "\n" << 1000 / kProjectorFps << "\n";
     }
     return text.str();
 }
@@ -207,15 +207,15 @@ Result<void> bench_projectors(const BenchOptions& options, const BenchSink& sink
         std::vector<double> total, tables, rays, surfaces, uploads, late;
         const Clock::time_point begin = Clock::now();
         std::clock_t processor = 0; // decoding included
-        for (int frame = 0; frame < options.frames + kWarmUp; ++frame) {
-            if (frame == kWarmUp) processor = std::clock();
+        for (int frame = 0; frame < options.frames + kProjectorWarmUp; ++frame) {
+            if (frame == kProjectorWarmUp) processor = std::clock();
             const Clock::time_point start = Clock::now();
             const double seconds = std::chrono::duration<double>(start - begin).count();
-            session->rig->step(universes_of(levels_at(type, seconds, row.sway_deg)), 1.0 / kFps);
+            session->rig->step(universes_of(levels_at(type, seconds, row.sway_deg)), 1.0 / kProjectorFps);
             // From the beginning on, whatever the row; a medium that rests is asked for the same moment.
             session->media_s = row.films ? seconds : 1.0;
             const render::FrameStatistics drawn = session->draw(seconds);
-            if (frame < kWarmUp) continue;
+            if (frame < kProjectorWarmUp) continue;
             total.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
             tables.push_back(span_ms(drawn, "fan"));
             rays.push_back(span_ms(drawn, "gate"));
@@ -240,7 +240,7 @@ Result<void> bench_projectors(const BenchOptions& options, const BenchSink& sink
                {"picture_age_ms", late.empty() ? std::nan("") : median(late)},
                {"oldest_ms", late.empty() ? std::nan("") : *std::max_element(late.begin(), late.end())}},
               "1024x300, films of " + std::to_string(kFilmWidth) + "x" + std::to_string(kFilmHeight) +
-                  " at " + std::to_string(kFps) + " a second"});
+                  " at " + std::to_string(kProjectorFps) + " a second"});
     }
     return {};
 }

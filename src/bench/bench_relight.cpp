@@ -12,9 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kWidth = 1024; // the paper's picture
-constexpr int kHeight = 300;
-constexpr int kWarmUp = 4;
+constexpr int kRelightWarmUp = 4;
 
 double ms_since(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -101,9 +99,9 @@ dmx::Universes all_moving(const scene::Show& show, double seconds, const std::ve
 
 Result<void> bench_samples(const BenchOptions& options, const BenchSink& sink) {
     TRY(const std::unique_ptr<gpu::Device> device, gpu::Device::create({options.device, false}));
-    const scene::Passes passes = bench_passes(kWidth, kHeight, 1);
+    const scene::Passes passes = bench_passes(kPaperPictureWidth, kPaperPictureHeight, 1);
     const shared::Gobos gobos = bench_gobos();
-    const double pixels = kWidth * kHeight;
+    const double pixels = kPaperPictureWidth * kPaperPictureHeight;
     double simple_surface_ns = 0;
     render::Settings settings = bench_settings();
     settings.beams.beams = render::Beams::cone; // the paper's, whose table this is
@@ -115,11 +113,11 @@ Result<void> bench_samples(const BenchOptions& options, const BenchSink& sink) {
         const std::uint32_t many = 36;
         std::vector<double> surface, haze_few, haze_many, haze_paper;
         const std::uint32_t paper_samples = wheels == 0 ? 4 : 10;
-        for (int frame = 0; frame < options.frames + kWarmUp; ++frame) {
+        for (int frame = 0; frame < options.frames + kRelightWarmUp; ++frame) {
             for (const std::uint32_t samples : {few, many, paper_samples}) {
                 const render::FrameStatistics drawn =
                     relighter.draw({filling_light(wheels, samples, frame * 3.0 + samples)});
-                if (frame < kWarmUp) continue;
+                if (frame < kRelightWarmUp) continue;
                 const double ms = span_ms(drawn, "haze");
                 (samples == many ? haze_many : samples == few ? haze_few : haze_paper).push_back(ms);
                 if (samples == paper_samples && wheels == 0 && samples == few) haze_paper.push_back(ms);
@@ -168,14 +166,14 @@ Result<void> paper_rows(const BenchOptions& options, render::Beams beams,
             session->rig->step(all_moving(*session->show, 2.0, moves), 0.02);
             return session->rig->lights(session->gobos, session->passes);
         }();
-        for (int frame = 0; frame < options.frames + kWarmUp; ++frame) {
+        for (int frame = 0; frame < options.frames + kRelightWarmUp; ++frame) {
             const Clock::time_point start = Clock::now();
             session->rig->step(all_moving(*session->show, 2.0 + frame / 44.0, moves), 1.0 / 44.0);
             std::vector<shared::Light> lights = session->rig->lights(session->gobos, session->passes);
             for (std::size_t i = 0; i < lights.size(); ++i)
                 if (i >= moves.size() || !moves[i]) lights[i] = still[i];
             const render::FrameStatistics statistics = session->relighter->draw(lights);
-            if (frame < kWarmUp) continue;
+            if (frame < kRelightWarmUp) continue;
             total.push_back(ms_since(start));
             draw.push_back(statistics.draw_ms);
             haze.push_back(haze_ms(statistics));
@@ -215,7 +213,7 @@ Result<void> bench_paper(const BenchOptions& options, const BenchSink& sink) {
 Result<void> bench_tree(const BenchOptions& options, const BenchSink& sink) {
     TRY(const std::unique_ptr<gpu::Device> device, gpu::Device::create({options.device, false}));
     constexpr int kPasses = 8; // shared by the lights: memory of the passes is not what is measured
-    const scene::Passes passes = bench_passes(kWidth, kHeight, kPasses);
+    const scene::Passes passes = bench_passes(kPaperPictureWidth, kPaperPictureHeight, kPasses);
     const shared::Gobos gobos = bench_gobos();
     for (const int count : {1, 2, 8, 32, 128, 512}) {
         render::Relighter relighter(*device, passes, gobos, count, bench_settings());
@@ -231,7 +229,7 @@ Result<void> bench_tree(const BenchOptions& options, const BenchSink& sink) {
         for (int frame = 0; frame < frames; ++frame) { // the same light again and again
             lights[0] = bench_light(0, 0, 0.1 * (frame + 1));
             const render::FrameStatistics drawn = relighter.draw(lights);
-            if (frame >= kWarmUp) same.push_back(drawn.draw_ms);
+            if (frame >= kRelightWarmUp) same.push_back(drawn.draw_ms);
             if (frame == 0) most_additions = drawn.additions;
         }
         for (int frame = 0; frame < frames; ++frame) { // every time another one

@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 using glm::vec3;
 
 constexpr std::size_t kMostLights = 1000;
-constexpr int kFewest = 2; // frames measured of a slow row
+constexpr int kFewestFrames = 2; // frames measured of a slow row
 
 struct Place {
     vec3 position_m{0};
@@ -142,7 +142,7 @@ Measured measure_frames(render::Relighter& relighter, const std::vector<Place>& 
     relighter.draw(festival_lights(places, count, 0));
     while (static_cast<int>(ms.size()) < frames) {
         const double spent = std::chrono::duration<double>(Clock::now() - start).count();
-        if (static_cast<int>(ms.size()) >= kFewest && spent > seconds) break;
+        if (static_cast<int>(ms.size()) >= kFewestFrames && spent > seconds) break;
         const render::FrameStatistics drawn =
             relighter.draw(festival_lights(places, count, 0.1 * static_cast<double>(ms.size() + 1)));
         ms.push_back(drawn.draw_ms);
@@ -225,7 +225,7 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
             const std::string name = std::to_string(count) + (count == 1 ? " light, " : " lights, ") +
                                      std::to_string(width) + "x" + std::to_string(height);
             const double expected_ms = first_ms + light_ms * static_cast<double>(count - 1);
-            if (expected_ms * (1 + kFewest) > options.row_seconds * 1000) {
+            if (expected_ms * (1 + kFewestFrames) > options.row_seconds * 1000) {
                 sink({"scale", name, {{"expected_ms", expected_ms}}, "skipped: longer than --row-seconds"});
                 continue;
             }

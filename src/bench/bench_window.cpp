@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kWarm_s = 4;
-constexpr double kSeconds = 15;
+constexpr double kMeasured_s = 15;
 Result<void> bake_first_camera(const BenchOptions& options) {
     SessionOptions session;
     session.show = options.show;
@@ -30,7 +30,7 @@ Result<void> bake_first_camera(const BenchOptions& options) {
 std::string flight() {
     constexpr double kTravel_s = 0.9;
     std::string lines;
-    for (int way = 0; way * kTravel_s < kSeconds; ++way)
+    for (int way = 0; way * kTravel_s < kMeasured_s; ++way)
         lines += "camera " + std::to_string(1 + (way + 1) % 3) + "\nwait " + std::to_string(kTravel_s) + "\n";
     return lines;
 }
@@ -46,7 +46,7 @@ Result<void> measure(const BenchOptions& options, const Work& work, const BenchS
     LoadedWindow window;
     window.script = "wait opened\nstate \"" + begun.string() + "\"\n" + work.before + "wait " +
                     std::to_string(kWarm_s) + "\nreset-figures\n" +
-                    (work.lines.empty() ? "wait " + std::to_string(kSeconds) + "\n" : work.lines) +
+                    (work.lines.empty() ? "wait " + std::to_string(kMeasured_s) + "\n" : work.lines) +
                     "state \"" + outcome.string() + "\"\nquit\n";
     TRY(const bool into_memory, run_loaded_window(options, window));
     if (interrupted()) return Error{"interrupted", "window"};
@@ -58,7 +58,7 @@ Result<void> measure(const BenchOptions& options, const Work& work, const BenchS
     BenchRow row;
     row.table = "window";
     row.name = work.name;
-    row.figures = {{"pictures_per_s", state_number(state, "window_ms", "count") / kSeconds},
+    row.figures = {{"pictures_per_s", state_number(state, "window_ms", "count") / kMeasured_s},
                    {"width", side("width")},
                    {"height", side("height")},
                    {"packets", state_number(state, kPackets, "count")},

@@ -10,7 +10,7 @@ namespace ghost::app {
 namespace {
 
 constexpr const char* kMaker = "tools/make_festival.py";
-constexpr const char* kSeconds = "30"; // of its recording
+constexpr const char* kRecordingSeconds = "30"; // of its recording
 
 } // namespace
 
@@ -18,7 +18,8 @@ Result<Festival> Festival::make(int fixtures) {
     const std::string count = std::to_string(fixtures);
     Festival made(loaded_window_file("-festival-" + count).string());
     const auto made_by = run_child(
-        {"python3", kMaker, "--out", made.folder_, "--fixtures", count, "--seconds", kSeconds}, "", true);
+        {"python3", kMaker, "--out", made.folder_, "--fixtures", count, "--seconds", kRecordingSeconds}, "",
+        true);
     if (!made_by.ok()) return made_by.error();
     if (made_by->exit_code != 0)
         return Error{"makes no festival; the bench runs in the source folder and needs Python", kMaker};

@@ -40,7 +40,7 @@ double resident_mb() {
     return static_cast<double>(used_memory_bytes()) * 1e-6;
 }
 
-double seconds_since(Clock::time_point start) {
+double elapsed_s(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
@@ -78,7 +78,7 @@ void run_backup(dmx::Sender& desk, Load& load) {
     for (int number = 0; !load.stop; ++number) {
         std::this_thread::sleep_until(next);
         next = std::max(next, Clock::now() - 1ms) + kPeriod;
-        const bool here = std::fmod(seconds_since(start), kMinute_s) < kMinute_s / 2;
+        const bool here = std::fmod(elapsed_s(start), kMinute_s) < kMinute_s / 2;
         if (here) send(desk, number, load);
         if (!here && was_here) {
             if (says_goodbye) load.sent += desk.terminate();
@@ -153,9 +153,9 @@ Result<void> network_soak(double seconds, std::uint16_t port, const BenchSink& s
     Progress progress("soak", Progress::style_for_stderr(), 0.0);
     const double warm_s = std::min(kWarmUp_s, seconds / 2);
     double warm_mb = 0;
-    for (int minute = 1; !interrupted() && seconds_since(start) < seconds;) {
+    for (int minute = 1; !interrupted() && elapsed_s(start) < seconds;) {
         look_in(Clock::now() + 500ms);
-        const double now_s = seconds_since(start);
+        const double now_s = elapsed_s(start);
         progress.update(now_s / seconds, now_s, std::to_string(statistics.merge.missed) + " lost");
         if (warm_mb == 0 && now_s >= warm_s) warm_mb = resident_mb();
         if (now_s < minute * kMinute_s) continue;
@@ -166,7 +166,7 @@ Result<void> network_soak(double seconds, std::uint16_t port, const BenchSink& s
     load.stop = true;
     for (std::thread& one : desks) one.join();
     look_in(Clock::now() + 700ms);
-    const double ran_s = seconds_since(start);
+    const double ran_s = elapsed_s(start);
     const std::uint64_t received = statistics.packets_sacn + statistics.packets_artnet;
     const double growth_mb = warm_mb > 0 ? resident_mb() - warm_mb : 0;
     const bool all_came = received == load.sent && statistics.merge.missed == 0 &&

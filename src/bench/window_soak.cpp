@@ -20,12 +20,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kMinute_s = 60;
-constexpr double kWarm_s = 600; // at most a third of the time: caches, heaps and what is made when first used
-constexpr double kBusy_s = 25;  // of each minute
+constexpr double kRow_s = 60;
+// At most a third of the time: caches, heaps and what is made when first used.
+constexpr double kSoakWarm_s = 600;
+constexpr double kBusy_s = 25; // of each row
 // The mean of the last rows against that of the first after the warm-up. A picture of this window is 1.6 MB;
 // 200 bytes a picture that stay would be 15 MB in an hour.
-constexpr double kMostGrowth_mb = 10;
+constexpr double kMostWindowGrowth_mb = 10;
 constexpr std::size_t kMean = 5; // rows
 
 // What a person does; each line that changes the look is undone.
@@ -40,8 +41,8 @@ constexpr const char* kSameSize = "resolution 25\nwait 4\n";
 
 std::string script_of(double seconds, const std::string& outcome) {
     std::string script = "wait opened\n";
-    for (double begin_s = 0; begin_s < seconds; begin_s += kMinute_s) {
-        const double rest_s = std::min(kMinute_s, seconds - begin_s) - kBusy_s;
+    for (double begin_s = 0; begin_s < seconds; begin_s += kRow_s) {
+        const double rest_s = std::min(kRow_s, seconds - begin_s) - kBusy_s;
         script += "reset-figures\n";
         if (rest_s > 0) script += kWork;
         script += "wait " + std::to_string(rest_s > 0 ? rest_s : rest_s + kBusy_s) + "\n" + kSameSize +
@@ -78,7 +79,7 @@ Result<void> window_soak(const BenchOptions& options, const BenchSink& sink) {
         const auto state = take_state(outcome);
         if (!state.ok()) return; // not yet
         memory_mb.push_back(static_cast<double>(used_memory_bytes()) * 1e-6);
-        if (passed_s() < std::min(kWarm_s, options.soak_seconds / 3)) warm_rows = memory_mb.size();
+        if (passed_s() < std::min(kSoakWarm_s, options.soak_seconds / 3)) warm_rows = memory_mb.size();
         const double packets = state_number(*state, "packet_to_window_ms", "count"),
                      p99_ms = state_number(*state, "packet_to_window_ms", "p99");
         all_heard = all_heard && packets > 0;
@@ -110,7 +111,7 @@ Result<void> window_soak(const BenchOptions& options, const BenchSink& sink) {
     const std::size_t count = std::min(kMean, (memory_mb.size() - warm_rows) / 2);
     const double growth_mb =
         mean(&memory_mb[memory_mb.size() - count], count) - mean(&memory_mb[warm_rows], count);
-    const bool flat = growth_mb <= kMostGrowth_mb;
+    const bool flat = growth_mb <= kMostWindowGrowth_mb;
     BenchRow row;
     row.table = "window";
     row.name = "soak of " + clock_text(ran_s);
@@ -124,8 +125,8 @@ Result<void> window_soak(const BenchOptions& options, const BenchSink& sink) {
     if (!all_heard) return Error{"there was a minute in which no packet was seen", "soak"};
     if (!flat)
         return Error{"memory grew by " + std::to_string(growth_mb) + " MB after the first " +
-                         std::to_string(warm_rows) + " minutes, expected " + std::to_string(kMostGrowth_mb) +
-                         " at most",
+                         std::to_string(warm_rows) + " minutes, expected " +
+                         std::to_string(kMostWindowGrowth_mb) + " at most",
                      "soak"};
     return {};
 }

@@ -31,9 +31,9 @@ struct Word {
     std::string FixtureValues::*value;
     const char* name;
 };
-constexpr Word kWords[] = {{&FixtureValues::colour, "colour "},
-                           {&FixtureValues::gobo, "gobo "},
-                           {&FixtureValues::effects, "effects "}};
+constexpr Word kChangedWords[] = {{&FixtureValues::colour, "colour "},
+                                  {&FixtureValues::gobo, "gobo "},
+                                  {&FixtureValues::effects, "effects "}};
 constexpr float kLeastTurn_deg = 0.5f;
 
 void add(std::string& list, const std::string& part) {
@@ -63,7 +63,7 @@ std::string change_of(const FixtureValues& before, const FixtureValues& after) {
     std::string list;
     add_quantity(kLight, before, after, list);
     std::string others;
-    for (const Word& word : kWords)
+    for (const Word& word : kChangedWords)
         if (before.*word.value != after.*word.value)
             add(others, word.name + before.*word.value + " to " + after.*word.value);
     for (const Quantity& quantity : kOthers) add_quantity(quantity, before, after, others);

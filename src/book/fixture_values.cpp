@@ -24,7 +24,7 @@ float most_of(const vec3& rgb) {
     return std::max({rgb.x, rgb.y, rgb.z});
 }
 
-void add(std::string& list, const std::string& part) {
+void add_part(std::string& list, const std::string& part) {
     list += (list.empty() ? "" : " + ") + part;
 }
 
@@ -58,7 +58,7 @@ std::string wheel_text(const Type& type, const fixture::WheelState& state) {
 std::string wheels_text(const Type& type, const std::vector<fixture::WheelState>& wheels) {
     std::string text;
     for (const fixture::WheelState& wheel : wheels)
-        if (const std::string one = wheel_text(type, wheel); !one.empty()) add(text, one);
+        if (const std::string one = wheel_text(type, wheel); !one.empty()) add_part(text, one);
     return text;
 }
 
@@ -66,7 +66,7 @@ std::string inserts_text(const std::string& word, const std::vector<fixture::Ins
     std::string text;
     for (const fixture::Insert& insert : inserts)
         if (insert.in >= 0.5f)
-            add(text, word + " " + std::to_string(insert.number) + (insert.rotating ? " turning" : ""));
+            add_part(text, word + " " + std::to_string(insert.number) + (insert.rotating ? " turning" : ""));
     return text;
 }
 
@@ -129,9 +129,10 @@ std::string colour_of(const Type& type, const Optics& optics) {
         text = hex(mixed(optics));
     else if (level >= kLeast)
         text = emitters_text(type, optics, level);
-    if (const std::string flags = flags_text(optics); !flags.empty()) add(text, flags);
-    if (const std::string wheels = wheels_text(type, optics.color_wheels); !wheels.empty()) add(text, wheels);
-    if (optics.cct_k > 0) add(text, number_text(optics.cct_k, 0) + " K");
+    if (const std::string flags = flags_text(optics); !flags.empty()) add_part(text, flags);
+    if (const std::string wheels = wheels_text(type, optics.color_wheels); !wheels.empty())
+        add_part(text, wheels);
+    if (optics.cct_k > 0) add_part(text, number_text(optics.cct_k, 0) + " K");
     return text.empty() ? "open" : text;
 }
 
@@ -150,7 +151,7 @@ BeamValues beam_values(const Type& type, const Optics& optics) {
     if (values.gobo.empty()) values.gobo = "open";
     values.effects = inserts_text("prism", optics.prisms);
     if (const std::string discs = inserts_text("animation", optics.animations); !discs.empty())
-        add(values.effects, discs);
+        add_part(values.effects, discs);
     if (values.effects.empty()) values.effects = "open";
     return values;
 }

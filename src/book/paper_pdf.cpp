@@ -9,7 +9,7 @@
 namespace ghost::scene {
 namespace {
 
-constexpr double kMargin_pt = 34, kHead_pt = 20, kRow_pt = 11.5, kPad_pt = 3;
+constexpr double kTableMargin_pt = 34, kRow_pt = 11.5, kPad_pt = 3;
 constexpr double kLeastColumn_pt = 22, kWidestColumn_pt = 190;
 constexpr std::size_t kMeasuredRows = 400; // evenly spread over the table: enough to share out a page
 constexpr double kFreeGrey = 0.92, kHeadGrey = 0.85;
@@ -21,7 +21,7 @@ class PaperPages {
 public:
     PaperPages(const Paper& paper, PaperSize size)
         : paper_(paper), pdf_(size, true, paper.show + ": paperwork"),
-          width_(pdf_.width_pt() - 2 * kMargin_pt), end_(pdf_.height_pt() - kMargin_pt) {}
+          width_(pdf_.width_pt() - 2 * kTableMargin_pt), end_(pdf_.height_pt() - kTableMargin_pt) {}
 
     Result<std::string> draw() {
         for (const PaperTable& table : paper_.tables) draw_table(table);
@@ -32,12 +32,12 @@ private:
     void begin_page(const PaperTable& table, bool is_first) {
         ++page_;
         if (is_first) pdf_.mark(table.title);
-        pdf_.line_of_text(kMargin_pt, kMargin_pt - 14, 0.7 * width_,
+        pdf_.line_of_text(kTableMargin_pt, kTableMargin_pt - 14, 0.7 * width_,
                           table.title + (is_first ? "" : ", continued"), {.size_pt = 11, .is_bold = true});
-        pdf_.line_of_text(kMargin_pt + 0.7 * width_, kMargin_pt - 14, 0.3 * width_,
+        pdf_.line_of_text(kTableMargin_pt + 0.7 * width_, kTableMargin_pt - 14, 0.3 * width_,
                           paper_.show + ", page " + std::to_string(page_),
                           {.size_pt = 8, .is_grey = true, .is_right = true});
-        y_ = kMargin_pt + 4;
+        y_ = kTableMargin_pt + 4;
     }
 
     // What each column wants, shrunk to the page where that is more than it has.
@@ -58,27 +58,28 @@ private:
 
     void draw_row(const PaperTable& table, const std::vector<double>& widths,
                   const std::vector<std::string>& cells, PdfText look) {
-        double x = kMargin_pt;
+        double x = kTableMargin_pt;
         for (std::size_t k = 0; k < cells.size(); ++k) {
             look.is_right = table.columns[k].is_number;
             pdf_.line_of_text(x + kPad_pt, y_ + 1, widths[k] - 2 * kPad_pt, cells[k], look);
             x += widths[k];
         }
         y_ += kRow_pt;
-        pdf_.line(kMargin_pt, y_, x, y_);
+        pdf_.line(kTableMargin_pt, y_, x, y_);
     }
 
     void draw_column_heads(const PaperTable& table, const std::vector<double>& widths) {
         std::vector<std::string> titles;
         for (const PaperColumn& column : table.columns) titles.push_back(column.title);
-        pdf_.fill(kMargin_pt, y_, std::accumulate(widths.begin(), widths.end(), 0.0), kRow_pt, kHeadGrey);
+        pdf_.fill(kTableMargin_pt, y_, std::accumulate(widths.begin(), widths.end(), 0.0), kRow_pt,
+                  kHeadGrey);
         draw_row(table, widths, titles, kColumnHead);
     }
 
     void draw_table(const PaperTable& table) {
         begin_page(table, true);
         for (const std::string& sentence : table.unknown)
-            y_ += pdf_.text(kMargin_pt, y_, width_, 4 * kRow_pt, sentence, kCell) + 2;
+            y_ += pdf_.text(kTableMargin_pt, y_, width_, 4 * kRow_pt, sentence, kCell) + 2;
         const std::vector<double> widths = widths_of(table);
         if (!table.rows.empty()) draw_column_heads(table, widths);
         for (const PaperRow& row : table.rows) {
@@ -88,7 +89,7 @@ private:
                 draw_column_heads(table, widths);
             }
             if (row.is_free)
-                pdf_.fill(kMargin_pt, y_, std::accumulate(widths.begin(), widths.end(), 0.0), kRow_pt,
+                pdf_.fill(kTableMargin_pt, y_, std::accumulate(widths.begin(), widths.end(), 0.0), kRow_pt,
                           kFreeGrey);
             draw_row(table, widths, row.cells, kCell);
         }

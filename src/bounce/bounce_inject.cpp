@@ -16,7 +16,7 @@ constexpr int kShapedRings = 16; // with pictures or edges in the gate
 constexpr int kLooks = 2;        // each way, at the beam in a part of the gate
 constexpr float kTypical_m = 10; // where a beam that meets nothing is looked at
 constexpr float kNothing_m = 1e4f;
-constexpr float kFull = 6.28318531f;
+constexpr float kFullTurn = 6.28318531f;
 
 bool is_shaped(const shared::Light& light) {
     return light.wheel_count > 0 || light.shaped != 0 || light.slide.layer != 0 || light.figure.kind != 0 ||
@@ -44,13 +44,13 @@ BounceEntries bounce_entries(const Bounce& bounce, const shared::Light& lamp, co
     std::vector<std::uint32_t> surface_at(bounce.fine.surfels.size(), kNoNode);
     const int rings = is_shaped(light) ? kShapedRings : kPlainRings;
     const float reach = light.cut_radius * light.tan_field;
-    const float area = 0.5f * kFull * reach * reach / static_cast<float>(rings * rings * kLooks * kLooks);
+    const float area = 0.5f * kFullTurn * reach * reach / static_cast<float>(rings * rings * kLooks * kLooks);
     for (int part = 0; part < rings * rings; ++part) {
         const auto slope_at = [&](float ring, float sector) {
             const float radius =
                 reach * std::sqrt((static_cast<float>(part % rings) + ring) / static_cast<float>(rings));
             const float angle =
-                kFull * (static_cast<float>(part / rings) + sector) / static_cast<float>(rings);
+                kFullTurn * (static_cast<float>(part / rings) + sector) / static_cast<float>(rings);
             return glm::vec2(radius * std::cos(angle), radius * std::sin(angle));
         };
         const glm::vec2 middle = slope_at(0.5f, 0.5f);

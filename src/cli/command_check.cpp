@@ -19,7 +19,7 @@
 namespace ghost::app {
 namespace {
 
-struct Options {
+struct CheckOptions {
     std::vector<std::string> files;
     std::vector<std::string> fixtures;
     std::size_t threads = 0;
@@ -30,7 +30,7 @@ struct Options {
     bool all = false;
 };
 
-std::vector<Checked> check(const std::vector<std::string>& files, const Options& options) {
+std::vector<Checked> check(const std::vector<std::string>& files, const CheckOptions& options) {
     Progress progress("checking", options.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
                       steady_now_s());
     DoctorOptions doctor;
@@ -45,7 +45,7 @@ std::vector<Checked> check(const std::vector<std::string>& files, const Options&
     return all;
 }
 
-void print(const std::vector<Checked>& all, const Options& options) {
+void print(const std::vector<Checked>& all, const CheckOptions& options) {
     if (options.json) {
         nlohmann::json list = nlohmann::json::array();
         for (const Checked& checked : all) list.push_back(json_of(checked));
@@ -60,7 +60,7 @@ void print(const std::vector<Checked>& all, const Options& options) {
         print_text("%s", summary_of(all, options.all).c_str());
 }
 
-int run(const Options& options) {
+int run(const CheckOptions& options) {
     const InterruptScope scope;
     const FileSearch found = find_files(options.files);
     for (const std::string& limit : found.limits) log_warning(limit);
@@ -89,7 +89,7 @@ int run(const Options& options) {
 } // namespace
 
 void add_check(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CheckOptions>();
     CLI::App* command =
         app.add_subcommand("check", "What fixture files, plots and shows would lose, and where");
     command

@@ -39,7 +39,7 @@ constexpr double kSilence_s = 7; // where something is missing: shorter, silence
 constexpr double kSettled_s = 1; // until it is known who sends what came late
 constexpr double kSteps_hz = 30; // as render steps, so that a strobe is where the picture has it
 
-struct Options {
+struct ExplainOptions {
     std::string show;
     std::string fixture;
     bool all = false;
@@ -59,7 +59,7 @@ struct Moment {
     double now_s = 0;
 };
 
-double seconds_of(std::chrono::nanoseconds time) {
+double in_seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
 }
 
@@ -116,14 +116,14 @@ Result<Wanted> find_fixture(const scene::Show& show, const std::string& wanted) 
                  show.file.string()};
 }
 
-Result<Moment> run_recording(const fs::path& file, const Options& options, scene::Rig& rig) {
+Result<Moment> run_recording(const fs::path& file, const ExplainOptions& options, scene::Rig& rig) {
     const double at_s = options.at_s;
     TRY(dmx::Recording recording, open_recording(file, capture_options(options.input), options.quiet));
     Moment moment;
     moment.reception.kind = Reception::Kind::recording;
     moment.reception.recording = file.string();
     for (const auto& [universe, time] : recording.first_frames())
-        moment.reception.first_frames_s.emplace_back(universe, seconds_of(time));
+        moment.reception.first_frames_s.emplace_back(universe, in_seconds(time));
     dmx::Player player(std::move(recording));
     char text[96];
     std::snprintf(text, sizeof text, "there is no second %g: the recording ends at %.2f s", at_s,
@@ -148,7 +148,7 @@ bool all_arrive(const scene::PatchMap& patch, const dmx::Universes& universes) {
                        [&](const scene::PatchedUniverse& one) { return universes.find(one.universe); });
 }
 
-Result<Moment> listen(const Options& options, const scene::PatchMap& patch, scene::Rig& rig) {
+Result<Moment> listen(const ExplainOptions& options, const scene::PatchMap& patch, scene::Rig& rig) {
     TRY(dmx::ReceiverOptions receiver_wants, receiver_options(options.input));
     receiver_wants.slot_status = true;
     receiver_wants.universes = joined_universes(receiver_wants.universes, patch);
@@ -177,13 +177,13 @@ Result<Moment> listen(const Options& options, const scene::PatchMap& patch, scen
         const double enough_s = silent_s >= passed_s ? kSilence_s : silent_s > 0 ? silent_s + kSettled_s : 0;
         running = !interrupted() && passed_s < std::max(options.for_s, enough_s);
     }
-    moment.now_s = seconds_of(before.time_since_epoch());
+    moment.now_s = in_seconds(before.time_since_epoch());
     moment.reception =
         scene::reception_of(statistics, patch, std::chrono::duration<double>(before - start).count());
     return moment;
 }
 
-Result<Moment> run_input(const Options& options, const scene::Show& show, scene::Rig& rig) {
+Result<Moment> run_input(const ExplainOptions& options, const scene::Show& show, scene::Rig& rig) {
     if (options.live_input) return listen(options, scene::PatchMap(show), rig);
     if (!options.replay.empty()) return run_recording(options.replay, options, rig);
     std::error_code code;
@@ -204,7 +204,7 @@ double show_time_s(const Moment& moment) {
                                                           : moment.reception.at_s;
 }
 
-Result<void> run(const Options& options) {
+Result<void> run(const ExplainOptions& options) {
     catch_interrupts();
     Report report;
     TRY(scene::Show show, open_show(options.show, false, options.quiet, report));
@@ -266,7 +266,7 @@ Result<void> run(const Options& options) {
 }
 
 // What the command line asks for, checked before anything is opened.
-Result<void> check_usage(const Options& options) {
+Result<void> check_usage(const ExplainOptions& options) {
     if (options.all == !options.fixture.empty())
         return Error{options.all ? "one fixture or all of them, not both" : "which one? Its name, or --all",
                      "FIXTURE"};
@@ -277,7 +277,7 @@ Result<void> check_usage(const Options& options) {
 } // namespace
 
 void add_explain(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExplainOptions>();
     CLI::App* command = app.add_subcommand(
         "explain", "why a fixture is dark, or where its light goes: from packet to optics");
     command->footer("Example: ghostlight explain assets/demo \"Spot 3\" --at 36\n"

@@ -6,9 +6,9 @@
 #include "base/log.h"
 #include "base/print.h"
 #include "base/progress.h"
+#include "base/steady_time.h"
 #include "plots/export_plot.h"
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -16,16 +16,12 @@
 namespace ghost::app {
 namespace {
 
-struct Options {
+struct ExportOptions {
     std::string file;
     std::string output;
 };
 
-double now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-void print(const Report& report) {
+void log_messages(const Report& report) {
     for (const Message& message : report.messages) {
         const std::string text = message.where + ": " + message.what;
         if (message.severity == Severity::note)
@@ -35,16 +31,16 @@ void print(const Report& report) {
     }
 }
 
-int run(const Options& options) {
-    Progress progress("opening", Progress::style_for_stderr(), now_s());
+int run(const ExportOptions& options) {
+    Progress progress("opening", Progress::style_for_stderr(), steady_now_s());
     scene::MvrLoading loading;
     loading.progress = [&](double share, std::string_view what) {
-        progress.update(share, now_s(), std::string(what));
+        progress.update(share, steady_now_s(), std::string(what));
     };
     Report report;
     const auto exported = scene::export_plot(options.file, options.output, loading, report);
     progress.finish();
-    print(report);
+    log_messages(report);
     if (!exported.ok()) {
         log_error(exported.error().text());
         return 1;
@@ -57,7 +53,7 @@ int run(const Options& options) {
 } // namespace
 
 void add_export(CLI::App& app, int& exit_code) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExportOptions>();
     CLI::App* command =
         app.add_subcommand("export", "Write a plot (MVR) again, with everything that was in it");
     command

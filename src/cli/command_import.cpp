@@ -17,7 +17,7 @@
 namespace ghost::app {
 namespace {
 
-struct Arguments {
+struct ImportArguments {
     std::string plot;
     std::string folder;
     bool json = false;
@@ -98,7 +98,7 @@ void print_words(const scene::ImportedPlot& imported) {
                imported.merge ? "; what you changed in it is kept" : "");
 }
 
-int run(const Arguments& arguments) {
+int run(const ImportArguments& arguments) {
     if (arguments.quiet) set_log_level(LogLevel::error);
     const InterruptScope scope;
     Progress progress("importing", arguments.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
@@ -129,7 +129,7 @@ int run(const Arguments& arguments) {
 
 void add_import(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("import", "Makes a show of a designer's plot, or updates one");
-    const auto arguments = std::make_shared<Arguments>();
+    const auto arguments = std::make_shared<ImportArguments>();
     command->add_option("PLOT", arguments->plot, ".mvr file")->required();
     command
         ->add_option("-o,--out", arguments->folder,

@@ -26,9 +26,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kFar_m = 10000;
-constexpr int kSteps_hz = 30; // as render steps, so that a strobe is where the picture has it
+constexpr int kMeterSteps_hz = 30; // as render steps, so that a strobe is where the picture has it
 
-struct Options {
+struct MeasureOptions {
     SessionOptions session;
     std::string replay;
     double at_s = 0;
@@ -38,7 +38,7 @@ struct Options {
     bool json = false;
 };
 
-Result<LuxGrid> grid_of(const Options& options) {
+Result<LuxGrid> grid_of(const MeasureOptions& options) {
     const auto place = [](const std::vector<float>& numbers, std::size_t first) {
         return glm::vec3(numbers[first], numbers[first + 1], numbers[first + 2]);
     };
@@ -54,10 +54,10 @@ Result<void> check_ending(const std::string& out) {
     return Error{"expected a name that ends with .csv or .svg", out};
 }
 
-Result<void> measure(const Options& options, LuxGrid& grid) {
+Result<void> measure(const MeasureOptions& options, LuxGrid& grid) {
     Report report;
     TRY(const auto moment, ShowMoment::open(options.session, options.replay, {}, report));
-    moment->step_to(options.at_s, kSteps_hz, report);
+    moment->step_to(options.at_s, kMeterSteps_hz, report);
     const bake::Tracer tracer(moment->stage());
     const std::vector<shared::Light> lights = moment->lights();
     const Atmosphere air = atmosphere_of(moment->show());
@@ -87,7 +87,7 @@ Result<void> measure(const Options& options, LuxGrid& grid) {
     return {};
 }
 
-Result<void> run(const Options& options) {
+Result<void> run(const MeasureOptions& options) {
     if (options.line.empty() == options.area.empty())
         return Error{"expected either --line or --area", "measure"};
     if (!options.towards.empty() && options.towards == std::vector<float>{0, 0, 0})
@@ -135,7 +135,7 @@ Result<void> run(const Options& options) {
 void add_measure(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand(
         "measure", "lux along a line or over an area of the stage, as a light meter would read them");
-    auto a = std::make_shared<Options>();
+    auto a = std::make_shared<MeasureOptions>();
     command->add_option("show", a->session.show, "show folder or show.toml")->required()->type_name("SHOW");
     command->add_option("--at", a->at_s, "second of the recording")->check(number_in(0, kLongest_s));
     command->add_option("--replay", a->replay, "another recording than the show's")->type_name("FILE");

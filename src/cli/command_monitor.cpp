@@ -27,6 +27,7 @@ namespace ghost::app {
 namespace {
 
 using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
 using Json = nlohmann::ordered_json;
 
 struct MonitorOptions {
@@ -136,7 +137,6 @@ Result<void> monitor(const MonitorOptions& options, dmx::ReceiverOptions input) 
 
     std::uint64_t triggers = 0, links = 0; // said so far
     Learning learning;
-    using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
     auto next = start;
     for (bool running = true; running;) {

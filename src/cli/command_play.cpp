@@ -55,7 +55,7 @@ int failed(const Error& error) {
     return 1;
 }
 
-void print(const ordered_json& report) {
+void print_summary(const ordered_json& report) {
     print_text("%s\n", report.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
 }
 
@@ -82,10 +82,10 @@ int write(const PlayOptions& options) {
     const auto written = write_part(options.file, options.capture, part, options.output, options.quiet);
     if (!written.ok()) return failed(written.error());
     if (options.json)
-        print({{"file", options.output},
-               {"seconds", written->seconds},
-               {"frames", written->frames},
-               {"bytes", written->bytes}});
+        print_summary({{"file", options.output},
+                       {"seconds", written->seconds},
+                       {"frames", written->frames},
+                       {"bytes", written->bytes}});
     char text[96];
     std::snprintf(text, sizeof text, ": %.3f s, %zu frames, %.1f kB", written->seconds, written->frames,
                   static_cast<double>(written->bytes) / 1000.0);
@@ -151,7 +151,8 @@ int send(PlayOptions options) {
         const auto followed = follow_timecode(options, player, *sender);
         if (!followed.ok()) return failed(followed.error());
         if (options.json)
-            print({{"file", options.file}, {"packets", sender->packets()}, {"not_sent", sender->refused()}});
+            print_summary(
+                {{"file", options.file}, {"packets", sender->packets()}, {"not_sent", sender->refused()}});
         return 0;
     }
 
@@ -181,10 +182,10 @@ int send(PlayOptions options) {
     const auto ended = outlet.end(options.file);
     if (!ended.ok()) return failed(ended.error());
     if (options.json)
-        print({{"file", options.file},
-               {"seconds", length_s},
-               {"packets", sender->packets()},
-               {"not_sent", sender->refused()}});
+        print_summary({{"file", options.file},
+                       {"seconds", length_s},
+                       {"packets", sender->packets()},
+                       {"not_sent", sender->refused()}});
     log_info(options.file + ": " + std::to_string(sender->packets()) + " packets sent");
     return 0;
 }

@@ -19,9 +19,9 @@
 
 #include "base/log.h"
 #include "base/progress.h"
+#include "base/steady_time.h"
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 
@@ -50,10 +50,6 @@ struct Row {
 
 bool is_of_fixture(const SheetArguments& arguments) {
     return fixture::has_type_extension(arguments.session.show);
-}
-
-double now_s() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 Result<void> check_usage(SheetArguments& arguments) {
@@ -125,7 +121,7 @@ Result<void> draw_sheet(SheetArguments& arguments) {
     catch_interrupts();
     Progress progress("contact sheet",
                       arguments.session.quiet ? Progress::Style::silent : Progress::style_for_stderr(),
-                      now_s());
+                      steady_now_s());
     session->show->motion = fixture::Motion::as_commanded;
     AppliedLook applied(*session);
     int drawn = 0;
@@ -143,7 +139,7 @@ Result<void> draw_sheet(SheetArguments& arguments) {
             draw_caption(picture, row.name.empty() ? camera.name : row.name + " - " + camera.name);
             put(picture, kGap_px + column * (arguments.width + kGap_px),
                 kGap_px + line * (arguments.height + kGap_px), sheet);
-            progress.update(static_cast<double>(++drawn) / (lines * columns), now_s(), row.name);
+            progress.update(static_cast<double>(++drawn) / (lines * columns), steady_now_s(), row.name);
         }
     }
     progress.finish();

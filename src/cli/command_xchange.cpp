@@ -24,7 +24,7 @@ namespace {
 using nlohmann::ordered_json;
 using namespace std::chrono_literals;
 
-struct Arguments {
+struct XchangeArguments {
     XchangeOptions station;
     std::string save;
     std::vector<std::string> share;
@@ -35,13 +35,13 @@ struct Arguments {
     bool quiet = false;
 };
 
-void print(const ordered_json& line) {
+void print_event(const ordered_json& line) {
     print_text("%s\n", line.dump(-1, ' ', false, ordered_json::error_handler_t::replace).c_str());
     std::fflush(stdout);
 }
 
 // The plot takes the place of the show's older version. True: it did.
-bool take_over(const XchangeEvent& event, const Arguments& arguments) {
+bool take_over(const XchangeEvent& event, const XchangeArguments& arguments) {
     Report report;
     const auto opened = scene::load_show(event.file, true, report, {{}, interrupted});
     const auto imported = opened.ok() ? scene::import_plot(*opened, arguments.show, report)
@@ -53,7 +53,7 @@ bool take_over(const XchangeEvent& event, const Arguments& arguments) {
     }
     const std::string merged = imported->merge ? scene::text_of(*imported->merge) : std::string();
     if (arguments.json)
-        print({{"event", "merged"}, {"show", imported->show_file.string()}, {"text", merged}});
+        print_event({{"event", "merged"}, {"show", imported->show_file.string()}, {"text", merged}});
     else
         print_text("%s%s: %zu objects, %zu fixtures\n", merged.c_str(),
                    one_line(imported->show_file.string()).c_str(), imported->objects, imported->fixtures);
@@ -73,7 +73,7 @@ struct Tally {
     }
 };
 
-std::string why_not(const Tally& tally, const Arguments& arguments) {
+std::string why_not(const Tally& tally, const XchangeArguments& arguments) {
     const std::string group = "'" + arguments.station.group + "'";
     const auto count = [](int number, const char* word) {
         return std::to_string(number) + " " + word + (number == 1 ? "" : "s");
@@ -87,7 +87,7 @@ std::string why_not(const Tally& tally, const Arguments& arguments) {
            " was found; is one running, and is no firewall on UDP 5353 in the way?";
 }
 
-int run(Arguments& arguments) {
+int run(XchangeArguments& arguments) {
     if (arguments.quiet) set_log_level(LogLevel::warning);
     arguments.station.save = arguments.save;
     arguments.station.share.assign(arguments.share.begin(), arguments.share.end());
@@ -116,7 +116,7 @@ int run(Arguments& arguments) {
                     {"event", name_of(event.kind)}, {"station", event.station}, {"text", event.text}};
                 if (file) line["file"] = event.file.string();
                 if (file) line["comment"] = event.comment;
-                print(line);
+                print_event(line);
             } else if (!arguments.quiet || file || event.kind == XchangeEvent::Kind::trouble) {
                 print_text("%-9s %s%s%s\n", name_of(event.kind), one_line(event.station).c_str(),
                            event.station.empty() ? "" : ": ", one_line(event.text).c_str());
@@ -137,7 +137,7 @@ int run(Arguments& arguments) {
 void add_xchange(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand(
         "xchange", "MVR-xchange: plots from Vectorworks, grandMA3, BlenderDMX over the network, and to them");
-    const auto a = std::make_shared<Arguments>();
+    const auto a = std::make_shared<XchangeArguments>();
     command->add_option("--group", a->station.group, "of stations that belong together")
         ->capture_default_str();
     CLI::Option* const save =

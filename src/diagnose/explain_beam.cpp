@@ -22,11 +22,6 @@ using fixture::WheelState;
 constexpr float kBetween = 0.004f; // of a slot: light_from takes less as centred
 constexpr float kNothing = 1e-6f;
 
-template <class T>
-const T& item(const std::vector<T>& list, int index) {
-    return list[static_cast<std::size_t>(index)];
-}
-
 BeamState open_beam(const BeamState& state) {
     BeamState open;
     open.node = state.node;

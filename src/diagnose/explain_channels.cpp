@@ -14,11 +14,6 @@ using fixture::ChannelFunction;
 using fixture::ChannelReading;
 using fixture::Role;
 
-template <class T>
-const T& item(const std::vector<T>& list, int index) {
-    return list[static_cast<std::size_t>(index)];
-}
-
 std::size_t bytes_of(const Channel& channel) {
     return channel.offsets.empty() ? 4 : channel.offsets.size();
 }

@@ -17,6 +17,11 @@ inline constexpr float kNearlyDark = 0.025f;
 
 inline const glm::vec3 kLuminance{0.2627f, 0.6780f, 0.0593f}; // Rec.2020
 
+template <class T>
+const T& item(const std::vector<T>& list, int index) {
+    return list[static_cast<std::size_t>(index)];
+}
+
 std::string number(double value, int digits = 0); // without zeros at the end: "12.5", "12"
 std::string percent(float fraction);              // "45 %", "1.7 %", "0.03 %"
 std::string dmx_text(std::uint32_t raw, std::size_t bytes);

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kBetweenLooks = std::chrono::seconds(1);
+constexpr auto kBetweenQuestions = std::chrono::seconds(1);
 constexpr int kLooksAtLast = 30;
 constexpr int kTries = 5;
 constexpr auto kBetweenTries = std::chrono::milliseconds(100);
@@ -101,7 +101,7 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
         for (int look = 0; look < kLooksAtLast && living.ok() && anybody_works(*living) &&
                            fs::exists(plan.result_file(), code);
              ++look) {
-            std::this_thread::sleep_for(kBetweenLooks);
+            std::this_thread::sleep_for(kBetweenQuestions);
             living = slurm_jobs(before.jobs);
         }
         if (!living.ok()) return fail(living.error());

@@ -22,10 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMostPictureBytes = std::uintmax_t{1} << 31;
 // Shared folders show for so long what was there before.
 constexpr auto kPatience = std::chrono::seconds(60);
-constexpr auto kBetweenLooks = std::chrono::seconds(2);
+constexpr auto kBetweenRecounts = std::chrono::seconds(2);
 constexpr std::size_t kMostNamed = 5;
 
 Result<void> check_whole(const FarmPlan& plan) {
@@ -40,7 +39,7 @@ Result<void> check_whole(const FarmPlan& plan) {
         }
         if (missing.empty()) return {};
         if (may_come && std::chrono::steady_clock::now() - begun < kPatience && !interrupted()) {
-            std::this_thread::sleep_for(kBetweenLooks);
+            std::this_thread::sleep_for(kBetweenRecounts);
             continue;
         }
         std::string names, why;

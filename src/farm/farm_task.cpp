@@ -21,10 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMostPictureBytes = std::uintmax_t{1} << 31;
 constexpr std::size_t kKeptOutput = 4096; // of a task that failed
 constexpr int kMostRestarts = 3;          // of a task whose node was lost
-constexpr auto kBetweenLooks = std::chrono::milliseconds(500);
+constexpr auto kBetweenStageLooks = std::chrono::milliseconds(500);
 
 int number_in_environment(const char* name) {
     const char* const text = std::getenv(name);
@@ -43,7 +42,7 @@ Result<void> wait_for_stage(const FarmPlan& plan, int stage) {
             if (!said) log_info("waiting for " + plan.tasks[task].name + ", which comes first");
             said = true;
             if (interrupted()) return Error{"interrupted", plan.folder.string()};
-            std::this_thread::sleep_for(kBetweenLooks);
+            std::this_thread::sleep_for(kBetweenStageLooks);
         }
     }
     return {};

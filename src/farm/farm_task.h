@@ -7,6 +7,8 @@
 
 namespace ghost::app {
 
+inline constexpr std::uintmax_t kMostPictureBytes = std::uintmax_t{1} << 31; // of one file
+
 // Does nothing where the task is done. Whatever goes wrong is also kept in failed/.
 Result<void> run_farm_task(const FarmPlan& plan, std::size_t task);
 

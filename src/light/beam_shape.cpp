@@ -13,7 +13,7 @@ namespace {
 
 constexpr float kDark = 0.002f; // of the peak: there the picture may end
 constexpr std::size_t kRings = 512;
-constexpr int kSide = shared::kGoboSize;
+constexpr int kShapeSide = shared::kGoboSize;
 constexpr float kDeg = 180.0f / std::numbers::pi_v<float>;
 
 float peak_of(const fixture::Photometric& light) {
@@ -43,7 +43,7 @@ float BeamShape::solid_angle(float tan_of_field) const {
         const double r2 = (static_cast<double>(k) + 0.5) / static_cast<double>(rings.size());
         sum += rings[k] / std::pow(1.0 + r2 * tan2, 1.5);
     }
-    return static_cast<float>(sum * tan2 * 4.0 / (static_cast<double>(kSide) * kSide));
+    return static_cast<float>(sum * tan2 * 4.0 / (static_cast<double>(kShapeSide) * kShapeSide));
 }
 
 BeamShape shape_of(const fixture::Photometric& light, const std::string& file) {
@@ -54,12 +54,12 @@ BeamShape shape_of(const fixture::Photometric& light, const std::string& file) {
     shape.tan_field = std::tan(half_deg / kDeg);
     shape.flux_lm = light.flux_lm(static_cast<double>(half_deg));
     shape.lost_lm = std::max(light.flux_lm() - shape.flux_lm, 0.0);
-    shape.texels.reserve(static_cast<std::size_t>(kSide) * kSide);
+    shape.texels.reserve(static_cast<std::size_t>(kShapeSide) * kShapeSide);
     shape.rings.assign(kRings, 0.0);
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
-            const float u = (static_cast<float>(x) + 0.5f) * 2.0f / kSide - 1.0f;
-            const float v = 1.0f - (static_cast<float>(y) + 0.5f) * 2.0f / kSide;
+    for (int y = 0; y < kShapeSide; ++y)
+        for (int x = 0; x < kShapeSide; ++x) {
+            const float u = (static_cast<float>(x) + 0.5f) * 2.0f / kShapeSide - 1.0f;
+            const float v = 1.0f - (static_cast<float>(y) + 0.5f) * 2.0f / kShapeSide;
             const float radius = std::hypot(u, v);
             // Beyond the rim it goes on as there: the aperture ends it, and a blur finds no darkness.
             const float gamma = std::atan(std::min(radius, 1.0f) * shape.tan_field) * kDeg;

@@ -17,7 +17,6 @@ using glm::vec3;
 constexpr float kSlotCentred = 0.004f; // of a slot; nearer than a wheel can stand
 constexpr float kNoBlade = 8.0f;       // gate radii
 constexpr float kOut = 1e-3f;          // of a blade or a disc on its way
-constexpr float kOpenIris = 0.995f;
 // A disc whose file does not say how it passes the gate: the way of the gate over the picture's -1..1.
 constexpr float kDiscCentre = 0.62f;
 constexpr float kDiscScale = 0.34f;

@@ -19,15 +19,15 @@ constexpr float kMargin = 0.06f;
 constexpr float kDeviations = 4.0f; // of its cross-section, at least
 // A circle is as high as that, and no flatter.
 constexpr float kFlattest = 0.1f;
-constexpr float kLeast_deg = 0.1f; // of a curve that is no point
-constexpr float kEdge = 1e-5f;     // nothing has an edge there, but blur is divided by
+constexpr float kLeast_deg = 0.1f;   // of a curve that is no point
+constexpr float kFigureEdge = 1e-5f; // nothing has an edge there, but blur is divided by
 
 vec2 half_tangents(const fixture::LaserCurve& figure) {
     return glm::tan(0.5f *
                     glm::radians(glm::clamp(figure.size_deg, vec2(0.0f), vec2(fixture::kWidestFigure_deg))));
 }
 
-vec2 turned(const vec2& at, float deg) {
+vec2 turned_by_deg(const vec2& at, float deg) {
     const float c = std::cos(glm::radians(deg)), s = std::sin(glm::radians(deg));
     return {c * at.x - s * at.y, s * at.x + c * at.y};
 }
@@ -71,7 +71,7 @@ std::vector<Copy> rays_of(const fixture::LaserCurve& figure, float tan_field) {
     std::vector<Copy> rays;
     const std::vector<vec2> ways = ways_of(figure);
     const glm::vec3 fraction(1.0f / static_cast<float>(ways.size()));
-    for (const vec2& way : ways) rays.push_back({turned(way, figure.deg) / tan_field, 1.0f, fraction});
+    for (const vec2& way : ways) rays.push_back({turned_by_deg(way, figure.deg) / tan_field, 1.0f, fraction});
     return rays;
 }
 
@@ -90,7 +90,7 @@ shared::Light swept(const shared::Light& beam, const fixture::LaserCurve& figure
     light.tan_field = (reach + kDeviations * deviation) / (1.0f - kMargin);
     light.cut_radius = 1.0f;
     light.iris_radius = 2.0f;
-    light.edge = kEdge;
+    light.edge = kFigureEdge;
     light.profile_power = 1.0f;
     light.profile_scale = 0.0f;
     light.wheel_count = light.shaped = 0;

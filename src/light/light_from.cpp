@@ -39,7 +39,6 @@ float apex_distance_m(const fixture::Beam& source, const Profile& profile) {
 // candela.
 float put_shape(const BeamShape& shape, const fixture::Beam& source, const fixture::Optics& optics,
                 shared::Light& light) {
-    constexpr float kLeastIris = 0.02f, kOpenIris = 0.995f;
     const auto tan_half = [](float deg) {
         return std::tan(0.5f * glm::radians(std::clamp(deg, 0.1f, kWidestShape_deg)));
     };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "light/projector_beam.h"
 
+#include "light/private/gate.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,8 +17,6 @@ constexpr float kLeastBlend = 1e-4f;
 constexpr float kEdge = 0.002f;    // gate radii: a pixel of a panel of 1000
 constexpr float kSpill = 0.05f;    // gate radii beyond the corners, for what is out of focus: at least
 constexpr float kMostSpill = 3.0f; // and at most
-constexpr float kOpenIris = 0.995f;
-constexpr float kLeastIris = 0.02f;
 constexpr int kFitSteps = 30;
 
 // Columns: where the picture's x, y and middle lie, as directions before the lens, z along the optical axis.

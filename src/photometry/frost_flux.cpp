@@ -18,7 +18,7 @@ constexpr float kBlurPerPoint = 0.35f;  // of the distance between two points, s
 constexpr float kMostCorrection = 8.0f; // of what is nearly dark
 constexpr float kLeastFlux_lm = 1e-6f;
 constexpr float kTurns = 256; // angles of a picture that turns
-constexpr std::size_t kMostFound = 4096;
+constexpr std::size_t kMostGates = 4096;
 
 void step_turn(float& cosine, float& sine) {
     const float length = std::hypot(cosine, sine), step = 2.0f * shared::kPi / kTurns;
@@ -71,7 +71,7 @@ vec3 FrostFlux::correction(const std::function<shared::Light()>& clear, const sh
 }
 
 void FrostFlux::trim() {
-    if (found_.size() > kMostFound) found_.clear();
+    if (found_.size() > kMostGates) found_.clear();
 }
 
 } // namespace ghost::scene

@@ -11,10 +11,9 @@ namespace {
 
 constexpr std::uint8_t kIdentifier[8] = {'A', 'r', 't', '-', 'N', 'e', 't', 0};
 constexpr std::uint16_t kTodRequest = 0x8000, kTodData = 0x8100, kTodControl = 0x8200, kRdm = 0x8300;
-constexpr std::size_t kHeaderBytes = 12;
+constexpr std::size_t kArtnetHeaderBytes = 12;
 constexpr std::uint8_t kRdmVersion = 1; // of E1.20
 constexpr std::uint8_t kFull = 0x00, kFlush = 0x01;
-constexpr std::uint8_t kStartCode = 0xCC;
 
 // 0 where it is no Art-Net of our version.
 std::uint16_t operation_of(Bytes packet) {
@@ -95,7 +94,7 @@ bool is_rdm(Bytes packet) {
 ArtPacket parse_artnet(Bytes packet) {
     const std::uint16_t operation = operation_of(packet);
     ByteReader reader(packet);
-    reader.skip(kHeaderBytes);
+    reader.skip(kArtnetHeaderBytes);
     switch (operation) {
     case kTodRequest:
         return parse_request(reader);

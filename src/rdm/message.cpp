@@ -10,7 +10,7 @@ namespace ghost::rdm {
 
 namespace {
 
-constexpr std::uint8_t kStartCode = 0xCC, kSubStartCode = 0x01;
+constexpr std::uint8_t kSubStartCode = 0x01;
 constexpr std::size_t kHeaderBytes = 24; // up to the data, with the start code
 constexpr std::size_t kChecksumBytes = 2;
 constexpr std::uint8_t kPreamble = 0xFE, kEndOfPreamble = 0xAA;

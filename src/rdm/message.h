@@ -45,6 +45,7 @@ enum class Nack : std::uint16_t {
     sub_device_out_of_range = 9,
 };
 
+inline constexpr std::uint8_t kStartCode = 0xCC;
 inline constexpr std::size_t kMaxDataBytes = 231; // of a message
 inline constexpr std::size_t kMaxLabelBytes = 32; // of every text
 inline constexpr std::uint16_t kAllSubDevices = 0xFFFF;
@@ -64,7 +65,7 @@ struct Message {
 // Why bytes are no message.
 enum class Fault { too_short, not_rdm, wrong_length, wrong_checksum, unknown_command };
 
-// Bytes begin with the start code 0xCC; what follows the checksum is left out.
+// Bytes begin with the start code; what follows the checksum is left out.
 std::variant<Message, Fault> parse(Bytes bytes);
 std::vector<std::uint8_t> build(const Message& message);
 

@@ -18,7 +18,7 @@ constexpr std::uint8_t kLastMessage = 0x01, kHighestStatus = 0x04;  // table A-4
 
 using Data = std::vector<std::uint8_t>;
 
-void put_u16(Data& out, int value) {
+void put_word(Data& out, int value) {
     out.push_back(static_cast<std::uint8_t>(value >> 8));
     out.push_back(static_cast<std::uint8_t>(value));
 }
@@ -40,16 +40,16 @@ std::uint16_t u16_of(Bytes data) {
 
 Data device_info(const Device& device) {
     Data out;
-    put_u16(out, kProtocolVersion);
-    put_u16(out, device.model);
-    put_u16(out, device.category);
-    put_u16(out, static_cast<int>(device.software_version >> 16));
-    put_u16(out, static_cast<int>(device.software_version & 0xFFFF));
-    put_u16(out, device.footprint());
+    put_word(out, kProtocolVersion);
+    put_word(out, device.model);
+    put_word(out, device.category);
+    put_word(out, static_cast<int>(device.software_version >> 16));
+    put_word(out, static_cast<int>(device.software_version & 0xFFFF));
+    put_word(out, device.footprint());
     out.push_back(device.personality);
     out.push_back(static_cast<std::uint8_t>(std::min(device.personalities.size(), kMostPersonalities)));
-    put_u16(out, device.footprint() > 0 ? device.start_address : kNoAddress);
-    put_u16(out, 0); // sub-devices
+    put_word(out, device.footprint() > 0 ? device.start_address : kNoAddress);
+    put_word(out, 0); // sub-devices
     out.push_back(static_cast<std::uint8_t>(std::min(device.sensors.size(), kMostSensors)));
     return out;
 }
@@ -57,16 +57,16 @@ Data device_info(const Device& device) {
 Data slot_info(const Device& device) {
     Data out;
     for (std::size_t i = 0; i < device.slots.size(); ++i) {
-        put_u16(out, static_cast<int>(i));
+        put_word(out, static_cast<int>(i));
         out.push_back(device.slots[i].fine ? 1 : 0);
-        put_u16(out, device.slots[i].label);
+        put_word(out, device.slots[i].label);
     }
     return out;
 }
 
 Data sensor_definition(const Sensor& sensor, std::uint8_t number) {
     Data out{number, kAngle, kDegree, kDeci};
-    for (const int value : {sensor.least, sensor.most, sensor.least, sensor.most}) put_u16(out, value);
+    for (const int value : {sensor.least, sensor.most, sensor.least, sensor.most}) put_word(out, value);
     out.push_back(kLowestAndHighest);
     put_text(out, sensor.name);
     return out;
@@ -75,7 +75,7 @@ Data sensor_definition(const Sensor& sensor, std::uint8_t number) {
 Data sensor_value(const Sensor& sensor, std::uint8_t number) {
     Data out{number};
     for (const int value : {int{sensor.value}, int{sensor.lowest}, int{sensor.highest}, 0})
-        put_u16(out, value);
+        put_word(out, value);
     return out;
 }
 
@@ -171,7 +171,7 @@ Message Responder::acknowledge(const Message& to, Data data) {
 
 Message Responder::refuse(const Message& to, Nack why) const {
     Message response = respond(to, Answer::nack);
-    put_u16(response.data, static_cast<int>(why));
+    put_word(response.data, static_cast<int>(why));
     return response;
 }
 
@@ -306,7 +306,7 @@ std::variant<Data, Nack> Responder::get(Pid pid, Bytes data) const {
         Data out;
         for (int one = 1; one <= 0x1000; ++one)
             if (const Parameter* found = find(static_cast<std::uint16_t>(one)); found && found->listed)
-                put_u16(out, one);
+                put_word(out, one);
         return out;
     }
     case Pid::device_info:
@@ -326,13 +326,13 @@ std::variant<Data, Nack> Responder::get(Pid pid, Bytes data) const {
         if (data[0] < 1 || data[0] > device_.personalities.size()) return Nack::data_out_of_range;
         const Personality& personality = device_.personalities[data[0] - 1u];
         Data out{data[0]};
-        put_u16(out, personality.footprint);
+        put_word(out, personality.footprint);
         put_text(out, personality.name);
         return out;
     }
     case Pid::dmx_start_address: {
         Data out;
-        put_u16(out, device_.footprint() > 0 ? device_.start_address : kNoAddress);
+        put_word(out, device_.footprint() > 0 ? device_.start_address : kNoAddress);
         return out;
     }
     case Pid::slot_info:

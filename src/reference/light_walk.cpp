@@ -4,8 +4,6 @@
 #include "rays/sampling.h"
 #include "reference/private/walk_source.h"
 
-#include "shared/develop.h"
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -32,10 +30,6 @@ constexpr double kNearEye_m = 0.3;
 constexpr double kBall_m = 0.15;
 constexpr int kMostPoints = 64;
 constexpr std::size_t kCountedOrders = 5; // by instance
-
-double luminance(const dvec3& rgb) {
-    return static_cast<double>(shared::luminance_of(glm::vec3(rgb)));
-}
 
 double largest(const dvec3& rgb) {
     return std::max({rgb.x, rgb.y, rgb.z});

@@ -16,7 +16,7 @@ using glm::dvec3;
 using std::numbers::pi;
 
 // Part of the model, not of its precision: nothing leaves nearer than this to the plane of the apex.
-constexpr double kNearest_m = 1e-4;
+constexpr double kNearestGate_m = 1e-4;
 constexpr double kSlotPitch = 2.4; // gate radii between the centres of two slots
 
 // Smooth step across an edge of width 2 blur about the aperture's radius.
@@ -246,7 +246,7 @@ dvec3 ReferenceBeam::wheel_colour(const shared::Wheel& wheel, const dvec2& gate,
 
 dvec3 ReferenceBeam::candela(const dvec3& gate_m) const {
     if (instead_) return instead_(gate_m);
-    if (!(gate_m.z > std::max(static_cast<double>(light_.lens_m), kNearest_m))) return dvec3(0.0);
+    if (!(gate_m.z > std::max(static_cast<double>(light_.lens_m), kNearestGate_m))) return dvec3(0.0);
     const dvec2 gate = dvec2(gate_m) / (gate_m.z * static_cast<double>(light_.tan_field));
     const double radius = glm::length(gate);
     if (!(radius < static_cast<double>(light_.cut_radius))) return dvec3(0.0);

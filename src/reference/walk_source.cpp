@@ -17,10 +17,6 @@ constexpr double kTypical_m = 10;    // from the lens, where squares are weighed
 constexpr double kLeastShare = 0.02; // of the mean square, for what falls between the points looked at
 constexpr int kLooks = 3;            // across and down a square
 
-double luminance(const dvec3& rgb) {
-    return static_cast<double>(shared::luminance_of(glm::vec3(rgb)));
-}
-
 // Of the gate's plane, at a place in gate radii times tan_field.
 double steradians_per_area(const dvec2& slope) {
     return std::pow(1.0 + glm::dot(slope, slope), -1.5);
@@ -31,6 +27,10 @@ double half_slope(const shared::Light& light) {
 }
 
 } // namespace
+
+double luminance(const dvec3& rgb) {
+    return static_cast<double>(shared::luminance_of(glm::vec3(rgb)));
+}
 
 WalkSource::WalkSource(const std::vector<shared::Light>& lights, const shared::Gobos& gobos,
                        const BeamOverride& beam) {

@@ -15,22 +15,22 @@ namespace {
 constexpr std::size_t kMostPalettes = 1000;
 constexpr std::size_t kMostOwnValues = 65536; // fixtures of one palette
 constexpr std::size_t kMostAttributes = 256;  // of a head
-constexpr double kMost_deg = 100000;          // as fixture::apply has it
+constexpr double kMostAxis_deg = 100000;      // as fixture::apply has it
 constexpr double kWidestZoom_deg = 180;
 
-void put(std::optional<float>& target, const std::optional<double>& value) {
+void put_number(std::optional<float>& target, const std::optional<double>& value) {
     if (value) target = static_cast<float>(*value);
 }
 
 PaletteValues read_values(TableReader& reader, PaletteKind kind) {
     PaletteValues values;
     if (kind == PaletteKind::position) {
-        put(values.pan_deg, reader.number("pan_deg", -kMost_deg, kMost_deg));
-        put(values.tilt_deg, reader.number("tilt_deg", -kMost_deg, kMost_deg));
+        put_number(values.pan_deg, reader.number("pan_deg", -kMostAxis_deg, kMostAxis_deg));
+        put_number(values.tilt_deg, reader.number("tilt_deg", -kMostAxis_deg, kMostAxis_deg));
     } else if (kind == PaletteKind::colour) {
         values.colour = reader.light_colour("colour_rec2020");
     } else if (kind == PaletteKind::beam) {
-        put(values.zoom_deg, reader.number("zoom_deg", 0, kWidestZoom_deg));
+        put_number(values.zoom_deg, reader.number("zoom_deg", 0, kWidestZoom_deg));
     } else {
         values.gobo = reader.integer("gobo", 0, 255);
     }

@@ -12,7 +12,7 @@ namespace ghost::scene {
 namespace {
 
 constexpr std::size_t kMostUses = 256;
-constexpr std::size_t kMostFixtures = 10'000;
+constexpr std::size_t kMostTrackedFixtures = 10'000;
 constexpr std::size_t kMostObjects = 1000;
 constexpr int kLastTracker = 65535;
 
@@ -68,7 +68,7 @@ Tracking read_tracking(TableReader& top, const std::string& file, Report& report
         }
         if (const auto offset = reader.vec3("offset_m", kMaxCoordinate_m)) use.offset_m = *offset;
         use.camera = reader.text("camera").value_or("");
-        use.fixtures = reader.texts("fixtures", kMostFixtures).value_or(std::vector<std::string>{});
+        use.fixtures = reader.texts("fixtures", kMostTrackedFixtures).value_or(std::vector<std::string>{});
         use.objects = reader.texts("objects", kMostObjects).value_or(std::vector<std::string>{});
         use.home_m = reader.vec3("home_m", kMaxCoordinate_m);
         if (use.home_m && use.objects.empty())

@@ -22,11 +22,11 @@ constexpr double kMaxMilligrams_per_m3 = 1000;
 constexpr std::size_t kMaxHazers = shared::kMostHazers;
 constexpr std::size_t kMaxObjects = 1000;
 
-void put(float& target, const std::optional<double>& value) {
+void put_number(float& target, const std::optional<double>& value) {
     if (value) target = static_cast<float>(*value);
 }
 
-void put(std::optional<float>& target, const std::optional<double>& value) {
+void put_number(std::optional<float>& target, const std::optional<double>& value) {
     if (value) target = static_cast<float>(*value);
 }
 
@@ -38,7 +38,7 @@ void read_scene(const toml::table& table, const std::string& file, const std::st
         report.add(Severity::warning, ambient_where,
                    "[show] ambient_lux is not used: [scene] intensity (line " +
                        std::to_string(reader.line_of("intensity")) + ") says the same");
-    put(show.ambient_lux, intensity);
+    put_number(show.ambient_lux, intensity);
     if (const auto colour = reader.colour("colour")) {
         const float luminance = shared::luminance_of(*colour);
         if (luminance <= 0.0f)
@@ -79,7 +79,7 @@ void read_density(TableReader& reader, HazeMedium& haze) {
         if (!extinction) continue;
         if (used.empty()) {
             used = key;
-            put(haze.extinction_per_m, extinction);
+            put_number(haze.extinction_per_m, extinction);
         } else {
             reader.problem(Severity::warning, key, "is not used: " + used + " is there, too");
         }
@@ -97,12 +97,12 @@ void read_density(TableReader& reader, HazeMedium& haze) {
 void read_haze(const toml::table& table, const std::string& file, HazeMedium& haze, Report& report) {
     TableReader reader(table, "[haze]", file, report);
     read_density(reader, haze);
-    put(haze.albedo, reader.number("albedo", 0, 1));
-    put(haze.forward_g, reader.number("forward_g", -0.99, 0.99));
-    put(haze.back_g, reader.number("back_g", -0.99, 0.99));
-    put(haze.back_weight, reader.number("back_weight", 0, 1));
-    put(haze.unevenness, reader.number("unevenness", 0, 1));
-    put(haze.patch_m, reader.number("patch_m", 0.1, 100));
+    put_number(haze.albedo, reader.number("albedo", 0, 1));
+    put_number(haze.forward_g, reader.number("forward_g", -0.99, 0.99));
+    put_number(haze.back_g, reader.number("back_g", -0.99, 0.99));
+    put_number(haze.back_weight, reader.number("back_weight", 0, 1));
+    put_number(haze.unevenness, reader.number("unevenness", 0, 1));
+    put_number(haze.patch_m, reader.number("patch_m", 0.1, 100));
     haze.wind_m_s = reader.vec3("wind_m_s", 20).value_or(haze.wind_m_s);
     reader.finish();
 }
@@ -121,9 +121,9 @@ std::optional<Hazer> read_hazer(const toml::table& table, const std::string& fil
         else
             hazer.direction = glm::normalize(*direction);
     }
-    put(hazer.rate, reader.number("rate", 0, 1000));
-    put(hazer.spread_deg, reader.number("spread_deg", 1, 180));
-    put(hazer.reach_m, reader.number("reach_m", 0.1, 1000));
+    put_number(hazer.rate, reader.number("rate", 0, 1000));
+    put_number(hazer.spread_deg, reader.number("spread_deg", 1, 180));
+    put_number(hazer.reach_m, reader.number("reach_m", 0.1, 1000));
     reader.finish();
     if (!position) return std::nullopt;
     return hazer;
@@ -144,9 +144,9 @@ void read_attenuation(const toml::table& table, const std::string& file, Attenua
                       Report& report) {
     TableReader reader(table, "[attenuation]", file, report);
     Attenuation read;
-    put(read.constant, reader.number("constant", 0, 1000));
-    put(read.linear, reader.number("linear", 0, 1000));
-    put(read.quadratic, reader.number("quadratic", 0, 1000));
+    put_number(read.constant, reader.number("constant", 0, 1000));
+    put_number(read.linear, reader.number("linear", 0, 1000));
+    put_number(read.quadratic, reader.number("quadratic", 0, 1000));
     if (read.constant + read.linear + read.quadratic > 0.0f)
         attenuation = read;
     else
@@ -175,7 +175,7 @@ void read_shadows(const toml::table& table, const std::string& file, Show& show,
 
 void read_diffuse(TableReader& reader, ObjectSettings& object) {
     if (reader.is_number("diffuse"))
-        put(object.diffuse_factor, reader.number("diffuse", 0, 100));
+        put_number(object.diffuse_factor, reader.number("diffuse", 0, 100));
     else
         object.diffuse = reader.colour("diffuse");
 }
@@ -189,14 +189,14 @@ std::optional<ObjectSettings> read_object(const toml::table& table, const std::s
     object.name = name.value_or("");
     object.where = reader.where("name");
     read_diffuse(reader, object);
-    put(object.specular, reader.number("specular", 0, 1));
+    put_number(object.specular, reader.number("specular", 0, 1));
     const auto shininess = reader.number("shininess", 1, 10'000);
     if (shininess) object.roughness = roughness_from_shininess(static_cast<float>(*shininess));
     const auto roughness = reader.number("roughness", 0, 1);
-    put(object.roughness, roughness);
+    put_number(object.roughness, roughness);
     if (shininess && roughness)
         reader.problem(Severity::warning, "shininess", "is not used: roughness is there, too");
-    put(object.metalness, reader.number("metalness", 0, 1));
+    put_number(object.metalness, reader.number("metalness", 0, 1));
     object.shown = reader.boolean("shown");
     object.move_m = reader.vec3("move_m", kMaxCoordinate_m);
     if (name && table.size() == 1)

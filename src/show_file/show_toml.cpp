@@ -28,7 +28,7 @@ constexpr std::size_t kMaxNameBytes = 100;
 constexpr double kLongestOffset_s = 86'400;
 
 template <class Target, class Value>
-void put(Target& target, const std::optional<Value>& value) {
+void put_value(Target& target, const std::optional<Value>& value) {
     if (value) target = static_cast<Target>(*value);
 }
 
@@ -71,20 +71,20 @@ Camera read_camera(TableReader& reader, const std::filesystem::path& folder) {
     if (!reader.has("position_m")) reader.missing("position_m", "where the eye is, [x, y, z]");
     if (!reader.has("target_m"))
         reader.missing("target_m", "a point in the middle of the picture, [x, y, z]");
-    put(camera.position_m, position);
-    put(camera.target_m, target);
+    put_value(camera.position_m, position);
+    put_value(camera.target_m, target);
     if (glm::distance(camera.position_m, camera.target_m) < 1e-4f) {
         reader.problem(Severity::error, "target_m",
                        "is where the camera is, expected another point; it looks up-stage");
         camera.target_m = camera.position_m + glm::vec3(0, 1, 0);
     }
-    put(camera.fov_y_deg, reader.number("fov_y_deg", 0.1, 170));
+    put_value(camera.fov_y_deg, reader.number("fov_y_deg", 0.1, 170));
     if (const auto size = reader.integers("size", 2, 1, kMaxPictureSide)) {
         camera.width = (*size)[0];
         camera.height = (*size)[1];
     }
     const auto ev100 = reader.number("ev100", -20, 30);
-    put(camera.ev100, ev100);
+    put_value(camera.ev100, ev100);
     if (const auto exposure = reader.text("exposure")) {
         camera.auto_exposure = *exposure == "auto";
         if (*exposure != "auto")
@@ -129,7 +129,7 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
 
     if (fixture.gdtf.empty() && reader.has("mode"))
         reader.problem(Severity::warning, "mode", "is not used: without a gdtf there is one mode only");
-    put(fixture.universe, reader.integer("universe", 1, dmx::kMaxUniverse));
+    put_value(fixture.universe, reader.integer("universe", 1, dmx::kMaxUniverse));
     const auto address = reader.integer("address", 1, 512);
     fixture.address = address.value_or(0);
     source.address_line = reader.line_of("address");
@@ -147,7 +147,7 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
         source.track_line = reader.line_of("track");
     }
     const auto position = reader.vec3("position_m", kMaxCoordinate_m);
-    put(fixture.position_m, position);
+    put_value(fixture.position_m, position);
     if (fixture.track) {
         fixture.position_m = fixture.track->stops_m.front();
         if (position)
@@ -156,7 +156,7 @@ PatchedFixture read_fixture(TableReader& reader, const std::string& name, const 
         reader.missing("position_m", "where it hangs, [x, y, z]; it is at the origin");
     }
     const auto rotation = reader.vec3("rotation_deg", 360);
-    put(fixture.rotation_deg, rotation);
+    put_value(fixture.rotation_deg, rotation);
     if (const toml::table* table = reader.table("projector")) {
         std::optional<glm::vec3> target_m;
         fixture.projector = read_projector(*table, section, file, show, target_m, report);
@@ -206,7 +206,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
     std::string ambient_where; // file:line, where it is given
     if (const toml::table* table = top.table("show")) {
         TableReader reader(*table, "[show]", file, report);
-        put(show.name, reader.text("name"));
+        put_value(show.name, reader.text("name"));
         if (const auto stage = reader.text("stage")) show.stage_file = show.folder / *stage;
         if (const auto plot = reader.text("plot")) show.plot_file = show.folder / *plot;
         parsed.plot_line = reader.line_of("plot");
@@ -220,7 +220,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
         if (const auto recording = reader.text("recording")) show.recording = show.folder / *recording;
         parsed.recording_line = reader.line_of("recording");
         if (const auto sound = reader.text("sound")) show.sound.file = show.folder / *sound;
-        put(show.sound.offset_s, reader.number("sound_offset_s", -kLongestOffset_s, kLongestOffset_s));
+        put_value(show.sound.offset_s, reader.number("sound_offset_s", -kLongestOffset_s, kLongestOffset_s));
         show.sound.where = reader.where("sound");
         if (reader.has("sound_offset_s") && !reader.has("sound"))
             reader.problem(Severity::warning, "sound_offset_s",
@@ -234,7 +234,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
                                    "', expected \"machine\" (speed and inertia of the fixtures) or "
                                    "\"commanded\" (at once); it is \"machine\"");
         }
-        put(show.shutter_deg, reader.number("shutter_deg", 1, 360));
+        put_value(show.shutter_deg, reader.number("shutter_deg", 1, 360));
         if (const auto side = reader.integer("media_px", 128, 2048)) {
             if (std::has_single_bit(static_cast<unsigned>(*side)))
                 show.media_side = *side;
@@ -245,7 +245,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
                                    std::to_string(show.media_side));
         }
         const auto ambient = reader.number("ambient_lux", 0, kMaxAmbient_lux);
-        put(show.ambient_lux, ambient);
+        put_value(show.ambient_lux, ambient);
         if (ambient) ambient_where = reader.where("ambient_lux");
         reader.finish();
     } else if (!top.has("show")) {

@@ -11,22 +11,23 @@
 #include <optional>
 
 namespace ghost::sound {
-namespace {
 
-using dmx::TimeCode;
-
-constexpr int kQueue = 32;           // frames
-constexpr std::size_t kPiece = 1024; // samples: less than that queue of frames at any speed
-constexpr int kBits = LTC_FRAME_BIT_COUNT;
-constexpr double kTorn = 1.25;   // times the length of its bits
-constexpr int kMostMissing = 30; // frames between two that still follow each other
-
-struct Frame {
-    TimeCode time;
+struct HeardFrame {
+    dmx::TimeCode time;
     double end = 0;    // sample
     double length = 0; // samples
     bool is_backwards = false;
 };
+
+namespace {
+
+using dmx::TimeCode;
+
+constexpr int kQueue = 32;              // frames
+constexpr std::size_t kLtcPiece = 1024; // samples: less than that queue of frames at any speed
+constexpr int kBits = LTC_FRAME_BIT_COUNT;
+constexpr double kTorn = 1.25;   // times the length of its bits
+constexpr int kMostMissing = 30; // frames between two that still follow each other
 
 // By how long a frame takes; at another speed it may be wrong.
 TimeCode::Rate rate_by_length(double frames_per_s) {
@@ -43,12 +44,12 @@ std::optional<TimeCode::Rate> rate_by_last(int frame) {
     return std::nullopt;
 }
 
-double frames_between(const Frame& before, const Frame& after) {
+double frames_between(const HeardFrame& before, const HeardFrame& after) {
     return (after.end - before.end) / after.length;
 }
 
 // The numbers differ by as many frames as lie between them, at most so many.
-bool follows(const Frame& next, const std::optional<Frame>& before, int most) {
+bool follows(const HeardFrame& next, const std::optional<HeardFrame>& before, int most) {
     if (!before || before->is_backwards != next.is_backwards || before->time.rate != next.time.rate)
         return false;
     const auto frames = static_cast<int>(std::lround(std::min(frames_between(*before, next), 1e6)));
@@ -73,16 +74,16 @@ TimeCode fields_of(const LTCFrame& bits) {
 struct LtcDecoder::Decoder {
     LTCDecoder* ltc = nullptr;
     LTCFrameExt frame{};
-    std::optional<Frame> before; // the last one, taken or not
-    std::optional<Frame> taken;
+    std::optional<HeardFrame> before; // the last one, taken or not
+    std::optional<HeardFrame> taken;
     std::optional<TimeCode::Rate> rate; // where a second was seen to end
 
     ~Decoder() { ltc_decoder_free(ltc); }
 
-    void find_rate(Frame& next, int rate_hz);
+    void find_rate(HeardFrame& next, int rate_hz);
 };
 
-void LtcDecoder::Decoder::find_rate(Frame& next, int rate_hz) {
+void LtcDecoder::Decoder::find_rate(HeardFrame& next, int rate_hz) {
     const TimeCode& time = next.time;
     if (before && before->time.seconds != time.seconds && std::lround(frames_between(*before, next)) == 1)
         if (const auto seen = rate_by_last(std::max(time.frames, before->time.frames))) rate = seen;
@@ -103,9 +104,9 @@ LtcDecoder::~LtcDecoder() = default;
 
 void LtcDecoder::feed(std::span<const std::int16_t> samples, std::chrono::nanoseconds end, const Take& take) {
     const std::int64_t last = fed_ + static_cast<std::int64_t>(samples.size());
-    for (std::size_t from = 0; from < samples.size(); from += kPiece) {
-        std::array<short, kPiece> piece{};
-        const std::size_t count = std::min(kPiece, samples.size() - from);
+    for (std::size_t from = 0; from < samples.size(); from += kLtcPiece) {
+        std::array<short, kLtcPiece> piece{};
+        const std::size_t count = std::min(kLtcPiece, samples.size() - from);
         std::copy_n(samples.begin() + static_cast<std::ptrdiff_t>(from), count, piece.begin());
         ltc_decoder_write_s16(decoder_->ltc, piece.data(), count, fed_);
         fed_ += static_cast<std::int64_t>(count);
@@ -121,7 +122,7 @@ void LtcDecoder::take_frame(std::chrono::nanoseconds begin, const Take& take) {
     ++counters_.frames;
     counters_.level_dbfs = d.frame.volume;
     counters_.is_backwards = d.frame.reverse != 0;
-    Frame frame;
+    HeardFrame frame;
     frame.time = fields_of(d.frame.ltc);
     frame.end = static_cast<double>(d.frame.off_end);
     frame.length = static_cast<double>(d.frame.off_end - d.frame.off_start + 1);

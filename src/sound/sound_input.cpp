@@ -10,7 +10,7 @@
 namespace ghost::sound {
 namespace {
 
-constexpr unsigned kLatency_us = 100'000; // room for a busy machine; samples are taken as they come
+constexpr unsigned kInputLatency_us = 100'000; // room for a busy machine; samples are taken as they come
 constexpr int kPatience_ms = 100;
 constexpr snd_pcm_uframes_t kPiece = kInputRate_hz / 100;
 
@@ -28,8 +28,8 @@ int SoundInput::channels() const {
 
 Result<std::unique_ptr<SoundInput>> SoundInput::open(const std::string& name) {
     auto device = std::make_unique<Device>();
-    TRY_VOID(
-        device->open(name, SND_PCM_STREAM_CAPTURE, SND_PCM_NONBLOCK, kInputRate_hz, kLatency_us, {2, 1}));
+    TRY_VOID(device->open(name, SND_PCM_STREAM_CAPTURE, SND_PCM_NONBLOCK, kInputRate_hz, kInputLatency_us,
+                          {2, 1}));
     if (const int code = snd_pcm_start(device->pcm); code < 0)
         return Error{std::string("cannot be started: ") + snd_strerror(code), name};
     return std::unique_ptr<SoundInput>(new SoundInput(std::move(device)));

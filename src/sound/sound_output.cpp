@@ -10,7 +10,7 @@
 namespace ghost::sound {
 namespace {
 
-constexpr unsigned kLatency_us = 60'000; // less tears where a machine is busy
+constexpr unsigned kOutputLatency_us = 60'000; // less tears where a machine is busy
 constexpr int kChannels = 2;
 constexpr int kMostFailures = 8; // to put a piece
 
@@ -23,7 +23,7 @@ SoundOutput::~SoundOutput() = default;
 
 Result<std::unique_ptr<SoundOutput>> SoundOutput::open(const std::string& name) {
     auto device = std::make_unique<Device>();
-    TRY_VOID(device->open(name, SND_PCM_STREAM_PLAYBACK, 0, kOutputRate_hz, kLatency_us, {kChannels}));
+    TRY_VOID(device->open(name, SND_PCM_STREAM_PLAYBACK, 0, kOutputRate_hz, kOutputLatency_us, {kChannels}));
     return std::unique_ptr<SoundOutput>(new SoundOutput(std::move(device)));
 }
 

@@ -12,9 +12,8 @@
 namespace ghost::scene {
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546c67;              // "glTF"
-constexpr std::size_t kTriangles = 4, kTriangleStrip = 5; // primitive modes
-constexpr std::uint32_t kJsonChunk = 0x4e4f534a;          // "JSON"
+constexpr std::uint32_t kMagic = 0x46546c67;     // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a; // "JSON"
 constexpr std::string_view kBeyondFloat = "1e39";
 
 float number_at(const nlohmann::json& json, const char* place, float fallback, float high) {
@@ -137,8 +136,8 @@ GltfExtras gltf_extras(Bytes glb) {
         for (std::size_t k = 0; k < primitives.size(); ++k) {
             const auto mode = index_at(primitives[k], "mode");
             const auto accessor = index_at(primitives[k], "indices");
-            const bool strip = mode == kTriangleStrip;
-            if ((!strip && mode.value_or(kTriangles) != kTriangles) || !accessor ||
+            const bool strip = mode == kGltfTriangleStrip;
+            if ((!strip && mode.value_or(kGltfTriangles) != kGltfTriangles) || !accessor ||
                 *accessor >= accessors.size())
                 continue;
             const std::string name =

@@ -13,8 +13,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kPoints = 0, kLineLoop = 2, kLineStrip = 3, kTriangles = 4, kTriangleStrip = 5,
-                      kTriangleFan = 6; // primitive modes
+constexpr std::size_t kPoints = 0, kLineLoop = 2, kLineStrip = 3, kTriangleFan = 6; // primitive modes
 
 std::optional<std::size_t> number_at(const Json& object, const char* key) {
     if (!object.is_object() || !object.contains(key) || !object[key].is_number_unsigned())
@@ -54,9 +53,9 @@ Result<std::string> without_unsafe_faces(std::string_view json, const std::strin
         for (Json& primitive : mesh["primitives"]) {
             if (!primitive.is_object()) continue;
             modes += primitive.contains("mode") ? 1 : 0;
-            const std::size_t mode = number_at(primitive, "mode").value_or(kTriangles);
+            const std::size_t mode = number_at(primitive, "mode").value_or(kGltfTriangles);
             const bool line = mode == kLineLoop || mode == kLineStrip;
-            const bool fan = mode == kTriangleFan, strip = mode == kTriangleStrip;
+            const bool fan = mode == kTriangleFan, strip = mode == kGltfTriangleStrip;
             const bool unsafe = line || (fan && primitive.contains("indices")) ||
                                 ((fan || strip) && points_of(document, primitive) < 3);
             if (!unsafe) continue;

@@ -13,9 +13,9 @@
 namespace ghost::scene {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
-constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
+constexpr std::size_t kMaxBufferBytes = std::size_t{512} << 20;
 constexpr std::size_t kMaxBuffers = 1024;
 
 // "my%20mesh.bin"
@@ -44,7 +44,7 @@ void pad(std::vector<std::uint8_t>& out, std::uint8_t filling) {
     while (out.size() % 4 != 0) out.push_back(filling);
 }
 
-std::optional<std::size_t> size_at(const json& object, const char* key) {
+std::optional<std::size_t> size_at(const Json& object, const char* key) {
     if (!object.is_object() || !object.contains(key) || !object[key].is_number_unsigned())
         return std::nullopt;
     return object[key].get<std::size_t>();
@@ -57,14 +57,14 @@ glb_from_gltf(Bytes gltf, const std::string& name,
               const std::function<Result<std::vector<std::uint8_t>>(const std::string& file)>& read) {
     const std::string_view given(reinterpret_cast<const char*>(gltf.data()), gltf.size());
     TRY_VOID(check_gltf_size(given, name));
-    TRY(json file, read_json(given, name, kGltfJson));
+    TRY(Json file, read_json(given, name, kGltfJson));
     if (!file.is_object()) return Error{"is no JSON, which a .gltf should be", name};
-    const json buffers =
-        file.contains("buffers") && file["buffers"].is_array() ? file["buffers"] : json::array();
+    const Json buffers =
+        file.contains("buffers") && file["buffers"].is_array() ? file["buffers"] : Json::array();
     if (buffers.size() > kMaxBuffers) return Error{"names more than 1024 buffers", name};
     std::vector<std::uint8_t> binary;
     std::vector<std::size_t> starts;
-    for (const json& buffer : buffers) {
+    for (const Json& buffer : buffers) {
         if (!buffer.is_object() || !buffer.contains("uri") || !buffer["uri"].is_string())
             return Error{"has a buffer without a uri", name};
         const std::string& uri = buffer["uri"].get_ref<const std::string&>();
@@ -81,22 +81,23 @@ glb_from_gltf(Bytes gltf, const std::string& name,
                 return Error{"needs the buffer '" + uri.substr(0, 128) + "': " + found.error().what, name};
             bytes = std::move(*found);
         }
-        if (bytes.size() > kMaxBytes - binary.size()) return Error{"has buffers of more than 512 MiB", name};
+        if (bytes.size() > kMaxBufferBytes - binary.size())
+            return Error{"has buffers of more than 512 MiB", name};
         starts.push_back(binary.size());
         binary.insert(binary.end(), bytes.begin(), bytes.end());
         pad(binary, 0);
     }
     if (file.contains("bufferViews") && file["bufferViews"].is_array())
-        for (json& view : file["bufferViews"]) {
+        for (Json& view : file["bufferViews"]) {
             const auto index = size_at(view, "buffer");
             const auto offset = size_at(view, "byteOffset").value_or(0);
-            if (!index || *index >= starts.size() || offset > kMaxBytes)
+            if (!index || *index >= starts.size() || offset > kMaxBufferBytes)
                 return Error{"has a buffer view of a buffer that does not exist", name};
             view["buffer"] = 0;
             view["byteOffset"] = starts[*index] + offset;
         }
-    file["buffers"] = json::array({{{"byteLength", binary.size()}}});
-    const std::string text = file.dump(-1, ' ', false, json::error_handler_t::replace);
+    file["buffers"] = Json::array({{{"byteLength", binary.size()}}});
+    const std::string text = file.dump(-1, ' ', false, Json::error_handler_t::replace);
     std::vector<std::uint8_t> chunk(text.begin(), text.end());
     pad(chunk, ' ');
     std::vector<std::uint8_t> glb;

@@ -15,12 +15,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t kMaxItems = 4u << 20; // of the JSON: members and elements, for Assimp's reader
+constexpr std::size_t kMaxJsonItems = 4u << 20; // of the JSON: members and elements, for Assimp's reader
 constexpr std::size_t kMaxNesting = kGltfJson.depth;
 constexpr std::size_t kMaxNodes = 200'000; // of a scene; each is 1.5 kB of Assimp's
 constexpr std::size_t kMaxNodeDepth = 256;
 constexpr std::size_t kMaxUnpackedBytes = std::size_t{1} << 30; // as Assimp keeps it
-constexpr std::size_t kTriangles = 4;                           // primitive mode
 
 std::string fault_of_text(std::string_view text) {
     std::size_t items = 0, nesting = 0;
@@ -39,8 +38,8 @@ std::string fault_of_text(std::string_view text) {
         } else if ((letter == ']' || letter == '}') && nesting > 0) {
             --nesting;
         }
-        if ((letter == '[' || letter == '{' || letter == ',') && ++items > kMaxItems)
-            return "lists more than " + std::to_string(kMaxItems) + " things";
+        if ((letter == '[' || letter == '{' || letter == ',') && ++items > kMaxJsonItems)
+            return "lists more than " + std::to_string(kMaxJsonItems) + " things";
     }
     return "";
 }
@@ -128,7 +127,7 @@ private:
             for (const Json& attribute : target) add(count_of(attribute), kVertexBytes);
         const Json& indices = member(primitive, "indices");
         const Json& mode = member(primitive, "mode");
-        const bool is_list = mode.is_null() || index_of(mode) == kTriangles;
+        const bool is_list = mode.is_null() || index_of(mode) == kGltfTriangles;
         add(count_of(indices.is_null() ? member(attributes, "POSITION") : indices),
             is_list ? kFaceBytes / 3 : kFaceBytes);
     }

@@ -46,6 +46,9 @@ std::string_view json_of_glb(Bytes glb);
 inline constexpr JsonLimits kGltfJson{
     .bytes = std::size_t{1} << 30, .values = 8u << 20, .members = 65536, .depth = 128};
 
+// Primitive modes of glTF 2.0, section 3.7.2.1.
+inline constexpr std::size_t kGltfTriangles = 4, kGltfTriangleStrip = 5;
+
 // What a glTF's JSON asks for, before anything is made of it: 4 Mi things 128 deep, 200,000 nodes of a scene
 // 256 deep, 1 GiB of unpacked vertices and triangles, each as often as it is used. Error: over one of these,
 // or nodes that hold themselves, or sparse

@@ -26,8 +26,8 @@ namespace ghost::video {
 namespace {
 
 constexpr std::uint32_t kBuffers = 4;
-constexpr std::uint32_t kWidth = 1280; // asked for; the driver takes the nearest it has
-constexpr std::uint32_t kHeight = 720;
+constexpr std::uint32_t kCameraWidth = 1280; // asked for; the driver takes the nearest it has
+constexpr std::uint32_t kCameraHeight = 720;
 constexpr int kTries = 40; // of 5 ms
 
 int call(int device, unsigned long request, void* argument) {
@@ -74,8 +74,8 @@ Result<void> Camera::Device::choose_format() {
     for (const std::uint32_t wanted : {V4L2_PIX_FMT_MJPEG, V4L2_PIX_FMT_YUYV}) {
         format = {};
         format.type = V4L2_BUF_TYPE_VIDEO_CAPTURE;
-        format.fmt.pix.width = kWidth;
-        format.fmt.pix.height = kHeight;
+        format.fmt.pix.width = kCameraWidth;
+        format.fmt.pix.height = kCameraHeight;
         format.fmt.pix.pixelformat = wanted;
         format.fmt.pix.field = V4L2_FIELD_ANY;
         const bool taken = call(file, VIDIOC_S_FMT, &format) == 0;

@@ -9,8 +9,8 @@
 namespace ghost::video {
 namespace {
 
-constexpr int kWidth = 512;
-constexpr int kHeight = 288;
+constexpr int kCardWidth = 512;
+constexpr int kCardHeight = 288;
 constexpr int kCell = 32;
 
 using Rgb = std::array<std::uint8_t, 3>;
@@ -26,9 +26,9 @@ constexpr std::array<Rgb, 8> kBars{{{255, 255, 255},
 
 template <class Colour>
 image::Image8 drawn(const Colour& colour) {
-    image::Image8 card(kWidth, kHeight, 4);
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    image::Image8 card(kCardWidth, kCardHeight, 4);
+    for (int y = 0; y < kCardHeight; ++y)
+        for (int x = 0; x < kCardWidth; ++x) {
             const Rgb rgb = colour(x, y);
             std::copy(rgb.begin(), rgb.end(), card.at(x, y));
             card.at(x, y)[3] = 255;
@@ -38,17 +38,18 @@ image::Image8 drawn(const Colour& colour) {
 
 // Corners: red, green, blue and yellow, from the upper left clockwise, so that a mirrored picture shows.
 Rgb grid_colour(int x, int y) {
-    const bool left = x < kCell, right = x >= kWidth - kCell, top = y < kCell, bottom = y >= kHeight - kCell;
+    const bool left = x < kCell, right = x >= kCardWidth - kCell, top = y < kCell,
+               bottom = y >= kCardHeight - kCell;
     if (top && left) return {255, 0, 0};
     if (top && right) return {0, 255, 0};
     if (bottom && right) return {0, 0, 255};
     if (bottom && left) return {255, 255, 0};
     const float radius =
-        std::hypot(static_cast<float>(x) - 0.5f * kWidth, static_cast<float>(y) - 0.5f * kHeight);
-    const bool circle = std::abs(radius - 0.45f * kHeight) < 2.5f;
-    const bool rim = x < 3 || y < 3 || x >= kWidth - 3 || y >= kHeight - 3;
+        std::hypot(static_cast<float>(x) - 0.5f * kCardWidth, static_cast<float>(y) - 0.5f * kCardHeight);
+    const bool circle = std::abs(radius - 0.45f * kCardHeight) < 2.5f;
+    const bool rim = x < 3 || y < 3 || x >= kCardWidth - 3 || y >= kCardHeight - 3;
     const bool line = x % kCell < 2 || y % kCell < 2;
-    const bool middle = std::abs(x - kWidth / 2) < 3 || std::abs(y - kHeight / 2) < 3;
+    const bool middle = std::abs(x - kCardWidth / 2) < 3 || std::abs(y - kCardHeight / 2) < 3;
     if (circle || rim || middle) return {255, 255, 255};
     if (line) return {190, 190, 190};
     return (x / kCell + y / kCell) % 2 ? Rgb{40, 60, 110} : Rgb{20, 30, 60};
@@ -58,10 +59,10 @@ Rgb grid_colour(int x, int y) {
 
 image::Image8 test_card(std::string_view name) {
     if (name == "bars")
-        return drawn([](int x, int) { return kBars[static_cast<std::size_t>(x * 8 / kWidth)]; });
+        return drawn([](int x, int) { return kBars[static_cast<std::size_t>(x * 8 / kCardWidth)]; });
     if (name == "ramp")
         return drawn([](int x, int) {
-            const auto grey = static_cast<std::uint8_t>(x * 255 / (kWidth - 1));
+            const auto grey = static_cast<std::uint8_t>(x * 255 / (kCardWidth - 1));
             return Rgb{grey, grey, grey};
         });
     if (name == "white") return drawn([](int, int) { return Rgb{255, 255, 255}; });

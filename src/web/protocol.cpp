@@ -18,11 +18,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr JsonLimits kLimits{.bytes = kMostMessageBytes, .values = 64, .members = 16, .depth = 8};
+constexpr JsonLimits kMessageLimits{.bytes = kMostMessageBytes, .values = 64, .members = 16, .depth = 8};
 constexpr std::size_t kMostSources = 64;
 constexpr float kShines_cd = 1.0f; // less is not seen on any stage
 
-std::string text_of(const ordered_json& json) {
+std::string json_text(const ordered_json& json) {
     return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
@@ -103,7 +103,7 @@ Result<ToServer> read_message(Opcode opcode, Bytes payload) {
         return ToServer{Painted{number}};
     }
     const std::string_view text(reinterpret_cast<const char*>(payload.data()), payload.size());
-    TRY(const nlohmann::json message, read_json(text, "message", kLimits));
+    TRY(const nlohmann::json message, read_json(text, "message", kMessageLimits));
     const auto type = message.is_object() ? message.find("type") : message.end();
     if (!message.is_object() || type == message.end() || !type->is_string())
         return Error{"not an object with a 'type'", "message"};
@@ -162,7 +162,7 @@ std::vector<std::uint8_t> levels_message(std::uint16_t show_version, double at_m
 }
 
 std::string hello_text() {
-    return text_of({{"type", "hello"}, {"protocol", 1}, {"right", "view"}});
+    return json_text({{"type", "hello"}, {"protocol", 1}, {"right", "view"}});
 }
 
 std::string show_text(std::uint16_t version, const ui::Opened& opened) {
@@ -176,12 +176,12 @@ std::string show_text(std::uint16_t version, const ui::Opened& opened) {
                                                               : ""}});
         for (const scene::Camera& camera : opened.show->cameras) cameras.push_back(camera.name);
     }
-    return text_of({{"type", "show"},
-                    {"version", version},
-                    {"name", opened.show ? opened.show->name : ""},
-                    {"device", opened.device},
-                    {"cameras", std::move(cameras)},
-                    {"fixtures", std::move(fixtures)}});
+    return json_text({{"type", "show"},
+                      {"version", version},
+                      {"name", opened.show ? opened.show->name : ""},
+                      {"device", opened.device},
+                      {"cameras", std::move(cameras)},
+                      {"fixtures", std::move(fixtures)}});
 }
 
 std::string state_text(const StateNow& now) {
@@ -211,16 +211,16 @@ std::string state_text(const StateNow& now) {
                            {"rate_hz", looker.rate_hz},
                            {"width", looker.width}});
     state["viewers"] = std::move(lookers);
-    return text_of(state);
+    return json_text(state);
 }
 
 std::string explained_text(const ui::Explained& explained) {
-    return text_of({{"type", "explained"},
-                    {"fixture", explained.fixture},
-                    {"name", explained.explanation.fixture},
-                    {"visibility", scene::visibility_name(explained.explanation.visibility)},
-                    {"verdict", explained.explanation.verdict},
-                    {"words", explained.words}});
+    return json_text({{"type", "explained"},
+                      {"fixture", explained.fixture},
+                      {"name", explained.explanation.fixture},
+                      {"visibility", scene::visibility_name(explained.explanation.visibility)},
+                      {"verdict", explained.explanation.verdict},
+                      {"words", explained.words}});
 }
 
 std::string messages_text(std::span<const Message> messages) {
@@ -230,11 +230,12 @@ std::string messages_text(std::span<const Message> messages) {
         list.push_back({{"severity", scene::name_of(message.severity)},
                         {"where", message.where},
                         {"what", message.what}});
-    return text_of({{"type", "messages"}, {"more", messages.size() - shown}, {"messages", std::move(list)}});
+    return json_text(
+        {{"type", "messages"}, {"more", messages.size() - shown}, {"messages", std::move(list)}});
 }
 
 std::string pong_text(double t, double now_ms) {
-    return text_of({{"type", "pong"}, {"t", t}, {"now_ms", now_ms}});
+    return json_text({{"type", "pong"}, {"t", t}, {"now_ms", now_ms}});
 }
 
 } // namespace ghost::web

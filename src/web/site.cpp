@@ -13,7 +13,7 @@
 namespace ghost::web {
 namespace {
 
-constexpr JsonLimits kLimits{.bytes = kMostBodyBytes, .values = 8, .members = 4, .depth = 2};
+constexpr JsonLimits kBodyLimits{.bytes = kMostBodyBytes, .values = 8, .members = 4, .depth = 2};
 
 std::string type_of(std::string_view name) {
     if (name.ends_with(".html")) return "text/html; charset=utf-8";
@@ -74,7 +74,7 @@ Answer right(const Head& head, const Access& access) {
 Answer pair(const Head& head, std::string_view body, Access& access, double now_s) {
     if (lower(trimmed(split(head.field("content-type"), ';').front())) != "application/json")
         return refusal(415);
-    const auto asked = read_json(body, "pair", kLimits);
+    const auto asked = read_json(body, "pair", kBodyLimits);
     if (!asked.ok() || !asked->is_object() || !asked->contains("code") || !(*asked)["code"].is_string())
         return refusal(400);
     if (!access.pairing || !access.pairing->accepts((*asked)["code"].get<std::string>(), now_s))

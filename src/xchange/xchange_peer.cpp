@@ -9,7 +9,7 @@ namespace ghost::app {
 namespace {
 
 constexpr std::size_t kMostUnread = 4u << 20;  // bytes that the other end leaves unread, files apart
-constexpr std::size_t kMostFiles = 8;          // that wait to be sent
+constexpr std::size_t kMostWaitingFiles = 8;   // that wait to be sent
 constexpr std::size_t kFileBytes = 256u << 10; // of a file in memory at a time
 constexpr double kNoProgress_s = 30;
 constexpr double kLongestMessage_s = 30;
@@ -27,7 +27,7 @@ void XchangePeer::say(const scene::XchangeMessage& message) {
 }
 
 Result<void> XchangePeer::send_file(const std::filesystem::path& path) {
-    if (files_.size() >= kMostFiles) return Error{"too many files were asked for at once", ""};
+    if (files_.size() >= kMostWaitingFiles) return Error{"too many files were asked for at once", ""};
     std::error_code code;
     if (!std::filesystem::is_regular_file(path, code)) return Error{"is not there any more", path.string()};
     files_.push_back(path);

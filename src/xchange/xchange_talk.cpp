@@ -18,7 +18,7 @@ constexpr std::size_t kMostJoining = 16;
 constexpr std::size_t kMostNames = 256;
 constexpr std::size_t kMostFetching = 4;
 constexpr std::size_t kMostWanted = 256;
-constexpr std::size_t kMostFiles = 1000;          // that are taken in one session ..
+constexpr std::size_t kMostTakenFiles = 1000;     // that are taken in one session ..
 constexpr std::uint64_t kMostBytes = 16ull << 30; // .. and their size
 constexpr int kMostTries = 30;
 constexpr double kLookAgain_s = 1;
@@ -142,7 +142,7 @@ void Xchange::Loop::want(const Commit& commit, const std::string& key) {
     if (options_.save.empty() || had_.contains(commit.file_uuid)) return;
     const auto& stations = commit.for_stations;
     if (!stations.empty() && std::find(stations.begin(), stations.end(), uuid_) == stations.end()) return;
-    if (taken_files_ >= kMostFiles || wanted_.size() >= kMostWanted) {
+    if (taken_files_ >= kMostTakenFiles || wanted_.size() >= kMostWanted) {
         if (spoken_of_.insert("plots").second)
             tell(XchangeEvent::Kind::trouble, "", "more plots at once than are taken; some are left out");
         return;

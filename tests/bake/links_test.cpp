@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSize = 64;
+constexpr int kLinkedMapSize = 64;
 
 scene::Show lit_show(const fs::path& folder) {
     scene::Show show;
@@ -52,7 +52,7 @@ void expect_untouched(const std::string& deepest, const Run& run) {
 TEST(Links, CleaningDistanceMapsRemovesNothingBehindThem) {
     expect_untouched(".ghost/distances/64", [](const scene::Show& show) {
         DistanceMapOptions options;
-        options.size = kSize;
+        options.size = kLinkedMapSize;
         scene::DistanceMaps maps;
         Report report;
         EXPECT_TRUE(update_distance_maps(show, show.stage, options, maps, report).ok());

@@ -16,7 +16,7 @@ namespace ghost::scene {
 namespace {
 
 // Three channels and a wheel of two slots.
-std::shared_ptr<const fixture::Type> spot(const std::string& properties = "") {
+std::shared_ptr<const fixture::Type> three_channel_spot(const std::string& properties = "") {
     fixture::Description description;
     if (!properties.empty()) description.physical = "<Properties>" + properties + "</Properties>";
     description.wheels =
@@ -37,7 +37,7 @@ PatchedFixture hung(const std::string& name, int universe, int address) {
     fixture.name = name;
     fixture.universe = universe;
     fixture.address = address;
-    static const auto type = spot();
+    static const auto type = three_channel_spot();
     fixture.type = type;
     return fixture;
 }
@@ -144,7 +144,7 @@ TEST(Types, add_up_what_is_known_and_nothing_else) {
     const PaperTable unsaid = table(paper_of(show), "types");
     EXPECT_EQ(unsaid.unknown.at(0), "Weight: no fixture file says it.");
     EXPECT_TRUE(column(unsaid, "kg all").at(0).empty());
-    const auto heavy = spot(R"(<Weight Value="12.5"/><PowerConsumption Value="800"/>)");
+    const auto heavy = three_channel_spot(R"(<Weight Value="12.5"/><PowerConsumption Value="800"/>)");
     for (PatchedFixture& fixture : show.fixtures) fixture.type = heavy;
     show.fixtures.push_back(hung("c", 1, 7));
     show.fixtures[2].type = nullptr;

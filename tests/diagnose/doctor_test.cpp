@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string channel(int offset, const char* attribute) {
+std::string channel_xml(int offset, const char* attribute) {
     return "<DMXChannel Offset=\"" + std::to_string(offset) +
            "\" Geometry=\"Beam\"><LogicalChannel Attribute=\"" + attribute + "\"><ChannelFunction Name=\"" +
            attribute + "\" Attribute=\"" + attribute + "\"/></LogicalChannel></DMXChannel>\n";
@@ -30,7 +30,7 @@ std::string gdtf(const std::string& name, const std::vector<int>& lengths, bool 
     for (const int length : lengths) {
         modes += "<DMXMode Name=\"M" + std::to_string(length) + "\" Geometry=\"Base\"><DMXChannels>\n";
         for (int k = 1; k <= length; ++k)
-            modes += channel(k, k == 1 ? (has_beam ? "Dimmer" : "Control1") : "Control2");
+            modes += channel_xml(k, k == 1 ? (has_beam ? "Dimmer" : "Control1") : "Control2");
         modes += "</DMXChannels></DMXMode>";
     }
     const std::string xml = "<?xml version=\"1.0\"?>\n<GDTF DataVersion=\"1.2\"><FixtureType Name=\"" + name +
@@ -95,7 +95,7 @@ Finding one(const std::vector<Finding>& findings, const std::string& kind) {
     return found.empty() ? Finding{} : found.front();
 }
 
-void expect_words(const std::string& text, const std::vector<std::string>& words) {
+void expect_said(const std::string& text, const std::vector<std::string>& words) {
     for (const std::string& word : words)
         EXPECT_NE(text.find(word), std::string::npos) << word << " in: " << text;
 }
@@ -187,22 +187,22 @@ TEST_F(Doctor, finds_every_fault_of_one_plot) {
 
     const Finding overlap = one(findings, "overlap");
     EXPECT_EQ(overlap.severity, Severity::warning);
-    expect_words(overlap.where, {"tiny.mvr: GeneralSceneDescription.xml:6", "'Lamp 11'"});
-    expect_words(overlap.what,
-                 {"'Lamp 10'", "channels 3 to 4 of universe 1", "GeneralSceneDescription.xml:5"});
+    expect_said(overlap.where, {"tiny.mvr: GeneralSceneDescription.xml:6", "'Lamp 11'"});
+    expect_said(overlap.what,
+                {"'Lamp 10'", "channels 3 to 4 of universe 1", "GeneralSceneDescription.xml:5"});
 
     const Finding unpatched = one(findings, "unpatched");
     EXPECT_EQ(split_where(unpatched.where).line, 7);
-    expect_words(unpatched.what, {"1 fixture has no address", "'Lamp 12'"});
+    expect_said(unpatched.what, {"1 fixture has no address", "'Lamp 12'"});
 
     const Finding past = one(findings, "past_512");
     EXPECT_EQ(split_where(past.where).line, 8);
-    expect_words(past.what, {"'Lamp 13'", "past channel 512", "next universe"});
+    expect_said(past.what, {"'Lamp 13'", "past channel 512", "next universe"});
 
     const Finding missing = one(findings, "missing_fixture_file");
     EXPECT_EQ(missing.severity, Severity::error);
     EXPECT_EQ(split_where(missing.where).line, 9);
-    expect_words(missing.what, {"'Gone.gdtf' is not in the archive"});
+    expect_said(missing.what, {"'Gone.gdtf' is not in the archive"});
 
     bool said = false;
     for (const Finding& finding : of_kind(findings, "no_beam"))
@@ -212,24 +212,24 @@ TEST_F(Doctor, finds_every_fault_of_one_plot) {
 
     const Finding number = one(findings, "duplicate_id");
     EXPECT_EQ(split_where(number.where).line, 12);
-    expect_words(number.what, {"'7'", "'Lamp 16', 'Lamp 17'"});
+    expect_said(number.what, {"'7'", "'Lamp 16', 'Lamp 17'"});
     const Finding multipatch = one(findings, "multipatch");
     EXPECT_EQ(multipatch.severity, Severity::note);
-    expect_words(multipatch.what, {"4.1", "'Lamp 16', 'Lamp 17'"});
+    expect_said(multipatch.what, {"4.1", "'Lamp 16', 'Lamp 17'"});
 
     EXPECT_EQ(split_where(one(findings, "missing_link").where).line, 13);
     const Finding twice = one(findings, "duplicate_uuid");
     EXPECT_EQ(split_where(twice.where).line, 14);
-    expect_words(twice.what, {uuid(18), "line 13"});
+    expect_said(twice.what, {uuid(18), "line 13"});
     const Finding mode = one(findings, "unknown_mode");
     EXPECT_EQ(split_where(mode.where).line, 14);
-    expect_words(mode.what, {"'M9'", "it gets"});
+    expect_said(mode.what, {"'M9'", "it gets"});
 
     std::string media;
     for (const Finding& finding : of_kind(findings, "missing_media"))
         media += std::to_string(split_where(finding.where).line) + " " + finding.what + "\n";
-    expect_words(media,
-                 {"11 gobo 'leaves' is not in the archive", "15 mesh 'deck.glb' is not in the archive"});
+    expect_said(media,
+                {"11 gobo 'leaves' is not in the archive", "15 mesh 'deck.glb' is not in the archive"});
 }
 
 TEST_F(Doctor, overlaps_of_two_runs_are_one_line) {
@@ -240,7 +240,7 @@ TEST_F(Doctor, overlaps_of_two_runs_are_one_line) {
         check(objects, {{"Spot.gdtf", gdtf("Spot", {4})}, {"Wash.gdtf", gdtf("Wash", {4})}});
     const Finding overlap = one(findings, "overlap");
     EXPECT_EQ(overlap.times, 15); // each wash with two spots, the last one with one
-    expect_words(overlap.what, {"so do 14 more pairs"});
+    expect_said(overlap.what, {"so do 14 more pairs"});
 }
 
 TEST_F(Doctor, a_declared_multipatch_is_no_fault) {
@@ -262,14 +262,14 @@ TEST_F(Doctor, modes_that_the_patch_contradicts) {
     // Too long: each begins before the last one ends.
     Finding wrong = one(check(row("M8", 4), members), "wrong_mode_length");
     EXPECT_EQ(split_where(wrong.where).line, 5);
-    expect_words(wrong.what, {"5 fixtures", "'M8' (8 channels)", "4 channels apart"});
-    expect_words(wrong.advice, {"'M4'", "4 channels"});
+    expect_said(wrong.what, {"5 fixtures", "'M8' (8 channels)", "4 channels apart"});
+    expect_said(wrong.advice, {"'M4'", "4 channels"});
     // Too short, and another mode has just that length.
     wrong = one(check(row("M4", 8), members), "wrong_mode_length");
-    expect_words(wrong.advice, {"'M8'"});
+    expect_said(wrong.advice, {"'M8'"});
     // No mode has it: too near is a fault all the same, room is not.
     wrong = one(check(row("M8", 5), members), "wrong_mode_length");
-    expect_words(wrong.advice, {"no mode of this type has 5 channels"});
+    expect_said(wrong.advice, {"no mode of this type has 5 channels"});
     EXPECT_TRUE(of_kind(check(row("M8", 10), members), "wrong_mode_length").empty());
     EXPECT_TRUE(of_kind(check(row("M8", 8), members), "wrong_mode_length").empty());
 }
@@ -282,8 +282,8 @@ TEST_F(Doctor, suggests_a_substitute_with_the_mode_that_fits) {
                           {"Test@Wash 5.gdtf", gdtf("Wash 5", {8})}};
     Finding missing = one(check(objects, members), "missing_fixture_file");
     EXPECT_EQ(split_where(missing.where).line, 5);
-    expect_words(missing.advice, {"'Other@Super_Spot_300.gdtf' of the archive", "'M8' has the 8 channels",
-                                  "[[substitute]] for = \"Test@Super Spot 300.gdtf\"", "mode = \"M8\""});
+    expect_said(missing.advice, {"'Other@Super_Spot_300.gdtf' of the archive", "'M8' has the 8 channels",
+                                 "[[substitute]] for = \"Test@Super Spot 300.gdtf\"", "mode = \"M8\""});
 
     // From elsewhere, by what stands in the file.
     FixtureOffers offers;
@@ -299,7 +299,7 @@ TEST_F(Doctor, suggests_a_substitute_with_the_mode_that_fits) {
     };
     missing = one(check(objects, {}, offers), "missing_fixture_file");
     EXPECT_EQ(loaded, 1);
-    expect_words(missing.advice, {"'/lib/x7.gdtf' seems to be this fixture", "'M8' has the 8 channels"});
+    expect_said(missing.advice, {"'/lib/x7.gdtf' seems to be this fixture", "'M8' has the 8 channels"});
 }
 
 TEST_F(Doctor, suggests_a_lamp_that_shines) {
@@ -312,7 +312,7 @@ TEST_F(Doctor, suggests_a_lamp_that_shines) {
     for (const Finding& finding : of_kind(check(objects, members), "no_beam"))
         if (finding.what.find("2 fixtures of 'Test@Spot 300.gdtf'") != std::string::npos) {
             said = true;
-            expect_words(finding.advice, {"'Third@Spot 300.gdtf' of the archive", "'M4' has the 4 channels"});
+            expect_said(finding.advice, {"'Third@Spot 300.gdtf' of the archive", "'M4' has the 4 channels"});
         }
     EXPECT_TRUE(said);
 }
@@ -333,7 +333,7 @@ TEST_F(Doctor, show_files_have_their_lines) {
     EXPECT_EQ(split_where(overlap.where).file, (folder_ / "show.toml").string());
     const Finding missing = one(findings, "missing_file");
     EXPECT_EQ(split_where(missing.where).line, 16);
-    expect_words(missing.what, {"Sport.gdtf", "did you mean 'Spot.gdtf'"});
+    expect_said(missing.what, {"Sport.gdtf", "did you mean 'Spot.gdtf'"});
 }
 
 } // namespace

@@ -231,5 +231,7 @@ TEST(hard_cases, lasers_of_no_power) {
     EXPECT_EQ(beam_of(file.type, file.type.modes[0], 0).luminous_flux_lm, 200.0f);
 }
 
+#undef SKIP_WITHOUT_FILES
+
 } // namespace
 } // namespace ghost::fixture

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path scratch(const std::string& name) {
+fs::path exr_scratch(const std::string& name) {
     const fs::path folder = fs::path(testing::TempDir()) / "ghost_exr_test";
     fs::create_directories(folder);
     return folder / name;
@@ -43,7 +43,7 @@ TEST(Exr, FloatRoundTripIsBitExact) {
     file.pixels.samples[3] = std::numeric_limits<float>::quiet_NaN();
     file.chromaticities = kRec2020;
     file.text["ghost:key"] = "abc";
-    const fs::path path = scratch("float.exr");
+    const fs::path path = exr_scratch("float.exr");
     ASSERT_TRUE(write_exr(path, file, ExrSample::full).ok());
     const auto back = read_exr(path);
     ASSERT_TRUE(back.ok()) << back.error().text();
@@ -63,7 +63,7 @@ TEST(Exr, HalfKeepsHalfValuesAndStaysFinite) {
     ExrFile file = sample_file({"R"});
     file.pixels = ImageF(5, 1, 1);
     file.pixels.samples = {1.0f, 0.333251953125f, -65504.0f, 1e9f, 5.9604644775390625e-08f};
-    const fs::path path = scratch("half.exr");
+    const fs::path path = exr_scratch("half.exr");
     ASSERT_TRUE(write_exr(path, file, ExrSample::half).ok());
     const auto back = read_exr(path);
     ASSERT_TRUE(back.ok());
@@ -73,7 +73,7 @@ TEST(Exr, HalfKeepsHalfValuesAndStaysFinite) {
 }
 
 TEST(Exr, ColourChannelsComeFirst) {
-    const fs::path path = scratch("order.exr");
+    const fs::path path = exr_scratch("order.exr");
     ASSERT_TRUE(write_exr(path, sample_file({"A", "B", "G", "Index", "R", "Z"}), ExrSample::full).ok());
     const auto back = read_exr(path);
     ASSERT_TRUE(back.ok());
@@ -81,7 +81,7 @@ TEST(Exr, ColourChannelsComeFirst) {
 }
 
 TEST(Exr, BlenderLayerNamesAreTakenOff) {
-    const fs::path path = scratch("blender.exr");
+    const fs::path path = exr_scratch("blender.exr");
     ASSERT_TRUE(
         write_exr(path,
                   sample_file({"ViewLayer.Combined.B", "ViewLayer.Combined.G", "ViewLayer.Combined.R",
@@ -94,7 +94,7 @@ TEST(Exr, BlenderLayerNamesAreTakenOff) {
 }
 
 TEST(Exr, CombinedLayerWinsTheShortName) {
-    const fs::path path = scratch("layers.exr");
+    const fs::path path = exr_scratch("layers.exr");
     ASSERT_TRUE(
         write_exr(path, sample_file({"RenderLayer.Combined.R", "RenderLayer.DiffDir.R"}), ExrSample::full)
             .ok());
@@ -108,11 +108,11 @@ TEST(Exr, CombinedLayerWinsTheShortName) {
 }
 
 TEST(Exr, EveryTruncationIsAnError) {
-    const fs::path path = scratch("whole.exr");
+    const fs::path path = exr_scratch("whole.exr");
     ASSERT_TRUE(write_exr(path, sample_file({"R", "G", "B"}), ExrSample::half).ok());
     const auto bytes = read_file(path, 1 << 20);
     ASSERT_TRUE(bytes.ok());
-    const fs::path cut = scratch("cut.exr");
+    const fs::path cut = exr_scratch("cut.exr");
     for (std::size_t length = 0; length < bytes->size(); length += 7) {
         ASSERT_TRUE(write_file_atomic(cut, Bytes(*bytes).first(length)).ok());
         const auto back = read_exr(cut);
@@ -145,13 +145,14 @@ TEST(Exr, AFewBytesDoNotAskForGigabytes) {
 }
 
 TEST(Exr, MissingFileAndFolder) {
-    EXPECT_NE(read_exr(scratch("absent.exr")).error().what.find("no such file"), std::string::npos);
-    EXPECT_NE(read_exr(scratch("x").parent_path()).error().what.find("not a plain file"), std::string::npos);
+    EXPECT_NE(read_exr(exr_scratch("absent.exr")).error().what.find("no such file"), std::string::npos);
+    EXPECT_NE(read_exr(exr_scratch("x").parent_path()).error().what.find("not a plain file"),
+              std::string::npos);
 }
 
 // A limit on the size of files fails writes as a full disk does.
 TEST(Exr, FullDiskIsAnErrorAndLeavesTheOldFile) {
-    const fs::path path = scratch("full/picture.exr");
+    const fs::path path = exr_scratch("full/picture.exr");
     fs::remove_all(path.parent_path());
     fs::create_directories(path.parent_path());
     ASSERT_TRUE(write_file_atomic(path, "old").ok());

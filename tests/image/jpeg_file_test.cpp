@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/ldr.h"
 
+#include "red_jpeg.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@ namespace ghost::image {
 namespace {
 
 #include "odd_jpegs.inc"
-#include "red_jpeg.inc"
 
 using Bytes8 = std::vector<std::uint8_t>;
 

@@ -3,6 +3,7 @@
 
 #include "disk/crc32.h"
 #include "disk/files.h"
+#include "red_jpeg.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -13,9 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-#include "red_jpeg.inc"
-
-fs::path scratch(const std::string& name) {
+fs::path ldr_scratch(const std::string& name) {
     const fs::path folder = fs::path(testing::TempDir()) / "ghost_ldr_test";
     fs::create_directories(folder);
     return folder / name;
@@ -30,8 +29,8 @@ Image8 sample_image(int channels) {
 
 TEST(Ldr, PngRoundTrip) {
     const Image8 image = sample_image(4);
-    ASSERT_TRUE(write_png(scratch("four.png"), image).ok());
-    const auto back = read_ldr(scratch("four.png"));
+    ASSERT_TRUE(write_png(ldr_scratch("four.png"), image).ok());
+    const auto back = read_ldr(ldr_scratch("four.png"));
     ASSERT_TRUE(back.ok()) << back.error().text();
     EXPECT_EQ(back->width, 23);
     EXPECT_EQ(back->height, 11);
@@ -40,8 +39,8 @@ TEST(Ldr, PngRoundTrip) {
 
 TEST(Ldr, ThreeChannelsBecomeOpaque) {
     const Image8 image = sample_image(3);
-    ASSERT_TRUE(write_png(scratch("three.png"), image).ok());
-    const auto back = read_ldr(scratch("three.png"));
+    ASSERT_TRUE(write_png(ldr_scratch("three.png"), image).ok());
+    const auto back = read_ldr(ldr_scratch("three.png"));
     ASSERT_TRUE(back.ok());
     ASSERT_EQ(back->channels, 4);
     for (int y = 0; y < 11; ++y)
@@ -52,8 +51,8 @@ TEST(Ldr, ThreeChannelsBecomeOpaque) {
 }
 
 TEST(Ldr, EveryTruncationOfAPngIsAnError) {
-    ASSERT_TRUE(write_png(scratch("whole.png"), sample_image(4)).ok());
-    const auto bytes = read_file(scratch("whole.png"), 1 << 20);
+    ASSERT_TRUE(write_png(ldr_scratch("whole.png"), sample_image(4)).ok());
+    const auto bytes = read_file(ldr_scratch("whole.png"), 1 << 20);
     ASSERT_TRUE(bytes.ok());
     // The last 16 bytes are a checksum and the end mark: the picture is whole without them.
     for (std::size_t length = 0; length + 16 < bytes->size(); ++length)
@@ -80,7 +79,7 @@ TEST(Ldr, ErrorsNameTheFile) {
     ASSERT_FALSE(image.ok());
     EXPECT_EQ(image.error().where, "poster.png");
     EXPECT_NE(image.error().what.find("PNG or JPEG"), std::string::npos);
-    EXPECT_FALSE(read_ldr(scratch("absent.png")).ok());
+    EXPECT_FALSE(read_ldr(ldr_scratch("absent.png")).ok());
 }
 
 // Bytes of a PNG's header that say its size.
@@ -96,8 +95,8 @@ std::vector<std::uint8_t> with_size(std::vector<std::uint8_t> png, std::uint32_t
 }
 
 std::vector<std::uint8_t> png_of(const Image8& image) {
-    EXPECT_TRUE(write_png(scratch("sized.png"), image).ok());
-    return *read_file(scratch("sized.png"), 1u << 24);
+    EXPECT_TRUE(write_png(ldr_scratch("sized.png"), image).ok());
+    return *read_file(ldr_scratch("sized.png"), 1u << 24);
 }
 
 TEST(Ldr, TooLargeASideIsAnError) {

@@ -105,7 +105,7 @@ vec3 sum_cd(const std::vector<shared::Light>& lights) {
     return sum;
 }
 
-void expect_near(const vec3& value, const vec3& expected, float tolerance) {
+void expect_within(const vec3& value, const vec3& expected, float tolerance) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(value[c], expected[c], tolerance) << "component " << c;
 }
 
@@ -119,13 +119,13 @@ TEST(BeamGroups, ABarOfWideCellsIsOneLightInItsMiddle) {
     ASSERT_EQ(emitters.lights.size(), 1u);
     EXPECT_EQ(emitters.lights[0].beams.size(), 32u);
     ASSERT_EQ(emitters.places_m.size(), 1u);
-    expect_near(emitters.places_m[0], {0, 0, 0}, 1e-5f);
+    expect_within(emitters.places_m[0], {0, 0, 0}, 1e-5f);
     Hall hall(type);
     const FrameLights lit = hall.lit();
     ASSERT_EQ(lit.lights.size(), 1u);
     ASSERT_EQ(lit.faces.size(), 32u);
-    expect_near(lens_of(lit.lights[0]), {1, 2, 6}, 1e-4f);
-    expect_near(lit.lights[0].position_m - lit.lights[0].off_map_m, {1, 2, 6}, 1e-4f);
+    expect_within(lens_of(lit.lights[0]), {1, 2, 6}, 1e-4f);
+    expect_within(lit.lights[0].position_m - lit.lights[0].off_map_m, {1, 2, 6}, 1e-4f);
     // A row of this length has the spread of a disc of 0.2976 m x sqrt 2, and its cells 1 cm more.
     EXPECT_NEAR(lit.lights[0].disc_radius_m, std::sqrt(2.0f) * 0.29783f, 1e-3f);
     EXPECT_EQ(distance_places(hall.show, 64).size(), 1u) << "32 cells, one map";
@@ -143,10 +143,10 @@ TEST(BeamGroups, TheLightOfAGroupIsTheSumOfItsCells) {
         ASSERT_EQ(apart.lights.size(), 12u);
         const vec3 sum = sum_cd(apart.lights);
         EXPECT_GT(sum.y, 10.0f);
-        expect_near(grouped.lights[0].intensity_cd / sum, vec3(1.0f), 1e-5f);
+        expect_within(grouped.lights[0].intensity_cd / sum, vec3(1.0f), 1e-5f);
         vec3 bounced(0.0f);
         for (const shared::Light& light : apart.lights) bounced += light.bounce_cd;
-        expect_near(grouped.lights[0].bounce_cd / bounced, vec3(1.0f), 1e-5f);
+        expect_within(grouped.lights[0].bounce_cd / bounced, vec3(1.0f), 1e-5f);
         // The same profile, so equal candela on the axis are equal lumens.
         EXPECT_EQ(grouped.lights[0].tan_field, apart.lights[0].tan_field);
         EXPECT_EQ(grouped.lights[0].profile_power, apart.lights[0].profile_power);
@@ -167,8 +167,8 @@ TEST(BeamGroups, OneCellChangesItsFaceAndTheColourOfItsGroupOnly) {
             << "cell " << k + 1;
     ASSERT_EQ(after.lights.size(), 1u);
     shared::Light same = after.lights[0];
-    expect_near(before.lights[0].intensity_cd - same.intensity_cd,
-                before.faces[4].light.intensity_cd - after.faces[4].light.intensity_cd, 1e-3f);
+    expect_within(before.lights[0].intensity_cd - same.intensity_cd,
+                  before.faces[4].light.intensity_cd - after.faces[4].light.intensity_cd, 1e-3f);
     EXPECT_GT(before.lights[0].intensity_cd.x, same.intensity_cd.x);
     same.intensity_cd = before.lights[0].intensity_cd;
     same.bounce_cd = before.lights[0].bounce_cd;
@@ -203,7 +203,7 @@ TEST(BeamGroups, NarrowCellsAreSeveralLightsNoneFartherThanTheRule) {
     }
     EXPECT_EQ(seen.size(), cells.size());
     EXPECT_EQ(emitters.places_m.size(), 3u) << "a map for each half metre";
-    expect_near(emitters.middle_m, {0, 0, 0}, 1e-4f);
+    expect_within(emitters.middle_m, {0, 0, 0}, 1e-4f);
 }
 
 TEST(BeamGroups, AStickOfLasersIsAsManyLightsAndOneMap) {
@@ -221,8 +221,8 @@ TEST(BeamGroups, AStickOfLasersIsAsManyLightsAndOneMap) {
     // Each begins at its own lens, and knows how far that is from the map.
     const vec3 along(std::cos(glm::radians(30.0f)), std::sin(glm::radians(30.0f)), 0);
     for (std::size_t k = 0; k < 21; ++k) {
-        expect_near(lens_of(lit.lights[k]), vec3(1, 2, 6) + cells[k].place_m.x * along, 0.02f);
-        expect_near(lit.lights[k].position_m - lit.lights[k].off_map_m, {1, 2, 6}, 1e-4f);
+        expect_within(lens_of(lit.lights[k]), vec3(1, 2, 6) + cells[k].place_m.x * along, 0.02f);
+        expect_within(lit.lights[k].position_m - lit.lights[k].off_map_m, {1, 2, 6}, 1e-4f);
     }
 }
 
@@ -270,7 +270,7 @@ TEST(BeamGroups, TheNarrowestZoomDecides) {
     for (const int level : {0, 100, 255}) {
         const FrameLights lit = hall.set(50, level).lit();
         EXPECT_EQ(lit.lights.size(), lights) << "at any zoom";
-        expect_near(sum_cd(lit.lights) / sum_cd(hall.lit(Cells::apart).lights), vec3(1.0f), 1e-5f);
+        expect_within(sum_cd(lit.lights) / sum_cd(hall.lit(Cells::apart).lights), vec3(1.0f), 1e-5f);
     }
     EXPECT_EQ(emitters_in(cells_type(bar(12, 0.6f))).lights.size(), 1u) << "without it";
     // A zoom for one cell alone makes it a light of its own.
@@ -320,7 +320,7 @@ TEST(BeamGroups, MapsAreFoundByTheirPlaces) {
     for (const shared::Light& light : hall.lit(Cells::grouped, maps).lights) {
         ASSERT_GT(light.map, 0u);
         const vec3 made_m = maps.maps[light.map - 1].position_m;
-        expect_near(light.position_m - light.off_map_m, made_m, 1e-4f);
+        expect_within(light.position_m - light.off_map_m, made_m, 1e-4f);
         for (const DistanceMap& map : maps.maps)
             EXPECT_LE(glm::distance(lens_of(light), made_m),
                       glm::distance(lens_of(light), map.position_m) + 0.02f);

@@ -47,7 +47,7 @@ Show lantern_show(const fixture::Photometric& light) {
     return show;
 }
 
-shared::Light light_of(const Show& show, const GoboStack& gobos) {
+shared::Light lantern_light(const Show& show, const GoboStack& gobos) {
     Rig rig(show);
     dmx::Universes universes;
     rig.step(universes, 0);
@@ -79,7 +79,7 @@ TEST(BeamShape, KeepsTheLumensOfTheFile) {
         const GoboStack gobos = build_gobos(show, report);
         ASSERT_EQ(gobos.shapes.size(), 1u);
         // The beam of the fixture is white of its lamp: luminance is that of the file.
-        const shared::Light light = light_of(show, gobos);
+        const shared::Light light = lantern_light(show, gobos);
         const double white = static_cast<double>(
             glm::dot(light.intensity_cd, vec3(0.2627f, 0.678f, 0.0593f)) / light.intensity_cd.y);
         EXPECT_NEAR(lumens(light, gobos) * white / file.flux_lm(), 1.0, 5e-3) << wide << " x " << narrow;
@@ -95,7 +95,7 @@ TEST(BeamShape, IsOvalWhereTheFileIs) {
     const Show show = lantern_show(file);
     Report report;
     const GoboStack gobos = build_gobos(show, report);
-    const shared::Light light = light_of(show, gobos);
+    const shared::Light light = lantern_light(show, gobos);
     // As a laboratory measures: 10 m before the lens.
     const auto candela = [&](const vec3& way) {
         const vec3 q = vec3(0, 0, light.lens_m) + 10.0f * way;

@@ -13,7 +13,7 @@ namespace ghost::scene {
 namespace {
 
 constexpr double kTau = 6.283185307179586;
-const shared::Gobos kNoGobos;
+const shared::Gobos kOpenGate;
 
 shared::Light open_light(const Profile& profile, float flux_lm, float lens_radius_m, float focus_m) {
     shared::Light light{};
@@ -37,12 +37,12 @@ shared::Light open_light(const Profile& profile, float flux_lm, float lens_radiu
 double candela(const shared::Light& light, double theta, double phi, double distance_m) {
     const double side = std::sin(theta) * distance_m;
     const glm::dvec3 q(side * std::cos(phi), side * std::sin(phi), std::cos(theta) * distance_m);
-    return static_cast<double>(shared::beam_candela(light, glm::vec3(q), kNoGobos).y);
+    return static_cast<double>(shared::beam_candela(light, glm::vec3(q), kOpenGate).y);
 }
 
 // Rings of equal angle from the axis to the far side: fine inside the beam, where the light is, coarse
 // behind.
-double flux_lm(const shared::Light& light, double distance_m) {
+double ring_flux_lm(const shared::Light& light, double distance_m) {
     constexpr int kRings = 6000;
     constexpr int kPhi = 16;
     const double end = std::atan(static_cast<double>(light.tan_field * light.cut_radius)) * 1.02;
@@ -78,7 +78,7 @@ TEST(photometry, FluxOfABeamIsItsLumens) {
         for (const float ratio : {0.25f, 0.5f, 0.7f, 0.85f, 0.95f, 1.0f})
             for (const bool hard : {true, false}) {
                 const Profile profile = make_profile(ratio * zoom_deg, zoom_deg, hard);
-                const double flux = flux_lm(open_light(profile, 14000.0f, 0.0f, 10.0f), 10.0);
+                const double flux = ring_flux_lm(open_light(profile, 14000.0f, 0.0f, 10.0f), 10.0);
                 EXPECT_NEAR(flux / 14000.0, 1.0, 0.001) << zoom_deg << " " << ratio << " " << hard;
                 worst = std::max(worst, std::abs(flux / 14000.0 - 1.0));
             }
@@ -91,8 +91,8 @@ TEST(photometry, FocusKeepsTheFlux) {
     for (const float zoom_deg : {15.0f, 25.0f, 42.5f})
         for (const float distance_m : {2.0f, 5.0f, 10.0f, 30.0f}) { // from the lens
             const Profile profile = make_profile(zoom_deg * 0.75f, zoom_deg, true);
-            const double flux = flux_lm(open_light(profile, 14000.0f, 0.08f, 10.0f),
-                                        static_cast<double>(distance_m + 0.08f / profile.tan_field));
+            const double flux = ring_flux_lm(open_light(profile, 14000.0f, 0.08f, 10.0f),
+                                             static_cast<double>(distance_m + 0.08f / profile.tan_field));
             worst = std::max(worst, std::abs(flux / 14000.0 - 1.0));
             EXPECT_NEAR(flux / 14000.0, 1.0, 0.02) << zoom_deg << " " << distance_m;
         }

@@ -26,7 +26,7 @@ using glm::vec3;
 constexpr float kLumens = 10000;
 
 // A stack whose only medium is one colour, of this shape.
-GoboStack showing(std::uint8_t grey, int width = 64, int height = 36) {
+GoboStack showing_grey(std::uint8_t grey, int width = 64, int height = 36) {
     image::Image8 picture(width, height, 4);
     std::fill(picture.samples.begin(), picture.samples.end(), grey);
     for (std::size_t k = 3; k < picture.samples.size(); k += 4) picture.samples[k] = 255;
@@ -48,8 +48,8 @@ Projector projector() {
 }
 
 // At the origin, along +Y, its picture upright (Z up).
-shared::Light light_of(const Projector& projector, const GoboStack& stack,
-                       const std::function<void(fixture::Optics&)>& set = {}) {
+shared::Light projector_light(const Projector& projector, const GoboStack& stack,
+                              const std::function<void(fixture::Optics&)>& set = {}) {
     const auto type = fixture::video_projector_type();
     fixture::BeamState beam;
     for (std::size_t k = 0; k < type->geometries.size(); ++k)
@@ -72,8 +72,8 @@ float lux_at(const shared::Light& light, const GoboStack& stack, const vec3& pla
 
 // At 9 m and a throw ratio of 1.5 a picture is 6 m wide; 10000 lm over 6 x 3.375 m are 494 lux everywhere.
 TEST(Projector, LightsAWallEvenlyWithItsLumens) {
-    const GoboStack stack = showing(255);
-    const shared::Light light = light_of(projector(), stack);
+    const GoboStack stack = showing_grey(255);
+    const shared::Light light = projector_light(projector(), stack);
     const float expected = kLumens / (6.0f * 3.375f);
     for (const vec2& at : {vec2(0, 0), vec2(2.9f, 0), vec2(-2.9f, 1.6f), vec2(1, -1.6f), vec2(2.9f, 1.6f)})
         EXPECT_NEAR(lux_at(light, stack, {at.x, 9, at.y}) / expected, 1.0f, 2e-3f) << at.x << " " << at.y;
@@ -91,10 +91,10 @@ TEST(Projector, LightsAWallEvenlyWithItsLumens) {
 
 // Lens shift moves the picture, and nothing else: as large, as bright.
 TEST(Projector, LensShiftMovesThePicture) {
-    const GoboStack stack = showing(255);
+    const GoboStack stack = showing_grey(255);
     Projector shifted = projector();
     shifted.lens_shift = {0.25f, 0.5f}; // a quarter of 6 m to the right, half of 3.375 m up
-    const shared::Light light = light_of(shifted, stack);
+    const shared::Light light = projector_light(shifted, stack);
     const float expected = kLumens / (6.0f * 3.375f);
     const vec2 middle(1.5f, 1.6875f);
     for (const vec2& at :
@@ -125,7 +125,7 @@ TEST(Projector, ExplainMeasuresThePicture) {
     reception.kind = Reception::Kind::recording;
     rig.step(universes, 0.03);
     const auto explained = [&](std::uint8_t grey, int width, int height) {
-        const GoboStack stack = showing(grey, width, height);
+        const GoboStack stack = showing_grey(grey, width, height);
         ExplainInput input{show, report, rig, stack, universes, reception};
         return Explainer(input).explain(0);
     };
@@ -156,15 +156,15 @@ TEST(Projector, ExplainMeasuresThePicture) {
 
 // What is beside the picture on the panel is lit as much as its black.
 TEST(Projector, BlackIsNotDark) {
-    const GoboStack narrow = showing(255, 36, 36); // 1:1 on a panel of 16:9
+    const GoboStack narrow = showing_grey(255, 36, 36); // 1:1 on a panel of 16:9
     Projector grey = projector();
     grey.contrast = 1000;
-    const shared::Light light = light_of(grey, narrow);
+    const shared::Light light = projector_light(grey, narrow);
     const float white = lux_at(light, narrow, {0, 9, 0});
     EXPECT_NEAR(lux_at(light, narrow, {2.5f, 9, 0}) / white, 1e-3f, 1e-5f);
     EXPECT_EQ(lux_at(light, narrow, {3.2f, 9, 0}), 0.0f);
-    const GoboStack black = showing(0);
-    EXPECT_NEAR(lux_at(light_of(grey, black), black, {0, 9, 0}) / white, 1e-3f, 1e-5f);
+    const GoboStack black = showing_grey(0);
+    EXPECT_NEAR(lux_at(projector_light(grey, black), black, {0, 9, 0}) / white, 1e-3f, 1e-5f);
 }
 
 // The ends of a picture that covers the panel are cut off where the panel ends.
@@ -173,8 +173,8 @@ TEST(Projector, CoverFillsThePanelAndNoMore) {
     covering.fit = Fit::cover;
     const float expected = kLumens / (6.0f * 3.375f);
     for (const auto& [width, height] : {std::pair{36, 36}, {64, 16}}) {
-        const GoboStack stack = showing(255, width, height);
-        const shared::Light light = light_of(covering, stack);
+        const GoboStack stack = showing_grey(255, width, height);
+        const shared::Light light = projector_light(covering, stack);
         for (const vec2& at : {vec2(0, 0), vec2(2.9f, 1.6f), vec2(-2.9f, -1.6f)})
             EXPECT_NEAR(lux_at(light, stack, {at.x, 9, at.y}) / expected, 1.0f, 2e-3f) << at.x << " " << at.y;
         for (const vec2& at : {vec2(3.1f, 0), vec2(0, 1.8f), vec2(-3.1f, -1.8f)})
@@ -184,7 +184,7 @@ TEST(Projector, CoverFillsThePanelAndNoMore) {
 
 // On a wall turned about the vertical the picture is a rectangle of the right shape.
 TEST(Projector, KeystoneIsRightOnATurnedWall) {
-    const GoboStack stack = showing(255);
+    const GoboStack stack = showing_grey(255);
     for (const vec2& turn_deg : {vec2(25, 0), vec2(0, -20), vec2(15, 20)}) {
         Projector turned = projector();
         turned.keystone_deg = turn_deg;
@@ -218,13 +218,13 @@ TEST(Projector, KeystoneIsRightOnATurnedWall) {
 
 // Two pictures side by side, a fifth over each other: nothing shows of the seam.
 TEST(Projector, TwoBlendsAddUp) {
-    const GoboStack stack = showing(255);
+    const GoboStack stack = showing_grey(255);
     Projector left = projector(), right = projector();
     left.lens_shift = {-0.4f, 0};
     right.lens_shift = {0.4f, 0}; // 2.4 m each way: 1.2 m of 6 m are over each other
     left.blend = {0, 0.2f, 0, 0};
     right.blend = {0.2f, 0, 0, 0};
-    const shared::Light a = light_of(left, stack), b = light_of(right, stack);
+    const shared::Light a = projector_light(left, stack), b = projector_light(right, stack);
     const float expected = kLumens / (6.0f * 3.375f);
     for (float x = -2.0f; x <= 2.0f; x += 0.1f)
         EXPECT_NEAR((lux_at(a, stack, {x, 9, 0.3f}) + lux_at(b, stack, {x, 9, 0.3f})) / expected, 1.0f, 5e-3f)
@@ -241,24 +241,25 @@ TEST(Projector, IsNotMirrored) {
     GoboStack stack;
     stack.images.slides.push_back({pyramid.side, pyramid.levels});
     stack.showing.push_back({1, pyramid.extent, pyramid.mean, pyramid.side});
-    const shared::Light light = light_of(projector(), stack);
+    const shared::Light light = projector_light(projector(), stack);
     EXPECT_GT(lux_at(light, stack, {-1.5f, 9, 0.8f}), 400.0f); // the wall is before us, X to the right
     for (const vec2& at : {vec2(1.5f, 0.8f), vec2(-1.5f, -0.8f), vec2(1.5f, -0.8f)})
         EXPECT_LT(lux_at(light, stack, {at.x, 9, at.y}), 1.0f);
 }
 
 TEST(Projector, TheRestOfTheGateStillWorks) {
-    const GoboStack stack = showing(255);
-    const shared::Light open = light_of(projector(), stack);
+    const GoboStack stack = showing_grey(255);
+    const shared::Light open = projector_light(projector(), stack);
     EXPECT_EQ(shared::beam_class(open), shared::kSlideClass);
-    const shared::Light dimmed = light_of(projector(), stack, [](fixture::Optics& o) { o.dimmer = 0.5f; });
+    const shared::Light dimmed =
+        projector_light(projector(), stack, [](fixture::Optics& o) { o.dimmer = 0.5f; });
     EXPECT_NEAR(lux_at(dimmed, stack, {1, 9, 0}) / lux_at(open, stack, {1, 9, 0}), 0.5f, 1e-3f);
-    const shared::Light iris = light_of(projector(), stack, [](fixture::Optics& o) { o.iris = 0.5f; });
+    const shared::Light iris = projector_light(projector(), stack, [](fixture::Optics& o) { o.iris = 0.5f; });
     EXPECT_EQ(shared::beam_class(iris), shared::kCutSlideClass);
     // The corners are half a diagonal away: 3.44 m; an iris of a half leaves 1.72 m.
     EXPECT_NEAR(lux_at(iris, stack, {1.4f, 9, 0}) / lux_at(open, stack, {1.4f, 9, 0}), 1.0f, 2e-2f);
     EXPECT_LT(lux_at(iris, stack, {2.1f, 9, 0}), 1.0f);
-    const shared::Light cut = light_of(projector(), stack, [](fixture::Optics& o) {
+    const shared::Light cut = projector_light(projector(), stack, [](fixture::Optics& o) {
         o.blades = {{0.5f, 0.5f}, {0, 0}, {0, 0}, {0, 0}}; // the top half
     });
     EXPECT_LT(lux_at(cut, stack, {0, 9, 0.5f}), 1.0f);
@@ -266,17 +267,17 @@ TEST(Projector, TheRestOfTheGateStillWorks) {
     // Without a throw ratio the zoom makes the picture's diagonal.
     Projector zooms = projector();
     zooms.throw_ratio = 0;
-    const shared::Light wide = light_of(zooms, stack, [](fixture::Optics& o) { o.zoom_deg = 60; });
+    const shared::Light wide = projector_light(zooms, stack, [](fixture::Optics& o) { o.zoom_deg = 60; });
     EXPECT_NEAR(wide.tan_field, std::tan(glm::radians(30.0f)), 1e-4f);
 }
 
 // Out of focus a picture keeps its light.
 TEST(Projector, BlurKeepsTheLumens) {
-    const GoboStack stack = showing(255);
+    const GoboStack stack = showing_grey(255);
     for (const float focus_m : {1.0f, 0.3f, 0.1f}) {
         Projector near = projector();
         near.focus_m = focus_m;
-        const shared::Light light = light_of(near, stack);
+        const shared::Light light = projector_light(near, stack);
         const float wide_m = 2.1f * 9 * light.tan_field * light.cut_radius;
         double sum = 0;
         constexpr int kSteps = 400;
@@ -368,7 +369,7 @@ TEST(ProjectorFile, TheDeskChoosesTheMedium) {
                     .show;
     show.fixtures[0].type = fixture::video_projector_type();
     Rig rig(show);
-    GoboStack stack = showing(255);
+    GoboStack stack = showing_grey(255);
     stack.images.slides.push_back(stack.images.slides[0]);
     stack.showing.push_back(stack.showing[0]);
     const auto layer_at = [&](std::uint8_t level) {

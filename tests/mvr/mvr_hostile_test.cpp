@@ -306,5 +306,7 @@ TEST(mvr_hostile, many_missing_files_beside_many_others) {
     EXPECT_LT(took.count(), 10.0);
 }
 
+#undef EXPECT_SAYS
+
 } // namespace
 } // namespace ghost::scene

@@ -10,12 +10,6 @@
 namespace ghost::scene {
 namespace {
 
-LoadedPlot full() {
-    auto loaded = load_description(full_xml(), full_members());
-    if (!loaded.ok()) throw std::runtime_error(loaded.error().text());
-    return std::move(*loaded);
-}
-
 glm::dvec3 at(const glm::dmat4& matrix, const glm::dvec3& point = {0, 0, 0}) {
     return matrix * glm::dvec4(point, 1.0);
 }
@@ -29,7 +23,7 @@ glm::dvec3 at(const glm::dmat4& matrix, const glm::dvec3& point = {0, 0, 0}) {
     } while (false)
 
 TEST(mvr_load, head_and_auxiliary_data) {
-    const LoadedPlot loaded = full();
+    const LoadedPlot loaded = full_plot();
     const Plot& plot = loaded.plot;
     EXPECT_EQ(plot.version_major, 1);
     EXPECT_EQ(plot.version_minor, 6);
@@ -61,7 +55,7 @@ TEST(mvr_load, head_and_auxiliary_data) {
 }
 
 TEST(mvr_load, tree_and_world_matrices) {
-    const LoadedPlot loaded = full();
+    const LoadedPlot loaded = full_plot();
     const Plot& plot = loaded.plot;
     const PlotObject& deck = object_of(plot, 10);
     EXPECT_EQ(deck.name, "Deck \"A\"");
@@ -95,7 +89,7 @@ TEST(mvr_load, tree_and_world_matrices) {
 }
 
 TEST(mvr_load, fixture) {
-    const LoadedPlot loaded = full();
+    const LoadedPlot loaded = full_plot();
     const Plot& plot = loaded.plot;
     const PlotObject& spot = object_of(plot, 14);
     const PlotDevice& device = spot.device;
@@ -170,7 +164,7 @@ TEST(mvr_load, fixture) {
 }
 
 TEST(mvr_load, supports_screens_and_projectors) {
-    const LoadedPlot loaded = full();
+    const LoadedPlot loaded = full_plot();
     const Plot& plot = loaded.plot;
     const PlotObject& hoist = object_of(plot, 16);
     EXPECT_EQ(hoist.kind, ObjectKind::support);
@@ -195,7 +189,7 @@ TEST(mvr_load, supports_screens_and_projectors) {
 }
 
 TEST(mvr_load, meshes_and_nested_symbols) {
-    LoadedPlot loaded = full();
+    LoadedPlot loaded = full_plot();
     const Plot& plot = loaded.plot;
     ASSERT_EQ(plot.meshes.size(), 2u);
     const int deck = find_object(plot, uuid(10));
@@ -322,6 +316,8 @@ TEST(mvr_load, from_a_file_on_demand) {
     ASSERT_FALSE(gone.ok());
     EXPECT_NE(gone.error().text().find("no such file"), std::string::npos);
 }
+
+#undef EXPECT_PLACE
 
 } // namespace
 } // namespace ghost::scene

@@ -73,12 +73,6 @@ int compare_members(LoadedPlot& a, LoadedPlot& b) {
     return members;
 }
 
-LoadedPlot full() {
-    auto loaded = load_description(full_xml(), full_members());
-    if (!loaded.ok()) throw std::runtime_error(loaded.error().text());
-    return std::move(*loaded);
-}
-
 std::vector<PlotChange> some_changes() {
     std::vector<PlotChange> changes(5);
     changes[0] = {.uuid = uuid(14), .what = PlotChange::What::address, .dmx_break = 1, .address = {4, 100}};
@@ -91,7 +85,7 @@ std::vector<PlotChange> some_changes() {
 }
 
 TEST(mvr_write, unchanged_is_the_same_text_and_the_same_bytes_each_time) {
-    LoadedPlot loaded = full();
+    LoadedPlot loaded = full_plot();
     Report report;
     const fs::path first = temporary("mvr_write_first.mvr");
     const fs::path second = temporary("mvr_write_second.mvr");
@@ -119,7 +113,7 @@ TEST(mvr_write, unchanged_is_the_same_text_and_the_same_bytes_each_time) {
 }
 
 TEST(mvr_write, changes_touch_only_their_elements) {
-    LoadedPlot loaded = full();
+    LoadedPlot loaded = full_plot();
     Report report;
     const fs::path path = temporary("mvr_write_changed.mvr");
     const std::vector<PlotChange> changes = some_changes();
@@ -192,7 +186,7 @@ TEST(mvr_write, what_pugixml_would_lose_stays) {
 }
 
 TEST(mvr_write, changes_that_cannot_be_written_are_said) {
-    LoadedPlot loaded = full();
+    LoadedPlot loaded = full_plot();
     Report report;
     const std::vector<PlotChange> changes = {{.uuid = "nobody", .what = PlotChange::What::name, .text = "x"},
                                              {.uuid = uuid(14), .what = PlotChange::What::hidden}};

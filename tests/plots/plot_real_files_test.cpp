@@ -25,7 +25,7 @@ bool is_there() {
     return std::filesystem::exists(kFolder / "mvr");
 }
 
-Show opened(const std::string& file, Report& report) {
+Show opened_real(const std::string& file, Report& report) {
     auto show = load_show(kFolder / "mvr" / file, true, report);
     EXPECT_TRUE(show.ok()) << show.error().text();
     return show.ok() ? std::move(*show) : Show{};
@@ -39,7 +39,7 @@ TEST(plot_real_files, open_as_shows) {
         SCOPED_TRACE(file);
         const auto start = std::chrono::steady_clock::now();
         Report report;
-        const Show show = opened(file, report);
+        const Show show = opened_real(file, report);
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         std::cout << file << ": " << show.fixtures.size() << " fixtures, " << show.stage.instances.size()
@@ -99,7 +99,7 @@ TEST(plot_real_files, open_as_shows) {
 TEST(plot_real_files, capture_and_festival) {
     if (!is_there()) GTEST_SKIP() << "no ../shared/fixtures beside the checkout";
     Report report;
-    const Show capture = opened("pymvr_capture_demo_show.mvr", report);
+    const Show capture = opened_real("pymvr_capture_demo_show.mvr", report);
     EXPECT_GT(capture.stage.instances.size(), 2000u);
     EXPECT_LE(capture.stage.meshes.size(), 1800u);
     EXPECT_LT(capture.stage.materials.size(), 200u) << "materials that say the same are one";
@@ -123,7 +123,7 @@ TEST(plot_real_files, capture_and_festival) {
     EXPECT_GT(glm::length(high - low), 5.0f);
 
     Report of_festival;
-    const Show festival = opened("bauke_basic_festival.mvr", of_festival);
+    const Show festival = opened_real("bauke_basic_festival.mvr", of_festival);
     EXPECT_EQ(festival.stage.instances.size() > 40, true) << festival.stage.instances.size();
     std::size_t dark = 0;
     for (const PatchedFixture& fixture : festival.fixtures) dark += fixture.type ? 0u : 1u;

@@ -17,7 +17,7 @@ namespace ghost::bake {
 namespace {
 using glm::dvec3;
 
-double d(float value) {
+double as_double(float value) {
     return static_cast<double>(value);
 }
 
@@ -136,8 +136,8 @@ TEST(ReferenceBeam, AgreesWithTheSharedOne) {
             lit += ours.x > 0 ? 1 : 0;
             for (int c = 0; c < 3; ++c) {
                 // At the foot of a soft edge only the difference to the beam's peak is a number.
-                const double scale = std::max(ours[c], 1e-2 * d(light.intensity_cd[c]));
-                worst = std::max(worst, std::abs(d(live[c]) - ours[c]) / scale);
+                const double scale = std::max(ours[c], 1e-2 * as_double(light.intensity_cd[c]));
+                worst = std::max(worst, std::abs(as_double(live[c]) - ours[c]) / scale);
             }
         }
     }
@@ -161,15 +161,16 @@ TEST(ReferenceBeam, BrdfAndPhaseAgreeWithTheSharedOnes) {
         const glm::vec3 live = shared::brdf_times_cosine(brdf, n, v, l);
         const dvec3 ours = reference_brdf_times_cosine(brdf, dvec3(n), dvec3(v), dvec3(l));
         const float nv = unit(random);
-        const dvec3 albedo = reference_brdf_albedo(brdf, d(nv)) - dvec3(shared::brdf_albedo(brdf, nv));
+        const dvec3 albedo =
+            reference_brdf_albedo(brdf, as_double(nv)) - dvec3(shared::brdf_albedo(brdf, nv));
         for (int c = 0; c < 3; ++c) {
-            worst = std::max(worst, std::abs(d(live[c]) - ours[c]) / std::max(ours[c], 1e-2));
+            worst = std::max(worst, std::abs(as_double(live[c]) - ours[c]) / std::max(ours[c], 1e-2));
             worst = std::max(worst, std::abs(albedo[c]));
         }
         const shared::Haze haze{0.1f, 0.1f, 0.9f * unit(random), -0.9f * unit(random), unit(random)};
         const float cosine = 2 * unit(random) - 1;
-        worst = std::max(worst, std::abs(d(shared::haze_phase(haze, cosine, 1.0f)) /
-                                             ReferenceMedium(haze, {}, 1).phase(d(cosine)) -
+        worst = std::max(worst, std::abs(as_double(shared::haze_phase(haze, cosine, 1.0f)) /
+                                             ReferenceMedium(haze, {}, 1).phase(as_double(cosine)) -
                                          1));
     }
     std::printf("double reflection and phase against float: worst relative difference %.2g\n", worst);

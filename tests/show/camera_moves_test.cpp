@@ -19,7 +19,7 @@ Camera camera() {
     return one;
 }
 
-void expect_near(const glm::vec3& a, const glm::vec3& b) {
+void expect_close(const glm::vec3& a, const glm::vec3& b) {
     EXPECT_LT(glm::distance(a, b), 1e-4f)
         << a.x << " " << a.y << " " << a.z << " is not " << b.x << " " << b.y << " " << b.z;
 }
@@ -45,9 +45,9 @@ TEST(CameraMoves, between_begins_and_ends_at_the_cameras) {
     to.target_m = {2, 2, 1};
     to.fov_y_deg = 60;
     to.ev100 = 9;
-    expect_near(camera_between(camera(), to, 0).target_m, camera().target_m);
-    expect_near(camera_between(camera(), to, 1).position_m, to.position_m);
-    expect_near(camera_between(camera(), to, 1).target_m, to.target_m);
+    expect_close(camera_between(camera(), to, 0).target_m, camera().target_m);
+    expect_close(camera_between(camera(), to, 1).position_m, to.position_m);
+    expect_close(camera_between(camera(), to, 1).target_m, to.target_m);
     const Camera half = camera_between(camera(), to, 0.5f);
     EXPECT_NEAR(half.fov_y_deg, 50, 1e-4f);
     EXPECT_NEAR(half.ev100, 7.5f, 1e-4f);
@@ -55,11 +55,11 @@ TEST(CameraMoves, between_begins_and_ends_at_the_cameras) {
 
 TEST(CameraMoves, orbit_keeps_the_target_and_the_distance) {
     const Camera moved = orbited(camera(), 0.7f, 0.2f);
-    expect_near(moved.target_m, camera().target_m);
+    expect_close(moved.target_m, camera().target_m);
     EXPECT_NEAR(glm::distance(moved.position_m, moved.target_m),
                 glm::distance(camera().position_m, camera().target_m), 1e-3f);
     EXPECT_GT(moved.position_m.z, camera().position_m.z); // the stage goes down: the eye goes up
-    expect_near(orbited(orbited(camera(), 0.7f, 0.2f), -0.7f, -0.2f).position_m, camera().position_m);
+    expect_close(orbited(orbited(camera(), 0.7f, 0.2f), -0.7f, -0.2f).position_m, camera().position_m);
     // A point before the target moves to the right.
     const glm::vec3 near_m = camera().target_m + glm::vec3(0, -1, 0);
     EXPECT_GT(project(moved, near_m)->at.x, project(camera(), near_m)->at.x);
@@ -76,7 +76,7 @@ TEST(CameraMoves, no_way_leads_over_the_head) {
 
 TEST(CameraMoves, turning_stays_where_it_stands) {
     const Camera moved = turned(camera(), 0.3f, 0.1f);
-    expect_near(moved.position_m, camera().position_m);
+    expect_close(moved.position_m, camera().position_m);
     const auto seen = project(moved, camera().target_m);
     EXPECT_GT(seen->at.x, 0.5f); // it looks to the left, so what was in the middle is on the right
     EXPECT_GT(seen->at.y, 0.5f);
@@ -103,7 +103,7 @@ TEST(CameraMoves, flying_forward_stays_level) {
     EXPECT_NEAR(glm::distance(moved.position_m, camera().position_m), 3, 1e-4f);
     EXPECT_GT(moved.position_m.y, camera().position_m.y);
     EXPECT_GT(flown(camera(), {1, 0, 0}).position_m.x, camera().position_m.x);
-    expect_near(moved.target_m - moved.position_m, camera().target_m - camera().position_m);
+    expect_close(moved.target_m - moved.position_m, camera().target_m - camera().position_m);
     EXPECT_LE(flown(camera(), {0, 0, 1e9f}).position_m.z, 10000);
 }
 

@@ -8,7 +8,7 @@
 namespace ghost::scene {
 namespace {
 
-const std::string kHead = R"([show]
+const std::string kWithSpot = R"([show]
 stage = "none.glb"
 [[camera]]
 name = "house"
@@ -23,7 +23,7 @@ position_m = [0, 0, 4]
 
 struct Read {
     explicit Read(const std::string& text) {
-        auto parsed = parse_show(kHead + text, "show.toml", report);
+        auto parsed = parse_show(kWithSpot + text, "show.toml", report);
         EXPECT_TRUE(parsed.ok());
         show = std::move(parsed->show);
     }

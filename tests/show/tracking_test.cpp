@@ -136,7 +136,7 @@ TEST(TrackingToml, what_is_wrong_is_said_and_left_out) {
     }
 }
 
-constexpr const char* kHead = R"(
+constexpr const char* kWithHouse = R"(
 [show]
 name = "x"
 stage = "x.glb"
@@ -148,7 +148,7 @@ target_m = [0, 0, 1]
 
 TEST(TrackingInShow, objects_go_with_a_tracker) {
     Report report;
-    const auto parsed = parse_show(std::string(kHead) + R"(
+    const auto parsed = parse_show(std::string(kWithHouse) + R"(
 [[tracker]]
 id = 4
 objects = ["riser_*", "piano"]
@@ -172,7 +172,7 @@ id = 6
 
 TEST(CuesInShow, have_a_name_and_somewhere_to_go) {
     Report report;
-    auto parsed = parse_show(std::string(kHead) + R"(
+    auto parsed = parse_show(std::string(kWithHouse) + R"(
 [[cue]]
 name = "Walk-in"
 at_s = 0

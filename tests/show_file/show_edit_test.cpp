@@ -49,7 +49,7 @@ address = 1
 preset = "haze"
 )";
 
-ParsedShow read(const std::string& text) {
+ParsedShow parsed_of(const std::string& text) {
     Report report;
     return must(parse_show(text, "show.toml", report));
 }
@@ -73,7 +73,7 @@ TEST(ShowEdit, a_value_is_replaced_where_it_stands) {
     expect_only(kShow, *renamed, "\"Spöt 1\"", "\"Spöt (2)\"");
     const auto mode = edit_fixtures(*renamed, {{{0, ""}, {.mode = R"(16" \ extended)"}}});
     ASSERT_TRUE(mode.ok()) << mode.error().text();
-    EXPECT_EQ(read(*mode).sources[0].mode, R"(16" \ extended)");
+    EXPECT_EQ(parsed_of(*mode).sources[0].mode, R"(16" \ extended)");
 }
 
 TEST(ShowEdit, a_value_of_several_lines_goes_whole) {
@@ -86,7 +86,7 @@ TEST(ShowEdit, a_key_that_is_missing_comes_behind_the_others_of_its_table) {
     const auto edited =
         edit_fixtures(kShow, {{{1, ""}, {.mode = "Extended", .address = fixture::Address{3, 40}}}});
     ASSERT_TRUE(edited.ok()) << edited.error().text();
-    const ParsedShow parsed = read(*edited);
+    const ParsedShow parsed = parsed_of(*edited);
     EXPECT_EQ(parsed.show.fixtures[1].universe, 3);
     EXPECT_EQ(parsed.sources[1].mode, "Extended");
     ASSERT_TRUE(parsed.show.fixtures[1].track);
@@ -98,7 +98,7 @@ TEST(ShowEdit, an_address_of_0_unpatches) {
     const auto edited = edit_fixtures(kShow, {{{0, ""}, {.address = fixture::Address{1, 0}}}});
     ASSERT_TRUE(edited.ok()) << edited.error().text();
     expect_only(kShow, *edited, "address = 1\nposition_m = [\n", "position_m = [\n");
-    EXPECT_EQ(read(*edited).show.fixtures[0].address, 0);
+    EXPECT_EQ(parsed_of(*edited).show.fixtures[0].address, 0);
 }
 
 TEST(ShowEdit, objects_of_a_plot_get_a_change_of_their_own) {
@@ -116,7 +116,7 @@ TEST(ShowEdit, objects_of_a_plot_get_a_change_of_their_own) {
 TEST(ShowEdit, a_copy_has_all_keys_and_stands_behind) {
     const auto edited = copy_fixture(kShow, 1, {.name = "Two", .address = fixture::Address{1, 80}});
     ASSERT_TRUE(edited.ok()) << edited.error().text();
-    const ParsedShow parsed = read(*edited);
+    const ParsedShow parsed = parsed_of(*edited);
     ASSERT_EQ(parsed.show.fixtures.size(), 3u);
     EXPECT_EQ(parsed.show.fixtures[2].name, "Two");
     EXPECT_EQ(parsed.show.fixtures[2].address, 80);
@@ -134,14 +134,14 @@ TEST(ShowEdit, what_is_added_and_removed_again_leaves_no_byte) {
          {kShow, std::string("[show]\nstage = \"a.glb\"\n[[camera]]\nname = \"c\"")}) {
         const auto added = add_fixture(text, wash);
         ASSERT_TRUE(added.ok()) << added.error().text();
-        const ParsedShow parsed = read(*added);
+        const ParsedShow parsed = parsed_of(*added);
         EXPECT_EQ(parsed.show.fixtures.back().name, "Wash");
         EXPECT_EQ(parsed.show.fixtures.back().universe, 2);
         EXPECT_EQ(parsed.show.fixtures.back().gdtf, "wash.gdtf");
     }
     const auto both = remove_fixtures(kShow, {0, 1});
     ASSERT_TRUE(both.ok()) << both.error().text();
-    EXPECT_TRUE(read(*both).show.fixtures.empty());
+    EXPECT_TRUE(parsed_of(*both).show.fixtures.empty());
     EXPECT_NE(both->find("# front truss"), std::string::npos);
     EXPECT_NE(both->find("# the end\n[haze]"), std::string::npos);
 }
@@ -154,7 +154,7 @@ TEST(ShowEdit, lines_may_end_as_on_windows) {
     ASSERT_TRUE(edited.ok()) << edited.error().text();
     for (std::size_t at = edited->find('\n'); at != std::string::npos; at = edited->find('\n', at + 1))
         ASSERT_EQ((*edited)[at - 1], '\r') << at;
-    EXPECT_EQ(read(*edited).show.fixtures[1].universe, 5);
+    EXPECT_EQ(parsed_of(*edited).show.fixtures[1].universe, 5);
 }
 
 TEST(ShowEdit, what_cannot_be_edited_is_refused) {
@@ -174,7 +174,7 @@ TEST(ShowEdit, any_sequence_says_what_was_asked_for) {
     std::mt19937 random(7);
     std::string text = kShow;
     for (int round = 0; round < 300; ++round) {
-        const std::size_t count = read(text).show.fixtures.size();
+        const std::size_t count = parsed_of(text).show.fixtures.size();
         const auto pick = [&](int below) {
             return static_cast<int>(random() % static_cast<unsigned>(below));
         };
@@ -189,7 +189,7 @@ TEST(ShowEdit, any_sequence_says_what_was_asked_for) {
                                                     : edit_fixtures(text, {{{number, ""}, edit}});
         ASSERT_TRUE(after.ok()) << after.error().text() << "\n" << text;
         text = *after;
-        const ParsedShow parsed = read(text);
+        const ParsedShow parsed = parsed_of(text);
         if (what == 1 && count > 1) continue;
         const PatchedFixture& fixture = parsed.show.fixtures[number + (what == 0 && count < 12 ? 1 : 0)];
         if (edit.name) {
@@ -234,7 +234,7 @@ TEST(ShowEdit, a_camera_is_added_at_the_end) {
     const auto added = add_camera(kShow, camera);
     ASSERT_TRUE(added.ok()) << added.error().text();
     EXPECT_TRUE(added->starts_with(kShow)) << *added;
-    const ParsedShow parsed = read(*added);
+    const ParsedShow parsed = parsed_of(*added);
     ASSERT_EQ(parsed.show.cameras.size(), 2u);
     const Camera& made = parsed.show.cameras[1];
     EXPECT_EQ(made.name, camera.name);
@@ -246,7 +246,7 @@ TEST(ShowEdit, a_camera_is_added_at_the_end) {
     camera.auto_exposure = true;
     const auto both = add_camera(*added, camera);
     ASSERT_TRUE(both.ok());
-    EXPECT_TRUE(read(*both).show.cameras[2].auto_exposure);
+    EXPECT_TRUE(parsed_of(*both).show.cameras[2].auto_exposure);
 }
 
 } // namespace

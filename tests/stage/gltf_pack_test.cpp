@@ -11,11 +11,11 @@
 namespace ghost::scene {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 using Files = std::map<std::string, std::vector<std::uint8_t>>;
 
 struct Parts {
-    json file;
+    Json file;
     std::vector<std::uint8_t> binary;
 };
 
@@ -26,17 +26,17 @@ Parts parts_of(const std::vector<std::uint8_t>& glb) {
     };
     const std::size_t length = u32(12);
     const auto begin = glb.begin() + 20;
-    return {json::parse(begin, begin + static_cast<std::ptrdiff_t>(length)),
+    return {Json::parse(begin, begin + static_cast<std::ptrdiff_t>(length)),
             {begin + static_cast<std::ptrdiff_t>(length) + 8, glb.end()}};
 }
 
-std::vector<std::uint8_t> text_of(const json& file) {
+std::vector<std::uint8_t> json_text(const Json& file) {
     const std::string text = file.dump();
     return {text.begin(), text.end()};
 }
 
-Result<std::vector<std::uint8_t>> packed(const json& file, const Files& files = {}) {
-    return glb_from_gltf(text_of(file), "test.gltf",
+Result<std::vector<std::uint8_t>> packed(const Json& file, const Files& files = {}) {
+    return glb_from_gltf(json_text(file), "test.gltf",
                          [&](const std::string& name) -> Result<std::vector<std::uint8_t>> {
                              const auto found = files.find(name);
                              if (found == files.end()) return Error{"is not in the archive", name};
@@ -70,7 +70,7 @@ void expect_same_model(const std::vector<std::uint8_t>& a, const std::vector<std
 TEST(gltf_pack, buffers_in_files_and_in_the_text) {
     const std::vector<std::uint8_t> glb = TinyGlb{}.bytes();
     const Parts parts = parts_of(glb);
-    json file = parts.file;
+    Json file = parts.file;
     file["buffers"][0]["uri"] = "my%20part.bin";
     const auto from_file = packed(file, {{"my part.bin", parts.binary}});
     ASSERT_TRUE(from_file.ok()) << from_file.error().text();
@@ -82,7 +82,7 @@ TEST(gltf_pack, buffers_in_files_and_in_the_text) {
     // Two buffers, the first of an odd length.
     file["buffers"] = {{{"uri", "odd"}, {"byteLength", 3}},
                        {{"uri", "part"}, {"byteLength", parts.binary.size()}}};
-    for (json& view : file["bufferViews"]) view["buffer"] = 1;
+    for (Json& view : file["bufferViews"]) view["buffer"] = 1;
     const auto from_two = packed(file, {{"odd", {1, 2, 3}}, {"part", parts.binary}});
     ASSERT_TRUE(from_two.ok()) << from_two.error().text();
     expect_same_model(glb, *from_two);
@@ -90,7 +90,7 @@ TEST(gltf_pack, buffers_in_files_and_in_the_text) {
 
 TEST(gltf_pack, what_is_wrong_is_said) {
     const Parts parts = parts_of(TinyGlb{}.bytes());
-    json file = parts.file;
+    Json file = parts.file;
     const auto fault = [&] {
         const auto result = packed(file);
         return result.ok() ? std::string() : result.error().text();
@@ -103,9 +103,9 @@ TEST(gltf_pack, what_is_wrong_is_said) {
     file["buffers"][0]["uri"] = "data:x;base64,AAAA";
     file["bufferViews"][0]["buffer"] = 7;
     EXPECT_NE(fault().find("a buffer that does not exist"), std::string::npos);
-    file = json::array();
+    file = Json::array();
     EXPECT_NE(fault().find("no JSON"), std::string::npos);
-    EXPECT_TRUE(packed(json::object()).ok()) << "the loader says what is missing";
+    EXPECT_TRUE(packed(Json::object()).ok()) << "the loader says what is missing";
 }
 
 } // namespace

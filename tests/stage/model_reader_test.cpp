@@ -16,7 +16,7 @@ Result<Stage> read_tiny(const std::string& name, Report& report) {
     return load_model(TinyGlb{}.bytes(), "glb", name, ModelSource::archive, report);
 }
 
-std::string fault_of(const std::string& name) {
+std::string reading_fault(const std::string& name) {
     Report report;
     const auto model = read_tiny(name, report);
     return model.ok() ? "" : model.error().text();
@@ -31,28 +31,28 @@ void expect_readable() {
 
 TEST(ModelReader, ACrashCostsThatOneModelAndIsSaid) {
     expect_readable();
-    const std::string fault = fault_of("a.mvr: crashes.glb");
+    const std::string fault = reading_fault("a.mvr: crashes.glb");
     EXPECT_NE(fault.find("a.mvr: crashes.glb: the process that read it ended"), std::string::npos) << fault;
     EXPECT_NE(fault.find("given up"), std::string::npos) << fault;
     expect_readable();
 }
 
 TEST(ModelReader, OneThatTakesTooLongIsGivenUp) {
-    const std::string fault = fault_of("a.mvr: spins.glb");
+    const std::string fault = reading_fault("a.mvr: spins.glb");
     EXPECT_NE(fault.find("more than 10 s of the processor"), std::string::npos) << fault;
     expect_readable();
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 TEST(ModelReader, ItsMemoryHasAnEnd) {
-    const std::string fault = fault_of("a.mvr: is-hungry.glb");
+    const std::string fault = reading_fault("a.mvr: is-hungry.glb");
     EXPECT_NE(fault.find("out of memory after "), std::string::npos) << fault;
     EXPECT_EQ(fault.find("out of memory after 8"), std::string::npos) << fault;
     expect_readable();
 }
 
 TEST(ModelReader, MayOpenReachAndStartNothing) {
-    EXPECT_EQ(fault_of("a.mvr: tries.glb"),
+    EXPECT_EQ(reading_fault("a.mvr: tries.glb"),
               "open refused; socket refused; unlink refused; fork refused; exec refused; ");
 }
 #endif
@@ -86,7 +86,7 @@ TEST(ModelReader, ManyThreadsReadAtOnce) {
         threads.emplace_back([t] {
             for (int k = 0; k < 5; ++k)
                 if (t == 0)
-                    EXPECT_NE(fault_of("crashes.glb"), "");
+                    EXPECT_NE(reading_fault("crashes.glb"), "");
                 else
                     expect_readable();
         });

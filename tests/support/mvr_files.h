@@ -3,6 +3,7 @@
 // For tests: an MVR 1.6 file that has every element of the standard, and ways to make small ones.
 
 #include "mvr/mvr_load.h"
+#include "support/must.h"
 #include "support/tiny_gdtf.h"
 
 #include <gtest/gtest.h>
@@ -193,6 +194,10 @@ inline std::string full_xml() {
   </Scene>
 </GeneralSceneDescription>
 )";
+}
+
+inline LoadedPlot full_plot() {
+    return must(load_description(full_xml(), full_members()));
 }
 
 inline const PlotObject& object_of(const Plot& plot, int number) {

@@ -28,6 +28,8 @@ inline const gpu::Device& device() {
     return *one;
 }
 
+inline constexpr shared::Haze kHaze{0.022f, 0.022f, 0.77f, -0.6f, 0.035f};
+
 // Every test ends with Vulkan used as the specification asks.
 class RelightTest : public ::testing::Test {
 protected:

@@ -119,6 +119,8 @@ private:
     std::unique_ptr<render::Relighter> relighter_;
 };
 
+inline const LiveStage::Eye kHouse{{0, -12, 3}, {0, 4, 3}, 30};
+
 // Floor, back wall, two crates and a ball, as far as a small stage.
 inline scene::Stage small_stage() {
     scene::Stage stage = empty_stage();

@@ -98,6 +98,12 @@ inline Result<LoadedType> load_xml(const std::string& xml) {
     return load_gdtf(zip, "tiny.gdtf");
 }
 
+inline LoadedType loaded(const Description& description) {
+    Result<LoadedType> result = load_xml(description.xml());
+    EXPECT_TRUE(result) << result.error().text();
+    return result ? std::move(result).value() : LoadedType{};
+}
+
 inline std::vector<std::uint8_t> file_bytes(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

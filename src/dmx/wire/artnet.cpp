@@ -9,7 +9,7 @@ namespace ghost::dmx {
 
 namespace {
 
-constexpr std::uint8_t kIdentifier[8] = {'A', 'r', 't', '-', 'N', 'e', 't', 0};
+constexpr std::uint8_t kArtnetIdentifier[8] = {'A', 'r', 't', '-', 'N', 'e', 't', 0};
 constexpr std::uint16_t kPoll = 0x2000, kPollReply = 0x2100, kDmx = 0x5000, kSync = 0x5200,
                         kTimeCode = 0x9700, kTrigger = 0x9900;
 
@@ -85,10 +85,10 @@ Parsed parse_dmx(ByteReader reader, const IpAddress& from, int universe_offset) 
 
 Parsed parse_artnet(Bytes bytes, const IpAddress& from, int universe_offset) {
     ByteReader reader(bytes);
-    const Bytes identifier = reader.take(sizeof kIdentifier);
+    const Bytes identifier = reader.take(sizeof kArtnetIdentifier);
     const std::uint16_t opcode = reader.u16_le();
     if (!reader.ok()) return Drop::too_short;
-    if (!std::equal(identifier.begin(), identifier.end(), kIdentifier)) return Drop::not_ours;
+    if (!std::equal(identifier.begin(), identifier.end(), kArtnetIdentifier)) return Drop::not_ours;
     if (opcode == kPollReply) return Notice::poll_reply; // carries no protocol version
     const std::uint16_t version = reader.u16_be();
     if (!reader.ok()) return Drop::too_short;

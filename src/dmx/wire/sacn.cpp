@@ -8,8 +8,8 @@ namespace ghost::dmx {
 
 namespace {
 
-constexpr std::uint8_t kIdentifier[16] = {0x00, 0x10, 0x00, 0x00, 'A', 'S', 'C', '-',
-                                          'E',  '1',  '.',  '1',  '7', 0,   0,   0};
+constexpr std::uint8_t kAcnIdentifier[16] = {0x00, 0x10, 0x00, 0x00, 'A', 'S', 'C', '-',
+                                             'E',  '1',  '.',  '1',  '7', 0,   0,   0};
 constexpr std::uint32_t kRootData = 4, kRootExtended = 8;
 constexpr std::uint32_t kFramingData = 2, kFramingSync = 1, kFramingDiscovery = 2;
 constexpr std::uint32_t kFramingDraftDiscovery =
@@ -99,9 +99,9 @@ Parsed parse_data(ByteReader reader, const SourceKey& source, const IpAddress& f
 
 Parsed parse_sacn(Bytes bytes, const IpAddress& from) {
     ByteReader reader(bytes);
-    const Bytes identifier = reader.take(sizeof kIdentifier);
+    const Bytes identifier = reader.take(sizeof kAcnIdentifier);
     if (!reader.ok()) return Drop::too_short;
-    if (!std::equal(identifier.begin(), identifier.end(), kIdentifier)) return Drop::not_ours;
+    if (!std::equal(identifier.begin(), identifier.end(), kAcnIdentifier)) return Drop::not_ours;
 
     SourceKey source;
     source.protocol = Protocol::sacn;

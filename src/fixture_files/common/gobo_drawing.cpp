@@ -30,8 +30,7 @@ constexpr float kInk = 0.2f;               // darker greys are black ink: metal 
 // Of the circle that fits into the drawing: discs of black that end short of it would leave a ring of light.
 constexpr float kDisc = 0.98f;
 constexpr int kMaxShapes = 500;
-constexpr int kMaxDepth = 32;
-constexpr float kMost = 1e6f;
+constexpr int kMaxGroupDepth = 32;
 
 using Paint = std::optional<vec3>; // sRGB, 0..1; none: not painted
 
@@ -57,7 +56,7 @@ float length_or(std::string_view text, float fallback) {
     for (const std::string_view unit : {"px", "pt", "mm", "cm", "in", "%"})
         if (text.ends_with(unit)) text.remove_suffix(unit.size());
     const std::optional<float> value = parse_float(text);
-    return value && std::abs(*value) <= kMost ? *value : fallback;
+    return value && std::abs(*value) <= kMostUnits ? *value : fallback;
 }
 
 std::vector<float> numbers_in(std::string_view text) {
@@ -68,7 +67,7 @@ std::vector<float> numbers_in(std::string_view text) {
         text.remove_prefix(start);
         const std::size_t end = std::min(text.find_first_of(" ,\t\r\n"), text.size());
         const std::optional<float> value = parse_float(text.substr(0, end));
-        if (!value || std::abs(*value) > kMost) break;
+        if (!value || std::abs(*value) > kMostUnits) break;
         found.push_back(*value);
         text.remove_prefix(end);
     }
@@ -227,7 +226,7 @@ private:
             if (node.type() != pugi::node_element) continue;
             const std::string_view name = plain_name(node.name());
             const bool is_group = name == "g" || name == "svg" || name == "a";
-            if (is_group && depth >= kMaxDepth) {
+            if (is_group && depth >= kMaxGroupDepth) {
                 say("groups more than 32 deep in a gobo drawing are not drawn");
                 continue;
             }
@@ -292,7 +291,9 @@ private:
 
     static vec2 pixel(const glm::mat3& transform, vec2 point) {
         const vec2 place(transform * vec3(point, 1.0f));
-        const auto tame = [](float v) { return v >= -kMost && v <= kMost ? v : (v > 0.0f ? kMost : -kMost); };
+        const auto tame = [](float v) {
+            return v >= -kMostUnits && v <= kMostUnits ? v : (v > 0.0f ? kMostUnits : -kMostUnits);
+        };
         return {tame(place.x), tame(place.y)};
     }
 

@@ -53,7 +53,7 @@ ChannelFunction colour(TypeBuilder& builder, const char* attribute, const char* 
     return function;
 }
 
-std::shared_ptr<const Type> made() {
+std::shared_ptr<const Type> show_laser() {
     auto type = std::make_shared<Type>();
     type->name = "Show laser";
     type->manufacturer = "Ghostlight";
@@ -122,7 +122,7 @@ Beam beam_of(const Laser& laser) {
 }
 
 std::shared_ptr<const Type> show_laser_type() {
-    static const std::shared_ptr<const Type> type = made();
+    static const std::shared_ptr<const Type> type = show_laser();
     return type;
 }
 

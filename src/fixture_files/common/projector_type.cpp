@@ -24,7 +24,7 @@ ChannelDraft draft_of(const char* name, int place, std::uint32_t initial,
     return draft;
 }
 
-std::shared_ptr<const Type> made() {
+std::shared_ptr<const Type> video_projector() {
     auto type = std::make_shared<Type>();
     type->name = "Video projector";
     type->manufacturer = "Ghostlight";
@@ -53,7 +53,7 @@ std::shared_ptr<const Type> made() {
 } // namespace
 
 std::shared_ptr<const Type> video_projector_type() {
-    static const std::shared_ptr<const Type> type = made();
+    static const std::shared_ptr<const Type> type = video_projector();
     return type;
 }
 

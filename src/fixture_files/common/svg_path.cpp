@@ -17,7 +17,6 @@ using glm::vec2;
 constexpr int kPieces = 16;
 constexpr float kPi = 3.14159265f;
 constexpr float kArcPiece = kPi / 22.5f;
-constexpr float kMost = 1e6f; // units of a drawing
 
 // Numbers and letters in turn; commas and blanks separate, but need not stand there.
 class Scanner {
@@ -39,7 +38,7 @@ public:
         if (!text_.empty() && text_.front() == '+') text_.remove_prefix(1);
         float value = 0.0f;
         const auto read = std::from_chars(text_.data(), text_.data() + text_.size(), value);
-        if (read.ec != std::errc() || !(std::abs(value) <= kMost)) return std::nullopt;
+        if (read.ec != std::errc() || !(std::abs(value) <= kMostUnits)) return std::nullopt;
         text_.remove_prefix(static_cast<std::size_t>(read.ptr - text_.data()));
         return value;
     }
@@ -171,7 +170,7 @@ private:
     }
 
     void add(vec2 point) {
-        at_ = glm::clamp(point, vec2(-kMost), vec2(kMost));
+        at_ = glm::clamp(point, vec2(-kMostUnits), vec2(kMostUnits));
         if (room_ == 0) return;
         path_.lines.back().points.push_back(at_);
         --room_;

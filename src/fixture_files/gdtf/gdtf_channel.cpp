@@ -15,9 +15,9 @@
 namespace ghost::fixture {
 namespace {
 
-constexpr std::size_t kMaxFunctions = 4096; // per channel
-constexpr std::size_t kMaxSets = 4096;      // per function
-constexpr std::size_t kMaxSubSets = 64;     // per function; the standard has 11 kinds
+constexpr std::size_t kMaxChannelFunctions = 4096; // per channel
+constexpr std::size_t kMaxSets = 4096;             // per function
+constexpr std::size_t kMaxSubSets = 64;            // per function; the standard has 11 kinds
 constexpr float kMaxPhysical = 1e9f;
 
 // "1,2": bytes from 1, coarse first. Empty and "None": virtual.
@@ -378,7 +378,7 @@ ChannelTemplate read_channel(GdtfReader& reader, pugi::xml_node node) {
         logical.mib_fade_s = reader.number(logical_node, "MibFade", 0.0f, 0.0f, 1e6f);
         logical.dmx_change_time_limit_s = reader.number(logical_node, "DMXChangeTimeLimit", 0.0f, 0.0f, 1e6f);
         for (const pugi::xml_node function_node : logical_node.children("ChannelFunction")) {
-            if (reader.is_full(function_node, channel.functions.size(), kMaxFunctions,
+            if (reader.is_full(function_node, channel.functions.size(), kMaxChannelFunctions,
                                "functions in a channel"))
                 break;
             ChannelFunction function =
@@ -389,7 +389,7 @@ ChannelTemplate read_channel(GdtfReader& reader, pugi::xml_node node) {
             nodes.push_back(function_node);
         }
         channel.logical.push_back(std::move(logical));
-        if (reader.is_full(logical_node, channel.logical.size(), kMaxFunctions,
+        if (reader.is_full(logical_node, channel.logical.size(), kMaxChannelFunctions,
                            "logical channels in a channel"))
             break;
     }

@@ -13,7 +13,7 @@ namespace ghost::fixture {
 namespace {
 
 constexpr std::size_t kMaxUnknown = 20; // notes about things that the standard does not know
-constexpr int kMaxDepth = 96;           // deeper elements are geometries, which say so themselves
+constexpr int kMaxElementDepth = 96;    // deeper elements are geometries, which say so themselves
 
 struct Known {
     const char* element;
@@ -174,7 +174,7 @@ public:
         pugi::xml_node node = root;
         int depth = 0;
         while (node) {
-            const bool inside = node.type() == pugi::node_element && count(node) && depth < kMaxDepth;
+            const bool inside = node.type() == pugi::node_element && count(node) && depth < kMaxElementDepth;
             if (inside && node.first_child()) {
                 node = node.first_child();
                 ++depth;

@@ -19,6 +19,10 @@ inline constexpr std::array<float, 3> kGoboDepth{0.0f, 0.02f, 0.04f};
 inline constexpr float kIrisDepth = 0.05f;
 inline constexpr std::array<float, 4> kBladeDepth{0.07f, 0.075f, 0.08f, 0.085f};
 
+// Of an iris, gate radii: one that is wider cuts nothing, none is narrower.
+inline constexpr float kOpenIris = 0.995f;
+inline constexpr float kLeastIris = 0.02f;
+
 // The two slots of a wheel that share the gate.
 struct SlotPair {
     const fixture::Slot* a = nullptr;

@@ -4,7 +4,7 @@
 namespace ghost::app {
 namespace {
 
-constexpr double kEvery_s = 0.25;
+constexpr double kNewsEvery_s = 0.25;
 
 } // namespace
 
@@ -28,7 +28,7 @@ void BounceNews::publish(const Session& session, double drawn_ms, double now_s) 
         }
     }
     const bool is_other_state = now.state != sent_.state || now.detail != sent_.detail;
-    if (now == sent_ || (!is_other_state && now_s - sent_s_ < kEvery_s)) return;
+    if (now == sent_ || (!is_other_state && now_s - sent_s_ < kNewsEvery_s)) return;
     sent_ = now;
     sent_s_ = now_s;
     link_.bounce.put(std::move(now));

@@ -7,7 +7,7 @@
 namespace ghost::app {
 namespace {
 
-constexpr double kEvery_s = 1;
+constexpr double kPictureEvery_s = 1;
 constexpr int kWidth = 160, kHeight = 90;
 
 } // namespace
@@ -19,7 +19,7 @@ void CameraPictures::draw(const Session& session, const scene::FrameLights& lit,
         next_ = 0;
     }
     const std::vector<scene::Camera>& cameras = session.show->cameras;
-    if (next_ >= cameras.size() || now.now_s - made_s_ < kEvery_s || stop()) return;
+    if (next_ >= cameras.size() || now.now_s - made_s_ < kPictureEvery_s || stop()) return;
     if (!small_) {
         if (!SmallPicture::fits(session)) return;
         small_ = std::make_unique<SmallPicture>(session, kWidth, kHeight);

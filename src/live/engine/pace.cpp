@@ -17,7 +17,7 @@ constexpr double kRoom = 0.8;         // of a frame's time, that a level may see
 constexpr double kMuchRoom = 0.6;     // and later, where another size costs time itself
 constexpr double kStillMoves = 4;     // frame times that half of the sides may take
 constexpr int kShortestWait = 40, kLongestWait = 640;
-constexpr double kLeastRatio = 1.02, kMostRatio = 2.2;
+constexpr double kLeastPaceRatio = 1.02, kMostPaceRatio = 2.2;
 // Until they are measured: three quarters of the smallest picture do not go with its pixels.
 constexpr std::array<double, Pace::kLevels.size() - 1> kGuessedRatios{1.75, 1.55, 1.41, 1.24};
 
@@ -57,7 +57,7 @@ void Pace::learn(double usual_ms) {
     const double more = level_before_ < level_ ? seen / expected : expected / seen;
     const double of_each = std::pow(more, 1.0 / static_cast<double>(last - first));
     for (std::size_t i = first; i < last; ++i)
-        ratios_[i] = std::clamp(ratios_[i] * of_each, kLeastRatio, kMostRatio);
+        ratios_[i] = std::clamp(ratios_[i] * of_each, kLeastPaceRatio, kMostPaceRatio);
     before_ms_ = 0;
 }
 

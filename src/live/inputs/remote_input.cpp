@@ -10,8 +10,8 @@ namespace ghost::app {
 
 namespace {
 
-constexpr int kReceiveBufferBytes = 128 << 10;
-constexpr int kMostBatchesPerPoll = 4; // of 64 packets
+constexpr int kRemoteBufferBytes = 128 << 10;
+constexpr int kMostRemoteBatches = 4; // of 64 packets
 constexpr double kQuiet_s = 5;
 constexpr std::size_t kMostLettersShown = 80;
 
@@ -36,7 +36,7 @@ Result<PortOption> parse_port(const std::string& text, const std::string& option
 
 Result<std::unique_ptr<RemoteInput>>
 RemoteInput::open(const PortOption& where, std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
-    TRY(auto socket, dmx::UdpSocket::open(where.ipv4, where.port, kReceiveBufferBytes));
+    TRY(auto socket, dmx::UdpSocket::open(where.ipv4, where.port, kRemoteBufferBytes));
     return std::unique_ptr<RemoteInput>(
         new RemoteInput(std::move(socket), Remote(std::move(cameras), std::move(cues))));
 }
@@ -56,7 +56,7 @@ void RemoteInput::complain(const std::string& text, double now_s) {
 }
 
 const RemoteRequest& RemoteInput::poll(double now_s) {
-    for (int batch = 0; batch < kMostBatchesPerPoll; ++batch) {
+    for (int batch = 0; batch < kMostRemoteBatches; ++batch) {
         const auto datagrams = socket_->receive();
         if (datagrams.empty()) break;
         for (const dmx::Datagram& datagram : datagrams) {

@@ -12,6 +12,9 @@
 
 namespace ghost::bake {
 
+// Of linear Rec.2020: lumens of a flux, candela of an intensity.
+double luminance(const glm::dvec3& rgb);
+
 struct WalkStart {
     std::size_t lamp = 0;
     glm::dvec3 from_m{0}; // on the lens

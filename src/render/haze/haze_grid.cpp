@@ -13,10 +13,10 @@ namespace {
 using glm::dvec3;
 
 constexpr double kHalfTurn = double{shared::kPi};
-constexpr double kColumn_px = 12;  // along the beam, from column to column
-constexpr double kMostBend = 1;    // more would put the last columns far apart
-constexpr float kMostDoubt = 0.2f; // fraction of the light of a place
-constexpr double kLeastGain = 1.5; // pixels to a node: filling one costs as much as a pixel
+constexpr double kColumn_px = 12;   // along the beam, from column to column
+constexpr double kMostGridBend = 1; // more would put the last columns far apart
+constexpr float kMostDoubt = 0.2f;  // fraction of the light of a place
+constexpr double kLeastGain = 1.5;  // pixels to a node: filling one costs as much as a pixel
 constexpr double kSpareReach = 1.02;
 constexpr int kProbes = 33; // rows that are looked at
 constexpr float kRim = 0.999f;
@@ -162,8 +162,8 @@ std::optional<shared::HazeGrid> make_grid(const shared::Light& light, const shar
     shared::HazeGrid grid{};
     grid.near_h = static_cast<float>(near_h);
     grid.per_h = static_cast<float>(1 / (far_h - near_h));
-    grid.bend =
-        static_cast<float>(std::clamp(std::sqrt(far_h / std::max(near_h, far_h / 1000)) - 1, 0.0, kMostBend));
+    grid.bend = static_cast<float>(
+        std::clamp(std::sqrt(far_h / std::max(near_h, far_h / 1000)) - 1, 0.0, kMostGridBend));
     grid.most_doubt = kMostDoubt;
     const double columns = (seen.angles.to - seen.angles.from) * double{pixels_per_rad} / kColumn_px;
     grid.columns =

@@ -10,7 +10,7 @@
 namespace ghost::render {
 namespace {
 
-constexpr std::uint64_t kAlign = 256; // offset of a uniform buffer, at most, on every device
+constexpr std::uint64_t kKeepAlign = 256; // offset of a uniform buffer, at most, on every device
 constexpr std::uint64_t kKeepBytes = shared::kLightsPerChunk * sizeof(shared::Keep);
 constexpr std::uint64_t kEntryBytes = 2 * sizeof(std::uint32_t);
 constexpr std::uint64_t kHeadBytes = 8;  // how many pages are used
@@ -55,7 +55,7 @@ Visibility::Visibility(const gpu::Device& device, const Fragments& fragments, co
     entries_ = gpu::Buffer(device, kHeadBytes + all * kEntryBytes, gpu::Access::device);
     changed_at_ = gpu::Buffer(device, std::uint64_t{4} * units_, gpu::Access::device);
     tile_list_ = gpu::Buffer(device, kMostTouched * sizeof(std::uint32_t), gpu::Access::device);
-    keeps_ = gpu::Buffer(device, draws * kAlign + kKeepBytes, gpu::Access::upload);
+    keeps_ = gpu::Buffer(device, draws * kKeepAlign + kKeepBytes, gpu::Access::upload);
 }
 
 void Visibility::touch(const std::vector<PixelRect>& rects, bool extras_moved) {
@@ -111,7 +111,7 @@ Visibility::Chunk Visibility::add(const std::vector<shared::Light>& lights) {
         kept.used = now_;
         keeps[k] = {static_cast<std::uint32_t>(place), kept.since};
     }
-    keeps_used_ += (lights.size() * sizeof(shared::Keep) + kAlign - 1) / kAlign * kAlign;
+    keeps_used_ += (lights.size() * sizeof(shared::Keep) + kKeepAlign - 1) / kKeepAlign * kKeepAlign;
     return chunk;
 }
 

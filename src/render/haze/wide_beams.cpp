@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::uint32_t kFinestStep = 2;
 constexpr float kSeenAt_m = 4; // from the lamp
-constexpr float kNearest_m = 0.5f;
+constexpr float kNearestEye_m = 0.5f;
 
 } // namespace
 
 bool is_wide(const shared::Light& light, const glm::vec3& eye_m, float pixels_per_rad) {
     const glm::vec3 place_m = light.position_m + kSeenAt_m * light.axis_w;
-    const float distance_m = std::max(glm::distance(place_m, eye_m), kNearest_m);
+    const float distance_m = std::max(glm::distance(place_m, eye_m), kNearestEye_m);
     const float width_m = 2.0f * kSeenAt_m * light.tan_field * light.cut_radius;
     return width_m / distance_m * pixels_per_rad >= kWideBeam_px;
 }

@@ -14,7 +14,7 @@
 namespace ghost::render {
 namespace {
 
-constexpr std::uint32_t kGroup = 64; // changed_bounds.comp
+constexpr std::uint32_t kBoundsGroup = 64; // changed_bounds.comp
 // Pixels of a stale tile take haze of their neighbours (fold.comp, wide beams): one tile around is drawn too.
 constexpr int kAroundX = static_cast<int>(shared::kTileWidth);
 constexpr int kAroundY = static_cast<int>(shared::kTileHeight);
@@ -139,7 +139,7 @@ std::uint32_t DirtyTiles::record(gpu::Commands& commands, const TileSet& stale) 
         commands.dispatch(
             program_, shared::ChangedBoundsPush{tiles, f.blocks, blocks ? 1u : 0u},
             {gpu::storage(f.tile_bounds), gpu::storage(bounds_), gpu::storage(rooms_), gpu::storage(wanted_)},
-            (tiles + f.blocks + kGroup - 1) / kGroup);
+            (tiles + f.blocks + kBoundsGroup - 1) / kBoundsGroup);
         commands.barrier();
     }
     commands.write(tiles_, stale.list());

@@ -12,8 +12,8 @@ namespace {
 using glm::vec2;
 using glm::vec3;
 
-constexpr float kNearest_m = 0.05f;
-constexpr std::uint32_t kGroup = 8; // pixels a side
+constexpr float kNearestWall_m = 0.05f;
+constexpr std::uint32_t kWallGroup = 8; // pixels a side
 
 } // namespace
 
@@ -31,9 +31,9 @@ bool wall_in_view(const shared::LedWall& wall, const shared::View& view, glm::uv
                         (corner / 4 ? wall.depth_m : -wall.depth_m) * wall.normal;
         const vec3 way = at - view.eye_m;
         const float depth_m = glm::dot(way, view.forward);
-        behind += depth_m < kNearest_m ? 1 : 0;
+        behind += depth_m < kNearestWall_m ? 1 : 0;
         const vec2 ndc = vec2(glm::dot(way, view.right) / right2, glm::dot(way, view.up) / up2) /
-                         std::max(depth_m, kNearest_m);
+                         std::max(depth_m, kNearestWall_m);
         const vec2 px = 0.5f * size * (vec2(1.0f) + vec2(ndc.x, -ndc.y));
         least = glm::min(least, px);
         most = glm::max(most, px);
@@ -65,12 +65,12 @@ void LedWallPass::record(gpu::Commands& commands, const Fragments& fragments,
         if (!wall_in_view(wall, fragments.camera, low, high)) continue;
         brightest_ += std::max({wall.radiance.x, wall.radiance.y, wall.radiance.z});
         commands.dispatch(program_.get(), shared::LedWallPush{wall, low.x, low.y, high.x, high.y, 0},
-                          bindings, gpu::groups(high.x - low.x + 1, kGroup),
-                          gpu::groups(high.y - low.y + 1, kGroup));
+                          bindings, gpu::groups(high.x - low.x + 1, kWallGroup),
+                          gpu::groups(high.y - low.y + 1, kWallGroup));
         commands.barrier();
         if (fragments.edge_count == 0) continue;
         commands.dispatch(program_.get(), shared::LedWallPush{wall, 0, 0, 0, 0, fragments.edge_count},
-                          bindings, gpu::groups(fragments.edge_count, kGroup * kGroup));
+                          bindings, gpu::groups(fragments.edge_count, kWallGroup * kWallGroup));
         commands.barrier();
     }
 }

@@ -10,8 +10,8 @@
 namespace ghost::render {
 namespace {
 
-constexpr std::uint32_t kGroup = 8;   // pixels or rays a side
-constexpr float kSliceOfCell = 0.75f; // as long as slices are
+constexpr std::uint32_t kRoomGroup = 8; // pixels or rays a side
+constexpr float kSliceOfCell = 0.75f;   // as long as slices are
 constexpr std::uint32_t kLeastSlices = 8;
 
 } // namespace
@@ -63,9 +63,9 @@ void RoomLight::record(gpu::Commands& commands, const GBuffer& g_buffer, bool as
                                          VK_FORMAT_R16G16B16A16_SFLOAT, true, true});
     if (!as_lux) {
         commands.begin_span("glow");
-        commands.dispatch(glow_program_.get(), push,
-                          {gpu::uniform(f.view), gpu::sampled(glow_), gpu::stored(slices_)},
-                          gpu::groups(push.glow_width, kGroup), gpu::groups(push.glow_height, kGroup));
+        commands.dispatch(
+            glow_program_.get(), push, {gpu::uniform(f.view), gpu::sampled(glow_), gpu::stored(slices_)},
+            gpu::groups(push.glow_width, kRoomGroup), gpu::groups(push.glow_height, kRoomGroup));
         commands.barrier();
     }
     commands.begin_span("room light");
@@ -79,12 +79,12 @@ void RoomLight::record(gpu::Commands& commands, const GBuffer& g_buffer, bool as
                                              gpu::sampled(air_),
                                              gpu::sampled(slices_),
                                              gpu::stored(frame)};
-    commands.dispatch(program_.get(), push, bindings, gpu::groups(f.width, kGroup),
-                      gpu::groups(f.height, kGroup));
+    commands.dispatch(program_.get(), push, bindings, gpu::groups(f.width, kRoomGroup),
+                      gpu::groups(f.height, kRoomGroup));
     commands.barrier();
     if (f.edge_count == 0) return;
     push.edges = f.edge_count;
-    commands.dispatch(program_.get(), push, bindings, gpu::groups(f.edge_count, kGroup * kGroup));
+    commands.dispatch(program_.get(), push, bindings, gpu::groups(f.edge_count, kRoomGroup * kRoomGroup));
     commands.barrier();
 }
 

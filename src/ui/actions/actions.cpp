@@ -131,6 +131,10 @@ Result<QStringList> split_line(const QString& line) {
     return words;
 }
 
+QString quoted(const QString& words) {
+    return "\"" + QString(words).remove('"') + "\"";
+}
+
 Result<double> number_of(const QStringList& arguments, int index, const char* what, double low, double high) {
     bool is_number = false;
     const double value = index < arguments.size() ? arguments[index].toDouble(&is_number) : 0.0;

@@ -71,6 +71,8 @@ private:
 
 // "a "b c"" -> a, b c. Error: a quote without its end.
 Result<QStringList> split_line(const QString& line);
+// As one argument of a line; it loses its own quotes.
+QString quoted(const QString& words);
 
 // A finite number in a range; the error names the argument.
 Result<double> number_of(const QStringList& arguments, int index, const char* what, double low, double high);

@@ -13,7 +13,7 @@
 namespace ghost::ui {
 namespace {
 
-constexpr double kMost_m = 10000;
+constexpr double kFarthestAim_m = 10000;
 constexpr float kNear_deg = 0.01f; // a reach is held to that
 
 // Those that turn both ways, from left to right.
@@ -108,12 +108,13 @@ void add_aim_actions(Actions& actions, AppModel& app, Aiming& aiming) {
          [&app](const QStringList& words) -> Result<void> {
              glm::vec3 at_m(0);
              for (int axis = 0; axis < 3; ++axis) {
-                 TRY(const double place, number_of(words, axis, "place in metres", -kMost_m, kMost_m));
+                 TRY(const double place,
+                     number_of(words, axis, "place in metres", -kFarthestAim_m, kFarthestAim_m));
                  at_m[axis] = static_cast<float>(place);
              }
              double spread_m = 0;
              if (words.size() > 3) {
-                 TRY(spread_m, number_of(words, 3, "spread in metres", -kMost_m, kMost_m));
+                 TRY(spread_m, number_of(words, 3, "spread in metres", -kFarthestAim_m, kFarthestAim_m));
              }
              TRY(const int beyond, aim_selected(app, at_m, static_cast<float>(spread_m)));
              if (beyond > 0)
@@ -136,7 +137,8 @@ void add_aim_actions(Actions& actions, AppModel& app, Aiming& aiming) {
                      }
                      double spread_m = 0;
                      if (words.size() > 2) {
-                         TRY(spread_m, number_of(words, 2, "spread in metres", -kMost_m, kMost_m));
+                         TRY(spread_m,
+                             number_of(words, 2, "spread in metres", -kFarthestAim_m, kFarthestAim_m));
                      }
                      return aiming.aim_through(place, static_cast<float>(spread_m));
                  },

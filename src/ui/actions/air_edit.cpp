@@ -10,7 +10,7 @@ namespace ghost::ui {
 namespace {
 
 // As the show file takes them (docs/reference/show-file.md).
-constexpr double kMost_m = 10000;
+constexpr double kFarthestHazer_m = 10000;
 constexpr double kMostWind_m_s = 20;
 constexpr double kMostExtinction_per_m = 10;
 
@@ -33,7 +33,7 @@ Result<std::size_t> hazer_of(const AppModel& app, const QString& word) {
     return static_cast<std::size_t>(number) - 1;
 }
 
-using Run = std::function<Result<void>(AirEdit& edit, const QStringList& words)>;
+using AirRun = std::function<Result<void>(AirEdit& edit, const QStringList& words)>;
 
 } // namespace
 
@@ -103,7 +103,7 @@ Result<scene::HazerEdit> hazer_edit(const QString& what, const QStringList& numb
                          (expected == 1 ? " number" : " numbers") + ", not " + std::to_string(numbers.size()),
                      ""};
     if (what == "place") {
-        TRY(edit.position_m, vector_of(numbers, 0, "metres", kMost_m));
+        TRY(edit.position_m, vector_of(numbers, 0, "metres", kFarthestHazer_m));
     } else if (what == "direction") {
         TRY(edit.direction, vector_of(numbers, 0, "direction", 1000));
         if (glm::length(*edit.direction) < 1e-3f)
@@ -122,7 +122,8 @@ Result<scene::HazerEdit> hazer_edit(const QString& what, const QStringList& numb
 }
 
 void add_air_actions(Actions& actions, AppModel& app, ShowDocument& document) {
-    const auto add = [&](const QString& name, const QString& text, const QString& arguments, const Run& run) {
+    const auto add = [&](const QString& name, const QString& text, const QString& arguments,
+                         const AirRun& run) {
         actions.add({name,
                      text.isEmpty() ? "" : "Edit",
                      text.isEmpty() ? name : text,
@@ -159,7 +160,7 @@ void add_air_actions(Actions& actions, AppModel& app, ShowDocument& document) {
             glm::vec3 place_m = app.camera().target_m;
             place_m.z = 0; // they stand on the floor
             if (!words.isEmpty()) {
-                TRY(place_m, vector_of(words, 0, "metres", kMost_m));
+                TRY(place_m, vector_of(words, 0, "metres", kFarthestHazer_m));
             }
             return edit.add_hazer(place_m);
         });

@@ -14,11 +14,6 @@
 namespace ghost::ui {
 namespace {
 
-Result<void> need_selection(const AppModel& app) {
-    if (!app.selection().empty()) return {};
-    return Error{"no fixture is selected", ""};
-}
-
 // A word, or the attribute of that name.
 Result<std::string> head_word(const AppModel& app, const QString& words) {
     if (std::find(kHeadWords.begin(), kHeadWords.end(), words.toStdString()) != kHeadWords.end())

@@ -11,11 +11,6 @@ namespace {
 
 using Run = std::function<Result<void>(const QStringList& words)>;
 
-Result<void> need_selection(const AppModel& app) {
-    if (!app.selection().empty()) return {};
-    return Error{"no fixture is selected", ""};
-}
-
 Result<void> set_solo(AppModel& app, const QStringList& words) {
     Look look = app.look();
     const bool on = words.isEmpty() ? look.solo.empty() : words[0] == "on";

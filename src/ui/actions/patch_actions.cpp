@@ -19,7 +19,7 @@ Result<glm::vec3> vector_of(const QStringList& words, const char* what, double m
     return numbers;
 }
 
-using Run = std::function<Result<void>(PatchEdit& edit, const QStringList& words)>;
+using PatchRun = std::function<Result<void>(PatchEdit& edit, const QStringList& words)>;
 
 } // namespace
 
@@ -39,7 +39,7 @@ Result<fixture::Address> address_of(const QString& words) {
 
 void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document) {
     const auto add = [&](const QString& name, const QString& text, const QString& key,
-                         const QString& arguments, const Run& run, const FileQuestion& asks = {}) {
+                         const QString& arguments, const PatchRun& run, const FileQuestion& asks = {}) {
         actions.add({name,
                      text.isEmpty() ? "" : "Edit",
                      text.isEmpty() ? name : text,

@@ -16,11 +16,6 @@
 namespace ghost::ui {
 namespace {
 
-Result<void> need_selection(const AppModel& app) {
-    if (!app.selection().empty()) return {};
-    return Error{"no fixture is selected", ""};
-}
-
 Result<bool> switch_of(const QStringList& arguments, int index) {
     const QString word = index < arguments.size() ? arguments[index] : QString();
     if (word == "on") return true;
@@ -258,6 +253,11 @@ void add_scene_actions(Actions& actions, AppModel& app) {
 }
 
 } // namespace
+
+Result<void> need_selection(const AppModel& app) {
+    if (!app.selection().empty()) return {};
+    return Error{"no fixture is selected", ""};
+}
 
 Result<std::string> attribute_named(const AppModel& app, const QString& words) {
     std::vector<std::string> names;

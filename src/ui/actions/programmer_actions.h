@@ -43,6 +43,9 @@ void change_scene(AppModel& app, const QString& text, ProgrammerStep kind, F&& f
     app.set_look(std::move(look), text, static_cast<int>(kind));
 }
 
+// Error: no fixture is selected.
+Result<void> need_selection(const AppModel& app);
+
 // The attribute of that name, or of these words of the panel. Error: no selected fixture has it.
 Result<std::string> attribute_named(const AppModel& app, const QString& words);
 

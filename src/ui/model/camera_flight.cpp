@@ -9,12 +9,12 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kStep_ms = 16;
+constexpr int kFlightStep_ms = 16;
 
 } // namespace
 
 CameraFlight::CameraFlight(std::function<void(const FramedCamera&)> step) : step_(std::move(step)) {
-    timer_.setInterval(kStep_ms);
+    timer_.setInterval(kFlightStep_ms);
     QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] { this->step(); });
 }
 

@@ -22,7 +22,7 @@ bool has_own_row(Role role) {
     return role == Role::dimmer || role == Role::pan || role == Role::tilt || role == Role::zoom;
 }
 
-QString group_of(Role role) {
+QString group_of_role(Role role) {
     switch (role) {
     case Role::shutter:
     case Role::strobe:
@@ -232,7 +232,7 @@ Role role_of(const Channel& channel) {
 }
 
 QString group_of(const Channel& channel) {
-    return group_of(role_of(channel));
+    return group_of_role(role_of(channel));
 }
 
 std::vector<HeadParameter> parameters_of(const scene::Show& show, const std::set<std::size_t>& selection) {
@@ -247,7 +247,7 @@ std::vector<HeadParameter> parameters_of(const scene::Show& show, const std::set
             const std::string attribute = attribute_of(channel);
             const Role role = role_of(channel);
             if (channel.offsets.empty() || has_own_row(role) || !known.insert(attribute).second) continue;
-            parameters.push_back({attribute, group_of(role), words_of(attribute), ranges_of(channel)});
+            parameters.push_back({attribute, group_of_role(role), words_of(attribute), ranges_of(channel)});
         }
     }
     std::stable_sort(parameters.begin(), parameters.end(), [](const auto& a, const auto& b) {

@@ -9,12 +9,12 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kStep_ms = 33;
+constexpr int kFadeStep_ms = 33;
 
 } // namespace
 
 LookFader::LookFader(std::function<void()> step) {
-    timer_.setInterval(kStep_ms);
+    timer_.setInterval(kFadeStep_ms);
     QObject::connect(&timer_, &QTimer::timeout, &timer_, std::move(step));
 }
 

@@ -18,12 +18,12 @@ namespace {
 
 constexpr float kMostWind_m_s = 20; // of each of its three numbers
 
-struct Column {
+struct HazerColumn {
     const char* title;
     const char* what; // for hazer_edit
     const char* tip;
 };
-constexpr Column kColumns[] = {
+constexpr HazerColumn kHazerColumns[] = {
     {"Place m", "place", "X Y Z of the nozzle"},
     {"Blows to", "direction", "X Y Z; any length: 0 0 1 is up"},
     {"Rate", "rate", "Density 1 m before the nozzle, as a multiple of the room's"},
@@ -115,11 +115,11 @@ void AirPanel::add_rows(QLayout* layout) {
 }
 
 void AirPanel::add_hazers(QLayout* layout, Actions& actions) {
-    hazers_ = new QTableWidget(0, static_cast<int>(std::size(kColumns)), this);
+    hazers_ = new QTableWidget(0, static_cast<int>(std::size(kHazerColumns)), this);
     hazers_->setAccessibleName("Hazers");
     for (int column = 0; column < hazers_->columnCount(); ++column) {
-        auto* title = new QTableWidgetItem(kColumns[column].title);
-        title->setToolTip(kColumns[column].tip);
+        auto* title = new QTableWidgetItem(kHazerColumns[column].title);
+        title->setToolTip(kHazerColumns[column].tip);
         hazers_->setHorizontalHeaderItem(column, title);
     }
     hazers_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -162,7 +162,7 @@ void AirPanel::blow(double speed_m_s, double towards_deg) {
 void AirPanel::edit_cell(int row, int column) {
     if (follows_) return;
     const QStringList numbers = hazers_->item(row, column)->text().split(' ', Qt::SkipEmptyParts);
-    const Result<scene::HazerEdit> edit = hazer_edit(kColumns[column].what, numbers);
+    const Result<scene::HazerEdit> edit = hazer_edit(kHazerColumns[column].what, numbers);
     take(edit.ok() ? AirEdit(app_, document_).edit_hazer(static_cast<std::size_t>(row), *edit)
                    : Result<void>(edit.error()));
 }

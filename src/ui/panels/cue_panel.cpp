@@ -15,12 +15,9 @@
 namespace ghost::ui {
 namespace {
 
-enum Column { name, look, fade, follow, at, camera, flight, notes, kColumns };
-constexpr const char* kWhat[kColumns] = {"name", "look", "fade", "follow", "at", "camera", "flight", "notes"};
-
-QString quoted(const QString& words) {
-    return "\"" + QString(words).remove('"') + "\"";
-}
+enum CueColumn { name, look, fade, follow, at, camera, flight, notes, kCueColumns };
+constexpr const char* kWhat[kCueColumns] = {"name", "look",   "fade",   "follow",
+                                            "at",   "camera", "flight", "notes"};
 
 QString seconds(const std::optional<float>& value) {
     return value ? QString::number(static_cast<double>(*value), 'g', 6) : QString();
@@ -69,7 +66,7 @@ private:
 
 CuePanel::CuePanel(AppModel& app, CueList& cues, Looks& looks, Actions& actions, QWidget* parent)
     : QWidget(parent), app_(app), cues_(cues), looks_(looks), actions_(actions), next_(new QLabel(this)),
-      table_(new QTableWidget(0, kColumns, this)) {
+      table_(new QTableWidget(0, kCueColumns, this)) {
     next_->setWordWrap(true);
     table_->setAccessibleName("Cues");
     table_->setHorizontalHeaderLabels(
@@ -182,7 +179,7 @@ void CuePanel::fill() {
     const int row_before = table_->currentRow();
     table_->setRowCount(static_cast<int>(cues.size()));
     for (std::size_t i = 0; i < cues.size(); ++i)
-        for (int column = 0; column < kColumns; ++column) {
+        for (int column = 0; column < kCueColumns; ++column) {
             auto* item = new QTableWidgetItem(text_of(cues[i], column));
             if (cues_.current() == i) item->setForeground(accent());
             table_->setItem(static_cast<int>(i), column, item);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kLongest_s = 99999; // of a film; scripts take more
 
-QString words_of(const Job& job) {
+QString job_words(const Job& job) {
     QString words = "<b>" + job.title.toHtmlEscaped() + "</b>: ";
     if (job.is_given_up && !job.is_over()) return words + "stopping";
     if (job.state == Job::State::runs) {
@@ -218,7 +218,7 @@ void ExportPanel::show_jobs() {
         there.insert(job.number);
         if (!rows_.contains(job.number)) rows_[job.number] = add_row(job);
         const Row& row = rows_.at(job.number);
-        row.words->setText(words_of(job));
+        row.words->setText(job_words(job));
         row.words->setToolTip(job.last_said);
         row.bar->setValue(static_cast<int>(1000 * job.share));
         row.bar->setVisible(!job.is_over());

@@ -9,13 +9,6 @@
 #include <QVBoxLayout>
 
 namespace ghost::ui {
-namespace {
-
-QString quoted(const QString& words) {
-    return "\"" + QString(words).remove('"') + "\"";
-}
-
-} // namespace
 
 LookPanel::LookPanel(AppModel& app, Looks& looks, Actions& actions, QWidget* parent)
     : QWidget(parent), app_(app), looks_(looks), actions_(actions) {

@@ -16,7 +16,7 @@ namespace {
 constexpr int kAcross = 32;
 constexpr int kDown = static_cast<int>(dmx::kSlots) / kAcross;
 constexpr qint64 kFresh_ms = 600; // a value that changed is marked so long
-constexpr int kColumns = 10;
+constexpr int kSourceColumns = 10;
 
 } // namespace
 
@@ -138,7 +138,7 @@ NetworkPanel::NetworkPanel(AppModel& app, QWidget* parent) : QWidget(parent), ap
     diagnosis_->hide();
     summary_ = new QLabel("Nothing has come from the network yet.", this);
     summary_->setWordWrap(true);
-    sources_ = new QTableWidget(0, kColumns, this);
+    sources_ = new QTableWidget(0, kSourceColumns, this);
     sources_->setAccessibleName("Sources");
     sources_->setHorizontalHeaderLabels(
         {"Universe", "Source", "Is", "Priority", "Rate", "Jitter", "Missed", "From", "Protocol", "Patched"});

@@ -16,10 +16,6 @@ namespace {
 constexpr const char* kTitles[] = {"Position", "Colour", "Beam", "Gobo"};
 constexpr int kRows = 2; // of palettes that are seen without scrolling
 
-QString quoted(const QString& words) {
-    return "\"" + QString(words).remove('"') + "\"";
-}
-
 QString tip_of(const scene::Palette& palette) {
     if (palette.fixtures.empty()) return "All heads: " + words_of(palette.values);
     return QString("%1 heads, each its own").arg(palette.fixtures.size());

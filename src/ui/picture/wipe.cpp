@@ -12,7 +12,7 @@
 namespace ghost::ui {
 namespace {
 
-constexpr double kReach_px = 6;
+constexpr double kWipeReach_px = 6;
 
 void paint_side(QPainter& painter, const QString& word, double from_x, double room) {
     const QFontMetricsF metrics(painter.font());
@@ -31,7 +31,7 @@ void Wipe::set_share(double share) {
 }
 
 bool Wipe::is_near(const QSizeF& widget, double x) const {
-    return before_ && std::abs(x - share_ * widget.width()) <= kReach_px;
+    return before_ && std::abs(x - share_ * widget.width()) <= kWipeReach_px;
 }
 
 void Wipe::paint(QPainter& painter, const QSizeF& widget) const {

@@ -13,7 +13,7 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kSteps = 1020; // of the slider: four to a value of eight bits
+constexpr int kParameterSteps = 1020; // of the slider: four to a value of eight bits
 
 } // namespace
 
@@ -22,7 +22,7 @@ ParameterRow::ParameterRow(const HeadParameter& parameter, QWidget* parent)
       meaning_(new QToolButton(this)), release_(new QToolButton(this)) {
     label_->setFixedWidth(ValueRow::label_width(*this));
     label_->setToolTip(parameter.name + " (" + QString::fromStdString(parameter.attribute) + ")");
-    slider_->setRange(0, kSteps);
+    slider_->setRange(0, kParameterSteps);
     slider_->setMinimumWidth(40);
     slider_->setAccessibleName(parameter.name);
     meaning_->setAccessibleName(parameter.name + ": what it can be");
@@ -45,7 +45,7 @@ ParameterRow::ParameterRow(const HeadParameter& parameter, QWidget* parent)
     layout->addWidget(meaning_);
     layout->addWidget(release_);
     connect(slider_, &QSlider::valueChanged, this, [this](int at) {
-        if (!follows_ && on_change) on_change(static_cast<float>(at) / kSteps);
+        if (!follows_ && on_change) on_change(static_cast<float>(at) / kParameterSteps);
     });
     connect(release_, &QToolButton::clicked, this, [this] {
         if (on_release) on_release();
@@ -56,7 +56,8 @@ void ParameterRow::show_value(const ParameterValue& value, bool mixed) {
     {
         const Following following(follows_);
         if (!slider_->isSliderDown())
-            slider_->setValue(static_cast<int>(std::lround(kSteps * static_cast<double>(value.share))));
+            slider_->setValue(
+                static_cast<int>(std::lround(kParameterSteps * static_cast<double>(value.share))));
     }
     const QString words = mixed ? QString("mixed") : value.words;
     meaning_->setText(meaning_->fontMetrics().elidedText(words, Qt::ElideRight, meaning_->width() - 22));

@@ -14,7 +14,7 @@
 namespace ghost::ui {
 namespace {
 
-constexpr int kSteps = 1000; // of the slider
+constexpr int kShareSteps = 1000; // of the slider
 
 } // namespace
 
@@ -50,7 +50,7 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
       slider_(new QSlider(Qt::Horizontal, this)), field_(new MixedSpinBox(this)),
       release_(new QToolButton(this)) {
     label_->setFixedWidth(label_width(*this));
-    slider_->setRange(0, kSteps);
+    slider_->setRange(0, kShareSteps);
     slider_->setAccessibleName(name);
     field_->setRange(range.low, range.high);
     field_->setDecimals(range.decimals);
@@ -90,11 +90,11 @@ int ValueRow::to_slider(double value) const {
     const double share = range_.by_ratio ? std::log(std::max(value, range_.low) / range_.low) /
                                                std::log(range_.high / range_.low)
                                          : (value - range_.low) / (range_.high - range_.low);
-    return static_cast<int>(std::lround(kSteps * std::clamp(share, 0.0, 1.0)));
+    return static_cast<int>(std::lround(kShareSteps * std::clamp(share, 0.0, 1.0)));
 }
 
 double ValueRow::from_slider(int at) const {
-    const double share = static_cast<double>(at) / kSteps;
+    const double share = static_cast<double>(at) / kShareSteps;
     return range_.by_ratio ? range_.low * std::pow(range_.high / range_.low, share)
                            : range_.low + share * (range_.high - range_.low);
 }

@@ -253,5 +253,7 @@ TEST(Day, every_time_out_288_times) {
     EXPECT_LT(memory_mb() - memory_before_mb, 2.0);
 }
 
+#undef AFTER
+
 } // namespace
 } // namespace ghost::dmx

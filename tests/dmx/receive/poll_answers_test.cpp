@@ -12,7 +12,7 @@ namespace {
 using namespace std::chrono_literals;
 using std::chrono::nanoseconds;
 
-constexpr std::uint32_t kDesk = 0x0A000001, kOurs = 0x0A000005;
+constexpr std::uint32_t kAsker = 0x0A000001, kOurs = 0x0A000005;
 
 std::vector<std::uint16_t> ports(std::size_t count) {
     std::vector<std::uint16_t> result;
@@ -31,7 +31,7 @@ std::vector<PollAnswers::Reply> run(PollAnswers& answers, nanoseconds from, nano
 TEST(PollAnswers, one_reply_per_port_paced) {
     PollAnswers answers(ports(255));
     EXPECT_FALSE(answers.wait(10s).has_value());
-    EXPECT_TRUE(answers.asked({}, kDesk, kOurs, 10s));
+    EXPECT_TRUE(answers.asked({}, kAsker, kOurs, 10s));
     EXPECT_EQ(answers.wait(10s), nanoseconds(5ms)); // the last byte of our address
     EXPECT_TRUE(run(answers, 10s, 10s + 5ms).empty());
     const auto early = run(answers, 10s + 5ms, 10s + 65ms);
@@ -39,7 +39,7 @@ TEST(PollAnswers, one_reply_per_port_paced) {
     EXPECT_LE(early.size(), 16 * kRepliesAtOnce);
     const auto late = run(answers, 10s + 65ms, 11s);
     EXPECT_EQ(early.size() + late.size(), 255u);
-    EXPECT_EQ(early[0].to_ipv4, kDesk);
+    EXPECT_EQ(early[0].to_ipv4, kAsker);
     EXPECT_EQ(early[0].our_ipv4, kOurs);
     EXPECT_TRUE(early[0].asked);
     EXPECT_EQ(early[3].ports, std::vector<std::uint16_t>{3});
@@ -51,7 +51,7 @@ TEST(PollAnswers, one_reply_per_port_paced) {
 TEST(PollAnswers, more_ports_than_bind_indices_share_replies) {
     for (const std::size_t count : {256u, 512u, 1020u}) {
         PollAnswers answers(ports(count));
-        ASSERT_TRUE(answers.asked({}, kDesk, kOurs, 0s));
+        ASSERT_TRUE(answers.asked({}, kAsker, kOurs, 0s));
         std::set<int> seen, indices;
         for (const auto& reply : run(answers, 0s, 2s)) {
             EXPECT_TRUE(indices.insert(reply.bind_index).second) << int{reply.bind_index};
@@ -69,12 +69,12 @@ TEST(PollAnswers, new_ports_instead_of_those_before) {
     PollAnswers answers(ports(40));
     answers.hello(0x0A0000FF, kOurs, 0s);
     EXPECT_EQ(run(answers, 0s, 1s).size(), 40u);
-    ASSERT_TRUE(answers.asked({}, kDesk, kOurs, 2s));
+    ASSERT_TRUE(answers.asked({}, kAsker, kOurs, 2s));
     EXPECT_EQ(run(answers, 2s, 2s + 7ms).size(), kRepliesAtOnce) << "it is just being told";
     answers.announce({7, 9});
     std::vector<int> got;
     for (const auto& reply : run(answers, 2s + 7ms, 4s)) {
-        EXPECT_EQ(reply.to_ipv4, kDesk) << "who was told before asks again";
+        EXPECT_EQ(reply.to_ipv4, kAsker) << "who was told before asks again";
         got.push_back(reply.ports[0]);
     }
     EXPECT_EQ(got, (std::vector<int>{7, 9}));
@@ -83,7 +83,7 @@ TEST(PollAnswers, new_ports_instead_of_those_before) {
 
 TEST(PollAnswers, only_the_ports_that_are_meant) {
     PollAnswers answers(ports(100));
-    ASSERT_TRUE(answers.asked({10, 12}, kDesk, kOurs, 0s));
+    ASSERT_TRUE(answers.asked({10, 12}, kAsker, kOurs, 0s));
     std::vector<int> got;
     for (const auto& reply : run(answers, 0s, 1s)) got.push_back(reply.ports[0]);
     EXPECT_EQ(got, (std::vector<int>{10, 11, 12}));
@@ -93,7 +93,7 @@ TEST(PollAnswers, an_address_is_answered_once_in_two_seconds) {
     PollAnswers answers(ports(4));
     std::size_t replies = 0;
     for (auto t = 0ms; t < 10s; t += 10ms) {
-        (void)answers.asked({}, kDesk, kOurs, t);
+        (void)answers.asked({}, kAsker, kOurs, t);
         replies += run(answers, t, t + 10ms).size();
     }
     EXPECT_EQ(replies, 5 * 4u);
@@ -102,14 +102,14 @@ TEST(PollAnswers, an_address_is_answered_once_in_two_seconds) {
 // Two programs of one address, which ask in turn, a second apart.
 TEST(PollAnswers, whoever_asks_while_the_address_rests_is_answered_at_its_end) {
     PollAnswers answers(ports(4));
-    EXPECT_TRUE(answers.asked({}, kDesk, kOurs, 0s));
+    EXPECT_TRUE(answers.asked({}, kAsker, kOurs, 0s));
     EXPECT_EQ(run(answers, 0s, 1s).size(), 4u);
-    EXPECT_TRUE(answers.asked({}, kDesk, kOurs, 1s));
-    EXPECT_FALSE(answers.asked({}, kDesk, kOurs, 1100ms)) << "one answer is for both";
+    EXPECT_TRUE(answers.asked({}, kAsker, kOurs, 1s));
+    EXPECT_FALSE(answers.asked({}, kAsker, kOurs, 1100ms)) << "one answer is for both";
     EXPECT_EQ(answers.wait(1100ms), nanoseconds(900ms));
     EXPECT_TRUE(run(answers, 1100ms, 2s).empty());
     EXPECT_EQ(run(answers, 2s, 3s).size(), 4u);
-    EXPECT_TRUE(answers.asked({}, kDesk, kOurs, 3s));
+    EXPECT_TRUE(answers.asked({}, kAsker, kOurs, 3s));
     EXPECT_EQ(run(answers, 3s, 5s).size(), 4u);
     EXPECT_FALSE(answers.wait(5s).has_value());
 }

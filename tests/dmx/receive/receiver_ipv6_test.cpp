@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 using Buffer = std::vector<std::uint8_t>;
 
 // Ports that differ between test processes running at the same time.
-ReceiverOptions on_loopback() {
+ReceiverOptions sacn_on_loopback() {
     ReceiverOptions options;
     options.universes = {1, 2};
     options.artnet = false;
@@ -45,7 +45,7 @@ std::optional<NetInterface> loopback6() {
 // Multicast needs a route that the loopback interface has not: tests/scripts/network_test.py.
 TEST(Receiver, ipv6_unicast) {
     if (!loopback6()) GTEST_SKIP() << "the loopback interface has no IPv6 here";
-    const ReceiverOptions options = on_loopback();
+    const ReceiverOptions options = sacn_on_loopback();
     const auto receiver = Receiver::start(options);
     ASSERT_TRUE(receiver.ok()) << receiver.error().text();
     const auto out = UdpSocket::open_ipv6(0, 1 << 16);
@@ -71,7 +71,7 @@ TEST(Receiver, ipv6_unicast) {
 }
 
 TEST(Receiver, joins_the_group_of_a_synchronisation_universe) {
-    ReceiverOptions options = on_loopback();
+    ReceiverOptions options = sacn_on_loopback();
     options.interface = "127.0.0.1";
     const auto receiver = Receiver::start(options);
     ASSERT_TRUE(receiver.ok()) << receiver.error().text();
@@ -101,7 +101,7 @@ TEST(Receiver, joins_the_group_of_a_synchronisation_universe) {
 }
 
 TEST(Receiver, finds_out_who_sends_before_it_shows_anything) {
-    ReceiverOptions options = on_loopback();
+    ReceiverOptions options = sacn_on_loopback();
     options.interface = "127.0.0.1";
     options.sampling = 300s; // no machine is that slow
     const auto receiver = Receiver::start(options);

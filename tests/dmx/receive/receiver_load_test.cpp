@@ -32,7 +32,7 @@ constexpr bool kInstrumented = false;
 constexpr std::uint16_t kUniverses = 512;
 #endif
 constexpr int kRefreshes = 88;
-constexpr auto kPeriod = 22727us;
+constexpr auto kDeskPeriod = 22727us;
 constexpr double kSeconds = 2.0;
 // A socket's buffer of 16 MiB holds 580 ms of two desks. So without a fault of ours a drop takes a time in
 // which the receiver was ready to run and had no processor for most of that.
@@ -93,7 +93,7 @@ void run_desk(Sender& out, std::size_t first_slot) {
     auto next = Clock::now();
     for (int i = 0; i < kRefreshes; ++i) {
         std::this_thread::sleep_until(next);
-        next = std::max(next, Clock::now() - 1ms) + kPeriod;
+        next = std::max(next, Clock::now() - 1ms) + kDeskPeriod;
         send_refresh(out, all, first_slot);
     }
 }

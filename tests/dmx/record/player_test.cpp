@@ -7,20 +7,20 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const char kShow[] = "OLA Show\n"
-                     "1 255,0,10\n"
-                     "40\n"
-                     "3 7\n"
-                     "0\n"
-                     "1 254,0,10\n"
-                     "1000\n";
+const char kTwoUniverses[] = "OLA Show\n"
+                             "1 255,0,10\n"
+                             "40\n"
+                             "3 7\n"
+                             "0\n"
+                             "1 254,0,10\n"
+                             "1000\n";
 
-Recording parse(std::string_view text) {
+Recording recording_of(std::string_view text) {
     return must(parse_recording(text, "x.show"));
 }
 
 TEST(Player, levels_by_time) {
-    Player player(parse(kShow));
+    Player player(recording_of(kTwoUniverses));
     EXPECT_DOUBLE_EQ(player.duration_s(), 1.04);
     EXPECT_EQ(player.at(-1.0).level(1, 1), 255);
     EXPECT_EQ(player.at(0.0).level(1, 1), 255);
@@ -33,7 +33,7 @@ TEST(Player, levels_by_time) {
 }
 
 TEST(Player, is_the_same_in_any_order_and_marks_changes) {
-    Player player(parse("OLA Show\n1 1\n10\n1 1\n10\n1 2\n10\n2 5\n0\n"));
+    Player player(recording_of("OLA Show\n1 1\n10\n1 1\n10\n1 2\n10\n2 5\n0\n"));
     const Universes end = player.at(0.03), start = player.at(0.0), again = player.at(0.03);
     EXPECT_EQ(end.revision, again.revision);
     EXPECT_EQ(*end.find(1)->levels, *again.find(1)->levels);
@@ -80,7 +80,7 @@ TEST(Player, a_seek_gives_what_playing_up_to_there_gives) {
 }
 
 TEST(Player, levels_that_were_handed_out_do_not_change) {
-    Player player(parse("OLA Show\n1 1\n10\n1 2\n10\n1 3\n10\n"));
+    Player player(recording_of("OLA Show\n1 1\n10\n1 2\n10\n1 3\n10\n"));
     const Universes first = player.at(0.0), second = player.at(0.01);
     EXPECT_EQ(player.at(0.02).level(1, 1), 3);
     EXPECT_EQ(first.level(1, 1), 1);

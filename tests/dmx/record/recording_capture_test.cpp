@@ -264,7 +264,7 @@ TEST_F(CaptureFiles, hostile_lengths_end_the_reading) {
     EXPECT_FALSE(read(next).ok);
 }
 
-const fs::path kData = fs::path(GHOST_SOURCE_DIR) / "../shared/control/data";
+const fs::path kControlData = fs::path(GHOST_SOURCE_DIR) / "../shared/control/data";
 
 struct SentPacket {
     std::chrono::nanoseconds time;
@@ -289,7 +289,7 @@ std::vector<SentPacket> packets_of(const fs::path& path) {
 // The captures' packets sent to a receiver of this machine give the levels that the capture plays at that
 // moment. Not past a moment at which silence counts, as the packets are sent faster than they were captured.
 TEST(RealCaptures, play_what_a_live_receiver_has) {
-    if (!fs::exists(kData)) GTEST_SKIP() << kData << " is not there";
+    if (!fs::exists(kControlData)) GTEST_SKIP() << kControlData << " is not there";
     struct Case {
         const char* name;
         double until_s;
@@ -299,7 +299,7 @@ TEST(RealCaptures, play_what_a_live_receiver_has) {
                             Case{"captures/qlcplus_4.12.6_artnet0_bcast_sacn2_mcast.pcap", 8.0},
                             Case{"captures/two_sources_sacn2_qlc100_ola150_killed.pcap", 7.0},
                             Case{"captures/ola_0.10.9_sacn1_5_artnet1_chase_terminate.pcap", 100.0, false}}) {
-        auto recording = read_recording(kData / one.name);
+        auto recording = read_recording(kControlData / one.name);
         ASSERT_TRUE(recording.ok()) << recording.error().text();
         EXPECT_TRUE(recording->problems.empty()) << recording->problems.at(0).text();
         const auto began = recording->unix_time();
@@ -315,7 +315,7 @@ TEST(RealCaptures, play_what_a_live_receiver_has) {
         ASSERT_TRUE(receiver.ok()) << receiver.error().text();
         auto socket = UdpSocket::open(0, 0, 1 << 20);
         ASSERT_TRUE(socket.ok());
-        const auto packets = packets_of(kData / one.name);
+        const auto packets = packets_of(kControlData / one.name);
         std::size_t sent = 0;
         std::uint64_t arrived = 0;
         Universes live;
@@ -408,16 +408,16 @@ TEST_F(GzipCaptures, that_end_early_or_are_damaged_say_so) {
 
 // At every packet, against the merge fed by hand.
 TEST(RealCaptures, play_every_change) {
-    if (!fs::exists(kData)) GTEST_SKIP() << kData << " is not there";
+    if (!fs::exists(kControlData)) GTEST_SKIP() << kControlData << " is not there";
     std::size_t looks = 0;
     for (const char* name : {"captures/two_sources_sacn2_qlc100_ola150_killed.pcap",
                              "captures/ola_0.10.9_sacn1_5_artnet1_chase_terminate.pcap"}) {
-        auto recording = read_recording(kData / name);
+        auto recording = read_recording(kControlData / name);
         ASSERT_TRUE(recording.ok()) << recording.error().text();
         const auto began = recording->unix_time();
         Player player(std::move(*recording));
         Merge merge;
-        const auto packets = packets_of(kData / name);
+        const auto packets = packets_of(kControlData / name);
         for (std::size_t i = 0; i < packets.size(); ++i) {
             const SentPacket& packet = packets[i];
             const Parsed parsed =

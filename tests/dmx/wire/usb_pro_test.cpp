@@ -17,7 +17,7 @@ Buffer operator+(Buffer a, const Buffer& b) {
     return a;
 }
 
-Buffer frame(const Buffer& slots, std::uint8_t status = 0, std::uint8_t start_code = 0) {
+Buffer usb_frame(const Buffer& slots, std::uint8_t status = 0, std::uint8_t start_code = 0) {
     return build_usb_pro(5, Buffer{status, start_code} + slots);
 }
 
@@ -56,16 +56,16 @@ TEST(UsbPro, slot_512_is_there) {
     Buffer slots(512);
     std::iota(slots.begin(), slots.end(), std::uint8_t{1});
     slots[511] = 77;
-    const auto packets = read(frame(slots));
+    const auto packets = read(usb_frame(slots));
     ASSERT_EQ(packets.size(), 1u);
     EXPECT_EQ(packets[0].slot_count, 512);
     EXPECT_EQ(packets[0].slots[511], 77);
     slots.push_back(1);
-    EXPECT_TRUE(read(frame(slots)).empty()) << "more than a universe";
+    EXPECT_TRUE(read(usb_frame(slots)).empty()) << "more than a universe";
 }
 
 TEST(UsbPro, a_shorter_frame_leaves_nothing_of_a_longer_one) {
-    const auto packets = read(frame({1, 2, 3, 4}) + frame({9}));
+    const auto packets = read(usb_frame({1, 2, 3, 4}) + usb_frame({9}));
     ASSERT_EQ(packets.size(), 2u);
     EXPECT_EQ(packets[1].slot_count, 1);
     EXPECT_EQ(first(packets[1], 4), (Buffer{9, 0, 0, 0}));
@@ -73,7 +73,8 @@ TEST(UsbPro, a_shorter_frame_leaves_nothing_of_a_longer_one) {
 
 TEST(UsbPro, what_is_no_level_is_counted_and_dropped) {
     UsbProWidget widget(1, "x");
-    EXPECT_TRUE(feed(widget, frame({1, 2}, 1) + frame({1, 2}, 2) + frame({1, 2}, 0, 0x17)).empty());
+    EXPECT_TRUE(
+        feed(widget, usb_frame({1, 2}, 1) + usb_frame({1, 2}, 2) + usb_frame({1, 2}, 0, 0x17)).empty());
     EXPECT_TRUE(feed(widget, build_usb_pro(5, Buffer{0}) + build_usb_pro(12, Buffer{1, 2, 3})).empty());
     EXPECT_EQ(widget.counters().overruns, 2u);
     EXPECT_EQ(widget.counters().not_levels, 1u);
@@ -126,17 +127,17 @@ TEST(UsbPro, serial_number_and_firmware) {
     EXPECT_TRUE(widget.answered());
     EXPECT_EQ(widget.firmware(), "1.44");
     EXPECT_EQ(widget.serial(), "12345678");
-    const auto packets = feed(widget, frame({1}));
+    const auto packets = feed(widget, usb_frame({1}));
     ASSERT_EQ(packets.size(), 1u);
     EXPECT_EQ(packets[0].source_name, "DMX USB Pro 12345678 at /dev/ttyUSB0");
     // The name changes when the answer comes; the source does not.
-    EXPECT_EQ(packets[0].source, read(frame({1}))[0].source);
+    EXPECT_EQ(packets[0].source, read(usb_frame({1}))[0].source);
     EXPECT_TRUE(widget.goodbye().terminated);
     EXPECT_EQ(widget.goodbye().source, packets[0].source);
 }
 
 TEST(UsbPro, the_stream_is_found_again_after_anything) {
-    const Buffer good = frame({1, 2, 3});
+    const Buffer good = usb_frame({1, 2, 3});
     for (const Buffer& noise :
          {Buffer{0xE7}, Buffer{0x7E}, Buffer{0x7E, 5, 0xFF, 0xFF}, Buffer{0x7E, 5, 1, 0, 0},
           Buffer{0x7E, 0x7E, 0x7E, 0x7E}, Buffer(1000, 0x55), Buffer{0x7E, 5, 4, 0, 0, 0, 1, 2, 0}}) {
@@ -152,7 +153,7 @@ TEST(UsbPro, the_stream_is_found_again_after_anything) {
 TEST(UsbPro, bytes_may_come_one_by_one) {
     UsbProWidget widget(1, "x");
     std::size_t packets = 0;
-    for (const std::uint8_t byte : frame({1, 0x7E, 0xE7, 0x7E}) + frame({5}))
+    for (const std::uint8_t byte : usb_frame({1, 0x7E, 0xE7, 0x7E}) + usb_frame({5}))
         packets += feed(widget, {byte}).size();
     EXPECT_EQ(packets, 2u);
     EXPECT_EQ(widget.counters().skipped_bytes, 0u);
@@ -163,9 +164,9 @@ TEST(UsbPro, bytes_may_come_one_by_one) {
 TEST(UsbPro, cut_and_damaged_messages) {
     Buffer slots(512, 3);
     const std::vector<Buffer> valid{
-        frame({1, 2, 3}), frame(slots), build_usb_pro(9, Buffer{0, 0x06, 0, 0, 0, 0, 11, 22}),
+        usb_frame({1, 2, 3}), usb_frame(slots), build_usb_pro(9, Buffer{0, 0x06, 0, 0, 0, 0, 11, 22}),
         build_usb_pro(3, Buffer{44, 1, 9, 1, 40}), build_usb_pro(10, Buffer{1, 2, 3, 4})};
-    const Buffer after = Buffer(kMostUsbProData + 5, 0) + frame({42});
+    const Buffer after = Buffer(kMostUsbProData + 5, 0) + usb_frame({42});
     for (const Buffer& message : valid) {
         for (std::size_t length = 0; length < message.size(); ++length) {
             UsbProWidget widget(1, "x");
@@ -194,8 +195,8 @@ TEST(UsbPro, merged_like_any_source) {
     const auto to_merge = [&](std::chrono::nanoseconds now) {
         return [&merge, now](const Packet& packet) { merge.feed(packet, now); };
     };
-    widget.feed(frame({50}), to_merge(1s));
-    widget.feed(frame({60}), to_merge(1s)); // not numbered, none is late
+    widget.feed(usb_frame({50}), to_merge(1s));
+    widget.feed(usb_frame({60}), to_merge(1s)); // not numbered, none is late
     EXPECT_EQ(merge.universes().level(1, 1), 60);
     ASSERT_EQ(merge.sources(1s).size(), 1u);
     EXPECT_EQ(merge.sources(1s)[0].id, "/dev/ttyUSB0");
@@ -204,7 +205,7 @@ TEST(UsbPro, merged_like_any_source) {
     merge.tick(3600ms); // nobody drives the widget's input
     EXPECT_TRUE(merge.universes().find(1)->lost);
     EXPECT_EQ(merge.universes().level(1, 1), 60) << "the last look is held";
-    widget.feed(frame({70}), to_merge(4s));
+    widget.feed(usb_frame({70}), to_merge(4s));
     EXPECT_FALSE(merge.universes().find(1)->lost);
     merge.feed(widget.goodbye(), 4s);
     EXPECT_TRUE(merge.universes().find(1)->lost);

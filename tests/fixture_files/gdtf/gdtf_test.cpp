@@ -15,12 +15,6 @@ Patch patch_of(const Type& type, std::vector<Address> addresses = {{1, 1}}) {
     return {.name = "test", .type = &type, .mode = 0, .addresses = std::move(addresses)};
 }
 
-LoadedType loaded(const Description& description) {
-    Result<LoadedType> result = load_xml(description.xml());
-    EXPECT_TRUE(result) << result.error().text();
-    return std::move(result).value();
-}
-
 std::string gobo_png() {
     const std::vector<std::uint8_t> bytes =
         file_bytes("assets/fixtures/src/shared/wheels/fixed_vertical_bars.png");

@@ -76,12 +76,6 @@ std::string error_of(const std::vector<std::uint8_t>& zip) {
     return result ? "" : result.error().text();
 }
 
-LoadedType loaded(const Description& description) {
-    Result<LoadedType> result = load_xml(description.xml());
-    EXPECT_TRUE(result) << result.error().text();
-    return result ? std::move(result).value() : LoadedType{};
-}
-
 std::string repeat(const std::string& text, std::size_t times) {
     std::string result;
     result.reserve(text.size() * times);

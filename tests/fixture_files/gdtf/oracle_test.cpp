@@ -343,5 +343,7 @@ TEST(oracle, physical_values_of_pygdtf) {
     EXPECT_EQ(compared, 5 * 256);
 }
 
+#undef SKIP_WITHOUT_FILES
+
 } // namespace
 } // namespace ghost::fixture

@@ -11,12 +11,6 @@
 namespace ghost::fixture {
 namespace {
 
-LoadedType loaded(const Description& description) {
-    Result<LoadedType> result = load_xml(description.xml());
-    EXPECT_TRUE(result) << result.error().text();
-    return result ? std::move(result).value() : LoadedType{};
-}
-
 std::string channel_of(const std::string& attribute, const std::string& inside,
                        const std::string& offset = "1") {
     return "<DMXChannel Offset='" + offset + "' Geometry='Beam'><LogicalChannel Attribute='" + attribute +

@@ -10,14 +10,14 @@
 namespace ghost::app {
 namespace {
 
-constexpr double kFps = 25;                   // 40 ms
+constexpr double kPaceFps = 25;               // 40 ms
 constexpr std::size_t kFew = 10, kMany = 400; // lights
 
 // Frames of a machine; returns how often the share changed.
 int run(Pace& pace, int frames, double full_ms, double fixed_ms = 0) {
     int changes = 0;
     for (int i = 0; i < frames; ++i)
-        changes += pace.add(fixed_ms + full_ms * pace.share() * pace.share(), kFps) ? 1 : 0;
+        changes += pace.add(fixed_ms + full_ms * pace.share() * pace.share(), kPaceFps) ? 1 : 0;
     return changes;
 }
 
@@ -31,7 +31,7 @@ Pace fast() {
 TEST(Pace, the_first_pictures_are_coarse_and_the_next_as_fine_as_there_is_time) {
     Pace pace(kMany);
     EXPECT_EQ(pace.share(), 0.25);
-    EXPECT_FALSE(pace.add(1000, kFps)) << "shaders were made";
+    EXPECT_FALSE(pace.add(1000, kPaceFps)) << "shaders were made";
     EXPECT_EQ(run(pace, 1, 30), 1);
     EXPECT_EQ(pace.share(), 1.0);
     EXPECT_EQ(run(pace, 100, 30), 0);
@@ -88,8 +88,8 @@ TEST(Pace, pixels_come_back_when_there_is_time) {
 TEST(Pace, one_slow_frame_changes_nothing) {
     Pace pace = fast();
     run(pace, 20, 20);
-    EXPECT_FALSE(pace.add(390, kFps));
-    EXPECT_FALSE(pace.add(1200, kFps)) << "something else had the processor";
+    EXPECT_FALSE(pace.add(390, kPaceFps));
+    EXPECT_FALSE(pace.add(1200, kPaceFps)) << "something else had the processor";
     EXPECT_EQ(run(pace, 20, 20), 0);
     EXPECT_EQ(pace.share(), 1.0);
 }
@@ -97,7 +97,7 @@ TEST(Pace, one_slow_frame_changes_nothing) {
 // It may be the first of many; where it was not, all pixels are back within two seconds.
 TEST(Pace, one_that_is_far_too_slow_costs_pixels_for_a_short_while) {
     Pace pace = fast();
-    EXPECT_TRUE(pace.add(5000, kFps));
+    EXPECT_TRUE(pace.add(5000, kPaceFps));
     EXPECT_EQ(pace.share(), 0.25);
     run(pace, 50, 20);
     EXPECT_EQ(pace.share(), 1.0);
@@ -120,7 +120,7 @@ TEST(Pace, few_lights_never_go_below_half_of_the_sides) {
         double least = 1;
         for (int i = 0; i < 1000; ++i) {
             const double load = i / 100 % 2 == 0 ? 1 : 1.6; // for four seconds at a time
-            pace.add(load * (20 + (full_ms - 20) * pace.share() * pace.share()), kFps);
+            pace.add(load * (20 + (full_ms - 20) * pace.share() * pace.share()), kPaceFps);
             least = std::min(least, pace.share());
         }
         EXPECT_GE(least, 0.5) << full_ms;
@@ -131,7 +131,7 @@ TEST(Pace, few_lights_never_go_below_half_of_the_sides) {
 TEST(Pace, below_half_of_the_sides_it_does_not_stay_where_half_would_move) {
     Pace pace(kFew);
     run(pace, 1, 900);
-    EXPECT_TRUE(pace.add(300, kFps));
+    EXPECT_TRUE(pace.add(300, kPaceFps));
     ASSERT_EQ(pace.share(), 0.25);
     run(pace, 200, 80, 30); // 35 ms there; 50 at half of the sides, which is 1.25 times what is wanted
     EXPECT_EQ(pace.share(), 0.5);
@@ -156,7 +156,7 @@ TEST(Pace, no_series_of_frames_makes_it_flicker) {
                     const double rare = i % 97 == 0 ? 4.0 : 1.0;
                     pace.add(rare * noise() * wave * full_ms *
                                  (fixed + (1 - fixed) * pace.share() * pace.share()),
-                             kFps);
+                             kPaceFps);
                     const int way = pace.share() > before ? 1 : pace.share() < before ? -1 : 0;
                     before = pace.share();
                     if (way == 0) continue;

@@ -13,7 +13,7 @@
 namespace ghost::app {
 namespace {
 
-struct Wanted {
+struct WantedBounce {
     ReferenceName reference;
     const char* picture; // ending of its name
     int every;           // the judge's pictures are so much smaller
@@ -37,7 +37,7 @@ double mean_off_lamp(const ReferenceScene& scene, const image::ImageF& picture) 
     return sum / count;
 }
 
-class BounceReference : public testing::TestWithParam<Wanted> {
+class BounceReference : public testing::TestWithParam<WantedBounce> {
 protected:
     void SetUp() override {
         if (reference_.is_missing()) GTEST_SKIP() << kNoShared;
@@ -102,27 +102,27 @@ TEST_P(BounceReference, TheSolverSeesIt) {
     EXPECT_GE(found.psnr_db, GetParam().least_db);
 }
 
-std::string name_of(const testing::TestParamInfo<Wanted>& wanted) {
+std::string bounce_name_of(const testing::TestParamInfo<WantedBounce>& wanted) {
     return wanted.param.reference.name;
 }
 
 // Forward haze keeps a halo round its beams that cells of a metre do not hold: docs/design/bounce.md. Six per
 // cent and 31 dB are wanted of all; where they are missed, the limits only keep what there is. Towards the
 // eye the judge has too little of the haze right before it (kNearEye_m), which few particles decide.
-INSTANTIATE_TEST_SUITE_P(Own, BounceReference,
-                         testing::Values(Wanted{{kOwnReferences, "across"}, ".multi.exr", 1, 0.02, 0.03, 30},
-                                         Wanted{
-                                             {kOwnReferences, "towards"}, ".multi.exr", 1, 0.05, 0.12, 24}),
-                         name_of);
+INSTANTIATE_TEST_SUITE_P(
+    Own, BounceReference,
+    testing::Values(WantedBounce{{kOwnReferences, "across"}, ".multi.exr", 1, 0.02, 0.03, 30},
+                    WantedBounce{{kOwnReferences, "towards"}, ".multi.exr", 1, 0.05, 0.12, 24}),
+    bounce_name_of);
 
 constexpr const char* kCycles = ".multi_filtered.exr";
 INSTANTIATE_TEST_SUITE_P(
     Scenes, BounceReference,
-    testing::Values(Wanted{{kSharedReferences, "A_side_plain"}, kCycles, 8, 0.02, 0.045, 32},
-                    Wanted{{kSharedReferences, "A_side_gobo"}, kCycles, 8, 0.02, 0.045, 32},
-                    Wanted{{kSharedReferences, "B_back_plain"}, kCycles, 8, 0.02, 0.07, 27},
-                    Wanted{{kSharedReferences, "B_back_gobo"}, kCycles, 8, 0.02, 0.07, 27}),
-    name_of);
+    testing::Values(WantedBounce{{kSharedReferences, "A_side_plain"}, kCycles, 8, 0.02, 0.045, 32},
+                    WantedBounce{{kSharedReferences, "A_side_gobo"}, kCycles, 8, 0.02, 0.045, 32},
+                    WantedBounce{{kSharedReferences, "B_back_plain"}, kCycles, 8, 0.02, 0.07, 27},
+                    WantedBounce{{kSharedReferences, "B_back_gobo"}, kCycles, 8, 0.02, 0.07, 27}),
+    bounce_name_of);
 
 } // namespace
 } // namespace ghost::app

@@ -20,7 +20,7 @@
 namespace ghost::app {
 namespace {
 
-constexpr int kWidth = 1920, kHeight = 1080;
+constexpr int kFilmWidth = 1920, kFilmHeight = 1080;
 constexpr int kPictures = 3;
 constexpr int kAsked = 3;
 constexpr double kApart_s = 0.97; // no two of the moments have the same picture of the same round
@@ -40,10 +40,10 @@ protected:
     static void SetUpTestSuite() {
         folder() = std::filesystem::temp_directory_path() / ("ghost_late_" + std::to_string(::getpid()));
         std::filesystem::create_directories(folder());
-        auto film = video::FilmWriter::create(folder() / "noise.mp4", kWidth, kHeight, 25);
+        auto film = video::FilmWriter::create(folder() / "noise.mp4", kFilmWidth, kFilmHeight, 25);
         ASSERT_TRUE(film.ok());
         std::minstd_rand random(1);
-        std::vector<std::uint8_t> rgba(std::size_t{kWidth} * kHeight * 4);
+        std::vector<std::uint8_t> rgba(std::size_t{kFilmWidth} * kFilmHeight * 4);
         for (int k = 0; k < kPictures; ++k) {
             for (std::uint8_t& value : rgba) value = static_cast<std::uint8_t>(random() >> 16);
             ASSERT_TRUE((*film)->add(rgba.data()).ok());

@@ -19,7 +19,6 @@ namespace ghost::app {
 namespace {
 
 using glm::vec3;
-using render::aimed_light;
 
 struct CannedView {
     const char* name;
@@ -46,26 +45,28 @@ std::vector<CannedView> canned_views() {
         return light;
     };
     add("through a truss", {-4, -3, 2}, {1, 6, 5}, 50,
-        {aimed_light({-5.2f, 9.5f, 8.2f}, {1, 2, 1}, 24, 8000)});
+        {render::aimed_light({-5.2f, 9.5f, 8.2f}, {1, 2, 1}, 24, 8000)});
     add("behind the drum kit", {0, -6, 2}, {0, 4, 2}, 40,
-        {aimed_light({0, 7.4f, 5.5f}, {0, 0, 0.5f}, 26, 8000)});
+        {render::aimed_light({0, 7.4f, 5.5f}, {0, 0, 0.5f}, 26, 8000)});
     add("into the camera", house_m, onto_stage_m, 24,
-        {aimed_light({3, 7.4f, 6}, house_m + vec3(0, 0, 2.5f), 16, 3000)});
+        {render::aimed_light({3, 7.4f, 6}, house_m + vec3(0, 0, 2.5f), 16, 3000)});
     add("camera inside the cone", {-1.75f, -0.7f, 1.75f}, {-0.75f, 5, 3.2f}, 56,
-        {aimed_light({0, 7.4f, 6}, {-1.5f, -0.5f, 1.8f}, 26, 3000)});
+        {render::aimed_light({0, 7.4f, 6}, {-1.5f, -0.5f, 1.8f}, 26, 3000)});
     add("narrow, 2 degrees", {-5, 0, 4}, {-3, 7, 4}, 50,
-        {aimed_light({-5.2f, 7.4f, 6}, {4, 0, 0}, 2, 40000)});
+        {render::aimed_light({-5.2f, 7.4f, 6}, {4, 0, 0}, 2, 40000)});
     add("wide, 40 degrees", {-11, -8.5f, 7.4f}, {1, 3.8f, 2.8f}, 44,
-        {aimed_light({0, 7.4f, 6}, {0, 0, 0}, 40, 8000)});
-    add("gobo", house_m, onto_stage_m, 24, {gobo(aimed_light({5.2f, 7.4f, 6}, {-2, 1, 0}, 24, 8000))});
-    add("soft wash", house_m, onto_stage_m, 24, {aimed_light({-4.6f, 0, 6}, {2, 5, 1}, 40, 8000, false)});
+        {render::aimed_light({0, 7.4f, 6}, {0, 0, 0}, 40, 8000)});
+    add("gobo", house_m, onto_stage_m, 24,
+        {gobo(render::aimed_light({5.2f, 7.4f, 6}, {-2, 1, 0}, 24, 8000))});
+    add("soft wash", house_m, onto_stage_m, 24,
+        {render::aimed_light({-4.6f, 0, 6}, {2, 5, 1}, 40, 8000, false)});
     add("floor light upwards", {-11, -8.5f, 7.4f}, {1, 3.8f, 2.8f}, 44,
-        {aimed_light({-2.5f, 1, 1.7f}, {-1.5f, 3, 8}, 14, 8000)});
+        {render::aimed_light({-2.5f, 1, 1.7f}, {-1.5f, 3, 8}, 14, 8000)});
     add("two gobos", {-11, -8.5f, 7.4f}, {1, 3.8f, 2.8f}, 44,
-        {two_gobos(aimed_light({5.2f, 7.4f, 6}, {-2, 1, 0}, 26, 8000))});
+        {two_gobos(render::aimed_light({5.2f, 7.4f, 6}, {-2, 1, 0}, 26, 8000))});
     add("two lights crossing", house_m, onto_stage_m, 24,
-        {aimed_light({-5.2f, 7.4f, 6}, {3, 1, 0}, 12, 8000),
-         gobo(aimed_light({5.2f, 7.4f, 6}, {-3, 1, 0}, 20, 8000))});
+        {render::aimed_light({-5.2f, 7.4f, 6}, {3, 1, 0}, 12, 8000),
+         gobo(render::aimed_light({5.2f, 7.4f, 6}, {-3, 1, 0}, 20, 8000))});
     return views;
 }
 

@@ -7,8 +7,8 @@
 namespace ghost::app {
 namespace {
 
-constexpr float kLamp_m = 8, kPlate_m = 5; // above the floor
-constexpr int kMapSize = 1024;
+constexpr float kCellLamp_m = 8, kCellPlate_m = 5; // above the floor
+constexpr int kSharedMapSize = 1024;
 
 scene::Stage floor_and_wall() {
     scene::Stage stage = empty_stage();
@@ -18,7 +18,7 @@ scene::Stage floor_and_wall() {
 }
 
 shared::Light lamp(float aside_m, bool own_map) {
-    shared::Light light = aimed_light({aside_m, 0, kLamp_m}, {aside_m, 2, 0}, 40, true);
+    shared::Light light = aimed_light({aside_m, 0, kCellLamp_m}, {aside_m, 2, 0}, 40, true);
     light.disc_radius_m = 0.02f;
     if (!own_map) light.off_map_m = {aside_m, 0, 0};
     return light;
@@ -29,8 +29,8 @@ double psnr_of(const scene::Stage& stage, float aside_m, bool air) {
     settings.air = air;
     settings.surfaces = !air;
     const LiveStage::Eye eye{{3, -9, 3}, {0, 2, 2}, 50};
-    LiveStage own(stage, {lamp(aside_m, true)}, 192, 128, settings, kMapSize);
-    LiveStage shared(stage, {lamp(aside_m, false)}, 192, 128, settings, kMapSize);
+    LiveStage own(stage, {lamp(aside_m, true)}, 192, 128, settings, kSharedMapSize);
+    LiveStage shared(stage, {lamp(aside_m, false)}, 192, 128, settings, kSharedMapSize);
     own.look(eye);
     shared.look(eye);
     return likeness(shared.draw(), own.draw()).psnr_db;
@@ -51,11 +51,11 @@ TEST(SharedMap, NothingInTheWayNothingChanges) {
 double edge_m(float aside_m, bool own_map) {
     scene::Stage stage = empty_stage();
     add_box(stage, {-30, -30, -0.2f}, {30, 30, 0});
-    add_box(stage, {-10, -10, kPlate_m - 0.005f}, {0, 10, kPlate_m + 0.005f});
+    add_box(stage, {-10, -10, kCellPlate_m - 0.005f}, {0, 10, kCellPlate_m + 0.005f});
     shared::Light light = lamp(aside_m, own_map);
     render::Settings settings = bench_settings();
     settings.air = false;
-    LiveStage live(stage, {light}, 256, 8, settings, kMapSize);
+    LiveStage live(stage, {light}, 256, 8, settings, kSharedMapSize);
     live.look({{0, -3, 3}, {0, 0, 0}, 1.0f});
     const image::ImageF picture = live.draw();
     const double half_m = std::tan(glm::radians(0.5)) * 32 * std::sqrt(18.0);
@@ -69,7 +69,7 @@ double edge_m(float aside_m, bool own_map) {
 TEST(SharedMap, AShadowIsBesideItsPlaceAsSimilarTrianglesSay) {
     for (const float aside_m : {0.1f, scene::kMapShare_m}) {
         const double own = edge_m(aside_m, true), shared = edge_m(aside_m, false);
-        const double expected = double{aside_m * kPlate_m / (kLamp_m - kPlate_m)};
+        const double expected = double{aside_m * kCellPlate_m / (kCellLamp_m - kCellPlate_m)};
         std::printf(
             "%.2f m beside its map: a shadow of what is 3 m away, on a floor 8 m away, is off by %.3f m\n",
             double{aside_m}, shared - own);

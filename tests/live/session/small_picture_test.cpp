@@ -13,7 +13,7 @@
 namespace ghost::app {
 namespace {
 
-constexpr int kWidth = 160, kHeight = 90;
+constexpr int kSmallWidth = 160, kSmallHeight = 90;
 
 double difference(const image::Image8& a, const image::Image8& b) {
     EXPECT_EQ(a.samples.size(), b.samples.size());
@@ -28,8 +28,8 @@ TEST(SmallPicture, is_that_of_its_camera_and_leaves_the_live_one_as_it_was) {
     options.show = DemoCopy::show().string();
     options.live = true;
     options.quiet = true;
-    options.width = kWidth;
-    options.height = kHeight;
+    options.width = kSmallWidth;
+    options.height = kSmallHeight;
     const auto session = must(open_session(options));
     session->show->motion = fixture::Motion::as_commanded;
     std::map<std::size_t, fixture::Programmer> hands;
@@ -40,8 +40,8 @@ TEST(SmallPicture, is_that_of_its_camera_and_leaves_the_live_one_as_it_was) {
     const scene::Camera close = session->show->cameras[1];
     const auto live_from = [&](const scene::Camera& camera) {
         scene::Camera from = camera;
-        from.width = kWidth;
-        from.height = kHeight;
+        from.width = kSmallWidth;
+        from.height = kSmallHeight;
         session->look_from(scene::with_frame(from, {camera.width, camera.height}));
         session->draw();
         return session->relighter->picture();
@@ -50,7 +50,7 @@ TEST(SmallPicture, is_that_of_its_camera_and_leaves_the_live_one_as_it_was) {
     ASSERT_GT(difference(wanted, before), 5) << "the two cameras see other things";
 
     ASSERT_TRUE(SmallPicture::fits(*session));
-    SmallPicture small(*session, kWidth, kHeight);
+    SmallPicture small(*session, kSmallWidth, kSmallHeight);
     EXPECT_FALSE(small.draw(close, session->lit(), 0, [] { return true; })) << "it gave way";
     const auto picture = small.draw(close, session->lit(), 0, [] { return false; });
     ASSERT_TRUE(picture);

@@ -8,8 +8,9 @@ namespace {
 
 constexpr float kLamp_m = 8, kPlate_m = 5; // above the floor
 constexpr int kPixels = 512;
-constexpr int kMapSize = 1024;
-constexpr double kTexel_m = 2.0 / kMapSize * static_cast<double>(kLamp_m); // on the floor, straight below
+constexpr int kShadowMapSize = 1024;
+constexpr double kTexel_m =
+    2.0 / kShadowMapSize * static_cast<double>(kLamp_m); // on the floor, straight below
 
 // Share of a disc of radius 1 on one side of a chord, -1 (none) to 1 (all) from its middle.
 double disc_share(double chord) {
@@ -39,7 +40,7 @@ Profile profile_of(float disc_radius_m) {
     render::Settings settings = bench_settings();
     settings.air = false;
     const LiveStage::Eye eye{{0, -3, 3}, {0, 0, 0}, 0.5f};
-    LiveStage with(stage, {light}, kPixels, 16, settings, kMapSize);
+    LiveStage with(stage, {light}, kPixels, 16, settings, kShadowMapSize);
     LiveStage without(stage, {light}, kPixels, 16, settings, kNoMaps);
     with.look(eye);
     without.look(eye);
@@ -132,7 +133,7 @@ TEST(SoftShadow, OfThinThingsIsThatOfBruteForce) {
         render::Settings settings = bench_settings();
         settings.air = false;
         const LiveStage::Eye eye{{6, 1, 4.6f}, {0, 9, 4.1f}, 22};
-        LiveStage with(stage, {light}, 160, 90, settings, kMapSize);
+        LiveStage with(stage, {light}, 160, 90, settings, kShadowMapSize);
         LiveStage without(stage, {light}, 160, 90, settings, kNoMaps);
         LiveStage bare(wall, {light}, 160, 90, settings, kNoMaps);
         for (LiveStage* each : {&with, &without, &bare}) each->look(eye);

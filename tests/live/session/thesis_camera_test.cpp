@@ -9,29 +9,29 @@ namespace {
 
 using glm::vec3;
 
-constexpr int kWidth = 48;
-constexpr int kHeight = 27;
+constexpr int kConeWidth = 48;
+constexpr int kConeHeight = 27;
 constexpr int kSamples = 512;
-const vec3 kLamp_m{0, 8, 5};
+const vec3 kSpot_m{0, 8, 5};
 const vec3 kEye_m{0, -4, 1.7f};
 
 shared::Light beam() {
-    return aimed_light(kLamp_m, kEye_m, 20, true);
+    return aimed_light(kSpot_m, kEye_m, 20, true);
 }
 
 // Walks on a line through the axis of the beam, across it: at 0 on the axis, at 1 on its outermost rim.
 vec3 across(float share) {
     const shared::Light light = beam();
-    const float distance_m = glm::length(kEye_m - kLamp_m);
+    const float distance_m = glm::length(kEye_m - kSpot_m);
     return kEye_m + light.axis_u * (share * distance_m * light.tan_field * light.cut_radius);
 }
 
 LiveStage::Eye eye_at(const vec3& position_m) {
-    return {position_m, kLamp_m - vec3(0, 0, 0.7f), 50};
+    return {position_m, kSpot_m - vec3(0, 0, 0.7f), 50};
 }
 
 TEST(thesis_camera, BeamIntoTheCameraIsRightInsideAndOutsideItsCone) {
-    LiveStage stage(small_stage(), {beam()}, kWidth, kHeight, haze_only(), 1024);
+    LiveStage stage(small_stage(), {beam()}, kConeWidth, kConeHeight, haze_only(), 1024);
     double worst_db = std::numeric_limits<double>::infinity(), worst_bias = 0;
     for (const float share :
          {0.0f, 0.02f, 0.3f, 0.6f, 0.8f, 0.9f, 0.97f, 0.999f, 1.001f, 1.03f, 1.1f, 1.3f, 2.0f}) {
@@ -50,7 +50,7 @@ TEST(thesis_camera, BeamIntoTheCameraIsRightInsideAndOutsideItsCone) {
 // Steps of half a millimetre through the rim, and through the axis, where the fan of the light is another one
 // on each side. A clipped beam loses a good part of the picture from one step to the next.
 TEST(thesis_camera, NothingJumpsAtTheRim) {
-    LiveStage stage(small_stage(), {beam()}, kWidth, kHeight, haze_only());
+    LiveStage stage(small_stage(), {beam()}, kConeWidth, kConeHeight, haze_only());
     const float rim_m = glm::length(across(1) - across(0));
     // 1.05: where the rows of the light's table are laid out anew (render/haze/fan.cpp).
     for (const float middle : {0.0f, 1.0f, 1.05f}) {
@@ -60,7 +60,7 @@ TEST(thesis_camera, NothingJumpsAtTheRim) {
             const float share = middle + 0.0005f * static_cast<float>(step) / rim_m;
             const vec3 eye_m = across(share);
             // The same direction of view, so that nothing else moves.
-            stage.look({eye_m, eye_m + (kLamp_m - vec3(0, 0, 0.7f) - kEye_m), 50});
+            stage.look({eye_m, eye_m + (kSpot_m - vec3(0, 0, 0.7f) - kEye_m), 50});
             const image::ImageF now = stage.draw();
             ASSERT_EQ(non_finite_of(now), 0u);
             if (!last.empty()) {
@@ -79,13 +79,13 @@ TEST(thesis_camera, NothingJumpsAtTheRim) {
 
 // Along the axis, from the house until the lens is 10 cm away.
 TEST(thesis_camera, NoNearPlaneOnTheWayIntoTheLens) {
-    LiveStage stage(small_stage(), {beam()}, kWidth, kHeight, haze_only());
+    LiveStage stage(small_stage(), {beam()}, kConeWidth, kConeHeight, haze_only());
     const shared::Light light = beam();
     for (const float from_lens_m : {12.0f, 8.0f, 5.0f, 3.0f, 2.0f, 1.0f, 0.5f, 0.2f, 0.1f}) {
         SCOPED_TRACE(from_lens_m);
         // A little aside: on the axis itself the lamp is a point of infinite brightness.
         const vec3 eye_m =
-            kLamp_m + light.axis_w * (light.lens_m + from_lens_m) + 0.02f * from_lens_m * light.axis_u;
+            kSpot_m + light.axis_w * (light.lens_m + from_lens_m) + 0.02f * from_lens_m * light.axis_u;
         stage.look({eye_m, eye_m - light.axis_w + 0.2f * light.axis_u, 50});
         const Likeness found = likeness(stage.draw(), stage.reference(kSamples));
         std::printf("%5.2f m before the lens: %.1f dB, bias %.3f %%\n", static_cast<double>(from_lens_m),

@@ -16,8 +16,8 @@ namespace {
 using glm::mat4;
 using glm::vec3;
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 54;
+constexpr int kGoboWidth = 96;
+constexpr int kGoboHeight = 54;
 constexpr int kRotatingGobo = 14; // DMX channels, docs/reference/fixtures.md
 constexpr int kGoboIndex = 15;
 constexpr int kZoom = 12;
@@ -119,7 +119,7 @@ TEST(thesis_gobo, RidesWithTheHeadInEveryPose) {
         render::Settings settings = bench_settings();
         settings.surfaces = surfaces;
         settings.air = !surfaces;
-        Ride ride(kWidth, kHeight, settings);
+        Ride ride(kGoboWidth, kGoboHeight, settings);
         spot().turn_gobo(0);
         const image::ImageF first = ride.draw(kPoses[0], 0);
         ASSERT_GT(mean_of(first), 0);
@@ -143,7 +143,7 @@ TEST(thesis_gobo, RidesWithTheHeadInEveryPose) {
 }
 
 TEST(thesis_gobo, TurnedGoboLooksLikeATurnedEye) {
-    Ride ride(kWidth, kHeight, bench_settings());
+    Ride ride(kGoboWidth, kGoboHeight, bench_settings());
     spot().turn_gobo(0);
     const image::ImageF plain = ride.draw(kPoses[0], 0);
     for (const float deg : {30.0f, 135.0f, 270.0f}) {
@@ -164,7 +164,7 @@ TEST(thesis_gobo, TurnedGoboLooksLikeATurnedEye) {
 TEST(thesis_gobo, PannedAndTurnedIsTheReference) {
     render::Settings settings = bench_settings();
     settings.surfaces = false;
-    LiveStage stage(small_stage(), {spot().light()}, kWidth, kHeight, settings);
+    LiveStage stage(small_stage(), {spot().light()}, kGoboWidth, kGoboHeight, settings);
     stage.renew(settings, spot().gobos());
     stage.look({{5, -6, 2.5f}, {0, 3, 2.6f}, 55});
     for (const float turn_deg : {0.0f, 30.0f, 200.0f}) {

@@ -12,9 +12,8 @@ namespace {
 
 using glm::vec3;
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 54;
-const LiveStage::Eye kHouse{{0, -12, 3}, {0, 4, 3}, 30};
+constexpr int kLightsWidth = 96;
+constexpr int kLightsHeight = 54;
 
 // Three beams through each other and through the eye's own cone: one of them comes at the camera.
 std::vector<shared::Light> crossing() {
@@ -60,7 +59,7 @@ void expect_sum(const image::ImageF& all, const std::vector<double>& sum, double
 }
 
 TEST(thesis_lights, CrossingBeamsAreTheSumOfEachAlone) {
-    LiveStage stage(small_stage(), crossing(), kWidth, kHeight, bench_settings(), 512);
+    LiveStage stage(small_stage(), crossing(), kLightsWidth, kLightsHeight, bench_settings(), 512);
     for (const LiveStage::Eye& eye : {kHouse, LiveStage::Eye{{0, 2, 2.6f}, {2, 4, 3}, 70},
                                       LiveStage::Eye{{-3.2f, 2.9f, 5.3f}, {3, 2, 0.5f}, 50}}) {
         stage.look(eye);
@@ -78,7 +77,7 @@ TEST(thesis_lights, CrossingBeamsAreTheSumOfEachAlone) {
 }
 
 TEST(thesis_lights, CrossingBeamsAreTheReference) {
-    LiveStage stage(small_stage(), crossing(), kWidth, kHeight, haze_only(), 1024);
+    LiveStage stage(small_stage(), crossing(), kLightsWidth, kLightsHeight, haze_only(), 1024);
     stage.look(kHouse);
     const Likeness found = likeness(stage.draw(), stage.reference(512));
     std::printf("three beams crossing: %.1f dB, bias %.3f %%\n", found.psnr_db, 100 * found.bias);
@@ -90,7 +89,7 @@ TEST(thesis_lights, CrossingBeamsAreTheReference) {
 // coming back, whatever the light tree keeps.
 TEST(thesis_lights, SixtyFourAtOnceAreTheSumOfEachAlone) {
     constexpr std::size_t kLights = 64;
-    LiveStage stage(small_stage(), many(kLights), kWidth, kHeight, bench_settings(), 64);
+    LiveStage stage(small_stage(), many(kLights), kLightsWidth, kLightsHeight, bench_settings(), 64);
     stage.look(kHouse);
     const image::ImageF all = stage.draw();
     EXPECT_EQ(stage.statistics.drawn, static_cast<int>(kLights));

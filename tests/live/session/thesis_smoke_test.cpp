@@ -12,9 +12,8 @@ namespace {
 
 using glm::vec3;
 
-constexpr int kWidth = 64;
-constexpr int kHeight = 36;
-const LiveStage::Eye kHouse{{0, -12, 3}, {0, 4, 3}, 30};
+constexpr int kSmokeWidth = 64;
+constexpr int kSmokeHeight = 36;
 
 scene::Show smoky_show() {
     scene::Show show;
@@ -44,7 +43,8 @@ TEST(thesis_smoke, SwirlsAndAPlumeAreTheReference) {
     const scene::Show show = smoky_show();
     for (const double time_s : {0.0, 12.5}) {
         const shared::Air air = atmosphere_of(show).field(time_s);
-        LiveStage stage(small_stage(), two_beams(), kWidth, kHeight, with_air(haze_only(), air), 1024);
+        LiveStage stage(small_stage(), two_beams(), kSmokeWidth, kSmokeHeight, with_air(haze_only(), air),
+                        1024);
         stage.look(kHouse);
         const image::ImageF live = stage.draw();
         // The reference also weakens light on its way by the haze that is there; the live picture by even
@@ -63,7 +63,7 @@ TEST(thesis_smoke, SwirlsAndAPlumeAreTheReference) {
 
 TEST(thesis_smoke, TimeAloneSaysHowTheSmokeLies) {
     const scene::Show show = smoky_show();
-    LiveStage stage(small_stage(), two_beams(), kWidth, kHeight,
+    LiveStage stage(small_stage(), two_beams(), kSmokeWidth, kSmokeHeight,
                     with_air(haze_only(), atmosphere_of(show).field()));
     stage.look(kHouse);
     const auto at = [&](double time_s) {
@@ -81,7 +81,7 @@ TEST(thesis_smoke, TimeAloneSaysHowTheSmokeLies) {
 TEST(thesis_smoke, WithoutSmokeOnlySurfacesAreLit) {
     render::Settings clear = bench_settings();
     clear.haze.extinction_per_m = clear.haze.scattering_per_m = 0;
-    LiveStage stage(small_stage(), two_beams(), kWidth, kHeight,
+    LiveStage stage(small_stage(), two_beams(), kSmokeWidth, kSmokeHeight,
                     with_air(clear, atmosphere_of(smoky_show()).field(3)), 256);
     stage.look(kHouse);
     const image::ImageF picture = stage.draw();
@@ -101,7 +101,7 @@ TEST(thesis_smoke, AttenuationOfHazeIsTheReferences) {
     for (const shared::Attenuation& attenuation : {shared::Attenuation{0, 0.1f, 0}, {1, 0.2f, 0.02f}}) {
         render::Settings settings = haze_only();
         settings.air_field.attenuation = attenuation;
-        LiveStage stage(small_stage(), two_beams(), kWidth, kHeight, settings, 2048);
+        LiveStage stage(small_stage(), two_beams(), kSmokeWidth, kSmokeHeight, settings, 2048);
         stage.look(kHouse);
         const Likeness found = likeness(stage.draw(), stage.reference(384));
         std::printf("haze, 1 / (%g + %g d + %g d^2): %.1f dB, bias %.3f %%\n",
@@ -119,7 +119,7 @@ TEST(thesis_smoke, AttenuationOfSurfacesIsTheClosedForm) {
     scene::Stage wall = empty_stage();
     add_box(wall, {-40, 6, -40}, {40, 6.2f, 40});
     const shared::Light lamp = aimed_light({0, 1, 3}, {0, 6, 3}, 60, false);
-    LiveStage stage(std::move(wall), {lamp}, kWidth, kHeight, settings);
+    LiveStage stage(std::move(wall), {lamp}, kSmokeWidth, kSmokeHeight, settings);
     stage.look(kHouse);
     const image::ImageF physical = stage.draw();
     const shared::Attenuation attenuation{1, 0.2f, 0.02f};
@@ -130,11 +130,11 @@ TEST(thesis_smoke, AttenuationOfSurfacesIsTheClosedForm) {
     const double tan_y = std::tan(glm::radians(static_cast<double>(camera.fov_y_deg)) / 2);
     double worst = 0;
     int lit = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kSmokeHeight; ++y)
+        for (int x = 0; x < kSmokeWidth; ++x) {
             // The camera looks along +Y, over 18 m to the wall.
-            const double right = 18 * tan_y * kWidth / kHeight * ((2 * x + 1.0) / kWidth - 1);
-            const double up = 18 * tan_y * (1 - (2 * y + 1.0) / kHeight);
+            const double right = 18 * tan_y * kSmokeWidth / kSmokeHeight * ((2 * x + 1.0) / kSmokeWidth - 1);
+            const double up = 18 * tan_y * (1 - (2 * y + 1.0) / kSmokeHeight);
             const double d_m = std::sqrt(right * right + up * up + 25);
             const double before = physical.at(x, y)[0], after = picture.at(x, y)[0];
             if (before < 0.5) continue;

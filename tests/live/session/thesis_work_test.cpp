@@ -11,11 +11,11 @@ namespace {
 
 using glm::vec3;
 
-constexpr int kWidth = 256;
-constexpr int kHeight = 144;
+constexpr int kWorkWidth = 256;
+constexpr int kWorkHeight = 144;
 constexpr int kTiles =
-    kWidth / static_cast<int>(shared::kTileWidth) * (kHeight / static_cast<int>(shared::kTileHeight));
-const LiveStage::Eye kHouse{{0, -12, 3}, {0, 4, 3}, 26};
+    kWorkWidth / static_cast<int>(shared::kTileWidth) * (kWorkHeight / static_cast<int>(shared::kTileHeight));
+const LiveStage::Eye kZoomedHouse{{0, -12, 3}, {0, 4, 3}, 26};
 
 shared::Light narrow() {
     return aimed_light({-4, 2, 6}, {4, 2, 0.5f}, 5, true);
@@ -36,7 +36,7 @@ int lit_tiles(const image::ImageF& picture) {
 }
 
 TEST(thesis_work, HazeIsDrawnOnlyWhereABeamIs) {
-    LiveStage stage(small_stage(), {narrow()}, kWidth, kHeight, haze_only());
+    LiveStage stage(small_stage(), {narrow()}, kWorkWidth, kWorkHeight, haze_only());
     struct Case {
         const char* name;
         shared::Light light;
@@ -47,7 +47,7 @@ TEST(thesis_work, HazeIsDrawnOnlyWhereABeamIs) {
         {"at the camera", aimed_light({1, 5, 6}, {2.6f, -12, 3}, 12, true)},
         {"up in a corner", aimed_light({4, 4, 5}, {6, 4, 8}, 10, true)},
     };
-    stage.look(kHouse);
+    stage.look(kZoomedHouse);
     for (const Case& one : cases) {
         const int lit = lit_tiles(stage.draw({one.light}));
         const int drawn = stage.statistics.haze_tiles;
@@ -77,7 +77,7 @@ class Segments {
 public:
     Segments(const std::vector<shared::Light>& lights, int width, int height) : count(lights.size()) {
         LiveStage stage(small_stage(), {lights[0]}, width, height, haze_only());
-        stage.look(kHouse);
+        stage.look(kZoomedHouse);
         std::vector<image::ImageF> whole;
         std::vector<std::vector<bool>> same;
         for (std::size_t k = 0; k < lights.size(); ++k) {
@@ -138,7 +138,7 @@ TEST(thesis_work, DISABLED_Picture) {
     std::vector<image::Image8> views;
     for (const shared::Light& light : lights) {
         LiveStage stage(small_stage(), {light}, kHalfWidth, kHalfHeight, picture_settings(4), 1024);
-        stage.look(kHouse);
+        stage.look(kZoomedHouse);
         stage.draw();
         views.push_back(stage.relighter().picture());
     }

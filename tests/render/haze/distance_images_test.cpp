@@ -9,11 +9,11 @@ namespace {
 TEST(DistanceImages, more_maps_than_an_image_has_layers_are_left_out) {
     const auto device = gpu::Device::create({.validation = true});
     ASSERT_TRUE(device.ok()) << device.error().text();
-    constexpr int kSide = 8;
+    constexpr int kMapSide = 8;
     scene::DistanceMap map;
-    map.distance.assign(kSide * kSide, scene::kNoSurface);
+    map.distance.assign(kMapSide * kMapSide, scene::kNoSurface);
     const std::size_t most = (*device)->most_layers();
-    scene::DistanceMaps maps{kSide, std::vector<scene::DistanceMap>(most + 2, map)};
+    scene::DistanceMaps maps{kMapSide, std::vector<scene::DistanceMap>(most + 2, map)};
     DistanceImages images(**device, maps);
     EXPECT_EQ(images.count(), most);
     images.set(most + 1, map); // nothing happens

@@ -17,7 +17,6 @@ using glm::vec3;
 
 class Smoke : public RelightTest {};
 
-constexpr shared::Haze kHaze{0.022f, 0.022f, 0.77f, -0.6f, 0.035f};
 constexpr float kWall_m = 6;
 
 shared::Air swirling(float unevenness, float patch_m) {
@@ -88,7 +87,7 @@ Settings smoky(const shared::Air& air) {
     return settings;
 }
 
-image::ImageF drawn(const scene::Passes& passes, const shared::Light& light, const Settings& settings) {
+image::ImageF drawn_smoke(const scene::Passes& passes, const shared::Light& light, const Settings& settings) {
     Relighter relighter(device(), passes, test_gobos(), 1, settings);
     relighter.draw({light});
     return relighter.frame();
@@ -118,9 +117,10 @@ TEST_F(Smoke, SwirlsAndPlumesAgreeWithTheReference) {
     for (const Case& one : cases) {
         SCOPED_TRACE(one.name);
         const image::ImageF reference = reference_of(house(), one.light, one.air);
-        const image::ImageF gate = drawn(house(), one.light, smoky(one.air));
+        const image::ImageF gate = drawn_smoke(house(), one.light, smoky(one.air));
         const Difference difference = compare(gate, reference);
-        const double even_db = likeness(drawn(house(), one.light, smoky(even_air())), reference).psnr_db;
+        const double even_db =
+            likeness(drawn_smoke(house(), one.light, smoky(even_air())), reference).psnr_db;
         const double db = likeness(gate, reference).psnr_db;
         std::printf("%-20s gate: %.1f dB, bias %.2f %%; even haze instead: %.1f dB\n", one.name, db,
                     100 * difference.mean_bias, even_db);
@@ -137,7 +137,7 @@ TEST_F(Smoke, SwirlsMakeNoSunRoundALampThatFacesTheCamera) {
     const shared::Light light = aimed_light({-1.2f, 5, 5}, {-1, -2, 2.2f}, 24, 2000);
     for (const shared::Air& air : {swirling(0.8f, 1.5f), with_plume(even_air())}) {
         const image::ImageF reference = reference_of(close, light, air);
-        const image::ImageF gate = drawn(close, light, smoky(air));
+        const image::ImageF gate = drawn_smoke(close, light, smoky(air));
         float least = 1e9f, most = 0;
         for (std::size_t k = 0; k < reference.samples.size(); k += 3) {
             if (reference.samples[k] <= 0.2f) continue;
@@ -169,21 +169,21 @@ TEST_F(Smoke, TheSameMomentIsTheSamePicture) {
     relighter.set_air(with_plume(swirling(0.8f, 2)));
     relighter.draw({across()});
     EXPECT_EQ(relighter.frame().samples, now.samples);
-    EXPECT_EQ(drawn(passes, across(), smoky(later)).samples, then.samples);
+    EXPECT_EQ(drawn_smoke(passes, across(), smoky(later)).samples, then.samples);
 }
 
 // The wind carries all swirls along: a camera, a light and a wall that go with it see them stand still.
 TEST_F(Smoke, SwirlsGoWithTheWind) {
     const vec3 drift_m{2.5f, 0.75f, -0.5f};
     shared::Air air = swirling(0.9f, 2);
-    const image::ImageF before = drawn(house(), across(), smoky(air));
+    const image::ImageF before = drawn_smoke(house(), across(), smoky(air));
     air.drift_m = drift_m;
-    const image::ImageF stayed = drawn(house(), across(), smoky(air));
+    const image::ImageF stayed = drawn_smoke(house(), across(), smoky(air));
     const scene::Passes along = wall_passes(
         camera_at(vec3(0, -12, 3) + drift_m, vec3(0, 4, 3) + drift_m, 26, 45, 27), kWall_m + drift_m.y);
     shared::Light light = across();
     light.position_m += drift_m;
-    const image::ImageF went = drawn(along, light, smoky(air));
+    const image::ImageF went = drawn_smoke(along, light, smoky(air));
     std::printf("swirls after 2.7 m of wind: %.1f dB for who went along, %.1f dB for who stayed\n",
                 likeness(went, before).psnr_db, likeness(stayed, before).psnr_db);
     EXPECT_GE(likeness(went, before).psnr_db, 60.0);
@@ -198,14 +198,14 @@ TEST_F(Smoke, NoSmokeLeavesTheSurfacesAndNoBeam) {
     none.haze.extinction_per_m = none.haze.scattering_per_m = 0;
     Settings off = none;
     off.air = false;
-    const image::ImageF surfaces = drawn(passes, light, off);
+    const image::ImageF surfaces = drawn_smoke(passes, light, off);
     EXPECT_GT(compare(surfaces, surfaces).mean_bias +
                   *std::max_element(surfaces.samples.begin(), surfaces.samples.end()),
               1.0);
-    EXPECT_EQ(drawn(passes, light, none).samples, surfaces.samples);
+    EXPECT_EQ(drawn_smoke(passes, light, none).samples, surfaces.samples);
     Settings only_air = none;
     only_air.surfaces = false;
-    for (const float value : drawn(passes, light, only_air).samples) ASSERT_EQ(value, 0.0f);
+    for (const float value : drawn_smoke(passes, light, only_air).samples) ASSERT_EQ(value, 0.0f);
 }
 
 const shared::Attenuation kAttenuations[] = {
@@ -216,10 +216,10 @@ TEST_F(Smoke, AttenuationOfSurfacesIsTheClosedForm) {
     shared::Light light = aimed_light({-3, 1, 6}, {1, 6, 2}, 40, 300);
     light.pass = add_pass(passes, light.position_m, [](const vec3&) { return vec3(0.01f); });
     Settings settings = clear_air();
-    const image::ImageF physical = drawn(passes, light, settings);
+    const image::ImageF physical = drawn_smoke(passes, light, settings);
     for (const shared::Attenuation& attenuation : kAttenuations) {
         settings.air_field.attenuation = attenuation;
-        const image::ImageF picture = drawn(passes, light, settings);
+        const image::ImageF picture = drawn_smoke(passes, light, settings);
         double worst = 0;
         int lit = 0;
         for (std::size_t p = 0; p < passes.pixel_count(); ++p) {
@@ -242,7 +242,7 @@ TEST_F(Smoke, AttenuationOfHazeIsTheClosedForm) {
         shared::Air air = even_air();
         air.attenuation = attenuation;
         const image::ImageF reference = reference_of(house(), across(), air);
-        const image::ImageF gate = drawn(house(), across(), smoky(air));
+        const image::ImageF gate = drawn_smoke(house(), across(), smoky(air));
         const Difference difference = compare(gate, reference);
         std::printf("haze, %g %g %g: %.1f dB, bias %.3f %%\n", static_cast<double>(attenuation.constant),
                     static_cast<double>(attenuation.linear), static_cast<double>(attenuation.quadratic),

@@ -13,8 +13,7 @@ using glm::vec3;
 
 using BeamResolution = RelightTest;
 
-constexpr shared::Haze kHaze{0.022f, 0.022f, 0.77f, -0.6f, 0.035f};
-constexpr float kWall_m = 6.0f;
+constexpr float kBackWall_m = 6.0f;
 
 scene::Camera camera(int width, int height) {
     return camera_at({1, -9, 2.2f}, {0.4f, 2, 3.2f}, 26, width, height);
@@ -22,7 +21,7 @@ scene::Camera camera(int width, int height) {
 
 // Wall passes in which near(x, y) pixels show a plane at 2 m before the camera.
 scene::Passes passes_with(int width, int height, const std::function<bool(int, int)>& near) {
-    scene::Passes passes = wall_passes(camera(width, height), kWall_m);
+    scene::Passes passes = wall_passes(camera(width, height), kBackWall_m);
     const scene::Passes front = wall_passes(camera(width, height), -7.0f);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {

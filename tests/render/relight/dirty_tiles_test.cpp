@@ -15,7 +15,7 @@ namespace {
 using MenderTest = RelightTest;
 
 constexpr int kLights = 6;
-constexpr std::size_t kFirst = 2; // instances of room()
+constexpr std::size_t kFirstCross = 2; // instances of room()
 
 scene::Mesh cross_of_quads() {
     scene::Mesh mesh;
@@ -57,13 +57,13 @@ Settings settings() {
     return all;
 }
 
-struct Difference {
+struct Deviation {
     double most = 0;
     double mean = 0;
 };
 
-Difference difference(const image::ImageF& a, const image::ImageF& b) {
-    Difference all;
+Deviation deviation_of(const image::ImageF& a, const image::ImageF& b) {
+    Deviation all;
     for (std::size_t k = 0; k < a.samples.size(); ++k) {
         const double one = std::abs(static_cast<double>(a.samples[k]) - static_cast<double>(b.samples[k])) /
                            (0.5 + std::abs(static_cast<double>(b.samples[k])));
@@ -77,7 +77,7 @@ class Scene {
 public:
     explicit Scene(int moving, const Settings& how = settings())
         : how_(how), model_(device(), stage_with(moving), report_), buffer_(device(), 192, 96) {
-        for (int k = 0; k < moving; ++k) model_.mark_moving(kFirst + static_cast<std::size_t>(k));
+        for (int k = 0; k < moving; ++k) model_.mark_moving(kFirstCross + static_cast<std::size_t>(k));
         buffer_.draw(model_, pose_of(camera_at({0, -10, 3}, {0, 10, 2.5f}, 40, 192, 96)),
                      {how_.ambient, how_.haze});
         relighter_ = fresh();
@@ -86,7 +86,7 @@ public:
         return std::make_unique<Relighter>(device(), buffer_, nullptr, test_gobos(), kLights, how_);
     }
     bool move(int index, const glm::vec3& place_m, float turn_rad) {
-        model_.move(kFirst + static_cast<std::size_t>(index),
+        model_.move(kFirstCross + static_cast<std::size_t>(index),
                     glm::rotate(glm::translate(glm::mat4(1.0f), place_m), turn_rad, glm::vec3(0, 0, 1)));
         if (!buffer_.update(model_)) return false;
         relighter_->touch();
@@ -97,7 +97,7 @@ public:
     void expect_as_drawn_anew(const std::vector<shared::Light>& lights) const {
         const auto anew = fresh();
         anew->draw(lights);
-        const Difference found = difference(relighter_->frame(), anew->frame());
+        const Deviation found = deviation_of(relighter_->frame(), anew->frame());
         EXPECT_LT(found.most, 0.004);
         EXPECT_LT(found.mean, 0.0005);
     }

@@ -17,8 +17,6 @@ using glm::vec3;
 
 using Haze = RelightTest;
 
-constexpr shared::Haze kHaze{0.022f, 0.022f, 0.77f, -0.6f, 0.035f};
-
 double phase(double g, double cosine) {
     return (1 - g * g) / (4 * 3.14159265358979 * std::pow(1 + g * g - 2 * g * cosine, 1.5));
 }

@@ -11,7 +11,7 @@ using glm::vec3;
 
 using Lens = RelightTest;
 
-constexpr shared::Haze kHaze{0.02f, 0.02f, 0.77f, -0.6f, 0.035f};
+constexpr shared::Haze kThinHaze{0.02f, 0.02f, 0.77f, -0.6f, 0.035f};
 
 // Lux that a light's beam brings to the eye at the origin.
 double lux_at_eye(const shared::Light& light, const shared::Haze& haze = {}) {
@@ -22,7 +22,7 @@ double lux_at_eye(const shared::Light& light, const shared::Haze& haze = {}) {
 }
 
 TEST_F(Lens, LuminanceOfALargeDisc) {
-    DarkHall hall(200, 120, 20, 30, kHaze);
+    DarkHall hall(200, 120, 20, 30, kThinHaze);
     shared::Light light = aimed_light({0.1f, 2.5f, 0.05f}, {0.4f, 0, 0.1f}, 40, 20.0f);
     light.disc_radius_m = 0.09f;
     hall.draw({light});
@@ -31,13 +31,13 @@ TEST_F(Lens, LuminanceOfALargeDisc) {
     const double cosine = double{glm::dot(-lens, light.axis_w)} / lens_m;
     ASSERT_LT(cosine, 0.999);
     const double expected =
-        lux_at_eye(light, kHaze) * lens_m * lens_m / (3.14159265358979 * 0.09 * 0.09 * cosine);
+        lux_at_eye(light, kThinHaze) * lens_m * lens_m / (3.14159265358979 * 0.09 * 0.09 * cosine);
     const glm::ivec2 centre(hall.pixel_of(lens));
     EXPECT_NEAR(hall.frame().at(centre.x, centre.y)[1] / expected, 1.0, 0.01);
 }
 
 TEST_F(Lens, LightAtTheEyeAtAnySizeAndAngle) {
-    DarkHall hall(160, 96, 40, 60, kHaze);
+    DarkHall hall(160, 96, 40, 60, kThinHaze);
     for (const float away_m : {3.0f, 8.0f, 20.0f, 50.0f})
         for (const float aside_deg : {0.0f, 4.0f, 10.0f, 35.0f, 60.0f}) {
             const float turn = glm::radians(aside_deg);
@@ -48,7 +48,7 @@ TEST_F(Lens, LightAtTheEyeAtAnySizeAndAngle) {
             hall.draw({light});
             const double lux = hall.light() * hall.pixel_sr(hall.pixel_of(lens_of(light)));
             // A large disc is projected as if the projection were linear, hence the first distance's share.
-            EXPECT_NEAR(lux / lux_at_eye(light, kHaze), 1.0, 0.004)
+            EXPECT_NEAR(lux / lux_at_eye(light, kThinHaze), 1.0, 0.004)
                 << away_m << " m, " << aside_deg << " deg";
         }
 }

@@ -94,9 +94,9 @@ bool covered(const std::vector<PixelRect>& rects, std::size_t pixel, std::size_t
     });
 }
 
-class Scene {
+class LumpScene {
 public:
-    explicit Scene(std::size_t lumps, const scene::Camera& camera, bool all_move = true)
+    explicit LumpScene(std::size_t lumps, const scene::Camera& camera, bool all_move = true)
         : stage_(room_with_lumps(lumps)), camera_(camera), model_(device(), stage_, report_),
           buffer_(device(), camera.width, camera.height) {
         surroundings_.ambient = {2, 3, 4};
@@ -139,7 +139,7 @@ scene::Camera front() {
 }
 
 TEST_F(MovingTest, OnlyWhatAHeadTouchesChanges) {
-    Scene scene(2, front());
+    LumpScene scene(2, front());
     scene.move(0, at({-2, 2, 2}));
     scene.move(1, at({2, 0, 3}));
     scene.draw();
@@ -162,7 +162,7 @@ TEST_F(MovingTest, OnlyWhatAHeadTouchesChanges) {
 }
 
 TEST_F(MovingTest, WhatStandsStillIsNotDrawn) {
-    Scene scene(3, front());
+    LumpScene scene(3, front());
     for (std::size_t k = 0; k < 3; ++k) scene.move(k, at({static_cast<float>(k), 0, 3}));
     EXPECT_FALSE(scene.model().visible_moving({0, -10, 3}, {}, 1).empty());
     scene.draw();
@@ -178,18 +178,18 @@ TEST_F(MovingTest, WhatStandsStillIsNotDrawn) {
 
 TEST_F(MovingTest, RandomMovesGiveWhatDrawingAnewGives) {
     constexpr std::size_t kLumps = 7;
-    Scene scene(kLumps, front());
+    LumpScene scene(kLumps, front());
     std::mt19937 random(11);
     const auto unit = [&] { return static_cast<float>(random() >> 8) / 16777216.0f; };
     scene.draw();
     for (int step = 0; step < 24; ++step) {
         for (std::size_t k = 0; k < kLumps; ++k)
             if (unit() < 0.5f) scene.move(k, at({8 * unit() - 4, 14 * unit() - 6, 6 * unit()}, 6 * unit()));
-        if (step % 6 == 3) scene.model().show(Scene::first() + 2, false);
+        if (step % 6 == 3) scene.model().show(LumpScene::first() + 2, false);
         scene.update();
         if (step % 6 == 3) { // hidden ones are hidden; then they come back
             expect_sound(scene.picture(), true);
-            scene.model().show(Scene::first() + 2, true);
+            scene.model().show(LumpScene::first() + 2, true);
             scene.update();
         }
         SCOPED_TRACE(step);
@@ -198,7 +198,7 @@ TEST_F(MovingTest, RandomMovesGiveWhatDrawingAnewGives) {
 }
 
 TEST_F(MovingTest, AHeadLeavesTheViewAndComesBack) {
-    Scene scene(2, front());
+    LumpScene scene(2, front());
     scene.move(1, at({1, 3, 1}));
     scene.draw();
     const std::array<glm::vec3, 8> places{glm::vec3(0, 0, 3),   glm::vec3(6, 0, 3),   glm::vec3(60, 0, 3),
@@ -222,7 +222,7 @@ TEST_F(MovingTest, AHeadLeavesTheViewAndComesBack) {
 }
 
 TEST_F(MovingTest, AStillInstanceMovedOrAnotherCameraDrawsAll) {
-    Scene scene(4, front(), false); // 1 and 3 are not marked
+    LumpScene scene(4, front(), false); // 1 and 3 are not marked
     for (std::size_t k = 0; k < 4; ++k) scene.move(k, at({1.5f * static_cast<float>(k) - 2, 0, 2}));
     scene.draw();
     scene.move(0, at({-2, 1, 2}, 1));
@@ -243,7 +243,7 @@ TEST_F(MovingTest, AStillInstanceMovedOrAnotherCameraDrawsAll) {
 
 // Room for extra fragments runs out after many moves: everything is gathered anew, nothing is lost.
 TEST_F(MovingTest, RoomForExtrasIsMadeAgain) {
-    Scene scene(30, camera_at({0, -10, 3}, {0, 10, 2.5f}, 40, 64, 48));
+    LumpScene scene(30, camera_at({0, -10, 3}, {0, 10, 2.5f}, 40, 64, 48));
     std::mt19937 random(5);
     const auto unit = [&] { return static_cast<float>(random() >> 8) / 16777216.0f; };
     scene.draw();

@@ -14,7 +14,7 @@ import time
 import tomllib
 import zipfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).parent / "lib"))
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "lib"))
 import needs  # noqa: E402
 import window as window_driver  # noqa: E402
 from window import PROGRAM, SOURCE, Window  # noqa: E402
