@@ -100,9 +100,12 @@ class Stage:
                 time.sleep(0.1)
         self.answers = self.socket.makefile()
         self.do("wait opened")
-        for line in ("tone linear", "exposure 7", "wait 1"):
+        for line in ("tone linear", "exposure 7"):
             self.do(line)
         end_s = time.monotonic() + LONG_S
+        while "no picture yet" in self.ask(f'save-picture "{self.folder / "now.png"}"'):
+            assert time.monotonic() < end_s, self.text()
+            time.sleep(0.2)
         while not blue(*self.colours()[1]):  # a picture of before its media came is black
             assert time.monotonic() < end_s, self.text()
             time.sleep(0.2)
@@ -110,9 +113,12 @@ class Stage:
     def text(self):
         return (self.folder / "window.log").read_text()
 
-    def do(self, line):
+    def ask(self, line):
         self.socket.sendall((line + "\n").encode())
-        answer = self.answers.readline().strip()
+        return self.answers.readline().strip()
+
+    def do(self, line):
+        answer = self.ask(line)
         assert answer == "ok", f"{line}: {answer}\n{self.text()}"
 
     def close(self):

@@ -7,7 +7,6 @@
 namespace ghost::ui {
 namespace {
 
-constexpr double kMost_m = 100000;
 constexpr const char* kModels = "Models (*.glb *.gltf *.obj *.3ds);;All files (*)";
 
 Result<glm::vec3> vector_of(const QStringList& words, const char* what, double most) {
@@ -62,11 +61,11 @@ void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document) 
     add("mode", "", "", "NAME",
         [](PatchEdit& edit, const QStringList& words) { return edit.set_mode(words.value(0)); });
     add("place", "", "", "X Y Z", [](PatchEdit& edit, const QStringList& words) -> Result<void> {
-        TRY(const glm::vec3 place_m, vector_of(words, "metres", kMost_m));
+        TRY(const glm::vec3 place_m, vector_of(words, "metres", scene::kMaxCoordinate_m));
         return edit.set_position(place_m);
     });
     add("move", "", "", "X Y Z", [](PatchEdit& edit, const QStringList& words) -> Result<void> {
-        TRY(const glm::vec3 by_m, vector_of(words, "metres", kMost_m));
+        TRY(const glm::vec3 by_m, vector_of(words, "metres", scene::kMaxCoordinate_m));
         return edit.move_by(by_m);
     });
     add("rotate", "", "", "X Y Z", [](PatchEdit& edit, const QStringList& words) -> Result<void> {
@@ -86,7 +85,7 @@ void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document) 
     add("duplicate", "Duplicate", "Ctrl+D", "[X Y Z]",
         [](PatchEdit& edit, const QStringList& words) -> Result<void> {
             if (words.isEmpty()) return edit.duplicate({1, 0, 0});
-            TRY(const glm::vec3 by_m, vector_of(words, "metres", kMost_m));
+            TRY(const glm::vec3 by_m, vector_of(words, "metres", scene::kMaxCoordinate_m));
             return edit.duplicate(by_m);
         });
     add("remove", "Remove", "Delete", "", [](PatchEdit& edit, const QStringList&) { return edit.remove(); });
@@ -117,7 +116,7 @@ void add_patch_actions(Actions& actions, AppModel& app, ShowDocument& document) 
             glm::vec3 place_m = app.camera().target_m;
             place_m.z = 0; // on the floor
             if (words.size() > 1) {
-                TRY(place_m, vector_of(words.mid(1), "metres", kMost_m));
+                TRY(place_m, vector_of(words.mid(1), "metres", scene::kMaxCoordinate_m));
             }
             return edit.add_model(words[0].toStdString(), place_m);
         },
