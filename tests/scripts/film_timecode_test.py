@@ -68,7 +68,8 @@ class Film(unittest.TestCase):
         self.port = free_port()
         self.window = Window("--size", "480x320", "--timecode", "10:00:00:00", "--protocols", "artnet", "--artnet-port", str(self.port),
                              "--interface", "127.0.0.1", "--no-poll-reply", show=show)
-        self.window.do("wait opened", "tone linear", "resolution 50", "wait 1")
+        self.window.do("wait opened", "tone linear", "resolution 50")
+        self.window.until_picture()
 
     def send(self, at_s):
         frame = round((36000 + at_s) * 25)

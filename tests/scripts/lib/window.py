@@ -79,6 +79,14 @@ class Window:
             time.sleep(0.2)
         raise AssertionError(json.dumps(state, indent=1))
 
+    def until_picture(self):
+        """Waits for the first one of a show."""
+        file = WORK / "first.png"
+        until_s = time.monotonic() + LONG_S
+        while "no picture yet" in self.ask(f'save-picture "{file}"'):
+            assert time.monotonic() < until_s, self.text()
+            time.sleep(0.1)
+
     def picture(self, name):
         """The picture of the stage, at rest; values 0..255 as floats."""
         file = WORK / f"{name}.png"
