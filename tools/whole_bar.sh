@@ -34,6 +34,7 @@ follow_part() {
         if [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\ (.*) ]]; then
             per_mille=$((1000 * BASH_REMATCH[1] / BASH_REMATCH[2]))
             what=${BASH_REMATCH[3]##* }
+            [[ $what != */ghost_*/Unity/* ]] || { what=${what#*/ghost_} && what=${what%%.dir/*}; } # a room, whole
             what="compiling ${what##*/}"
         elif [[ $line =~ ^dlstatus:[^:]*:([0-9]+) ]]; then
             per_mille=$((3 * BASH_REMATCH[1]))

@@ -5,8 +5,8 @@
 #include "bake/private/camera_bake.h"
 #include "light/bodies.h"
 #include "passes/passes_file.h"
-#include "show_folder/place_checks.h"
 #include "rays/tracer.h"
+#include "show_folder/place_checks.h"
 
 #include <algorithm>
 #include <cstdint>

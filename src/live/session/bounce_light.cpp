@@ -259,8 +259,8 @@ void BounceLight::run() {
 }
 
 Result<std::shared_ptr<const scene::BounceVolumes>>
-bounced_now(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
-            scene::Rig& rig, const scene::GoboStack& gobos, const shared::Haze& haze, bool quiet) {
+bounced_now(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level, scene::Rig& rig,
+            const scene::GoboStack& gobos, const shared::Haze& haze, bool quiet) {
     if (level == scene::BounceDetail::off) return std::shared_ptr<const scene::BounceVolumes>();
     BounceLight light(show, stage, level, gobos.images);
     light.wait_for_links(quiet);

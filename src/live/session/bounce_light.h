@@ -102,7 +102,7 @@ private:
 // What bounces of the light of a moment, without a device; waits for it. quiet: no bar for the links. Null:
 // off. Error: why none bounces.
 Result<std::shared_ptr<const scene::BounceVolumes>>
-bounced_now(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level,
-            scene::Rig& rig, const scene::GoboStack& gobos, const shared::Haze& haze, bool quiet);
+bounced_now(const scene::Show& show, const scene::Stage& stage, scene::BounceDetail level, scene::Rig& rig,
+            const scene::GoboStack& gobos, const shared::Haze& haze, bool quiet);
 
 } // namespace ghost::app
