@@ -85,6 +85,12 @@ void return_large_blocks() {
 #endif
 }
 
+void give_back_free_memory() {
+#if defined(__GLIBC__)
+    malloc_trim(0);
+#endif
+}
+
 ZeroedMemory::ZeroedMemory() {
 #if defined(__GLIBC__)
     mallopt(M_PERTURB, 0xff); // blocks are filled with the complement

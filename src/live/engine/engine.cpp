@@ -6,6 +6,7 @@
 #include "live/session/take_patch.h"
 
 #include "base/log.h"
+#include "base/memory.h"
 #include "disk/leftovers.h"
 
 #include <algorithm>
@@ -153,7 +154,7 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     probe_.forget();
     camera_pictures_.forget();
     look_.reset();
-    const std::unique_ptr<Session> session_before = std::exchange(session_, std::move(session));
+    std::unique_ptr<Session> session_before = std::exchange(session_, std::move(session));
     if (kind != Opening::Kind::another && session_before)
         session_->rig->go_on_from(*session_before->rig,
                                   same_fixtures(*session_before->show, *session_->show));
@@ -177,6 +178,10 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     shown_.lights = {};
     live_.begin();
     if (kind == Opening::Kind::another) live_.begin_show(session_->show->fixtures.size());
+    if (session_before) {
+        session_before.reset();
+        give_back_free_memory();
+    }
     last_step_s_ = now_s();
     if (kind != Opening::Kind::edit) { // those of the show before are none of this one
         request_.look = {};
