@@ -25,7 +25,7 @@ constexpr std::size_t kLargeBlock_bytes = std::size_t{256} << 10;
 void return_large_blocks();
 
 // What is free in the heaps of the C library goes back to the system, also between what stays: after a show
-// was replaced that is half of a window's memory. Tens of milliseconds.
+// was replaced that is half of a window's memory. Not for every frame: it walks all heaps.
 void give_back_free_memory();
 
 } // namespace ghost

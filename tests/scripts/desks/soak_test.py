@@ -218,13 +218,10 @@ class Soak:
     def round(self):
         for trouble in [getattr(self, name) for name in TROUBLES]:
             print(trouble.__name__.replace("_", " "), flush=True)
-            try:
-                trouble()
-                self.edit()
-                self.save()
-                self.packets_come()
-            except BaseException:
-                raise
+            trouble()
+            self.edit()
+            self.save()
+            self.packets_come()
         return self.figures()
 
     def figures(self):
