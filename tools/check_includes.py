@@ -44,7 +44,7 @@ LIBRARIES = {
     "libswscale/": {"video"},
     "alsa/": {"sound"},
     "ltc.h": {"sound"},
-    "CLI/": {"cli", "farm"},
+    "CLI/": {"cli", "farm", "bench/program"},
     "glm/": None,  # vectors, everywhere
 }
 QT = re.compile(r"Q[A-Z]")

@@ -9,7 +9,7 @@
 #include "shared/beam.h"
 #include "shared/visibility.h"
 
-layout(local_size_x = 64) in;
+layout(local_size_x = 64, local_size_y_id = 2) in; // tiles; lanes that share the lights of a tile
 layout(binding = 0, scalar) uniform ViewBlock { View view; };
 layout(binding = 1, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; };
 layout(binding = 2, scalar) readonly buffer TileBounds { vec4 tile_bounds[]; }; // 2 a tile: centre, radius; farthest, -, -, -
@@ -76,9 +76,13 @@ uint way_of(Keep light, uint unit) {
     return kIsMade;
 }
 
+shared uint surface_masks[64][kMaskWords], haze_masks[64][kMaskWords];
+shared uint made_counts[64], direct_counts[64];
+
 void main() {
+    uint lanes = gl_WorkGroupSize.y, lane = gl_LocalInvocationID.y, place = gl_LocalInvocationID.x;
     uint tile = gl_GlobalInvocationID.x;
-    if (tile >= p.tiles + p.blocks) return;
+    bool inside = tile < p.tiles + p.blocks;
     uint batch = gl_WorkGroupID.y;
     uint first = batch * p.batch_size;
     uint count = min(p.light_count - first, p.batch_size);
@@ -88,23 +92,23 @@ void main() {
     vec3 ray = view.forward + view.right * ndc.x + view.up * ndc.y;
     float ray_length = length(ray);
     vec3 dir = ray / ray_length;
-    vec4 sphere = tile_bounds[tile * 2u];
-    float far = tile_bounds[tile * 2u + 1u].x;
+    uint bounds = inside ? tile : 0u;
+    vec4 sphere = tile_bounds[bounds * 2u];
+    float far = tile_bounds[bounds * 2u + 1u].x;
     // Half the tile's diagonal as seen along the ray.
     float spread = length(view.right * (float(kTileWidth) / size.x) + view.up * (float(kTileHeight) / size.y)) / ray_length;
 
-    bool any_surface = false;
-    bool any_haze = false;
-    uint haze_count = 0u;
-    uint surface_count = 0u;
+    for (uint word = lane; word < kMaskWords; word += lanes) surface_masks[place][word] = haze_masks[place][word] = 0u;
+    if (lane == 0u) made_counts[place] = direct_counts[place] = 0u;
+    if (lanes > 1u) barrier();
+    // Lights of a lane: every one beside those of the others, so that all of them take as long.
     uint made_count = 0u;
     uint direct_count = 0u;
-    uint words = (count + 31u) / 32u;
-    for (uint word = 0u; word < words; ++word) {
+    for (uint word = 0u; inside && word < (count + 31u) / 32u; ++word) {
         uint surface_mask = 0u;
         uint haze_mask = 0u;
         uint end = min(count, (word + 1u) * 32u);
-        for (uint i = word * 32u; i < end; ++i) {
+        for (uint i = word * 32u + lane; i < end; i += lanes) {
             Light light = lights[first + i];
             float k = light.tan_field * light.cut_radius;
             float back_per_m = sqrt(1.0 + k * k) / k;
@@ -137,6 +141,23 @@ void main() {
             }
             haze_mask |= lit && light.haze_samples > 0u && tile < p.tiles && meets ? bit : 0u;
         }
+        if (surface_mask != 0u) atomicOr(surface_masks[place][word], surface_mask);
+        if (haze_mask != 0u) atomicOr(haze_masks[place][word], haze_mask);
+    }
+    if (made_count > 0u) atomicAdd(made_counts[place], made_count);
+    if (direct_count > 0u) atomicAdd(direct_counts[place], direct_count);
+    if (lanes > 1u) barrier();
+    if (!inside || lane > 0u) return;
+
+    bool any_surface = false;
+    bool any_haze = false;
+    uint haze_count = 0u;
+    uint surface_count = 0u;
+    made_count = made_counts[place];
+    direct_count = direct_counts[place];
+    for (uint word = 0u; word < (count + 31u) / 32u; ++word) {
+        uint surface_mask = surface_masks[place][word];
+        uint haze_mask = haze_masks[place][word];
         if (p.batch_size > 1u) {
             mask_of[tile * kMaskWords + word] = surface_mask;
             mask_of[(p.tiles + p.blocks + tile) * kMaskWords + word] = haze_mask;
@@ -147,9 +168,9 @@ void main() {
         haze_count += uint(bitCount(haze_mask));
     }
     if (any_haze && p.air != 0u) {
-        uint place = atomicAdd(groups[batch].haze[3], 1u);
-        list[haze_list(batch, p.tiles, p.blocks) + place] = tile;
-        if (place % p.haze_group == 0u) atomicAdd(groups[batch].haze[0], 1u);
+        uint at = atomicAdd(groups[batch].haze[3], 1u);
+        list[haze_list(batch, p.tiles, p.blocks) + at] = tile;
+        if (at % p.haze_group == 0u) atomicAdd(groups[batch].haze[0], 1u);
         atomicAdd(work.haze_tiles, haze_count);
     }
     if (any_surface && p.surfaces != 0u) {

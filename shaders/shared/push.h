@@ -94,6 +94,17 @@ struct SumPush {
 };
 SHARED_SIZE(SumPush, 16);
 
+// drawn = 0 on the tiles of a list and in the blocks of their extra fragments.
+struct ClearPush {
+    uint count; // of the list
+    uint listed; // 0: all tiles of the picture, then blocks
+    uint tiles;
+    uint tiles_x;
+    uint width;
+    uint height;
+};
+SHARED_SIZE(ClearPush, 24);
+
 // drawn += lights, on the tiles of the list. Layer 0: surfaces, layer 1: haze.
 struct RelightPush {
     uint light_count; // of the chunk

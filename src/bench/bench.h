@@ -5,6 +5,7 @@
 
 #include "live/session/session.h"
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <utility>
@@ -29,6 +30,13 @@ struct BenchOptions {
     std::string program;     // our own file, for the start-up table
     double soak_seconds =
         0;              // of the tables network and window: an even load for so long, instead of the table
+    std::string pictures; // of the table pictures: a folder that they are written into; empty: nowhere
+    std::string against;  // likewise: a folder of what they are compared with; empty: with nothing
+    std::string only;    // of the table scale: rows with this in their names
+    std::string shaders; // likewise: gpu::DeviceOptions
+    // Of the table shaders: a device that they are compiled for, where that is not the one that draws.
+    std::string compile_for;
+    std::uint32_t lights_per_dispatch = 0; // likewise, render::Settings
     bool power = false; // of the table bounce: light by order, against particles, instead of the table
 };
 
@@ -54,6 +62,10 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink);
 Result<void> bench_tree(const BenchOptions& options, const BenchSink& sink);
 // 10 thousand to a million triangles at one picture size.
 Result<void> bench_triangles(const BenchOptions& options, const BenchSink& sink);
+// Stills of the demo, against those that another device drew.
+Result<void> bench_pictures(const BenchOptions& options, const BenchSink& sink);
+// What the driver's compiler makes of the shaders of a live picture.
+Result<void> bench_shaders(const BenchOptions& options, const BenchSink& sink);
 // Baking the first camera of the show.
 Result<void> bench_bake(const BenchOptions& options, const BenchSink& sink);
 // Five moments of the show: relit passes of its first camera against the same beams traced directly.
@@ -64,17 +76,14 @@ Result<void> bench_network(const BenchOptions& options, const BenchSink& sink);
 Result<void> network_soak(double seconds, std::uint16_t port, const BenchSink& sink);
 // Recordings: bytes for an hour of a universe, time to open and to seek.
 Result<void> bench_recording(const BenchOptions& options, const BenchSink& sink);
-// The window with a desk at 44 Hz: packet to window, and what the window itself costs.
-Result<void> bench_window(const BenchOptions& options, const BenchSink& sink);
-// The window open for so long instead, with a person at work, one row a minute. Error: memory grew, or no
-// packet was seen.
-Result<void> window_soak(const BenchOptions& options, const BenchSink& sink);
 // Bounced light: what it takes, and how near it is to particles.
 Result<void> bench_bounce(const BenchOptions& options, const BenchSink& sink);
 // From nothing to the first picture, and the memory it takes.
 Result<void> bench_start(const BenchOptions& options, const BenchSink& sink);
 
 // Shared by the tables.
+// In the folder for temporary files, of a name that no other process has.
+std::filesystem::path bench_file(const std::string& ending);
 inline constexpr int kPaperPictureWidth = 1024, kPaperPictureHeight = 300; // pixels
 double median(std::vector<double> values);
 // GPU time of the passes of a name.

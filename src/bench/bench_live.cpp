@@ -3,8 +3,7 @@
 // moments at rest.
 #include "base/interrupt.h"
 #include "bench/bench.h"
-#include "bench/private/festival.h"
-#include "cli/options/input_options.h"
+#include "bench/festival.h"
 #include "dmx/record/recording_tasks.h"
 
 #include "base/steady_time.h"

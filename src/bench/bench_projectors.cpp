@@ -7,7 +7,7 @@
 #include "show_folder/load_show.h"
 
 #include "disk/files.h"
-#include "video/film.h"
+#include "video/files/film.h"
 
 #include <algorithm>
 #include <array>

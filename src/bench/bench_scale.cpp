@@ -4,6 +4,7 @@
 #include "base/interrupt.h"
 #include "bench/bench_views.h"
 #include "render/haze/haze_pass.h"
+#include "shared/push.h"
 
 #include <algorithm>
 #include <chrono>
@@ -129,23 +130,35 @@ std::vector<shared::Light> festival_lights(const std::vector<Place>& places, std
 struct Measured {
     double ms = 0;
     int frames = 0;
+    double haze_tiles = 0, surface_tiles = 0;             // of the last frame
+    double spans_ms = 0;                                  // all of them
+    double dispatches = 0, barriers = 0, submissions = 0; // of the last frame
     std::vector<std::pair<std::string, double>> passes;
 };
 
 // As many frames as fit into the time, two at least.
-Measured measure_frames(render::Relighter& relighter, const std::vector<Place>& places, std::size_t count,
-                        int frames, double seconds) {
-    const std::vector<std::string> names{"cull", "fan", "gate", "surfaces", "add", "develop", "read back"};
+Measured measure_frames(const gpu::Device& device, render::Relighter& relighter,
+                        const std::vector<Place>& places, std::size_t count, int frames, double seconds) {
+    const std::vector<std::string> names{"cull",     "fan", "gate",    "visibility",
+                                         "surfaces", "add", "develop", "read back"};
     std::vector<double> ms;
     std::vector<std::vector<double>> passes(names.size());
+    std::vector<double> spans;
+    double haze_tiles = 0, surface_tiles = 0;
+    gpu::RecordedWork before;
     const Clock::time_point start = Clock::now();
     relighter.draw(festival_lights(places, count, 0));
     while (static_cast<int>(ms.size()) < frames) {
         const double spent = std::chrono::duration<double>(Clock::now() - start).count();
         if (static_cast<int>(ms.size()) >= kFewestFrames && spent > seconds) break;
+        before = device.work();
         const render::FrameStatistics drawn =
             relighter.draw(festival_lights(places, count, 0.1 * static_cast<double>(ms.size() + 1)));
         ms.push_back(drawn.draw_ms);
+        haze_tiles = drawn.haze_tiles;
+        surface_tiles = drawn.surface_tiles;
+        spans.push_back(0);
+        for (const gpu::Span& span : drawn.spans) spans.back() += span.ms;
         // A frame of more passes than the device's clock has room for counts the rest as one.
         const bool whole = !drawn.spans.empty() && drawn.spans.back().name == "read back";
         for (std::size_t k = 0; k < names.size(); ++k) {
@@ -155,7 +168,16 @@ Measured measure_frames(render::Relighter& relighter, const std::vector<Place>& 
             passes[k].push_back(whole ? sum : std::numeric_limits<double>::quiet_NaN());
         }
     }
-    Measured measured{median(ms), static_cast<int>(ms.size()), {}};
+    const gpu::RecordedWork& work = device.work();
+    Measured measured{median(ms),
+                      static_cast<int>(ms.size()),
+                      haze_tiles,
+                      surface_tiles,
+                      median(spans),
+                      static_cast<double>(work.dispatches - before.dispatches),
+                      static_cast<double>(work.barriers - before.barriers),
+                      static_cast<double>(work.submissions - before.submissions),
+                      {}};
     for (std::size_t k = 0; k < names.size(); ++k) {
         const std::string key = names[k] == "read back" ? "read_back" : names[k];
         measured.passes.emplace_back(key + "_ms", median(passes[k]));
@@ -191,7 +213,7 @@ double fan_bytes(const gpu::Device& device, const render::Settings& settings, st
 
 Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
     catch_interrupts();
-    TRY(const std::unique_ptr<gpu::Device> device, gpu::Device::create({options.device, false}));
+    TRY(const std::unique_ptr<gpu::Device> device, gpu::Device::create({.name = options.device, .shaders = options.shaders}));
     const scene::Stage stage = festival_stage();
     const std::vector<Place> places = festival_places();
     TRY(scene::DistanceMaps maps, trace_all(stage, places));
@@ -224,6 +246,7 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
             if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
             const std::string name = std::to_string(count) + (count == 1 ? " light, " : " lights, ") +
                                      std::to_string(width) + "x" + std::to_string(height);
+            if (name.find(options.only) == std::string::npos) continue;
             const double expected_ms = first_ms + light_ms * static_cast<double>(count - 1);
             if (expected_ms * (1 + kFewestFrames) > options.row_seconds * 1000) {
                 sink({"scale", name, {{"expected_ms", expected_ms}}, "skipped: longer than --row-seconds"});
@@ -231,8 +254,9 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
             }
             render::Relighter relighter(*device, g_buffer, distances.get(), gobos, static_cast<int>(count),
                                         settings);
-            const Measured measured = measure_frames(relighter, places, count, std::min(options.frames, 20),
-                                                     std::min(options.row_seconds, 3.0));
+            const Measured measured =
+                measure_frames(*device, relighter, places, count, std::min(options.frames, 20),
+                               std::min(options.row_seconds, 3.0));
             const double lights = static_cast<double>(count);
             if (count == 1) first_ms = measured.ms;
             if (count > 1) light_ms = std::max(measured.ms - first_ms, 0.0) / (lights - 1);
@@ -243,13 +267,20 @@ Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
             const double fans = fan_bytes(*device, settings, count, *distances) / lights;
             BenchRow row{"scale", name, {{"ms", measured.ms}}, std::to_string(measured.frames) + " frames"};
             row.figures.insert(row.figures.end(), measured.passes.begin(), measured.passes.end());
-            row.figures.insert(row.figures.end(), {{"ms_per_light", measured.ms / lights},
-                                                   {"device_mb", (other_bytes + map_bytes * lights) / 1e6},
-                                                   {"map_bytes_per_light", map_bytes},
-                                                   {"fan_bytes_per_light", fans},
-                                                   {"other_bytes_per_light",
-                                                    count > 1 ? (other_bytes - first_bytes) / (lights - 1)
-                                                              : std::numeric_limits<double>::quiet_NaN()}});
+            row.figures.insert(
+                row.figures.end(),
+                {{"device_ms", measured.spans_ms},
+                 {"dispatches", measured.dispatches},
+                 {"barriers", measured.barriers},
+                 {"submissions", measured.submissions},
+                 {"million_rays", measured.haze_tiles * shared::kTilePixels / 1e6},
+                 {"million_points", measured.surface_tiles * shared::kTilePixels / 1e6},
+                 {"ms_per_light", measured.ms / lights},
+                 {"device_mb", (other_bytes + map_bytes * lights) / 1e6},
+                 {"map_bytes_per_light", map_bytes},
+                 {"fan_bytes_per_light", fans},
+                 {"other_bytes_per_light", count > 1 ? (other_bytes - first_bytes) / (lights - 1)
+                                                     : std::numeric_limits<double>::quiet_NaN()}});
             sink(row);
         }
     }

@@ -4,6 +4,7 @@
 #include "photometry/photometry.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
 
@@ -17,6 +18,11 @@ constexpr float kFovY_deg = 23.4f;
 constexpr int kGoboPixels = 256;
 
 } // namespace
+
+std::filesystem::path bench_file(const std::string& ending) {
+    static const auto number = std::chrono::steady_clock::now().time_since_epoch().count() / 1'000'000;
+    return std::filesystem::temp_directory_path() / ("ghostlight-bench-" + std::to_string(number) + ending);
+}
 
 double median(std::vector<double> values) {
     if (values.empty()) return 0;

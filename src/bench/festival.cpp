@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/private/festival.h"
+#include "bench/festival.h"
 
 #include "base/child.h"
-#include "bench/private/loaded_window.h"
+#include "bench/bench.h"
 
 #include <filesystem>
 
@@ -16,7 +16,7 @@ constexpr const char* kRecordingSeconds = "30"; // of its recording
 
 Result<Festival> Festival::make(int fixtures) {
     const std::string count = std::to_string(fixtures);
-    Festival made(loaded_window_file("-festival-" + count).string());
+    Festival made(bench_file("-festival-" + count).string());
     const auto made_by = run_child(
         {"python3", kMaker, "--out", made.folder_, "--fixtures", count, "--seconds", kRecordingSeconds}, "",
         true);

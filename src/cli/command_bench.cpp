@@ -1,46 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/interrupt.h"
-#include "bench/bench.h"
+#include "bench/tables.h"
+#include "bench/window/window_tables.h"
 #include "cli/commands.h"
 #include "cli/options/number_option.h"
 
 #include "base/log.h"
 #include "base/print.h"
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <vector>
 
 namespace ghost::app {
 namespace {
 
-struct Table {
-    const char* name;
-    const char* title;
-    Result<void> (*run)(const BenchOptions&, const BenchSink&);
-};
-
-constexpr Table kTables[] = {
-    {"samples", "Cost of a sample (Screen Space Re-Rendering, table 1)", bench_samples},
-    {"optics", "Each optic of a profile, ten moving beams", bench_optics},
-    {"paper", "The paper's scene: five spots with two gobos, five washes", bench_paper},
-    {"live", "A film of the free camera, by span", bench_live},
-    {"projectors", "The paper's figure 8: ten video projectors, two movies and a camera", bench_projectors},
-    {"thesis", "The thesis's picture: 256x256, one spot", bench_thesis},
-    {"integrators", "gate, cone and march in thirteen views", bench_integrators},
-    {"scale", "1 to 1000 moving lights, four picture sizes", bench_scale},
-    {"tree", "One light of n changes", bench_tree},
-    {"triangles", "Triangles do not matter", bench_triangles},
-    {"bake", "Baking", bench_bake},
-    {"quality", "Relit on the device against traced directly", bench_quality},
-    {"network", "sACN on the loopback interface, each refresh in one burst", bench_network},
-    {"recording", "Recordings: bytes for an hour of a universe, time to seek", bench_recording},
-    {"window", "The window with a desk at 44 Hz", bench_window},
-    {"start", "Start-up", bench_start},
-    {"bounce", "Light that bounces", bench_bounce},
-};
+// As docs/measurements/performance.md has them.
+std::vector<BenchTable> all_tables() {
+    std::vector<BenchTable> all(tables().begin(), tables().end());
+    all.push_back({"window", "The window with a desk at 44 Hz", bench_window});
+    all.push_back({"start", "Start-up", bench_start});
+    return all;
+}
 
 struct BenchArguments {
     BenchOptions options;
@@ -48,26 +30,10 @@ struct BenchArguments {
     bool json = false;
 };
 
-void print_row(const BenchRow& row, bool json) {
-    if (json) {
-        nlohmann::ordered_json line{{"table", row.table}, {"name", row.name}};
-        for (const auto& [name, value] : row.figures) line[name] = value;
-        line["note"] = row.note;
-        print_text("%s\n", line.dump().c_str());
-    } else {
-        print_text("%-28s", row.name.c_str());
-        for (const auto& [name, value] : row.figures)
-            std::isnan(value) ? print_text("  %s -", name.c_str())
-                              : print_text("  %s %.4g", name.c_str(), value);
-        print_text("  (%s)\n", row.note.c_str());
-    }
-    std::fflush(stdout);
-}
-
 int run_bench(const BenchArguments& arguments) {
     set_log_level(LogLevel::warning);
     int exit_code = 0;
-    for (const Table& table : kTables) {
+    for (const BenchTable& table : all_tables()) {
         if (interrupted()) break;
         if (!arguments.table.empty() && arguments.table != table.name) continue;
         if (!arguments.json) print_text("\n%s: %s\n", table.name, table.title);
@@ -87,7 +53,7 @@ void add_bench(CLI::App& app, int& exit_code) {
         app.add_subcommand("bench", "measure the published tables (docs/measurements/performance.md)");
     const auto a = std::make_shared<BenchArguments>();
     std::vector<std::string> names;
-    for (const Table& table : kTables) names.emplace_back(table.name);
+    for (const BenchTable& table : all_tables()) names.emplace_back(table.name);
     command->add_option("NAME", a->table, "only this table")->check(CLI::IsMember(names));
     command
         ->add_option("--show", a->options.show,

@@ -10,7 +10,7 @@
 #include "live/session/film_sound.h"
 #include "show/show.h"
 #include "show_folder/load_show.h"
-#include "video/film.h"
+#include "video/files/film.h"
 
 #include <chrono>
 #include <cstdlib>

@@ -96,6 +96,7 @@ Pipeline make_pipeline(const Device& device, const Shader& shader,
                                               constants.size() * 4, constants.data()};
     info.stage.pSpecializationInfo = &specialisation;
     info.layout = pipeline.layout.pipeline;
+    info.flags = device.pipelines().flags();
     VK_CALL(vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline.handle));
     vkDestroyShaderModule(device.handle(), module, nullptr);
     return pipeline;
@@ -110,8 +111,8 @@ Program::Program(const Device& device, const Shader& built_in, const std::vector
     PipelineKey key;
     key.add(shader.words);
     for (const std::uint32_t constant : constants) key.add(constant);
-    pipeline_ =
-        device.pipelines().get(key, [&] { return make_pipeline(device, shader, bindings_, constants); });
+    pipeline_ = device.pipelines().get(key, {built_in, constants, false, 0, {}},
+                                       [&] { return make_pipeline(device, shader, bindings_, constants); });
 }
 
 Commands::Commands(const Device& device) : device_(device) {
@@ -147,11 +148,13 @@ void Commands::begin() {
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     VK_CALL(vkBeginCommandBuffer(commands_, &info));
     vkCmdResetQueryPool(commands_, queries_, 0, kMaxSpans + 1);
+    is_settled_ = true;
     names_.clear();
 }
 
 void Commands::prepare(const Program& program, const void* push, std::uint32_t bytes,
                        const std::vector<Binding>& bindings) {
+    ++device_.work().dispatches;
     push_bindings(device_, commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.layout(), program.name(),
                   program.bindings(), bindings);
     vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_COMPUTE, program.handle());
@@ -159,21 +162,23 @@ void Commands::prepare(const Program& program, const void* push, std::uint32_t b
 }
 
 void Commands::dispatch_from(const Buffer& groups, std::uint64_t offset) {
-    vkCmdDispatchIndirect(commands_, groups.handle(), offset);
+    vkCmdDispatchIndirect(handle(), groups.handle(), offset);
 }
 
 void Commands::write_bytes(const Buffer& to, const void* data, std::uint64_t bytes) {
     barrier(); // earlier readers of the buffer are done
-    vkCmdUpdateBuffer(commands_, to.handle(), 0, bytes, data);
+    vkCmdUpdateBuffer(handle(), to.handle(), 0, bytes, data);
     barrier();
 }
 
 void Commands::fill_zero(const Buffer& buffer) {
     barrier(); // earlier readers of the buffer are done
-    vkCmdFillBuffer(commands_, buffer.handle(), 0, VK_WHOLE_SIZE, 0);
+    vkCmdFillBuffer(handle(), buffer.handle(), 0, VK_WHOLE_SIZE, 0);
 }
 
 void Commands::barrier() {
+    if (std::exchange(is_settled_, true)) return;
+    ++device_.work().barriers;
     VkMemoryBarrier2 memory{};
     memory.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
     memory.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
@@ -189,7 +194,7 @@ void Commands::barrier() {
 
 void Commands::copy(const Buffer& from, const Buffer& to, std::uint64_t bytes) {
     const VkBufferCopy region{0, 0, bytes};
-    vkCmdCopyBuffer(commands_, from.handle(), to.handle(), 1, &region);
+    vkCmdCopyBuffer(handle(), from.handle(), to.handle(), 1, &region);
     barrier();
 }
 
@@ -197,7 +202,7 @@ void Commands::copy(const Texture& from, const Buffer& to) {
     VkBufferImageCopy region{};
     region.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     region.imageExtent = {from.shape().width, from.shape().height, 1};
-    vkCmdCopyImageToBuffer(commands_, from.image(), VK_IMAGE_LAYOUT_GENERAL, to.handle(), 1, &region);
+    vkCmdCopyImageToBuffer(handle(), from.image(), VK_IMAGE_LAYOUT_GENERAL, to.handle(), 1, &region);
     barrier();
 }
 
@@ -216,7 +221,7 @@ void Commands::copy(const Buffer& from, std::uint64_t offset, const Texture& to,
         regions.push_back(region);
     }
     CHECK(offset <= from.bytes());
-    vkCmdCopyBufferToImage(commands_, from.handle(), to.image(), VK_IMAGE_LAYOUT_GENERAL,
+    vkCmdCopyBufferToImage(handle(), from.handle(), to.image(), VK_IMAGE_LAYOUT_GENERAL,
                            static_cast<std::uint32_t>(regions.size()), regions.data());
     barrier();
 }
@@ -232,7 +237,7 @@ void Commands::copy(const Texture& from, const Texture& to, const std::vector<Vk
         regions.push_back({source, at, target, at, {part.extent.width, part.extent.height, 1}});
     }
     if (regions.empty()) return;
-    vkCmdCopyImage(commands_, from.image(), VK_IMAGE_LAYOUT_GENERAL, to.image(), VK_IMAGE_LAYOUT_GENERAL,
+    vkCmdCopyImage(handle(), from.image(), VK_IMAGE_LAYOUT_GENERAL, to.image(), VK_IMAGE_LAYOUT_GENERAL,
                    static_cast<std::uint32_t>(regions.size()), regions.data());
     barrier();
 }
@@ -242,7 +247,7 @@ void Commands::clear(const Texture& texture) {
     const VkClearColorValue zero{};
     const VkImageSubresourceRange all{VK_IMAGE_ASPECT_COLOR_BIT, 0, texture.shape().levels, 0,
                                       texture.shape().layers};
-    vkCmdClearColorImage(commands_, texture.image(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &all);
+    vkCmdClearColorImage(handle(), texture.image(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &all);
     barrier();
 }
 
@@ -252,7 +257,10 @@ void Commands::begin_span(const std::string& name) {
                          static_cast<std::uint32_t>(names_.size()));
     // lavapipe reads the clock when what follows waits, not before: without this a span has the time of the
     // next.
-    barrier();
+    if (device_.is_cpu()) {
+        is_settled_ = false;
+        barrier();
+    }
     names_.push_back(name);
 }
 
@@ -268,6 +276,7 @@ void Commands::submit_and_wait() {
     submit.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
     submit.commandBufferInfoCount = 1;
     submit.pCommandBufferInfos = &buffer;
+    ++device_.work().submissions;
     VK_CALL(vkQueueSubmit2(device_.queue(), 1, &submit, fence_));
     VK_CALL(vkWaitForFences(device_.handle(), 1, &fence_, VK_TRUE, UINT64_MAX));
     VK_CALL(vkResetFences(device_.handle(), 1, &fence_));

@@ -96,7 +96,7 @@ public:
                   std::uint32_t groups_x, std::uint32_t groups_y = 1) {
         static_assert(sizeof(Push) <= 128);
         prepare(program, &push, sizeof(Push), bindings);
-        vkCmdDispatch(commands_, groups_x, groups_y, 1);
+        vkCmdDispatch(handle(), groups_x, groups_y, 1);
     }
     // The numbers of workgroups lie in a buffer, at an offset.
     template <class Push>
@@ -111,7 +111,8 @@ public:
     void write(const Buffer& to, const std::vector<Value>& values) {
         write_bytes(to, values.data(), values.size() * sizeof(Value));
     }
-    // All that was recorded is done and visible to what follows, shaders and host.
+    // All that was recorded is done and visible to what follows, shaders and host. Nothing where it is
+    // already.
     void barrier();
     void copy(const Buffer& from, const Buffer& to, std::uint64_t bytes);
     void copy(const Texture& from, const Buffer& to); // level 0, layer 0, tightly packed
@@ -125,7 +126,12 @@ public:
     void begin_span(const std::string& name); // up to the next begin_span or the end
     void submit_and_wait();
 
-    VkCommandBuffer handle() const { return commands_; }
+    // For a command that may have to be waited for.
+    VkCommandBuffer handle() {
+        is_settled_ = false;
+        return commands_;
+    }
+    const Device& device() const { return device_; }
     const std::vector<Span>& spans() const { return spans_; } // of the last submit_and_wait
 
 private:
@@ -139,6 +145,7 @@ private:
     VkCommandBuffer commands_ = VK_NULL_HANDLE;
     VkFence fence_ = VK_NULL_HANDLE;
     VkQueryPool queries_ = VK_NULL_HANDLE;
+    bool is_settled_ = true; // nothing was recorded since the last barrier
     std::vector<std::string> names_;
     std::vector<Span> spans_;
 };

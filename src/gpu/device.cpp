@@ -95,7 +95,7 @@ Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     std::unique_ptr<Device> device(new Device);
     TRY_VOID(device->make_instance(options.validation));
     TRY_VOID(device->choose_physical(options.name));
-    device->make_device(options.memory_limit_bytes);
+    device->make_device(options);
     if (!options.shaders.empty()) device->shaders_ = std::make_unique<ShaderFolder>(options.shaders);
     return device;
 }
@@ -192,7 +192,7 @@ Result<void> Device::choose_physical(const std::string& wanted) {
     return Error{"no Vulkan device named '" + wanted + "' serves; found:" + list, "--device"};
 }
 
-void Device::make_device(std::uint64_t memory_limit_bytes) {
+void Device::make_device(const DeviceOptions& options) {
     std::uint32_t count = 0;
     vkGetPhysicalDeviceQueueFamilyProperties(physical_, &count, nullptr);
     std::vector<VkQueueFamilyProperties> families(count);
@@ -227,20 +227,30 @@ void Device::make_device(std::uint64_t memory_limit_bytes) {
     features.features.shaderStorageImageExtendedFormats = VK_TRUE; // rg32ui
     features.features.shaderStorageImageWriteWithoutFormat = VK_TRUE;
 
-    const char* extension = VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME;
+    std::vector<const char*> extensions{VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+    VkPhysicalDevicePipelineExecutablePropertiesFeaturesKHR executables{};
+    executables.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PIPELINE_EXECUTABLE_PROPERTIES_FEATURES_KHR;
+    executables.pipelineExecutableInfo = VK_TRUE;
+    keeps_pipeline_statistics_ =
+        options.pipeline_statistics &&
+        has_extension(physical_, VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
+    if (keeps_pipeline_statistics_) {
+        extensions.push_back(VK_KHR_PIPELINE_EXECUTABLE_PROPERTIES_EXTENSION_NAME);
+        f13.pNext = &executables;
+    }
     VkDeviceCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
     info.pNext = &features;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
-    info.enabledExtensionCount = 1;
-    info.ppEnabledExtensionNames = &extension;
+    info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
+    info.ppEnabledExtensionNames = extensions.data();
     VK_CALL(vkCreateDevice(physical_, &info, nullptr, &device_));
     vkGetDeviceQueue(device_, queue_family_, 0, &queue_);
-    pipelines_ = std::make_unique<Pipelines>(device_);
+    pipelines_ = std::make_unique<Pipelines>(device_, keeps_pipeline_statistics_);
     push_descriptors_ = reinterpret_cast<PFN_vkCmdPushDescriptorSetKHR>(
         vkGetDeviceProcAddr(device_, "vkCmdPushDescriptorSetKHR"));
-    memory_ = std::make_unique<DeviceMemory>(*this, memory_limit_bytes,
+    memory_ = std::make_unique<DeviceMemory>(*this, options.memory_limit_bytes,
                                              has_extension(physical_, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME));
 }
 
@@ -248,8 +258,7 @@ Device::Device() = default;
 
 Device::~Device() {
     if (device_ != VK_NULL_HANDLE) {
-        vkDeviceWaitIdle(device_);
-        pipelines_.reset();
+        pipelines_.reset(); // whoever gave it work waited for that (Commands)
         vkDestroyDevice(device_, nullptr);
     }
     if (messenger_ != VK_NULL_HANDLE) {

@@ -19,12 +19,18 @@ class DeviceMemory;
 class Pipelines;
 class ShaderFolder;
 
+// What was recorded and submitted so far, all together: work that does not hang on how fast a machine is.
+struct RecordedWork {
+    std::uint64_t dispatches = 0, draws = 0, barriers = 0, submissions = 0; // each submission is waited for
+};
+
 struct DeviceOptions {
     std::string
         name; // part of a device's name (case does not count), or its number in list_devices; empty: the best
     bool validation = false; // report misuse through the Khronos validation layer where it is installed
     std::uint64_t memory_limit_bytes = 0; // of all buffers and textures; 0: what the device has
     std::string shaders; // a folder that they are read from (gpu/shader_folder.h); empty: those built in
+    bool pipeline_statistics = false; // keep what drivers say of pipelines, where they do (Pipelines::made)
 };
 
 class Device {
@@ -43,6 +49,7 @@ public:
 
     Pipelines& pipelines() const { return *pipelines_; }
     DeviceMemory& memory() const { return *memory_; }
+    RecordedWork& work() const { return *work_; }
     // The one that is built in, or that of DeviceOptions::shaders.
     Shader current(const Shader& built_in) const;
     // DeviceOptions::shaders has newer ones than are drawn with: whoever draws opens a device anew.
@@ -52,6 +59,7 @@ public:
     bool is_cpu() const { return is_cpu_; }           // lavapipe and its like
     double timestamp_period_ns() const { return timestamp_period_ns_; }
     std::uint32_t most_layers() const { return most_layers_; } // of an image
+    bool keeps_pipeline_statistics() const { return keeps_pipeline_statistics_; }
     std::size_t validation_errors() const { return validation_errors_; }
 
     // The first of these formats whose images can do all that is wanted; the last one where none can.
@@ -64,7 +72,7 @@ private:
                                                         const VkDebugUtilsMessengerCallbackDataEXT*, void*);
     Result<void> make_instance(bool validation);
     Result<void> choose_physical(const std::string& name);
-    void make_device(std::uint64_t memory_limit_bytes);
+    void make_device(const DeviceOptions& options);
 
     VkInstance instance_ = VK_NULL_HANDLE;
     VkDebugUtilsMessengerEXT messenger_ = VK_NULL_HANDLE;
@@ -75,9 +83,11 @@ private:
     std::unique_ptr<Pipelines> pipelines_;
     std::unique_ptr<ShaderFolder> shaders_; // or null
     std::unique_ptr<DeviceMemory> memory_;
+    std::unique_ptr<RecordedWork> work_ = std::make_unique<RecordedWork>();
     std::uint32_t queue_family_ = 0;
     std::string name_;
     bool is_cpu_ = false;
+    bool keeps_pipeline_statistics_ = false;
     double timestamp_period_ns_ = 1;
     std::uint32_t most_layers_ = 256;
     std::size_t validation_errors_ = 0;

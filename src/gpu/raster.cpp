@@ -106,6 +106,7 @@ Pipeline make_pipeline(const Device& device, const Shader& vertex, const Shader&
     info.pNext = &targets;
     info.stageCount = static_cast<std::uint32_t>(stages.size());
     info.pStages = stages.data();
+    info.flags = device.pipelines().flags();
     info.pVertexInputState = &inputs;
     info.pInputAssemblyState = &assembly;
     info.pViewportState = &viewport;
@@ -147,9 +148,9 @@ Raster::Raster(const Device& device, const Shader& built_in_vertex, const Shader
     const Shader vertex = device.current(built_in_vertex), fragment = device.current(built_in_fragment);
     CHECK(bindings_of(vertex).empty());
     bindings_ = bindings_of(fragment);
-    pipeline_ = device.pipelines().get(key_of(vertex, fragment, shape), [&] {
-        return make_pipeline(device, vertex, fragment, bindings_, shape);
-    });
+    pipeline_ = device.pipelines().get(
+        key_of(vertex, fragment, shape), {built_in_fragment, shape.constants, true, 0, {}},
+        [&] { return make_pipeline(device, vertex, fragment, bindings_, shape); });
 }
 
 void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth,
@@ -202,6 +203,7 @@ void use_bindings(Commands& commands, const Device& device, const Raster& raster
 }
 
 void draw_triangles(Commands& commands, const DrawRange& range) {
+    ++commands.device().work().draws;
     vkCmdDrawIndexed(commands.handle(), range.index_count, 1, range.first_index, range.first_vertex, 0);
 }
 

@@ -3,8 +3,8 @@
 
 #include "image/ldr.h"
 #include "video/capture_consent.h"
+#include "video/files/movie.h"
 #include "video/private/camera.h"
-#include "video/private/movie.h"
 #include "video/private/test_card.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "image/pyramid.h"
 #include "support/must.h"
-#include "video/film.h"
+#include "video/files/film.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Films are read back with the same libraries that players use.
-#include "video/film.h"
+#include "video/files/film.h"
 
 #include <cstdlib>
 #include <filesystem>

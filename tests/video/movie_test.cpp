@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "video/private/movie.h"
+#include "video/files/movie.h"
 
 #include "disk/files.h"
 #include "support/test_films.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sounds are files that the test writes; films with sound are read back by the reader of sounds and of films.
-#include "video/sound_file.h"
+#include "video/files/sound_file.h"
 
 #include "support/must.h"
 #include "support/test_films.h"
 #include "support/test_sounds.h"
-#include "video/film.h"
-#include "video/private/movie.h"
+#include "video/files/film.h"
+#include "video/files/movie.h"
 
 #include <gtest/gtest.h>
 #include <limits>

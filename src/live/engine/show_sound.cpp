@@ -2,7 +2,7 @@
 #include "live/engine/show_sound.h"
 
 #include "sound/sound_output.h"
-#include "video/sound_file.h"
+#include "video/files/sound_file.h"
 
 #include <algorithm>
 #include <cmath>

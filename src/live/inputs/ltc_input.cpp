@@ -3,7 +3,7 @@
 
 #include "base/log.h"
 #include "sound/sound_input.h"
-#include "video/sound_file.h"
+#include "video/files/sound_file.h"
 
 #include <algorithm>
 #include <cmath>

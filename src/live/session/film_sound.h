@@ -4,7 +4,7 @@
 // line of the show; a file that is not there was said by the loader, and is none here. Any thread.
 
 #include "base/report.h"
-#include "video/film.h"
+#include "video/files/film.h"
 
 namespace ghost::scene {
 struct Show;

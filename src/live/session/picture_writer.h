@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 #include "render/relight/relighter.h"
-#include "video/film.h"
+#include "video/files/film.h"
 
 #include <filesystem>
 #include <memory>

@@ -200,6 +200,7 @@ render::Settings draw_settings(const Atmosphere& air, const scene::Camera& camer
     settings.haze = air.medium();
     settings.beams = options.beams;
     settings.ambient = air.ambient;
+    settings.lights_per_dispatch = options.lights_per_dispatch;
     settings.lens.on = options.glare > 0;
     settings.glare.strength = options.glare;
     settings.air_field = air.field();
@@ -457,7 +458,7 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
     printed = report.messages.size();
 
     TRY(session->device, gpu::Device::create({options.device, options.validation, options.memory_limit_bytes,
-                                              options.shaders}));
+                                              options.shaders, options.pipeline_statistics}));
     log_info("drawing on " + session->device->name());
     session->rig = std::make_unique<scene::Rig>(*session->show);
     const render::Settings settings = draw_settings(session->atmosphere(), camera, options);

@@ -57,8 +57,10 @@ struct SessionOptions {
     std::optional<scene::BounceDetail> bounce;
     float glare = 0.05f; // share of the light that the camera scatters; 0: neither glare nor lenses
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30;
-    std::uint64_t memory_limit_bytes = 0; // of the device, see gpu::DeviceOptions
-    std::string shaders;                  // likewise
+    std::uint64_t memory_limit_bytes = 0;  // of the device, see gpu::DeviceOptions
+    std::string shaders;                   // likewise
+    bool pipeline_statistics = false;      // likewise
+    std::uint32_t lights_per_dispatch = 0; // render::Settings
 };
 
 struct Session {

@@ -39,7 +39,8 @@ DirtyTiles::DirtyTiles(const gpu::Device& device, const Fragments& fragments, co
     bounds_ = gpu::Buffer(device, f.tile_bounds.bytes(), gpu::Access::device);
     const std::uint64_t words = (std::uint64_t{f.tiles_x} * f.tiles_y + 31) / 32;
     wanted_ = gpu::Buffer(device, words * sizeof(std::uint32_t), gpu::Access::device);
-    tiles_ = gpu::Buffer(device, kMostTiles * sizeof(std::uint32_t), gpu::Access::device);
+    for (gpu::Buffer* list : {&tiles_, &drawn_tiles_})
+        *list = gpu::Buffer(device, kMostTiles * sizeof(std::uint32_t), gpu::Access::device);
 }
 
 bool DirtyTiles::touch(const std::vector<PixelRect>& rects) {
@@ -143,6 +144,8 @@ std::uint32_t DirtyTiles::record(gpu::Commands& commands, const TileSet& stale) 
         commands.barrier();
     }
     commands.write(tiles_, stale.list());
+    drawn_count_ = around.count() <= kMostTiles ? static_cast<std::uint32_t>(around.count()) : 0;
+    if (drawn_count_ > 0) commands.write(drawn_tiles_, around.list());
     return static_cast<std::uint32_t>(stale.count());
 }
 

@@ -44,7 +44,12 @@ public:
     std::uint32_t record(gpu::Commands& commands, const TileSet& stale);
     const gpu::Buffer& bounds() const { return bounds_; }
     const gpu::Buffer& tiles() const { return tiles_; } // a list of the stale ones
-    std::uint64_t memory_bytes() const { return bounds_.bytes() + wanted_.bytes() + tiles_.bytes(); }
+    // Of all that is drawn with bounds(), the tiles around stale ones, too; none: there are more than fit.
+    const gpu::Buffer& drawn_tiles() const { return drawn_tiles_; }
+    std::uint32_t drawn_count() const { return drawn_count_; }
+    std::uint64_t memory_bytes() const {
+        return bounds_.bytes() + wanted_.bytes() + tiles_.bytes() + drawn_tiles_.bytes();
+    }
     // More stale tiles than this cannot be recorded: forget the images.
     static constexpr std::uint64_t kMostTiles = 16384;
 
@@ -62,7 +67,8 @@ private:
     const Fragments& fragments_;
     const gpu::Buffer& rooms_;
     gpu::Program program_;
-    gpu::Buffer bounds_, wanted_, tiles_;
+    gpu::Buffer bounds_, wanted_, tiles_, drawn_tiles_;
+    std::uint32_t drawn_count_ = 0;
     std::map<int, Kept> kept_; // by slot
     std::uint64_t touches_ = 0;
 };

@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "gpu/device_memory.h"
 #include "shaders/bounce.h"
+#include "shaders/clear_tiles.h"
 #include "shaders/cull.h"
 #include "shaders/develop.h"
 #include "shaders/fold.h"
@@ -30,6 +31,7 @@ namespace {
 constexpr std::uint64_t kImageBytesPerPixel = 8; // six half floats for two pixels, and room
 constexpr std::uint64_t kMaxLayers = 2048;       // of an image, on every device
 constexpr std::uint32_t kFixedImages = 1;        // all that rests
+constexpr std::uint32_t kCullLanes = 8;          // of cull.comp
 constexpr std::uint64_t kShareOfMemory = 8;      // that is left, for kept visibility
 constexpr std::uint64_t kFrameBytesPerPixel = 8; // four half floats
 
@@ -102,8 +104,10 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       light_count_(light_count), passes_(std::move(passes)), g_buffer_(g_buffer), distances_(distances),
       coarse_(settings.coarse ? std::make_unique<CoarseLight>(device, *g_buffer) : nullptr), slot_count_(0),
       tree_(light_count, slot_count_), units_(passes_.bounces.bytes() > 0),
-      cull_(device, shaders::kShader_cull, {0u, g_buffer && distances ? 1u : 0u}),
-      bounce_(device, shaders::kShader_bounce), silhouettes_(device, shaders::kShader_silhouettes),
+      cull_(device, shaders::kShader_cull,
+            {0u, g_buffer && distances ? 1u : 0u, batch_size_ == 1 ? 1u : kCullLanes}),
+      clear_(device, shaders::kShader_clear_tiles), bounce_(device, shaders::kShader_bounce),
+      silhouettes_(device, shaders::kShader_silhouettes),
       fold_(device, shaders::kShader_fold,
             {settings.air ? 1u : 0u, settings.beams.beams == Beams::gate ? 0u : 1u}),
       meter_(device, shaders::kShader_meter),

@@ -150,6 +150,7 @@ private:
     void upload(const shared::Gobos& gobos, std::uint64_t batches);
     void make_slides(const std::vector<shared::SlidePicture>& slides);
     void make_images();
+    void clear_drawn();
     void draw_sum(const ImageSum& sum);
     void add_images(const ImageSum& sum);
     const gpu::Program& sum_of(std::uint32_t parts, std::uint32_t addends);
@@ -203,7 +204,7 @@ private:
         (sizeof(shared::Light) + kChunkAlign - 1) / kChunkAlign * kChunkAlign;
     static constexpr std::uint64_t kAddendBytes = shared::kMostAddends * sizeof(shared::Addend);
     static constexpr std::uint64_t kChunkBytes = shared::kLightsPerChunk * sizeof(shared::Light);
-    gpu::Program cull_, bounce_, silhouettes_, fold_, meter_;
+    gpu::Program cull_, clear_, bounce_, silhouettes_, fold_, meter_;
     std::array<gpu::LateProgram, shared::kToneCount> develop_;
     std::array<gpu::LateProgram, shared::kBeamClasses> surface_, thin_surface_,
         direct_surface_; // the last: where no visibility is kept

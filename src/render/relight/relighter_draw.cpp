@@ -15,6 +15,7 @@ namespace {
 // Units of visibility that are made in a frame (shared/visibility.h), each 0.1 ms of two slow cores: a part
 // of all there are, so that a picture of a new size is not late and has them soon.
 constexpr std::uint32_t kLeastMade = 256, kPartMade = 8;
+constexpr std::uint32_t kGroupsAcross = 1024; // of a dispatch, whose sides have limits
 
 // Facets of prisms that are not in the beam, and lamps that are out.
 bool is_dark(const shared::Light& light) {
@@ -32,10 +33,29 @@ bool may_be_thin(const shared::Light& light, const Fragments& f) {
 
 } // namespace
 
+void Relighter::clear_drawn() {
+    const Fragments& f = fragments();
+    const std::uint32_t listed = mended_tiles_ > 0 ? dirty_tiles_->drawn_count() : 0;
+    if (listed == 0 && device_.is_cpu()) { // where that is memset
+        commands_.clear(drawn_);
+        return;
+    }
+    const std::uint32_t tiles = f.tiles_x * f.tiles_y;
+    const shared::ClearPush push{
+        listed > 0 ? listed : tiles + f.blocks, listed > 0 ? 1u : 0u, tiles, f.tiles_x, f.width, f.height};
+    const std::uint32_t across = std::min(push.count, kGroupsAcross);
+    commands_.barrier(); // earlier readers are done
+    commands_.dispatch(clear_, push,
+                       {gpu::storage(listed > 0 ? dirty_tiles_->drawn_tiles() : f.tile_bounds),
+                        gpu::storage(listed > 0 ? rooms() : f.tile_bounds), gpu::stored(drawn_)},
+                       across, gpu::groups(push.count, across));
+    commands_.barrier();
+}
+
 void Relighter::draw_sum(const ImageSum& sum) {
     if (!sum.lights.empty()) {
         commands_.begin_span("clear");
-        commands_.clear(drawn_);
+        clear_drawn();
     }
     const Fragments& f = fragments();
     const auto light_of = [&](int index) {

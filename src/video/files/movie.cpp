@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "video/private/movie.h"
+#include "video/files/movie.h"
 
-#include "video/private/ffmpeg.h"
+#include "video/files/private/ffmpeg.h"
 
 #include <algorithm>
 #include <cmath>

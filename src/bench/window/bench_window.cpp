@@ -3,8 +3,9 @@
 // counters say how late a change is seen and how long its event loop was busy at a stretch.
 #include "base/interrupt.h"
 #include "bench/bench.h"
-#include "bench/private/festival.h"
-#include "bench/private/loaded_window.h"
+#include "bench/festival.h"
+#include "bench/window/private/loaded_window.h"
+#include "bench/window/window_tables.h"
 
 #include "base/memory.h"
 
@@ -42,7 +43,7 @@ struct Work {
 };
 
 Result<void> measure(const BenchOptions& options, const Work& work, const BenchSink& sink) {
-    const fs::path outcome = loaded_window_file(".json"), begun = loaded_window_file("-begun.json");
+    const fs::path outcome = bench_file(".json"), begun = bench_file("-begun.json");
     LoadedWindow window;
     window.script = "wait opened\nstate \"" + begun.string() + "\"\n" + work.before + "wait " +
                     std::to_string(kWarm_s) + "\nreset-figures\n" +

@@ -4,7 +4,7 @@
 // file has none it is silent. Seconds of the film. Errors name the film. One thread.
 
 #include "base/result.h"
-#include "video/film.h"
+#include "video/files/film.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -5,7 +5,7 @@
 // only when finish() succeeds. One thread.
 
 #include "base/result.h"
-#include "video/sound_file.h"
+#include "video/files/sound_file.h"
 
 #include <cstdint>
 #include <filesystem>

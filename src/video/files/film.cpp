@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "video/film.h"
+#include "video/files/film.h"
 
 #include "base/zeroed_memory.h"
 #include "disk/files.h"
-#include "video/private/ffmpeg.h"
-#include "video/private/film_sound.h"
+#include "video/files/private/ffmpeg.h"
+#include "video/files/private/film_sound.h"
 
 #include <string>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/private/loaded_window.h"
+#include "bench/window/private/loaded_window.h"
 
 #include "base/interrupt.h"
 #include "live/engine/engine.h"
@@ -62,16 +62,12 @@ std::uint16_t own_port() {
 
 } // namespace
 
-fs::path loaded_window_file(const std::string& ending) {
-    return fs::temp_directory_path() / ("ghostlight-bench-" + std::to_string(own_port()) + ending);
-}
-
 Result<bool> run_loaded_window(const BenchOptions& options, const LoadedWindow& load) {
     Report report;
     TRY(const scene::Show show, open_show(options.show, false, true, report));
     if (show.recording.empty()) return Error{"has no recording to send", show.file.string()};
     TRY(dmx::Recording recording, dmx::read_recording(show.recording));
-    const fs::path script = loaded_window_file(".txt");
+    const fs::path script = bench_file(".txt");
     TRY_VOID(write_file_atomic(script, load.script));
     EngineOptions engine;
     engine.session.quiet = true;

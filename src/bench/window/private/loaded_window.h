@@ -21,9 +21,6 @@ struct LoadedWindow {
     std::function<void()> on_tick; // ten times a second on the window's thread; may be empty
 };
 
-// In the folder for temporary files, of a name that no other process has.
-std::filesystem::path loaded_window_file(const std::string& ending);
-
 // Returns when the script's "quit" is done or the program is interrupted: whether it was drawn into memory.
 Result<bool> run_loaded_window(const BenchOptions& options, const LoadedWindow& window);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "video/private/ffmpeg.h"
+#include "video/files/private/ffmpeg.h"
 
 extern "C" {
 #include <libavformat/avformat.h>

@@ -4,7 +4,8 @@
 // a minute. What proves it: packets go on being seen, and memory stays flat after the first minutes; the last
 // row says so, and what does not hold is an error.
 #include "base/interrupt.h"
-#include "bench/private/loaded_window.h"
+#include "bench/window/private/loaded_window.h"
+#include "bench/window/window_tables.h"
 
 #include "base/memory.h"
 #include "base/progress.h"
@@ -64,7 +65,7 @@ double mean(const double* begin, std::size_t count) {
 } // namespace
 
 Result<void> window_soak(const BenchOptions& options, const BenchSink& sink) {
-    const std::filesystem::path outcome = loaded_window_file(".json");
+    const std::filesystem::path outcome = bench_file(".json");
     const auto start = Clock::now();
     const auto passed_s = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
     std::vector<double> memory_mb;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "video/sound_file.h"
+#include "video/files/sound_file.h"
 
-#include "video/private/ffmpeg.h"
+#include "video/files/private/ffmpeg.h"
 
 #include <algorithm>
 #include <cmath>
