@@ -7,6 +7,7 @@
 #include "dmx/record/recording_tasks.h"
 
 #include "base/steady_time.h"
+#include "gpu/pipelines.h"
 #include "image/metrics.h"
 #include "show/camera_moves.h"
 
@@ -117,6 +118,7 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
                last = static_cast<long>(kFilmTo_s * kFilmFps);
     Means means;
     std::set<std::string> spans;
+    std::uint64_t waited_for = 0; // pipelines
     double db = 1e9;
     for (long frame = first - kFilmWarmUp; frame <= last; ++frame) {
         if (interrupted()) return Error{"interrupted; the rows above are whole", ""};
@@ -125,7 +127,7 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
         const render::FrameStatistics drawn = session.draw(static_cast<double>(frame) / kFilmFps);
         const double processor_ms = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
         if (frame < first) continue;
-        ++means.frames;
+        if (means.frames++ == 0) waited_for = session.device->pipelines().waited_for();
         means.add("ms", drawn.draw_ms);
         means.add("processor_ms", processor_ms);
         means.add("lights_drawn", drawn.drawn);
@@ -154,10 +156,12 @@ Result<void> film_row(const BenchOptions& options, const Film& film, const Bench
                      (film.coarse ? ", light at half" : "") + (film.grid ? "" : ", every ray"),
                  {},
                  ""};
-    row.figures = {{"ms", means.of("ms")},
-                   {"processor_ms", means.of("processor_ms")},
-                   {"lights_drawn", means.of("lights_drawn")},
-                   {"lights_mended", means.of("lights_mended")}};
+    row.figures = {
+        {"ms", means.of("ms")},
+        {"processor_ms", means.of("processor_ms")},
+        {"lights_drawn", means.of("lights_drawn")},
+        {"lights_mended", means.of("lights_mended")},
+        {"pipelines_waited_for", static_cast<double>(session.device->pipelines().waited_for() - waited_for)}};
     for (const std::string& span : spans) row.figures.emplace_back(span + "_ms", means.of(span));
     for (const char* share : {"made_share", "direct_share"}) row.figures.emplace_back(share, means.of(share));
     row.note = "mean of " + std::to_string(means.frames) + " frames";

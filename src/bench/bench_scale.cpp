@@ -213,7 +213,8 @@ double fan_bytes(const gpu::Device& device, const render::Settings& settings, st
 
 Result<void> bench_scale(const BenchOptions& options, const BenchSink& sink) {
     catch_interrupts();
-    TRY(const std::unique_ptr<gpu::Device> device, gpu::Device::create({.name = options.device, .shaders = options.shaders}));
+    TRY(const std::unique_ptr<gpu::Device> device,
+        gpu::Device::create({.name = options.device, .shaders = options.shaders}));
     const scene::Stage stage = festival_stage();
     const std::vector<Place> places = festival_places();
     TRY(scene::DistanceMaps maps, trace_all(stage, places));

@@ -45,7 +45,7 @@ Result<std::vector<gpu::PipelineMade>> pipelines_drawn_with(const BenchOptions& 
             }
             (void)session->draw(frame / kShaderStepFps);
         }
-        const std::vector<gpu::PipelineMade>& made = session->device->pipelines().made();
+        const std::vector<gpu::PipelineMade> made = session->device->pipelines().made();
         all.insert(all.end(), made.begin(), made.end());
     }
     return all;

@@ -134,6 +134,9 @@ Result<void> write_report(const ReportOptions& options) {
     }
     double all = 0, done = 0;
     const auto skips = [&](const Part& part) {
+        if (!options.tables.empty())
+            return std::find(options.tables.begin(), options.tables.end(), part.table) ==
+                   options.tables.end();
         return options.quick && std::find(kQuick.begin(), kQuick.end(), part.table) == kQuick.end();
     };
     for (const Part& part : kParts) all += skips(part) ? 0 : part.share;

@@ -12,8 +12,9 @@ namespace ghost::app {
 
 struct ReportOptions {
     BenchOptions bench;
-    std::filesystem::path out; // a folder; report.html, report.json and pictures come into it
-    bool quick = false;        // a few rows of each table, in a minute or two of a GPU
+    std::filesystem::path out;       // a folder; report.html, report.json and pictures come into it
+    std::vector<std::string> tables; // by name; empty: all
+    bool quick = false;              // without the longest ones, and with fewer frames
 };
 
 // Error: there is no device, or the folder cannot be written.

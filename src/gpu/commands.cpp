@@ -102,18 +102,25 @@ Pipeline make_pipeline(const Device& device, const Shader& shader,
     return pipeline;
 }
 
-} // namespace
-
-Program::Program(const Device& device, const Shader& built_in, const std::vector<std::uint32_t>& constants)
-    : name_(built_in.name) {
-    const Shader shader = device.current(built_in);
-    bindings_ = bindings_of(shader);
+PipelineKey key_of(const Shader& shader, const std::vector<std::uint32_t>& constants) {
     PipelineKey key;
     key.add(shader.words);
     for (const std::uint32_t constant : constants) key.add(constant);
-    pipeline_ = device.pipelines().get(key, {built_in, constants, false, 0, {}},
-                                       [&] { return make_pipeline(device, shader, bindings_, constants); });
+    return key;
 }
+
+} // namespace
+
+Program::Program(const Device& device, const Shader& built_in, const std::vector<std::uint32_t>& constants)
+    : Program(device, built_in, device.current(built_in), constants) {}
+
+Program::Program(const Device& device, const Shader& built_in, const Shader& shader,
+                 const std::vector<std::uint32_t>& constants)
+    : name_(built_in.name), bindings_(bindings_of(shader)), pipelines_(device.pipelines()),
+      entry_(pipelines_.begin(key_of(shader, constants), {built_in, constants, false, 0, {}},
+                              [&device, shader, bindings = bindings_, constants] {
+                                  return make_pipeline(device, shader, bindings, constants);
+                              })) {}
 
 Commands::Commands(const Device& device) : device_(device) {
     VkCommandPoolCreateInfo pool{};

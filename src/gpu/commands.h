@@ -42,23 +42,30 @@ public:
     Program(const Device& device, const Shader& built_in, const std::vector<std::uint32_t>& constants = {});
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
-    VkPipeline handle() const { return pipeline_.handle; }
-    VkPipelineLayout layout() const { return pipeline_.layout.pipeline; }
+    VkPipeline handle() const { return pipelines_.finish(entry_).handle; }
+    VkPipelineLayout layout() const { return pipelines_.finish(entry_).layout.pipeline; }
     const std::vector<VkDescriptorType>& bindings() const { return bindings_; }
     std::string_view name() const { return name_; }
 
 private:
+    Program(const Device& device, const Shader& built_in, const Shader& shader,
+            const std::vector<std::uint32_t>& constants);
+
     std::string_view name_;
     std::vector<VkDescriptorType> bindings_;
-    Pipeline pipeline_;
+    Pipelines& pipelines_;
+    Pipelines::Entry& entry_;
 };
 
-// A program that is made when it is first asked for. The device and the words must outlive it.
+// A program that may never be used: on a processor, which compiles as long as it would draw pictures, it is
+// made when it is first asked for, on a GPU beside the others. The device and the words must outlive it.
 class LateProgram {
 public:
     LateProgram() = default;
     LateProgram(const Device& device, const Shader& shader, std::vector<std::uint32_t> constants = {})
-        : device_(&device), shader_(shader), constants_(std::move(constants)) {}
+        : device_(&device), shader_(shader), constants_(std::move(constants)) {
+        if (!device.is_cpu()) (void)get();
+    }
 
     const Program& get() {
         if (!program_) program_ = std::make_unique<Program>(*device_, shader_, constants_);

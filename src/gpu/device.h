@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "gpu/shader.h"
 
+#include <atomic>
 #include <memory>
 #include <span>
 #include <string>
@@ -90,7 +91,7 @@ private:
     bool keeps_pipeline_statistics_ = false;
     double timestamp_period_ns_ = 1;
     std::uint32_t most_layers_ = 256;
-    std::size_t validation_errors_ = 0;
+    std::atomic<std::size_t> validation_errors_ = 0; // drivers are called on several threads
 };
 
 [[noreturn]] void vulkan_failed(const char* call, const char* file, int line, VkResult result);

@@ -4,33 +4,138 @@
 #include "base/steady_time.h"
 #include "gpu/device.h"
 
+#include <algorithm>
+#include <exception>
 #include <string_view>
 
 namespace ghost::gpu {
+namespace {
+
+constexpr unsigned kMostThreads = 8;
+
+} // namespace
 
 void PipelineKey::add(std::span<const std::uint32_t> words) {
     add(words.size());
     add(std::hash<std::string_view>{}({reinterpret_cast<const char*>(words.data()), words.size_bytes()}));
 }
 
+struct Pipelines::Entry {
+    enum class State { waits, runs, done };
+    PipelineMade what;
+    std::function<Pipeline()> make;
+    State state = State::waits;
+    Pipeline pipeline;
+    std::exception_ptr failure;
+};
+
+Pipelines::Pipelines(VkDevice device, bool keeps_statistics)
+    : device_(device), keeps_statistics_(keeps_statistics) {}
+
 Pipelines::~Pipelines() {
-    for (const auto& [key, pipeline] : all_) {
-        vkDestroyPipeline(device_, pipeline.handle, nullptr);
-        vkDestroyPipelineLayout(device_, pipeline.layout.pipeline, nullptr);
-        vkDestroyDescriptorSetLayout(device_, pipeline.layout.set, nullptr);
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    changed_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+    for (const auto& [key, entry] : all_) {
+        vkDestroyPipeline(device_, entry->pipeline.handle, nullptr);
+        vkDestroyPipelineLayout(device_, entry->pipeline.layout.pipeline, nullptr);
+        vkDestroyDescriptorSetLayout(device_, entry->pipeline.layout.set, nullptr);
     }
 }
 
-Pipeline Pipelines::get(const PipelineKey& key, const PipelineMade& what,
-                        const std::function<Pipeline()>& make) {
-    const auto found = all_.find(key);
-    if (found != all_.end()) return found->second;
+Pipelines::Entry& Pipelines::begin(PipelineKey key, PipelineMade what, std::function<Pipeline()> make) {
+    const std::lock_guard lock(mutex_);
+    std::unique_ptr<Entry>& entry = all_[std::move(key)];
+    if (entry) return *entry;
+    entry = std::make_unique<Entry>();
+    entry->what = std::move(what);
+    entry->make = std::move(make);
+    in_order_.push_back(entry.get());
+    waiting_.push_back(entry.get());
+    const std::size_t most = std::clamp(std::thread::hardware_concurrency(), 1u, kMostThreads);
+    if (threads_.size() < std::min(most, waiting_.size())) threads_.emplace_back([this] { run(); });
+    changed_.notify_all();
+    return *entry;
+}
+
+const Pipeline& Pipelines::finish(Entry& entry) {
+    std::unique_lock lock(mutex_);
+    if (entry.state != Entry::State::done) ++waited_for_;
+    if (entry.state == Entry::State::waits) {
+        waiting_.erase(std::find(waiting_.begin(), waiting_.end(), &entry));
+        entry.state = Entry::State::runs;
+        lock.unlock();
+        make(entry);
+        lock.lock();
+    }
+    changed_.wait(lock, [&] { return entry.state == Entry::State::done; });
+    if (entry.failure) std::rethrow_exception(entry.failure);
+    return entry.pipeline;
+}
+
+void Pipelines::run() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [&] { return stop_ || !waiting_.empty(); });
+        if (stop_) return;
+        Entry& entry = *waiting_.front();
+        waiting_.pop_front();
+        entry.state = Entry::State::runs;
+        lock.unlock();
+        make(entry);
+        lock.lock();
+    }
+}
+
+// Of an entry that nobody else makes.
+void Pipelines::make(Entry& entry) {
     const double begin_s = steady_now_s();
-    const Pipeline pipeline = make();
-    made_.push_back(what);
-    made_.back().ms = 1e3 * (steady_now_s() - begin_s);
-    if (keeps_statistics_) made_.back().statistics = statistics_of(pipeline.handle);
-    return all_.emplace(key, pipeline).first->second;
+    Pipeline pipeline;
+    std::exception_ptr failure;
+    std::vector<std::pair<std::string, double>> statistics;
+    try {
+        pipeline = entry.make();
+        if (keeps_statistics_) statistics = statistics_of(pipeline.handle);
+    } catch (...) {
+        failure = std::current_exception();
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        entry.pipeline = pipeline;
+        entry.failure = failure;
+        entry.what.ms = 1e3 * (steady_now_s() - begin_s);
+        entry.what.statistics = std::move(statistics);
+        entry.make = {};
+        entry.state = Entry::State::done;
+    }
+    changed_.notify_all();
+}
+
+std::vector<PipelineMade> Pipelines::made() {
+    std::vector<Entry*> entries;
+    {
+        const std::lock_guard lock(mutex_);
+        entries = in_order_;
+    }
+    std::vector<PipelineMade> all;
+    for (Entry* entry : entries) {
+        (void)finish(*entry);
+        all.push_back(entry->what);
+    }
+    return all;
+}
+
+std::size_t Pipelines::count() const {
+    const std::lock_guard lock(mutex_);
+    return all_.size();
+}
+
+std::uint64_t Pipelines::waited_for() const {
+    const std::lock_guard lock(mutex_);
+    return waited_for_;
 }
 
 std::vector<std::pair<std::string, double>> Pipelines::statistics_of(VkPipeline pipeline) const {

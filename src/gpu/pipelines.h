@@ -2,16 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pipelines: those of a device, each made once and kept as long as the device, for what is drawn with them
 // comes and goes with every size of the picture, and drivers compile a shader only when it is first used.
-// Known by the words of their shaders and all else that they are made from. Main thread.
+// Known by the words of their shaders and all else that they are made from. They are made side by side, on
+// threads of their own, from when they are asked for until they are used: a driver takes a tenth of a second
+// for a long shader, and a show begins with fifty. Any thread.
 
 #include "gpu/push_layout.h"
 #include "gpu/shader.h"
 
+#include <condition_variable>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <map>
+#include <memory>
+#include <mutex>
 #include <span>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -46,28 +53,44 @@ struct PipelineMade {
 
 class Pipelines {
 public:
-    Pipelines(VkDevice device, bool keeps_statistics)
-        : device_(device), keeps_statistics_(keeps_statistics) {}
+    // One that is made, or will be; lives as long as the device.
+    struct Entry;
+
+    Pipelines(VkDevice device, bool keeps_statistics);
     ~Pipelines();
     Pipelines(const Pipelines&) = delete;
     Pipelines& operator=(const Pipelines&) = delete;
 
-    // The one of that key; made by `make` when it is asked for first.
-    Pipeline get(const PipelineKey& key, const PipelineMade& what, const std::function<Pipeline()>& make);
-    const std::vector<PipelineMade>& made() const { return made_; } // in order
-    std::size_t count() const { return all_.size(); }
+    // The one of that key. `make` is called once, on a thread of its own or by finish(): what it refers to
+    // must outlive the device.
+    Entry& begin(PipelineKey key, PipelineMade what, std::function<Pipeline()> make);
+    // Waits for it, or makes it where nobody has begun to. Throws what `make` threw.
+    const Pipeline& finish(Entry& entry);
+    std::vector<PipelineMade> made(); // in the order of begin(), after all are finished
+    std::size_t count() const;
+    // Of those that were asked for by finish() so far: how many were not there yet. What draws a frame and
+    // waits here is late.
+    std::uint64_t waited_for() const;
     // For the `flags` of a pipeline that `make` makes.
     VkPipelineCreateFlags flags() const {
         return keeps_statistics_ ? VK_PIPELINE_CREATE_CAPTURE_STATISTICS_BIT_KHR : 0;
     }
 
 private:
+    void run();
+    void make(Entry& entry);
     std::vector<std::pair<std::string, double>> statistics_of(VkPipeline pipeline) const;
 
     VkDevice device_;
     bool keeps_statistics_;
-    std::vector<PipelineMade> made_;
-    std::map<PipelineKey, Pipeline> all_;
+    mutable std::mutex mutex_;
+    std::condition_variable changed_;
+    bool stop_ = false;
+    std::uint64_t waited_for_ = 0;
+    std::map<PipelineKey, std::unique_ptr<Entry>> all_;
+    std::vector<Entry*> in_order_;
+    std::deque<Entry*> waiting_;
+    std::vector<std::thread> threads_; // begun when there is something to do
 };
 
 } // namespace ghost::gpu

@@ -144,13 +144,17 @@ PipelineKey key_of(const Shader& vertex, const Shader& fragment, const RasterSha
 
 Raster::Raster(const Device& device, const Shader& built_in_vertex, const Shader& built_in_fragment,
                const RasterShape& shape)
-    : name_(built_in_fragment.name) {
-    const Shader vertex = device.current(built_in_vertex), fragment = device.current(built_in_fragment);
+    : Raster(device, built_in_fragment, device.current(built_in_vertex), device.current(built_in_fragment),
+             shape) {}
+
+Raster::Raster(const Device& device, const Shader& built_in, const Shader& vertex, const Shader& fragment,
+               const RasterShape& shape)
+    : name_(built_in.name), bindings_(bindings_of(fragment)), pipelines_(device.pipelines()),
+      entry_(pipelines_.begin(key_of(vertex, fragment, shape), {built_in, shape.constants, true, 0, {}},
+                              [&device, vertex, fragment, bindings = bindings_, shape] {
+                                  return make_pipeline(device, vertex, fragment, bindings, shape);
+                              })) {
     CHECK(bindings_of(vertex).empty());
-    bindings_ = bindings_of(fragment);
-    pipeline_ = device.pipelines().get(
-        key_of(vertex, fragment, shape), {built_in_fragment, shape.constants, true, 0, {}},
-        [&] { return make_pipeline(device, vertex, fragment, bindings_, shape); });
 }
 
 void begin_drawing(Commands& commands, const std::vector<const Texture*>& colours, const Texture& depth,

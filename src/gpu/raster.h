@@ -36,15 +36,19 @@ public:
            const RasterShape& shape);
     Raster(const Raster&) = delete;
     Raster& operator=(const Raster&) = delete;
-    VkPipeline handle() const { return pipeline_.handle; }
-    VkPipelineLayout layout() const { return pipeline_.layout.pipeline; }
+    VkPipeline handle() const { return pipelines_.finish(entry_).handle; }
+    VkPipelineLayout layout() const { return pipelines_.finish(entry_).layout.pipeline; }
     const std::vector<VkDescriptorType>& bindings() const { return bindings_; }
     std::string_view name() const { return name_; }
 
 private:
+    Raster(const Device& device, const Shader& built_in, const Shader& vertex, const Shader& fragment,
+           const RasterShape& shape);
+
     std::string_view name_;
     std::vector<VkDescriptorType> bindings_;
-    Pipeline pipeline_;
+    Pipelines& pipelines_;
+    Pipelines::Entry& entry_;
 };
 
 enum class Before { cleared, kept };

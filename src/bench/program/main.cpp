@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
     std::string out = "ghostlight-report";
     std::vector<std::string> wanted, names;
     for (const app::BenchTable& table : app::tables()) names.emplace_back(table.name);
-    program.add_option("TABLE", wanted, "print these tables instead of a report")
+    program.add_option("TABLE", wanted, "only these; without -o they are printed as JSON instead")
         ->check(CLI::IsMember(names));
     program.add_option("-o,--out", out, "folder of the report")->take_last()->capture_default_str();
     program.add_flag("--quick", report.quick, "the most important tables only, with fewer frames");
@@ -91,7 +91,8 @@ int main(int argc, char** argv) {
     report.out = out;
     work_beside(options.program, report.out);
     if (options.against.empty() && fs::exists("goldens", code)) options.against = "goldens";
-    if (!wanted.empty()) return run_tables(wanted, options);
+    if (!wanted.empty() && program.count("--out") == 0) return run_tables(wanted, options);
+    report.tables = wanted;
     const ghost::Result<void> done = app::write_report(report);
     if (!done.ok()) {
         ghost::log_error(done.error().text());

@@ -140,6 +140,8 @@ void Relighter::add_images(const ImageSum& sum) {
 }
 
 const gpu::Program& Relighter::sum_of(std::uint32_t parts, std::uint32_t addends) {
+    // A shader for each number pays where a loop loads its values for every lane.
+    if (!device_.is_cpu() && addends > 0) addends = shared::kManyAddends;
     std::unique_ptr<gpu::Program>& program = sums_[{parts, addends}];
     if (!program)
         program = std::make_unique<gpu::Program>(
