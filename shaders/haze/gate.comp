@@ -19,9 +19,8 @@ layout(binding = 3, scalar) readonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) readonly buffer Lists { uint list[]; };
 layout(binding = 5, rgba32f) readonly uniform image2DArray places; // position, coverage
 layout(binding = 6, rgba16f) uniform image2DArray drawn;
-layout(binding = 10, scalar) readonly buffer Groups { TileGroups groups[]; };
-layout(binding = 11, r16ui) readonly uniform uimage2DArray lonely; // of wide beams, as the next one
-layout(binding = 12, rgba16f) uniform image2DArray rays;
+layout(binding = 10, r16ui) readonly uniform uimage2DArray lonely; // of wide beams, as the next one
+layout(binding = 11, rgba16f) uniform image2DArray rays;
 layout(push_constant, scalar) uniform Push { GatePush p; };
 layout(constant_id = 1) const bool kSingle = false; // a batch is one light
 layout(constant_id = 4) const bool kWide = false;   // every few rays only, and lonely pixels (shared/wide.h)
@@ -60,14 +59,14 @@ vec3 seen_by_pixel(Light light, Fan fan, vec3 dir, float far) {
 
 #include "common/gate_place.glsl"
 
-void main() {
+// Those of a list that belong together: number * per_group and the next ones.
+void draw(uint number, uint per_group, uint count) {
     uvec2 size = uvec2(view.width, view.height);
-    uint per_group = kWide ? p.step * p.step : 1u;
-    uint first = haze_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x * per_group;
+    uint first = haze_list(p.batch, p.tiles, p.blocks) + number * per_group;
     uint tiles = 1u;
     uint rounds = 1u, tip_round = 1u;
     if (kWide) {
-        tiles = min(groups[p.batch].haze[3] - gl_WorkGroupID.x * per_group, per_group);
+        tiles = min(count - number * per_group, per_group);
         uint alone = 0u, tips = 0u;
         for (uint t = 0u; t < tiles; ++t) {
             alone += lonely_in(list[first + t]);
@@ -118,4 +117,10 @@ void main() {
             if (inside) imageStore(drawn, to, light_to_store(imageLoad(drawn, to) + vec4(sum, 0.0)));
         }
     }
+}
+
+void main() {
+    uint per_group = kWide ? p.step * p.step : 1u;
+    uint count = list[list_count(p.batch, kHazeList)];
+    for (uint number = gl_WorkGroupID.x; number * per_group < count; number += gl_NumWorkGroups.x) draw(number, per_group, count);
 }

@@ -21,9 +21,8 @@ layout(push_constant, scalar) uniform Push { GridPush p; };
 #include "common/grid.glsl"
 
 
-void main() {
+void draw(uint tile) {
     uint batch = p.gate.batch;
-    uint tile = list[haze_list(batch, p.gate.tiles, p.gate.blocks) + gl_WorkGroupID.x];
     uvec2 size = uvec2(view.width, view.height);
     uvec2 pixel = uvec2(tile % p.gate.tiles_x, tile / p.gate.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
     bool inside = pixel.x < size.x && pixel.y < size.y;
@@ -52,4 +51,9 @@ void main() {
         if (slot % kTilePixels == 0u) atomicAdd(head.groups[0], 1u);
         left[slot] = uint(at.y) << 16u | uint(at.x);
     }
+}
+
+void main() {
+    uint count = list[list_count(p.gate.batch, kHazeList)];
+    for (uint number = gl_WorkGroupID.x; number < count; number += gl_NumWorkGroups.x) draw(list[haze_list(p.gate.batch, p.gate.tiles, p.gate.blocks) + number]);
 }

@@ -54,9 +54,8 @@ vec3 scattered(Light light, vec3 dir, float far, float offset) {
     return sum * (haze.scattering_per_m * step_m);
 }
 
-void main() {
+void draw(uint tile) {
     uvec2 size = uvec2(view.width, view.height);
-    uint tile = list[haze_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x];
     uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
     bool inside = pixel.x < size.x && pixel.y < size.y;
     pixel = min(pixel, size - 1u);
@@ -84,4 +83,9 @@ void main() {
         }
     }
     if (inside) imageStore(drawn, ivec3(at, 1), light_to_store(imageLoad(drawn, ivec3(at, 1)) + vec4(sum, 0.0)));
+}
+
+void main() {
+    uint count = list[list_count(p.batch, kHazeList)];
+    for (uint number = gl_WorkGroupID.x; number < count; number += gl_NumWorkGroups.x) draw(list[haze_list(p.batch, p.tiles, p.blocks) + number]);
 }

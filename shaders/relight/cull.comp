@@ -15,7 +15,7 @@ layout(binding = 1, scalar) uniform LightBlock { Light lights[kLightsPerChunk]; 
 layout(binding = 2, scalar) readonly buffer TileBounds { vec4 tile_bounds[]; }; // 2 a tile: centre, radius; farthest, -, -, -
 layout(binding = 3, scalar) writeonly buffer Masks { uint mask_of[]; };
 layout(binding = 4, scalar) buffer Groups { TileGroups groups[]; };
-layout(binding = 5, scalar) writeonly buffer Lists { uint list[]; };
+layout(binding = 5, scalar) buffer Lists { uint list[]; };
 layout(binding = 6, scalar) buffer Work { FrameWork work; };
 layout(binding = 7, scalar) uniform KeepBlock { Keep keeps[kLightsPerChunk]; };
 layout(binding = 8, scalar) buffer Entries { uint pages_used; uint unused; uvec2 entries[]; };
@@ -168,17 +168,24 @@ void main() {
         haze_count += uint(bitCount(haze_mask));
     }
     if (any_haze && p.air != 0u) {
-        uint at = atomicAdd(groups[batch].haze[3], 1u);
+        uint at = atomicAdd(list[list_count(batch, kHazeList)], 1u);
         list[haze_list(batch, p.tiles, p.blocks) + at] = tile;
-        if (at % p.haze_group == 0u) atomicAdd(groups[batch].haze[0], 1u);
+        if (at % p.haze_group == 0u && at / p.haze_group < p.most_groups) atomicAdd(groups[batch].haze[0], 1u);
         atomicAdd(work.haze_tiles, haze_count);
     }
     if (any_surface && p.surfaces != 0u) {
-        if (direct_count > 0u) list[direct_list(batch, p.tiles, p.blocks) + atomicAdd(groups[batch].direct[0], 1u)] = tile;
-        else list[surface_list(batch, p.tiles, p.blocks) + atomicAdd(groups[batch].surface[0], 1u)] = tile;
+        bool direct = direct_count > 0u;
+        uint at = atomicAdd(list[list_count(batch, direct ? kDirectList : kSurfaceList)], 1u);
+        list[(direct ? direct_list(batch, p.tiles, p.blocks) : surface_list(batch, p.tiles, p.blocks)) + at] = tile;
+        if (at < p.most_groups && direct) atomicAdd(groups[batch].direct[0], 1u);
+        if (at < p.most_groups && !direct) atomicAdd(groups[batch].surface[0], 1u);
         atomicAdd(work.surface_tiles, surface_count);
-        if (direct_count > 0u) atomicAdd(work.direct_units, direct_count);
-        if (made_count > 0u) list[made_list(batch, p.tiles, p.blocks) + atomicAdd(groups[batch].made[0], 1u)] = tile;
-        if (made_count > 0u) atomicAdd(work.made_units, made_count);
+        if (direct) atomicAdd(work.direct_units, direct_count);
+        if (made_count > 0u) {
+            uint place_in_list = atomicAdd(list[list_count(batch, kMadeList)], 1u);
+            list[made_list(batch, p.tiles, p.blocks) + place_in_list] = tile;
+            if (place_in_list < p.most_groups) atomicAdd(groups[batch].made[0], 1u);
+            atomicAdd(work.made_units, made_count);
+        }
     }
 }

@@ -58,9 +58,8 @@ vec3 shown(Light light, vec3 position_m, ivec2 row, Haze haze) {
             attenuation_factor(air.attenuation, distance_m));
 }
 
-void main() {
+void draw(uint tile) {
     uvec2 size = uvec2(view.width, view.height);
-    uint tile = list[surface_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x];
     uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
     uint extra = (tile - p.tiles) * kTilePixels + gl_LocalInvocationIndex;
     bool is_extra = tile >= p.tiles;
@@ -87,4 +86,9 @@ void main() {
     sum *= fragment.w >= 0.0 ? seen : 0.0;
     if (inside)
         imageStore(drawn, ivec3(at, 0), light_to_store(imageLoad(drawn, ivec3(at, 0)) + vec4(sum, 0.0)));
+}
+
+void main() {
+    uint count = list[list_count(p.batch, kSurfaceList)];
+    for (uint number = gl_WorkGroupID.x; number < count; number += gl_NumWorkGroups.x) draw(list[surface_list(p.batch, p.tiles, p.blocks) + number]);
 }

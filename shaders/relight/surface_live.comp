@@ -97,10 +97,8 @@ vec3 shown(Light light, Keep keep, Fragment f, Haze haze, uint unit) {
     return value;
 }
 
-void main() {
+void draw(uint tile) {
     uvec2 size = uvec2(view.width, view.height);
-    uint first = p.direct != 0u ? direct_list(p.batch, p.tiles, p.blocks) : surface_list(p.batch, p.tiles, p.blocks);
-    uint tile = list[first + gl_WorkGroupID.x];
     uvec2 pixel = uvec2(tile % p.tiles_x, tile / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + gl_LocalInvocationID.xy;
     uint extra = (tile - p.tiles) * kTilePixels + gl_LocalInvocationIndex;
     bool is_extra = tile >= p.tiles;
@@ -141,4 +139,10 @@ void main() {
     sum = place.w > 0.0 ? sum * (place.w * (kIlluminance ? 1.0 : haze_transmittance(haze, eye_m))) : vec3(0.0);
     if (inside)
         imageStore(drawn, at, light_to_store(imageLoad(drawn, at) + vec4(sum, 0.0)));
+}
+
+void main() {
+    uint first = p.direct != 0u ? direct_list(p.batch, p.tiles, p.blocks) : surface_list(p.batch, p.tiles, p.blocks);
+    uint count = list[list_count(p.batch, p.direct != 0u ? kDirectList : kSurfaceList)];
+    for (uint number = gl_WorkGroupID.x; number < count; number += gl_NumWorkGroups.x) draw(list[first + number]);
 }

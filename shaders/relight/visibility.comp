@@ -34,9 +34,8 @@ void make(Light light, Keep keep, vec3 place_m, vec3 facet, uint unit, bool ther
     if (page.there && page.make && !same) imageStore(pages, page.texel, vec4(wanted ? as_kept(fraction) : 0.0, mark, 0.0, 0.0));
 }
 
-void main() {
+void make_unit(uint unit) {
     uvec2 size = uvec2(view.width, view.height);
-    uint unit = list[made_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x];
     uvec2 local = uvec2(gl_LocalInvocationIndex % kTileWidth, gl_LocalInvocationIndex / kTileWidth);
     uvec2 pixel = uvec2(unit % p.tiles_x, unit / p.tiles_x) * uvec2(kTileWidth, kTileHeight) + local;
     uint extra = (unit - p.tiles) * kTilePixels + gl_LocalInvocationIndex;
@@ -55,4 +54,9 @@ void main() {
             uint index = word * 32u + uint(findLSB(mask));
             make(lights[index], keeps[index], place.xyz, facet, unit, there);
         }
+}
+
+void main() {
+    uint count = list[list_count(p.batch, kMadeList)];
+    for (uint number = gl_WorkGroupID.x; number < count; number += gl_NumWorkGroups.x) make_unit(list[made_list(p.batch, p.tiles, p.blocks) + number]);
 }

@@ -33,9 +33,13 @@ SHARED_CONST float kPassScale = 1024.0f;
 
 // Which lights of each batch can reach which tile; the tiles that any of them reaches are appended to the batch's lists for
 // the passes below. A batch has four lists, one after the other: haze, surfaces, what of these sees a lamp for which that must be made
-// (shared/visibility.h), and surfaces of single lights for which it is worked out just where light falls.
+// (shared/visibility.h), and surfaces of single lights for which it is worked out just where light falls. How long they are
+// stands before all lists, for a device may not begin as many workgroups as a list of a large picture has tiles: then each draws several.
+SHARED_CONST uint kHazeList = 0u, kSurfaceList = 1u, kMadeList = 2u, kDirectList = 3u;
+SHARED_CONST uint kListCounts = 4u * kLightsPerChunk;
+SHARED_FN uint list_count(uint batch, uint kind) { return 4u * batch + kind; }
 SHARED_FN uint lists_length(uint tiles, uint blocks) { return 4u * tiles + 3u * blocks; }
-SHARED_FN uint haze_list(uint batch, uint tiles, uint blocks) { return batch * lists_length(tiles, blocks); }
+SHARED_FN uint haze_list(uint batch, uint tiles, uint blocks) { return kListCounts + batch * lists_length(tiles, blocks); }
 SHARED_FN uint surface_list(uint batch, uint tiles, uint blocks) { return haze_list(batch, tiles, blocks) + tiles; }
 SHARED_FN uint made_list(uint batch, uint tiles, uint blocks) { return surface_list(batch, tiles, blocks) + tiles + blocks; }
 SHARED_FN uint direct_list(uint batch, uint tiles, uint blocks) { return made_list(batch, tiles, blocks) + tiles + blocks; }
@@ -52,13 +56,14 @@ struct CullPush {
     uint pages;      // of kept visibility
     uint units;      // tiles and room for blocks
     uint most_made;  // of them in a frame
+    uint most_groups; // of an indirect dispatch
 };
-SHARED_SIZE(CullPush, 48);
+SHARED_SIZE(CullPush, 52);
 
 // Workgroups of the indirect dispatches of a batch, as Vulkan wants them.
 struct TileGroups {
-    uint surface[4];
-    uint haze[4]; // the last one: tiles
+    uint surface[4]; // the last one is not used
+    uint haze[4];
     uint made[4];
     uint direct[4];
 };

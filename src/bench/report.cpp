@@ -7,6 +7,7 @@
 #include "base/progress.h"
 #include "base/steady_time.h"
 #include "bench/private/report_page.h"
+#include "bench/tables.h"
 #include "disk/files.h"
 #include "gpu/device_facts.h"
 
@@ -61,6 +62,8 @@ Result<void> device_tests(const BenchOptions& options, const BenchSink& sink) {
         if (entry.path().filename().string().starts_with("test_")) programs.push_back(entry.path());
     if (programs.empty()) return Error{"there are none beside this program", folder.string()};
     std::sort(programs.begin(), programs.end());
+    // They look at every use of Vulkan.
+    TRY_VOID(gpu::Device::create({.name = options.device, .validation = true}));
     for (const fs::path& program : programs) {
         const double begin_s = steady_now_s();
         const std::string libraries = "LD_LIBRARY_PATH=" + (folder.parent_path() / "lib").string();
@@ -145,7 +148,7 @@ Result<void> write_report(const ReportOptions& options) {
         if (skips(part) || interrupted()) continue;
         ReportTable table{part.table, part.title, {}, ""};
         progress.update(done / all, steady_now_s(), part.table);
-        const Result<void> run = part.run(bench, [&](const BenchRow& row) {
+        const Result<void> run = run_table(part.run, bench, [&](const BenchRow& row) {
             table.rows.push_back(row);
             progress.update(done / all, steady_now_s(), std::string(part.table) + ": " + row.name);
         });

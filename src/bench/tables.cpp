@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <nlohmann/json.hpp>
 
 namespace ghost::app {
@@ -34,6 +35,15 @@ constexpr BenchTable kTables[] = {
 
 std::span<const BenchTable> tables() {
     return kTables;
+}
+
+Result<void> run_table(Result<void> (*run)(const BenchOptions&, const BenchSink&),
+                       const BenchOptions& options, const BenchSink& sink) {
+    try {
+        return run(options, sink);
+    } catch (const std::exception& failure) {
+        return Error{failure.what(), ""};
+    }
 }
 
 void print_row(const BenchRow& row, bool json) {

@@ -17,6 +17,10 @@ struct BenchTable {
 // All that need neither the window nor the program itself.
 std::span<const BenchTable> tables();
 
+// What a device throws (gpu/device_failures.h) is an error, too: the next table has another one.
+Result<void> run_table(Result<void> (*run)(const BenchOptions&, const BenchSink&),
+                       const BenchOptions& options, const BenchSink& sink);
+
 // On standard output, as a line of JSON or of words.
 void print_row(const BenchRow& row, bool json);
 

@@ -40,7 +40,12 @@ Buffer::Buffer(const Device& device, std::uint64_t bytes, Access access)
     VkMemoryRequirements needs;
     vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
     std::uint32_t type = 0;
-    memory_ = device.memory().allocate(needs, wanted_memory(access), type);
+    try {
+        memory_ = device.memory().allocate(needs, wanted_memory(access), type);
+    } catch (...) {
+        vkDestroyBuffer(device.handle(), buffer_, nullptr);
+        throw;
+    }
     allocated_bytes_ = needs.size;
     VK_CALL(vkBindBufferMemory(device.handle(), buffer_, memory_, 0));
     // Mapping fails where the memory is not visible to the host; only then is staging needed.

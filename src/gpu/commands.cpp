@@ -259,7 +259,7 @@ void Commands::clear(const Texture& texture) {
 }
 
 void Commands::begin_span(const std::string& name) {
-    if (names_.size() >= kMaxSpans) return;
+    if (names_.size() >= kMaxSpans || !device_.limits().timestamps) return;
     vkCmdWriteTimestamp2(commands_, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, queries_,
                          static_cast<std::uint32_t>(names_.size()));
     // lavapipe reads the clock when what follows waits, not before: without this a span has the time of the

@@ -3,7 +3,7 @@
 
 #include "base/log.h"
 #include "base/text.h"
-#include "gpu/device_lost.h"
+#include "gpu/device_failures.h"
 #include "gpu/device_memory.h"
 #include "gpu/pipelines.h"
 #include "gpu/shader_folder.h"
@@ -30,7 +30,8 @@ bool has_extension(VkPhysicalDevice physical, const char* wanted) {
 }
 
 // What a device lacks for us, or "".
-std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties& properties) {
+std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties& properties,
+                    const LoweredLimits& lowered) {
     if (properties.apiVersion < VK_API_VERSION_1_3) return "Vulkan 1.3";
     VkPhysicalDeviceVulkan13Features f13{};
     f13.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
@@ -50,7 +51,7 @@ std::string missing(VkPhysicalDevice physical, const VkPhysicalDeviceProperties&
     if (!f13.dynamicRendering) return "dynamicRendering";
     if (!has_extension(physical, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME))
         return VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME;
-    return "";
+    return missing_limit(physical, properties.limits, lowered);
 }
 
 int rank(VkPhysicalDeviceType type) {
@@ -72,12 +73,11 @@ void vulkan_failed(const char* call, const char* file, int line, VkResult result
     if (result == VK_ERROR_DEVICE_LOST)
         throw DeviceLost("the graphics device was lost (reset, driver or cable); what was drawn is gone");
     if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY)
-        log_error(
+        throw OutOfDeviceMemory(
             "out of memory for drawing: a smaller picture (--size), fewer lights or smaller shadow maps "
             "(map_size) need less");
-    else
-        log_error(std::string(file) + ":" + std::to_string(line) + ": " + call + " failed with VkResult " +
-                  std::to_string(static_cast<int>(result)));
+    log_error(std::string(file) + ":" + std::to_string(line) + ": " + call + " failed with VkResult " +
+              std::to_string(static_cast<int>(result)));
     std::exit(1);
 }
 
@@ -94,7 +94,7 @@ VKAPI_ATTR VkBool32 VKAPI_CALL Device::on_validation(VkDebugUtilsMessageSeverity
 Result<std::unique_ptr<Device>> Device::create(const DeviceOptions& options) {
     std::unique_ptr<Device> device(new Device);
     TRY_VOID(device->make_instance(options.validation));
-    TRY_VOID(device->choose_physical(options.name));
+    TRY_VOID(device->choose_physical(options));
     device->make_device(options);
     if (!options.shaders.empty()) device->shaders_ = std::make_unique<ShaderFolder>(options.shaders);
     return device;
@@ -160,7 +160,8 @@ Result<void> Device::make_instance(bool validation) {
     return {};
 }
 
-Result<void> Device::choose_physical(const std::string& wanted) {
+Result<void> Device::choose_physical(const DeviceOptions& options) {
+    const std::string& wanted = options.name;
     std::uint32_t count = 0;
     VK_CALL(vkEnumeratePhysicalDevices(instance_, &count, nullptr));
     std::vector<VkPhysicalDevice> all(count);
@@ -171,7 +172,7 @@ Result<void> Device::choose_physical(const std::string& wanted) {
     for (std::uint32_t i = 0; i < count; ++i) {
         VkPhysicalDeviceProperties properties;
         vkGetPhysicalDeviceProperties(all[i], &properties);
-        const std::string lack = missing(all[i], properties);
+        const std::string lack = missing(all[i], properties, options.lowered_limits);
         found += "\n  " + std::to_string(i) + ": " + properties.deviceName +
                  (lack.empty() ? "" : " (lacks " + lack + ")");
         if (!lack.empty()) continue;
@@ -183,7 +184,7 @@ Result<void> Device::choose_physical(const std::string& wanted) {
         name_ = properties.deviceName;
         is_cpu_ = properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
         timestamp_period_ns_ = static_cast<double>(properties.limits.timestampPeriod);
-        most_layers_ = properties.limits.maxImageArrayLayers;
+        limits_ = used_limits(properties.limits, options.lowered_limits);
     }
     if (physical_ != VK_NULL_HANDLE) return {};
     const std::string list =

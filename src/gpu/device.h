@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Device: one Vulkan 1.3 device with one queue. Whoever creates it keeps it alive until all that was made
 // from it is gone. A failing Vulkan call (VK_CALL) prints the call, file and line and ends the program, for
-// memory and driver faults leave nothing to go on with; a lost device throws DeviceLost. Main thread.
+// driver faults leave nothing to go on with; a lost device and memory that is not there are thrown
+// (gpu/device_failures.h). Main thread.
 
 #include "base/result.h"
+#include "gpu/needed_limits.h"
 #include "gpu/shader.h"
 
 #include <atomic>
@@ -32,6 +34,7 @@ struct DeviceOptions {
     std::uint64_t memory_limit_bytes = 0; // of all buffers and textures; 0: what the device has
     std::string shaders; // a folder that they are read from (gpu/shader_folder.h); empty: those built in
     bool pipeline_statistics = false; // keep what drivers say of pipelines, where they do (Pipelines::made)
+    LoweredLimits lowered_limits;     // none
 };
 
 class Device {
@@ -59,7 +62,7 @@ public:
     const std::string& name() const { return name_; } // "llvmpipe (LLVM 15.0.6, 256 bits)"
     bool is_cpu() const { return is_cpu_; }           // lavapipe and its like
     double timestamp_period_ns() const { return timestamp_period_ns_; }
-    std::uint32_t most_layers() const { return most_layers_; } // of an image
+    const UsedLimits& limits() const { return limits_; }
     bool keeps_pipeline_statistics() const { return keeps_pipeline_statistics_; }
     std::size_t validation_errors() const { return validation_errors_; }
 
@@ -72,7 +75,7 @@ private:
                                                         VkDebugUtilsMessageTypeFlagsEXT,
                                                         const VkDebugUtilsMessengerCallbackDataEXT*, void*);
     Result<void> make_instance(bool validation);
-    Result<void> choose_physical(const std::string& name);
+    Result<void> choose_physical(const DeviceOptions& options);
     void make_device(const DeviceOptions& options);
 
     VkInstance instance_ = VK_NULL_HANDLE;
@@ -90,7 +93,7 @@ private:
     bool is_cpu_ = false;
     bool keeps_pipeline_statistics_ = false;
     double timestamp_period_ns_ = 1;
-    std::uint32_t most_layers_ = 256;
+    UsedLimits limits_;
     std::atomic<std::size_t> validation_errors_ = 0; // drivers are called on several threads
 };
 

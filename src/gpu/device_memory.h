@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // DeviceMemory: of one device: how much there is, and how much of it all that was made from the device has.
-// Bytes. Memory that is not there ends the program, as all failing calls do (gpu/device.h). Main thread.
+// Bytes. Memory that is not there is thrown (gpu/device_failures.h). Main thread.
 
 #include <cstdint>
 #include <vulkan/vulkan.h>

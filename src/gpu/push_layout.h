@@ -3,9 +3,11 @@
 // What every pipeline of ours binds: one set of push descriptors, bindings 0, 1, .. of the given types, and
 // push constants. Shared by Program and Raster; the caller owns both handles.
 
+#include "base/check.h"
 #include "gpu/device.h"
 #include "gpu/shader.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace ghost::gpu {
@@ -30,6 +32,14 @@ inline PushLayout make_push_layout(const Device& device, const std::vector<VkDes
         place.stageFlags = stages;
         places.push_back(place);
     }
+    CHECK(places.size() <= kMostBindings);
+    const auto count = [&](VkDescriptorType type) {
+        return static_cast<std::uint64_t>(std::count(bindings.begin(), bindings.end(), type));
+    };
+    CHECK(count(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE) <= kMostStorageImages);
+    CHECK(count(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER) <= kMostStorageBuffers);
+    CHECK(count(VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER) <= kMostSampledImages);
+    CHECK(count(VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER) <= kMostUniformBuffers);
     VkDescriptorSetLayoutCreateInfo set{};
     set.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     set.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;

@@ -60,7 +60,12 @@ Texture::Texture(const Device& device, const TextureShape& shape) : device_(&dev
     vkGetImageMemoryRequirements(device.handle(), image_, &needs);
     bytes_ = needs.size;
     std::uint32_t type = 0;
-    memory_ = device.memory().allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, type);
+    try {
+        memory_ = device.memory().allocate(needs, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, type);
+    } catch (...) {
+        vkDestroyImage(device.handle(), image_, nullptr);
+        throw;
+    }
     VK_CALL(vkBindImageMemory(device.handle(), image_, memory_, 0));
 
     VkImageViewCreateInfo view{};

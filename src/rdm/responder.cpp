@@ -233,11 +233,12 @@ Message Responder::queued(const Message& message) {
     const std::uint8_t kind = message.data[0];
     if (kind < kLastMessage || kind > kHighestStatus) return refuse(message, Nack::data_out_of_range);
     if (kind != kLastMessage || !last_) {
-        last_.reset();
+        std::optional<Message> next;
         if (!queue_.empty()) {
-            last_ = queue_.front();
+            next.emplace(std::move(queue_.front()));
             queue_.pop_front();
         }
+        last_ = std::move(next);
     }
     Message as = message;
     as.pid = last_ ? last_->pid : static_cast<std::uint16_t>(Pid::status_messages);

@@ -22,7 +22,8 @@ struct Moment {
     bool live;
 };
 
-image::ImageF picture_of(const Moment& moment, std::uint32_t lights_per_dispatch) {
+image::ImageF picture_of(const Moment& moment, std::uint32_t lights_per_dispatch,
+                         const gpu::LoweredLimits& lowered = {}) {
     SessionOptions options;
     options.show = DemoCopy::show().string();
     options.view = moment.view;
@@ -32,6 +33,7 @@ image::ImageF picture_of(const Moment& moment, std::uint32_t lights_per_dispatch
     options.validation = true;
     options.quiet = true;
     options.lights_per_dispatch = lights_per_dispatch;
+    options.lowered_limits = lowered;
     const auto session = must(open_session(options));
     dmx::Player player(must(dmx::read_recording(session->show->recording)));
     for (int frame = 0; frame <= std::lround(moment.t_s * 30); ++frame)
@@ -50,6 +52,58 @@ TEST(Batches, OneByOneAndAllAtOnceAreTheSamePicture) {
         std::printf("%s at %.0f s: %.1f dB\n", moment.view, moment.t_s, db);
         EXPECT_GE(db, kLeast_db) << moment.view;
     }
+}
+
+// What is made use of, and not asked for, alone as low as it may be.
+TEST(Batches, ADeviceThatHasJustEnoughDrawsTheSamePicture) {
+    const Moment moment{"close", 36, true};
+    const image::ImageF usual = picture_of(moment, shared::kLightsPerChunk);
+    for (const auto& [name, value] : gpu::LoweredLimits{{"maxComputeWorkGroupInvocations", 256},
+                                                        {"maxImageArrayLayers", 256},
+                                                        {"timestampComputeAndGraphics", 0}}) {
+        const image::ImageF lowered = picture_of(moment, shared::kLightsPerChunk, {{name, value}});
+        const image::PicturePair pair = pair_of(lowered, usual);
+        EXPECT_GE(image::psnr_db(pair, image::p75_curve(pair)), kLeast_db) << name;
+    }
+}
+
+// A device may not begin as many workgroups as a list has tiles; then each draws several.
+TEST(Batches, FewWorkgroupsDrawEverything) {
+    SessionOptions options;
+    options.show = DemoCopy::show().string();
+    options.view = "close";
+    options.width = 160;
+    options.height = 90;
+    options.live = true;
+    options.validation = true;
+    options.quiet = true;
+    const auto session = must(open_session(options));
+    dmx::Player player(must(dmx::read_recording(session->show->recording)));
+    session->rig->step(player.at(36), 3600);
+    const scene::FrameLights lit = session->lit();
+    const auto drawn = [&](std::uint32_t batch, std::uint32_t most_groups,
+                           const render::HazeQuality& quality) {
+        render::Settings settings;
+        settings.lights_per_dispatch = batch;
+        settings.most_groups = most_groups;
+        settings.beams.grid = true;
+        settings.beams.most_wide_step = 2;
+        render::Relighter relighter(*session->device, session->live->g_buffer(), session->live->distances(),
+                                    session->gobos.images, static_cast<int>(lit.lights.size()), settings);
+        relighter.set_quality(quality);
+        for (int frame = 0; frame < 3; ++frame) { // visibility is made, and read
+            relighter.draw_anew();
+            EXPECT_GT(relighter.draw(lit).surface_tiles, 100);
+        }
+        return relighter.frame().samples;
+    };
+    for (const std::uint32_t batch : {1u, shared::kLightsPerChunk})
+        for (const render::HazeQuality& quality :
+             {render::HazeQuality{}, render::HazeQuality{.wide_beam_step = 2},
+              render::HazeQuality{.grid = true}})
+            EXPECT_EQ(drawn(batch, 5, quality), drawn(batch, 0, quality))
+                << batch << " a dispatch, step " << quality.wide_beam_step << ", grid " << quality.grid;
+    EXPECT_EQ(session->device->validation_errors(), 0u);
 }
 
 // What a steady frame may take of a device's front end, whatever the number of lights.

@@ -3,6 +3,7 @@
 
 #include "disk/files.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -30,7 +30,8 @@ int run_tables(const std::vector<std::string>& wanted, const app::BenchOptions& 
     int exit_code = 0;
     for (const app::BenchTable& table : app::tables()) {
         if (std::find(wanted.begin(), wanted.end(), table.name) == wanted.end()) continue;
-        const auto done = table.run(options, [](const app::BenchRow& row) { app::print_row(row, true); });
+        const auto done =
+            app::run_table(table.run, options, [](const app::BenchRow& row) { app::print_row(row, true); });
         if (done.ok()) continue;
         ghost::log_error(std::string(table.name) + ": " + done.error().text());
         exit_code = 1;
@@ -84,7 +85,11 @@ int main(int argc, char** argv) {
     program.set_version_flag("--version", "ghostlight-bench 0.1.0");
     program.footer(
         "Example: ghostlight-bench -o my-gpu\n         ghostlight-bench scale --only \"400 lights\"");
-    CLI11_PARSE(program, argc, argv);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return program.exit(error) == 0 ? 0 : 2; // as ghostlight does
+    }
     ghost::set_log_level(ghost::LogLevel::warning);
     std::error_code code;
     options.program = fs::read_symlink("/proc/self/exe", code).string();

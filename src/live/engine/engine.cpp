@@ -2,7 +2,8 @@
 #include "live/engine/engine.h"
 
 #include "base/interrupt.h"
-#include "gpu/device_lost.h"
+#include "gpu/device_failures.h"
+#include "gpu/device_memory.h"
 #include "live/session/take_patch.h"
 
 #include "base/log.h"
@@ -41,6 +42,8 @@ void Engine::run() {
                 step();
             } catch (const gpu::DeviceLost& lost) {
                 replace_device(lost.what());
+            } catch (const gpu::OutOfDeviceMemory& shortage) {
+                draw_with_less(shortage.what());
             }
             wait(begin_s);
         }
@@ -81,7 +84,42 @@ void Engine::replace_device(const std::string& why) {
     log_warning(why);
     if (!session_ || ++losses_ > kMostLosses) throw std::runtime_error(why);
     messages_.add(Severity::warning, session_->device->name(), why + "; it is drawn anew");
-    link_.activity.put("the graphics device was lost: drawing anew");
+    open_on_new_device(why);
+}
+
+// What draws plans by the memory that there is: kept pictures go first, then the size of shadow maps, then
+// that of the picture, each with a word.
+void Engine::draw_with_less(const std::string& why) {
+    log_warning(why);
+    if (!session_ || ++losses_ > kMostLosses) throw std::runtime_error(why);
+    const std::uint64_t used = session_->device->memory().used_bytes();
+    messages_.add(
+        Severity::warning, session_->device->name(),
+        "it has no more memory for drawing, " + std::to_string(used >> 20) +
+            " MB were in use; from now on it is drawn with less: fewer kept pictures, smaller shadow maps, "
+            "a smaller picture");
+    forget_baked();
+    probe_.forget();
+    camera_pictures_.forget();
+    look_.reset();
+    session_->stop_drawing(); // else what is there now and what comes would be there at once
+    options_.session.image_memory_bytes /= 8;
+    std::uint64_t most = used;
+    while (true) {
+        options_.session.memory_limit_bytes = most;
+        try {
+            open_on_new_device(why);
+            return;
+        } catch (const gpu::OutOfDeviceMemory& again) {
+            log_warning(again.what());
+        }
+        most = most / 8 * 7;
+        if (most < used / 2) throw std::runtime_error(why); // what is left cannot be given up
+    }
+}
+
+void Engine::open_on_new_device(const std::string& why) {
+    link_.activity.put("drawing anew on the graphics device");
     link_.on_news();
     auto opened = open_session(session_options(session_->options.show));
     link_.activity.put("");

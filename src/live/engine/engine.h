@@ -59,6 +59,8 @@ private:
     void step();
     void wait(double step_begin_s);
     void replace_device(const std::string& why);
+    void draw_with_less(const std::string& why);
+    void open_on_new_device(const std::string& why);
     void take_shaders();
     void begin_inputs();
     void listen();
@@ -120,7 +122,7 @@ private:
     RigNews rig_news_{link_};
     BounceNews bounce_news_{link_};
     double bounce_ms_ = 0; // of drawing the last picture
-    int losses_ = 0;       // of the device
+    int losses_ = 0;       // of the device, and of its memory
     LiveControls controls_;
     ShowSound sound_{options_.sound};
     PlotInbox plots_{link_};

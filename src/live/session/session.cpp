@@ -313,6 +313,15 @@ void Session::drop_parked() {
     live->drop_parked();
 }
 
+void Session::stop_drawing() {
+    parked.reset();
+    parked_other_light.reset();
+    other_light.reset();
+    relighter.reset();
+    bounce.reset();
+    live.reset();
+}
+
 Session::~Session() = default;
 
 void Session::show_media(double time_s) {
@@ -457,8 +466,9 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
     print_report(report, printed);
     printed = report.messages.size();
 
-    TRY(session->device, gpu::Device::create({options.device, options.validation, options.memory_limit_bytes,
-                                              options.shaders, options.pipeline_statistics}));
+    TRY(session->device,
+        gpu::Device::create({options.device, options.validation, options.memory_limit_bytes, options.shaders,
+                             options.pipeline_statistics, options.lowered_limits}));
     log_info("drawing on " + session->device->name());
     session->rig = std::make_unique<scene::Rig>(*session->show);
     const render::Settings settings = draw_settings(session->atmosphere(), camera, options);

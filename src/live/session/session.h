@@ -61,6 +61,7 @@ struct SessionOptions {
     std::string shaders;                   // likewise
     bool pipeline_statistics = false;      // likewise
     std::uint32_t lights_per_dispatch = 0; // render::Settings
+    gpu::LoweredLimits lowered_limits;     // gpu::DeviceOptions
 };
 
 struct Session {
@@ -117,6 +118,8 @@ struct Session {
     // there.
     bool prepare(const scene::Camera& from, const std::function<bool()>& stop);
     void drop_parked();
+    // Gives back all memory of the device. Nothing is drawn any more; show and rig stay.
+    void stop_drawing();
     // Live: light bounces from the next frame on, or no more. Links are made in the background, or draw waits
     // for them, as SessionOptions::maps_in_background says.
     void set_bounce(scene::BounceDetail level);

@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint32_t kLeastSide = 32;
 
 std::uint32_t layers_of(const gpu::Device& device, const scene::DistanceMaps& maps) {
-    return static_cast<std::uint32_t>(std::clamp<std::size_t>(maps.maps.size(), 1, device.most_layers()));
+    return static_cast<std::uint32_t>(std::clamp<std::size_t>(maps.maps.size(), 1, device.limits().image_layers));
 }
 
 gpu::TextureShape texels_shape(std::uint32_t side, std::uint32_t layers) {

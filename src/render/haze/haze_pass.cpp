@@ -239,7 +239,7 @@ void HazePass::record_gate(gpu::Commands& commands, const LightChunk& chunk) {
             {gpu::uniform(chunk.fragments.view), gpu::uniform(chunk.light_buffer, chunk.light_offset),
              gpu::uniform(fans_, offset), gpu::storage(chunk.masks), gpu::storage(chunk.lists),
              gpu::stored(chunk.fragments.places), gpu::stored(chunk.drawn), gpu::sampled(table_),
-             gpu::sampled(shade_), gpu::uniform(chunk.air), gpu::storage(chunk.groups),
+             gpu::sampled(shade_), gpu::uniform(chunk.air),
              gpu::stored(chunk.wide ? chunk.wide->lonely() : no_lonely_),
              gpu::stored(chunk.wide ? chunk.wide->rays() : no_rays_)},
             chunk.groups, chunk.haze_groups(push.batch));

@@ -31,7 +31,8 @@ namespace {
 constexpr std::uint64_t kImageBytesPerPixel = 8; // six half floats for two pixels, and room
 constexpr std::uint64_t kMaxLayers = 2048;       // of an image, on every device
 constexpr std::uint32_t kFixedImages = 1;        // all that rests
-constexpr std::uint32_t kCullLanes = 8;          // of cull.comp
+constexpr std::uint32_t kCullLanes = 8;          // of cull.comp, as far as a workgroup has room for
+constexpr std::uint32_t kCullTiles = 64;         // its tiles
 constexpr std::uint64_t kShareOfMemory = 8;      // that is left, for kept visibility
 constexpr std::uint64_t kFrameBytesPerPixel = 8; // four half floats
 
@@ -43,6 +44,10 @@ std::uint32_t batch_size(const gpu::Device& device, const Settings& settings) {
     if (settings.lights_per_dispatch > 0)
         return settings.lights_per_dispatch == 1 ? 1 : shared::kLightsPerChunk;
     return device.is_cpu() ? 1 : shared::kLightsPerChunk;
+}
+
+std::uint32_t cull_lanes(const gpu::Device& device) {
+    return std::min(kCullLanes, device.limits().work_group_invocations / kCullTiles);
 }
 
 bool same_faces(const std::vector<scene::LensFace>& a, const std::vector<scene::LensFace>& b) {
@@ -105,7 +110,7 @@ Relighter::Relighter(const gpu::Device& device, PassImages passes, const GBuffer
       coarse_(settings.coarse ? std::make_unique<CoarseLight>(device, *g_buffer) : nullptr), slot_count_(0),
       tree_(light_count, slot_count_), units_(passes_.bounces.bytes() > 0),
       cull_(device, shaders::kShader_cull,
-            {0u, g_buffer && distances ? 1u : 0u, batch_size_ == 1 ? 1u : kCullLanes}),
+            {0u, g_buffer && distances ? 1u : 0u, batch_size_ == 1 ? 1u : cull_lanes(device)}),
       clear_(device, shaders::kShader_clear_tiles), bounce_(device, shaders::kShader_bounce),
       silhouettes_(device, shaders::kShader_silhouettes),
       fold_(device, shaders::kShader_fold,
@@ -267,12 +272,12 @@ void Relighter::upload(const shared::Gobos& gobos, std::uint64_t batches) {
         std::uint64_t{f.places.shape().height - f.height} * f.width / shared::kTilePixels + 1;
     masks_ =
         Buffer(device_, 2 * (tiles + blocks) * shared::kMaskWords * sizeof(std::uint32_t), Access::device);
-    lists_ = Buffer(
-        device_,
-        batches *
-            shared::lists_length(static_cast<std::uint32_t>(tiles), static_cast<std::uint32_t>(blocks)) *
-            sizeof(std::uint32_t),
-        Access::device);
+    lists_ =
+        Buffer(device_,
+               (shared::kListCounts + batches * shared::lists_length(static_cast<std::uint32_t>(tiles),
+                                                                     static_cast<std::uint32_t>(blocks))) *
+                   sizeof(std::uint32_t),
+               Access::device);
     gobos_ = Texture(device_, {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
                                shared::kGoboLevels, VK_FORMAT_E5B9G9R9_UFLOAT_PACK32, false, true});
     for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)

@@ -173,10 +173,13 @@ bool Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
                                 keeps_visibility() ? kept.now : 0,
                                 visibility_ ? visibility_->page_count() : 0,
                                 visibility_ ? visibility_->units() : 0,
-                                visibility_ ? std::max(kLeastMade, visibility_->units() / kPartMade) : 0};
+                                visibility_ ? std::max(kLeastMade, visibility_->units() / kPartMade) : 0,
+                                settings_.most_groups > 0 ? settings_.most_groups
+                                                          : device_.limits().work_groups};
     commands_.begin_span("cull");
     commands_.write(groups_, std::vector<shared::TileGroups>(
                                  chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}}));
+    commands_.write(lists_, std::vector<std::uint32_t>(std::size_t{4} * chunk.batches()));
     commands_.dispatch(cull_, cull,
                        {gpu::uniform(f.view), gpu::uniform(lights_, offset),
                         gpu::storage(mended_tiles_ > 0 ? dirty_tiles_->bounds() : f.tile_bounds),

@@ -12,7 +12,7 @@ TEST(DistanceImages, more_maps_than_an_image_has_layers_are_left_out) {
     constexpr int kMapSide = 8;
     scene::DistanceMap map;
     map.distance.assign(kMapSide * kMapSide, scene::kNoSurface);
-    const std::size_t most = (*device)->most_layers();
+    const std::size_t most = (*device)->limits().image_layers;
     scene::DistanceMaps maps{kMapSide, std::vector<scene::DistanceMap>(most + 2, map)};
     DistanceImages images(**device, maps);
     EXPECT_EQ(images.count(), most);

@@ -250,6 +250,9 @@ TEST_F(Surfaces, GpuAgreesWithCpu) {
                 100 * difference.worst);
             EXPECT_LT(difference.worst, 0.012);
             EXPECT_LT(std::abs(difference.mean_bias), 0.005);
+            Settings few = settings;
+            few.most_groups = 3;
+            EXPECT_EQ(drawn(passes, lights, few).samples, drawn(passes, lights, settings).samples);
         }
     }
 }

@@ -41,24 +41,26 @@ class Page(html.parser.HTMLParser):
 
 
 def test_tables():
-    rows = [json.loads(line) for line in run("scale", "--only", "1 light, 256x256", "--frames", 5).stdout.splitlines()]
-    assert [row["name"] for row in rows] == ["1 light, 256x256"], rows
-    assert rows[0]["submissions"] == 1 and rows[0]["dispatches"] > 5 and 0 < rows[0]["device_ms"] <= rows[0]["ms"] * 1.1, rows
+    rows = [json.loads(line) for line in run("thesis", "--frames", 5).stdout.splitlines()]
+    assert len(rows) == 9 and rows[-1]["name"] == "gate" and rows[-1]["haze_psnr_db"] > 60, rows
 
 
 def test_report(work):
     out = work / "of this machine"
-    for _ in range(2):
-        done = run("thesis", "-o", out, "--frames", 5)
+    done = run("thesis", "-o", out, "--frames", 5)
     assert done.stdout.strip() == str(out / "report.html"), done.stdout
     report = json.loads((out / "report.json").read_text(encoding="utf-8"))
-    assert report["device"]["name"] and int(report["device"]["maxPushDescriptors"]) >= 16, report["device"]
+    assert report["device"]["name"] and int(report["device"]["maxPushDescriptors"]) >= 17, report["device"]
     assert list(report["tables"]) == ["thesis"] and report["tables"]["thesis"]["error"] == "", report["tables"].keys()
     assert len(report["tables"]["thesis"]["rows"]) == 9, report["tables"]["thesis"]
     page = Page()
     page.feed((out / "report.html").read_text(encoding="utf-8"))
     assert page.open == [], page.open
     assert any(report["device"]["name"] in words for words in page.words)
+    # Over the one before: a table that cannot be made is in the report, with its reason.
+    run("paper", "-o", out, "--show", work / "nothing")
+    tables = json.loads((out / "report.json").read_text(encoding="utf-8"))["tables"]
+    assert list(tables) == ["paper"] and "nothing" in tables["paper"]["error"], tables
 
 
 def test_bad_input(work):
@@ -67,11 +69,7 @@ def test_bad_input(work):
     assert "taken" in run("thesis", "-o", taken, code=1).stderr
     assert taken.read_text(encoding="utf-8") == "mine"
     assert "found:" in run("thesis", "-o", work / "r", "--device", "no such device", code=1).stderr
-    run("no_such_table", code=105)
-    report = work / "no show"
-    run("paper", "-o", report, "--show", work / "nothing")
-    tables = json.loads((report / "report.json").read_text(encoding="utf-8"))["tables"]
-    assert "nothing" in tables["paper"]["error"], tables
+    run("no_such_table", code=2)
     wrong = run("pictures", "--against", work / "nothing", code=1)
     assert "house_8s_256x75.exr" in wrong.stderr, wrong.stderr
 

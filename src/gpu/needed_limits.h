@@ -1,0 +1,39 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// NeededLimits: what a device must allow, and what of it we only make use of. Any thread.
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vulkan/vulkan.h>
+
+namespace ghost::gpu {
+
+// Limits by their names in Vulkan, as if a device had no more than that: for tests.
+using LoweredLimits = std::map<std::string, std::uint64_t>;
+
+struct NeededLimit {
+    const char* name;
+    std::uint64_t least;
+    std::uint64_t (*of)(const VkPhysicalDeviceLimits&);
+};
+// A shader that binds more than these say does not get a pipeline (gpu/push_layout.h).
+inline constexpr std::uint64_t kMostStorageImages = 9, kMostStorageBuffers = 7, kMostSampledImages = 5,
+                               kMostUniformBuffers = 4, kMostBindings = 17;
+std::span<const NeededLimit> needed_limits();
+
+// "maxUniformBufferRange 65536 (it has 16384)", or "".
+std::string missing_limit(VkPhysicalDevice physical, const VkPhysicalDeviceLimits& limits,
+                          const LoweredLimits& lowered);
+
+// What is made use of as far as there is of it.
+struct UsedLimits {
+    std::uint32_t image_layers = 256;           // maxImageArrayLayers
+    std::uint32_t work_group_invocations = 128; // maxComputeWorkGroupInvocations
+    std::uint32_t work_groups = 65535;          // maxComputeWorkGroupCount, in x
+    bool timestamps = false;                    // timestampComputeAndGraphics: else spans have no times
+};
+UsedLimits used_limits(const VkPhysicalDeviceLimits& limits, const LoweredLimits& lowered);
+
+} // namespace ghost::gpu

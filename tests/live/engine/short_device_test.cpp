@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// A device whose memory is at its end while the window draws: said, and drawn with less. The shortage is made
+// here, by a vkAllocateMemory that stands before Vulkan's own.
+#include "live/engine/engine.h"
+#include "support/demo_copy.h"
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+#include <vulkan/vulkan.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+namespace {
+std::atomic<int> shortages{0}; // that are still to come
+}
+
+extern "C" VKAPI_ATTR VkResult VKAPI_CALL vkAllocateMemory(VkDevice device, const VkMemoryAllocateInfo* info,
+                                                           const VkAllocationCallbacks* callbacks,
+                                                           VkDeviceMemory* memory) {
+    if (shortages.load() > 0) {
+        --shortages;
+        return VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    }
+    static const auto real = reinterpret_cast<PFN_vkAllocateMemory>(dlsym(RTLD_NEXT, "vkAllocateMemory"));
+    return real(device, info, callbacks, memory);
+}
+
+namespace ghost::app {
+namespace {
+
+template <class F>
+bool in_time(F&& holds) {
+    for (int i = 0; i < 3000; ++i) {
+        if (holds()) return true;
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return false;
+}
+
+TEST(ShortDevice, it_is_drawn_with_less_and_nothing_is_lost) {
+    ui::Link link;
+    link.on_news = [] {};
+    EngineOptions options;
+    options.listens = false;
+    options.session.quiet = true;
+    Engine engine(link, options);
+    ui::ViewRequest request;
+    request.show = DemoCopy::show().string();
+    request.number = 1;
+    request.camera.width = 0;
+    link.request.put(request);
+    std::optional<ui::Opened> opened;
+    ASSERT_TRUE(in_time([&] { return (opened = link.opened.take()).has_value(); }));
+    request.camera = opened->show->cameras.front();
+    request.camera.width = 64;
+    request.camera.height = 36;
+    request.frozen = true;
+    request.look.fixtures[0] = {.intensity = 1.0f, .tilt_deg = 30.0f};
+    const auto settled_picture = [&](std::uint64_t number) {
+        std::optional<ui::Picture> last;
+        request.number = number;
+        link.request.put(request);
+        EXPECT_TRUE(in_time([&] {
+            const auto settled = link.settled.take();
+            if (auto picture = link.picture.take()) last = std::move(picture);
+            return settled && *settled == number;
+        }));
+        return last;
+    };
+    const auto before = settled_picture(2);
+    ASSERT_TRUE(before && before->image);
+    (void)link.messages.take();
+
+    shortages = 1; // while a picture of another size is made
+    request.camera.width = 128;
+    request.camera.height = 72;
+    const auto after = settled_picture(3);
+    EXPECT_EQ(shortages.load(), 0);
+    ASSERT_TRUE(after && after->image);
+    EXPECT_EQ(after->image->width, 128);
+    EXPECT_GT(*std::max_element(after->image->samples.begin(), after->image->samples.begin() + 3000), 0);
+    ASSERT_TRUE(in_time([&] { return (opened = link.opened.take()).has_value(); }));
+    EXPECT_TRUE(opened->is_edit) << "camera, look and undo list stay";
+    const auto messages = link.messages.take();
+    ASSERT_TRUE(messages);
+    EXPECT_EQ(std::count_if(messages->begin(), messages->end(),
+                            [](const Message& message) {
+                                return message.what.find("has no more memory for drawing") !=
+                                       std::string::npos;
+                            }),
+              1);
+    EXPECT_FALSE(link.failed.take());
+}
+
+} // namespace
+} // namespace ghost::app
