@@ -259,6 +259,7 @@ Device::Device() = default;
 
 Device::~Device() {
     if (device_ != VK_NULL_HANDLE) {
+        if (pipelines_) pipelines_->stop();
         pipelines_.reset(); // whoever gave it work waited for that (Commands)
         vkDestroyDevice(device_, nullptr);
     }

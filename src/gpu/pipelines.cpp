@@ -32,13 +32,18 @@ struct Pipelines::Entry {
 Pipelines::Pipelines(VkDevice device, bool keeps_statistics)
     : device_(device), keeps_statistics_(keeps_statistics) {}
 
-Pipelines::~Pipelines() {
+void Pipelines::stop() {
     {
         const std::lock_guard lock(mutex_);
         stop_ = true;
     }
     changed_.notify_all();
     for (std::thread& thread : threads_) thread.join();
+    threads_.clear();
+}
+
+Pipelines::~Pipelines() {
+    stop();
     for (const auto& [key, entry] : all_) {
         vkDestroyPipeline(device_, entry->pipeline.handle, nullptr);
         vkDestroyPipelineLayout(device_, entry->pipeline.layout.pipeline, nullptr);

@@ -66,6 +66,9 @@ public:
     Entry& begin(PipelineKey key, PipelineMade what, std::function<Pipeline()> make);
     // Waits for it, or makes it where nobody has begun to. Throws what `make` threw.
     const Pipeline& finish(Entry& entry);
+    // Those that nobody has begun to make are not made. Before the device goes, of which `make` may ask
+    // anything.
+    void stop();
     std::vector<PipelineMade> made(); // in the order of begin(), after all are finished
     std::size_t count() const;
     // Of those that were asked for by finish() so far: how many were not there yet. What draws a frame and

@@ -74,5 +74,13 @@ TEST(Pipelines, ADeviceGoesWhileSomeAreNotMade) {
     EXPECT_LT(made, kAsked);
 }
 
+// As a show that is closed while it opens.
+TEST(Pipelines, ADeviceGoesWhileProgramsAreMade) {
+    for (int round = 0; round < 20; ++round) {
+        const auto device = own_device();
+        for (std::uint32_t k = 0; k < 100; ++k) (void)Program(*device, kNothing, {k});
+    }
+}
+
 } // namespace
 } // namespace ghost::gpu
