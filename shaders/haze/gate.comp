@@ -122,5 +122,10 @@ void draw(uint number, uint per_group, uint count) {
 void main() {
     uint per_group = kWide ? p.step * p.step : 1u;
     uint count = list[list_count(p.batch, kHazeList)];
+    // Of a single light each has its tile: in a loop lavapipe would load all that is the same for its lanes for each of them.
+    if (kSingle) {
+        draw(gl_WorkGroupID.x, per_group, count);
+        return;
+    }
     for (uint number = gl_WorkGroupID.x; number * per_group < count; number += gl_NumWorkGroups.x) draw(number, per_group, count);
 }

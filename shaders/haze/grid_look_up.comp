@@ -53,7 +53,4 @@ void draw(uint tile) {
     }
 }
 
-void main() {
-    uint count = list[list_count(p.gate.batch, kHazeList)];
-    for (uint number = gl_WorkGroupID.x; number < count; number += gl_NumWorkGroups.x) draw(list[haze_list(p.gate.batch, p.gate.tiles, p.gate.blocks) + number]);
-}
+void main() { draw(list[haze_list(p.gate.batch, p.gate.tiles, p.gate.blocks) + gl_WorkGroupID.x]); }

@@ -89,6 +89,11 @@ void draw(uint tile) {
 }
 
 void main() {
+    // Of a single light each has its tile: in a loop lavapipe would load all that is the same for its lanes for each of them.
+    if (kSingle) {
+        draw(list[surface_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x]);
+        return;
+    }
     uint count = list[list_count(p.batch, kSurfaceList)];
     for (uint number = gl_WorkGroupID.x; number < count; number += gl_NumWorkGroups.x) draw(list[surface_list(p.batch, p.tiles, p.blocks) + number]);
 }

@@ -143,6 +143,11 @@ void draw(uint tile) {
 
 void main() {
     uint first = p.direct != 0u ? direct_list(p.batch, p.tiles, p.blocks) : surface_list(p.batch, p.tiles, p.blocks);
+    // Of a single light each has its tile: in a loop lavapipe would load all that is the same for its lanes for each of them.
+    if (kSingle) {
+        draw(list[first + gl_WorkGroupID.x]);
+        return;
+    }
     uint count = list[list_count(p.batch, p.direct != 0u ? kDirectList : kSurfaceList)];
     for (uint number = gl_WorkGroupID.x; number < count; number += gl_NumWorkGroups.x) draw(list[first + number]);
 }

@@ -57,6 +57,11 @@ void make_unit(uint unit) {
 }
 
 void main() {
+    // Of a single light each has its tile: in a loop lavapipe would load all that is the same for its lanes for each of them.
+    if (kSingle) {
+        make_unit(list[made_list(p.batch, p.tiles, p.blocks) + gl_WorkGroupID.x]);
+        return;
+    }
     uint count = list[list_count(p.batch, kMadeList)];
     for (uint number = gl_WorkGroupID.x; number < count; number += gl_NumWorkGroups.x) make_unit(list[made_list(p.batch, p.tiles, p.blocks) + number]);
 }

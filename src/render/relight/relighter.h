@@ -63,7 +63,7 @@ struct Settings {
     std::uint64_t image_memory_bytes = std::uint64_t{1} << 30; // for kept images of the light tree
     std::uint64_t visibility_bytes = std::uint64_t{256}
                                      << 20; // for kept visibility (render/haze/visibility.h)
-    std::uint32_t most_groups = 0;          // of a dispatch: 0: what the device has
+    std::uint32_t most_groups = 0;          // of a dispatch of many lights; 0: what the device has
     std::uint32_t lights_per_dispatch = 0;  // 0: what suits the device; 1 or kLightsPerChunk (shared/push.h)
     bool reuse = true;                      // false: every light is drawn in every frame
     bool coarse = false; // of a G-buffer, gate: lights at half its sides (render/relight/coarse_light.h)

@@ -174,8 +174,9 @@ bool Relighter::draw_lights(const std::vector<shared::Light>& lights, std::uint3
                                 visibility_ ? visibility_->page_count() : 0,
                                 visibility_ ? visibility_->units() : 0,
                                 visibility_ ? std::max(kLeastMade, visibility_->units() / kPartMade) : 0,
-                                settings_.most_groups > 0 ? settings_.most_groups
-                                                          : device_.limits().work_groups};
+                                batch_size_ == 1            ? ~0u
+                                : settings_.most_groups > 0 ? settings_.most_groups
+                                                            : device_.limits().work_groups};
     commands_.begin_span("cull");
     commands_.write(groups_, std::vector<shared::TileGroups>(
                                  chunk.batches(), {{0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}, {0, 1, 1, 0}}));
