@@ -92,11 +92,12 @@ public:
         const char* name = zip_get_name(from, entry, ZIP_FL_ENC_RAW);
         if (!name || zip_stat_index(from, entry, 0, &stat) != 0 || !(stat.valid & ZIP_STAT_COMP_METHOD))
             return Error{"an entry of the original cannot be read", path_.string()};
-#ifdef ZIP_LENGTH_TO_END // libzip 1.8; Debian 12 has 1.7
+            // To its end: -1. libzip 1.11 says ZIP_LENGTH_TO_END, which is 0, and takes that for no bytes.
+#ifdef ZIP_LENGTH_TO_END // zip_source_zip is deprecated; Debian 12 has nothing else
         zip_source_t* const source =
-            zip_source_zip_file(handle_, from, entry, 0, 0, ZIP_LENGTH_TO_END, nullptr);
+            zip_source_zip_file(handle_, from, entry, ZIP_FL_COMPRESSED, 0, -1, nullptr);
 #else
-        zip_source_t* const source = zip_source_zip(handle_, from, entry, 0, 0, -1);
+        zip_source_t* const source = zip_source_zip(handle_, from, entry, ZIP_FL_COMPRESSED, 0, -1);
 #endif
         return add(name, source, stat.comp_method);
     }

@@ -2,6 +2,7 @@
 // Device, buffers, textures and commands on whatever Vulkan device is there; lavapipe always is.
 #include "support/made_shader.h"
 #include "support/must.h"
+#include "support/one_device.h"
 
 #include "gpu/buffer.h"
 #include "gpu/commands.h"
@@ -15,11 +16,6 @@
 
 namespace ghost::gpu {
 namespace {
-
-const Device& device() {
-    static const std::unique_ptr<Device> one = [] { return must(Device::create({"", true})); }();
-    return *one;
-}
 
 class Gpu : public ::testing::Test {
 protected:

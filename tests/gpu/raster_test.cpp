@@ -6,6 +6,7 @@
 #include "gpu/buffer.h"
 #include "gpu/texture.h"
 #include "support/must.h"
+#include "support/one_device.h"
 
 #include <algorithm>
 #include <cstring>
@@ -14,21 +15,16 @@
 namespace ghost::gpu {
 namespace {
 
-const Device& raster_device() {
-    static const std::unique_ptr<Device> one = [] { return must(Device::create({"", true})); }();
-    return *one;
-}
-
 class RasterTest : public ::testing::Test {
 protected:
-    void TearDown() override { EXPECT_EQ(raster_device().validation_errors(), 0u); }
+    void TearDown() override { EXPECT_EQ(device().validation_errors(), 0u); }
 };
 
 Texture attachment(VkFormat format, std::uint32_t samples) {
     TextureShape shape{40, 24, 1, 1, format};
     shape.attachment = true;
     shape.samples = samples;
-    return {raster_device(), shape};
+    return {device(), shape};
 }
 
 TEST_F(RasterTest, DrawingNothingClearsToZero) {
@@ -36,8 +32,8 @@ TEST_F(RasterTest, DrawingNothingClearsToZero) {
     const Texture depth = attachment(VK_FORMAT_D32_SFLOAT, 1);
     const std::vector<std::uint32_t> filled(40 * 24, 0x12345678u);
     colour.write(0, filled.data(), filled.size() * 4);
-    const Buffer read(raster_device(), filled.size() * 4, Access::readback);
-    Commands commands(raster_device());
+    const Buffer read(device(), filled.size() * 4, Access::readback);
+    Commands commands(device());
     commands.begin();
     begin_drawing(commands, {&colour}, depth);
     end_drawing(commands);
@@ -53,7 +49,7 @@ TEST_F(RasterTest, MultisampledAttachmentsTakeMemoryForEachSample) {
     EXPECT_GE(four.bytes(), 4u * 40 * 24 * 8);
     EXPECT_GT(four.bytes(), 2 * one.bytes());
     const Texture depth = attachment(VK_FORMAT_D32_SFLOAT, 4);
-    Commands commands(raster_device());
+    Commands commands(device());
     commands.begin();
     begin_drawing(commands, {&four}, depth);
     end_drawing(commands);
@@ -64,7 +60,7 @@ TEST_F(RasterTest, LevelsOfATextureThatIsNotSquareEndAtOneTexel) {
     TextureShape shape{64, 4, 1, 7, VK_FORMAT_R8G8B8A8_SRGB};
     shape.linear = true;
     shape.repeat = true;
-    Texture texture(raster_device(), shape);
+    Texture texture(device(), shape);
     for (std::uint32_t level = 0; level < 7; ++level) {
         const std::uint32_t texels = std::max(64u >> level, 1u) * std::max(4u >> level, 1u);
         const std::vector<std::uint32_t> values(texels, level);

@@ -12,6 +12,7 @@
 #include "render/relight/relighter.h"
 #include "show/camera.h"
 #include "support/must.h"
+#include "support/one_device.h"
 
 #include <algorithm>
 #include <atomic>
@@ -23,11 +24,6 @@
 #include <vector>
 
 namespace ghost::app {
-
-inline const gpu::Device& live_device() {
-    static const std::unique_ptr<gpu::Device> one = [] { return must(gpu::Device::create({"", true})); }();
-    return *one;
-}
 
 // One map for each light, in their order, made where Light::off_map_m says; sets Light::map. Lights of one
 // place share none.
@@ -81,15 +77,15 @@ struct LiveScene {
 // Drawn factor times as large, then averaged.
 inline image::ImageF live_picture(const LiveScene& scene, int factor = 1) {
     const int width = scene.camera.width * factor, height = scene.camera.height * factor;
-    render::GBuffer g_buffer(live_device(), width, height);
+    render::GBuffer g_buffer(device(), width, height);
     g_buffer.draw(scene.model, {scene::camera_to_world(scene.camera), scene.camera.fov_y_deg, width, height},
                   {scene.settings.ambient, scene.settings.haze});
-    const render::DistanceImages distances(live_device(), scene.maps);
-    render::Relighter relighter(live_device(), g_buffer, &distances, scene.gobos,
+    const render::DistanceImages distances(device(), scene.maps);
+    render::Relighter relighter(device(), g_buffer, &distances, scene.gobos,
                                 static_cast<int>(scene.lights.size()), scene.settings);
     relighter.set_room_light(scene.bounced);
     relighter.draw(scene.lights);
-    EXPECT_EQ(live_device().validation_errors(), 0u);
+    EXPECT_EQ(device().validation_errors(), 0u);
     return image::averaged(relighter.frame(), factor);
 }
 

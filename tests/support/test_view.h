@@ -10,6 +10,7 @@
 #include "render/relight/relighter.h"
 #include "show/show.h"
 #include "support/must.h"
+#include "support/one_device.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +23,6 @@
 #include <vector>
 
 namespace ghost::render {
-
-inline const gpu::Device& device() {
-    static const std::unique_ptr<gpu::Device> one = [] { return must(gpu::Device::create({"", true})); }();
-    return *one;
-}
 
 inline constexpr shared::Haze kHaze{0.022f, 0.022f, 0.77f, -0.6f, 0.035f};
 

@@ -27,9 +27,8 @@ public:
     LiveStage(scene::Stage stage, std::vector<shared::Light> lights, int width, int height,
               const render::Settings& settings, int map_size = kNoMaps)
         : lights_(std::move(lights)), stage_(std::move(stage)), tracer_(stage_),
-          model_(live_device(), stage_, report_), settings_(settings),
-          g_buffer_(live_device(), width, height) {
-        if (map_size != kNoMaps) distances_.emplace(live_device(), trace_maps(tracer_, lights_, map_size));
+          model_(device(), stage_, report_), settings_(settings), g_buffer_(device(), width, height) {
+        if (map_size != kNoMaps) distances_.emplace(device(), trace_maps(tracer_, lights_, map_size));
         look({{0, -12, 3}, {0, 4, 3}});
         renew(settings, bench_gobos());
     }
@@ -65,12 +64,12 @@ public:
         settings_ = settings;
         gobos_ = gobos;
         relighter_ =
-            std::make_unique<render::Relighter>(live_device(), g_buffer_, distances_ ? &*distances_ : nullptr,
+            std::make_unique<render::Relighter>(device(), g_buffer_, distances_ ? &*distances_ : nullptr,
                                                 gobos_, static_cast<int>(lights_.size()), settings_);
     }
     image::ImageF draw(const std::vector<shared::Light>& lights) {
         statistics = relighter_->draw(lights);
-        EXPECT_EQ(live_device().validation_errors(), 0u);
+        EXPECT_EQ(device().validation_errors(), 0u);
         return relighter_->frame();
     }
     image::ImageF draw() { return draw(lights_); }

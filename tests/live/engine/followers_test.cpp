@@ -51,7 +51,7 @@ dmx::Universes levels(const scene::Show& show) {
 // A show, lit, and its view; the addresses must stay.
 struct Stage {
     explicit Stage(scene::Show opened) : show(std::move(opened)), rig(show) {
-        view = must(LiveView::open(live_device(), show, camera_of(show), {true, false, true, false}, report));
+        view = must(LiveView::open(device(), show, camera_of(show), {true, false, true, false}, report));
         gobos = scene::build_gobos(show, report);
         show.motion = fixture::Motion::as_commanded;
         const glm::vec3 aim_m{-0.75f, 2.0f, 1.2f};
@@ -61,7 +61,7 @@ struct Stage {
     }
     image::ImageF picture() {
         const std::vector<shared::Light> lights = rig.lights(gobos, view->maps());
-        render::Relighter relighter(live_device(), view->g_buffer(), view->distances(), gobos.images,
+        render::Relighter relighter(device(), view->g_buffer(), view->distances(), gobos.images,
                                     static_cast<int>(lights.size()), {});
         relighter.draw(lights);
         return relighter.frame();

@@ -89,7 +89,7 @@ TEST_P(BounceReference, TheSolverSeesIt) {
     std::vector<shared::Light> lights{scene.light};
     const scene::DistanceMaps maps = trace_maps(tracer, lights, kMapSize);
     Report report;
-    const render::StageModel model(live_device(), scene.stage, report);
+    const render::StageModel model(device(), scene.stage, report);
     LiveScene live{model, scene.camera, lights, scene.gobos, maps, {}};
     live.settings.haze = scene.haze;
     const DisplayFigures direct = compare_displayed(scene, live_picture(live, kSupersample));

@@ -52,7 +52,7 @@ dmx::Universes levels(const scene::Show& show, int turn) {
 
 image::ImageF picture_of(const LiveView& view, scene::Rig& rig, const scene::GoboStack& gobos) {
     const std::vector<shared::Light> lights = rig.lights(gobos, view.maps());
-    render::Relighter relighter(live_device(), view.g_buffer(), view.distances(), gobos.images,
+    render::Relighter relighter(device(), view.g_buffer(), view.distances(), gobos.images,
                                 static_cast<int>(lights.size()), {});
     relighter.draw(lights);
     return relighter.frame();
@@ -76,7 +76,7 @@ TEST(live_heads, FollowTheDeskAndCostNothingAtRest) {
     scene::Show show = demo_show();
     const scene::Camera camera = camera_of(show);
     Report report;
-    const auto view = LiveView::open(live_device(), show, camera, {.shadows = false}, report);
+    const auto view = LiveView::open(device(), show, camera, {.shadows = false}, report);
     ASSERT_TRUE(view.ok()) << view.error().text();
     scene::Rig rig(show);
     rig.step(levels(show, 0), 3600);
@@ -95,21 +95,20 @@ TEST(live_heads, FollowTheDeskAndCostNothingAtRest) {
     // The same as a stage that was made with its heads turned.
     scene::Stage turned = scene::stage_with_bodies(show, report);
     scene::pose_bodies(show, rig, turned);
-    render::StageModel model(live_device(), turned, report);
+    render::StageModel model(device(), turned, report);
     for (const std::size_t instance : scene::moving_instances(show, turned)) model.mark_moving(instance);
-    render::GBuffer whole(live_device(), camera.width, camera.height);
+    render::GBuffer whole(device(), camera.width, camera.height);
     whole.draw(model, {scene::camera_to_world(camera), camera.fov_y_deg, camera.width, camera.height},
                {atmosphere_of(show).ambient, atmosphere_of(show).medium()});
     Report unheard;
     const scene::GoboStack gobos = scene::build_gobos(show, unheard);
     const std::vector<shared::Light> lights = rig.lights(gobos, scene::DistanceMaps{});
-    render::Relighter relighter(live_device(), whole, nullptr, gobos.images, static_cast<int>(lights.size()),
-                                {});
+    render::Relighter relighter(device(), whole, nullptr, gobos.images, static_cast<int>(lights.size()), {});
     relighter.draw(lights);
     // Positions are rounded differently; on a head's own rim, right before its lens, the beam's edge is
     // steep.
     EXPECT_LT(most_difference(picture_of(**view, rig, gobos), relighter.frame()), 2e-3f);
-    EXPECT_EQ(live_device().validation_errors(), 0u);
+    EXPECT_EQ(device().validation_errors(), 0u);
 }
 
 // A picture that goes on while heads turn, with what it kept, is one that is drawn for the first time; with
@@ -118,7 +117,7 @@ TEST(live_heads, WhatIsKeptGoesWithThem) {
     scene::Show show = demo_show();
     const scene::Camera camera = camera_of(show);
     Report report;
-    const auto view = LiveView::open(live_device(), show, camera, {.quiet = true}, report);
+    const auto view = LiveView::open(device(), show, camera, {.quiet = true}, report);
     ASSERT_TRUE(view.ok()) << view.error().text();
     const scene::GoboStack gobos = scene::build_gobos(show, report);
     scene::Rig rig(show);
@@ -127,8 +126,8 @@ TEST(live_heads, WhatIsKeptGoesWithThem) {
     const int count = static_cast<int>(rig.lights(gobos, (*view)->maps()).size());
     render::Settings little;
     little.visibility_bytes = 1;
-    render::Relighter kept(live_device(), (*view)->g_buffer(), (*view)->distances(), gobos.images, count, {}),
-        poor(live_device(), (*view)->g_buffer(), (*view)->distances(), gobos.images, count, little);
+    render::Relighter kept(device(), (*view)->g_buffer(), (*view)->distances(), gobos.images, count, {}),
+        poor(device(), (*view)->g_buffer(), (*view)->distances(), gobos.images, count, little);
     double made = 0, all = 0;
     for (int frame = 0; frame < 12; ++frame) {
         rig.step(levels(show, 5 * frame), 3600);
@@ -164,7 +163,7 @@ TEST(live_heads, WhatIsKeptGoesWithThem) {
     EXPECT_LT(frames, kFramesUntilKept);
     for (int frame = 0; frame < 2; ++frame) EXPECT_EQ(narrower(), 0);
     EXPECT_LT(poor.memory_bytes(), kept.memory_bytes());
-    EXPECT_EQ(live_device().validation_errors(), 0u);
+    EXPECT_EQ(device().validation_errors(), 0u);
 }
 
 TEST(live_heads, MapsThatComeLaterGiveTheSamePicture) {
@@ -176,7 +175,7 @@ TEST(live_heads, MapsThatComeLaterGiveTheSamePicture) {
     rig.step(levels(show, 20), 3600);
     const scene::GoboStack gobos = scene::build_gobos(show, report);
 
-    const auto later = LiveView::open(live_device(), show, camera, {.maps_in_background = true}, report);
+    const auto later = LiveView::open(device(), show, camera, {.maps_in_background = true}, report);
     ASSERT_TRUE(later.ok()) << later.error().text();
     EXPECT_EQ((*later)->missing_maps(), show.fixtures.size()) << "none is waited for";
     for (const shared::Light& light : rig.lights(gobos, (*later)->maps())) EXPECT_EQ(light.map, 0u);
@@ -187,8 +186,8 @@ TEST(live_heads, MapsThatComeLaterGiveTheSamePicture) {
     }
     EXPECT_EQ((*later)->missing_maps(), 0u);
 
-    const auto waited = LiveView::open(live_device(), show, camera, {.quiet = true}, report);
-    const auto open = LiveView::open(live_device(), show, camera, {.shadows = false}, report);
+    const auto waited = LiveView::open(device(), show, camera, {.quiet = true}, report);
+    const auto open = LiveView::open(device(), show, camera, {.shadows = false}, report);
     ASSERT_TRUE(waited.ok() && open.ok());
     const image::ImageF shadows = picture_of(**waited, rig, gobos);
     EXPECT_EQ(most_difference(picture_of(**later, rig, gobos), shadows), 0.0f);
@@ -196,11 +195,11 @@ TEST(live_heads, MapsThatComeLaterGiveTheSamePicture) {
     EXPECT_GT(most_difference(bare, shadows), 0.1f) << "there are no shadows here: the test tests nothing";
 
     // Another start finds them all.
-    const auto again = LiveView::open(live_device(), show, camera, {.maps_in_background = true}, report);
+    const auto again = LiveView::open(device(), show, camera, {.maps_in_background = true}, report);
     ASSERT_TRUE(again.ok());
     EXPECT_EQ((*again)->missing_maps(), 0u);
     EXPECT_EQ(most_difference(picture_of(**again, rig, gobos), shadows), 0.0f);
-    EXPECT_EQ(live_device().validation_errors(), 0u);
+    EXPECT_EQ(device().validation_errors(), 0u);
 }
 
 } // namespace

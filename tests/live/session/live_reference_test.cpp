@@ -28,7 +28,7 @@ TEST_P(LiveReference, Reproduced) {
     std::vector<shared::Light> lights{scene.light};
     const scene::DistanceMaps maps = trace_maps(tracer, lights, scene::kMaxDistanceMapSize);
     Report report;
-    const render::StageModel model(live_device(), scene.stage, report);
+    const render::StageModel model(device(), scene.stage, report);
     ASSERT_FALSE(report.lost_anything());
     LiveScene live{model, scene.camera, lights, scene.gobos, maps, {}};
     live.settings.haze = scene.haze;

@@ -142,7 +142,7 @@ TEST(live_views, HazeAmongThingsAgreesWithTheReference) {
     // Haze alone is compared: what shines by itself would be in the live picture only.
     for (scene::Material& material : stage.materials) material.emission = vec3(0);
     const bake::Tracer tracer(stage);
-    const render::StageModel model(live_device(), stage, report);
+    const render::StageModel model(device(), stage, report);
     const shared::Haze haze{0.022f, 0.022f, 0.77f, -0.6f, 0.035f};
     for (CannedView& view : canned_views()) {
         SCOPED_TRACE(view.name);

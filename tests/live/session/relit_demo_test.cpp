@@ -13,6 +13,7 @@
 
 #include "support/likeness.h"
 #include "support/must.h"
+#include "support/one_device.h"
 #include "support/test_stage.h"
 
 #include <cstdio>
@@ -81,14 +82,13 @@ std::vector<shared::Light> lights_at(double t_s) {
 
 image::ImageF relit_on_gpu(const scene::Passes& passes, const std::vector<shared::Light>& lights,
                            const shared::Haze& haze) {
-    static const auto device = must(gpu::Device::create({"", true}));
     render::Settings settings;
     settings.haze = haze;
     settings.air = false;
-    render::Relighter relighter(*device, passes, demo().gobos.images, static_cast<int>(lights.size()),
+    render::Relighter relighter(device(), passes, demo().gobos.images, static_cast<int>(lights.size()),
                                 settings);
     relighter.draw(lights);
-    EXPECT_EQ(device->validation_errors(), 0u);
+    EXPECT_EQ(device().validation_errors(), 0u);
     return relighter.frame();
 }
 
