@@ -83,6 +83,7 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
         return 1;
     };
     std::error_code code;
+    if (const auto made = make_plan_folders(plan); !made.ok()) return fail(made.error());
     auto hold = hold_of(plan);
     if (!hold.ok()) return fail(hold.error());
     if (!hold->is_ours()) {
@@ -112,10 +113,10 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
         }
     }
     if (is_stale || fs::exists(plan.result_file(), code)) // of what is gone since
-        for (const auto& entry : fs::directory_iterator(plan.folder / "done", code))
-            fs::remove(entry.path(), code);
-    for (const auto& entry : fs::directory_iterator(plan.folder / "failed", code))
-        fs::remove(entry.path(), code);
+        if (const auto forgotten = forget_of_tasks(plan, "done"); !forgotten.ok())
+            return fail(forgotten.error());
+    if (const auto forgotten = forget_of_tasks(plan, "failed"); !forgotten.ok())
+        return fail(forgotten.error());
     const std::vector<std::size_t> missing = missing_tasks(plan);
     Submitted now{options, {}};
     if (options.engine == "local") {

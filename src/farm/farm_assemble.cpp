@@ -173,9 +173,7 @@ Result<void> assemble_farm(const FarmPlan& plan) {
         return done;
     }
     fs::remove(plan.failed_file(as_task), code);
-    for (const auto& entry : fs::directory_iterator(plan.folder / "frames", code))
-        fs::remove_all(entry.path(), code);
-    return {};
+    return remove_pictures(plan);
 }
 
 } // namespace ghost::app

@@ -88,6 +88,21 @@ FarmPlan plan_of(const json& all) {
     return plan;
 }
 
+// The folder that .ghost is in, or that stands for it: from there no step follows a link.
+fs::path home_of(const FarmPlan& plan) {
+    fs::path home = plan.folder;
+    while (home.has_relative_path() && home.filename() != ".ghost" && home.filename() != "ghostlight")
+        home = home.parent_path();
+    return home.parent_path();
+}
+
+// As done_file, failed_file and result_file name them.
+bool is_of_a_task(const fs::path& name) {
+    const std::string stem = name.stem().string();
+    const bool is_number = !stem.empty() && stem.find_first_not_of("0123456789") == std::string::npos;
+    return (is_number || stem == "result") && (name.extension() == ".json" || name.extension() == ".txt");
+}
+
 std::optional<FarmDone> read_done(const fs::path& file) {
     const auto text = read_text_file(file, kDoneLimits.bytes);
     if (!text.ok()) return std::nullopt;
@@ -160,12 +175,24 @@ std::string farm_inputs(const scene::Show& show, const std::vector<fs::path>& al
 }
 
 Result<void> make_plan_folders(const FarmPlan& plan) {
-    for (const char* const name : {"done", "failed", "frames", "log"}) {
-        // From the folder that .ghost is in, or that stands for it.
-        fs::path home = plan.folder;
-        while (home.has_relative_path() && home.filename() != ".ghost" && home.filename() != "ghostlight")
-            home = home.parent_path();
-        TRY_VOID(make_folders(plan.folder / name, home.parent_path()));
+    for (const char* const name : {"done", "failed", "frames", "log"})
+        TRY_VOID(make_folders(plan.folder / name, home_of(plan)));
+    return {};
+}
+
+Result<void> forget_of_tasks(const FarmPlan& plan, const char* folder) {
+    TRY(const OwnFolder own, OwnFolder::open(plan.folder / folder, home_of(plan)));
+    for (const OwnFolder::File& file : own.entries().files)
+        if (is_of_a_task(file.name)) own.remove_file(file.name);
+    return {};
+}
+
+Result<void> remove_pictures(const FarmPlan& plan) {
+    TRY(const OwnFolder frames, OwnFolder::open(plan.folder / "frames", home_of(plan)));
+    for (const std::string& name : frames.entries().folders) {
+        TRY(const OwnFolder pictures, frames.below(name));
+        for (const OwnFolder::File& file : pictures.entries().files) pictures.remove_file(file.name);
+        frames.remove_empty_folder(name);
     }
     return {};
 }

@@ -69,6 +69,9 @@ std::string farm_inputs(const scene::Show& show, const std::vector<std::filesyst
 Result<void> store_plan(FarmPlan& plan, const scene::Show& show);
 // Its folders, reached without following a link.
 Result<void> make_plan_folders(const FarmPlan& plan);
+// Files of ours in done or failed; pictures of tasks. No link is followed.
+Result<void> forget_of_tasks(const FarmPlan& plan, const char* folder);
+Result<void> remove_pictures(const FarmPlan& plan);
 Result<FarmPlan> read_plan(const std::filesystem::path& folder);
 // name: a plan's folder, or a show, whose newest plan it then is.
 Result<FarmPlan> find_plan(const std::string& name);

@@ -100,22 +100,37 @@ Result<void> check_window(const Imath::Box2i& window, std::size_t channels) {
     return {};
 }
 
+constexpr std::uint64_t kUnasked = std::uint64_t{256} << 20; // bytes that are not asked about
+
+std::uint64_t area_of(const Imath::Box2i& window) {
+    return static_cast<std::uint64_t>(window.max.x - window.min.x + 1) *
+           static_cast<std::uint64_t>(window.max.y - window.min.y + 1);
+}
+
 // A few bytes can say that they are gigabytes. Nothing that pictures are packed with gets below a thousandth
 // but for one colour all over.
 Result<void> check_packing(const Imf::Header& header, std::uintmax_t file_bytes) {
-    constexpr std::uint64_t kUnasked = std::uint64_t{256} << 20;
     constexpr std::uint64_t kMostPacked = 2000;
-    const Imath::Box2i& window = header.dataWindow();
     std::uint64_t pixel_bytes = 0;
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel)
         pixel_bytes += channel.channel().type == Imf::HALF ? 2 : 4;
-    const std::uint64_t bytes = pixel_bytes * static_cast<std::uint64_t>(window.max.x - window.min.x + 1) *
-                                static_cast<std::uint64_t>(window.max.y - window.min.y + 1);
+    const std::uint64_t bytes = pixel_bytes * area_of(header.dataWindow());
     if (bytes > kUnasked && bytes / kMostPacked > file_bytes)
         return Error{"says that it holds " + std::to_string(bytes >> 20) +
                          " MiB of pixels, but the file has " + std::to_string(file_bytes) + " bytes",
                      ""};
     return {};
+}
+
+// Nor a small piece, that it lies in a huge picture of nothing.
+Result<void> check_empty(const Imath::Box2i& display, const Imath::Box2i& data, std::size_t channels) {
+    constexpr std::uint64_t kMostEmpty = 16;
+    if (area_of(display) * channels * sizeof(float) <= kUnasked ||
+        area_of(display) <= kMostEmpty * area_of(data))
+        return {};
+    return Error{"says that its picture has " + std::to_string(area_of(display)) + " pixels, but holds " +
+                     std::to_string(area_of(data)) + " of them",
+                 ""};
 }
 
 // Throws what OpenEXR throws.
@@ -131,6 +146,7 @@ Result<ExrFile> read_unguarded(const std::filesystem::path& path) {
                      ""};
     TRY_VOID(check_window(data, channels.size()));
     TRY_VOID(check_window(display, channels.size()));
+    TRY_VOID(check_empty(display, data, channels.size()));
     std::error_code code;
     TRY_VOID(check_packing(header, std::filesystem::file_size(path, code)));
 

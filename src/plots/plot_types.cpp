@@ -32,16 +32,25 @@ std::set<std::string> numbers_in(const std::string& text) {
     return numbers;
 }
 
+// Of a plot: each is compared with all modes of its file, and both come from outside.
+constexpr std::size_t kMostWrongModes = 100;
+
+int mode_named(const fixture::Type& type, const std::string& name) {
+    const auto found = std::find_if(type.modes.begin(), type.modes.end(),
+                                    [&](const auto& mode) { return mode.name == name; });
+    return found == type.modes.end() ? -1 : static_cast<int>(found - type.modes.begin());
+}
+
 } // namespace
 
 int nearest_mode(const fixture::Type& type, const std::string& name) {
     constexpr std::size_t kLooked = 200; // letters: names come from outside
     const std::string wanted = lower(trimmed(name)).substr(0, kLooked);
     const std::set<std::string> wanted_numbers = numbers_in(wanted);
+    if (const int same = mode_named(type, name); same >= 0) return same;
     int nearest = -1;
     std::pair<std::size_t, std::size_t> fewest; // numbers that are not there, letters that differ
     for (std::size_t k = 0; k < type.modes.size(); ++k) {
-        if (type.modes[k].name == name) return static_cast<int>(k);
         const std::string other = lower(trimmed(type.modes[k].name)).substr(0, kLooked);
         const std::set<std::string> numbers = numbers_in(other);
         const auto missing = static_cast<std::size_t>(
@@ -134,18 +143,23 @@ PlotTypes::Found PlotTypes::find(const PlotDevice& device, const std::string& wh
     if (!found.type) return found;
     const bool is_chosen = file_of_plot.substitute && !file_of_plot.substitute->mode.empty();
     const std::string& wanted = is_chosen ? file_of_plot.substitute->mode : device.gdtf_mode;
-    // Programs that know one mode only leave its name out.
-    found.mode = wanted.empty() ? 0 : nearest_mode(*found.type, wanted);
-    const std::string& taken = found.type->modes[static_cast<std::size_t>(found.mode)].name;
-    if (wanted.empty() || taken == wanted) return found;
+    if (wanted.empty()) return found; // programs that know one mode only leave its name out
+    if (const int same = mode_named(*found.type, wanted); same >= 0) return {found.type, same};
+    if (wrong_modes_.size() >= kMostWrongModes && !wrong_modes_.contains({device.gdtf, wanted})) {
+        ++more_wrong_modes_;
+        return found;
+    }
     WrongMode& wrong = wrong_modes_[{device.gdtf, wanted}];
     if (wrong.fixtures++ == 0) {
+        wrong.mode = nearest_mode(*found.type, wanted);
+        const std::string& taken = found.type->modes[static_cast<std::size_t>(wrong.mode)].name;
         // Another maker's fixture has other modes; only one that was asked for by name is missing.
         if (file_of_plot.substitute && !is_chosen) wrong.severity = Severity::warning;
         wrong.where = is_chosen ? file_of_plot.substitute->where : where;
         const auto mode = fixture::find_mode(*found.type, wanted);
         wrong.what = (mode.ok() ? "" : mode.error().what) + "; it gets '" + taken + "'";
     }
+    found.mode = wrong.mode;
     return found;
 }
 
@@ -158,7 +172,14 @@ void PlotTypes::finish() {
         report_.add(wrong.severity, wrong.where,
                     wrong.what +
                         (wrong.fixtures > 1 ? " (" + std::to_string(wrong.fixtures) + " fixtures)" : ""));
+    if (more_wrong_modes_ > 0)
+        report_.add(Severity::error, loaded_.name,
+                    std::to_string(more_wrong_modes_) +
+                        " more fixtures name other modes that their files do not have; they get the first. "
+                        "The nearest is looked for " +
+                        std::to_string(kMostWrongModes) + " times");
     wrong_modes_.clear();
+    more_wrong_modes_ = 0;
     for (const SubstituteEntry& entry : substitutes_) {
         const bool used = std::any_of(files_.begin(), files_.end(),
                                       [&](const auto& file) { return file.second.substitute == &entry; });

@@ -50,6 +50,7 @@ private:
         Severity severity = Severity::error;
         std::string where;
         std::string what;
+        int mode = 0; // that it gets
         int fixtures = 0;
     };
     File& file(int gdtf);
@@ -64,6 +65,7 @@ private:
     Report& report_;
     std::map<int, File> files_;
     std::map<std::pair<int, std::string>, WrongMode> wrong_modes_;
+    std::size_t more_wrong_modes_ = 0; // fixtures that were not compared any more
 };
 
 } // namespace ghost::scene

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace ghost::dmx {
@@ -86,15 +87,29 @@ std::optional<PsnPacket> parse_psn(Bytes bytes) {
     return packet;
 }
 
+void Trackers::expect(std::set<std::uint16_t> ids, std::set<std::string> names) {
+    expected_ids_ = std::move(ids);
+    expected_names_ = std::move(names);
+}
+
+bool Trackers::is_expected(std::uint16_t id, const Tracker& tracker) const {
+    return expected_ids_.contains(id) || expected_names_.contains(tracker.name);
+}
+
 Tracker* Trackers::find_or_add(std::uint16_t id, std::chrono::nanoseconds now, int& newcomers) {
     const auto found = trackers_.find(id);
     if (found == trackers_.end() && trackers_.size() >= kMostTrackers) {
-        if (newcomers-- <= 0) return nullptr;
-        const auto worth = [&](const Tracker& one) {
-            return std::pair(now - one.seen > kTrackerForgotten ? 0 : one.heard, one.seen);
+        if (!expected_ids_.contains(id) && newcomers-- <= 0) return nullptr;
+        const auto worth = [&](const auto& entry) {
+            const Tracker& one = entry.second;
+            return std::tuple(is_expected(entry.first, one),
+                              now - one.seen > kTrackerForgotten ? 0 : one.heard, one.seen);
         };
-        const auto least = [&](const auto& a, const auto& b) { return worth(a.second) < worth(b.second); };
-        trackers_.erase(std::min_element(trackers_.begin(), trackers_.end(), least));
+        const auto least =
+            std::min_element(trackers_.begin(), trackers_.end(),
+                             [&](const auto& a, const auto& b) { return worth(a) < worth(b); });
+        if (is_expected(least->first, least->second)) return nullptr;
+        trackers_.erase(least);
     }
     Tracker& tracker = trackers_[id];
     tracker.seen = now;

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,9 +46,12 @@ struct Tracker {
 };
 
 // At most kMostTrackers: a new one takes the place of one that is silent for kTrackerForgotten, else of the
-// one that was heard of least, so that no number of others drives out those that go on.
+// one that was heard of least, so that no number of others drives out those that go on; never of one that is
+// expected.
 class Trackers {
 public:
+    // Those that a show names, whether they are there or not.
+    void expect(std::set<std::uint16_t> ids, std::set<std::string> names);
     void feed(const PsnPacket& packet, std::chrono::nanoseconds now);
     // Null: never heard of, or without a position. A tracker that was lost stays where it was.
     const Tracker* find(std::uint16_t id) const;
@@ -56,8 +60,11 @@ public:
 
 private:
     Tracker* find_or_add(std::uint16_t id, std::chrono::nanoseconds now, int& newcomers);
+    bool is_expected(std::uint16_t id, const Tracker& tracker) const;
 
     std::map<std::uint16_t, Tracker> trackers_;
+    std::set<std::uint16_t> expected_ids_;
+    std::set<std::string> expected_names_;
 };
 
 } // namespace ghost::dmx

@@ -22,6 +22,11 @@ bool is_file(const fs::path& path) {
 }
 
 std::string missing_file(const fs::path& path) {
+    Suggestions suggestions;
+    return missing_file(path, suggestions);
+}
+
+std::string missing_file(const fs::path& path, Suggestions& suggestions) {
     constexpr std::size_t kLooked = 1000;
     std::vector<std::string> names;
     std::error_code code;
@@ -31,7 +36,8 @@ std::string missing_file(const fs::path& path) {
     for (fs::directory_iterator entry(path.parent_path(), code), end;
          !code && entry != end && names.size() < kLooked; entry.increment(code))
         names.push_back(entry->path().filename().string());
-    const std::string what = "no such file " + path.string() + did_you_mean(path.filename().string(), names);
+    const std::string what =
+        "no such file " + path.string() + suggestions.did_you_mean(path.filename().string(), names);
     return what + (what.back() == '?' ? "" : ".");
 }
 
@@ -47,7 +53,7 @@ public:
         const auto [entry, is_new] = types_.try_emplace(path.lexically_normal());
         if (!is_new) return entry->second;
         if (!is_file(path)) {
-            report.add(Severity::error, where, missing_file(path) + " Its fixtures stay dark.");
+            report.add(Severity::error, where, missing_file(path, suggestions_) + " Its fixtures stay dark.");
             return nullptr;
         }
         auto loaded = fixture::load_type(path);
@@ -66,6 +72,7 @@ public:
 
 private:
     KnownTypes types_;
+    Suggestions suggestions_;
 };
 
 // Photometric files that fixtures, or all fixtures of a type, name: each read once.
@@ -76,7 +83,7 @@ public:
         if (!is_new) return entry->second;
         if (!is_file(path)) {
             report.add(Severity::error, where,
-                       missing_file(path) + " The light is that of the fixture's own file.");
+                       missing_file(path, suggestions_) + " The light is that of the fixture's own file.");
             return nullptr;
         }
         auto loaded = fixture::load_photometric(path);
@@ -104,6 +111,7 @@ private:
     }
 
     std::map<fs::path, std::shared_ptr<const BeamShape>> shapes_;
+    Suggestions suggestions_;
 };
 
 } // namespace
@@ -111,6 +119,7 @@ private:
 void load_types(ParsedShow& parsed, KnownTypes known, Report& report) {
     const std::string file = parsed.show.file.string();
     TypeLibrary library(std::move(known));
+    Suggestions suggestions;
     for (std::size_t k = 0; k < parsed.show.fixtures.size(); ++k) {
         PatchedFixture& fixture = parsed.show.fixtures[k];
         const FixtureSource& source = parsed.sources[k];
@@ -121,7 +130,7 @@ void load_types(ParsedShow& parsed, KnownTypes known, Report& report) {
         fixture.type =
             library.find(parsed.show.folder / fixture.gdtf, file_line(file, source.gdtf_line), report);
         if (!fixture.type) continue;
-        const auto mode = fixture::find_mode(*fixture.type, source.mode);
+        const auto mode = fixture::find_mode(*fixture.type, source.mode, suggestions);
         if (mode.ok())
             fixture.mode = *mode;
         else

@@ -145,6 +145,27 @@ TEST(Exr, AFewBytesDoNotAskForGigabytes) {
         << read.error().text();
 }
 
+TEST(Exr, ASmallPieceDoesNotAskForAHugePicture) {
+    ExrFile small;
+    small.pixels = ImageF(16, 16, 4);
+    small.channels = {"R", "G", "B", "A"};
+    const std::filesystem::path path = exr_scratch("huge_display.exr");
+    ASSERT_TRUE(write_exr(path, small, ExrSample::full).ok());
+    auto bytes = *read_file(path, 1u << 20);
+    const std::string name = "displayWindow";
+    const auto named = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
+    ASSERT_NE(named, bytes.end());
+    const std::vector<std::uint8_t> window{0, 0, 0, 0, 0, 0, 0, 0, 15, 0, 0, 0, 15, 0, 0, 0};
+    const auto at = std::search(named, bytes.end(), window.begin(), window.end());
+    ASSERT_NE(at, bytes.end());
+    at[9] = at[13] = 0x1F; // 7,952 a side, a gigabyte
+    ASSERT_TRUE(write_file_atomic(path, bytes).ok());
+    const auto read = read_exr(path);
+    ASSERT_FALSE(read.ok());
+    EXPECT_NE(read.error().text().find("63234304 pixels, but holds 256 of them"), std::string::npos)
+        << read.error().text();
+}
+
 TEST(Exr, MissingFileAndFolder) {
     EXPECT_NE(read_exr(exr_scratch("absent.exr")).error().what.find("no such file"), std::string::npos);
     EXPECT_NE(read_exr(exr_scratch("x").parent_path()).error().what.find("not a plain file"),

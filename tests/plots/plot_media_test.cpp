@@ -6,11 +6,11 @@
 namespace ghost::scene {
 namespace {
 
-std::string screen(int number, const std::string& file) {
+std::string screen(int number, const std::string& value, const std::string& type = "File") {
     return "<VideoScreen uuid=\"" + uuid(number) + "\" name=\"Screen " + std::to_string(number) + "\">" +
            matrix(kIdentity + "{1000,2000,3000}") +
-           "<Geometries><Geometry3D fileName=\"Sail.glb\"/></Geometries><Sources><Source type=\"File\">" +
-           file + "</Source></Sources></VideoScreen>\n";
+           "<Geometries><Geometry3D fileName=\"Sail.glb\"/></Geometries><Sources><Source type=\"" + type +
+           "\">" + value + "</Source></Sources></VideoScreen>\n";
 }
 
 std::size_t files_below(const fs::path& folder) {
@@ -63,6 +63,23 @@ TEST(PlotMedia, WhatNoPlotNeedsAnyMoreIsRemoved) {
     write_plot(folder / "one.mvr", 3, "new ");
     EXPECT_EQ(files_below(folder / ".ghost"), 5u) << "three films, and two files that we did not write";
     EXPECT_TRUE(fs::exists(own) && fs::is_symlink(link));
+}
+
+// Which the user has to allow before it is opened (video/capture_consent.h).
+TEST(PlotMedia, ACaptureDeviceIsOneOfThisMachinesDevicesOrATestCard) {
+    Report report;
+    const auto media_of = [&](const std::string& device) {
+        return opened_xml("media_device", small_xml(screen(40, device, "CaptureDevice")), report).media.at(0);
+    };
+    const Media camera = media_of("/dev/video0");
+    EXPECT_EQ(camera.kind, MediaKind::camera);
+    EXPECT_EQ(camera.file, fs::path("/dev/video0"));
+    EXPECT_TRUE(report.messages.empty()) << messages_of(report);
+    for (const std::string foreign : {"/dev/../etc/passwd", "/home/x", "film.mp4", ""}) {
+        EXPECT_EQ(media_of(foreign).kind, MediaKind::card) << foreign;
+        EXPECT_TRUE(says(report, {"capture device '" + foreign + "'", "a test card is shown"}))
+            << messages_of(report);
+    }
 }
 
 TEST(PlotMedia, NothingIsUnpackedThroughALink) {

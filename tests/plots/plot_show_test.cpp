@@ -207,6 +207,24 @@ TEST(PlotShow, MissingFixtureFilesAndModes) {
     EXPECT_TRUE(rig.states()[0].beams.empty());
 }
 
+TEST(PlotShow, ModesOfManyNamesAreNotAllComparedWithAllModes) {
+    constexpr int kFixtures = 400;
+    std::string fixtures;
+    for (int k = 0; k < kFixtures; ++k)
+        fixtures += fixture_xml(20 + k, "Odd", kIdentity + "{0,0,0}", "", "Head.gdtf",
+                                "standart " + std::to_string(k % 200)); // each twice
+    Report report;
+    const Show show = opened_xml("many_modes", small_xml(fixtures), report);
+    ASSERT_EQ(show.fixtures.size(), static_cast<std::size_t>(kFixtures));
+    int said = 0;
+    for (const Message& message : report.messages)
+        said += message.what.find("no mode '") != std::string::npos;
+    EXPECT_EQ(said, 100);
+    EXPECT_TRUE(says(report, {"no mode 'standart 99'", "it gets 'Standard' (2 fixtures)"}));
+    EXPECT_TRUE(says(report, {"200 more fixtures name other modes", "they get the first"}))
+        << messages_of(report);
+}
+
 TEST(PlotShow, NearestMode) {
     fixture::Type type;
     for (const char* name : {"Standard 16 bit", "Reduced 8 bit", "standard"}) {

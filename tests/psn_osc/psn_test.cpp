@@ -138,6 +138,30 @@ TEST(Psn, forged_ids_do_not_lock_real_ones_out) {
     EXPECT_FALSE(trackers.find(7)) << "one that was silent for a minute makes room";
 }
 
+TEST(Psn, forged_ids_that_go_on_do_not_lock_out_those_that_a_show_names) {
+    Trackers trackers;
+    trackers.expect({7}, {"Singer"});
+    const auto flood = [&](std::chrono::nanoseconds now) {
+        for (std::uint16_t first = 1000; first < 1000 + kMostTrackers; first += 32) {
+            PsnPacket packet;
+            for (std::uint16_t k = 0; k < 32; ++k)
+                packet.positions.push_back({static_cast<std::uint16_t>(first + k), {9, 9, 9}});
+            trackers.feed(packet, now);
+        }
+    };
+    for (int frame = 0; frame < 100; ++frame) {
+        const auto now = frame * 16ms;
+        flood(now);
+        if (frame < 20) continue;
+        trackers.feed({{{7, {1, 2, 3}}}, {}}, now);
+        if (frame % 60 == 20) trackers.feed({{{8, {4, 5, 6}}}, {{8, "Singer"}}}, now);
+        flood(now);
+        ASSERT_TRUE(trackers.find(7)) << frame;
+        ASSERT_TRUE(trackers.find("Singer")) << frame;
+    }
+    EXPECT_EQ(trackers.all().size(), kMostTrackers);
+}
+
 // What the reference encoder sends: four trackers, three seconds.
 TEST(Psn, capture_of_the_reference_encoder) {
     const auto path =

@@ -142,18 +142,9 @@ TEST(ModelReader, WhatAFileSaysItIsDoesNotChooseTheLoader) {
         << model.error().text();
 }
 
-TEST(ModelReader, AnObjOfAnArchiveIsNotTakenFromTheWorkingDirectory) {
-    const fs::path folder = scratch("working");
-    const fs::path before = fs::current_path();
-    fs::current_path(folder);
-    std::ofstream("wall.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    Report report;
-    const auto model = load_model(Bytes(), "obj", "plot.mvr: wall.obj", ModelSource::archive, report);
-    fs::current_path(before);
-    EXPECT_FALSE(model.ok());
-}
+constexpr std::string_view kBinChunk("BIN\0", 4);
 
-// buffers of a GLB, too, which Assimp looks for by itself.
+// Assimp looks for buffers by itself.
 TEST(ModelReader, ABufferOfAnArchiveIsNotTakenFromTheWorkingDirectory) {
     const fs::path folder = scratch("buffers");
     const fs::path before = fs::current_path();
@@ -162,14 +153,18 @@ TEST(ModelReader, ABufferOfAnArchiveIsNotTakenFromTheWorkingDirectory) {
     for (std::size_t at = 0; (at = json.find("\"buffer\":0", at)) != std::string::npos;) json[at + 9] = '1';
     const std::size_t end = json.find("}],\"bufferViews\"");
     ASSERT_NE(end, std::string::npos);
-    json.insert(end + 1, ",{\"uri\":\"beside.bin\",\"byteLength\":4096}");
     fs::current_path(folder);
-    std::ofstream("beside.bin") << std::string(4096, 'x');
+    const auto binary = std::search(bytes.begin(), bytes.end(), kBinChunk.begin(), kBinChunk.end());
+    ASSERT_NE(binary, bytes.end());
+    const std::string buffer(binary + kBinChunk.size(), bytes.end()); // which the model could be made of
+    std::ofstream("beside.bin", std::ios::binary) << buffer;
+    json.insert(end + 1, ",{\"uri\":\"beside.bin\",\"byteLength\":" + std::to_string(buffer.size()) + "}");
     Report report;
     const auto model =
         load_model(glb_with_json(bytes, json), "glb", "plot.mvr: a.glb", ModelSource::archive, report);
     fs::current_path(before);
-    EXPECT_FALSE(model.ok());
+    ASSERT_FALSE(model.ok());
+    EXPECT_NE(model.error().text().find("beside.bin"), std::string::npos) << model.error().text();
 }
 
 TEST(ModelReader, WhatAStageRefersToLiesInTheShowsFolder) {

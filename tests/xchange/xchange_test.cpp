@@ -108,6 +108,27 @@ TEST(XchangeStations, a_plot_goes_from_one_to_the_other_whole) {
     EXPECT_EQ(files, 2u); // and no temporary one
 }
 
+// A link that leads to nothing is there all the same.
+TEST(XchangeStations, what_comes_replaces_no_link) {
+    const Folder folder;
+    const std::string content = write_plot(folder.path / "tour.mvr", 1000);
+    fs::create_directory(folder.path / "come");
+    fs::create_symlink(folder.path / "nowhere", folder.path / "come" / "tour.mvr");
+    XchangeOptions sharing = station("A");
+    sharing.share = {folder.path / "tour.mvr"};
+    const auto a = start(sharing);
+    XchangeOptions saving = station("B");
+    saving.save = folder.path / "come";
+    saving.peers = {at(a->port())};
+    const auto b = start(saving);
+    const auto received = wait_for(*b, Kind::received);
+    ASSERT_TRUE(received.has_value());
+    EXPECT_EQ(received->file, folder.path / "come" / "tour (2).mvr");
+    EXPECT_EQ(content_of(received->file), content);
+    EXPECT_TRUE(fs::is_symlink(folder.path / "come" / "tour.mvr"));
+    EXPECT_FALSE(fs::exists(folder.path / "nowhere"));
+}
+
 TEST(XchangeStations, says_goodbye) {
     const Folder folder;
     const auto a = start(station("A"));
@@ -400,33 +421,73 @@ TEST(XchangeStations, a_forged_goodbye_does_not_erase_a_fixed_peer) {
     for (const XchangeEvent& event : b->take()) EXPECT_NE(event.kind, Kind::left) << event.text;
 }
 
-// A commit without a number is a plot like others.
+// What a network further away says, and what one station says for another.
+TEST(XchangeStations, neighbours_are_met_and_speak_for_themselves) {
+    XchangeOptions options = station("B");
+    options.finds = true;
+    options.mdns_port = 25'354;
+    const auto b = start(options);
+    constexpr std::uint32_t kHere = 0x7F000001, kBeside = 0x7F000002;
+    const auto says = [&](std::uint32_t from, const std::string& name, bool gone) {
+        const scene::XchangeStation one{name, name, "Default", dmx::IpAddress(kHere), 9, gone};
+        const auto bytes = dmx::build_dns(scene::xchange_announcement(one));
+        const auto out = dmx::UdpSocket::open(from, 0, 1 << 16);
+        return out.ok() && (*out)->send(bytes, dmx::IpAddress(kHere), options.mdns_port).ok();
+    };
+    for (const dmx::NetInterface& far : dmx::list_interfaces())
+        if (!far.loopback && far.address != 0) {
+            EXPECT_TRUE(says(far.address, "Far", false));
+        }
+    ASSERT_TRUE(says(kHere, "Near", false));
+    const auto met = wait_for(*b, Kind::found);
+    ASSERT_TRUE(met.has_value());
+    EXPECT_EQ(met->station, "Near") << "the first that is met";
+    ASSERT_TRUE(says(kBeside, "Near", true));
+    ASSERT_TRUE(says(kHere, "Second", false));
+    const auto next = wait_for(*b, Kind::found); // by then the goodbye of another has been heard
+    ASSERT_TRUE(next.has_value());
+    EXPECT_EQ(next->station, "Second");
+    ASSERT_TRUE(says(kHere, "Near", true));
+    const auto left = wait_for(*b, Kind::left);
+    ASSERT_TRUE(left.has_value());
+    EXPECT_EQ(left->station, "Near");
+    EXPECT_FALSE(wait_for(*b, Kind::left, 1s).has_value()) << "once, by its own word";
+}
+
+// A commit without a number is a plot like others, whoever brings it.
 TEST(XchangeStations, plots_without_a_number_are_counted) {
     const Folder folder;
     std::atomic<int> requests{0};
     const std::string plot = package(std::string("PK\3\4xyz", 7), scene::XchangePayload::file);
     const Forged forged([&](const scene::XchangeMessage& message) -> std::string {
-        std::string commits;
-        if (message.type == "MVR_REQUEST") {
-            ++requests;
-            return plot;
-        }
-        for (int i = 0; i < 1500 && message.type == "MVR_JOIN"; ++i)
-            commits += package(R"({"Type":"MVR_COMMIT","StationUUID":"f","FileUUID":""})");
-        if (message.type != "MVR_JOIN") return "";
-        return package(R"({"Type":"MVR_JOIN_RET","OK":true,"StationUUID":"f"})") + commits;
+        if (message.type == "MVR_JOIN")
+            return package(R"({"Type":"MVR_JOIN_RET","OK":true,"StationUUID":"f"})");
+        if (message.type != "MVR_REQUEST") return "";
+        ++requests;
+        return plot;
     });
     XchangeOptions options = station("B");
     options.save = folder.path / "come";
     options.peers = {at(forged.port())};
     const auto b = start(options);
-    int last = -1;
-    for (int k = 0; k < 300 && requests != last; ++k) {
-        last = requests;
-        std::this_thread::sleep_for(2s);
+    ASSERT_TRUE(wait_for(*b, Kind::joined).has_value());
+    const auto visitor = must(dmx::TcpStream::connect(dmx::IpAddress(0x7F000001), b->port()));
+    constexpr int kAtOnce = 200, kRounds = 6, kMostTaken = 1000;
+    std::string commits;
+    for (int k = 0; k < kAtOnce; ++k)
+        commits += package(R"({"Type":"MVR_COMMIT","StationUUID":"f","FileUUID":""})");
+    for (int round = 1; round <= kRounds; ++round) {
+        ASSERT_EQ(visitor->send({reinterpret_cast<const std::uint8_t*>(commits.data()), commits.size()}),
+                  commits.size());
+        const int wanted = std::min(round * kAtOnce, kMostTaken);
+        for (int k = 0; k < 3000 && requests < wanted; ++k) std::this_thread::sleep_for(10ms);
+        ASSERT_EQ(requests, wanted);
     }
-    EXPECT_GT(requests, 100);
-    EXPECT_LE(requests, 1000);
+    std::this_thread::sleep_for(300ms);
+    EXPECT_EQ(requests, kMostTaken);
+    const auto said = wait_for(*b, Kind::trouble);
+    ASSERT_TRUE(said.has_value());
+    EXPECT_NE(said->text.find("more plots at once than are taken"), std::string::npos) << said->text;
 }
 
 // Four stations that bring a byte now and then do not hold the places of others for half an hour.

@@ -11,6 +11,10 @@
 #include <memory>
 #include <string>
 
+namespace ghost {
+class Suggestions; // base/suggest.h
+} // namespace ghost
+
 namespace ghost::scene {
 
 // By whole path, in its normal form.
@@ -24,5 +28,6 @@ void load_shapes(ParsedShow& parsed, Report& report);
 bool is_file(const std::filesystem::path& path);
 // "no such file x.glb, did you mean 'y.glb'?"
 std::string missing_file(const std::filesystem::path& path);
+std::string missing_file(const std::filesystem::path& path, Suggestions& suggestions); // of many files
 
 } // namespace ghost::scene

@@ -8,13 +8,20 @@
 #include <QFile>
 
 #include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <system_error>
 
 namespace ghost::ui {
 namespace {
 
-std::string text_in(const std::filesystem::path& file) {
+// Where there is no file "", and nothing where there is one that cannot be read.
+std::optional<std::string> text_in(const std::filesystem::path& file) {
     auto text = read_text_file(file, scene::kMostLooksBytes);
-    return text.ok() ? std::move(*text) : std::string();
+    if (text.ok()) return std::move(*text);
+    std::error_code code;
+    if (std::filesystem::exists(file, code) || code) return std::nullopt;
+    return std::string();
 }
 
 } // namespace
@@ -86,7 +93,7 @@ void Looks::load() {
     if (const QString file = QString::fromStdString(file_.string()); QFile::exists(file))
         watcher_.addPath(file); // again, for it may be another one now
     damage_.clear();
-    known_ = text_in(file_);
+    known_ = text_in(file_).value_or("");
     Report report;
     auto loaded = scene::load_looks(file_, report);
     if (loaded.ok())

@@ -149,6 +149,17 @@ def what_cannot_be(show):
     shutil.rmtree(plan / "frames")
     (plan / "frames").symlink_to(work / "fresh")
     ghost.run("farm", "run", plan, "1", code=1, says="is a link")
+    (plan / "frames").unlink()
+    theirs = work / "theirs"
+    theirs.mkdir()
+    (theirs / "7.txt").write_text("a letter")
+    for name in ("failed", "done"):
+        (plan / name).rename(work / "aside")
+        (plan / name).symlink_to(theirs)
+        ghost.run("farm", "retry", show, code=1, says="is a link")
+        assert (theirs / "7.txt").read_text() == "a letter", "removed behind a link"
+        (plan / name).unlink()
+        (work / "aside").rename(plan / name)
     for words in (["--at", "6"], ["--from", "6"], ["--live-input", "--seconds", "1"], [*FILM, "--hold-fps", "10", "--live"]):
         ghost.run("render", show, "-o", "no.png", *words, "--farm", "local", code=2, says="--farm: a farm draws a film")
     ghost.run("render", show, "-o", "no.png", *FILM, "--frames", "0-100", code=1, says="the film has the frames 180 to 659")

@@ -71,6 +71,16 @@ TEST(UiLooks, what_is_stored_is_recalled_by_another_window) {
     EXPECT_NE(bench.looks.recall("Vers").error().text().find("did you mean 'Verse'"), std::string::npos);
 }
 
+TEST(UiLooks, a_file_that_cannot_be_read_is_not_taken_for_none) {
+    LookBench bench;
+    bench.read();
+    const std::string large(scene::kMostLooksBytes + 1, '#');
+    ASSERT_TRUE(write_file_atomic(bench.file(), large).ok());
+    bench.set(0, 0.5f);
+    EXPECT_FALSE(bench.looks.store("A").ok());
+    EXPECT_EQ(std::filesystem::file_size(bench.file()), large.size()) << "another program's, and still whole";
+}
+
 TEST(UiLooks, any_sequence_of_changes_is_undone_to_the_same_bytes) {
     LookBench bench;
     bench.read();
