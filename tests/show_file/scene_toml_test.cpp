@@ -50,6 +50,18 @@ void expect_near(const glm::vec3& value, const glm::vec3& expected) {
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(value[k], expected[k], 3e-4f) << "component " << k;
 }
 
+TEST(SceneToml, NestingHasAnEnd) {
+    Report report;
+    for (const char open : {'[', '{'}) {
+        std::string text = "a = ";
+        for (int k = 0; k < 2'000'000; ++k) text += open == '[' ? "[" : "{a=";
+        const auto parsed = parse_show(text, "show/show.toml", report);
+        ASSERT_FALSE(parsed.ok());
+        EXPECT_NE(parsed.error().text().find("show/show.toml:1"), std::string::npos)
+            << parsed.error().text().substr(0, 200);
+    }
+}
+
 TEST(SceneToml, DefaultsArePhysical) {
     const Show show = good(kHead);
     EXPECT_EQ(show.ambient_lux, 0.0f);

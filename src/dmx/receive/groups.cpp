@@ -4,6 +4,7 @@
 #include "dmx/wire/build.h"
 
 #include <algorithm>
+#include <string>
 
 namespace ghost::dmx {
 
@@ -16,6 +17,11 @@ std::size_t Groups::joined_by(const UdpSocket* socket) const {
 Result<Groups::Filled*> Groups::socket_with_room() {
     for (Filled& one : sockets_)
         if (one.groups < (ipv6_ ? kIpv6GroupsPerSocket : kGroupsPerSocket)) return &one;
+    if (sockets_.size() >= kMostGroupSockets)
+        return Error{"universes on all interfaces are more multicast groups than the " +
+                         std::to_string(kMostGroupSockets) +
+                         " sockets hold that may be open; choose the interface of the lighting network",
+                     "--interface"};
     TRY(UdpSocket * opened, open_());
     return &sockets_.emplace_back(Filled{opened, 0});
 }

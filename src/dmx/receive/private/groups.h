@@ -18,6 +18,8 @@ namespace ghost::dmx {
 
 inline constexpr std::size_t kGroupsPerSocket = 20;      // net.ipv4.igmp_max_memberships
 inline constexpr std::size_t kIpv6GroupsPerSocket = 100; // a quarter of what net.core.optmem_max has room for
+// A process has 1,024 descriptors where nobody says else, and needs some to save a show.
+inline constexpr std::size_t kMostGroupSockets = 256;
 
 class Groups {
 public:
