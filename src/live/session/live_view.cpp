@@ -4,12 +4,12 @@
 #include "bake/distance_maps.h"
 #include "base/interrupt.h"
 #include "light/bodies.h"
+#include "live/session/map_size.h"
 #include "live/session/session.h"
 #include "passes/distance_maps_file.h"
 
 #include "base/check.h"
 #include "base/log.h"
-#include "base/memory.h"
 #include "base/progress.h"
 #include "base/steady_time.h"
 
@@ -22,39 +22,6 @@ namespace ghost::app {
 namespace {
 
 constexpr float kFlightError_px = 1; // of the stage, which is seen from there for a moment
-
-// 2 MB a light, and from kManyLights on half a megabyte: shadows get coarser, not fewer. The same where the
-// machine's memory does not hold what the show asks for.
-int map_size(const scene::Show& show, Report& report) {
-    constexpr std::size_t kManyLights = 256;
-    const std::uint64_t count = scene::distance_places(show, scene::kDistanceMapSize).size();
-    const bool few = count < kManyLights;
-    const int wanted = show.distance_map_size > 0 ? show.distance_map_size
-                       : few                      ? 2 * scene::kDistanceMapSize
-                                                  : scene::kDistanceMapSize;
-    const std::uint64_t room = free_memory_bytes() / 2; // drawing needs some, too
-    const auto bytes = [&](int size) {
-        return count * sizeof(std::uint16_t) * static_cast<std::uint64_t>(size) *
-               static_cast<std::uint64_t>(size);
-    };
-    int size = wanted;
-    while (room > 0 && size > scene::kMinDistanceMapSize && bytes(size) > room) size /= 2;
-    if (size < wanted)
-        report.add(Severity::warning, show.file.string(),
-                   "memory is short for " + std::to_string(count) + " distance maps of " +
-                       std::to_string(wanted) + " texels a side (" + std::to_string(bytes(wanted) >> 20) +
-                       " MB): they are made with " + std::to_string(size));
-    return size;
-}
-
-// Lights whose map the device does not hold have none.
-void leave_out(scene::DistanceMaps& maps, std::size_t held, Report& report) {
-    if (held >= maps.maps.size()) return;
-    report.add(Severity::warning, "distance maps",
-               "the device holds " + std::to_string(held) + " of " + std::to_string(maps.maps.size()) +
-                   "; lights beyond throw no shadows");
-    maps.maps.resize(held);
-}
 
 Result<scene::DistanceMaps> make_maps(const scene::Show& show, const scene::Stage& stage, bool quiet,
                                       Report& report) {
@@ -86,8 +53,9 @@ bool fits(const std::unique_ptr<render::GBuffer>& one, const scene::Camera& came
 LiveView::LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
                    const scene::Camera& camera, Atmosphere air, Report& report)
     : device_(device), show_(show), stage_(std::move(stage)), moving_(scene::moving_instances(show, stage_)),
-      model_(device, stage_, report), air_(std::move(air)) {
+      carried_(scene::carried_objects(show, stage_)), model_(device, stage_, report), air_(std::move(air)) {
     for (const std::size_t instance : moving_) model_.mark_moving(instance);
+    for (const scene::CarriedObject& object : carried_) model_.mark_moving(object.instance);
     for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
         if (stage_.instances[i].shown) continue;
         model_.show(i, false);
@@ -106,6 +74,10 @@ Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scen
             show, report, options.keep_hidden ? scene::HiddenObjects::kept : scene::HiddenObjects::left_out),
         camera, options.air.value_or(atmosphere_of(show)), report));
     if (!options.shadows) return view;
+    if (!show.movers.empty()) {
+        view->begin_moving_maps(report);
+        return view;
+    }
     if (options.maps_in_background) {
         view->begin_maps(report);
         return view;
@@ -113,7 +85,7 @@ Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scen
     TRY(view->maps_, make_maps(show, view->solid(), options.quiet, report));
     if (view->maps_.maps.empty()) return view;
     view->distances_ = std::make_unique<render::DistanceImages>(device, view->maps_);
-    leave_out(view->maps_, view->distances_->count(), report);
+    leave_out_maps(view->maps_, view->distances_->count(), report);
     for (scene::DistanceMap& map : view->maps_.maps) map.distance = {};
     return view;
 }
@@ -137,7 +109,7 @@ void LiveView::begin_maps(Report& report) {
         known.insert(k);
     }
     distances_ = std::make_unique<render::DistanceImages>(device_, maps_);
-    leave_out(maps_, distances_->count(), report);
+    leave_out_maps(maps_, distances_->count(), report);
     for (scene::DistanceMap& map : maps_.maps) map.distance = {};
     for (std::size_t k = maps_.maps.size(); k < places.size(); ++k) known.insert(k);
     missing_maps_ = places.size() - known.size();
@@ -149,13 +121,13 @@ void LiveView::begin_maps(Report& report) {
 }
 
 bool LiveView::take_maps(Report& report) {
-    if (!maker_) begin_changed_maps();
+    if (!maker_ && !moving_maps_) begin_changed_maps();
     if (!maker_) return false;
     bool replaced = false;
     const std::size_t missing_before = missing_maps_;
     for (MapMaker::Made& made : maker_->take()) {
         if (made.index >= maps_.maps.size()) continue; // left out
-        distances_->set(made.index, made.map);
+        distances_->set(made.index, made.map.distance);
         scene::DistanceMap& place = maps_.maps[made.index];
         if (place.fixture.empty())
             --missing_maps_;
@@ -179,6 +151,9 @@ bool LiveView::take_maps(Report& report) {
 bool LiveView::follow(const scene::Rig& rig) {
     for (const std::size_t instance : moving_)
         model_.move(instance, scene::body_to_world(show_, rig, stage_.instances[instance]));
+    for (const scene::CarriedObject& object : carried_)
+        move(object.instance, rig.movers().moved(object.mover));
+    if (moving_maps_) hang_lamps(rig);
     return g_buffer_->update(model_);
 }
 

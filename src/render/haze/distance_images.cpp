@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint32_t kLeastSide = 32;
 
 std::uint32_t layers_of(const gpu::Device& device, const scene::DistanceMaps& maps) {
-    return static_cast<std::uint32_t>(std::clamp<std::size_t>(maps.maps.size(), 1, device.limits().image_layers));
+    return static_cast<std::uint32_t>(
+        std::clamp<std::size_t>(maps.maps.size(), 1, device.limits().image_layers));
 }
 
 gpu::TextureShape texels_shape(std::uint32_t side, std::uint32_t layers) {
@@ -45,19 +46,19 @@ DistanceImages::DistanceImages(const gpu::Device& device, const scene::DistanceM
       texture_(device, texels_shape(side_that_fits(device, maps), layers_of(device, maps))),
       blockers_(device, blockers_shape(side(), layers_of(device, maps))), far_(count()) {
     for (FarParts& parts : far_) parts.fill(scene::kNoSurface_m);
-    for (std::size_t index = 0; index < maps.maps.size(); ++index) set(index, maps.maps[index]);
+    for (std::size_t index = 0; index < maps.maps.size(); ++index) set(index, maps.maps[index].distance);
 }
 
-void DistanceImages::set(std::size_t index, const scene::DistanceMap& map) {
+void DistanceImages::set(std::size_t index, const std::vector<std::uint16_t>& distance) {
     if (index >= count()) return;
     const auto layer = static_cast<std::uint32_t>(index);
     const std::size_t wanted = wanted_side_;
-    CHECK_EQ(map.distance.size(), wanted * wanted);
+    CHECK_EQ(distance.size(), wanted * wanted);
     const std::size_t step = wanted / side();
     std::vector<std::uint16_t> kept;
     kept.reserve(std::size_t{side()} * side());
     for (std::size_t y = step / 2; y < wanted; y += step)
-        for (std::size_t x = step / 2; x < wanted; x += step) kept.push_back(map.distance[y * wanted + x]);
+        for (std::size_t x = step / 2; x < wanted; x += step) kept.push_back(distance[y * wanted + x]);
     texture_.write_layer(layer, kept.data(), kept.size() * sizeof kept[0]);
     far_[index] = far_parts(kept, side());
     const auto levels = blockers_of(kept, side());

@@ -24,7 +24,7 @@ public:
     DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps);
 
     // Of a map that was left out: nothing happens.
-    void set(std::size_t index, const scene::DistanceMap& map);
+    void set(std::size_t index, const std::vector<std::uint16_t>& distance);
     std::size_t count() const { return texture_.shape().layers; }
     const gpu::Texture& texture() const { return texture_; }
     const gpu::Texture& blockers() const { return blockers_; }
