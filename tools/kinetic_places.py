@@ -61,12 +61,12 @@ def main():
             ways = [WAYS[mover](k / max(given.places - 1, 1)) for k in range(given.places)]
             travels = top / mover
             write(travels, rig, {}, [(float(k), values) for k, values in enumerate(ways)], True)
-            run(program, "render", travels, "--live", "--from", 0, "--to", given.places, "--fps", 1, "--size", given.size, "-o", travels / "at%02d.exr", "--quiet")
+            run(program, "render", travels, "--live", "--from", 0, "--to", given.places, "--fps", 1, "--size", given.size, "-o", travels / "at.exr", "--quiet")
             for k, values in enumerate(ways):
                 stands = top / f"{mover} {k}"
                 write(stands, rig, values, [(0.0, {})], False)
                 run(program, "render", stands, "--live", "--at", 0, "--size", given.size, "-o", stands / "it.exr", "--quiet")
-                told = json.loads(run(program, "compare", travels / f"at{k:02d}.exr", stands / "it.exr", "--ev", 6.5, "--json", "--quiet"))
+                told = json.loads(run(program, "compare", travels / f"at-{k:05d}.exr", stands / "it.exr", "--ev", 4.5, "--json", "--quiet"))
                 psnr = told["psnr"] if told["psnr"] is not None else float("inf")
                 worst = min(worst, psnr)
                 print(f"{mover} place {k + 1}: {psnr:.1f} dB", flush=True)

@@ -29,10 +29,10 @@ def smooth(x):
 
 def values_at(at_s):
     """What the desk asks for: within what the machines can."""
-    down = -3.0 * smooth(at_s / 8) + 1.5 * smooth((at_s - 14) / 6)
-    tilt = 1.0 * math.sin(2 * math.pi * smooth((at_s - 6) / 16))
-    return {"Truss": (min(down - tilt, 0.0), min(down + tilt, 0.0)), "Winch": (1.2 * smooth((at_s - 4) / 4) - 1.2 * smooth((at_s - 18) / 4),),
-            "Revolve": (300 * smooth((at_s - 2) / 18),), "Lift": (2.0 * smooth((at_s - 3) / 7) - 1.0 * smooth((at_s - 16) / 6),),
+    down = -2.0 * smooth(at_s / 8) + 1.0 * smooth((at_s - 14) / 6)
+    tilt = 0.8 * math.sin(2 * math.pi * smooth((at_s - 6) / 16))
+    return {"Truss": (min(down - tilt, 0.0), min(down + tilt, 0.0)), "Winch": (0.6 * smooth((at_s - 4) / 4) - 0.6 * smooth((at_s - 18) / 4),),
+            "Revolve": (300 * smooth((at_s - 2) / 18),), "Lift": (1.4 * smooth((at_s - 3) / 7) - 0.7 * smooth((at_s - 16) / 6),),
             "Wagon": (11.0 * smooth((at_s - 1) / 18),)}
 
 

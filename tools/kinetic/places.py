@@ -6,7 +6,7 @@ IDENTITY = [[1.0, 0, 0, 0], [0, 1.0, 0, 0], [0, 0, 1.0, 0], [0, 0, 0, 1.0]]
 HOOKS_X = (-5.0, 5.0)          # of the truss's two hoists
 TRUSS = (0.0, 2.0, 6.0)        # middle of its lower chords
 REVOLVE = (0.0, 2.0, 0.0)
-PATH = [(-7.5, -1.0), (-3.5, -1.0), (-1.5, -2.5), (4.5, -2.5)]
+PATH = [(-7.5, -3.0), (-3.5, -3.0), (-1.5, -4.0), (4.5, -4.0)]
 WHEELBASE = 1.2
 PARENTS = {"Winch": "Truss"}
 

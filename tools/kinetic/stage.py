@@ -47,12 +47,12 @@ def objects():
         ("Back wall", glb.Shape().box("wall", (-11, 8, 0), (11, 8.2, 9)), None),
         ("Truss", truss, "Truss"),
         ("Revolve disc", glb.Shape().rod("deck", (rx, ry, 0.0), (rx, ry, 0.2), 3.0, 64, None, True), "Revolve"),
-        ("Revolve flat", glb.Shape().box("flat", (rx - 2.2, ry + 0.5, 0.2), (rx + 0.6, ry + 0.6, 2.4)), "Revolve"),
-        ("Revolve column", glb.Shape().rod("flat", (rx + 1.6, ry - 1, 0.2), (rx + 1.6, ry - 1, 1.8), 0.25, 24, None, True), "Revolve"),
+        ("Revolve flat", glb.Shape().box("flat", (rx - 2.2, ry + 0.5, 0.2), (rx + 0.6, ry + 0.6, 1.8)), "Revolve"),
+        ("Revolve column", glb.Shape().rod("flat", (rx + 1.6, ry - 1, 0.2), (rx + 1.6, ry - 1, 1.7), 0.25, 24, None, True), "Revolve"),
         ("Lift deck", glb.Shape().box("deck", (4.6, 1, 0.0), (7.0, 3.4, 0.25)), "Lift"),
-        ("Lift column", glb.Shape().rod("flat", (5.8, 2.2, 0.25), (5.8, 2.2, 2.0), 0.22, 24, None, True), "Lift"),
+        ("Lift column", glb.Shape().rod("flat", (5.8, 2.2, 0.25), (5.8, 2.2, 1.5), 0.22, 24, None, True), "Lift"),
         ("Wagon deck", glb.Shape().box("deck", (wx - 0.9, wy - 0.6, 0.1), (wx + 0.9, wy + 0.6, 0.35)), "Wagon"),
-        ("Wagon flat", glb.Shape().box("flat", (wx - 0.8, wy - 0.05, 0.35), (wx + 0.8, wy + 0.05, 2.0)), "Wagon"),
+        ("Wagon flat", glb.Shape().box("flat", (wx - 0.8, wy - 0.05, 0.35), (wx + 0.8, wy + 0.05, 1.5)), "Wagon"),
     ]
 
 
@@ -89,9 +89,9 @@ def lamps(on_truss):
         share = (k + 0.5) / on_truss
         warm = k % 2 == 0
         result.append(Lamp(f"Truss {k + 1}", SPOT if warm else WASH, (x - 5.6 + 11.2 * share, y, z - 0.03), "Truss", tilt=18 * math.sin(3 * k),
-                           pan=25 * math.cos(k), colour=(1, 0.75, 0.4) if warm else (0.35, 0.55, 1), level=0.9 if warm else 0.45))
+                           pan=25 * math.cos(k), colour=(1, 0.75, 0.4) if warm else (0.35, 0.55, 1), level=0.8 if warm else 0.5))
     for k, at in enumerate((-7.0, -2.5, 2.5, 7.0)):   # from the floor up through the truss
-        result.append(Lamp(f"Floor {k + 1}", SPOT, (at, 6.5, 0.02), None, stands=True, tilt=-38, colour=(0.5, 1, 0.7) if k % 2 else (1, 0.35, 0.5), wide=0.1))
+        result.append(Lamp(f"Floor {k + 1}", SPOT, (at, 6.5, 0.02), None, stands=True, tilt=46, colour=(0.5, 1, 0.7) if k % 2 else (1, 0.35, 0.5), wide=0.1))
     result += [
         Lamp("Pendant", SPOT, (x, y + 0.9, z - 0.6), "Winch", colour=(1, 1, 0.9), wide=0.6),
         Lamp("Revolve 1", SPOT, (-1.2, 1.2, 0.2), "Revolve", stands=True, tilt=-60, pan=40, colour=(0.5, 0.8, 1), wide=0.2),
@@ -115,15 +115,15 @@ position_m = [0.0, -15.0, 4.2]
 target_m = [0.0, 2.0, 3.0]
 fov_y_deg = 34.0
 size = [1280, 720]
-ev100 = 6.5
+ev100 = 4.5
 
 [[camera]] # on the wagon
 name = "rider"
-position_m = [-7.5, -1.9, 1.9]
+position_m = [-7.5, -3.9, 1.9]
 target_m = [0.0, 1.5, 2.5]
 fov_y_deg = 60.0
 size = [1280, 720]
-ev100 = 6.5
+ev100 = 4.5
 """
 
 MOVERS = """
@@ -196,7 +196,7 @@ acceleration_m_s2 = 0.6
 [[mover]]
 name = "Wagon"
 kind = "path"
-path_m = [[-7.5, -1.0, 0.0], [-3.5, -1.0, 0.0], [-1.5, -2.5, 0.0], [4.5, -2.5, 0.0]]
+path_m = [[-7.5, -3.0, 0.0], [-3.5, -3.0, 0.0], [-1.5, -4.0, 0.0], [4.5, -4.0, 0.0]]
 wheelbase_m = 1.2
 objects = ["Wagon *"]
 fixtures = ["Wagon 1"]
@@ -213,7 +213,7 @@ acceleration_m_s2 = 0.8
 
 def show_text(rig, fixtures_folder, values, moves, motion="machine"):
     text = "# SPDX-License-Identifier: Apache-2.0\n# Made by tools/make_kinetic.py. What every key means: docs/reference/show-file.md.\n\n"
-    text += f'[show]\nname = "Kinetic"\nstage = "stage.glb"\nrecording = "kinetic.show"\nmotion = "{motion}"\nambient_lux = 1.0\n\n'
+    text += f'[show]\nname = "Kinetic"\nstage = "stage.glb"\nrecording = "kinetic.show"\nmotion = "{motion}"\nambient_lux = 2.0\n\n'
     text += "[haze]\nextinction_per_m = 0.03\n" + CAMERAS
     if moves:
         text += MOVERS

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects that go with trackers and objects that hands hide or show: on the device, and in the distance maps
-// of the lights that see them.
+// Objects that go with trackers and movers, objects that hands hide or show, and lamps that travel: on the
+// device, and in the distance maps of the lights that see them.
 #include "live/session/live_view.h"
 
 #include "base/text.h"
@@ -139,6 +139,23 @@ void LiveView::begin_changed_maps() {
     std::set<std::size_t> known;
     for (std::size_t k = 0; k < maps_.maps.size(); ++k) known.insert(k);
     maker_ = std::make_unique<MapMaker>(changed_show_, *changed_stage_, maps_.size, std::move(known));
+}
+
+void LiveView::hang_lamps(const scene::Rig& rig) {
+    for (const Hung& hung : hung_)
+        for (std::size_t p = 0; p < hung.places_m.size(); ++p)
+            moving_maps_->hang(hung.first_map + p,
+                               glm::vec3(rig.moved(hung.fixture) * glm::vec4(hung.places_m[p], 1.0f)));
+}
+
+bool LiveView::update_maps(const std::vector<shared::Light>& lights) {
+    if (!moving_maps_) return false;
+    const bake::MovingMaps::News news = moving_maps_->update(lights);
+    for (const std::size_t index : news.maps) {
+        if (index >= maps_.maps.size()) continue; // left out
+        distances_->set(index, moving_maps_->distance(index));
+    }
+    return news.is_seen_by_resting;
 }
 
 } // namespace ghost::app

@@ -4,12 +4,12 @@
 #include "bake/distance_maps.h"
 #include "base/interrupt.h"
 #include "light/bodies.h"
-#include "live/session/map_size.h"
 #include "live/session/session.h"
 #include "passes/distance_maps_file.h"
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/memory.h"
 #include "base/progress.h"
 #include "base/steady_time.h"
 
@@ -22,6 +22,39 @@ namespace ghost::app {
 namespace {
 
 constexpr float kFlightError_px = 1; // of the stage, which is seen from there for a moment
+
+// 2 MB a light, and from kManyLights on half a megabyte: shadows get coarser, not fewer. The same where the
+// machine's memory does not hold what the show asks for.
+int map_size(const scene::Show& show, Report& report) {
+    constexpr std::size_t kManyLights = 256;
+    const std::uint64_t count = scene::distance_places(show, scene::kDistanceMapSize).size();
+    const bool few = count < kManyLights;
+    const int wanted = show.distance_map_size > 0 ? show.distance_map_size
+                       : few                      ? 2 * scene::kDistanceMapSize
+                                                  : scene::kDistanceMapSize;
+    const std::uint64_t room = free_memory_bytes() / 2; // drawing needs some, too
+    const auto bytes = [&](int size) {
+        return count * sizeof(std::uint16_t) * static_cast<std::uint64_t>(size) *
+               static_cast<std::uint64_t>(size);
+    };
+    int size = wanted;
+    while (room > 0 && size > scene::kMinDistanceMapSize && bytes(size) > room) size /= 2;
+    if (size < wanted)
+        report.add(Severity::warning, show.file.string(),
+                   "memory is short for " + std::to_string(count) + " distance maps of " +
+                       std::to_string(wanted) + " texels a side (" + std::to_string(bytes(wanted) >> 20) +
+                       " MB): they are made with " + std::to_string(size));
+    return size;
+}
+
+// Lights whose map the device does not hold have none.
+void leave_out(scene::DistanceMaps& maps, std::size_t held, Report& report) {
+    if (held >= maps.maps.size()) return;
+    report.add(Severity::warning, "distance maps",
+               "the device holds " + std::to_string(held) + " of " + std::to_string(maps.maps.size()) +
+                   "; lights beyond throw no shadows");
+    maps.maps.resize(held);
+}
 
 Result<scene::DistanceMaps> make_maps(const scene::Show& show, const scene::Stage& stage, bool quiet,
                                       Report& report) {
@@ -85,7 +118,7 @@ Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scen
     TRY(view->maps_, make_maps(show, view->solid(), options.quiet, report));
     if (view->maps_.maps.empty()) return view;
     view->distances_ = std::make_unique<render::DistanceImages>(device, view->maps_);
-    leave_out_maps(view->maps_, view->distances_->count(), report);
+    leave_out(view->maps_, view->distances_->count(), report);
     for (scene::DistanceMap& map : view->maps_.maps) map.distance = {};
     return view;
 }
@@ -109,7 +142,7 @@ void LiveView::begin_maps(Report& report) {
         known.insert(k);
     }
     distances_ = std::make_unique<render::DistanceImages>(device_, maps_);
-    leave_out_maps(maps_, distances_->count(), report);
+    leave_out(maps_, distances_->count(), report);
     for (scene::DistanceMap& map : maps_.maps) map.distance = {};
     for (std::size_t k = maps_.maps.size(); k < places.size(); ++k) known.insert(k);
     missing_maps_ = places.size() - known.size();
@@ -118,6 +151,31 @@ void LiveView::begin_maps(Report& report) {
             std::to_string(missing_maps_) + " of " + std::to_string(places.size()) +
             " distance maps are missing and are made meanwhile; until then these lights throw no shadows");
     maker_ = std::make_unique<MapMaker>(show_, solid(), size, std::move(known));
+}
+
+void LiveView::begin_moving_maps(Report& report) {
+    const int size = map_size(show_, report);
+    const std::vector<scene::DistancePlace> places = scene::distance_places(show_, size);
+    if (places.empty()) return;
+    const auto texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    std::vector<glm::vec3> places_m;
+    maps_ = {size, {}};
+    std::size_t fixture = 0;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const scene::DistancePlace& place = places[k];
+        maps_.maps.push_back({place.fixture, place.stop, place.place, place.position_m,
+                              std::vector<std::uint16_t>(texels, scene::kNoSurface)});
+        places_m.push_back(place.position_m);
+        // Places are in the order of the fixtures.
+        while (show_.fixtures[fixture].name != place.fixture) ++fixture;
+        if (show_.fixtures[fixture].mover == scene::kNoMover) continue;
+        if (hung_.empty() || hung_.back().fixture != fixture) hung_.push_back({fixture, k, {}});
+        hung_.back().places_m.push_back(place.position_m);
+    }
+    distances_ = std::make_unique<render::DistanceImages>(device_, maps_);
+    leave_out(maps_, distances_->count(), report);
+    for (scene::DistanceMap& map : maps_.maps) map.distance = {};
+    moving_maps_ = std::make_unique<bake::MovingMaps>(stage_, size, places_m);
 }
 
 bool LiveView::take_maps(Report& report) {
