@@ -37,10 +37,6 @@ float entry(const glm::vec3& direction, const glm::vec3& low, const glm::vec3& h
 
 } // namespace
 
-bool DistanceSight::Tile::meets(const glm::vec3& other_axis, float other_rad) const {
-    return angle_between(axis, other_axis) <= angle_rad + other_rad;
-}
-
 DistanceSight::DistanceSight(int size) : size_(size) {
     const auto texels = static_cast<std::size_t>(size);
     directions_.reserve(texels * texels);
@@ -100,7 +96,7 @@ bool DistanceSight::may_change(const std::vector<std::uint16_t>& distance,
     for (std::size_t t = 0; t < tiles_.size(); ++t) {
         const Tile& tile = tiles_[t];
         if (!reaches(farthest_m[t], nearest_m)) continue;
-        if (!round_it && !tile.meets(axis, box_rad + kRounding)) continue;
+        if (!round_it && angle_between(axis, tile.axis) > tile.angle_rad + box_rad + kRounding) continue;
         for (int y = tile.y0; y < tile.y1; ++y)
             for (int x = tile.x0; x < tile.x1; ++x) {
                 const auto texel = static_cast<std::size_t>(y * size_ + x);

@@ -15,16 +15,6 @@ class DistanceSight {
 public:
     explicit DistanceSight(int size);
 
-    struct Tile {
-        int x0, y0, x1, y1; // x1, y1 excluded
-        glm::vec3 axis;
-        float angle_rad; // of the cone round all its directions
-
-        // Whether it may share a direction with that cone.
-        bool meets(const glm::vec3& other_axis, float other_rad) const;
-    };
-    const std::vector<Tile>& tiles() const { return tiles_; }
-
     int size() const { return size_; }
     // Per texel, row by row; unit vectors.
     const std::vector<glm::vec3>& directions() const { return directions_; }
@@ -35,6 +25,12 @@ public:
                     const glm::vec3& position_m, glm::vec3 low, glm::vec3 high) const;
 
 private:
+    struct Tile {
+        int x0, y0, x1, y1; // x1, y1 excluded
+        glm::vec3 axis;
+        float angle_rad; // of the cone round all its directions
+    };
+
     int size_;
     std::vector<glm::vec3> directions_;
     std::vector<Tile> tiles_;

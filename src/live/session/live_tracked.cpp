@@ -151,10 +151,9 @@ void LiveView::hang_lamps(const scene::Rig& rig) {
 bool LiveView::update_maps(const std::vector<shared::Light>& lights) {
     if (!moving_maps_) return false;
     const bake::MovingMaps::News news = moving_maps_->update(lights);
-    for (const std::size_t index : news.maps) {
-        if (index >= maps_.maps.size()) continue; // left out
-        distances_->set(index, moving_maps_->distance(index));
-    }
+    for (const bake::MovingMaps::Changed& changed : news.maps)
+        if (changed.map < maps_.maps.size()) // else left out
+            distances_->set_blocks(changed.map, moving_maps_->distance(changed.map), changed.blocks);
     return news.is_seen_by_resting;
 }
 
