@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where movers put their load, how fast, and what a show file may say of them.
+#include "light/rig.h"
 #include "show/mover_motion.h"
 #include "show/mover_pose.h"
 #include "show_file/show_toml.h"
+#include "show_folder/load_show.h"
 #include "support/must.h"
 
 #include <gtest/gtest.h>
@@ -298,6 +300,44 @@ TEST(MoverFile, a_file_that_ends_anywhere_is_no_harm) {
             EXPECT_TRUE(std::isfinite(motion.moved(k)[3].z));
     }
     EXPECT_GT(read_whole, 20);
+}
+
+Show demo_on_a_lift() {
+    Report report;
+    Show show = must(load_show(std::filesystem::path(GHOST_SOURCE_DIR) / "assets/demo", false, report));
+    show.motion = Motion::as_commanded;
+    show.movers = {mover_of(MoverKind::revolve, 1, -360, 360)};
+    show.movers[0].centre_m = {0, 2, 0};
+    show.movers[0].direction = {0, 0, 1};
+    show.fixtures[0].mover = 0;
+    show.cameras[0].mover = 0;
+    return show;
+}
+
+TEST(MoverRig, lamps_and_cameras_go_along_and_heads_aim_from_where_they_are) {
+    const Show show = demo_on_a_lift();
+    Rig rig(show);
+    rig.step({}, 0.1);
+    const std::vector<shared::Light> before = rig.lights(GoboStack{}, DistanceMaps{});
+    const glm::vec3 aim_m(1, -2, 1);
+    rig.aim_at(0, aim_m);
+    rig.movers().drive(0, {180});
+    rig.step({}, 0.1);
+    const std::vector<shared::Light> after = rig.lights(GoboStack{}, DistanceMaps{});
+    ASSERT_EQ(before.size(), after.size());
+    expect_at(glm::dvec3(rig.moved(0) * glm::vec4(1, 3, 5, 1)), {-1, 1, 5}, 1e-5);
+    const glm::vec3 way = glm::normalize(aim_m - after[0].position_m);
+    EXPECT_GT(glm::dot(way, after[0].axis_w), std::cos(glm::radians(0.05f)));
+    EXPECT_LT(
+        glm::length(after[0].position_m + before[0].position_m - glm::vec3(0, 4, 2 * before[0].position_m.z)),
+        0.5f)
+        << "half round, but for the way of its head";
+    EXPECT_EQ(after[1].position_m, before[1].position_m);
+    const Camera& stands = show.cameras[0];
+    const Camera rides = riding(stands, rig);
+    expect_at(glm::dvec3(rides.position_m),
+              {-stands.position_m.x, 4 - stands.position_m.y, stands.position_m.z}, 1e-4);
+    EXPECT_EQ(riding(show.cameras[1], rig).position_m, show.cameras[1].position_m);
 }
 
 } // namespace
