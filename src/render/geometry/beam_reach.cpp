@@ -97,39 +97,6 @@ void update_far_parts(const std::vector<std::uint16_t>& texels, std::size_t side
         }
 }
 
-float reach_in(const SeenBox& box, const shared::Light& light) {
-    if (!box.closed) return kEndless_m;
-    float reach = std::max(leaves_at(box, light.position_m, light.axis_w), kLeast_m);
-    const float rim = light.tan_field * light.cut_radius;
-    for (int k = 0; k < kRimRays; ++k) {
-        const float turn = 2 * shared::kPi * static_cast<float>(k) / kRimRays;
-        const glm::vec3 aside = std::cos(turn) * light.axis_u + std::sin(turn) * light.axis_v;
-        reach = std::max(reach, leaves_at(box, light.position_m, light.axis_w + rim * aside));
-    }
-    reach *= kBetweenRays;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 at_m{corner & 1 ? box.high_m.x : box.low_m.x, corner & 2 ? box.high_m.y : box.low_m.y,
-                             corner & 4 ? box.high_m.z : box.low_m.z};
-        const glm::vec3 q = shared::to_gate(light, at_m - light.position_m);
-        if (q.z > 0 && glm::length(glm::vec2(q)) <= rim * q.z) reach = std::max(reach, q.z);
-    }
-    return std::min(reach, kEndless_m);
-}
-
-FarParts far_parts(const std::vector<std::uint16_t>& texels, std::size_t side) {
-    CHECK_EQ(texels.size(), side * side);
-    FarParts parts;
-    for (std::size_t y = 0; y < kFarSide; ++y)
-        for (std::size_t x = 0; x < kFarSide; ++x) {
-            std::uint16_t most = 0; // half floats above 0 are in the order of their bits
-            for (std::size_t row = y * side / kFarSide; row * kFarSide < (y + 1) * side; ++row)
-                for (std::size_t column = x * side / kFarSide; column * kFarSide < (x + 1) * side; ++column)
-                    most = std::max(most, texels[row * side + column]);
-            parts[y * kFarSide + x] = glm::unpackHalf1x16(most);
-        }
-    return parts;
-}
-
 float reach_in(const FarParts& parts, const shared::Light& light) {
     const auto& sphere = parts_of_sphere();
     const float rim_rad = std::atan(light.tan_field * light.cut_radius);
