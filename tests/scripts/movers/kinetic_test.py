@@ -29,13 +29,13 @@ def files_are_those_of_the_tool(top):
 
 
 def places_are_those_of_scenes_that_stand_there():
-    said = run(sys.executable, SOURCE / "tools/kinetic_places.py", BUILD, "--mover", "all", "--places", 3, "--size", "240x136", "--lamps", 3)
+    said = run(sys.executable, SOURCE / "tools/kinetic_places.py", BUILD, "--mover", "all", "--places", 2, "--size", "160x90", "--lamps", 2)
     print(said.strip())
 
 
 def film_twice(top):
     for name in ("a", "b"):
-        run(GHOST, "render", SHOW, "--from", 3, "--to", 3.5, "--fps", 4, "--size", "160x90", "-o", top / f"{name}.exr", "--quiet")
+        run(GHOST, "render", SHOW, "--from", 3, "--to", 3.5, "--fps", 4, "--size", "96x54", "-o", top / f"{name}.exr", "--quiet")
     first = [path.read_bytes() for path in sorted(top.glob("a-*.exr"))]
     assert len(first) == 2 and first[0] != first[1], "it travels"
     assert first == [path.read_bytes() for path in sorted(top.glob("b-*.exr"))]
