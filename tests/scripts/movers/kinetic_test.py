@@ -29,7 +29,7 @@ def files_are_those_of_the_tool(top):
 
 
 def places_are_those_of_scenes_that_stand_there():
-    said = run(sys.executable, SOURCE / "tools/kinetic_places.py", BUILD, "--mover", "all", "--places", 2, "--size", "160x90", "--lamps", 2)
+    said = run(sys.executable, SOURCE / "tools/kinetic_places.py", BUILD, "--mover", "all", "--places", 2, "--size", "240x136", "--lamps", 3)
     print(said.strip())
 
 
