@@ -4,6 +4,7 @@
 #include "bake/distance_sight.h"
 #include "bake/hasher.h"
 #include "bake/private/distance_stage.h"
+#include "bake/private/distance_trace.h"
 #include "disk/files.h"
 #include "disk/own_folder.h"
 #include "passes/distance_maps_file.h"
@@ -26,10 +27,7 @@ namespace ghost::bake {
 namespace fs = std::filesystem;
 namespace {
 
-// A packet is 4 x 2 texels, a task so many rows.
-constexpr int kPacketWidth = 4;
-constexpr int kPacketHeight = 2;
-constexpr int kRows = 16;
+constexpr int kRows = 16; // of a task
 // A light that has nearly everything nearer than this hangs inside something.
 constexpr float kInside_m = 0.05f;
 constexpr double kInsideShare = 0.95;
@@ -73,8 +71,6 @@ private:
                    const std::vector<scene::StageInstance>& added) const;
     void make_missing();
     bool trace(std::size_t index, const Tracer& tracer, scene::StoredDistanceMap& stored);
-    void trace_rows(int y0, const glm::vec3& position_m, const Tracer& tracer,
-                    std::vector<std::uint16_t>& distance, std::vector<std::atomic<bool>>& seen) const;
     void finish(scene::DistanceMaps& maps);
     void failed_to_write(const Error& error);
 
@@ -200,7 +196,10 @@ bool Update::trace(std::size_t index, const Tracer& tracer, scene::StoredDistanc
     if (in_the_world(position_m))
         tbb::parallel_for(0, (options_.size + kRows - 1) / kRows, [&](int band) {
             if (stopped()) whole = false;
-            if (whole) trace_rows(band * kRows, position_m, tracer, stored.distance, seen);
+            const int y0 = band * kRows;
+            if (whole)
+                trace_distances(sight_, {0, y0, options_.size, std::min(y0 + kRows, options_.size)},
+                                position_m, tracer, stored.distance, &seen);
         });
     if (!whole) return false;
     stored.place = scene::place_key(places_[index], options_.size);
@@ -214,36 +213,6 @@ bool Update::trace(std::size_t index, const Tracer& tracer, scene::StoredDistanc
     std::sort(stored.sees.begin(), stored.sees.end());
     rays_ += texels;
     return true;
-}
-
-void Update::trace_rows(int y0, const glm::vec3& position_m, const Tracer& tracer,
-                        std::vector<std::uint16_t>& distance, std::vector<std::atomic<bool>>& seen) const {
-    const DenormalsOff mode;
-    const int size = options_.size;
-    int last = -1; // neighbours mostly see the same
-    for (int y = y0; y < std::min(y0 + kRows, size); y += kPacketHeight)
-        for (int x = 0; x < size; x += kPacketWidth) {
-            glm::vec3 ways[kPacketWidth * kPacketHeight];
-            std::size_t texel[kPacketWidth * kPacketHeight];
-            float distances_m[kPacketWidth * kPacketHeight];
-            int instances[kPacketWidth * kPacketHeight];
-            int count = 0;
-            for (int v = y; v < std::min(y + kPacketHeight, size); ++v)
-                for (int u = x; u < std::min(x + kPacketWidth, size); ++u) {
-                    texel[count] = static_cast<std::size_t>(v) * static_cast<std::size_t>(size) +
-                                   static_cast<std::size_t>(u);
-                    ways[count] = sight_.directions()[texel[count]];
-                    ++count;
-                }
-            tracer.distances(position_m, ways, count, scene::kNoSurface_m, distances_m, instances);
-            for (int k = 0; k < count; ++k) {
-                if (instances[k] < 0) continue; // stays kNoSurface
-                distance[texel[k]] = scene::to_half(std::min(distances_m[k], scene::kNoSurface_m));
-                if (instances[k] == last) continue;
-                last = instances[k];
-                seen[static_cast<std::size_t>(last)].store(true, std::memory_order_relaxed);
-            }
-        }
 }
 
 void Update::failed_to_write(const Error& error) {

@@ -22,6 +22,7 @@ namespace {
 struct CheckOptions {
     std::vector<std::string> files;
     std::vector<std::string> fixtures;
+    std::string replay;
     std::size_t threads = 0;
     bool json = false;
     bool strict = false;
@@ -36,6 +37,7 @@ std::vector<Checked> check(const std::vector<std::string>& files, const CheckOpt
     DoctorOptions doctor;
     doctor.threads = options.threads;
     doctor.fixture_folders.assign(options.fixtures.begin(), options.fixtures.end());
+    doctor.replay = options.replay;
     doctor.stop = interrupted;
     doctor.progress = [&](double share, const std::string& file) {
         progress.update(share, steady_now_s(), file);
@@ -103,6 +105,9 @@ void add_check(CLI::App& app, int& exit_code) {
     command->add_flag("--all,--verbose", options->all, "list every message, every file and more faults");
     command->add_flag("--summary", options->summary, "print the summary only");
     command->add_flag("--quiet", options->quiet, "print losses only");
+    command->add_option("--replay", options->replay,
+                        "recording that the movers of shows run through, instead of their own: what meets, "
+                        "goes through the floor or is asked to go past its end stops");
     command
         ->add_option("--fixtures", options->fixtures,
                      "folders with fixture files that may stand in for missing ones")
@@ -111,6 +116,7 @@ void add_check(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(0, 64));
     command->footer("Example: ghostlight check assets/demo assets/fixtures/*.gdtf\n"
                     "         ghostlight check --summary --strict plots\n"
+                    "         ghostlight check --replay rehearsal.ghostdmx assets/kinetic\n"
                     "Exit: 0 nothing lost, 1 something was (--strict: or was repaired), 2 wrong usage.");
     command->callback([options, &exit_code] { exit_code = run(*options); });
 }

@@ -43,9 +43,14 @@ std::vector<std::string> names_of(const fixture::Mode& mode, std::size_t part) {
 
 PatchMap::PatchMap(const Show& show) {
     std::map<int, std::set<std::size_t>> fixtures; // by universe
+    // Movers come after the fixtures.
+    const auto name_of = [&](std::size_t index) {
+        const std::size_t count = show.fixtures.size();
+        return index < count ? show.fixtures[index].name : show.movers[index - count].name;
+    };
     const auto add = [&](std::pair<int, int> place, std::size_t index, const std::string& channel) {
         if (place.first < 1 || place.first > dmx::kMaxUniverse) return;
-        slots_.emplace(place, PatchedSlot{index, show.fixtures[index].name, channel});
+        slots_.emplace(place, PatchedSlot{index, name_of(index), channel});
         fixtures[place.first].insert(index);
     };
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
@@ -64,9 +69,15 @@ PatchMap::PatchMap(const Show& show) {
                 add(place_of(patch.addresses[part], static_cast<int>(byte)), i, names[byte]);
         }
     }
+    for (std::size_t m = 0; m < show.movers.size(); ++m)
+        for (const MoverAxis& axis : show.movers[m].axes)
+            for (std::size_t byte = 0; axis.fixture.empty() && byte < axis.levels.size(); ++byte)
+                add({axis.levels[byte].universe, axis.levels[byte].channel}, show.fixtures.size() + m,
+                    axis.name + " (" + std::to_string(byte + 1) + " of " +
+                        std::to_string(axis.levels.size()) + ")");
     for (const auto& [universe, indices] : fixtures)
         universes_.push_back(
-            {static_cast<std::uint16_t>(universe), indices.size(), show.fixtures[*indices.begin()].name});
+            {static_cast<std::uint16_t>(universe), indices.size(), name_of(*indices.begin())});
 }
 
 std::vector<std::uint16_t> PatchMap::universe_numbers() const {

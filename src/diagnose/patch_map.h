@@ -14,9 +14,9 @@ namespace ghost::scene {
 
 struct Show;
 
-// A slot, as a fixture reads it.
+// A slot, as a fixture or a mover reads it.
 struct PatchedSlot {
-    std::size_t fixture = 0; // of the show
+    std::size_t fixture = 0; // of the show; movers come after the fixtures
     std::string fixture_name;
     std::string channel; // "Head_Dimmer (2 of 2)", "channel 7" where the mode says nothing of it
 };

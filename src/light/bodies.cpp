@@ -4,12 +4,12 @@
 #include "base/check.h"
 #include "fixture/decode.h"
 #include "show/show.h"
+#include "stage/box.h"
 #include "stage/model_reader.h"
 #include "stage/primitives.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
@@ -23,18 +23,11 @@ constexpr float kMinSize_m = 0.001f;
 // A model of a type, as instances in the stage's meshes; to be multiplied from the left by where it is.
 using Parts = std::vector<Instance>;
 
-struct Box {
-    glm::vec3 low{std::numeric_limits<float>::max()};
-    glm::vec3 high{std::numeric_limits<float>::lowest()};
-};
-
 Box bounds(const Stage& stage) {
     Box box;
     for (const Instance& instance : stage.instances)
         for (const glm::vec3& position : stage.meshes[static_cast<std::size_t>(instance.mesh)].positions) {
-            const glm::vec3 world(instance.world * glm::vec4(position, 1.0f));
-            box.low = glm::min(box.low, world);
-            box.high = glm::max(box.high, world);
+            box.add(glm::vec3(instance.world * glm::vec4(position, 1.0f)));
         }
     return box;
 }
@@ -43,7 +36,7 @@ Box bounds(const Stage& stage) {
 glm::mat4 fit(const Box& box, const glm::vec3& size_m) {
     glm::vec3 scale(1.0f);
     for (int k = 0; k < 3; ++k) {
-        const float extent = box.high[k] - box.low[k];
+        const float extent = box.high_m[k] - box.low_m[k];
         if (size_m[k] > 0.0f && extent > 1e-6f) scale[k] = size_m[k] / extent;
     }
     return glm::scale(glm::mat4(1.0f), scale);
@@ -181,7 +174,8 @@ std::vector<std::size_t> moving_instances(const Show& show, const Stage& stage) 
         if (instance.part == kNone) continue;
         const PatchedFixture& fixture = show.fixtures[static_cast<std::size_t>(instance.fixture)];
         const fixture::Mode& mode = fixture.type->modes[static_cast<std::size_t>(fixture.mode)];
-        if (fixture.track || turns(mode, mode.parts[static_cast<std::size_t>(instance.part)]))
+        if (fixture.track || fixture.mover != kNoMover ||
+            turns(mode, mode.parts[static_cast<std::size_t>(instance.part)]))
             moving.push_back(k);
     }
     return moving;
@@ -200,7 +194,22 @@ glm::mat4 body_to_world(const Show& show, const Rig& rig, const Instance& instan
         to_world[3] = glm::vec4(glm::mix(stops[stop], stops[next], along - static_cast<float>(stop)), 1.0f);
     }
     const fixture::PartState& part = rig.states()[index].parts[static_cast<std::size_t>(instance.part)];
-    return to_world * part.to_fixture * instance.to_part;
+    return rig.moved(index) * to_world * part.to_fixture * instance.to_part;
+}
+
+std::vector<CarriedObject> carried_objects(const Show& show, const Stage& stage) {
+    std::vector<CarriedObject> carried;
+    if (show.movers.empty()) return carried;
+    const std::vector<int> movers = movers_of_instances(show, stage);
+    for (std::size_t k = 0; k < movers.size(); ++k)
+        if (movers[k] != kNoMover && stage.instances[k].part == kNone)
+            carried.push_back({k, movers[k], stage.instances[k].world});
+    return carried;
+}
+
+void pose_objects(const Rig& rig, const std::vector<CarriedObject>& carried, Stage& stage) {
+    for (const CarriedObject& object : carried)
+        stage.instances[object.instance].world = rig.movers().moved(object.mover) * object.home;
 }
 
 void pose_bodies(const Show& show, const Rig& rig, Stage& stage) {

@@ -26,7 +26,7 @@ enum class HiddenObjects { left_out, kept };
 Stage stage_with_bodies(const Show& show, Report& report, HiddenObjects hidden = HiddenObjects::left_out);
 
 // Indices of the instances that may move: parts that a pan or tilt axis turns, and every part of a fixture
-// that travels along a track. A base that stands still is none of them.
+// that travels along a track or that a mover carries. A base that stands still is none of them.
 std::vector<std::size_t> moving_instances(const Show& show, const Stage& stage);
 
 // Reads all meshes of a fixture file as drawing it would, and says what is wrong with them.
@@ -37,5 +37,14 @@ glm::mat4 body_to_world(const Show& show, const Rig& rig, const Instance& instan
 
 // Places all moving instances of the stage.
 void pose_bodies(const Show& show, const Rig& rig, Stage& stage);
+
+// Objects of a stage that movers carry, with the world matrices that the stage has for them.
+struct CarriedObject {
+    std::size_t instance = 0;
+    int mover = kNoMover;
+    glm::mat4 home{1.0f};
+};
+std::vector<CarriedObject> carried_objects(const Show& show, const Stage& stage);
+void pose_objects(const Rig& rig, const std::vector<CarriedObject>& carried, Stage& stage);
 
 } // namespace ghost::scene

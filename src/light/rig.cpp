@@ -112,7 +112,8 @@ struct Rig::Between {
     }
 };
 
-Rig::Rig(const Show& show) : show_(show), track_(show.fixtures.size(), 0.0f), aims_(show.fixtures.size()) {
+Rig::Rig(const Show& show)
+    : show_(show), track_(show.fixtures.size(), 0.0f), movers_(show.movers), aims_(show.fixtures.size()) {
     std::map<std::tuple<const fixture::Type*, int, bool>, std::shared_ptr<const BeamGroups>> known;
     for (const PatchedFixture& fixture : show.fixtures) {
         patches_.push_back(fixture.patch());
@@ -144,6 +145,19 @@ void Rig::go_on_from(const Rig& before, const std::vector<std::optional<std::siz
         figures_[i].phase = before.figures_[other].phase;
         track_[i] = before.track_[other];
     }
+    movers_.go_on_from(before.movers_);
+}
+
+Camera riding(const Camera& camera, const Rig& rig) {
+    Camera moved = camera;
+    const glm::mat4& by = rig.movers().moved(camera.mover);
+    moved.position_m = glm::vec3(by * glm::vec4(camera.position_m, 1.0f));
+    moved.target_m = glm::vec3(by * glm::vec4(camera.target_m, 1.0f));
+    return moved;
+}
+
+const glm::mat4& Rig::moved(std::size_t fixture) const {
+    return movers_.moved(show_.fixtures[fixture].mover);
 }
 
 void Rig::aim_at(std::size_t fixture, const std::optional<glm::vec3>& point_m) {
@@ -157,9 +171,10 @@ void Rig::follow(std::size_t fixture, fixture::Targets& targets) const {
     const fixture::State& state = states_[fixture];
     const std::size_t last = patched.track ? patched.track->stops_m.size() - 1 : 0;
     const std::size_t stop = std::min(static_cast<std::size_t>(track_[fixture] + 0.5f), last);
-    const glm::mat3 to_fixture = glm::inverse(glm::mat3(fixture_to_world(patched, stop)));
+    const glm::mat3 to_fixture = glm::inverse(glm::mat3(moved(fixture) * fixture_to_world(patched, stop)));
+    const glm::vec3 lamp_m(moved(fixture) * glm::vec4(light_position_m(patched, stop), 1.0f));
     const PanTilt now{state.pan_deg, state.tilt_deg};
-    const PanTilt wanted = aim(to_fixture * (*aims_[fixture] - light_position_m(patched, stop)), now);
+    const PanTilt wanted = aim(to_fixture * (*aims_[fixture] - lamp_m), now);
     bool has_pan = false, has_tilt = false;
     for (std::size_t k = 0; k < state.axes.size(); ++k) {
         const bool pan = state.axes[k].pan;
@@ -177,6 +192,7 @@ void Rig::step(const dmx::Universes& universes, double dt_s,
     for (const dmx::Universe& universe : universes.list) levels.set(universe.number, *universe.levels);
     programmer_ = programmer;
     asked_.clear();
+    movers_.step(universes, at_s_, dt_s, show_.motion);
     for (std::size_t i = 0; i < patches_.size(); ++i) {
         if (!patches_[i].type) continue;
         fixture::Targets targets = fixture::decode(patches_[i], levels);
@@ -264,10 +280,10 @@ Rig::Between Rig::between(std::size_t index) const {
     result.stop = std::min(static_cast<std::size_t>(track_[index]), last);
     result.next = std::min(result.stop + 1, last);
     result.fraction = track_[index] - static_cast<float>(result.stop);
-    result.to_world = fixture_to_world(fixture, result.stop);
+    result.to_world = moved(index) * fixture_to_world(fixture, result.stop);
     const glm::vec4 middle_m(emitters_[index]->middle_m, 1.0f);
     result.stop_m = glm::vec3(result.to_world * middle_m);
-    result.next_m = glm::vec3(fixture_to_world(fixture, result.next) * middle_m);
+    result.next_m = glm::vec3(moved(index) * fixture_to_world(fixture, result.next) * middle_m);
     return result;
 }
 

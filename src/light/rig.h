@@ -13,6 +13,7 @@
 #include "photometry/photometry.h"
 #include "shared/types.h"
 #include "show/led_wall.h"
+#include "show/mover_motion.h"
 #include "show/projector.h"
 
 #include <cstddef>
@@ -24,7 +25,12 @@
 
 namespace ghost::scene {
 
+struct Camera;
 struct Show;
+
+class Rig;
+// The camera where the mover that carries it has it now; it stays upright.
+Camera riding(const Camera& camera, const Rig& rig);
 
 class Rig {
 public:
@@ -64,6 +70,12 @@ public:
     }
     // How the beams of a fixture are grouped; nothing where it has no type.
     const BeamGroups& emitters(std::size_t fixture) const { return *emitters_[fixture]; }
+    // What carries fixtures, objects and cameras; step moves it on, to at_s of the recording or time code.
+    MoverMotion& movers() { return movers_; }
+    const MoverMotion& movers() const { return movers_; }
+    void set_time(std::optional<double> at_s) { at_s_ = at_s; }
+    // From where the show hangs a fixture to where it is now.
+    const glm::mat4& moved(std::size_t fixture) const;
     // Place along the track in stops, 0 where there is none.
     float track_position(std::size_t fixture) const { return track_[fixture]; }
 
@@ -86,6 +98,8 @@ private:
     std::vector<fixture::Patch> patches_;
     std::vector<fixture::State> states_;
     std::vector<float> track_;
+    MoverMotion movers_;
+    std::optional<double> at_s_;
     std::vector<std::optional<Projector>> projectors_; // with the medium that the desk has chosen
     std::vector<fixture::LaserCurve> figures_;  // of lasers whose show file has it, where it has turned to
     std::vector<std::optional<LedWall>> walls_; // the same

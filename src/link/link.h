@@ -204,6 +204,7 @@ struct RigNow {
     double recording_s = 0; // its length; 0: there is none
     double recorded_s = -1; // of the recording that is made; below 0: none is
     std::string timecode;   // what is to be said of the time code that is followed; "": nothing
+    std::vector<std::vector<float>> movers; // values of the axes of each
 };
 
 struct Explained {

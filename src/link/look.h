@@ -12,6 +12,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <vector>
 
 namespace ghost::ui {
 
@@ -32,10 +33,11 @@ struct SurfaceLook {
 struct Look {
     std::map<std::size_t, fixture::Programmer> fixtures; // by index of the show; no empty ones
     SceneLook scene;
-    std::map<std::size_t, bool> shown;           // by index of the object
-    std::map<std::size_t, SurfaceLook> surfaces; // by index of the material; no empty ones
-    std::set<std::size_t> solo;                  // these fixtures alone shine; empty: all do
-    std::optional<int> haze_samples;             // along a ray through one beam
+    std::map<std::size_t, bool> shown;                // by index of the object
+    std::map<std::size_t, SurfaceLook> surfaces;      // by index of the material; no empty ones
+    std::set<std::size_t> solo;                       // these fixtures alone shine; empty: all do
+    std::optional<int> haze_samples;                  // along a ray through one beam
+    std::map<std::size_t, std::vector<float>> movers; // by index of the show: values of all their axes
 
     bool is_empty() const { return *this == Look{}; }
     bool operator==(const Look&) const = default;

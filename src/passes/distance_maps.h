@@ -22,6 +22,9 @@ struct Show;
 inline constexpr float kNoSurface_m = 60000.0f;
 inline constexpr std::uint16_t kNoSurface = 0x7b53;
 
+// Texels a side of the blocks in which maps of lights that travel are made and reach the device.
+inline constexpr int kDistanceBlock = 64;
+
 struct DistanceMap {
     std::string fixture;
     int stop = 0;  // of its track

@@ -147,6 +147,21 @@ Tracer::Tracer(const scene::Stage& stage) : stage_(stage), textures_(stage) {
     CHECK_EQ(static_cast<int>(rtcGetDeviceError(device_)), static_cast<int>(RTC_ERROR_NONE));
 }
 
+void Tracer::move(std::size_t instance, const glm::mat4& world, bool is_there) {
+    RTCGeometry geometry = rtcGetGeometry(top_, static_cast<unsigned>(instance));
+    if (geometry == nullptr) return; // it has no triangle
+    const bool usable = is_there && finite(world) && std::abs(glm::determinant(glm::mat3(world))) > 1e-18f;
+    if (!usable) return rtcDisableGeometry(geometry);
+    rtcEnableGeometry(geometry);
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, &world[0][0]);
+    rtcCommitGeometry(geometry);
+}
+
+void Tracer::commit() {
+    const DenormalsOff mode;
+    rtcCommitScene(top_);
+}
+
 Tracer::~Tracer() {
     rtcReleaseScene(top_);
     for (RTCScene scene : mesh_scenes_)

@@ -13,6 +13,7 @@
 #include "stage/stage.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
@@ -81,6 +82,11 @@ public:
     // let through, fixture bodies too.
     void distances(const glm::vec3& origin, const glm::vec3* directions, int count, float reach_m,
                    float* distances_m, int* instances) const;
+
+    // For distances alone: an instance is elsewhere, or not there, from the next commit on. Not while others
+    // trace. A matrix that is flat or not finite: it is not there.
+    void move(std::size_t instance, const glm::mat4& world, bool is_there);
+    void commit();
 
     const scene::Stage& stage() const { return stage_; }
 

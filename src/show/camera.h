@@ -19,6 +19,7 @@ struct Camera {
     bool auto_exposure = false;
     std::filesystem::path
         foreign_passes; // a passes.toml rendered elsewhere (docs/reference/foreign-passes.md), or empty
+    int mover = -1;     // that carries it (show/movers.h); -1: none
 };
 
 // Camera space to world (columns: right, up, backward, eye); the camera looks down its -Z.

@@ -14,6 +14,7 @@
 #include "show/cues.h"
 #include "show/laser.h"
 #include "show/led_wall.h"
+#include "show/movers.h"
 #include "show/palettes.h"
 #include "show/projector.h"
 #include "show/tracking.h"
@@ -113,6 +114,7 @@ struct PatchedFixture {
     std::optional<Laser> laser;             // a scanner before it
     std::optional<LedWall> wall;            // a moving picture on its front
     std::shared_ptr<const BeamShape> shape; // measured light in place of the profile, or null
+    int mover = kNoMover;                   // that carries it (show/movers.h)
     std::string fixture_id; // of the plot, as the desk calls it; "" where the show file has the fixture
     std::string uuid;       // of the plot's object, or ""
 
@@ -158,6 +160,7 @@ struct Show {
     std::vector<Media> media;
     int media_side = kMediaSide;
     Tracking tracking;
+    std::vector<Mover> movers;
     Stage stage; // the model as its file has it and all that the plot draws, without fixture bodies
 
     // Index of the camera of this name (the first one where name is empty); the error suggests a near name.

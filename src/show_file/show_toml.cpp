@@ -254,6 +254,7 @@ void read_sections(const toml::table& root, const std::string& file, ParsedShow&
     read_scene_sections(top, file, ambient_where, show, report);
 
     show.tracking = read_tracking(top, file, report);
+    show.movers = read_movers(top, file, report);
     show.cues = read_cues(top, file, report);
     show.palettes = read_palettes(top, file, report);
     read_media(top, file, show, report);

@@ -268,6 +268,7 @@ Result<Stage> read_stage(const Show& show, Report& report, const ShowLoading& lo
         TRY_VOID(add_plot_stage(*show.plot, shown, show.plot_origin_m, stage, report, loading));
     }
     add_models(show, stage, report);
+    check_moved_objects(show, stage, report);
     return stage;
 }
 
@@ -290,6 +291,7 @@ Result<Show> load_parsed(ParsedShow parsed, bool load_stage, Report& report, con
     check_addresses(parsed, report);
     check_files(parsed, report);
     check_tracking(show, report);
+    check_movers(show, report);
     check_cues(show, report);
     check_palettes(show, report);
     const bool needs_cameras = show.cameras.empty();

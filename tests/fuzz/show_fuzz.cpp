@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // show.toml from anybody: never a crash, and whatever is kept is within its limits.
 #include "base/check.h"
+#include "show/mover_motion.h"
 #include "show_file/show_toml.h"
 
 #include <cmath>
@@ -10,9 +11,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     ghost::Report report;
-    const auto parsed = ghost::scene::parse_show(std::string_view(reinterpret_cast<const char*>(data), size),
-                                                 "fuzz/show.toml", report);
+    auto parsed = ghost::scene::parse_show(std::string_view(reinterpret_cast<const char*>(data), size),
+                                           "fuzz/show.toml", report);
     if (!parsed.ok()) return 0;
+    ghost::scene::check_movers(parsed->show, report);
     const ghost::scene::Show& show = parsed->show;
     CHECK(!show.cameras.empty() || !show.plot_file.empty()); // a plot's are made when it is read
     CHECK_EQ(parsed->sources.size(), show.fixtures.size());
@@ -27,5 +29,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (std::size_t stop = 0; stop < fixture.stops_m().size(); ++stop)
             CHECK(std::isfinite(ghost::scene::fixture_to_world(fixture, stop)[3].x));
     }
+    ghost::scene::MoverMotion motion(show.movers);
+    motion.step({}, 1.0, 0.1, show.motion);
+    for (std::size_t k = 0; k < show.movers.size(); ++k)
+        for (int column = 0; column < 4; ++column)
+            CHECK(std::isfinite(glm::dot(motion.moved(k)[column], glm::vec4(1))));
     return 0;
 }

@@ -5,10 +5,12 @@
 #include "beam_groups/prism.h"
 #include "cli/doctor/doctor_files.h"
 #include "diagnose/doctor_show.h"
+#include "dmx/record/player.h"
 #include "dmx/record/recording.h"
 #include "fixture/values.h"
 #include "fixture_files/load_type.h"
 #include "light/bodies.h"
+#include "light/mover_watch.h"
 #include "live/session/film_sound.h"
 #include "live/session/media_player.h"
 #include "passes/passes.h"
@@ -26,6 +28,7 @@
 #include <mutex>
 #include <new>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <thread>
 #include <utility>
@@ -36,6 +39,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kWatchEvery_s = 0.05;
 constexpr std::size_t kMaxThreads = 64;
 constexpr std::size_t kMostNames = 16;     // of modes or wheels in a line
 constexpr std::size_t kMaxOffers = 20'000; // files that may stand in for missing ones
@@ -91,6 +95,24 @@ void check_type(const fs::path& path, Checked& result) {
                      counted(type.wheels.size(), "wheel") + in_brackets(wheels);
 }
 
+// What the movers do on their way through a recording, or through their keys.
+void watch_movers(const scene::Show& show, const scene::Stage& stage, std::optional<dmx::Player> player,
+                  const DoctorOptions& options, Report& report) {
+    if (show.movers.empty()) return;
+    double end_s = player ? player->duration_s() : 0;
+    for (const scene::Mover& mover : show.movers)
+        if (!mover.keys.empty()) end_s = std::max(end_s, mover.keys.back().at_s);
+    scene::Rig rig(show);
+    scene::MoverWatch watch(show, stage);
+    for (long step = 0; static_cast<double>(step) * kWatchEvery_s <= end_s; ++step) {
+        if (options.stop && options.stop()) return;
+        const double at_s = static_cast<double>(step) * kWatchEvery_s;
+        rig.set_time(at_s);
+        rig.step(player ? player->at(at_s) : dmx::Universes{}, kWatchEvery_s);
+        watch.look(rig, at_s, report);
+    }
+}
+
 void check_show(const fs::path& path, const scene::FixtureOffers& offers, const DoctorOptions& options,
                 std::atomic<double>& share, Checked& result) {
     Report report;
@@ -109,8 +131,9 @@ void check_show(const fs::path& path, const scene::FixtureOffers& offers, const 
     else
         for (const scene::StoredLook& look : *looks)
             scene::check_look(look, *show, looks_file.string(), report);
-    if (std::error_code code; fs::is_regular_file(show->recording, code)) {
-        auto recording = dmx::read_recording(show->recording);
+    const fs::path replay = options.replay.empty() ? show->recording : options.replay;
+    if (std::error_code code; fs::is_regular_file(replay, code)) {
+        auto recording = dmx::read_recording(replay);
         if (!recording.ok()) report.add(Severity::error, recording.error().where, recording.error().what);
         if (recording.ok()) {
             std::vector<Error> problems = recording->problems;
@@ -118,7 +141,12 @@ void check_show(const fs::path& path, const scene::FixtureOffers& offers, const 
             const std::vector<Error> damage = recording->take_damage();
             problems.insert(problems.end(), damage.begin(), damage.end());
             for (const Error& problem : problems) report.add(Severity::error, problem.where, problem.what);
+            watch_movers(*show, with_bodies, dmx::Player(std::move(*recording)), options, report);
         }
+    } else if (!options.replay.empty()) {
+        report.add(Severity::error, replay.string(), "no such file");
+    } else {
+        watch_movers(*show, with_bodies, {}, options, report);
     }
     check_media(*show, report);
     check_sound(*show, report);

@@ -29,6 +29,7 @@ struct Checked {
 struct DoctorOptions {
     std::size_t threads = 0;                            // 0: one per core
     std::vector<std::filesystem::path> fixture_folders; // more files that may stand in for missing ones
+    std::filesystem::path replay; // what movers run through instead of their show's recording; or empty
     // share 0..1 and the file that was finished last; called from the calling thread.
     std::function<void(double share, const std::string& file)> progress;
     std::function<bool()> stop; // asked often; true: what is finished comes back

@@ -5,6 +5,8 @@
 
 #include "base/log.h"
 
+#include <algorithm>
+
 namespace ghost::app {
 
 Result<FilmControls> FilmControls::open(const LiveControlOptions& options, const scene::Show& show,
@@ -12,8 +14,10 @@ Result<FilmControls> FilmControls::open(const LiveControlOptions& options, const
     FilmControls film;
     film.ev100_ = ev100;
     if (options.psn) {
-        if (show.tracking.uses.empty())
-            return Error{"has no [[tracker]], expected one that says what follows",
+        const bool tracks_mover = std::any_of(show.movers.begin(), show.movers.end(),
+                                              [](const scene::Mover& mover) { return mover.has_tracker(); });
+        if (show.tracking.uses.empty() && !tracks_mover)
+            return Error{"has no [[tracker]] and no [[mover]] with one, expected what follows",
                          show.file.string() + " --psn"};
         TRY_VOID(film.controls_.open_trackers(interface));
     }

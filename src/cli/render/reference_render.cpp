@@ -90,6 +90,7 @@ Result<void> render_reference(const SessionOptions& options, const ReferenceArgu
             "camera '" + camera.name +
                 "' measures its exposure; the reference is developed at its ev100, or name one with --ev");
     moment->step_to(at_s, fps, report);
+    camera = scene::riding(camera, moment->rig());
     print_report(report);
 
     catch_interrupts();

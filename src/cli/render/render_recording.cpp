@@ -88,20 +88,24 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
     }
     for (long frame = begin_at(first, fps); frame <= draws_to; ++frame) {
         if (interrupted()) break;
+        session.rig->set_time(static_cast<double>(frame) / fps);
         session.rig->step(player ? player->at(static_cast<double>(frame) / fps) : dmx::Universes{}, 1.0 / fps,
                           session.programmer);
         if (frame < draws_from) continue;
         if (!pace && frame % kBlockFrames == 0) session.relighter->forget();
         scene::Camera camera = start;
+        const bool rides = start.mover != scene::kNoMover && session.live;
+        if (rides) camera = scene::riding(start, *session.rig);
         if (session.travel_to)
-            camera = camera_between(start, *session.travel_to,
+            camera = camera_between(camera, *session.travel_to,
                                     static_cast<float>(frame - first) /
                                         static_cast<float>(std::max(last - first, 1L)));
         if (pace) camera = coarser(camera, pace->level().sides);
         bool is_resized =
             camera.width != session.relighter->width() || camera.height != session.relighter->height();
         const double begin_s = now_s();
-        if (session.travel_to || is_resized) session.look_from(camera, pace && session.travel_to);
+        if (session.travel_to || rides || is_resized)
+            session.look_from(camera, pace && (session.travel_to || rides));
         if (pace && pace->level().coarse_light != session.relighter->is_coarse()) {
             session.use_coarse_light(pace->level().coarse_light);
             is_resized = true;

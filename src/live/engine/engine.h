@@ -142,6 +142,7 @@ private:
         scene::Camera camera;
         ui::Framed framed;
         scene::FrameLights lights;
+        std::vector<glm::mat4> moved; // by movers
     } shown_;
     std::string supply_sent_; // words of the picture that was published last
     double last_step_s_ = 0;

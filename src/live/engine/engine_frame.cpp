@@ -46,6 +46,9 @@ scene::Camera Engine::wanted_camera() {
         camera.ev100 = *ev100;
         camera.auto_exposure = false;
     }
+    camera.mover = scene::kNoMover; // one that a hand has moved rides on nothing
+    for (const scene::Camera& own : session_->show->cameras)
+        if (own.position_m == camera.position_m && own.target_m == camera.target_m) camera.mover = own.mover;
     if (const dmx::Trackers* const trackers = controls_.hear_trackers(*session_))
         camera = follow(camera, *session_->show, *trackers);
     return scene::with_frame(camera, request_.frame);
@@ -93,6 +96,7 @@ std::string Engine::needs_live() const {
     if (!look.surfaces.empty()) return "surfaces are set by hand";
     if (!(look.scene == ui::SceneLook{})) return "air, even light or shadows are set by hand";
     if (controls_.remote().haze != 1.0f) return "a remote control sets the haze";
+    if (session_->rig->movers().has_moved()) return "a mover is not where the model has it";
     if (controls_.has_trackers()) return "trackers may move what is on stage";
     return "";
 }
@@ -115,11 +119,20 @@ void Engine::frame() {
     const double dt_s = request_.frozen ? 0.0 : std::clamp(begin_s - last_step_s_, 0.0, kLongestStep_s);
     last_step_s_ = begin_s;
     const bool thicker = hear_remote(begin_s);
-    const scene::Camera wanted = wanted_camera();
+    scene::Camera wanted = wanted_camera();
     input_->step(request_.input, request_.transport, dt_s);
     // Motors, too, would wait for ever where time stands still.
     session_->show->motion = request_.frozen ? fixture::Motion::as_commanded : motion_;
+    // Films and keys of movers run with the recording, where it is shown, else with the network's time code,
+    // once it is heard.
+    if (input_->recording_s() > 0 && !input_->shows_desk())
+        session_->media_s = input_->at_s();
+    else if (!request_.frozen)
+        session_->media_s = desk_.timecode() ? desk_.timecode()->at_s(kLongestFilm_s) : std::nullopt;
+    drive_movers(request_.look, *session_);
+    session_->rig->set_time(session_->media_s);
     session_->rig->step(input_->universes(), dt_s, request_.look.fixtures);
+    wanted = scene::riding(wanted, *session_->rig);
     if (arrival_.count() == 0) arrival_ = input_->arrival();
     session_->master =
         request_.black_out ? 0.0f : std::clamp(request_.master, 0.0f, 1.0f) * controls_.remote().light();
@@ -133,11 +146,6 @@ void Engine::frame() {
     const int samples = std::clamp(request_.look.haze_samples.value_or(ui::kHazeSamples), 1, 256);
     if (live_.set_haze_samples(samples, *session_)) last_change_s_ = begin_s;
 
-    // Films run with the recording, where it is shown, else with the network's time code, once it is heard.
-    if (input_->recording_s() > 0 && !input_->shows_desk())
-        session_->media_s = input_->at_s();
-    else if (!request_.frozen)
-        session_->media_s = desk_.timecode() ? desk_.timecode()->at_s(kLongestFilm_s) : std::nullopt;
     if (session_->media_s)
         sound_.follow(*session_->media_s,
                       start_.time_since_epoch() + std::chrono::round<std::chrono::nanoseconds>(
@@ -150,7 +158,12 @@ void Engine::frame() {
     const bool switched = baked != std::exchange(shown_.is_baked, baked);
     if (switched) probe_.forget_frame();
     scene::FrameLights lit = session_->lit();
-    if (switched || sees_else || !same_lit(lit, shown_.lights)) last_change_s_ = begin_s;
+    std::vector<glm::mat4> moved;
+    for (std::size_t k = 0; k < session_->show->movers.size(); ++k)
+        moved.push_back(session_->rig->movers().moved(k));
+    const bool moves = moved != shown_.moved;
+    shown_.moved = std::move(moved);
+    if (switched || sees_else || moves || !same_lit(lit, shown_.lights)) last_change_s_ = begin_s;
     shown_.lights = std::move(lit);
     air_s_ += dt_s;
     if (switched && baked) baked_.view().relighter().forget(); // it may rest

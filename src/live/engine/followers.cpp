@@ -4,6 +4,7 @@
 #include "base/log.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ghost::app {
 
@@ -69,6 +70,17 @@ void Followers::apply(Session& session, const dmx::Trackers& trackers) {
                 use.fixtures.end())
                 session.rig->aim_at(i, *point_m);
         if (!use.objects.empty()) move_objects(session, use, *point_m, homes_[k]);
+    }
+    heard_.resize(show.movers.size());
+    for (std::size_t k = 0; k < show.movers.size(); ++k) {
+        const scene::Mover& mover = show.movers[k];
+        if (!mover.has_tracker()) continue;
+        const dmx::Tracker* const tracker = mover.tracker_id >= 0
+                                                ? trackers.find(static_cast<std::uint16_t>(mover.tracker_id))
+                                                : trackers.find(mover.tracker);
+        if (!tracker || tracker->heard == std::exchange(heard_[k], tracker->heard)) continue;
+        const auto& [x, y, z] = tracker->position_m;
+        session.rig->movers().follow(k, show.tracking.to_world({x, y, z}));
     }
 }
 

@@ -1,12 +1,13 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Followers: what moves with the trackers of a stage, as the show's [[tracker]] entries say: heads that aim,
-// objects that go along, cameras that look. What was not heard of yet leaves all as it is. One session; its
-// thread.
+// objects that go along, cameras that look; and of the [[mover]] entries that follow a tracker. What was not
+// heard of yet leaves all as it is. One session; its thread.
 
 #include "live/session/session.h"
 #include "psn_osc/psn.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -24,7 +25,8 @@ private:
     };
     void move_objects(Session& session, const scene::TrackerUse& use, const glm::vec3& point_m, Home& home);
 
-    std::vector<Home> homes_; // of the objects of each entry
+    std::vector<Home> homes_;          // of the objects of each entry
+    std::vector<std::uint64_t> heard_; // packets with the tracker of each mover
     bool said_passes_ = false;
 };
 

@@ -41,12 +41,14 @@ void RigNews::publish(const Session& session, const LiveInput& input, const scen
     rig.recording_s = input.recording_s();
     rig.timecode = input.timecode_text();
     if (recorded_s) rig.recorded_s = *recorded_s;
+    for (std::size_t k = 0; k < session.show->movers.size(); ++k)
+        rig.movers.push_back(session.rig->movers().values(k));
     const std::vector<fixture::State>& states = session.rig->states();
     std::size_t face = 0; // one for each beam of a fixture with a type
     for (std::size_t i = 0; i < states.size(); ++i) {
         const scene::PatchedFixture& fixture = session.show->fixtures[i];
         ui::FixtureNow now;
-        now.light_m = scene::light_position_m(fixture, 0);
+        now.light_m = glm::vec3(session.rig->moved(i) * glm::vec4(scene::light_position_m(fixture, 0), 1.0f));
         now.pan_deg = states[i].pan_deg;
         now.tilt_deg = states[i].tilt_deg;
         float brightest_cd = -1;

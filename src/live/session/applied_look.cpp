@@ -85,6 +85,13 @@ bool take_air(const scene::Show& edited, Session& session) {
     return true;
 }
 
+void drive_movers(const ui::Look& look, Session& session) {
+    for (std::size_t k = 0; k < session.show->movers.size(); ++k) {
+        const auto by_hand = look.movers.find(k);
+        session.rig->movers().drive(k, by_hand == look.movers.end() ? std::vector<float>{} : by_hand->second);
+    }
+}
+
 AppliedLook::AppliedLook(const Session& session) : shadows_(session.shadows) {}
 
 bool AppliedLook::apply(const ui::Look& look, Session& session) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Objects that go with trackers and objects that hands hide or show: on the device, and in the distance maps
-// of the lights that see them.
+// Objects that go with trackers and movers, objects that hands hide or show, and lamps that travel: on the
+// device, and in the distance maps of the lights that see them.
 #include "live/session/live_view.h"
 
 #include "base/text.h"
@@ -61,11 +61,19 @@ std::optional<glm::vec3> LiveView::track(const std::vector<std::string>& pattern
 
 void LiveView::move_tracked(const std::vector<std::string>& patterns, const glm::vec3& by_m) {
     for (const std::size_t i : objects_named(patterns)) {
-        glm::vec3& moved_m = moved_m_[i];
-        if (glm::distance(moved_m, by_m) < kStill_m) continue;
-        moved_m = by_m;
-        model_.move(i, glm::translate(glm::mat4(1.0f), by_m) * stage_.instances[i].world);
+        const auto moved = moved_.find(i);
+        const glm::vec3 before_m(moved == moved_.end() ? glm::vec4(0) : moved->second[3]);
+        if (glm::distance(before_m, by_m) >= kStill_m) move(i, glm::translate(glm::mat4(1.0f), by_m));
     }
+}
+
+void LiveView::move(std::size_t instance, const glm::mat4& by) {
+    glm::mat4& moved = moved_.try_emplace(instance, 1.0f).first->second;
+    if (moved == by) return;
+    moved = by;
+    const glm::mat4 world = by * stage_.instances[instance].world;
+    model_.move(instance, world);
+    if (moving_maps_) moving_maps_->move(instance, world);
 }
 
 void LiveView::show(std::size_t instance, bool shown) {
@@ -75,6 +83,7 @@ void LiveView::show(std::size_t instance, bool shown) {
     const bool before = by_hand == shown_by_hand_.end() ? stage_.instances[instance].shown : by_hand->second;
     if (shown == before) return;
     ++shown_changes_;
+    if (moving_maps_) moving_maps_->show(instance, shown);
     if (shown == stage_.instances[instance].shown)
         shown_by_hand_.erase(instance);
     else
@@ -84,20 +93,18 @@ void LiveView::show(std::size_t instance, bool shown) {
 scene::Stage LiveView::solid_now() const {
     scene::Stage stage = stage_;
     for (const auto& [instance, shown] : shown_by_hand_) stage.instances[instance].shown = shown;
-    for (const auto& [instance, by_m] : moved_m_)
-        stage.instances[instance].world =
-            glm::translate(glm::mat4(1.0f), by_m) * stage.instances[instance].world;
+    for (const auto& [instance, by] : moved_)
+        stage.instances[instance].world = by * stage.instances[instance].world;
     return scene::visible(std::move(stage));
 }
 
 void LiveView::begin_changed_maps() {
     const auto mapped = [&](const auto& entry) {
-        const auto place = mapped_m_.find(entry.first);
-        const glm::vec3 then_m = place == mapped_m_.end() ? glm::vec3(0) : place->second;
-        return glm::distance(then_m, entry.second) < kShadowStep_m;
+        const auto place = mapped_.find(entry.first);
+        const glm::vec3 then_m(place == mapped_.end() ? glm::vec4(0) : place->second[3]);
+        return glm::distance(then_m, glm::vec3(entry.second[3])) < kShadowStep_m;
     };
-    if (!distances_ ||
-        (std::all_of(moved_m_.begin(), moved_m_.end(), mapped) && shown_by_hand_ == mapped_shown_))
+    if (!distances_ || (std::all_of(moved_.begin(), moved_.end(), mapped) && shown_by_hand_ == mapped_shown_))
         return;
     if (changed_show_.cache_name.empty()) {
         changed_show_ = show_;
@@ -122,17 +129,32 @@ void LiveView::begin_changed_maps() {
         for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
             const auto by_hand = shown_by_hand_.find(i);
             if (!(by_hand == shown_by_hand_.end() ? stage_.instances[i].shown : by_hand->second)) continue;
-            if (const auto moved = moved_m_.find(i); moved != moved_m_.end())
-                changed_stage_->instances[shown].world =
-                    glm::translate(glm::mat4(1.0f), moved->second) * stage_.instances[i].world;
+            if (const auto moved = moved_.find(i); moved != moved_.end())
+                changed_stage_->instances[shown].world = moved->second * stage_.instances[i].world;
             ++shown;
         }
     }
-    mapped_m_ = moved_m_;
+    mapped_ = moved_;
     mapped_shown_ = shown_by_hand_;
     std::set<std::size_t> known;
     for (std::size_t k = 0; k < maps_.maps.size(); ++k) known.insert(k);
     maker_ = std::make_unique<MapMaker>(changed_show_, *changed_stage_, maps_.size, std::move(known));
+}
+
+void LiveView::hang_lamps(const scene::Rig& rig) {
+    for (const Hung& hung : hung_)
+        for (std::size_t p = 0; p < hung.places_m.size(); ++p)
+            moving_maps_->hang(hung.first_map + p,
+                               glm::vec3(rig.moved(hung.fixture) * glm::vec4(hung.places_m[p], 1.0f)));
+}
+
+bool LiveView::update_maps(const std::vector<shared::Light>& lights) {
+    if (!moving_maps_) return false;
+    const bake::MovingMaps::News news = moving_maps_->update(lights);
+    for (const bake::MovingMaps::Changed& changed : news.maps)
+        if (changed.map < maps_.maps.size()) // else left out
+            distances_->set_blocks(changed.map, moving_maps_->distance(changed.map), changed.blocks);
+    return news.is_seen_by_resting;
 }
 
 } // namespace ghost::app

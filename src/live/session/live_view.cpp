@@ -86,8 +86,9 @@ bool fits(const std::unique_ptr<render::GBuffer>& one, const scene::Camera& came
 LiveView::LiveView(const gpu::Device& device, const scene::Show& show, scene::Stage stage,
                    const scene::Camera& camera, Atmosphere air, Report& report)
     : device_(device), show_(show), stage_(std::move(stage)), moving_(scene::moving_instances(show, stage_)),
-      model_(device, stage_, report), air_(std::move(air)) {
+      carried_(scene::carried_objects(show, stage_)), model_(device, stage_, report), air_(std::move(air)) {
     for (const std::size_t instance : moving_) model_.mark_moving(instance);
+    for (const scene::CarriedObject& object : carried_) model_.mark_moving(object.instance);
     for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
         if (stage_.instances[i].shown) continue;
         model_.show(i, false);
@@ -106,6 +107,10 @@ Result<std::unique_ptr<LiveView>> LiveView::open(const gpu::Device& device, scen
             show, report, options.keep_hidden ? scene::HiddenObjects::kept : scene::HiddenObjects::left_out),
         camera, options.air.value_or(atmosphere_of(show)), report));
     if (!options.shadows) return view;
+    if (!show.movers.empty()) {
+        view->begin_moving_maps(report);
+        return view;
+    }
     if (options.maps_in_background) {
         view->begin_maps(report);
         return view;
@@ -148,14 +153,39 @@ void LiveView::begin_maps(Report& report) {
     maker_ = std::make_unique<MapMaker>(show_, solid(), size, std::move(known));
 }
 
+void LiveView::begin_moving_maps(Report& report) {
+    const int size = map_size(show_, report);
+    const std::vector<scene::DistancePlace> places = scene::distance_places(show_, size);
+    if (places.empty()) return;
+    const auto texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    std::vector<glm::vec3> places_m;
+    maps_ = {size, {}};
+    std::size_t fixture = 0;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const scene::DistancePlace& place = places[k];
+        maps_.maps.push_back({place.fixture, place.stop, place.place, place.position_m,
+                              std::vector<std::uint16_t>(texels, scene::kNoSurface)});
+        places_m.push_back(place.position_m);
+        // Places are in the order of the fixtures.
+        while (show_.fixtures[fixture].name != place.fixture) ++fixture;
+        if (show_.fixtures[fixture].mover == scene::kNoMover) continue;
+        if (hung_.empty() || hung_.back().fixture != fixture) hung_.push_back({fixture, k, {}});
+        hung_.back().places_m.push_back(place.position_m);
+    }
+    distances_ = std::make_unique<render::DistanceImages>(device_, maps_);
+    leave_out(maps_, distances_->count(), report);
+    for (scene::DistanceMap& map : maps_.maps) map.distance = {};
+    moving_maps_ = std::make_unique<bake::MovingMaps>(stage_, size, places_m);
+}
+
 bool LiveView::take_maps(Report& report) {
-    if (!maker_) begin_changed_maps();
+    if (!maker_ && !moving_maps_) begin_changed_maps();
     if (!maker_) return false;
     bool replaced = false;
     const std::size_t missing_before = missing_maps_;
     for (MapMaker::Made& made : maker_->take()) {
         if (made.index >= maps_.maps.size()) continue; // left out
-        distances_->set(made.index, made.map);
+        distances_->set(made.index, made.map.distance);
         scene::DistanceMap& place = maps_.maps[made.index];
         if (place.fixture.empty())
             --missing_maps_;
@@ -179,6 +209,9 @@ bool LiveView::take_maps(Report& report) {
 bool LiveView::follow(const scene::Rig& rig) {
     for (const std::size_t instance : moving_)
         model_.move(instance, scene::body_to_world(show_, rig, stage_.instances[instance]));
+    for (const scene::CarriedObject& object : carried_)
+        move(object.instance, rig.movers().moved(object.mover));
+    if (moving_maps_) hang_lamps(rig);
     return g_buffer_->update(model_);
 }
 

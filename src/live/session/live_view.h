@@ -4,7 +4,9 @@
 // G-buffer of the camera, the distance maps of all lights. Yokes and heads follow the rig. Main thread; show
 // and device must outlive it.
 
+#include "bake/moving_maps.h"
 #include "gpu/device.h"
+#include "light/bodies.h"
 #include "light/rig.h"
 #include "live/session/atmosphere.h"
 #include "live/session/map_maker.h"
@@ -74,8 +76,8 @@ public:
     void set_material(std::size_t material, const scene::Material& values) {
         model_.set_material(material, values);
     }
-    // Turns yokes and heads as the rig does, and puts tracked objects where they are. False: nothing moved in
-    // the picture.
+    // Turns yokes and heads as the rig does, and puts tracked and carried objects where they are. False:
+    // nothing moved in the picture.
     bool follow(const scene::Rig& rig);
     // Objects that will move all the time, by name pattern ([[object]]). Their middle, at the height of their
     // feet; none: no object has such a name.
@@ -86,6 +88,9 @@ public:
     // Uploads the distance maps that were finished in the background. True: one of them replaced another,
     // so that images of lights which did not change are wrong. What went wrong goes to the report.
     bool take_maps(Report& report);
+    // Of a show with movers, whose maps are made as they are needed: what these lights, of follow's rig, see
+    // now. True: a light that did not change itself has another image.
+    bool update_maps(const std::vector<shared::Light>& lights);
     std::size_t missing_maps() const { return missing_maps_; }
     bool is_making_maps() const { return maker_ != nullptr; }
 
@@ -106,6 +111,9 @@ private:
              const scene::Camera& camera, Atmosphere air, Report& report);
     void begin_maps(Report& report);
     void begin_changed_maps();
+    void begin_moving_maps(Report& report);
+    void move(std::size_t instance, const glm::mat4& by);
+    void hang_lamps(const scene::Rig& rig);
     std::vector<std::size_t> objects_named(const std::vector<std::string>& patterns) const;
 
     const gpu::Device& device_;
@@ -113,6 +121,7 @@ private:
     scene::Stage stage_;                // with fixture bodies, at home
     std::optional<scene::Stage> solid_; // without hidden objects, where there are any
     std::vector<std::size_t> moving_;
+    std::vector<scene::CarriedObject> carried_;
     render::StageModel model_;
     render::Pose pose_of(const scene::Camera& camera, bool flies) const;
     render::Surroundings surroundings() const;
@@ -125,9 +134,16 @@ private:
     scene::DistanceMaps maps_;
     std::size_t missing_maps_ = 0;
     std::unique_ptr<render::DistanceImages> distances_;
-    // Tracked objects and those that hands hid or showed: what the maker makes the maps of. These go to a
-    // folder of their own, so that those of the show as it is stay.
-    std::map<std::size_t, glm::vec3> moved_m_, mapped_m_; // instance: how far; with which maps were begun
+    std::unique_ptr<bake::MovingMaps> moving_maps_; // or null: the show has no movers
+    struct Hung {                                   // a fixture that a mover carries
+        std::size_t fixture = 0;
+        std::size_t first_map = 0;
+        std::vector<glm::vec3> places_m; // of its maps, where the show has them
+    };
+    std::vector<Hung> hung_;
+    // Tracked and carried objects and those that hands hid or showed: what the maker makes the maps of. These
+    // go to a folder of their own, so that those of the show as it is stay.
+    std::map<std::size_t, glm::mat4> moved_, mapped_;          // instance: how; with which maps were begun
     std::map<std::size_t, bool> shown_by_hand_, mapped_shown_; // instance; likewise
     std::uint64_t shown_changes_ = 0;
     scene::Show changed_show_;

@@ -378,6 +378,7 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
     std::vector<gpu::Span> spans;
     if (live) {
         const std::size_t printed = report.messages.size();
+        for (Message& message : rig->movers().take_messages()) report.messages.push_back(std::move(message));
         if (live->take_maps(report)) {
             relighter->forget();
             if (other_light) other_light->forget();
@@ -393,6 +394,11 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
         }
     }
     const scene::FrameLights shining = lit();
+    if (live && live->update_maps(shining.lights)) {
+        relighter->forget();
+        if (other_light) other_light->forget();
+        maps_changed_since_parked = true;
+    }
     update_bounce(shining);
     const double before_ms = 1e3 * (steady_now_s() - start_s);
     render::FrameStatistics statistics = relighter->draw(shining, stop);
@@ -435,6 +441,10 @@ Result<std::unique_ptr<Session>> open_session(const SessionOptions& asked, scene
     const scene::BounceDetail bounce = options.bounce.value_or(session->show->bounce);
     if (bounce != scene::BounceDetail::off && camera.foreign_passes.empty() && !options.live) {
         log_info("light bounces: drawn live, whatever is baked");
+        options.live = true;
+    }
+    if (!session->show->movers.empty() && camera.foreign_passes.empty() && !options.live) {
+        log_info("the show has movers: drawn live, whatever is baked");
         options.live = true;
     }
     if (options.width > 0) {

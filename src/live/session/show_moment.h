@@ -6,6 +6,7 @@
 #include "base/result.h"
 #include "dmx/record/capture.h"
 #include "dmx/record/player.h"
+#include "light/bodies.h"
 #include "light/gobos.h"
 #include "light/rig.h"
 #include "live/session/session.h"
@@ -14,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ghost::app {
 
@@ -40,6 +42,7 @@ private:
     std::unique_ptr<scene::Show> show_; // the rig keeps its address
     scene::GoboStack gobos_;
     scene::Stage stage_;
+    std::vector<scene::CarriedObject> carried_;
     std::unique_ptr<scene::Rig> rig_;
     std::optional<dmx::Player> player_;
     long next_ = 0; // frame

@@ -27,7 +27,7 @@ bool hangs_the_same(const scene::PatchedFixture& a, const scene::PatchedFixture&
     return has_types && a.gdtf == b.gdtf && a.mode == b.mode && a.uuid == b.uuid &&
            a.stops_m() == b.stops_m() && a.rotation_deg == b.rotation_deg &&
            a.home_pan_deg == b.home_pan_deg && a.home_tilt_deg == b.home_tilt_deg &&
-           a.track.has_value() == b.track.has_value() && is_same_wall(a.wall, b.wall) &&
+           a.track.has_value() == b.track.has_value() && a.mover == b.mover && is_same_wall(a.wall, b.wall) &&
            is_same_shape(a.shape, b.shape);
 }
 
@@ -47,6 +47,7 @@ bool take_patch(Session& session, const scene::Show& edited, const Report& repor
     }
     session.show->cues = edited.cues;
     session.show->palettes = edited.palettes;
+    session.show->movers = edited.movers; // channels of fixtures may be elsewhere
     const std::unique_ptr<scene::Rig> before = std::move(session.rig);
     session.rig = std::make_unique<scene::Rig>(*session.show);
     std::vector<std::optional<std::size_t>> same;

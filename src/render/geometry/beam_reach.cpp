@@ -80,15 +80,21 @@ float reach_in(const SeenBox& box, const shared::Light& light) {
 FarParts far_parts(const std::vector<std::uint16_t>& texels, std::size_t side) {
     CHECK_EQ(texels.size(), side * side);
     FarParts parts;
-    for (std::size_t y = 0; y < kFarSide; ++y)
-        for (std::size_t x = 0; x < kFarSide; ++x) {
+    update_far_parts(texels, side, 0, 0, side, parts);
+    return parts;
+}
+
+void update_far_parts(const std::vector<std::uint16_t>& texels, std::size_t side, std::size_t x0,
+                      std::size_t y0, std::size_t width, FarParts& parts) {
+    const auto end = [&](std::size_t from) { return ((from + width) * kFarSide + side - 1) / side; };
+    for (std::size_t y = y0 * kFarSide / side; y < end(y0); ++y)
+        for (std::size_t x = x0 * kFarSide / side; x < end(x0); ++x) {
             std::uint16_t most = 0; // half floats above 0 are in the order of their bits
             for (std::size_t row = y * side / kFarSide; row * kFarSide < (y + 1) * side; ++row)
                 for (std::size_t column = x * side / kFarSide; column * kFarSide < (x + 1) * side; ++column)
                     most = std::max(most, texels[row * side + column]);
             parts[y * kFarSide + x] = glm::unpackHalf1x16(most);
         }
-    return parts;
 }
 
 float reach_in(const FarParts& parts, const shared::Light& light) {

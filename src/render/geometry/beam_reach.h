@@ -29,6 +29,9 @@ using FarParts = std::array<float, kFarSide * kFarSide>;
 
 // texels: half floats, side x side (passes/distance_maps.h).
 FarParts far_parts(const std::vector<std::uint16_t>& texels, std::size_t side);
+// The same of a square of so many texels; parts: of the whole map.
+void update_far_parts(const std::vector<std::uint16_t>& texels, std::size_t side, std::size_t x0,
+                      std::size_t y0, std::size_t width, FarParts& parts);
 
 float reach_in(const FarParts& parts, const shared::Light& light);
 

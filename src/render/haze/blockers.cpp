@@ -97,13 +97,6 @@ Blockers packed(const Cell& cell) {
             glm::packHalf1x16(parts), static_cast<std::uint16_t>(far_to)};
 }
 
-std::vector<Blockers> packed(const std::vector<Cell>& cells) {
-    std::vector<Blockers> blockers(cells.size());
-    std::transform(cells.begin(), cells.end(), blockers.begin(),
-                   [](const Cell& cell) { return packed(cell); });
-    return blockers;
-}
-
 } // namespace
 
 std::uint32_t blocker_levels(std::uint32_t side) {
@@ -113,21 +106,38 @@ std::uint32_t blocker_levels(std::uint32_t side) {
 }
 
 std::vector<std::vector<Blockers>> blockers_of(const std::vector<std::uint16_t>& texels, std::uint32_t side) {
+    std::vector<std::vector<Blockers>> levels(blocker_levels(side));
     std::size_t cells = std::max(side / kLeastBlockerCell, 1u);
+    for (std::vector<Blockers>& level : levels) {
+        level.resize(cells * cells);
+        cells /= 2;
+    }
+    update_blockers(texels, side, 0, 0, side, levels);
+    return levels;
+}
+
+void update_blockers(const std::vector<std::uint16_t>& texels, std::uint32_t side, std::uint32_t x,
+                     std::uint32_t y, std::uint32_t width, std::vector<std::vector<Blockers>>& levels) {
+    std::size_t cells = std::max(width / kLeastBlockerCell, 1u);
     std::vector<Cell> level(cells * cells);
     for (std::size_t k = 0; k < level.size(); ++k)
-        level[k] = cell_of(&texels[kLeastBlockerCell * (k / cells * side + k % cells)], side);
-    std::vector<std::vector<Blockers>> levels{packed(level)};
-    while (levels.size() < blocker_levels(side)) {
-        const std::size_t finer = cells;
-        cells /= 2;
-        std::vector<Cell> coarser(cells * cells);
-        for (std::size_t k = 0; k < coarser.size(); ++k)
-            coarser[k] = merged(&level[2 * (k / cells * finer + k % cells)], finer);
-        level = std::move(coarser);
-        levels.push_back(packed(level));
+        level[k] = cell_of(
+            &texels[(y + kLeastBlockerCell * (k / cells)) * side + x + kLeastBlockerCell * (k % cells)],
+            side);
+    for (std::size_t l = 0; l < levels.size(); ++l) {
+        if (l > 0) {
+            const std::size_t finer = cells;
+            cells /= 2;
+            std::vector<Cell> coarser(cells * cells);
+            for (std::size_t k = 0; k < coarser.size(); ++k)
+                coarser[k] = merged(&level[2 * (k / cells * finer + k % cells)], finer);
+            level = std::move(coarser);
+        }
+        const std::size_t of_all = std::max(side / kLeastBlockerCell, 1u) >> l;
+        const std::size_t first_x = x / kLeastBlockerCell >> l, first_y = y / kLeastBlockerCell >> l;
+        for (std::size_t k = 0; k < level.size(); ++k)
+            levels[l][(first_y + k / cells) * of_all + first_x + k % cells] = packed(level[k]);
     }
-    return levels;
 }
 
 } // namespace ghost::render

@@ -14,7 +14,8 @@ namespace {
 constexpr std::uint32_t kLeastSide = 32;
 
 std::uint32_t layers_of(const gpu::Device& device, const scene::DistanceMaps& maps) {
-    return static_cast<std::uint32_t>(std::clamp<std::size_t>(maps.maps.size(), 1, device.limits().image_layers));
+    return static_cast<std::uint32_t>(
+        std::clamp<std::size_t>(maps.maps.size(), 1, device.limits().image_layers));
 }
 
 gpu::TextureShape texels_shape(std::uint32_t side, std::uint32_t layers) {
@@ -43,27 +44,56 @@ std::uint32_t side_that_fits(const gpu::Device& device, const scene::DistanceMap
 DistanceImages::DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps)
     : wanted_side_(static_cast<std::uint32_t>(std::max(maps.size, 1))),
       texture_(device, texels_shape(side_that_fits(device, maps), layers_of(device, maps))),
-      blockers_(device, blockers_shape(side(), layers_of(device, maps))), far_(count()) {
+      blockers_(device, blockers_shape(side(), layers_of(device, maps))), far_(count()), kept_(count()) {
     for (FarParts& parts : far_) parts.fill(scene::kNoSurface_m);
-    for (std::size_t index = 0; index < maps.maps.size(); ++index) set(index, maps.maps[index]);
+    for (std::size_t index = 0; index < maps.maps.size(); ++index) set(index, maps.maps[index].distance);
 }
 
-void DistanceImages::set(std::size_t index, const scene::DistanceMap& map) {
+void DistanceImages::set(std::size_t index, const std::vector<std::uint16_t>& distance) {
     if (index >= count()) return;
+    kept_[index].clear();
     const auto layer = static_cast<std::uint32_t>(index);
     const std::size_t wanted = wanted_side_;
-    CHECK_EQ(map.distance.size(), wanted * wanted);
+    CHECK_EQ(distance.size(), wanted * wanted);
     const std::size_t step = wanted / side();
     std::vector<std::uint16_t> kept;
     kept.reserve(std::size_t{side()} * side());
     for (std::size_t y = step / 2; y < wanted; y += step)
-        for (std::size_t x = step / 2; x < wanted; x += step) kept.push_back(map.distance[y * wanted + x]);
+        for (std::size_t x = step / 2; x < wanted; x += step) kept.push_back(distance[y * wanted + x]);
     texture_.write_layer(layer, kept.data(), kept.size() * sizeof kept[0]);
     far_[index] = far_parts(kept, side());
-    const auto levels = blockers_of(kept, side());
+    upload_blockers(layer, blockers_of(kept, side()));
+}
+
+void DistanceImages::set_blocks(std::size_t index, const std::vector<std::uint16_t>& distance,
+                                const std::vector<int>& blocks) {
+    constexpr std::uint32_t kBlock = scene::kDistanceBlock;
+    if (index >= count()) return;
+    if (side() != wanted_side_ || side() % kBlock != 0) return set(index, distance);
+    CHECK_EQ(distance.size(), std::size_t{side()} * side());
+    const auto layer = static_cast<std::uint32_t>(index);
+    std::vector<std::vector<Blockers>>& levels = kept_[index];
+    if (levels.empty()) {
+        levels = blockers_of(distance, side());
+        far_[index] = far_parts(distance, side());
+    } else {
+        for (const int block : blocks) {
+            const std::uint32_t across = side() / kBlock, k = static_cast<std::uint32_t>(block);
+            const std::uint32_t x = k % across * kBlock, y = k / across * kBlock;
+            update_blockers(distance, side(), x, y, kBlock, levels);
+            update_far_parts(distance, side(), x, y, kBlock, far_[index]);
+        }
+    }
+    texture_.write_layer(layer, distance.data(), distance.size() * sizeof distance[0]);
+    upload_blockers(layer, levels);
+}
+
+void DistanceImages::upload_blockers(std::uint32_t layer, const std::vector<std::vector<Blockers>>& levels) {
     for (std::uint32_t level = 0; level < levels.size(); ++level)
         blockers_.write_layer(layer, levels[level].data(), levels[level].size() * sizeof(Blockers), level);
 }
+
+DistanceImages::~DistanceImages() = default;
 
 float DistanceImages::reach_m(const shared::Light& light) const {
     return light.map > 0 && light.map <= far_.size() ? reach_in(far_[light.map - 1], light) : kEndless_m;

@@ -19,12 +19,18 @@
 
 namespace ghost::render {
 
+struct Blockers; // render/haze/private/blockers.h
+
 class DistanceImages {
 public:
     DistanceImages(const gpu::Device& device, const scene::DistanceMaps& maps);
+    ~DistanceImages();
 
     // Of a map that was left out: nothing happens.
-    void set(std::size_t index, const scene::DistanceMap& map);
+    void set(std::size_t index, const std::vector<std::uint16_t>& distance);
+    // The same where only some blocks of kDistanceBlock texels a side changed since it was set, row by row.
+    void set_blocks(std::size_t index, const std::vector<std::uint16_t>& distance,
+                    const std::vector<int>& blocks);
     std::size_t count() const { return texture_.shape().layers; }
     const gpu::Texture& texture() const { return texture_; }
     const gpu::Texture& blockers() const { return blockers_; }
@@ -35,10 +41,13 @@ public:
     std::uint32_t wanted_side() const { return wanted_side_; } // more than side(): memory ran short
 
 private:
+    void upload_blockers(std::uint32_t layer, const std::vector<std::vector<Blockers>>& levels);
+
     std::uint32_t wanted_side_;
     gpu::Texture texture_;
     gpu::Texture blockers_;
-    std::vector<FarParts> far_; // of each map
+    std::vector<FarParts> far_;                            // of each map
+    std::vector<std::vector<std::vector<Blockers>>> kept_; // likewise, of those of which blocks were set
 };
 
 } // namespace ghost::render

@@ -15,11 +15,6 @@ namespace {
 constexpr float kPerson_m = 2; // radius of what is looked at around one fixture
 constexpr double kMostEv = 20, kLeastEv = -10;
 
-Result<void> need_show(const AppModel& app) {
-    if (app.show()) return {};
-    return Error{"no show is open", ""};
-}
-
 // Numbers of a line, all of them.
 Result<std::vector<float>> numbers(const QStringList& words, int count, double most) {
     std::vector<float> values;

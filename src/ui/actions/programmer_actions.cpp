@@ -57,6 +57,35 @@ Result<void> set_parameter_by_name(AppModel& app, const QStringList& words) {
     return {};
 }
 
+Result<void> drive_mover_by_name(AppModel& app, const QStringList& words) {
+    TRY_VOID(need_show(app));
+    std::vector<std::string> names;
+    for (const scene::Mover& mover : app.show()->movers) names.push_back(mover.name);
+    const std::string name = words.value(0).toStdString();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        return Error{"the show has no mover '" + name + "'" + did_you_mean(name, names), ""};
+    const auto index = static_cast<std::size_t>(found - names.begin());
+    const scene::Mover& mover = app.show()->movers[index];
+    if (words.value(1) == "off") {
+        drive_mover(app, index, {});
+        return {};
+    }
+    if (words.size() != static_cast<int>(mover.axes.size()) + 1)
+        return Error{"mover '" + name + "' has " + std::to_string(mover.axes.size()) +
+                         " axes, expected a number for each, or off",
+                     ""};
+    std::vector<float> values;
+    for (std::size_t k = 0; k < mover.axes.size(); ++k) {
+        TRY(const double value,
+            number_of(words, static_cast<int>(k) + 1, "value", static_cast<double>(mover.axes[k].low),
+                      static_cast<double>(mover.axes[k].high)));
+        values.push_back(static_cast<float>(value));
+    }
+    drive_mover(app, index, std::move(values));
+    return {};
+}
+
 void add_fixture_actions(Actions& actions, AppModel& app) {
     add_number(actions, app, "intensity", ProgrammerStep::intensity, 0, 1, &fixture::Programmer::intensity);
     add_number(actions, app, "zoom", ProgrammerStep::zoom, 0.05, 160, &fixture::Programmer::zoom_deg);
@@ -178,6 +207,13 @@ void add_scene_actions(Actions& actions, AppModel& app) {
                      return {};
                  },
                  {}});
+    actions.add({"mover",
+                 "",
+                 "mover",
+                 "",
+                 "NAME VALUE...|off",
+                 [&app](const QStringList& words) { return drive_mover_by_name(app, words); },
+                 {}});
     actions.add({"samples",
                  "",
                  "samples",
@@ -254,6 +290,11 @@ void add_scene_actions(Actions& actions, AppModel& app) {
 
 } // namespace
 
+Result<void> need_show(const AppModel& app) {
+    if (app.show()) return {};
+    return Error{"no show is open", ""};
+}
+
 Result<void> need_selection(const AppModel& app) {
     if (!app.selection().empty()) return {};
     return Error{"no fixture is selected", ""};
@@ -285,6 +326,18 @@ QColor screen_colour(const glm::vec3& rec2020) {
                             image::linear_to_srgb(rgb.z));
 }
 
+void drive_mover(AppModel& app, std::size_t mover, std::vector<float> values) {
+    Look look = app.look();
+    const bool lets_go = values.empty();
+    if (lets_go)
+        look.movers.erase(mover);
+    else
+        look.movers[mover] = std::move(values);
+    const QString name = QString::fromStdString(app.show()->movers[mover].name);
+    app.set_look(std::move(look), lets_go ? "release " + name : "drive " + name,
+                 static_cast<int>(lets_go ? ProgrammerStep::step : ProgrammerStep::mover));
+}
+
 void change_samples(AppModel& app, std::optional<int> samples) {
     Look look = app.look();
     look.haze_samples = samples;
@@ -303,6 +356,8 @@ QString words_of(const Look& look) {
     add(look.surfaces.size(), "material");
     if (!look.solo.empty()) words << "solo";
     if (look.haze_samples) words << "samples";
+    if (!look.movers.empty())
+        words << (look.movers.size() == 1 ? "1 mover" : QString("%1 movers").arg(look.movers.size()));
     return words.join(", ");
 }
 

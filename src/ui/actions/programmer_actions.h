@@ -24,6 +24,7 @@ enum class ProgrammerStep : int {
     scene,
     surface,
     samples,
+    mover,
     fan = 20,             // and on: the words of head_words(), then any attribute
     first_parameter = 100 // and on: those of HeadParameter, by their place in the panel
 };
@@ -43,6 +44,8 @@ void change_scene(AppModel& app, const QString& text, ProgrammerStep kind, F&& f
     app.set_look(std::move(look), text, static_cast<int>(kind));
 }
 
+// Error: no show is open.
+Result<void> need_show(const AppModel& app);
 // Error: no fixture is selected.
 Result<void> need_selection(const AppModel& app);
 
@@ -51,6 +54,9 @@ Result<std::string> attribute_named(const AppModel& app, const QString& words);
 
 // Of the haze along a ray through one beam; nothing: as many as the program finds good.
 void change_samples(AppModel& app, std::optional<int> samples);
+
+// Values of all axes of a mover (index of the show); empty: what drives it else.
+void drive_mover(AppModel& app, std::size_t mover, std::vector<float> values);
 
 // A colour as screens have it -> a filter: linear Rec.2020 with its largest component at 1.
 glm::vec3 filter_from(const QColor& colour);

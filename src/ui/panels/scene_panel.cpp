@@ -4,6 +4,7 @@
 #include "show/show.h"
 #include "stage/overrides.h"
 #include "ui/actions/programmer_actions.h"
+#include "ui/panels/mover_box.h"
 
 #include <QVBoxLayout>
 
@@ -38,6 +39,7 @@ ValueRow* scene_row(AppModel& app, const QString& name, const ValueRange& range,
 ScenePanel::ScenePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
     auto* layout = new QVBoxLayout(this);
     add_air(layout);
+    layout->addWidget(new MoverBox(app_, this));
     add_stage(layout);
     connect(&app_, &AppModel::opened_show, this, &ScenePanel::fill);
     for (const auto signal :

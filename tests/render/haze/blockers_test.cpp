@@ -6,6 +6,8 @@
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
+#include <cstring>
+
 namespace ghost::render {
 namespace {
 
@@ -85,6 +87,27 @@ TEST(Blockers, EvenSmallMapsKeepEnoughCellsToLookAround) {
     EXPECT_EQ(blocker_levels(128), 4u);
     EXPECT_EQ(blocker_levels(8), 1u);
     EXPECT_EQ(blocker_levels(1), 1u);
+}
+
+TEST(Blockers, a_block_that_changed_is_as_in_the_whole_map) {
+    constexpr std::uint32_t kWide = 256, kBlock = 64;
+    std::vector<std::uint16_t> texels(kWide * kWide);
+    for (std::uint32_t k = 0; k < texels.size(); ++k)
+        texels[k] = glm::packHalf1x16(1.0f + static_cast<float>((k * 2654435761u) >> 24));
+    auto levels = blockers_of(texels, kWide);
+    for (std::uint32_t y = 128; y < 192; ++y)
+        for (std::uint32_t x = 64; x < 128; ++x)
+            texels[y * kWide + x] = glm::packHalf1x16(0.5f + static_cast<float>((x * y) % 7));
+    const auto wanted = blockers_of(texels, kWide);
+    const auto same = [&] {
+        for (std::size_t l = 0; l < wanted.size(); ++l)
+            if (std::memcmp(wanted[l].data(), levels[l].data(), wanted[l].size() * sizeof(Blockers)) != 0)
+                return false;
+        return levels.size() == wanted.size();
+    };
+    EXPECT_FALSE(same());
+    update_blockers(texels, kWide, 64, 128, kBlock, levels);
+    EXPECT_TRUE(same());
 }
 
 } // namespace

@@ -16,7 +16,7 @@ TEST(DistanceImages, more_maps_than_an_image_has_layers_are_left_out) {
     scene::DistanceMaps maps{kMapSide, std::vector<scene::DistanceMap>(most + 2, map)};
     DistanceImages images(**device, maps);
     EXPECT_EQ(images.count(), most);
-    images.set(most + 1, map); // nothing happens
+    images.set(most + 1, map.distance); // nothing happens
     maps.maps.resize(3);
     EXPECT_EQ(DistanceImages(**device, maps).count(), 3u);
     EXPECT_EQ((*device)->validation_errors(), 0u);

@@ -27,4 +27,8 @@ std::uint32_t blocker_levels(std::uint32_t side);
 // Level after level, cells row by row. texels: half floats above zero, side x side.
 std::vector<std::vector<Blockers>> blockers_of(const std::vector<std::uint16_t>& texels, std::uint32_t side);
 
+// The same of a square of so many texels, which begins at a multiple of them; levels: of the whole map.
+void update_blockers(const std::vector<std::uint16_t>& texels, std::uint32_t side, std::uint32_t x,
+                     std::uint32_t y, std::uint32_t width, std::vector<std::vector<Blockers>>& levels);
+
 } // namespace ghost::render

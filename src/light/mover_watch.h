@@ -1,0 +1,50 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// MoverWatch: what goes wrong on the way of a show's movers: bodies that meet, bodies below the floor (Z =
+// 0), axes that are asked to go past their end stops. A body is the box of an instance of the stage, turned
+// as it is; what touches where the model has it may touch. One sentence for each trouble, at its first
+// moment, with time and place. Metres, seconds. Main thread.
+
+#include "base/report.h"
+#include "light/bodies.h"
+#include "light/rig.h"
+#include "stage/box.h"
+
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace ghost::scene {
+
+class MoverWatch {
+public:
+    // stage: that of stage_with_bodies, as the show has it. All must outlive it.
+    MoverWatch(const Show& show, const Stage& stage);
+
+    // After the rig's step.
+    void look(const Rig& rig, double at_s, Report& report);
+
+private:
+    struct Body {
+        std::size_t instance = 0;
+        int mover = kNoMover;
+        Box own; // of its mesh
+    };
+    struct Placed {
+        glm::mat4 world{1.0f};
+        Box round; // of the world's axes
+    };
+    Placed placed(const Body& body, const Rig* rig) const;
+    void look_for_meetings(const std::vector<Placed>& now, double at_s, Report& report);
+
+    const Show& show_;
+    const Stage& stage_;
+    std::vector<Body> bodies_;                           // those that move first
+    std::size_t moving_ = 0;                             // how many of them do
+    std::set<std::pair<std::size_t, std::size_t>> said_; // bodies that meet, or met at home
+    std::set<std::size_t> low_;                          // bodies below the floor
+    std::set<std::pair<std::size_t, std::size_t>> past_; // mover and axis
+};
+
+} // namespace ghost::scene
