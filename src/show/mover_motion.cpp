@@ -30,8 +30,7 @@ bool is_near(const glm::vec3& place_m) {
     return std::abs(place_m.x) <= limit && std::abs(place_m.y) <= limit && std::abs(place_m.z) <= limit;
 }
 
-} // namespace
-
+// Raw value of a channel as a fraction of its range.
 double level_of(const std::vector<fixture::Address>& levels, const dmx::Universes& universes) {
     double value = 0, most = 0;
     for (const fixture::Address& byte : levels) {
@@ -40,6 +39,8 @@ double level_of(const std::vector<fixture::Address>& levels, const dmx::Universe
     }
     return most > 0 ? value / most : 0.0;
 }
+
+} // namespace
 
 MoverMotion::MoverMotion(const std::vector<Mover>& movers)
     : movers_(&movers), order_(parents_first(movers)), states_(movers.size()),

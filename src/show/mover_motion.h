@@ -69,7 +69,4 @@ private:
     bool has_begun_ = false;
 };
 
-// Raw value of a channel as a fraction of its range.
-double level_of(const std::vector<fixture::Address>& levels, const dmx::Universes& universes);
-
 } // namespace ghost::scene

@@ -48,7 +48,7 @@ RemoteNews LiveControls::hear_remote(Session& session, double now_s) {
 
 const dmx::Trackers* LiveControls::hear_trackers(Session& session) {
     if (!trackers_) return nullptr;
-    const dmx::Trackers& heard = trackers_->poll();
+    const dmx::Trackers& heard = trackers_->poll(*session.show);
     take(heard, session);
     return &heard;
 }

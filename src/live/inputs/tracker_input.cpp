@@ -2,8 +2,12 @@
 #include "live/inputs/tracker_input.h"
 
 #include "base/log.h"
+#include "show/show.h"
 
 #include <chrono>
+#include <set>
+#include <string>
+#include <utility>
 
 namespace ghost::app {
 
@@ -11,6 +15,20 @@ namespace {
 
 constexpr int kReceiveBufferBytes = 256 << 10;
 constexpr int kMostBatchesPerPoll = 4; // of 64 packets; a system sends 60 to 120 a second
+
+void expect_named(dmx::Trackers& trackers, const scene::Show& show) {
+    std::set<std::uint16_t> ids;
+    std::set<std::string> names;
+    const auto add = [&](int id, const std::string& name) {
+        if (id >= 0)
+            ids.insert(static_cast<std::uint16_t>(id));
+        else if (!name.empty())
+            names.insert(name);
+    };
+    for (const scene::TrackerUse& use : show.tracking.uses) add(use.id, use.name);
+    for (const scene::Mover& mover : show.movers) add(mover.tracker_id, mover.tracker);
+    trackers.expect(std::move(ids), std::move(names));
+}
 
 } // namespace
 
@@ -36,7 +54,8 @@ Result<std::unique_ptr<TrackerInput>> TrackerInput::open(const std::string& inte
     return std::unique_ptr<TrackerInput>(new TrackerInput(std::move(socket)));
 }
 
-const dmx::Trackers& TrackerInput::poll() {
+const dmx::Trackers& TrackerInput::poll(const scene::Show& show) {
+    expect_named(trackers_, show);
     const auto now = std::chrono::steady_clock::now().time_since_epoch();
     for (int batch = 0; batch < kMostBatchesPerPoll; ++batch) {
         const auto datagrams = socket_->receive();

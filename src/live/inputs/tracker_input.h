@@ -11,6 +11,10 @@
 #include <memory>
 #include <string>
 
+namespace ghost::scene {
+struct Show; // show/show.h
+} // namespace ghost::scene
+
 namespace ghost::app {
 
 class TrackerInput {
@@ -19,7 +23,8 @@ public:
     static Result<std::unique_ptr<TrackerInput>> open(const std::string& interface,
                                                       std::uint16_t port = dmx::kPsnPort);
 
-    const dmx::Trackers& poll();
+    // Trackers that the show names have their places, however many others there are.
+    const dmx::Trackers& poll(const scene::Show& show);
 
 private:
     explicit TrackerInput(std::unique_ptr<dmx::UdpSocket> socket) : socket_(std::move(socket)) {}
