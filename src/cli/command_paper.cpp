@@ -176,10 +176,16 @@ void add_paper(CLI::App& app, int& exit_code) {
         command->add_option("--cue", a->moment.cue, "focus charts as in this cue (default: nothing is sent)")
             ->needs(focus)
             ->type_name("NAME");
-    command->add_option("--look", a->moment.look, "focus charts as in this look")
+    CLI::Option* look = command->add_option("--look", a->moment.look, "focus charts as in this look")
+                            ->needs(focus)
+                            ->excludes(cue)
+                            ->type_name("NAME");
+    command->add_option("--at", a->moment.at_s, "focus charts as at this second of the show's recording")
         ->needs(focus)
         ->excludes(cue)
-        ->type_name("NAME");
+        ->excludes(look)
+        ->type_name("SECONDS")
+        ->check(number_in(0.0, kLongest_s));
     command->add_flag("--quiet", a->quiet, "print warnings and errors only");
     command->footer("Example: ghostlight paper assets/demo -o paper\n"
                     "         ghostlight paper assets/demo -o paper --plan --scale 1:50 --sheet A3\n"

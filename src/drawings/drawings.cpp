@@ -314,8 +314,9 @@ std::vector<std::string> Drawing::notes(const std::vector<std::string>& without)
         if (fixture.kind == SymbolKind::not_known) ++typeless;
     }
     if (typeless > 0)
-        said.push_back(style_("What a type is, is not known of %1: its file could not be read.",
-                              {std::to_string(typeless)}));
+        said.push_back(
+            style_("What a type does is not known of %1: its file could not be read, or says nothing.",
+                   {std::to_string(typeless)}));
     if (sizeless > 0)
         said.push_back(style_("Size not known of %1: drawn %2 wide.",
                               {std::to_string(sizeless), style_.length_said(kAssumedSize_m)}));
@@ -402,7 +403,7 @@ void Drawing::draw_lines(const glm::dvec2& offset, const Extent2& window) {
         pdf_.lines(line, kAxis);
         const std::string name = is_plan_ ? (axis == 0 ? style_("centre line") : style_("set line, y = 0"))
                                           : (axis == 0 ? style_("set line, y = 0") : style_("stage, z = 0"));
-        const glm::dvec2 at = axis == 0 ? glm::dvec2(line[0].x + 2, window.high.y - 9)
+        const glm::dvec2 at = axis == 0 ? glm::dvec2(line[0].x + 2, window.low.y + 2)
                                         : glm::dvec2(window.low.x + 3, line[0].y - 8);
         pdf_.line_of_text(at.x, at.y, 90, name, {.size_pt = 5.5, .is_grey = true});
     }
@@ -434,6 +435,7 @@ void Drawing::draw_rig(const glm::dvec2& offset, const Extent2& window) {
         const Extent2 box = moved(label.box);
         if (!box.touches(window)) continue;
         double y = box.low.y;
+        pdf_.fill(box.low.x, box.low.y, box.size().x, box.size().y, 1);
         for (const std::string& line : label.lines) {
             pdf_.line_of_text(box.low.x, y, box.size().x, line, label.is_bar ? kBarText : kLabelText);
             y += kLabelLine_pt;
@@ -518,10 +520,11 @@ void Drawing::draw(TitleBlock title, std::size_t first_sheet, std::size_t sheets
             draw_rig(offset, window);
             draw_match_marks(window, column, row, first_sheet);
             const PdfText ways{.size_pt = 7, .is_bold = true, .is_grey = true, .is_middle = true};
+            const double ways_x = window.low.x + 0.25 * window.size().x - 60; // beside the centre line
             if (is_plan_ && row + 1 == rows_)
-                pdf_.line_of_text(window.middle().x - 60, window.high.y - 11, 120, style_("HOUSE"), ways);
+                pdf_.line_of_text(ways_x, window.high.y - 11, 120, style_("HOUSE"), ways);
             if (is_plan_ && row == 0)
-                pdf_.line_of_text(window.middle().x - 60, window.low.y + 2, 120, style_("UP-STAGE"), ways);
+                pdf_.line_of_text(ways_x, window.low.y + 2, 120, style_("UP-STAGE"), ways);
             if (!is_plan_ && column == 0)
                 pdf_.line_of_text(window.low.x + 3, window.low.y + 2, 120, style_("HOUSE"),
                                   {.size_pt = 7, .is_bold = true, .is_grey = true});

@@ -15,11 +15,12 @@ namespace {
 
 constexpr std::size_t kMostTriangles = 200'000; // of a mesh whose edges are looked at
 constexpr std::size_t kMostLines = 6'000;       // of an object
-constexpr std::size_t kMostLinesOfAll = 80'000;
+constexpr std::size_t kMostLinesOfAll = 120'000;
 constexpr std::size_t kMostObjects = 20'000;
-constexpr float kSharp = 0.48f;  // cosine between its faces: sharper than a tube of six sides
-constexpr float kFlat = 0.9999f; // its faces are one
-constexpr float kWelded = 1e-5f; // of the mesh's size: corners so near are one
+constexpr float kSharp = 0.48f;    // cosine between its faces: sharper than a tube of six sides
+constexpr double kDotOfLines = 60; // lines of an object: times the finest
+constexpr float kFlat = 0.9999f;   // its faces are one
+constexpr float kWelded = 1e-5f;   // of the mesh's size: corners so near are one
 
 struct Edge {
     std::uint32_t from = 0, to = 0; // corners of the mesh
@@ -86,7 +87,9 @@ public:
                 continue;
             }
             Outline outline{i, {}, {}};
-            if (!draw_edges(instance, mesh, outline)) {
+            if (is_small(instance, mesh)) {
+                draw_hull(instance, mesh, outline);
+            } else if (!draw_edges(instance, mesh, outline)) {
                 draw_hull(instance, mesh, outline);
                 ++all.simplified;
             }
@@ -106,6 +109,16 @@ private:
         return view_.cut_m && std::all_of(mesh.positions.begin(), mesh.positions.end(), [&](const auto& at) {
                    return view_.is_cut_away(world_of(instance, at));
                });
+    }
+
+    // So small on paper that nobody would see its edges.
+    bool is_small(const Instance& instance, const Mesh& mesh) const {
+        Extent2 extent;
+        for (const glm::vec3& position : mesh.positions) {
+            extent.include(view_.flat(world_of(instance, position)));
+            if (std::max(extent.size().x, extent.size().y) > kDotOfLines * finest_m_) return false;
+        }
+        return true;
     }
 
     const std::vector<Edge>& edges(int mesh) {

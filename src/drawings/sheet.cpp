@@ -132,9 +132,10 @@ std::string scale_text(int scale) {
 }
 
 int fitting_scale(const glm::dvec2& size_m, const glm::dvec2& room_pt, Units units) {
-    constexpr std::array kMetric{10,  20,   25,   50,   100,    200,    250,
-                                 500, 1000, 2000, 5000, 10'000, 20'000, 50'000};
-    constexpr std::array kFeet{12, 16, 24, 32, 48, 64, 96, 128, 192, 384, 768, 1536, 6144, 24'576};
+    constexpr std::array kMetric{10,  20,  25,   50,   75,   100,    125,    200,
+                                 250, 500, 1000, 2000, 5000, 10'000, 20'000, 50'000};
+    constexpr std::array kFeet{12,  16,  24,  32,  48,   64,   96,     128,
+                               192, 384, 768, 960, 1536, 6144, 12'288, 49'152};
     const auto& scales = units == Units::metric ? kMetric : kFeet;
     for (const int scale : scales)
         if (size_m.x * points_of_metre(scale) <= room_pt.x && size_m.y * points_of_metre(scale) <= room_pt.y)

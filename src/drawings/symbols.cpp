@@ -20,7 +20,7 @@ constexpr std::size_t kBarCells = 4;
 constexpr float kBarShape = 3; // times as long as wide
 
 struct Abilities {
-    bool turns = false, has_gobos = false, has_blades = false, strobes = false, mixes = false;
+    bool turns = false, dims = false, has_gobos = false, has_blades = false, strobes = false, mixes = false;
     float widest_deg = 0; // zoom; 0: it has none
 };
 
@@ -38,6 +38,13 @@ Abilities abilities_of(const fixture::Mode& mode) {
             case Role::blade_a:
             case Role::blade_b:
                 can.has_blades = true;
+                break;
+            case Role::pan:
+            case Role::tilt:
+                can.turns = true; // where a file has no axes, too
+                break;
+            case Role::dimmer:
+                can.dims = true;
                 break;
             case Role::strobe:
             case Role::strobe_frequency:
@@ -84,7 +91,7 @@ const fixture::Beam* first_beam(const fixture::Type& type, const fixture::Mode& 
     if (mode.beams.empty()) return nullptr;
     const auto node = static_cast<std::size_t>(mode.beams.front());
     const fixture::Geometry& geometry = type.geometries[static_cast<std::size_t>(mode.nodes[node].geometry)];
-    return geometry.beam ? &*geometry.beam : nullptr;
+    return geometry.beam && !geometry.beam->is_assumed ? &*geometry.beam : nullptr;
 }
 
 SymbolKind kind_of(const fixture::Type& type, const fixture::Mode& mode) {
@@ -93,16 +100,18 @@ SymbolKind kind_of(const fixture::Type& type, const fixture::Mode& mode) {
         if (type.geometries[static_cast<std::size_t>(geometry)].laser) return SymbolKind::laser;
     }
     const fixture::Beam* const beam = first_beam(type, mode);
-    if (!beam) return SymbolKind::other;
     const Abilities can = abilities_of(mode);
-    const bool is_spot = can.has_gobos || can.has_blades || beam->beam_type == fixture::BeamType::spot;
-    const float widest_deg = can.widest_deg > 0 ? can.widest_deg : beam->field_angle_deg;
+    if (!beam && !can.dims) return mode.channels.empty() ? SymbolKind::not_known : SymbolKind::other;
+    const bool is_spot =
+        can.has_gobos || can.has_blades || (beam && beam->beam_type == fixture::BeamType::spot);
+    const float widest_deg = can.widest_deg > 0 || !beam ? can.widest_deg : beam->field_angle_deg;
     if (can.turns) {
-        if (widest_deg <= kNarrow_deg) return SymbolKind::moving_beam;
+        if (widest_deg > 0 && widest_deg <= kNarrow_deg) return SymbolKind::moving_beam;
         return is_spot ? SymbolKind::moving_profile : SymbolKind::moving_wash;
     }
     if (is_row(mode)) return SymbolKind::bar;
     if (can.has_gobos || can.has_blades) return SymbolKind::profile;
+    if (!beam) return SymbolKind::not_known; // which lens it has, its file does not say
     if (!can.mixes && mode.beams.size() > 1 && beam->color_temperature_k <= kWarm_k)
         return SymbolKind::blinder;
     if (!can.mixes && can.strobes) return SymbolKind::strobe;
@@ -173,7 +182,7 @@ SymbolKind symbol_of(const PatchedFixture& fixture) {
     if (fixture.laser) return SymbolKind::laser;
     if (fixture.wall) return SymbolKind::wall;
     if (!fixture.type) return SymbolKind::not_known;
-    if (fixture.type->modes.empty()) return SymbolKind::other;
+    if (fixture.type->modes.empty()) return SymbolKind::not_known;
     return kind_of(*fixture.type, fixture.patch().mode_of());
 }
 

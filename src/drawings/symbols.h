@@ -25,7 +25,7 @@ enum class SymbolKind {
     projector,
     wall,
     other,     // it gives no light
-    not_known, // its file could not be read
+    not_known, // its file could not be read, or says neither light nor channels
 };
 
 SymbolKind symbol_of(const PatchedFixture& fixture);

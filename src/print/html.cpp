@@ -22,7 +22,7 @@ nav{margin:.8rem 0;columns:14rem}nav a{display:block;color:#0b5394}
 img{display:block;width:100%;height:auto;background:#000}figcaption{color:#555;font-size:.85rem}
 .pencil{display:none}
 .wide figure{max-width:none;flex-basis:100%}.chosen{display:flex;flex-wrap:wrap;gap:1rem;margin:.6rem 0}
-.chosen select{font:inherit;min-height:44px;max-width:100%}video{display:block;width:100%;background:#000}
+.chosen select{font:inherit;min-height:44px;max-width:100%}video{display:block;width:100%;height:auto;background:#000}
 .slide{position:relative}.slide .old{position:absolute;inset:0}.slide+input{width:100%;height:44px;margin:0}
 table{border-collapse:collapse;width:100%;font-size:.85rem;margin:.4rem 0 1rem}thead{display:table-header-group}
 th,td{border:1px solid #999;padding:.15rem .4rem;text-align:left;vertical-align:top}th{background:#eee}

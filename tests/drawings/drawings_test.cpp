@@ -132,6 +132,11 @@ TEST(Symbols, follow_from_what_a_type_does) {
     EXPECT_EQ(kind_of(type_with(channel("Shutter1Strobe", "Beam", R"(PhysicalFrom="1" PhysicalTo="20")"),
                                 R"(BeamType="Wash")")),
               SymbolKind::strobe);
+    const std::string beamless = R"(<Geometry Name="Base"><Geometry Name="Beam"/></Geometry>)";
+    EXPECT_EQ(kind_of(type_with(channel("Pan") + channel("Gobo1") + channel("Dimmer"), "", beamless)),
+              SymbolKind::moving_profile);
+    EXPECT_EQ(kind_of(type_with(channel("Dimmer"), "", beamless)), SymbolKind::not_known);
+    EXPECT_EQ(kind_of(type_with(channel("Fog1"), "", beamless)), SymbolKind::other);
     EXPECT_EQ(kind_of(nullptr), SymbolKind::not_known);
     PatchedFixture projector;
     projector.projector.emplace();

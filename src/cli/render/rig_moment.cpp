@@ -27,10 +27,16 @@ Result<scene::PlannedEntry> cue_of(const scene::Show& show, const std::vector<sc
     return *found;
 }
 
+Result<dmx::Universes> levels_at(const scene::Show& show, double at_s, bool quiet) {
+    TRY(dmx::Recording recording, dmx::open_recording(show.recording, {}, quiet));
+    dmx::Player player(std::move(recording));
+    return dmx::Universes(player.at(at_s));
+}
+
 } // namespace
 
 Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& options,
-                         const scene::PrintStyle& style, Report& report) {
+                            const scene::PrintStyle& style, Report& report) {
     RigMoment moment;
     moment.said = style("As they are when nothing is sent.");
     TRY(const std::vector<scene::StoredLook> looks, scene::load_looks(scene::looks_file(show), report));
@@ -41,14 +47,17 @@ Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& opt
         look = planned.look;
         moment.said = style("As in cue '%1'.", {options.cue});
         if (planned.entry.at_s && !show.recording.empty()) {
-            TRY(dmx::Recording recording, dmx::open_recording(show.recording, {}, options.quiet));
-            dmx::Player player(std::move(recording));
-            levels = player.at(*planned.entry.at_s);
+            TRY(levels, levels_at(show, *planned.entry.at_s, options.quiet));
         }
         for (const std::string& sentence : planned.entry.unknown) moment.said += " " + sentence + ".";
     } else if (!options.look.empty()) {
         TRY(look, scene::find_look(looks, options.look));
         moment.said = style("As in look '%1'.", {options.look});
+    }
+    if (options.at_s) {
+        if (show.recording.empty()) return Error{"has no recording for --at", show.file.string()};
+        TRY(levels, levels_at(show, *options.at_s, options.quiet));
+        moment.said = style("As the recording has it at %1 s.", {style.number(*options.at_s, 2)});
     }
     scene::Rig rig(show);
     settle(rig, levels,

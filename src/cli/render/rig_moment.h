@@ -1,13 +1,14 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// What all fixtures of a show do at one moment, at rest: in a cue, in a look, or when nothing is sent.
-// Without a device. Main thread.
+// What all fixtures of a show do at one moment, at rest: in a cue, in a look, at a second of the recording,
+// or when nothing is sent. Without a device. Main thread.
 
 #include "base/report.h"
 #include "base/result.h"
 #include "fixture/state.h"
 #include "print/print_style.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct Show; // show/show.h
 namespace ghost::app {
 
 struct RigMomentOptions {
-    std::string cue, look; // by name; at most one of them
+    std::string cue, look;      // by name
+    std::optional<double> at_s; // of the show's recording; at most one of the three
     bool quiet = false;
 };
 
@@ -29,6 +31,6 @@ struct RigMoment {
 
 // Error: no such cue or look, a recording that cannot be read.
 Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& options,
-                         const scene::PrintStyle& style, Report& report);
+                            const scene::PrintStyle& style, Report& report);
 
 } // namespace ghost::app
