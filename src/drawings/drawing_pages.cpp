@@ -57,7 +57,7 @@ void Drawing::draw_grid(const glm::dvec2& offset, const Extent2& window) {
             if (axis == 0)
                 pdf_.line_of_text(at.x - 20, window.high.y + 2, 40, number, kGridText);
             else
-                pdf_.line_of_text(window.low.x - 14, at.y - 4, 13, number,
+                pdf_.line_of_text(window.low.x - 27, at.y - 4, 26, number,
                                   {.size_pt = 5.5, .is_grey = true, .is_right = true});
         }
 }

@@ -8,7 +8,7 @@ namespace ghost::scene {
 namespace {
 
 constexpr double kMargin_pt = 10 * kPointsOfMm;
-constexpr double kNumbers_pt = 5 * kPointsOfMm; // of the grid, left of the drawing and below it
+constexpr double kNumbers_pt = 7 * kPointsOfMm; // of the grid, left of the drawing and below it
 constexpr double kTitle_pt = 44 * kPointsOfMm;  // height of the block
 constexpr double kPad_pt = 4;
 constexpr double kLine_pt = 17; // of the legend
