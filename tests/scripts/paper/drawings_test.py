@@ -81,7 +81,7 @@ def segments(pdf, page):
         if text.startswith(b"1 0 0 -1 0 "):
             contents.append(text.decode("latin-1"))
     found, last = [], None
-    for x, y, letter in re.findall(r"(-?[\d.]+) (-?[\d.]+) ([ml])\b", contents[page - 1]):
+    for x, y, letter in re.findall(r"(-?[\d.]+)\s+(-?[\d.]+)\s+([ml])\b", contents[page - 1]):
         point = (float(x), float(y))
         if letter == "l":
             found.append((last, point))
