@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
     ghost::app::add_render(app, exit_code);
     ghost::app::add_serve(app, exit_code);
     ghost::app::add_sheet(app, exit_code);
+    ghost::app::add_tour(app, exit_code);
     ghost::app::add_xchange(app, exit_code);
     try {
         app.parse(argc, argv);

@@ -6,7 +6,7 @@
 
 namespace ghost::scene {
 
-Book book_of(const Show& show) {
+Book book_of(const Show& show, const PrintStyle& style) {
     Book book;
     book.show = show.name.empty() ? show.folder.filename().string() : show.name;
     std::size_t unread = 0;
@@ -26,9 +26,10 @@ Book book_of(const Show& show) {
         if (!fixture.type->modes.empty()) entry.mode = fixture.patch().mode_of().name;
     }
     if (unread > 0)
-        book.unknown.push_back(std::to_string(unread) +
-                               " fixtures have no file that could be read: their light is in no picture");
-    if (show.fixtures.empty()) book.unknown.push_back("the show has no fixtures");
+        book.unknown.push_back(
+            style("%1 fixtures have no file that could be read: their light is in no picture",
+                  {std::to_string(unread)}));
+    if (show.fixtures.empty()) book.unknown.push_back(style("the show has no fixtures"));
     return book;
 }
 

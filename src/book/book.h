@@ -61,6 +61,6 @@ struct Book {
 };
 
 // Name, fixtures, and what the show does not say about them.
-Book book_of(const Show& show);
+Book book_of(const Show& show, const PrintStyle& style = {});
 
 } // namespace ghost::scene

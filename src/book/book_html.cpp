@@ -2,23 +2,13 @@
 #include "book/book_html.h"
 
 #include "book/private/entry_text.h"
-#include "book/quantities.h"
+#include "book/private/slider.h"
+#include "print/quantities.h"
 
 #include <cstdio>
 
 namespace ghost::scene {
 namespace {
-
-// What the slider covers is cut away; a page from file:// loads no modules.
-constexpr std::string_view kScript = R"(<script>
-for (const range of document.querySelectorAll('.slide + input')) {
-  const old = range.previousElementSibling.querySelector('.old');
-  const cut = () => { old.style.clipPath = 'inset(0 ' + (100 - range.value) + '% 0 0)'; };
-  range.addEventListener('input', cut);
-  cut();
-}
-</script>
-)";
 
 std::string list_of(const std::vector<std::string>& sentences, const std::string& style) {
     if (sentences.empty()) return "";
@@ -27,34 +17,37 @@ std::string list_of(const std::vector<std::string>& sentences, const std::string
     return text + "</ul>\n";
 }
 
-std::string size_of(const Book& book) {
-    return " width=\"" + std::to_string(book.width) + "\" height=\"" + std::to_string(book.height) + "\"";
+std::string changes_of_entry(const BookEntry& entry, bool is_first, const PrintStyle& style) {
+    std::string text = "<h3>" + (is_first ? style("From the dark") : style("What changes")) + "</h3>\n";
+    if (entry.changes.empty()) return text + "<p class=\"of\">" + style("nothing that is seen") + "</p>\n";
+    return text + list_of(change_lines(entry, style), "");
 }
 
-std::string changes_of_entry(const BookEntry& entry, bool is_first) {
-    std::string text = is_first ? "<h3>From the dark</h3>\n" : "<h3>What changes</h3>\n";
-    if (entry.changes.empty()) return text + "<p class=\"of\">nothing that is seen</p>\n";
-    return text + list_of(change_lines(entry), "");
+// Book::kind is English, for programs read it.
+std::string kind_text(const std::string& kind, const PrintStyle& style) {
+    for (const Word known : {Word("cues"), Word("looks"), Word("moments found"), Word("one moment")})
+        if (known.in(Language::english) == kind) return style(known);
+    return kind;
 }
 
 std::string anchor(std::size_t entry) {
     return "e" + std::to_string(entry + 1);
 }
 
-std::string section_of(const Book& book, std::size_t index) {
+std::string section_of(const Book& book, std::size_t index, const PrintStyle& style) {
     const BookEntry& entry = book.entries[index];
     std::string text = "<article class=\"entry\" id=\"" + anchor(index) + "\">\n<h2>" +
                        std::to_string(index + 1) + ". " + html_name(entry.name) + "</h2>\n";
-    if (const std::string times = times_text(entry); !times.empty())
+    if (const std::string times = times_text(entry, style); !times.empty())
         text += "<p class=\"of\">" + html_name(times) + "</p>\n";
     if (!entry.notes.empty()) text += "<p>" + html_name(entry.notes) + "</p>\n";
     text += "<div class=\"pictures\">\n";
     for (const BookPicture& picture : entry.pictures)
         text += "<figure><img loading=\"lazy\" src=\"" + html_text(picture.file) + "\"" + size_of(book) +
-                " alt=\"" + html_text(entry.name + " from " + picture.camera) + "\"><figcaption>" +
+                " alt=\"" + html_text(style("%1 from %2", {entry.name, picture.camera})) + "\"><figcaption>" +
                 html_name(picture.camera) + "</figcaption></figure>\n";
     text += "</div>\n" + list_of(entry.unknown, "unknown");
-    text += changes_of_entry(entry, index == 0);
+    text += changes_of_entry(entry, index == 0, style);
     return text + "<p class=\"pencil\"></p><p class=\"pencil\"></p>\n</article>\n";
 }
 
@@ -64,14 +57,16 @@ std::string figure_text(double value) {
     return text;
 }
 
-std::string rows_of(const BookDifference& difference) {
-    std::string text =
-        "<table>\n<thead><tr><th>entry</th><th>camera</th><th>difference</th><th>mean</th>"
-        "<th>p99</th><th>largest</th><th>of the picture above 0.1</th></tr></thead>\n<tbody>\n";
+std::string rows_of(const BookDifference& difference, const PrintStyle& style) {
+    std::string text = "<table>\n<thead><tr>";
+    for (const Word head : {Word("entry"), Word("camera"), Word("difference"), Word("mean"), Word("p99"),
+                            Word("largest"), Word("of the picture above 0.1")})
+        text += "<th>" + style(head) + "</th>";
+    text += "</tr></thead>\n<tbody>\n";
     for (const ComparedPicture& picture : difference.pictures) {
         text += "<tr><td>" + html_name(picture.name) + "</td><td>" + html_name(picture.camera) + "</td>";
         if (const auto& d = picture.difference)
-            text += "<td>" + words_of(d->seen) + "</td><td class=\"n\">" + figure_text(d->mean) +
+            text += "<td>" + words_of(d->seen, style) + "</td><td class=\"n\">" + figure_text(d->mean) +
                     "</td><td class=\"n\">" + figure_text(d->p99) + "</td><td class=\"n\">" +
                     figure_text(d->max) + "</td><td class=\"n\">" +
                     number_text(static_cast<float>(100.0 * d->share), 1) + " %</td>";
@@ -82,55 +77,62 @@ std::string rows_of(const BookDifference& difference) {
     return text + "</tbody></table>\n";
 }
 
-std::string slider_of(const Book& book, const ComparedPicture& picture) {
-    const std::string name = html_text(picture.name + " from " + picture.camera);
+std::string slider_of(const Book& book, const ComparedPicture& picture, const PrintStyle& style) {
+    const std::string name = style("%1 from %2", {picture.name, picture.camera});
     return "<h3>" + html_name(picture.name) + ", " + html_name(picture.camera) +
-           "</h3>\n<div class=\"pictures\">\n<figure><div class=\"slide\"><img loading=\"lazy\" src=\"" +
-           html_text(picture.file) + "\"" + size_of(book) + " alt=\"" + name +
-           ", now\"><img class=\"old\" loading=\"lazy\" src=\"" + html_text(picture.old_file) + "\"" +
-           size_of(book) + " alt=\"" + name + ", before\"></div><input type=\"range\" min=\"0\" max=\"100\"" +
-           " value=\"50\" aria-label=\"how much of the older picture covers " + name +
-           "\"><figcaption>left: before, right: now</figcaption></figure>\n<figure><img loading=\"lazy\" " +
-           "src=\"" + html_text(picture.map_file) + "\"" + size_of(book) + " alt=\"where " + name +
-           " differs\"><figcaption>where they differ: black not at all, yellow most</figcaption></figure>\n"
-           "</div>\n";
+           "</h3>\n<div class=\"pictures\">\n<figure>" +
+           slider_html({picture.file, style("%1, now", {name}), ""},
+                       {picture.old_file, style("%1, before", {name}), ""}, size_of(book),
+                       style("how much of the older picture covers %1", {name})) +
+           "<figcaption>" + style("left: before, right: now") +
+           "</figcaption></figure>\n<figure><img loading=\"lazy\" src=\"" + html_text(picture.map_file) +
+           "\"" + size_of(book) + " alt=\"" + html_text(style("where %1 differs", {name})) +
+           "\"><figcaption>" + style("where they differ: black not at all, yellow most") +
+           "</figcaption></figure>\n</div>\n";
 }
 
-std::string difference_section(const Book& book, const BookDifference& difference) {
-    std::string text = "<section id=\"difference\">\n<h2>Since " + html_name(difference.old_name) +
-                       "</h2>\n" + list_of(difference.unknown, "unknown") + "<h3>Entries</h3>\n";
-    const std::string nothing = "<p class=\"of\">no change</p>\n";
+std::string difference_section(const Book& book, const BookDifference& difference, const PrintStyle& style) {
+    std::string text = "<section id=\"difference\">\n<h2>" +
+                       style("Since %1", {html_name(difference.old_name)}) + "</h2>\n" +
+                       list_of(difference.unknown, "unknown") + "<h3>" + style("Entries") + "</h3>\n";
+    const std::string nothing = "<p class=\"of\">" + style("no change") + "</p>\n";
     text += difference.entries.empty() ? nothing : list_of(difference.entries, "");
-    text += "<h3>Fixtures</h3>\n";
+    text += "<h3>" + style("Fixtures") + "</h3>\n";
     text += difference.fixtures.empty() ? nothing : list_of(difference.fixtures, "");
-    text += "<h3>Pictures</h3>\n";
-    text += difference.pictures.empty() ? "<p class=\"of\">none can be compared</p>\n" : rows_of(difference);
+    text += "<h3>" + style("Pictures") + "</h3>\n";
+    text += difference.pictures.empty() ? "<p class=\"of\">" + style("none can be compared") + "</p>\n"
+                                        : rows_of(difference, style);
     for (const ComparedPicture& picture : difference.pictures)
-        if (!picture.map_file.empty()) text += slider_of(book, picture);
+        if (!picture.map_file.empty()) text += slider_of(book, picture, style);
     return text + "</section>\n";
 }
 
 } // namespace
 
-std::string html_of(const Book& book, const BookDifference* difference, PaperSize paper) {
-    std::string page = html_begin(book.show + ": cue book", paper);
-    page += "<h1>" + html_name(book.show) +
-            "</h1>\n<p class=\"of\">Cue book: " + std::to_string(book.entries.size()) + " " +
-            (book.entries.size() == 1 ? "entry" : "entries") + " (" + html_text(book.kind) + "), " +
-            std::to_string(book.fixtures.size()) + " fixtures, pictures of " + std::to_string(book.width) +
-            "x" + std::to_string(book.height) + " at exposure " + number_text(book.ev100, 2) + ", drawn by " +
-            html_name(book.device) + "</p>\n" + list_of(book.unknown, "unknown");
-    page += "<nav aria-label=\"entries\">\n";
-    if (difference) page += "<a href=\"#difference\">what changed since the older one</a>\n";
+std::string html_of(const Book& book, const BookDifference* difference, PaperSize paper,
+                    const PrintStyle& style) {
+    std::string page = html_begin(book.show + ": " + style("cue book"), paper, style.language);
+    page += "<h1>" + html_name(book.show) + "</h1>\n<p class=\"of\">" +
+            style(book.entries.size() == 1 ? Word("Cue book: 1 entry (%1), %2 fixtures.")
+                                           : Word("Cue book: %3 entries (%1), %2 fixtures."),
+                  {html_text(kind_text(book.kind, style)), std::to_string(book.fixtures.size()),
+                   std::to_string(book.entries.size())}) +
+            " " +
+            style("Pictures of %1 at exposure %2, drawn by %3.",
+                  {std::to_string(book.width) + "x" + std::to_string(book.height),
+                   style.number(static_cast<double>(book.ev100), 2), html_name(book.device)}) +
+            "</p>\n" + list_of(book.unknown, "unknown");
+    page += "<nav aria-label=\"" + style("Entries") + "\">\n";
+    if (difference) page += "<a href=\"#difference\">" + style("what changed since the older one") + "</a>\n";
     for (std::size_t i = 0; i < book.entries.size(); ++i)
         page += "<a href=\"#" + anchor(i) + "\">" + std::to_string(i + 1) + ". " +
                 html_name(book.entries[i].name) + "</a>\n";
     page += "</nav>\n";
-    if (difference) page += difference_section(book, *difference);
+    if (difference) page += difference_section(book, *difference, style);
     page += "<section>\n";
-    for (std::size_t i = 0; i < book.entries.size(); ++i) page += section_of(book, i);
+    for (std::size_t i = 0; i < book.entries.size(); ++i) page += section_of(book, i, style);
     page += "</section>\n";
-    if (difference) page += kScript;
+    if (difference) page += slider_script();
     return page + html_end();
 }
 

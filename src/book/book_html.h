@@ -5,13 +5,15 @@
 
 #include "book/book.h"
 #include "book/difference.h"
-#include "book/html.h"
+#include "print/html.h"
+#include "print/print_style.h"
 
 #include <string>
 
 namespace ghost::scene {
 
 // difference: null, or from an older book.
-std::string html_of(const Book& book, const BookDifference* difference, PaperSize paper);
+std::string html_of(const Book& book, const BookDifference* difference, PaperSize paper,
+                    const PrintStyle& style = {});
 
 } // namespace ghost::scene

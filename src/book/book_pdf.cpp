@@ -2,9 +2,9 @@
 #include "book/pdf.h"
 
 #include "book/private/entry_text.h"
-#include "book/private/pdf_writer.h"
-#include "book/quantities.h"
 #include "image/ldr.h"
+#include "print/pdf_writer.h"
+#include "print/quantities.h"
 
 #include <algorithm>
 
@@ -23,8 +23,9 @@ constexpr PdfText kWords{.size_pt = 8.5};
 
 class BookPages {
 public:
-    BookPages(const Book& book, const std::filesystem::path& folder, PaperSize size)
-        : book_(book), folder_(folder), pdf_(size, false, book.show + ": cue book") {}
+    BookPages(const Book& book, const std::filesystem::path& folder, PaperSize size, const PrintStyle& style)
+        : book_(book), folder_(folder), style_(style),
+          pdf_(size, false, book.show + ": " + style("cue book")) {}
 
     Result<std::string> draw() {
         const std::size_t pages =
@@ -47,9 +48,10 @@ private:
     void draw_head(std::size_t page, std::size_t pages) {
         const double width = pdf_.width_pt() - 2 * kMargin_pt;
         pdf_.line_of_text(kMargin_pt, kMargin_pt - 12, 0.75 * width, book_.show, kTitle);
-        pdf_.line_of_text(kMargin_pt + 0.75 * width, kMargin_pt - 12, 0.25 * width,
-                          "cue book, page " + std::to_string(page + 1) + " of " + std::to_string(pages),
-                          {.size_pt = 8, .is_grey = true, .is_right = true});
+        pdf_.line_of_text(
+            kMargin_pt + 0.75 * width, kMargin_pt - 12, 0.25 * width,
+            style_("cue book, page %1 of %2", {std::to_string(page + 1), std::to_string(pages)}),
+            {.size_pt = 8, .is_grey = true, .is_right = true});
         std::string said;
         for (const std::string& sentence : book_.unknown) said += (said.empty() ? "" : "; ") + sentence;
         if (page == 0) pdf_.line_of_text(kMargin_pt, kMargin_pt + 4, width, said, kSmall);
@@ -66,11 +68,11 @@ private:
         double at = y + 5;
         pdf_.line_of_text(x, at, width, title, kTitle);
         at += 15;
-        at += pdf_.text(x, at, width, 22, times_text(entry), kSmall);
+        at += pdf_.text(x, at, width, 22, times_text(entry, style_), kSmall);
         at += pdf_.text(x, at, width, 22, entry.notes, kWords);
         for (const std::string& sentence : entry.unknown)
             at += pdf_.text(x, at, width, std::min(22.0, end - at), sentence, kSmall);
-        pdf_.text(x, at + 2, width, end - at - 2, changes_text(entry), kWords);
+        pdf_.text(x, at + 2, width, end - at - 2, changes_text(entry, style_), kWords);
         for (const double up : {kPencil_pt, 0.0}) pdf_.line(x, y + height - up, x + width, y + height - up);
         return {};
     }
@@ -92,13 +94,15 @@ private:
 
     const Book& book_;
     const std::filesystem::path& folder_;
+    const PrintStyle& style_;
     PdfWriter pdf_;
 };
 
 } // namespace
 
-Result<std::string> pdf_of(const Book& book, const std::filesystem::path& folder, PaperSize size) {
-    return BookPages(book, folder, size).draw();
+Result<std::string> pdf_of(const Book& book, const std::filesystem::path& folder, PaperSize size,
+                           const PrintStyle& style) {
+    return BookPages(book, folder, size, style).draw();
 }
 
 } // namespace ghost::scene

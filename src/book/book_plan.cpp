@@ -2,7 +2,6 @@
 #include "book/book_plan.h"
 
 #include "base/progress.h"
-#include "book/quantities.h"
 #include "show/looks.h"
 #include "show/show.h"
 
@@ -19,7 +18,8 @@ std::optional<std::size_t> index_of(const std::vector<StoredLook>& looks, const 
 }
 
 // A cue that says no time, look or camera leaves those of the cue before.
-void plan_cues(const Show& show, const std::vector<StoredLook>& looks, BookPlan& plan) {
+void plan_cues(const Show& show, const std::vector<StoredLook>& looks, const PrintStyle& style,
+               BookPlan& plan) {
     std::optional<double> at_s;
     std::optional<std::size_t> look;
     std::string camera;
@@ -33,7 +33,7 @@ void plan_cues(const Show& show, const std::vector<StoredLook>& looks, BookPlan&
         entry.fade_s = cue.fade_s;
         if (!cue.look.empty()) {
             look = index_of(looks, cue.look);
-            if (!look) entry.unknown.push_back("the show has no look '" + cue.look + "'");
+            if (!look) entry.unknown.push_back(style("the show has no look '%1'", {cue.look}));
             if (look && !entry.fade_s) entry.fade_s = looks[*look].fade_s;
         }
         at_s = cue.at_s ? cue.at_s : at_s;
@@ -43,14 +43,14 @@ void plan_cues(const Show& show, const std::vector<StoredLook>& looks, BookPlan&
             if (is_there)
                 camera = cue.camera;
             else
-                entry.unknown.push_back("the show has no camera '" + cue.camera + "'");
+                entry.unknown.push_back(style("the show has no camera '%1'", {cue.camera}));
         }
         entry.at_s = at_s;
         if (!show.recording.empty() && !at_s)
-            entry.unknown.push_back("no cue so far says a second of the recording: nothing is sent");
+            entry.unknown.push_back(style("no cue so far says a second of the recording: nothing is sent"));
         if (show.recording.empty() && cue.at_s)
-            entry.unknown.push_back("the show has no recording: what it does at " +
-                                    number_text(static_cast<float>(*cue.at_s), 2) + " s is not known");
+            entry.unknown.push_back(style("the show has no recording: what it does at %1 s is not known",
+                                          {style.number(*cue.at_s, 2)}));
         if (look) entry.look = looks[*look].name;
         planned.look = look;
         planned.camera = camera;
@@ -67,10 +67,10 @@ void plan_looks(const std::vector<StoredLook>& looks, BookPlan& plan) {
     }
 }
 
-void plan_found(const std::vector<double>& found_s, BookPlan& plan) {
+void plan_found(const std::vector<double>& found_s, const PrintStyle& style, BookPlan& plan) {
     for (const double at_s : found_s) {
         PlannedEntry& planned = plan.entries.emplace_back();
-        planned.entry.name = "at rest from " + clock_text(at_s);
+        planned.entry.name = style("at rest from %1", {clock_text(at_s)});
         planned.entry.at_s = at_s;
     }
 }
@@ -78,13 +78,13 @@ void plan_found(const std::vector<double>& found_s, BookPlan& plan) {
 } // namespace
 
 Result<BookPlan> plan_book(const Show& show, const std::vector<StoredLook>& looks, BookKind kind,
-                           const std::vector<double>& found_s) {
+                           const std::vector<double>& found_s, const PrintStyle& style) {
     BookPlan plan;
     const std::string file = show.file.string();
     if (kind == BookKind::cues || (kind == BookKind::by_itself && !show.cues.empty())) {
         if (show.cues.empty()) return Error{"has no [[cue]] to make a book of", file};
         plan.kind = "cues";
-        plan_cues(show, looks, plan);
+        plan_cues(show, looks, style, plan);
     } else if (kind == BookKind::looks || (kind == BookKind::by_itself && !looks.empty())) {
         if (looks.empty()) return Error{"has no looks to make a book of", looks_file(show).string()};
         plan.kind = "looks";
@@ -94,18 +94,17 @@ Result<BookPlan> plan_book(const Show& show, const std::vector<StoredLook>& look
         if (found_s.empty())
             return Error{"never comes to rest: no cue is found in it", show.recording.string()};
         plan.kind = "moments found";
-        plan_found(found_s, plan);
+        plan_found(found_s, style, plan);
     } else {
         plan.kind = "one moment";
-        plan.unknown.push_back("the show has neither cues nor looks: this is how it begins");
+        plan.unknown.push_back(style("the show has neither cues nor looks: this is how it begins"));
         PlannedEntry& planned = plan.entries.emplace_back();
-        planned.entry.name = "the show as it begins";
+        planned.entry.name = style("the show as it begins");
         if (!show.recording.empty()) planned.entry.at_s = 0;
     }
     if (kind == BookKind::by_itself && plan.kind == "moments found")
-        plan.unknown.push_back(
-            "the show has neither cues nor looks: these are the moments in which its recording "
-            "rests");
+        plan.unknown.push_back(style("the show has neither cues nor looks: these are the moments in which "
+                                     "its recording rests"));
     if (plan.entries.size() > kMostEntries)
         return Error{"a book of " + std::to_string(plan.entries.size()) + " entries, at most " +
                          std::to_string(kMostEntries) + " are possible",

@@ -5,6 +5,7 @@
 
 #include "base/result.h"
 #include "book/book.h"
+#include "print/print_style.h"
 
 #include <cstddef>
 #include <optional>
@@ -32,6 +33,6 @@ struct BookPlan {
 // found_s: where the recording comes to rest (rests.h). by_itself: cues, else looks, else what was found,
 // else the show as it is. Error: none of the kind that was asked for, or more than a book holds.
 Result<BookPlan> plan_book(const Show& show, const std::vector<StoredLook>& looks, BookKind kind,
-                           const std::vector<double>& found_s);
+                           const std::vector<double>& found_s, const PrintStyle& style = {});
 
 } // namespace ghost::scene

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/changes.h"
 
-#include "book/quantities.h"
+#include "print/quantities.h"
 #include "show/looks.h"
 #include "show/show.h"
 
@@ -14,26 +14,25 @@ namespace {
 
 struct Quantity {
     float FixtureValues::*value;
-    const char* name;
-    const char* unit;
+    Word said;   // of the two values
     float least; // a change
     int decimals;
 };
-constexpr Quantity kLight{&FixtureValues::light_percent, "", "%", 1.0f, 0};
+constexpr Quantity kLight{&FixtureValues::light_percent, "%1 to %2 %", 1.0f, 0};
 constexpr Quantity kOthers[] = {
-    {&FixtureValues::zoom_deg, "zoom ", "deg", 0.5f, 1},
-    {&FixtureValues::iris_percent, "iris ", "%", 1.0f, 0},
-    {&FixtureValues::frost_percent, "frost ", "%", 1.0f, 0},
-    {&FixtureValues::blades_percent, "shutters ", "%", 1.0f, 0},
-    {&FixtureValues::strobe_hz, "strobe ", "Hz", 0.1f, 1},
+    {&FixtureValues::zoom_deg, "zoom %1 to %2 deg", 0.5f, 1},
+    {&FixtureValues::iris_percent, "iris %1 to %2 %", 1.0f, 0},
+    {&FixtureValues::frost_percent, "frost %1 to %2 %", 1.0f, 0},
+    {&FixtureValues::blades_percent, "shutters %1 to %2 %", 1.0f, 0},
+    {&FixtureValues::strobe_hz, "strobe %1 to %2 Hz", 0.1f, 1},
 };
-struct Word {
+struct ChangedText {
     std::string FixtureValues::*value;
-    const char* name;
+    Word said;
 };
-constexpr Word kChangedWords[] = {{&FixtureValues::colour, "colour "},
-                                  {&FixtureValues::gobo, "gobo "},
-                                  {&FixtureValues::effects, "effects "}};
+constexpr ChangedText kChangedTexts[] = {{&FixtureValues::colour, "colour %1 to %2"},
+                                         {&FixtureValues::gobo, "gobo %1 to %2"},
+                                         {&FixtureValues::effects, "effects %1 to %2"}};
 constexpr float kLeastTurn_deg = 0.5f;
 
 void add(std::string& list, const std::string& part) {
@@ -41,11 +40,11 @@ void add(std::string& list, const std::string& part) {
 }
 
 void add_quantity(const Quantity& quantity, const FixtureValues& before, const FixtureValues& after,
-                  std::string& list) {
+                  const PrintStyle& style, std::string& list) {
     const float from = before.*quantity.value, to = after.*quantity.value;
     if (!(std::abs(to - from) >= quantity.least)) return;
-    add(list, quantity.name + number_text(from, quantity.decimals) + " to " +
-                  number_text(to, quantity.decimals) + " " + quantity.unit);
+    add(list, style(quantity.said, {style.number(static_cast<double>(from), quantity.decimals),
+                                    style.number(static_cast<double>(to), quantity.decimals)}));
 }
 
 bool moves(const FixtureValues& before, const FixtureValues& after) {
@@ -59,27 +58,27 @@ std::string BookChange::line() const {
     return fixtures.empty() ? what : names_text(fixtures) + ": " + what;
 }
 
-std::string change_of(const FixtureValues& before, const FixtureValues& after) {
+std::string change_of(const FixtureValues& before, const FixtureValues& after, const PrintStyle& style) {
     std::string list;
-    add_quantity(kLight, before, after, list);
+    add_quantity(kLight, before, after, style, list);
     std::string others;
-    for (const Word& word : kChangedWords)
-        if (before.*word.value != after.*word.value)
-            add(others, word.name + before.*word.value + " to " + after.*word.value);
-    for (const Quantity& quantity : kOthers) add_quantity(quantity, before, after, others);
+    for (const ChangedText& text : kChangedTexts)
+        if (before.*text.value != after.*text.value)
+            add(others, style(text.said, {before.*text.value, after.*text.value}));
+    for (const Quantity& quantity : kOthers) add_quantity(quantity, before, after, style, others);
     if (before.is_dark() && after.is_dark()) {
-        if (moves(before, after)) return "moves in the dark";
-        return others.empty() ? "" : "is set in the dark";
+        if (moves(before, after)) return style("moves in the dark");
+        return others.empty() ? "" : style("is set in the dark");
     }
     if (after.is_dark()) return list; // nobody sees what else it does then
     if (!others.empty()) add(list, others);
-    if (moves(before, after)) add(list, "moves");
-    if (list.empty() && before.cells != after.cells) add(list, "its cells change");
+    if (moves(before, after)) add(list, style("moves"));
+    if (list.empty() && before.cells != after.cells) add(list, style("its cells change"));
     return list;
 }
 
 std::vector<BookChange> changes_of(const Show& show, const std::vector<FixtureValues>& before,
-                                   const std::vector<FixtureValues>& after) {
+                                   const std::vector<FixtureValues>& after, const PrintStyle& style) {
     struct Line {
         BookChange change;
         double lumens = 0;
@@ -88,7 +87,7 @@ std::vector<BookChange> changes_of(const Show& show, const std::vector<FixtureVa
     std::map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < std::min({show.fixtures.size(), before.size(), after.size()}); ++i) {
         const PatchedFixture& fixture = show.fixtures[i];
-        const std::string what = change_of(before[i], after[i]);
+        const std::string what = change_of(before[i], after[i], style);
         if (what.empty()) continue;
         const auto [found, is_new] = known.try_emplace(what, lines.size());
         if (is_new) lines.push_back({{{}, what}, 0});
@@ -105,19 +104,23 @@ std::vector<BookChange> changes_of(const Show& show, const std::vector<FixtureVa
     return changes;
 }
 
-std::vector<BookChange> changes_of(const Show& show, const SceneLook& before, const SceneLook& after) {
+std::vector<BookChange> changes_of(const Show& show, const SceneLook& before, const SceneLook& after,
+                                   const PrintStyle& style) {
     std::vector<BookChange> changes;
     const auto put = [&changes](const std::string& what) { changes.push_back({{}, what}); };
+    const auto number = [&style](float value, int decimals) {
+        return style.number(static_cast<double>(value), decimals);
+    };
     const float smoke[] = {100.0f * before.smoke.value_or(1.0f), 100.0f * after.smoke.value_or(1.0f)};
     if (std::abs(smoke[1] - smoke[0]) >= 1.0f)
-        put("haze " + number_text(smoke[0], 0) + " to " + number_text(smoke[1], 0) + " %");
+        put(style("haze %1 to %2 %", {number(smoke[0], 0), number(smoke[1], 0)}));
     const float lux[] = {before.ambient_lux.value_or(show.ambient_lux),
                          after.ambient_lux.value_or(show.ambient_lux)};
     if (std::abs(lux[1] - lux[0]) >= 0.01f)
-        put("even light " + number_text(lux[0], 2) + " to " + number_text(lux[1], 2) + " lx");
+        put(style("even light %1 to %2 lx", {number(lux[0], 2), number(lux[1], 2)}));
     if (before.ambient_colour.value_or(show.ambient_colour) !=
         after.ambient_colour.value_or(show.ambient_colour))
-        put("even light changes its colour");
+        put(style("even light changes its colour"));
     return changes;
 }
 

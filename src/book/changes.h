@@ -5,6 +5,7 @@
 // Pure, any thread.
 
 #include "book/fixture_values.h"
+#include "print/print_style.h"
 
 #include <string>
 #include <vector>
@@ -24,13 +25,14 @@ struct BookChange {
 };
 
 // "": nothing. Of a fixture that is dark before and after what it does there is told in a word.
-std::string change_of(const FixtureValues& before, const FixtureValues& after);
+std::string change_of(const FixtureValues& before, const FixtureValues& after, const PrintStyle& style = {});
 
 // values: one for each of the show's fixtures.
 std::vector<BookChange> changes_of(const Show& show, const std::vector<FixtureValues>& before,
-                                   const std::vector<FixtureValues>& after);
+                                   const std::vector<FixtureValues>& after, const PrintStyle& style = {});
 
 // Of the air and the even light that a look sets.
-std::vector<BookChange> changes_of(const Show& show, const SceneLook& before, const SceneLook& after);
+std::vector<BookChange> changes_of(const Show& show, const SceneLook& before, const SceneLook& after,
+                                   const PrintStyle& style = {});
 
 } // namespace ghost::scene

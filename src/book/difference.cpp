@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/difference.h"
 
-#include "book/quantities.h"
+#include "book/private/paper_tables.h"
+#include "print/quantities.h"
 
 #include <algorithm>
 #include <map>
@@ -16,8 +17,8 @@ std::string quoted(const std::string& name) {
     return "'" + name + "'";
 }
 
-std::string time_text(const BookEntry& entry) {
-    return entry.at_s ? number_text(static_cast<float>(*entry.at_s), 2) + " s" : "no time";
+std::string time_text(const BookEntry& entry, const PrintStyle& style) {
+    return entry.at_s ? style.number(*entry.at_s, 2) + " s" : style("no time");
 }
 
 // Places of the longest row that stays in order: the others are those that moved.
@@ -39,7 +40,8 @@ std::set<std::size_t> in_order(const std::vector<std::size_t>& numbers) {
     return kept;
 }
 
-void compare_entries(const Book& old, const Book& now, std::vector<std::string>& said) {
+void compare_entries(const Book& old, const Book& now, const PrintStyle& style,
+                     std::vector<std::string>& said) {
     std::map<std::string, std::size_t> known, present;
     for (std::size_t i = 0; i < old.entries.size(); ++i) known.try_emplace(old.entries[i].name, i);
     std::vector<std::size_t> places, both; // in the older book, in this one
@@ -48,34 +50,35 @@ void compare_entries(const Book& old, const Book& now, std::vector<std::string>&
         present.try_emplace(entry.name, i);
         const auto found = known.find(entry.name);
         if (found == known.end()) {
-            said.push_back(quoted(entry.name) + " is new");
+            said.push_back(style("%1 is new", {quoted(entry.name)}));
             continue;
         }
         places.push_back(found->second);
         both.push_back(i);
     }
     for (const BookEntry& entry : old.entries)
-        if (!present.contains(entry.name)) said.push_back(quoted(entry.name) + " is gone");
+        if (!present.contains(entry.name)) said.push_back(style("%1 is gone", {quoted(entry.name)}));
     const std::set<std::size_t> kept = in_order(places);
     for (std::size_t k = 0; k < both.size(); ++k) {
         const BookEntry& entry = now.entries[both[k]];
         const BookEntry& before = old.entries[places[k]];
         if (!kept.contains(k))
-            said.push_back(quoted(entry.name) + " moved in the list, from place " +
-                           std::to_string(places[k] + 1) + " to " + std::to_string(both[k] + 1));
+            said.push_back(
+                style("%1 moved in the list, from place %2 to %3",
+                      {quoted(entry.name), std::to_string(places[k] + 1), std::to_string(both[k] + 1)}));
         if (entry.at_s != before.at_s)
-            said.push_back(quoted(entry.name) + " is at " + time_text(entry) + ", was at " +
-                           time_text(before));
+            said.push_back(style("%1 is at %2, was at %3",
+                                 {quoted(entry.name), time_text(entry, style), time_text(before, style)}));
         if (entry.look != before.look)
-            said.push_back(quoted(entry.name) + " has the look " + quoted(entry.look) + ", had " +
-                           quoted(before.look));
+            said.push_back(style("%1 has the look %2, had %3",
+                                 {quoted(entry.name), quoted(entry.look), quoted(before.look)}));
     }
 }
 
-std::string addresses_text(const BookFixture& fixture) {
+std::string addresses_text(const BookFixture& fixture, const PrintStyle& style) {
     std::string text;
     for (const fixture::Address& address : fixture.addresses)
-        text += (text.empty() ? "" : " + ") + address_text(address.universe, address.channel);
+        text += (text.empty() ? "" : " + ") + said_address(style, address.universe, address.channel);
     return text;
 }
 
@@ -83,7 +86,8 @@ bool are_equal(const fixture::Address& a, const fixture::Address& b) {
     return a.universe == b.universe && a.channel == b.channel;
 }
 
-// Lines of fixtures to which the same happened, in the order in which they come.
+// Lines of fixtures to which the same happened, in the order in which they come. What happened begins with
+// "%1", where their names go.
 class Lines {
 public:
     void add(const std::string& what, const std::string& name) {
@@ -92,7 +96,7 @@ public:
         lines_[found->second].names.push_back(name);
     }
     void say(std::vector<std::string>& said) const {
-        for (const Line& line : lines_) said.push_back(names_text(line.names) + " " + line.what);
+        for (const Line& line : lines_) said.push_back(names_text(line.names) + line.what.substr(2));
     }
 
 private:
@@ -124,45 +128,54 @@ std::vector<const BookFixture*> older(const Book& old, const Book& now) {
     return found;
 }
 
-void compare_fixtures(const Book& old, const Book& now, std::vector<std::string>& said) {
+void compare_fixtures(const Book& old, const Book& now, const PrintStyle& style,
+                      std::vector<std::string>& said) {
     const std::vector<const BookFixture*> before = older(old, now);
     const std::set<const BookFixture*> kept(before.begin(), before.end());
     Lines lines;
     for (std::size_t i = 0; i < now.fixtures.size(); ++i)
-        if (!before[i]) lines.add("is new", now.fixtures[i].name);
+        if (!before[i]) lines.add(style("%1 is new", {"%1"}), now.fixtures[i].name);
     for (const BookFixture& fixture : old.fixtures)
-        if (!kept.contains(&fixture)) lines.add("is gone", fixture.name);
+        if (!kept.contains(&fixture)) lines.add(style("%1 is gone", {"%1"}), fixture.name);
     for (std::size_t i = 0; i < now.fixtures.size(); ++i) {
         if (!before[i]) continue;
         const BookFixture &fixture = now.fixtures[i], &was = *before[i];
-        if (fixture.name != was.name) lines.add("was called " + quoted(was.name), fixture.name);
+        if (fixture.name != was.name)
+            lines.add(style("%1 was called %2", {"%1", quoted(was.name)}), fixture.name);
         const float way_m = glm::length(fixture.position_m - was.position_m);
-        if (way_m >= kLeastMove_m) lines.add("moved by " + number_text(way_m, 2) + " m", fixture.name);
+        if (way_m >= kLeastMove_m)
+            lines.add(style("%1 moved by %2", {"%1", style.length_said(static_cast<double>(way_m))}),
+                      fixture.name);
         if (!std::equal(fixture.addresses.begin(), fixture.addresses.end(), was.addresses.begin(),
                         was.addresses.end(), are_equal))
-            lines.add("is patched at " + addresses_text(fixture) + ", was at " + addresses_text(was),
+            lines.add(style("%1 is patched at %2, was at %3",
+                            {"%1", addresses_text(fixture, style), addresses_text(was, style)}),
                       fixture.name);
         if (fixture.type != was.type || fixture.mode != was.mode)
-            lines.add("is " + quoted(fixture.type) + " in mode " + quoted(fixture.mode) + ", was " +
-                          quoted(was.type) + " in mode " + quoted(was.mode),
-                      fixture.name);
+            lines.add(
+                style("%1 is %2 in mode %3, was %4 in mode %5",
+                      {"%1", quoted(fixture.type), quoted(fixture.mode), quoted(was.type), quoted(was.mode)}),
+                fixture.name);
     }
     lines.say(said);
 }
 
 } // namespace
 
-BookDifference difference_of(const Book& old, const Book& now) {
+BookDifference difference_of(const Book& old, const Book& now, const PrintStyle& style) {
     BookDifference difference;
     difference.old_name = old.show;
-    compare_entries(old, now, difference.entries);
-    compare_fixtures(old, now, difference.fixtures);
+    compare_entries(old, now, style, difference.entries);
+    compare_fixtures(old, now, style, difference.fixtures);
     if (old.device != now.device)
-        difference.unknown.push_back("the older pictures were drawn by '" + old.device +
-                                     "': what two devices draw differs a little by itself");
+        difference.unknown.push_back(
+            style("the older pictures were drawn by '%1': what two devices draw differs a little by itself",
+                  {old.device}));
     if (old.ev100 != now.ev100)
-        difference.unknown.push_back("the older pictures have exposure " + number_text(old.ev100, 2) +
-                                     ", these " + number_text(now.ev100, 2) + ": all of them differ by that");
+        difference.unknown.push_back(
+            style("the older pictures have exposure %1, these %2: all of them differ by that",
+                  {style.number(static_cast<double>(old.ev100), 2),
+                   style.number(static_cast<double>(now.ev100), 2)}));
     return difference;
 }
 

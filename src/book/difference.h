@@ -23,7 +23,7 @@ struct PictureDifference {
     double max = 0;
     double share = 0; // of the picture, where it is above 0.1
 };
-std::string words_of(PictureDifference::Seen seen);
+std::string words_of(PictureDifference::Seen seen, const PrintStyle& style);
 
 struct ComparedPicture {
     std::string name; // of the entry
@@ -42,7 +42,7 @@ struct BookDifference {
 };
 
 // Without the pictures.
-BookDifference difference_of(const Book& old, const Book& now);
+BookDifference difference_of(const Book& old, const Book& now, const PrintStyle& style = {});
 // Index of the entry of that name.
 std::optional<std::size_t> entry_named(const Book& book, const std::string& name);
 

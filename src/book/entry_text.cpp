@@ -2,7 +2,6 @@
 #include "book/private/entry_text.h"
 
 #include "base/progress.h"
-#include "book/quantities.h"
 
 namespace ghost::scene {
 namespace {
@@ -11,35 +10,37 @@ constexpr std::size_t kMostLines = 40; // book.json has all
 
 } // namespace
 
-std::string times_text(const BookEntry& entry) {
+std::string times_text(const BookEntry& entry, const PrintStyle& style) {
     std::string text;
     const auto put = [&text](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
     if (entry.at_s && entry.goes_on)
-        put("goes on where the recording is; drawn at " + clock_text(*entry.at_s));
+        put(style("goes on where the recording is; drawn at %1", {clock_text(*entry.at_s)}));
     else if (entry.at_s)
-        put("at " + clock_text(*entry.at_s));
-    if (!entry.look.empty()) put("look '" + entry.look + "'");
-    if (entry.fade_s) put("fade " + number_text(*entry.fade_s, 1) + " s");
-    if (entry.follow_s) put("the next one follows after " + number_text(*entry.follow_s, 1) + " s");
+        put(style("at %1", {clock_text(*entry.at_s)}));
+    if (!entry.look.empty()) put(style("look '%1'", {entry.look}));
+    if (entry.fade_s) put(style("fade %1 s", {style.number(static_cast<double>(*entry.fade_s), 1)}));
+    if (entry.follow_s)
+        put(style("the next one follows after %1 s",
+                  {style.number(static_cast<double>(*entry.follow_s), 1)}));
     return text;
 }
 
-std::vector<std::string> change_lines(const BookEntry& entry) {
+std::vector<std::string> change_lines(const BookEntry& entry, const PrintStyle& style) {
     std::vector<std::string> lines;
     for (const BookChange& change : entry.changes) {
         if (lines.size() == kMostLines) break;
         lines.push_back(change.line());
     }
     if (entry.changes.size() > kMostLines)
-        lines.push_back("and " + std::to_string(entry.changes.size() - kMostLines) +
-                        " more changes, which book.json has");
+        lines.push_back(style("and %1 more changes, which book.json has",
+                              {std::to_string(entry.changes.size() - kMostLines)}));
     return lines;
 }
 
-std::string changes_text(const BookEntry& entry) {
-    if (entry.changes.empty()) return "nothing that is seen";
+std::string changes_text(const BookEntry& entry, const PrintStyle& style) {
+    if (entry.changes.empty()) return style("nothing that is seen");
     std::string text;
-    for (const std::string& line : change_lines(entry)) text += (text.empty() ? "" : "\n") + line;
+    for (const std::string& line : change_lines(entry, style)) text += (text.empty() ? "" : "\n") + line;
     return text;
 }
 

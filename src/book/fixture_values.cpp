@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/fixture_values.h"
 
-#include "book/quantities.h"
 #include "image/colour.h"
+#include "print/quantities.h"
 
 #include <algorithm>
 #include <array>
@@ -28,45 +28,47 @@ void add_part(std::string& list, const std::string& part) {
     list += (list.empty() ? "" : " + ") + part;
 }
 
-std::string slot_text(const fixture::Wheel& wheel, std::size_t slot) {
-    if (is_open(wheel.slots[slot])) return "open";
+std::string slot_text(const fixture::Wheel& wheel, std::size_t slot, const PrintStyle& style) {
+    if (is_open(wheel.slots[slot])) return style("open");
     const std::string& name = wheel.slots[slot].name;
-    return "slot " + std::to_string(slot + 1) + (name.empty() ? "" : " '" + name + "'");
+    return style("slot %1", {std::to_string(slot + 1)}) + (name.empty() ? "" : " '" + name + "'");
 }
 
 // "": open.
-std::string wheel_text(const Type& type, const fixture::WheelState& state) {
+std::string wheel_text(const Type& type, const fixture::WheelState& state, const PrintStyle& style) {
     if (state.wheel < 0) return "";
     const fixture::Wheel& wheel = type.wheels[static_cast<std::size_t>(state.wheel)];
     if (wheel.slots.empty()) return "";
-    if (state.spinning) return "wheel turning";
+    if (state.spinning) return style("wheel turning");
     const auto first = static_cast<std::size_t>(state.position) % wheel.slots.size();
     const float rest = state.position - std::floor(state.position);
     const std::size_t next = (first + 1) % wheel.slots.size();
     std::string text;
     if (rest < 0.05f)
-        text = slot_text(wheel, first);
+        text = slot_text(wheel, first, style);
     else if (rest > 0.95f)
-        text = slot_text(wheel, next);
+        text = slot_text(wheel, next, style);
     else
-        text = "half " + slot_text(wheel, first) + ", half " + slot_text(wheel, next);
-    if (state.shake_hz > 0 || state.turn_shake_hz > 0) text += " shaking";
-    if (text != "open" && state.rotating) text += " turning";
-    return text == "open" ? "" : text;
+        text = style("half %1, half %2", {slot_text(wheel, first, style), slot_text(wheel, next, style)});
+    if (state.shake_hz > 0 || state.turn_shake_hz > 0) text += " " + style("shaking");
+    if (text != style("open") && state.rotating) text += " " + style("turning");
+    return text == style("open") ? "" : text;
 }
 
-std::string wheels_text(const Type& type, const std::vector<fixture::WheelState>& wheels) {
+std::string wheels_text(const Type& type, const std::vector<fixture::WheelState>& wheels,
+                        const PrintStyle& style) {
     std::string text;
     for (const fixture::WheelState& wheel : wheels)
-        if (const std::string one = wheel_text(type, wheel); !one.empty()) add_part(text, one);
+        if (const std::string one = wheel_text(type, wheel, style); !one.empty()) add_part(text, one);
     return text;
 }
 
-std::string inserts_text(const std::string& word, const std::vector<fixture::Insert>& inserts) {
+std::string inserts_text(Word word, const std::vector<fixture::Insert>& inserts, const PrintStyle& style) {
     std::string text;
     for (const fixture::Insert& insert : inserts)
         if (insert.in >= 0.5f)
-            add_part(text, word + " " + std::to_string(insert.number) + (insert.rotating ? " turning" : ""));
+            add_part(text, style(word) + " " + std::to_string(insert.number) +
+                               (insert.rotating ? " " + style("turning") : ""));
     return text;
 }
 
@@ -122,7 +124,7 @@ std::string flags_text(const Optics& optics) {
     return text.empty() ? "" : text + " %";
 }
 
-std::string colour_of(const Type& type, const Optics& optics) {
+std::string colour_of(const Type& type, const Optics& optics, const PrintStyle& style) {
     std::string text;
     const float level = source_level(optics);
     if (optics.has_mix)
@@ -130,10 +132,10 @@ std::string colour_of(const Type& type, const Optics& optics) {
     else if (level >= kLeast)
         text = emitters_text(type, optics, level);
     if (const std::string flags = flags_text(optics); !flags.empty()) add_part(text, flags);
-    if (const std::string wheels = wheels_text(type, optics.color_wheels); !wheels.empty())
+    if (const std::string wheels = wheels_text(type, optics.color_wheels, style); !wheels.empty())
         add_part(text, wheels);
     if (optics.cct_k > 0) add_part(text, number_text(optics.cct_k, 0) + " K");
-    return text.empty() ? "open" : text;
+    return text.empty() ? style("open") : text;
 }
 
 struct BeamValues {
@@ -143,38 +145,40 @@ struct BeamValues {
     bool operator==(const BeamValues&) const = default;
 };
 
-BeamValues beam_values(const Type& type, const Optics& optics) {
+BeamValues beam_values(const Type& type, const Optics& optics, const PrintStyle& style) {
     BeamValues values;
     values.light = optics.dimmer * optics.lamp * optics.shutter_position * source_level(optics);
-    values.colour = colour_of(type, optics);
-    values.gobo = wheels_text(type, optics.gobo_wheels);
-    if (values.gobo.empty()) values.gobo = "open";
-    values.effects = inserts_text("prism", optics.prisms);
-    if (const std::string discs = inserts_text("animation", optics.animations); !discs.empty())
+    values.colour = colour_of(type, optics, style);
+    values.gobo = wheels_text(type, optics.gobo_wheels, style);
+    if (values.gobo.empty()) values.gobo = style("open");
+    values.effects = inserts_text("prism", optics.prisms, style);
+    if (const std::string discs = inserts_text("animation", optics.animations, style); !discs.empty())
         add_part(values.effects, discs);
-    if (values.effects.empty()) values.effects = "open";
+    if (values.effects.empty()) values.effects = style("open");
     return values;
 }
 
-void add_hands(const fixture::Programmer& programmer, FixtureValues& values) {
-    const auto put = [&values](const std::string& part) {
-        values.colour = values.colour == "open" ? part : values.colour + " + " + part;
+void add_hands(const fixture::Programmer& programmer, const PrintStyle& style, FixtureValues& values) {
+    const auto put = [&](const std::string& part) {
+        values.colour = values.colour == style("open") ? part : values.colour + " + " + part;
     };
-    if (programmer.gel) put("gel " + hex(*programmer.gel));
-    if (programmer.lamp) put("lamp of " + number_text(*programmer.lamp, 2) + " times the light");
-    if (programmer.lamp_k) put("lamp of " + number_text(*programmer.lamp_k, 0) + " K");
+    if (programmer.gel) put(style("gel %1", {hex(*programmer.gel)}));
+    if (programmer.lamp)
+        put(style("lamp of %1 times the light", {style.number(static_cast<double>(*programmer.lamp), 2)}));
+    if (programmer.lamp_k) put(style("lamp of %1 K", {number_text(*programmer.lamp_k, 0)}));
 }
 
 } // namespace
 
-FixtureValues values_of(const Type& type, const fixture::State& state,
-                        const fixture::Programmer* programmer) {
+FixtureValues values_of(const Type& type, const fixture::State& state, const fixture::Programmer* programmer,
+                        const PrintStyle& style) {
     FixtureValues values;
+    values.colour = values.gobo = values.effects = style("open");
     values.pan_deg = state.pan_deg;
     values.tilt_deg = state.tilt_deg;
     if (state.beams.empty()) return values;
     std::vector<BeamValues> beams;
-    for (const fixture::BeamState& beam : state.beams) beams.push_back(beam_values(type, beam.optics));
+    for (const fixture::BeamState& beam : state.beams) beams.push_back(beam_values(type, beam.optics, style));
     float light = 0;
     for (const BeamValues& beam : beams) light += beam.light;
     values.light_percent = 100.0f * light / static_cast<float>(beams.size());
@@ -183,7 +187,7 @@ FixtureValues values_of(const Type& type, const fixture::State& state,
     const auto of_all = [&](std::string BeamValues::*text) {
         const bool same = std::all_of(beams.begin(), beams.end(),
                                       [&](const BeamValues& one) { return one.*text == beams[0].*text; });
-        return same ? beams[0].*text : std::string("several");
+        return same ? beams[0].*text : style("several");
     };
     values.colour = of_all(&BeamValues::colour);
     values.gobo = of_all(&BeamValues::gobo);
@@ -198,7 +202,7 @@ FixtureValues values_of(const Type& type, const fixture::State& state,
     for (const fixture::Blade& blade : optics.blades)
         values.blades_percent = std::max(values.blades_percent, 100.0f * std::max(blade.a, blade.b));
     if (optics.strobe != fixture::Strobe::none) values.strobe_hz = optics.strobe_hz;
-    if (programmer) add_hands(*programmer, values);
+    if (programmer) add_hands(*programmer, style, values);
     return values;
 }
 

@@ -6,6 +6,7 @@
 
 #include "fixture/programmer.h"
 #include "fixture/state.h"
+#include "print/print_style.h"
 
 #include <string>
 
@@ -31,7 +32,7 @@ struct FixtureValues {
 
 // programmer: of the fixture, for what hands put before the light (gel, another lamp), or null.
 FixtureValues values_of(const fixture::Type& type, const fixture::State& state,
-                        const fixture::Programmer* programmer = nullptr);
+                        const fixture::Programmer* programmer = nullptr, const PrintStyle& style = {});
 
 // A slot of a wheel that leaves the light as it is.
 bool is_open(const fixture::Slot& slot);

@@ -3,60 +3,21 @@
 
 #include "book/fixture_values.h"
 #include "book/private/paper_tables.h"
-#include "book/quantities.h"
-#include "mvr/mvr_load.h"
+#include "print/quantities.h"
 #include "show/show.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 
 namespace ghost::scene {
 namespace {
 
-// What the plot says of a fixture beside what the show has.
-struct Hanging {
-    std::string position; // "Truss 1"
-    std::string layer;
-    std::string unit; // number on that position
-    std::string function;
-    std::string filter; // a colour in the beam
-    std::string gobo;
-};
-
-Hanging hanging_of(const Plot& plot, const PlotObject& object) {
-    Hanging hanging;
-    const PlotDevice& device = object.device;
-    if (device.position >= 0)
-        hanging.position = plot.positions[static_cast<std::size_t>(device.position)].name;
-    if (object.layer >= 0) hanging.layer = plot.layers[static_cast<std::size_t>(object.layer)].name;
-    if (device.unit_number && *device.unit_number > 0) hanging.unit = std::to_string(*device.unit_number);
-    hanging.function = device.function;
-    if (device.color) hanging.filter = colour_text(*device.color);
-    if (device.gobo) hanging.gobo = device.gobo->file;
-    return hanging;
-}
-
-// One for each fixture; empty where there is no plot.
-std::vector<Hanging> hangings_of(const Show& show) {
-    std::vector<Hanging> all(show.fixtures.size());
-    if (!show.plot) return all;
-    const Plot& plot = show.plot->plot;
-    std::map<std::string, std::size_t> objects;
-    for (std::size_t i = 0; i < plot.objects.size(); ++i)
-        objects.try_emplace(uuid_key(plot.objects[i].uuid), i);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        if (show.fixtures[i].uuid.empty()) continue;
-        const auto found = objects.find(uuid_key(show.fixtures[i].uuid));
-        if (found != objects.end()) all[i] = hanging_of(plot, plot.objects[found->second]);
-    }
-    return all;
-}
-
-std::string all_addresses(const PatchedFixture& fixture) {
+std::string all_addresses(const PatchedFixture& fixture, const PrintStyle& style) {
     std::string text;
     for (const fixture::Address& address : addresses_of(fixture))
-        text += (text.empty() ? "" : " + ") + address_text(address.universe, address.channel);
+        text += (text.empty() ? "" : " + ") + said_address(style, address.universe, address.channel);
     return text;
 }
 
@@ -68,8 +29,12 @@ std::string channels_text(const PatchedFixture& fixture) {
     return text;
 }
 
-std::string said(float value, int decimals) {
-    return value > 0 ? number_text(value, decimals) : "";
+std::string said_weight(const PrintStyle& style, double kilograms) {
+    return kilograms > 0 ? style.weight(kilograms) : "";
+}
+
+std::string said_power(const PrintStyle& style, double watts) {
+    return watts > 0 ? style.number(watts, 0) : "";
 }
 
 std::vector<std::size_t> in_order_of(std::size_t count, const auto& is_before) {
@@ -80,6 +45,10 @@ std::vector<std::size_t> in_order_of(std::size_t count, const auto& is_before) {
 }
 
 } // namespace
+
+std::string said_address(const PrintStyle& style, int universe, int channel) {
+    return channel < 1 ? style("not patched") : address_text(universe, channel);
+}
 
 std::string type_name(const PatchedFixture& fixture) {
     if (!fixture.type) return "";
@@ -115,51 +84,63 @@ void drop_empty_columns(PaperTable& table) {
     }
 }
 
-std::string fixtures_do(std::size_t count) {
-    return count == 1 ? "1 fixture does" : std::to_string(count) + " fixtures do";
-}
-
-PaperTable instruments_of(const Show& show) {
-    PaperTable table{"instruments", "Instrument schedule", {}, {}, {}};
-    table.columns = {{"hangs on"}, {"unit", true}, {"number"},    {"name"},      {"type"},      {"mode"},
-                     {"address"},  {"channels"},   {"x m", true}, {"y m", true}, {"z m", true}, {"function"},
-                     {"filter"},   {"gobo"},       {"layer"},     {"kg", true},  {"W", true}};
+PaperTable instruments_of(const Show& show, const PrintStyle& style) {
+    PaperTable table{"instruments", style("Instrument schedule"), {}, {}, {}};
+    const std::string m = " " + style.length_unit();
+    table.columns = {{style("hangs on")},
+                     {style("unit"), true},
+                     {style("number")},
+                     {style("name")},
+                     {style("type")},
+                     {style("mode")},
+                     {style("address")},
+                     {style("channels")},
+                     {"x" + m, true},
+                     {"y" + m, true},
+                     {"z" + m, true},
+                     {style("function")},
+                     {style("filter")},
+                     {style("gobo")},
+                     {style("focus point")},
+                     {style("layer")},
+                     {style.weight_unit(), true},
+                     {"W", true}};
     const std::vector<Hanging> hangings = hangings_of(show);
-    const auto order = in_order_of(show.fixtures.size(), [&](std::size_t a, std::size_t b) {
-        const Hanging &one = hangings[a], &other = hangings[b];
-        // What hangs nowhere comes last.
-        if (one.position.empty() != other.position.empty()) return other.position.empty();
-        if (one.position != other.position) return natural_less(one.position, other.position);
-        if (one.position.empty() && one.layer != other.layer) return natural_less(one.layer, other.layer);
-        return natural_less(one.unit, other.unit);
-    });
     std::size_t nowhere = 0, unread = 0;
-    for (const std::size_t i : order) {
+    for (const std::size_t i : in_hanging_order(hangings)) {
         const PatchedFixture& fixture = show.fixtures[i];
         const Hanging& hanging = hangings[i];
         const fixture::Properties properties =
             fixture.type ? fixture.type->properties : fixture::Properties{};
         table.rows.push_back(
             {{hanging.position, hanging.unit, fixture.fixture_id, fixture.name, type_name(fixture),
-              mode_name(fixture), all_addresses(fixture), channels_text(fixture),
-              number_text(fixture.position_m.x, 2), number_text(fixture.position_m.y, 2),
-              number_text(fixture.position_m.z, 2), hanging.function, hanging.filter, hanging.gobo,
-              hanging.layer, said(properties.weight_kg, 1), said(properties.power_w, 0)}});
+              mode_name(fixture), all_addresses(fixture, style), channels_text(fixture),
+              style.length(static_cast<double>(fixture.position_m.x)),
+              style.length(static_cast<double>(fixture.position_m.y)),
+              style.length(static_cast<double>(fixture.position_m.z)), hanging.function, hanging.filter,
+              hanging.gobo, hanging.focus, hanging.layer,
+              said_weight(style, static_cast<double>(properties.weight_kg)),
+              said_power(style, static_cast<double>(properties.power_w))}});
         if (hanging.position.empty()) ++nowhere;
         if (!fixture.type) ++unread;
     }
     drop_empty_columns(table);
-    if (nowhere > 0) table.unknown.push_back("What they hang on: " + fixtures_do(nowhere) + " not say it.");
+    if (nowhere == 1) table.unknown.push_back(style("What they hang on: 1 fixture does not say it."));
+    if (nowhere > 1)
+        table.unknown.push_back(
+            style("What they hang on: %1 fixtures do not say it.", {std::to_string(nowhere)}));
     if (unread > 0)
-        table.unknown.push_back("The file of the type could not be read of " + std::to_string(unread) +
-                                ": type, mode, channels, weight and power are not known.");
+        table.unknown.push_back(style("The file of the type could not be read of %1: type, mode, channels, "
+                                      "weight and power are not known.",
+                                      {std::to_string(unread)}));
     return table;
 }
 
-PaperTable hookup_of(const Show& show) {
-    PaperTable table{"hookup", "Channel hookup", {}, {}, {}};
-    table.columns = {{"number"}, {"name"},     {"address"},    {"channels"}, {"type"},
-                     {"mode"},   {"hangs on"}, {"unit", true}, {"function"}};
+PaperTable hookup_of(const Show& show, const PrintStyle& style) {
+    PaperTable table{"hookup", style("Channel hookup"), {}, {}, {}};
+    table.columns = {{style("number")},   {style("name")},       {style("address")},
+                     {style("channels")}, {style("type")},       {style("mode")},
+                     {style("hangs on")}, {style("unit"), true}, {style("function")}};
     const std::vector<Hanging> hangings = hangings_of(show);
     const auto order = in_order_of(show.fixtures.size(), [&](std::size_t a, std::size_t b) {
         const PatchedFixture &one = show.fixtures[a], &other = show.fixtures[b];
@@ -171,18 +152,22 @@ PaperTable hookup_of(const Show& show) {
     for (const std::size_t i : order) {
         const PatchedFixture& fixture = show.fixtures[i];
         if (fixture.fixture_id.empty()) ++numberless;
-        table.rows.push_back({{fixture.fixture_id, fixture.name, all_addresses(fixture),
+        table.rows.push_back({{fixture.fixture_id, fixture.name, all_addresses(fixture, style),
                                channels_text(fixture), type_name(fixture), mode_name(fixture),
                                hangings[i].position, hangings[i].unit, hangings[i].function}});
     }
     drop_empty_columns(table);
-    if (numberless > 0)
-        table.unknown.push_back("The number by which a desk calls them: " + fixtures_do(numberless) +
-                                " not say it, and are sorted by name.");
+    if (numberless == 1)
+        table.unknown.push_back(style(
+            "The number by which a desk calls them: 1 fixture does not say it, and is sorted by name."));
+    if (numberless > 1)
+        table.unknown.push_back(style("The number by which a desk calls them: %1 fixtures do not say it, and "
+                                      "are sorted by name.",
+                                      {std::to_string(numberless)}));
     return table;
 }
 
-PaperTable types_of(const Show& show) {
+PaperTable types_of(const Show& show, const PrintStyle& style) {
     struct Kind {
         const PatchedFixture* first = nullptr;
         std::size_t count = 0;
@@ -193,45 +178,59 @@ PaperTable types_of(const Show& show) {
         if (!kind.first) kind.first = &fixture;
         ++kind.count;
     }
-    PaperTable table{"types", "Types, weight and power", {}, {}, {}};
-    table.columns = {{"type"},          {"mode"},         {"fixtures", true}, {"channels"},
-                     {"kg each", true}, {"kg all", true}, {"W each", true},   {"W all", true}};
+    PaperTable table{"types", style("Types, weight and power"), {}, {}, {}};
+    const std::string kg = style.weight_unit();
+    table.columns = {{style("type")},
+                     {style("mode")},
+                     {style("fixtures"), true},
+                     {style("channels")},
+                     {style("%1 each", {kg}), true},
+                     {style("%1 all", {kg}), true},
+                     {style("%1 each", {"W"}), true},
+                     {style("%1 all", {"W"}), true}};
     double weight_kg = 0, power_w = 0;
     std::size_t weightless = 0, powerless = 0;
     for (const auto& [names, kind] : kinds) {
-        const auto count = static_cast<float>(kind.count);
+        const auto count = static_cast<double>(kind.count);
         const fixture::Properties properties =
             kind.first->type ? kind.first->type->properties : fixture::Properties{};
-        table.rows.push_back({{names.first.empty() ? "file not read" : names.first, names.second,
+        const auto each_kg = static_cast<double>(properties.weight_kg);
+        const auto each_w = static_cast<double>(properties.power_w);
+        table.rows.push_back({{names.first.empty() ? style("file not read") : names.first, names.second,
                                std::to_string(kind.count), channels_text(*kind.first),
-                               said(properties.weight_kg, 1), said(count * properties.weight_kg, 1),
-                               said(properties.power_w, 0), said(count * properties.power_w, 0)}});
-        weight_kg += static_cast<double>(count * properties.weight_kg);
-        power_w += static_cast<double>(count * properties.power_w);
-        if (!(properties.weight_kg > 0)) weightless += kind.count;
-        if (!(properties.power_w > 0)) powerless += kind.count;
+                               said_weight(style, each_kg), said_weight(style, count * each_kg),
+                               said_power(style, each_w), said_power(style, count * each_w)}});
+        weight_kg += count * each_kg;
+        power_w += count * each_w;
+        if (!(each_kg > 0)) weightless += kind.count;
+        if (!(each_w > 0)) powerless += kind.count;
     }
-    const auto total = [&](const std::string& what, double sum, const std::string& unit, std::size_t unsaid) {
+    const auto total = [&](const std::string& what, const std::string& sum, std::size_t unsaid) {
         if (unsaid == show.fixtures.size())
-            table.unknown.push_back(what + ": no fixture file says it.");
+            table.unknown.push_back(style("%1: no fixture file says it.", {what}));
+        else if (unsaid > 0)
+            table.unknown.push_back(style("%1 of the fixtures: %2, without those that do not say it: %3.",
+                                          {what, sum, std::to_string(unsaid)}));
         else
-            table.unknown.push_back(
-                what + " of the fixtures: " + number_text(static_cast<float>(sum), 1) + " " + unit +
-                (unsaid > 0 ? ", without those that do not say it: " + std::to_string(unsaid) + "." : "."));
+            table.unknown.push_back(style("%1 of the fixtures: %2.", {what, sum}));
     };
     if (!show.fixtures.empty()) {
-        total("Weight", weight_kg, "kg", weightless);
-        total("Power", power_w, "W", powerless);
-        table.unknown.push_back("Phases, circuits and cables are not known.");
+        total(style("Weight"), style.weight(weight_kg) + " " + kg, weightless);
+        total(style("Power"), style.number(power_w, 1) + " W", powerless);
     }
     return table;
 }
 
-Paper paper_of(const Show& show) {
+Paper paper_of(const Show& show, const PrintStyle& style, double circuit_w) {
     Paper paper;
     paper.show = show.name.empty() ? show.folder.filename().string() : show.name;
-    paper.tables = {instruments_of(show), hookup_of(show), patch_of(show),
-                    universes_of(show),   wheels_of(show), types_of(show)};
+    paper.style = style;
+    paper.tables = {instruments_of(show, style), hookup_of(show, style), patch_of(show, style),
+                    universes_of(show, style),   wheels_of(show, style), types_of(show, style),
+                    positions_of(show, style)};
+    // Not there where nobody says anything about cables or power.
+    for (PaperTable& table : std::array{cables_of(show, style), phases_of(show, style, circuit_w)})
+        if (!table.rows.empty()) paper.tables.push_back(std::move(table));
     return paper;
 }
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Paper: what a crew prints of a show, as tables: instrument schedule, channel hookup, patch by universe with
 // what is free, types with weight and power, gobos and colours. A cell that the show does not know is empty,
-// and a sentence says how many. Metres, kilograms, watts. Pure, any thread.
+// and a sentence says how many. In the language and units that are asked for. Pure, any thread.
+
+#include "print/print_style.h"
 
 #include <string>
 #include <vector>
@@ -32,8 +34,12 @@ struct PaperTable {
 struct Paper {
     std::string show;
     std::vector<PaperTable> tables;
+    PrintStyle style;
 };
 
-Paper paper_of(const Show& show);
+inline constexpr double kCircuit_w = 3680; // 16 A at 230 V
+
+// circuit_w: of a circuit in the proposal of phases.
+Paper paper_of(const Show& show, const PrintStyle& style = {}, double circuit_w = kCircuit_w);
 
 } // namespace ghost::scene

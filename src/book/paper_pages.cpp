@@ -18,14 +18,14 @@ std::string csv_cell(const std::string& text, bool is_number) {
     return quoted + "\"";
 }
 
-std::string html_table(const PaperTable& table) {
+std::string html_table(const PaperTable& table, const PrintStyle& style) {
     std::string text = "<section id=\"" + table.file + "\">\n<h2>" + html_text(table.title) + "</h2>\n";
     if (!table.unknown.empty()) {
         text += "<ul class=\"unknown\">\n";
         for (const std::string& sentence : table.unknown) text += "<li>" + html_name(sentence) + "</li>\n";
         text += "</ul>\n";
     }
-    if (table.rows.empty()) return text + "<p class=\"of\">nothing</p>\n</section>\n";
+    if (table.rows.empty()) return text + "<p class=\"of\">" + style("nothing") + "</p>\n</section>\n";
     text += "<table>\n<thead><tr>";
     for (const PaperColumn& column : table.columns)
         text += std::string("<th") + (column.is_number ? " class=\"n\"" : "") + ">" +
@@ -55,17 +55,27 @@ std::string csv_of(const PaperTable& table) {
     return text;
 }
 
-std::string html_of(const Paper& paper, PaperSize size) {
-    std::string page = html_begin(paper.show + ": paperwork", size);
-    page +=
-        "<h1>" + html_name(paper.show) +
-        "</h1>\n<p class=\"of\">Paperwork. Metres, kilograms, watts; x to "
-        "the right seen from the house, y up-stage, z up. Each table lies beside this page as .csv. What a "
-        "cell leaves empty, the show does not say.</p>\n<nav aria-label=\"tables\">\n";
+std::string html_of(const Paper& paper, PaperSize size, const std::vector<PaperDrawing>& drawings) {
+    const PrintStyle& style = paper.style;
+    std::string page = html_begin(paper.show + ": " + style("paperwork"), size, style.language);
+    const std::string units =
+        style.units == Units::metric
+            ? style("Metres, kilograms, watts; x to the right seen from the house, y up-stage, z up.")
+            : style("Feet and inches, pounds, watts; x to the right seen from the house, y up-stage, z up.");
+    page += "<h1>" + html_name(paper.show) + "</h1>\n<p class=\"of\">" + style("Paperwork") + ". " + units +
+            " " +
+            style("Each table lies beside this page as .csv. What a cell leaves empty, the show does not "
+                  "say.") +
+            "</p>\n";
+    if (!drawings.empty()) page += "<nav aria-label=\"" + style("drawings") + "\">\n";
+    for (const PaperDrawing& drawing : drawings)
+        page += "<a href=\"" + drawing.file + "\">" + html_text(drawing.title) + " (PDF)</a>\n";
+    if (!drawings.empty()) page += "</nav>\n";
+    page += "<nav aria-label=\"" + style("tables") + "\">\n";
     for (const PaperTable& table : paper.tables)
         page += "<a href=\"#" + table.file + "\">" + html_text(table.title) + "</a>\n";
     page += "</nav>\n";
-    for (const PaperTable& table : paper.tables) page += html_table(table);
+    for (const PaperTable& table : paper.tables) page += html_table(table, style);
     return page + html_end();
 }
 

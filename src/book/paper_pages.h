@@ -3,15 +3,22 @@
 // Paper as files: a table as CSV (RFC 4180, UTF-8 with its mark, so that spreadsheets know it), all of them
 // as one page. Pure, any thread.
 
-#include "book/html.h"
 #include "book/paper.h"
+#include "print/html.h"
 
 #include <string>
+#include <vector>
 
 namespace ghost::scene {
 
 // A text that a spreadsheet would take for a formula gets a ' before it: names come from outside.
 std::string csv_of(const PaperTable& table);
-std::string html_of(const Paper& paper, PaperSize size);
+
+// A PDF that lies beside the page.
+struct PaperDrawing {
+    std::string file; // "plan.pdf"
+    std::string title;
+};
+std::string html_of(const Paper& paper, PaperSize size, const std::vector<PaperDrawing>& drawings = {});
 
 } // namespace ghost::scene

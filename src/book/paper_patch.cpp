@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/private/paper_tables.h"
 
-#include "book/quantities.h"
 #include "dmx/wire/universes.h"
+#include "print/quantities.h"
 #include "show/show.h"
 
 #include <algorithm>
@@ -26,7 +26,8 @@ struct Segment {
 using Segments = std::map<int, std::vector<Segment>>;
 
 // What runs past channel 512 goes on in the next universe.
-void add(Segments& all, const fixture::Address& address, int count, Segment segment) {
+void add(Segments& all, const PrintStyle& style, const fixture::Address& address, int count,
+         Segment segment) {
     int universe = address.universe, from = address.channel;
     segment.is_whole = count > 0;
     for (int left = std::max(count, 1); left > 0 && universe <= dmx::kMaxUniverse; ++universe) {
@@ -35,11 +36,11 @@ void add(Segments& all, const fixture::Address& address, int count, Segment segm
         all[universe].push_back(segment);
         left -= segment.to - segment.from + 1;
         from = 1;
-        segment.what += segment.what.empty() ? "goes on" : ", goes on";
+        segment.what += (segment.what.empty() ? "" : ", ") + style("goes on");
     }
 }
 
-Segments segments_of(const Show& show) {
+Segments segments_of(const Show& show, const PrintStyle& style) {
     Segments all;
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
         const PatchedFixture& fixture = show.fixtures[i];
@@ -49,11 +50,12 @@ Segments segments_of(const Show& show) {
             if (address.channel < 1 || address.channel > kSlots || address.universe < 1) continue;
             const int count = footprint_of(fixture, part);
             if (fixture.type && count == 0) continue; // its mode has no channels there
-            add(all, address, count,
-                {.fixture = i, .what = part > 0 ? "break " + std::to_string(part + 1) : ""});
+            add(all, style, address, count,
+                {.fixture = i, .what = part > 0 ? style("break %1", {std::to_string(part + 1)}) : ""});
         }
         if (fixture.track && fixture.track->address > 0)
-            add(all, {fixture.track->universe, fixture.track->address}, 2, {.fixture = i, .what = "track"});
+            add(all, style, {fixture.track->universe, fixture.track->address}, 2,
+                {.fixture = i, .what = style("track")});
     }
     for (auto& [universe, segments] : all)
         std::stable_sort(segments.begin(), segments.end(),
@@ -78,26 +80,27 @@ std::vector<Gap> gaps_of(const std::vector<Segment>& segments) {
     return gaps;
 }
 
-PaperRow free_row(int universe, const Gap& gap, bool is_certain) {
+PaperRow free_row(const PrintStyle& style, int universe, const Gap& gap, bool is_certain) {
     return {{std::to_string(universe), std::to_string(gap.from), std::to_string(gap.to),
-             std::to_string(gap.count()), is_certain ? "free" : "free at most", "", "", "", ""},
+             std::to_string(gap.count()), is_certain ? style("free") : style("free at most"), "", "", "", ""},
             true};
 }
 
 } // namespace
 
-PaperTable patch_of(const Show& show) {
-    PaperTable table{"patch", "Patch by universe", {}, {}, {}};
-    table.columns = {{"universe", true}, {"from", true}, {"to", true}, {"channels", true}, {"name"},
-                     {"number"},         {"type"},       {"mode"},     {"remarks"}};
-    for (const auto& [universe, segments] : segments_of(show)) {
+PaperTable patch_of(const Show& show, const PrintStyle& style) {
+    PaperTable table{"patch", style("Patch by universe"), {}, {}, {}};
+    table.columns = {{style("universe"), true}, {style("from"), true}, {style("to"), true},
+                     {style("channels"), true}, {style("name")},       {style("number")},
+                     {style("type")},           {style("mode")},       {style("remarks")}};
+    for (const auto& [universe, segments] : segments_of(show, style)) {
         const std::vector<Gap> gaps = gaps_of(segments);
         std::size_t gap = 0;
         const Segment* before = nullptr; // that reaches farthest
         bool is_certain = true;          // whether what is free is
         const auto put_gaps = [&](int until) {
             for (; gap < gaps.size() && gaps[gap].from < until; ++gap)
-                table.rows.push_back(free_row(universe, gaps[gap], is_certain));
+                table.rows.push_back(free_row(style, universe, gaps[gap], is_certain));
         };
         for (const Segment& segment : segments) {
             put_gaps(segment.from);
@@ -107,8 +110,8 @@ PaperTable patch_of(const Show& show) {
                 remarks += (remarks.empty() ? "" : ", ") + what;
             };
             if (before && segment.from <= before->to)
-                remark("shares channels with " + show.fixtures[before->fixture].name);
-            if (!segment.is_whole) remark("how many channels is not known");
+                remark(style("shares channels with %1", {show.fixtures[before->fixture].name}));
+            if (!segment.is_whole) remark(style("how many channels is not known"));
             table.rows.push_back(
                 {{std::to_string(universe), std::to_string(segment.from),
                   segment.is_whole ? std::to_string(segment.to) : "",
@@ -128,16 +131,16 @@ PaperTable patch_of(const Show& show) {
                          [](const fixture::Address& address) { return address.channel > 0; }))
             unpatched.push_back(fixture.name);
     }
-    if (!unpatched.empty()) table.unknown.push_back("Not patched: " + names_text(unpatched) + ".");
+    if (!unpatched.empty()) table.unknown.push_back(style("Not patched: %1.", {names_text(unpatched)}));
     drop_empty_columns(table);
     return table;
 }
 
-PaperTable universes_of(const Show& show) {
-    PaperTable table{"universes", "Universes", {}, {}, {}};
-    table.columns = {{"universe", true}, {"fixtures", true},    {"channels used", true},
-                     {"free", true},     {"largest gap", true}, {"last used", true}};
-    for (const auto& [universe, segments] : segments_of(show)) {
+PaperTable universes_of(const Show& show, const PrintStyle& style) {
+    PaperTable table{"universes", style("Universes"), {}, {}, {}};
+    table.columns = {{style("universe"), true}, {style("fixtures"), true},    {style("channels used"), true},
+                     {style("free"), true},     {style("largest gap"), true}, {style("last used"), true}};
+    for (const auto& [universe, segments] : segments_of(show, style)) {
         int free = 0, largest = 0, last = 0;
         for (const Gap& gap : gaps_of(segments)) {
             free += gap.count();
@@ -151,8 +154,9 @@ PaperTable universes_of(const Show& show) {
         std::sort(fixtures.begin(), fixtures.end());
         fixtures.erase(std::unique(fixtures.begin(), fixtures.end()), fixtures.end());
         if (std::any_of(segments.begin(), segments.end(), [](const Segment& one) { return !one.is_whole; }))
-            table.unknown.push_back("Universe " + std::to_string(universe) +
-                                    ": less may be free, for a fixture's channels are not known.");
+            table.unknown.push_back(
+                style("Universe %1: less may be free, for a fixture's channels are not known.",
+                      {std::to_string(universe)}));
         table.rows.push_back(
             {{std::to_string(universe), std::to_string(fixtures.size()), std::to_string(kSlots - free),
               std::to_string(free), std::to_string(largest), std::to_string(last)}});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "book/pdf.h"
 
-#include "book/private/pdf_writer.h"
+#include "print/pdf_writer.h"
 
 #include <algorithm>
 #include <numeric>
@@ -20,7 +20,7 @@ constexpr PdfText kColumnHead{.size_pt = 7.5, .is_bold = true};
 class PaperPages {
 public:
     PaperPages(const Paper& paper, PaperSize size)
-        : paper_(paper), pdf_(size, true, paper.show + ": paperwork"),
+        : paper_(paper), pdf_(size, true, paper.show + ": " + paper.style("paperwork")),
           width_(pdf_.width_pt() - 2 * kTableMargin_pt), end_(pdf_.height_pt() - kTableMargin_pt) {}
 
     Result<std::string> draw() {
@@ -33,9 +33,10 @@ private:
         ++page_;
         if (is_first) pdf_.mark(table.title);
         pdf_.line_of_text(kTableMargin_pt, kTableMargin_pt - 14, 0.7 * width_,
-                          table.title + (is_first ? "" : ", continued"), {.size_pt = 11, .is_bold = true});
+                          is_first ? table.title : paper_.style("%1, continued", {table.title}),
+                          {.size_pt = 11, .is_bold = true});
         pdf_.line_of_text(kTableMargin_pt + 0.7 * width_, kTableMargin_pt - 14, 0.3 * width_,
-                          paper_.show + ", page " + std::to_string(page_),
+                          paper_.style("%1, page %2", {paper_.show, std::to_string(page_)}),
                           {.size_pt = 8, .is_grey = true, .is_right = true});
         y_ = kTableMargin_pt + 4;
     }

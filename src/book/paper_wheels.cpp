@@ -5,6 +5,7 @@
 #include "show/show.h"
 
 #include <map>
+#include <optional>
 #include <set>
 
 namespace ghost::scene {
@@ -12,49 +13,49 @@ namespace {
 
 using fixture::Role;
 
-// What a wheel is for, by the functions of the modes that are hung; "": for something else.
-const char* kind_of(Role role) {
+// What a wheel is for, by the functions of the modes that are hung; nothing: for something else.
+std::optional<Word> kind_of(Role role) {
     switch (role) {
     case Role::color_wheel:
     case Role::color_wheel_index:
     case Role::color_macro:
-        return "colour";
+        return Word("colour");
     case Role::gobo_wheel:
     case Role::gobo_wheel_index:
     case Role::gobo_select_spin:
     case Role::gobo_select_shake:
-        return "gobo";
+        return Word("gobo");
     case Role::animation_wheel:
     case Role::animation_select_spin:
-        return "animation";
+        return Word("animation");
     case Role::prism:
     case Role::prism_select_spin:
-        return "prism";
+        return Word("prism");
     default:
-        return "";
+        return std::nullopt;
     }
 }
 
-std::map<int, std::string> wheels_in_use(const fixture::Mode& mode) {
-    std::map<int, std::string> wheels;
+std::map<int, Word> wheels_in_use(const fixture::Mode& mode) {
+    std::map<int, Word> wheels;
     for (const fixture::Channel& channel : mode.channels)
         for (const fixture::ChannelFunction& function : channel.functions)
-            if (const std::string kind = kind_of(function.meaning.role); function.wheel >= 0 && !kind.empty())
-                wheels.try_emplace(function.wheel, kind);
+            if (const auto kind = kind_of(function.meaning.role); function.wheel >= 0 && kind)
+                wheels.try_emplace(function.wheel, *kind);
     return wheels;
 }
 
 struct HungType {
     std::size_t count = 0;
-    std::map<int, std::string> wheels; // of all modes in which it is hung
+    std::map<int, Word> wheels; // of all modes in which it is hung
 };
 
 } // namespace
 
-PaperTable wheels_of(const Show& show) {
-    PaperTable table{"gobos_colours", "Gobos and colours", {}, {}, {}};
-    table.columns = {{"type"},       {"fixtures", true}, {"wheel"},   {"kind"},
-                     {"slot", true}, {"name"},           {"picture"}, {"colour"}};
+PaperTable wheels_of(const Show& show, const PrintStyle& style) {
+    PaperTable table{"gobos_colours", style("Gobos and colours"), {}, {}, {}};
+    table.columns = {{style("type")},       {style("fixtures"), true}, {style("wheel")},   {style("kind")},
+                     {style("slot"), true}, {style("name")},           {style("picture")}, {style("colour")}};
     std::map<std::string, std::pair<const fixture::Type*, HungType>> types;
     for (const PatchedFixture& fixture : show.fixtures) {
         if (!fixture.type || fixture.type->modes.empty()) continue;
@@ -73,12 +74,12 @@ PaperTable wheels_of(const Show& show) {
                     slot.filter >= 0 ? type->filters[static_cast<std::size_t>(slot.filter)].color
                                      : slot.color;
                 table.rows.push_back(
-                    {{name, std::to_string(hung.count), wheel.name, kind, std::to_string(k + 1), slot.name,
-                      slot.media_file, is_open(slot) ? "open" : colour_text(colour)}});
+                    {{name, std::to_string(hung.count), wheel.name, style(kind), std::to_string(k + 1),
+                      slot.name, slot.media_file, is_open(slot) ? style("open") : colour_text(colour)}});
             }
         }
     }
-    if (table.rows.empty()) table.unknown.push_back("No fixture file names a wheel with slots.");
+    if (table.rows.empty()) table.unknown.push_back(style("No fixture file names a wheel with slots."));
     drop_empty_columns(table);
     return table;
 }

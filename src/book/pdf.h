@@ -5,8 +5,8 @@
 
 #include "base/result.h"
 #include "book/book.h"
-#include "book/html.h"
 #include "book/paper.h"
+#include "print/html.h"
 
 #include <filesystem>
 #include <string>
@@ -14,7 +14,8 @@
 namespace ghost::scene {
 
 // folder: of the book, where its pictures are. Error: one of them cannot be read.
-Result<std::string> pdf_of(const Book& book, const std::filesystem::path& folder, PaperSize size);
+Result<std::string> pdf_of(const Book& book, const std::filesystem::path& folder, PaperSize size,
+                           const PrintStyle& style = {});
 Result<std::string> pdf_of(const Paper& paper, PaperSize size);
 
 } // namespace ghost::scene

@@ -28,18 +28,18 @@ image::ImageF linear(const image::Image8& picture) {
 
 } // namespace
 
-std::string words_of(PictureDifference::Seen seen) {
+std::string words_of(PictureDifference::Seen seen, const PrintStyle& style) {
     switch (seen) {
     case PictureDifference::Seen::same_pixels:
-        return "the same";
+        return style("the same");
     case PictureDifference::Seen::not_seen:
-        return "not seen";
+        return style("not seen");
     case PictureDifference::Seen::seen:
-        return "seen";
+        return style("seen");
     case PictureDifference::Seen::large:
         break;
     }
-    return "large";
+    return style("large");
 }
 
 Result<PictureDifference> compare_pictures(const image::Image8& old, const image::Image8& now,

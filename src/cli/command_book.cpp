@@ -5,6 +5,7 @@
 #include "book/pdf.h"
 #include "cli/commands.h"
 #include "cli/options/number_option.h"
+#include "cli/options/print_options.h"
 #include "cli/options/size_option.h"
 #include "cli/options/tone_option.h"
 #include "cli/render/book_against.h"
@@ -26,6 +27,7 @@ constexpr const char* kBookFile = "book.json"; // by which a folder is known as 
 
 struct BookArguments {
     BookOptions book;
+    PrintOptions print;
     std::string out;
     std::string size = "640x360";
     std::string against;
@@ -38,6 +40,7 @@ Result<void> check_usage(BookArguments& arguments) {
     TRY(const glm::ivec2 size, size_from(arguments.size, {16, 16}, 4096));
     arguments.book.width = size.x;
     arguments.book.height = size.y;
+    arguments.book.style = arguments.print.style();
     if (arguments.cues) arguments.book.kind = scene::BookKind::cues;
     if (arguments.looks) arguments.book.kind = scene::BookKind::looks;
     if (arguments.find) arguments.book.kind = scene::BookKind::found;
@@ -58,12 +61,14 @@ Result<void> make_book(BookArguments& arguments) {
     if (!arguments.against.empty()) {
         TRY(difference, compare_books(arguments.book, drawn, arguments.against, old, folder));
     }
-    const scene::PaperSize paper = arguments.paper == "A4" ? scene::PaperSize::a4 : scene::PaperSize::letter;
+    const scene::PaperSize paper = scene::paper_named(arguments.paper);
     TRY_VOID(write_file_atomic(folder.written_to() / kBookFile, scene::text_of(drawn.book)));
-    TRY_VOID(write_file_atomic(folder.written_to() / "index.html",
-                               scene::html_of(drawn.book, difference ? &*difference : nullptr, paper)));
+    TRY_VOID(write_file_atomic(
+        folder.written_to() / "index.html",
+        scene::html_of(drawn.book, difference ? &*difference : nullptr, paper, arguments.book.style)));
     if (arguments.pdf) {
-        TRY(const std::string pdf, scene::pdf_of(drawn.book, folder.written_to(), paper));
+        TRY(const std::string pdf,
+            scene::pdf_of(drawn.book, folder.written_to(), paper, arguments.book.style));
         TRY_VOID(write_file_atomic(folder.written_to() / "book.pdf", pdf));
     }
     TRY_VOID(folder.commit());
@@ -114,6 +119,7 @@ void add_book(CLI::App& app, int& exit_code) {
         ->check(CLI::IsMember({"A4", "Letter"}))
         ->capture_default_str();
     command->add_flag("--pdf", a->pdf, "write book.pdf, too: four entries on a page");
+    add_print_options(*command, a->print);
     add_tone_option(*command, session.tone);
     command->add_option("--device", session.device, "Vulkan device: part of its name, or its number")
         ->type_name("NAME");

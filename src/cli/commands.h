@@ -26,6 +26,7 @@ void add_record(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
 void add_serve(CLI::App& app, int& exit_code);
 void add_sheet(CLI::App& app, int& exit_code);
+void add_tour(CLI::App& app, int& exit_code);
 void add_xchange(CLI::App& app, int& exit_code);
 
 } // namespace ghost::app

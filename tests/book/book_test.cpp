@@ -182,5 +182,14 @@ TEST(BookOfShow, says_what_it_does_not_know) {
     EXPECT_TRUE(book_of(show).unknown.at(0).starts_with("3 fixtures have no file"));
 }
 
+TEST(BookPage, is_german_where_it_is_asked_for) {
+    const PrintStyle german{Language::german, Units::metric};
+    const std::string page = html_of(small_book(), nullptr, PaperSize::a4, german);
+    for (const char* part : {"<html lang=\"de\">", "Cue-Buch", "(Cues)", "Aus dem Dunkel", "gezeichnet von"})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+    for (const char* part : {"From the dark", "What changes", "drawn by", "entries"})
+        EXPECT_EQ(page.find(part), std::string::npos) << part;
+}
+
 } // namespace
 } // namespace ghost::scene

@@ -2,7 +2,7 @@
 // What changed between two moments, in words.
 #include "book/changes.h"
 
-#include "book/quantities.h"
+#include "print/quantities.h"
 #include "show/looks.h"
 #include "show/show.h"
 #include "support/tiny_gdtf.h"

@@ -3,7 +3,7 @@
 #include "book/paper.h"
 
 #include "book/paper_pages.h"
-#include "book/quantities.h"
+#include "print/quantities.h"
 #include "show/show.h"
 #include "support/mvr_files.h"
 #include "support/tiny_gdtf.h"
@@ -170,7 +170,7 @@ TEST(Wheels, have_their_slots) {
 
 TEST(Tables, of_a_show_without_fixtures_are_made) {
     const Paper paper = paper_of(Show{});
-    EXPECT_EQ(paper.tables.size(), 6u);
+    EXPECT_EQ(paper.tables.size(), 7u);
     for (const PaperTable& one : paper.tables) EXPECT_TRUE(csv_of(one).ends_with("\r\n")) << one.file;
     EXPECT_NE(html_of(paper, PaperSize::letter).find("nothing"), std::string::npos);
 }
@@ -183,7 +183,7 @@ TEST(Csv, quotes_and_lets_no_name_be_a_formula) {
 }
 
 TEST(Page, of_tables_escapes_and_marks_what_is_free) {
-    const Paper paper{"<b>", {{"x", "X", {{"name"}}, {{{"<i>"}, true}}, {"nobody knows"}}}};
+    const Paper paper{"<b>", {{"x", "X", {{"name"}}, {{{"<i>"}, true}}, {"nobody knows"}}}, {}};
     const std::string page = html_of(paper, PaperSize::a4);
     EXPECT_EQ(page.find("<i>"), std::string::npos);
     EXPECT_EQ(page.find("<b>"), std::string::npos);

@@ -76,7 +76,8 @@ TEST(BookPdf, without_a_picture_is_an_error_that_names_it) {
 
 TEST(PaperPdf, breaks_tables_over_pages) {
     Paper paper{"Demo",
-                {{"x", "Long", {{"name"}, {"z m", true}}, {}, {"one thing"}}, {"y", "Empty", {}, {}, {}}}};
+                {{"x", "Long", {{"name"}, {"z m", true}}, {}, {"one thing"}}, {"y", "Empty", {}, {}, {}}},
+                {}};
     for (int i = 0; i < 100; ++i)
         paper.tables[0].rows.push_back({{"Spot " + std::to_string(i), "6.26"}, i % 2 == 0});
     const std::string pdf = must(pdf_of(paper, PaperSize::letter));

@@ -247,7 +247,7 @@ class Paper(unittest.TestCase):
         self.assertEqual(rows[-1]["name"], "free")
         self.assertEqual(sum(int(row["channels"]) for row in rows), 512)
         self.assertEqual({path.name for path in (WORK / "paper").iterdir()},
-                         {"index.html", "paper.pdf", *(name + ".csv" for name in ("instruments", "hookup", "patch", "universes", "gobos_colours", "types"))})
+                         {"index.html", "paper.pdf", *(name + ".csv" for name in ("instruments", "hookup", "patch", "universes", "gobos_colours", "types", "positions"))})
         text = pdf_text(WORK / "paper/paper.pdf")
         for part in ("Instrument schedule", "Patch by universe", "Wash 5", "free"):
             self.assertIn(part, text)

@@ -3,6 +3,7 @@
 // What a page says of an entry of a book, whatever it is printed by. Pure.
 
 #include "book/book.h"
+#include "print/print_style.h"
 
 #include <string>
 #include <vector>
@@ -10,10 +11,10 @@
 namespace ghost::scene {
 
 // "at 0:36, look Blue, fade 2 s".
-std::string times_text(const BookEntry& entry);
+std::string times_text(const BookEntry& entry, const PrintStyle& style);
 // Lines of what changes, as many as a page takes, and how many more there are.
-std::vector<std::string> change_lines(const BookEntry& entry);
+std::vector<std::string> change_lines(const BookEntry& entry, const PrintStyle& style);
 // The same, a line each; "nothing that is seen".
-std::string changes_text(const BookEntry& entry);
+std::string changes_text(const BookEntry& entry, const PrintStyle& style);
 
 } // namespace ghost::scene

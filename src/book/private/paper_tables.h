@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The tables of Paper (book/paper.h), one by one, and what they share. Pure.
 
+#include "book/hangings.h"
 #include "book/paper.h"
 #include "fixture/patch.h"
 
@@ -13,12 +14,17 @@ namespace ghost::scene {
 
 struct PatchedFixture; // show/show.h
 
-PaperTable instruments_of(const Show& show);
-PaperTable hookup_of(const Show& show);
-PaperTable types_of(const Show& show);
-PaperTable patch_of(const Show& show);
-PaperTable universes_of(const Show& show);
-PaperTable wheels_of(const Show& show);
+PaperTable instruments_of(const Show& show, const PrintStyle& style);
+PaperTable hookup_of(const Show& show, const PrintStyle& style);
+PaperTable types_of(const Show& show, const PrintStyle& style);
+PaperTable patch_of(const Show& show, const PrintStyle& style);
+PaperTable universes_of(const Show& show, const PrintStyle& style);
+PaperTable wheels_of(const Show& show, const PrintStyle& style);
+PaperTable positions_of(const Show& show, const PrintStyle& style);
+PaperTable cables_of(const Show& show, const PrintStyle& style);
+PaperTable phases_of(const Show& show, const PrintStyle& style, double circuit_w);
+
+std::string said_address(const PrintStyle& style, int universe, int channel);
 
 // "Vari-Lite VL2500 Spot"; "": its file could not be read.
 std::string type_name(const PatchedFixture& fixture);
@@ -29,7 +35,5 @@ std::vector<fixture::Address> addresses_of(const PatchedFixture& fixture);
 int footprint_of(const PatchedFixture& fixture, std::size_t part);
 // Columns in which no row has anything go.
 void drop_empty_columns(PaperTable& table);
-// "1 fixture does", "3 fixtures do".
-std::string fixtures_do(std::size_t count);
 
 } // namespace ghost::scene

@@ -24,21 +24,22 @@ std::string moved_to(const std::string& folder, const std::string& file) {
 
 // The older picture of the same entry from the same camera, or why there is none.
 Result<std::string> older_picture(const scene::Book& old, const scene::BookEntry& entry,
-                                  const std::string& camera) {
+                                  const std::string& camera, const scene::PrintStyle& style) {
     const auto index = scene::entry_named(old, entry.name);
-    if (!index) return Error{"the older book has no such entry", ""};
+    if (!index) return Error{style("the older book has no such entry"), ""};
     for (const scene::BookPicture& picture : old.entries[*index].pictures)
         if (picture.camera == camera) return picture.file;
-    return Error{"the older book has no picture from this camera", ""};
+    return Error{style("the older book has no picture from this camera"), ""};
 }
 
 // old_root: where the older pictures lie.
 Result<ComparedPicture> compare_picture(const fs::path& old_root, const std::string& old_file,
-                                        const scene::BookPicture& picture, const WholeFolder& folder) {
+                                        const scene::BookPicture& picture, const scene::PrintStyle& style,
+                                        const WholeFolder& folder) {
     ComparedPicture compared;
     const Result<image::Image8> old = image::read_ldr(old_root / old_file);
     if (!old.ok()) {
-        compared.why_not = "the older picture: " + old.error().what;
+        compared.why_not = style("the older picture: %1", {old.error().what});
         return compared;
     }
     TRY(const image::Image8 now, image::read_ldr(folder.written_to() / picture.file));
@@ -82,9 +83,10 @@ Result<scene::BookDifference> compare_books(const BookOptions& options, const Dr
         TRY(DrawnBook drawn, draw_book(asked, drawn_to, &now.frame));
         before = std::move(drawn.book);
     }
-    scene::BookDifference difference = scene::difference_of(before, now.book);
+    scene::BookDifference difference = scene::difference_of(before, now.book, options.style);
     if (before.width != now.book.width || before.height != now.book.height)
-        difference.unknown.push_back("the older pictures are of another size and are not compared");
+        difference.unknown.push_back(
+            options.style("the older pictures are of another size and are not compared"));
     TRY_VOID(folder.make_folder("old"));
     TRY_VOID(folder.make_folder("differences"));
     Progress progress("comparing",
@@ -94,10 +96,10 @@ Result<scene::BookDifference> compare_books(const BookOptions& options, const Dr
         const scene::BookEntry& entry = now.book.entries[i];
         for (const scene::BookPicture& picture : entry.pictures) {
             if (interrupted()) return Error{"interrupted: nothing is written", ""};
-            const Result<std::string> file = older_picture(before, entry, picture.camera);
+            const Result<std::string> file = older_picture(before, entry, picture.camera, options.style);
             ComparedPicture compared;
             if (file.ok()) {
-                TRY(compared, compare_picture(book ? old : drawn_to, *file, picture, folder));
+                TRY(compared, compare_picture(book ? old : drawn_to, *file, picture, options.style, folder));
             } else {
                 compared.why_not = file.error().what;
             }

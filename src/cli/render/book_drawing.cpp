@@ -40,6 +40,7 @@ private:
     explicit BookDrawing(const BookOptions& options) : options_(options) {}
 
     Result<void> plan();
+    Result<void> choose_entries();
     Result<std::vector<double>> find_rests();
     Result<BookFrame> choose_frame(const BookFrame* given);
     Result<float> metered(const scene::Camera& camera);
@@ -90,7 +91,24 @@ Result<void> BookDrawing::plan() {
     if (may_find && player_) {
         TRY(found_s, find_rests());
     }
-    TRY(plan_, scene::plan_book(show, looks_, options_.kind, found_s));
+    TRY(plan_, scene::plan_book(show, looks_, options_.kind, found_s, options_.style));
+    return choose_entries();
+}
+
+Result<void> BookDrawing::choose_entries() {
+    if (options_.only.empty()) return {};
+    std::vector<scene::PlannedEntry> chosen;
+    for (const std::string& name : options_.only) {
+        const auto found =
+            std::find_if(plan_.entries.begin(), plan_.entries.end(),
+                         [&](const scene::PlannedEntry& planned) { return planned.entry.name == name; });
+        if (found == plan_.entries.end())
+            return Error{"has no entry '" + name + "' among its " + plan_.kind + "; the first one is '" +
+                             plan_.entries.front().entry.name + "'",
+                         session_->show->file.string()};
+        chosen.push_back(*found);
+    }
+    plan_.entries = std::move(chosen);
     return {};
 }
 
@@ -114,7 +132,7 @@ Result<std::vector<double>> BookDrawing::find_rests() {
 
 std::vector<scene::Camera> BookDrawing::cameras_of(const scene::PlannedEntry& planned,
                                                    const BookFrame& frame) const {
-    if (!options_.views.empty()) return frame.cameras;
+    if (!options_.views.empty() || options_.from_all) return frame.cameras;
     const auto named = std::find_if(frame.cameras.begin(), frame.cameras.end(),
                                     [&](const scene::Camera& one) { return one.name == planned.camera; });
     return {named == frame.cameras.end() ? frame.cameras.front() : *named};
@@ -140,7 +158,8 @@ std::vector<FixtureValues> BookDrawing::values() const {
         const auto by_hand = look_.fixtures.find(i);
         if (const auto& type = session_->show->fixtures[i].type)
             all[i] = scene::values_of(*type, session_->rig->states()[i],
-                                      by_hand == look_.fixtures.end() ? nullptr : &by_hand->second);
+                                      by_hand == look_.fixtures.end() ? nullptr : &by_hand->second,
+                                      options_.style);
     }
     return all;
 }
@@ -184,7 +203,7 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
     scene::Book& book = drawn.book;
     TRY(drawn.frame, choose_frame(given));
     session_->options.ev100 = drawn.frame.ev100;
-    book = scene::book_of(*session_->show);
+    book = scene::book_of(*session_->show, options_.style);
     book.kind = plan_.kind;
     book.width = options_.width;
     book.height = options_.height;
@@ -201,13 +220,13 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
         scene::BookEntry& entry = book.entries.emplace_back(planned.entry);
         go_to(&planned);
         std::vector<FixtureValues> now = values();
-        entry.changes = scene::changes_of(*session_->show, before, now);
-        const auto of_air = scene::changes_of(*session_->show, scene_before, look_.scene);
+        entry.changes = scene::changes_of(*session_->show, before, now, options_.style);
+        const auto of_air = scene::changes_of(*session_->show, scene_before, look_.scene, options_.style);
         entry.changes.insert(entry.changes.end(), of_air.begin(), of_air.end());
         before = std::move(now);
         scene_before = look_.scene;
         if (player_ && planned.entry.at_s && *planned.entry.at_s > player_->duration_s())
-            entry.unknown.push_back("the recording ends before it: this is its last look");
+            entry.unknown.push_back(options_.style("the recording ends before it: this is its last look"));
         const std::vector<scene::Camera> cameras = cameras_of(planned, drawn.frame);
         for (std::size_t k = 0; k < cameras.size(); ++k) {
             if (interrupted()) return interruption();
@@ -225,7 +244,8 @@ Result<DrawnBook> BookDrawing::draw(const fs::path& folder, const BookFrame* giv
     }
     progress.finish();
     if (player_ && dmx::log_damage(*player_))
-        book.unknown.push_back("the recording is damaged: where it is, the look before is drawn");
+        book.unknown.push_back(
+            options_.style("the recording is damaged: where it is, the look before is drawn"));
     return drawn;
 }
 

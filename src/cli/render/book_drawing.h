@@ -8,6 +8,7 @@
 #include "book/book.h"
 #include "book/book_plan.h"
 #include "live/session/session.h"
+#include "print/print_style.h"
 #include "show/camera.h"
 
 #include <filesystem>
@@ -21,6 +22,9 @@ struct BookOptions {
     SessionOptions session;
     scene::BookKind kind = scene::BookKind::by_itself;
     std::vector<std::string> views; // empty: where the cues have put the picture
+    scene::PrintStyle style;
+    bool from_all = false;         // without views: from all cameras
+    std::vector<std::string> only; // names of entries; empty: all
     int width = 640, height = 360;
 };
 

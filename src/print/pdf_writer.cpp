@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "book/private/pdf_writer.h"
+#include "print/pdf_writer.h"
 
 #include "base/print.h"
 #include "image/jpeg_bytes.h"
@@ -13,8 +13,6 @@
 namespace ghost::scene {
 namespace {
 
-constexpr double kA4Width_pt = 595.276, kA4Height_pt = 841.89;
-constexpr double kLetterWidth_pt = 612, kLetterHeight_pt = 792;
 constexpr double kGrey = 0.35;
 constexpr std::size_t kMeasuredBytes = 1000;
 constexpr int kPictureQuality = 85;
@@ -43,8 +41,7 @@ struct PdfWriter::Drawing {
 };
 
 PdfWriter::PdfWriter(PaperSize paper, bool is_wide, const std::string& title)
-    : width_pt_(paper == PaperSize::a4 ? kA4Width_pt : kLetterWidth_pt),
-      height_pt_(paper == PaperSize::a4 ? kA4Height_pt : kLetterHeight_pt), drawing_(new Drawing) {
+    : width_pt_(format_of(paper).width_pt), height_pt_(format_of(paper).height_pt), drawing_(new Drawing) {
     if (is_wide) std::swap(width_pt_, height_pt_);
     Drawing& d = *drawing_;
     d.surface.reset(cairo_pdf_surface_create_for_stream(append, &d.bytes, width_pt_, height_pt_));
@@ -67,7 +64,9 @@ void PdfWriter::set_text(const std::string& text, const PdfText& look) {
     pango_layout_set_font_description(layout, font.get());
     const std::string shown = printable(text); // UTF-8, whatever a name holds
     pango_layout_set_text(layout, shown.data(), static_cast<int>(shown.size()));
-    pango_layout_set_alignment(layout, look.is_right ? PANGO_ALIGN_RIGHT : PANGO_ALIGN_LEFT);
+    pango_layout_set_alignment(layout, look.is_right    ? PANGO_ALIGN_RIGHT
+                                       : look.is_middle ? PANGO_ALIGN_CENTER
+                                                        : PANGO_ALIGN_LEFT);
     const double grey = look.is_grey ? kGrey : 0.0;
     cairo_set_source_rgb(drawing_->cairo.get(), grey, grey, grey);
 }
@@ -123,6 +122,62 @@ void PdfWriter::fill(double x, double y, double width, double height, double gre
     cairo_set_source_rgb(cairo, grey, grey, grey);
     cairo_rectangle(cairo, x, y, width, height);
     cairo_fill(cairo);
+}
+
+void PdfWriter::paint(const PdfInk& ink) {
+    cairo_t* const cairo = drawing_->cairo.get();
+    if (ink.fill_grey >= 0) {
+        cairo_set_source_rgb(cairo, ink.fill_grey, ink.fill_grey, ink.fill_grey);
+        cairo_fill_preserve(cairo);
+    }
+    if (ink.line_grey >= 0) {
+        const double dashes[] = {ink.dash_pt, 0.3 * ink.dash_pt, 0.15 * ink.dash_pt, 0.3 * ink.dash_pt};
+        cairo_set_dash(cairo, dashes, ink.dash_pt > 0 ? 4 : 0, 0);
+        cairo_set_source_rgb(cairo, ink.line_grey, ink.line_grey, ink.line_grey);
+        cairo_set_line_width(cairo, ink.width_pt);
+        cairo_stroke_preserve(cairo);
+        cairo_set_dash(cairo, nullptr, 0, 0);
+    }
+    cairo_new_path(cairo);
+}
+
+void PdfWriter::shape(std::span<const glm::dvec2> points, bool is_closed, const PdfInk& ink) {
+    if (points.empty()) return;
+    cairo_t* const cairo = drawing_->cairo.get();
+    cairo_new_path(cairo);
+    for (const glm::dvec2& point : points) cairo_line_to(cairo, point.x, point.y);
+    if (is_closed) cairo_close_path(cairo);
+    paint(ink);
+}
+
+void PdfWriter::lines(std::span<const glm::dvec2> ends, const PdfInk& ink) {
+    cairo_t* const cairo = drawing_->cairo.get();
+    constexpr std::size_t kEndsOfPath = 4000; // printers choke on longer ones
+    cairo_new_path(cairo);
+    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
+        cairo_move_to(cairo, ends[i].x, ends[i].y);
+        cairo_line_to(cairo, ends[i + 1].x, ends[i + 1].y);
+        if (i % kEndsOfPath == kEndsOfPath - 2) paint(ink);
+    }
+    paint(ink);
+}
+
+void PdfWriter::circle(const glm::dvec2& middle, double radius, const PdfInk& ink) {
+    cairo_t* const cairo = drawing_->cairo.get();
+    cairo_new_path(cairo);
+    cairo_arc(cairo, middle.x, middle.y, radius, 0, 2 * 3.14159265358979);
+    cairo_close_path(cairo);
+    paint(ink);
+}
+
+void PdfWriter::begin_clip(double x, double y, double width, double height) {
+    cairo_save(drawing_->cairo.get());
+    cairo_rectangle(drawing_->cairo.get(), x, y, width, height);
+    cairo_clip(drawing_->cairo.get());
+}
+
+void PdfWriter::end_clip() {
+    cairo_restore(drawing_->cairo.get());
 }
 
 Result<void> PdfWriter::picture(double x, double y, double width, double height,

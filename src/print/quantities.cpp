@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "book/quantities.h"
+#include "print/quantities.h"
 
 #include <cctype>
 #include <cmath>

@@ -1,13 +1,15 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// PdfWriter: pages of text, lines and pictures as PDF, with embedded fonts of every script that the machine
-// has. Points, from the upper left corner. Equal calls give equal bytes. One thread at a time.
+// PdfWriter: pages of text, lines, shapes and pictures as PDF, with embedded fonts of every script that the
+// machine has. Points, from the upper left corner. Equal calls give equal bytes. One thread at a time.
 
 #include "base/result.h"
-#include "book/html.h"
 #include "image/image.h"
+#include "print/paper_size.h"
 
+#include <glm/vec2.hpp>
 #include <memory>
+#include <span>
 #include <string>
 
 namespace ghost::scene {
@@ -16,7 +18,16 @@ struct PdfText {
     double size_pt = 9;
     bool is_bold = false;
     bool is_grey = false;
-    bool is_right = false; // aligned
+    bool is_right = false;  // aligned
+    bool is_middle = false; // aligned
+};
+
+// How a shape is drawn. 0 is black, 1 is white; below 0: not at all.
+struct PdfInk {
+    double line_grey = 0;
+    double width_pt = 0.5;
+    double fill_grey = -1;
+    double dash_pt = 0; // with a dot between two of them; 0: none
 };
 
 class PdfWriter {
@@ -37,6 +48,13 @@ public:
     double width_of(const std::string& text, const PdfText& look);
     void line(double x, double y, double to_x, double to_y);
     void fill(double x, double y, double width, double height, double grey);
+    void shape(std::span<const glm::dvec2> points, bool is_closed, const PdfInk& ink);
+    // Every two points are a line of its own.
+    void lines(std::span<const glm::dvec2> ends, const PdfInk& ink);
+    void circle(const glm::dvec2& middle, double radius, const PdfInk& ink);
+    // What is drawn until end_clip stays within.
+    void begin_clip(double x, double y, double width, double height);
+    void end_clip();
     // Packed as JPEG, which no picture of a show suffers from on paper.
     Result<void> picture(double x, double y, double width, double height, const image::Image8& pixels);
     // An entry of the list of contents that leads to the open page.
@@ -46,6 +64,7 @@ public:
 
 private:
     struct Drawing;
+    void paint(const PdfInk& ink);
     void set_text(const std::string& text, const PdfText& look);
 
     double width_pt_, height_pt_;

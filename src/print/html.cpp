@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "book/html.h"
+#include "print/html.h"
 
 #include "base/print.h"
 
@@ -9,7 +9,7 @@ namespace {
 // No request leaves the page, whatever a name holds.
 constexpr std::string_view kHead = R"(<meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src 'self' file:; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; img-src 'self' file:; media-src 'self' file:; style-src 'unsafe-inline'; script-src 'unsafe-inline'">
 )";
 
 constexpr std::string_view kStyle = R"(:root{color-scheme:light}
@@ -21,6 +21,8 @@ nav{margin:.8rem 0;columns:14rem}nav a{display:block;color:#0b5394}
 .pictures{display:flex;flex-wrap:wrap;gap:.6rem;margin:.5rem 0}figure{margin:0;flex:1 1 20rem;max-width:40rem}
 img{display:block;width:100%;height:auto;background:#000}figcaption{color:#555;font-size:.85rem}
 .pencil{display:none}
+.wide figure{max-width:none;flex-basis:100%}.chosen{display:flex;flex-wrap:wrap;gap:1rem;margin:.6rem 0}
+.chosen select{font:inherit;min-height:44px;max-width:100%}video{display:block;width:100%;height:auto;background:#000}
 .slide{position:relative}.slide .old{position:absolute;inset:0}.slide+input{width:100%;height:44px;margin:0}
 table{border-collapse:collapse;width:100%;font-size:.85rem;margin:.4rem 0 1rem}thead{display:table-header-group}
 th,td{border:1px solid #999;padding:.15rem .4rem;text-align:left;vertical-align:top}th{background:#eee}
@@ -56,12 +58,13 @@ std::string html_name(std::string_view name) {
     return "<bdi>" + html_text(name) + "</bdi>";
 }
 
-std::string html_begin(std::string_view title, PaperSize paper) {
-    std::string page = "<!doctype html>\n<html lang=\"en\">\n<head>\n";
+std::string html_begin(std::string_view title, PaperSize paper, Language language) {
+    std::string page = std::string("<!doctype html>\n<html lang=\"") +
+                       (language == Language::english ? "en" : "de") + "\">\n<head>\n";
     page += kHead;
     page += "<title>" + html_text(title) + "</title>\n<style>\n";
     page += kStyle;
-    page += std::string("@page{size:") + (paper == PaperSize::a4 ? "A4" : "letter") + ";margin:14mm}\n";
+    page += "@page{size:" + std::string(format_of(paper).name) + ";margin:14mm}\n";
     page += "</style>\n</head>\n<body>\n";
     return page;
 }

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cli/render/rig_moment.h"
+
+#include "book/book_plan.h"
+#include "dmx/record/player.h"
+#include "dmx/record/recording_tasks.h"
+#include "live/session/settle.h"
+#include "show/looks.h"
+#include "show/show.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace ghost::app {
+namespace {
+
+Result<scene::PlannedEntry> cue_of(const scene::Show& show, const std::vector<scene::StoredLook>& looks,
+                                   const std::string& name) {
+    TRY(const scene::BookPlan plan, scene::plan_book(show, looks, scene::BookKind::cues, {}));
+    const auto found =
+        std::find_if(plan.entries.begin(), plan.entries.end(),
+                     [&](const scene::PlannedEntry& planned) { return planned.entry.name == name; });
+    if (found == plan.entries.end())
+        return Error{"has no cue '" + name + "'; the first one is '" + plan.entries.front().entry.name + "'",
+                     show.file.string()};
+    return *found;
+}
+
+Result<dmx::Universes> levels_at(const scene::Show& show, double at_s, bool quiet) {
+    TRY(dmx::Recording recording, dmx::open_recording(show.recording, {}, quiet));
+    dmx::Player player(std::move(recording));
+    return dmx::Universes(player.at(at_s));
+}
+
+} // namespace
+
+Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& options,
+                            const scene::PrintStyle& style, Report& report) {
+    RigMoment moment;
+    moment.said = style("As they are when nothing is sent.");
+    TRY(const std::vector<scene::StoredLook> looks, scene::load_looks(scene::looks_file(show), report));
+    std::optional<std::size_t> look;
+    dmx::Universes levels;
+    if (!options.cue.empty()) {
+        TRY(const scene::PlannedEntry planned, cue_of(show, looks, options.cue));
+        look = planned.look;
+        moment.said = style("As in cue '%1'.", {options.cue});
+        if (planned.entry.at_s && !show.recording.empty()) {
+            TRY(levels, levels_at(show, *planned.entry.at_s, options.quiet));
+        }
+        for (const std::string& sentence : planned.entry.unknown) moment.said += " " + sentence + ".";
+    } else if (!options.look.empty()) {
+        TRY(look, scene::find_look(looks, options.look));
+        moment.said = style("As in look '%1'.", {options.look});
+    }
+    if (options.at_s) {
+        if (show.recording.empty()) return Error{"has no recording for --at", show.file.string()};
+        TRY(levels, levels_at(show, *options.at_s, options.quiet));
+        moment.said = style("As the recording has it at %1 s.", {style.number(*options.at_s, 2)});
+    }
+    scene::Rig rig(show);
+    settle(rig, levels,
+           look ? scene::programmer_of(looks[*look], show) : std::map<std::size_t, fixture::Programmer>{});
+    moment.states = rig.states();
+    return moment;
+}
+
+} // namespace ghost::app

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawings/private/drawing.h"
+
+#include "print/quantities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace ghost::scene {
+namespace {
+
+constexpr double kMarginOfRig_m = 2, kMarginOfDrawing_m = 0.6;
+constexpr double kFinest_mm = 0.05; // on paper
+constexpr double kWidestLabel_pt = 95;
+constexpr double kLeastSymbol_pt = 3; // smaller ones would be a dot
+constexpr double kSamePlace_pt = 2;   // in a section: behind each other
+
+bool is_finite(const glm::dvec2& point) {
+    return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+// In a plan the way that a fixture's own axes point; where one stands upright, the other says it.
+SymbolPlace place_of(const RiggedFixture& fixture, const View& view) {
+    const auto flat_way = [&](int axis) {
+        const glm::dvec2 way = view.flat(glm::vec3(fixture.to_world[axis]));
+        return glm::dvec2(way.x, -way.y); // down the page
+    };
+    SymbolPlace place;
+    const glm::dvec2 x = flat_way(0), y = flat_way(1), z = flat_way(2);
+    if (glm::length(x) > 0.3)
+        place.right = glm::normalize(x);
+    else if (glm::length(y) > 0.3)
+        place.right = glm::normalize(glm::dvec2(-y.y, y.x));
+    place.front = {place.right.y, -place.right.x};
+    // A lamp that is fixed looks along its beam.
+    const glm::dvec2 beam = -z;
+    const bool is_fixed = fixture.kind == SymbolKind::profile || fixture.kind == SymbolKind::wash ||
+                          fixture.kind == SymbolKind::projector;
+    if (is_fixed && glm::length(beam) > 0.2) {
+        place.front = glm::normalize(beam);
+        place.right = {-place.front.y, place.front.x};
+    } else if (glm::dot(place.front, y) < 0) {
+        place.front = -place.front;
+    }
+    return place;
+}
+
+} // namespace
+
+Drawing::Drawing(PdfWriter& pdf, const Show& show, const Stage& stage, const DrawingOptions& options,
+                 const View& view, bool is_plan, const std::vector<RiggedFixture>& rig)
+    : pdf_(pdf), show_(show), stage_(stage), options_(options), style_(options.style), view_(view),
+      is_plan_(is_plan), room_(room_on(pdf)) {
+    for (const RiggedFixture& fixture : rig)
+        if (!view.is_cut_away(show.fixtures[fixture.fixture].position_m) &&
+            is_finite(view.flat(show.fixtures[fixture.fixture].position_m)))
+            rig_.push_back(fixture);
+}
+
+// All fixtures and whatever of the stage lies among them; of what is larger the part that is there.
+void Drawing::choose_frame(const Outlines& rough) {
+    Extent2 rig;
+    for (const RiggedFixture& fixture : rig_)
+        rig.include(view_.flat(show_.fixtures[fixture.fixture].position_m));
+    if (rig.is_empty())
+        for (const Outline& object : rough.objects) rig.include(object.extent);
+    if (rig.is_empty()) rig.include(glm::dvec2(0));
+    rig.grow(kMarginOfRig_m);
+    if (!is_plan_) rig.include(glm::dvec2(rig.middle().x, 0)); // the floor
+    frame_ = rig;
+    for (const Outline& object : rough.objects)
+        if (rig.holds(object.extent) || (slender_[object.instance] && rig.touches(object.extent)))
+            frame_.include(object.extent);
+    frame_.grow(kMarginOfDrawing_m);
+}
+
+Result<std::size_t> Drawing::lay_out(int& scale) {
+    slender_ = slender_instances(stage_);
+    choose_frame(outlines_of(stage_, view_, 0.02));
+    const glm::dvec2 room = room_.drawing.size();
+    const int fits = fitting_scale(frame_.size(), room, style_.units);
+    scale = options_.scale.value_or(fits);
+    metre_pt_ = points_of_metre(scale);
+    const glm::dvec2 size = frame_.size() * metre_pt_;
+    const auto sheets_for = [](double length, double of_sheet) {
+        return length <= of_sheet ? 1.0
+                                  : std::ceil((length - kSheetOverlap_pt) / (of_sheet - kSheetOverlap_pt));
+    };
+    const double columns = sheets_for(size.x, room.x), rows = sheets_for(size.y, room.y);
+    if (columns * rows > static_cast<double>(kMostSheets))
+        return Error{"a drawing at 1:" + std::to_string(scale) + " would take " +
+                         number_text(static_cast<float>(columns * rows), 0) + " sheets of " +
+                         std::string(format_of(options_.paper).name) + ", at most " +
+                         std::to_string(kMostSheets) + " are made; 1:" + std::to_string(fits) +
+                         " fits on one",
+                     show_.file.string()};
+    columns_ = static_cast<std::size_t>(columns);
+    rows_ = static_cast<std::size_t>(rows);
+    outlines_ = outlines_of(stage_, view_, kFinest_mm * 1e-3 * scale);
+    place_symbols();
+    Labels labels({{0, 0}, size});
+    for (const DrawnSymbol& symbol : symbols_) labels.keep_free(symbol.box);
+    place_bars(labels);
+    place_labels(labels);
+    return columns_ * rows_;
+}
+
+void Drawing::place_symbols() {
+    std::vector<std::vector<std::vector<glm::dvec2>>> bodies;
+    if (!is_plan_) bodies = bodies_seen(show_, stage_, view_);
+    for (const RiggedFixture& fixture : rig_) {
+        DrawnSymbol& symbol = symbols_.emplace_back();
+        symbol.kind = fixture.kind;
+        symbol.place = place_of(fixture, view_);
+        symbol.place.at = paper_of(view_.flat(show_.fixtures[fixture.fixture].position_m));
+        symbol.place.size_pt = glm::max(fixture.size_m * metre_pt_, glm::dvec2(kLeastSymbol_pt));
+        if (!is_plan_)
+            for (const auto& body : bodies[fixture.fixture]) {
+                auto& drawn = symbol.bodies.emplace_back();
+                for (const glm::dvec2& point : body) {
+                    drawn.push_back(paper_of(point));
+                    symbol.box.include(drawn.back());
+                }
+            }
+        if (!symbol.bodies.empty()) continue;
+        for (const double x : {-0.5, 0.5})
+            for (const double y : {-0.5, 0.5})
+                symbol.box.include(symbol.place.at + x * symbol.place.size_pt.x * symbol.place.right +
+                                   y * symbol.place.size_pt.y * symbol.place.front);
+    }
+}
+
+void Drawing::put(Labels& labels, DrawnLabel label, std::vector<std::string>* without) {
+    double width = 0;
+    const PdfText& look = label.is_bar ? kBarText : kLabelText;
+    for (const std::string& line : label.lines) width = std::max(width, pdf_.width_of(line, look));
+    const double line_pt = label.is_bar ? 9 : kLabelLine_pt;
+    const glm::dvec2 size(std::min(width, label.is_bar ? 2 * kWidestLabel_pt : kWidestLabel_pt) + 1.5,
+                          line_pt * static_cast<double>(label.lines.size()));
+    if (const auto placed = labels.place(size, label.around)) {
+        label.box = placed->box;
+        label.is_led = placed->is_led;
+        labels_.push_back(std::move(label));
+    } else if (without) {
+        without->push_back(label.lines.front());
+    }
+}
+
+// "Truss 1, z = 6.40 m, 10 m long"; positions without a truss at their first fixture.
+void Drawing::place_bars(Labels& labels) {
+    std::map<std::string, bool> named;
+    std::vector<glm::dvec2> places;
+    for (const HungBar& bar : hung_bars(show_, stage_, rig_)) {
+        named[bar.name] = true;
+        const glm::dvec2 from = paper_of(view_.flat(bar.bar.from_m)), to = paper_of(view_.flat(bar.bar.to_m));
+        const glm::dvec2 end = from.x <= to.x ? from : to;
+        const bool is_known = std::any_of(places.begin(), places.end(), [&](const glm::dvec2& other) {
+            return glm::distance(other, end) < kSamePlace_pt;
+        });
+        if (is_known) continue; // behind another one
+        places.push_back(end);
+        DrawnLabel label;
+        label.is_bar = true;
+        label.around.include(end);
+        label.around.grow(2);
+        label.lines = {bar.name + ", z = " + style_.length_said(static_cast<double>(bar.bar.from_m.z)) +
+                       (is_plan_ ? ", " + style_.length_said(static_cast<double>(bar.bar.length_m())) : "")};
+        put(labels, std::move(label), nullptr);
+    }
+    for (std::size_t i = 0; i < rig_.size(); ++i) {
+        if (rig_[i].position.empty() || named[rig_[i].position]) continue;
+        named[rig_[i].position] = true;
+        DrawnLabel label;
+        label.is_bar = true;
+        label.around = symbols_[i].box;
+        label.lines = {rig_[i].position};
+        put(labels, std::move(label), nullptr);
+    }
+}
+
+std::vector<std::string> Drawing::words_of(const std::vector<std::size_t>& group) const {
+    const auto called = [&](const RiggedFixture& fixture) {
+        const PatchedFixture& patched = show_.fixtures[fixture.fixture];
+        return patched.fixture_id.empty() ? patched.name : "(" + patched.fixture_id + ")";
+    };
+    const RiggedFixture& first = rig_[group.front()];
+    const PatchedFixture& patched = show_.fixtures[first.fixture];
+    if (group.size() == 1) {
+        const std::string unit = first.unit.empty() ? "" : "[" + first.unit + "] ";
+        std::vector<std::string> lines{unit + called(first)};
+        if (patched.address > 0) lines.push_back(address_text(patched.universe, patched.address));
+        return lines;
+    }
+    std::vector<std::string> names;
+    for (const std::size_t i : group) {
+        const PatchedFixture& one = show_.fixtures[rig_[i].fixture];
+        names.push_back(one.fixture_id.empty() ? one.name : one.fixture_id);
+    }
+    std::stable_sort(names.begin(), names.end(), natural_less);
+    return {std::to_string(group.size()) + ": " + names_text(names)};
+}
+
+void Drawing::place_labels(Labels& labels) {
+    // What lies behind each other has one label.
+    std::map<std::pair<long, long>, std::vector<std::size_t>> groups;
+    for (std::size_t i = 0; i < rig_.size(); ++i) {
+        const glm::dvec2 cell = symbols_[i].place.at / kSamePlace_pt;
+        groups[{std::lround(std::clamp(cell.x, -1e9, 1e9)), std::lround(std::clamp(cell.y, -1e9, 1e9))}]
+            .push_back(i);
+    }
+    std::vector<std::string> without;
+    for (const auto& [cell, group] : groups) {
+        DrawnLabel label;
+        for (const std::size_t i : group) label.around.include(symbols_[i].box);
+        label.lines = words_of(group);
+        put(labels, std::move(label), &without);
+    }
+    notes_ = notes(without);
+}
+
+std::vector<std::string> Drawing::notes(const std::vector<std::string>& without) const {
+    std::vector<std::string> said;
+    said.push_back(style_("Beside a symbol: [number on the position] (channel) universe.address."));
+    if (is_plan_)
+        said.push_back(
+            style_("Symbols stand for what a type does, as large as its body, turned as it hangs."));
+    if (show_.fixtures.empty()) said.push_back(style_("The show has no fixtures."));
+    if (stage_.instances.empty())
+        said.push_back(style_("The show has no stage model: trusses and set are not drawn."));
+    std::size_t sizeless = 0, typeless = 0;
+    for (const RiggedFixture& fixture : rig_) {
+        if (!fixture.is_size_known) ++sizeless;
+        if (fixture.kind == SymbolKind::not_known) ++typeless;
+    }
+    if (typeless > 0)
+        said.push_back(
+            style_("What a type does is not known of %1: its file could not be read, or says nothing.",
+                   {std::to_string(typeless)}));
+    if (sizeless > 0)
+        said.push_back(style_("Size not known of %1: drawn %2 wide.",
+                              {std::to_string(sizeless), style_.length_said(kAssumedSize_m)}));
+    if (!without.empty())
+        said.push_back(style_("No room for the words beside %1; the instrument schedule has them.",
+                              {std::to_string(without.size())}));
+    if (outlines_.simplified > 0)
+        said.push_back(
+            style_("Simplified to their outermost line: %1 of %2 objects.",
+                   {std::to_string(outlines_.simplified), std::to_string(outlines_.objects.size())}));
+    if (outlines_.left_out > 0)
+        said.push_back(style_("Objects that are not drawn, for there are too many: %1.",
+                              {std::to_string(outlines_.left_out)}));
+    return said;
+}
+
+} // namespace ghost::scene

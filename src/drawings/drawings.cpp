@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawings/drawings.h"
+
+#include "drawings/private/drawing.h"
+
+#include <map>
+
+namespace ghost::scene {
+namespace {
+
+std::string type_text(const PatchedFixture& fixture) {
+    if (!fixture.type) return "";
+    return fixture.type->manufacturer + (fixture.type->manufacturer.empty() ? "" : " ") + fixture.type->name;
+}
+
+std::vector<LegendLine> legend_of(const Show& show, const std::vector<RiggedFixture>& rig) {
+    std::map<std::pair<int, std::string>, std::size_t> counts;
+    for (const RiggedFixture& fixture : rig)
+        ++counts[{static_cast<int>(fixture.kind), type_text(show.fixtures[fixture.fixture])}];
+    std::vector<LegendLine> legend;
+    for (const auto& [key, count] : counts)
+        legend.push_back({static_cast<SymbolKind>(key.first), key.second, count});
+    return legend;
+}
+
+} // namespace
+
+Result<Drawings> drawings_of(const Show& show, const Stage& stage, const DrawingOptions& options) {
+    const PrintStyle& style = options.style;
+    const std::vector<RiggedFixture> rig = rigged_fixtures(show, stage);
+    const std::vector<LegendLine> legend = legend_of(show, rig);
+    TitleBlock title;
+    title.show = show.name.empty() ? show.folder.filename().string() : show.name;
+    title.paper = std::string(format_of(options.paper).name);
+    title.date = options.date;
+    PdfWriter pdf(options.paper, true, title.show + ": " + style("Plan"));
+    Drawings made;
+    Drawing plan(pdf, show, stage, options, from_above(), true, rig);
+    Drawing section(pdf, show, stage, options, from_the_side(options.section_x_m), false, rig);
+    TRY(const std::size_t of_plan, plan.lay_out(made.plan_scale));
+    TRY(const std::size_t of_section, section.lay_out(made.section_scale));
+    made.sheets = of_plan + of_section;
+    std::size_t legend_drawn = 0;
+    title.title = style("Plan");
+    title.remark = style("seen from above, up-stage at the top");
+    title.scale = scale_text(made.plan_scale);
+    plan.draw(title, 0, made.sheets, legend, legend_drawn);
+    title.title = options.section_x_m ? style("Section at x = %1", {style.length_said(*options.section_x_m)})
+                                      : style("Section");
+    title.remark = style("seen from stage left, the house at the left");
+    title.scale = scale_text(made.section_scale);
+    section.draw(title, of_plan, made.sheets, legend, legend_drawn);
+    if (legend_drawn < legend.size()) draw_legend_sheet(pdf, style, legend, legend_drawn, title);
+    TRY(made.pdf, pdf.finish());
+    return made;
+}
+
+} // namespace ghost::scene

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawings/focus.h"
+
+#include "book/fixture_values.h"
+#include "book/hangings.h"
+#include "print/quantities.h"
+#include "show/show.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ghost::scene {
+namespace {
+
+constexpr float kLevel = 0.8f; // upward part of a floor's normal
+constexpr int kEdge = 48;      // points of a pool
+constexpr float kFarthest_m = 300;
+constexpr float kOnLine_m = 0.005f;
+
+// The middle of all its beams.
+void aim(const PatchedFixture& fixture, const fixture::State& state, FocusLamp& lamp) {
+    const glm::mat4 to_world = fixture_to_world(fixture, 0);
+    glm::vec3 lens(0), way(0);
+    for (const fixture::BeamState& beam : state.beams) {
+        const glm::mat4 frame = to_world * beam.to_fixture;
+        lens += glm::vec3(frame[3]) / static_cast<float>(state.beams.size());
+        way -= glm::normalize(glm::vec3(frame[2]));
+    }
+    if (!(glm::length(way) > 1e-3f)) way = -glm::vec3((to_world * state.beams[0].to_fixture)[2]);
+    lamp.lens_m = lens;
+    lamp.way = glm::normalize(way);
+    lamp.angle_deg = state.beams[0].optics.zoom_deg;
+}
+
+void add_pool(FocusLamp& lamp) {
+    const float floor_m = lamp.aim_m().z;
+    const glm::vec3 aside = glm::normalize(
+        glm::cross(lamp.way, std::abs(lamp.way.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0)));
+    const glm::vec3 up = glm::cross(aside, lamp.way);
+    const float half = glm::radians(0.5f * lamp.angle_deg);
+    for (int k = 0; k < kEdge; ++k) {
+        const float round = 6.2831853f * static_cast<float>(k) / kEdge;
+        const glm::vec3 way =
+            std::cos(half) * lamp.way + std::sin(half) * (std::cos(round) * aside + std::sin(round) * up);
+        const float distance = (floor_m - lamp.lens_m.z) / way.z;
+        if (way.z < -1e-4f && distance < kFarthest_m)
+            lamp.pool_m.emplace_back(lamp.lens_m.x + distance * way.x, lamp.lens_m.y + distance * way.y);
+        else
+            lamp.is_pool_whole = false;
+    }
+}
+
+std::string place_text(const PrintStyle& style, const glm::vec3& at_m) {
+    return across_text(style, static_cast<double>(at_m.x)) + ", " +
+           along_text(style, static_cast<double>(at_m.y)) + ", z " +
+           style.length_said(static_cast<double>(at_m.z));
+}
+
+} // namespace
+
+std::string across_text(const PrintStyle& style, double x_m) {
+    if (std::abs(x_m) < kOnLine_m) return style.length_said(0);
+    const std::string length = style.length_said(std::abs(x_m));
+    return x_m > 0 ? style("%1 right", {length}) : style("%1 left", {length});
+}
+
+std::string along_text(const PrintStyle& style, double y_m) {
+    if (std::abs(y_m) < kOnLine_m) return style.length_said(0);
+    const std::string length = style.length_said(std::abs(y_m));
+    return y_m > 0 ? style("%1 up-stage", {length}) : style("%1 to the house", {length});
+}
+
+FocusChart focus_of(const Show& show, std::span<const fixture::State> states, const FindHit& find,
+                    const PrintStyle& style, const std::string& moment) {
+    FocusChart chart;
+    chart.show = show.name.empty() ? show.folder.filename().string() : show.name;
+    chart.style = style;
+    chart.moment = moment;
+    const std::vector<Hanging> hangings = hangings_of(show);
+    std::vector<std::string> beamless;
+    for (const std::size_t i : in_hanging_order(hangings)) {
+        const PatchedFixture& fixture = show.fixtures[i];
+        if (!fixture.type || i >= states.size() || states[i].beams.empty()) {
+            beamless.push_back(fixture.name);
+            continue;
+        }
+        FocusLamp& lamp = chart.lamps.emplace_back();
+        lamp.name = fixture.name;
+        lamp.number = fixture.fixture_id;
+        lamp.position = hangings[i].position;
+        lamp.unit = hangings[i].unit;
+        lamp.focus_point = hangings[i].focus;
+        lamp.place_m = fixture.position_m;
+        lamp.pan_deg = states[i].pan_deg;
+        lamp.tilt_deg = states[i].tilt_deg;
+        lamp.has_axes = !states[i].axes.empty();
+        lamp.light_percent = values_of(*fixture.type, states[i]).light_percent;
+        aim(fixture, states[i], lamp);
+        if (find)
+            lamp.hit = find(lamp.lens_m, lamp.way);
+        else if (lamp.way.z < -1e-3f && lamp.lens_m.z > 0)
+            lamp.hit = FocusHit{-lamp.lens_m.z / lamp.way.z, {0, 0, 1}, ""};
+        lamp.is_on_floor = lamp.hit && lamp.hit->normal.z > kLevel;
+        if (lamp.is_on_floor) add_pool(lamp);
+    }
+    if (!find)
+        chart.unknown.push_back(style("The stage model could not be read: what a beam hits is not known, and "
+                                      "its floor is z = 0."));
+    if (!beamless.empty())
+        chart.unknown.push_back(
+            style("Without a beam, or without a file that could be read: %1.", {names_text(beamless)}));
+    return chart;
+}
+
+PaperTable table_of(const FocusChart& chart) {
+    const PrintStyle& style = chart.style;
+    const std::string m = " " + style.length_unit();
+    PaperTable table{"focus", style("Focus charts"), {}, {}, chart.unknown};
+    table.unknown.insert(table.unknown.begin(), chart.moment);
+    table.columns = {{style("hangs on")},
+                     {style("unit"), true},
+                     {style("number")},
+                     {style("name")},
+                     {style("place")},
+                     {style("focus point")},
+                     {style("aims at")},
+                     {style("hits")},
+                     {style("throw") + m, true},
+                     {style("angle"), true},
+                     {style("pan"), true},
+                     {style("tilt"), true},
+                     {style("light") + " %", true}};
+    for (const FocusLamp& lamp : chart.lamps)
+        table.rows.push_back(
+            {{lamp.position, lamp.unit, lamp.number, lamp.name, place_text(style, lamp.place_m),
+              lamp.focus_point, lamp.hit ? place_text(style, lamp.aim_m()) : "",
+              lamp.hit ? lamp.hit->what : style("hits nothing"),
+              lamp.hit ? style.length(static_cast<double>(lamp.hit->distance_m)) : "",
+              style.number(static_cast<double>(lamp.angle_deg), 1),
+              lamp.has_axes ? style.number(static_cast<double>(lamp.pan_deg), 1) : "",
+              lamp.has_axes ? style.number(static_cast<double>(lamp.tilt_deg), 1) : "",
+              style.number(static_cast<double>(lamp.light_percent), 0)}});
+    return table;
+}
+
+} // namespace ghost::scene

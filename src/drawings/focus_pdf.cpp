@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawings/focus.h"
+#include "drawings/view.h"
+#include "print/pdf_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ghost::scene {
+namespace {
+
+constexpr double kEdge_pt = 12 * kPointsOfMm, kTop_pt = 30, kGutter_pt = 10;
+constexpr std::size_t kAcross = 2, kDown = 5;
+constexpr double kLeastPicture_m = 4; // across
+constexpr double kWidestGrid = 14;    // squares of a metre
+constexpr double kFactLine_pt = 9.2;
+
+constexpr PdfInk kSquare{.line_grey = 0.85, .width_pt = 0.25};
+constexpr PdfInk kAxisLine{.line_grey = 0.35, .width_pt = 0.6, .dash_pt = 6};
+constexpr PdfInk kBeamLine{.line_grey = 0.55, .width_pt = 0.35};
+constexpr PdfInk kPool{.line_grey = 0, .width_pt = 0.9, .fill_grey = 0.93};
+constexpr PdfInk kMeasure{.line_grey = 0.2, .width_pt = 0.35};
+constexpr PdfInk kBorder{.line_grey = 0.4, .width_pt = 0.5};
+constexpr PdfText kName{.size_pt = 9.5, .is_bold = true};
+constexpr PdfText kFact{.size_pt = 7.2};
+constexpr PdfText kTiny{.size_pt = 5.8, .is_middle = true};
+
+class FocusPages {
+public:
+    FocusPages(const FocusChart& chart, PaperSize paper)
+        : chart_(chart), style_(chart.style), pdf_(paper, false, chart.show + ": " + style_("Focus charts")) {
+        card_ = {(pdf_.width_pt() - 2 * kEdge_pt - kGutter_pt) / kAcross,
+                 (pdf_.height_pt() - kEdge_pt - kTop_pt - 14) / kDown};
+    }
+
+    Result<std::string> draw() {
+        const std::size_t of_page = kAcross * kDown;
+        const std::size_t pages = std::max<std::size_t>(1, (chart_.lamps.size() + of_page - 1) / of_page);
+        for (std::size_t page = 0; page < pages; ++page) {
+            double top = draw_head(page, pages);
+            for (std::size_t k = 0; k < of_page; ++k) {
+                const std::size_t lamp = page * of_page + k;
+                if (lamp >= chart_.lamps.size()) break;
+                draw_card(chart_.lamps[lamp],
+                          {kEdge_pt + static_cast<double>(k % kAcross) * (card_.x + kGutter_pt),
+                           top + static_cast<double>(k / kAcross) * card_.y});
+            }
+            pdf_.end_page();
+        }
+        return pdf_.finish();
+    }
+
+private:
+    double draw_head(std::size_t page, std::size_t pages) {
+        const double width = pdf_.width_pt() - 2 * kEdge_pt;
+        pdf_.line_of_text(kEdge_pt, kTop_pt - 12, 0.75 * width, chart_.show + ": " + style_("Focus charts"),
+                          {.size_pt = 11, .is_bold = true});
+        pdf_.line_of_text(kEdge_pt + 0.75 * width, kTop_pt - 10, 0.25 * width,
+                          style_("%1 of %2", {std::to_string(page + 1), std::to_string(pages)}),
+                          {.size_pt = 8, .is_grey = true, .is_right = true});
+        std::string said = chart_.moment;
+        if (page == 0)
+            for (const std::string& sentence : chart_.unknown) said += " " + sentence;
+        pdf_.line_of_text(kEdge_pt, kTop_pt + 3, width, said, {.size_pt = 7, .is_grey = true});
+        if (page == 0) pdf_.mark(style_("Focus charts"));
+        pdf_.line_of_text(
+            kEdge_pt, pdf_.height_pt() - kEdge_pt + 6, width,
+            style_("Left and right as the house sees them. A square of a picture is %1. The ellipse is the "
+                   "field (10 %) on the floor that the middle of the beam hits.",
+                   {style_.length_said(unit_m())}),
+            {.size_pt = 6, .is_grey = true});
+        return kTop_pt + 14;
+    }
+
+    double unit_m() const { return style_.units == Units::metric ? 1.0 : 0.3048; }
+
+    void draw_card(const FocusLamp& lamp, const glm::dvec2& at) {
+        const double side = card_.y - 8;
+        draw_picture(lamp, at, side);
+        const double x = at.x + side + 6, width = card_.x - side - 6;
+        double y = at.y;
+        const std::string number = lamp.number.empty() ? "" : "(" + lamp.number + ") ";
+        y += pdf_.text(x, y, width, 24, number + lamp.name, kName) + 1;
+        const auto fact = [&](const std::string& text) {
+            if (!text.empty() && y + kFactLine_pt < at.y + side)
+                y += pdf_.text(x, y, width, at.y + side - y, text, kFact) + 0.6;
+        };
+        const auto at_place = [&](const glm::vec3& point) {
+            return across_text(style_, static_cast<double>(point.x)) + "\n   " +
+                   along_text(style_, static_cast<double>(point.y)) + "\n   z " +
+                   style_.length_said(static_cast<double>(point.z));
+        };
+        if (!lamp.position.empty()) fact(lamp.position + (lamp.unit.empty() ? "" : " [" + lamp.unit + "]"));
+        fact(style_("place") + ": " + at_place(lamp.place_m));
+        if (!lamp.focus_point.empty()) fact(style_("focus point") + ": " + lamp.focus_point);
+        if (lamp.hit) {
+            fact(style_("aims at") + ": " + at_place(lamp.aim_m()));
+            if (!lamp.hit->what.empty()) fact(style_("hits") + ": " + lamp.hit->what);
+        } else {
+            fact(style_("hits nothing"));
+        }
+        const std::string angle =
+            style_("angle") + " " + style_.number(static_cast<double>(lamp.angle_deg), 1) + "\xc2\xb0";
+        fact(lamp.hit ? style_("throw") + " " +
+                            style_.length_said(static_cast<double>(lamp.hit->distance_m)) + ", " + angle
+                      : angle);
+        if (lamp.has_axes)
+            fact(style_("pan") + " " + style_.number(static_cast<double>(lamp.pan_deg), 1) + "\xc2\xb0, " +
+                 style_("tilt") + " " + style_.number(static_cast<double>(lamp.tilt_deg), 1) + "\xc2\xb0");
+        fact(style_("light") + ": " +
+             (lamp.light_percent < 1 ? style_("dark")
+                                     : style_.number(static_cast<double>(lamp.light_percent), 0) + " %"));
+    }
+
+    // The floor from above, up-stage at the top, the aim in the middle of what is shown.
+    void draw_picture(const FocusLamp& lamp, const glm::dvec2& at, double side) {
+        const std::array frame{at, at + glm::dvec2(side, 0), at + glm::dvec2(side), at + glm::dvec2(0, side)};
+        pdf_.shape(frame, true, kBorder);
+        if (!lamp.is_on_floor) {
+            const std::string why = lamp.hit ? style_("hits no floor") : style_("hits nothing");
+            pdf_.line_of_text(at.x + 2, at.y + 0.5 * side - 4, side - 4, why,
+                              {.size_pt = 7, .is_grey = true, .is_middle = true});
+            return;
+        }
+        const glm::dvec2 aim(glm::vec2(lamp.aim_m()));
+        Extent2 shown;
+        shown.include(aim);
+        for (const glm::dvec2& point : lamp.pool_m) shown.include(point);
+        const double across =
+            std::clamp(1.3 * std::max(shown.size().x, shown.size().y), kLeastPicture_m, 60.0);
+        const glm::dvec2 middle = shown.size().x > 60 || shown.size().y > 60 ? aim : shown.middle();
+        const double metre = side / across;
+        const auto paper = [&](const glm::dvec2& point) {
+            return at + glm::dvec2(0.5 * side + (point.x - middle.x) * metre,
+                                   0.5 * side - (point.y - middle.y) * metre);
+        };
+        pdf_.begin_clip(at.x, at.y, side, side);
+        draw_squares(middle, across, paper);
+        std::vector<glm::dvec2> pool;
+        for (const glm::dvec2& point : lamp.pool_m) pool.push_back(paper(point));
+        if (lamp.is_pool_whole)
+            pdf_.shape(pool, true, kPool);
+        else
+            pdf_.shape(pool, false, {.line_grey = 0, .width_pt = 0.9});
+        pdf_.lines(std::array{paper(glm::dvec2(glm::vec2(lamp.lens_m))), paper(aim)}, kBeamLine);
+        pdf_.circle(paper(glm::dvec2(glm::vec2(lamp.lens_m))), 2,
+                    {.line_grey = 0, .width_pt = 0.4, .fill_grey = 0});
+        draw_measures(aim, at, side, paper);
+        pdf_.circle(paper(aim), 1.4, {.line_grey = 0, .width_pt = 0.6, .fill_grey = 1});
+        if (!lamp.is_pool_whole)
+            pdf_.line_of_text(at.x + 2, at.y + 2, side - 4, style_("its edge reaches no floor"), kTiny);
+        pdf_.end_clip();
+        pdf_.shape(frame, true, kBorder);
+    }
+
+    void draw_squares(const glm::dvec2& middle, double across, const auto& paper) {
+        const double unit = unit_m(), step = across / unit > kWidestGrid ? 5 * unit : unit;
+        const glm::dvec2 low = middle - 0.5 * across, high = middle + 0.5 * across;
+        for (double x = std::ceil(low.x / step) * step; x <= high.x; x += step)
+            pdf_.lines(std::array{paper({x, low.y}), paper({x, high.y})}, kSquare);
+        for (double y = std::ceil(low.y / step) * step; y <= high.y; y += step)
+            pdf_.lines(std::array{paper({low.x, y}), paper({high.x, y})}, kSquare);
+        pdf_.lines(std::array{paper({0, low.y}), paper({0, high.y})}, kAxisLine);
+        pdf_.lines(std::array{paper({low.x, 0}), paper({high.x, 0})}, kAxisLine);
+        if (step > unit)
+            pdf_.line_of_text(paper(low).x + 2, paper(low).y - 8, 80,
+                              style_("a square: %1", {style_.length_said(step)}),
+                              {.size_pt = 5.5, .is_grey = true});
+    }
+
+    // To the centre line and to the set line; where they are outside of the picture, up to its edge.
+    void draw_measures(const glm::dvec2& aim, const glm::dvec2& at, double side, const auto& paper) {
+        const glm::dvec2 from = paper(aim);
+        const glm::dvec2 low = at + 3.0, high = at + side - 3.0;
+        const glm::dvec2 to_centre = glm::clamp(paper({0, aim.y}), low, high);
+        const glm::dvec2 to_set = glm::clamp(paper({aim.x, 0}), low, high);
+        pdf_.lines(std::array{from, to_centre, from, to_set}, kMeasure);
+        for (const glm::dvec2& end : {to_centre, to_set}) {
+            if (glm::distance(from, end) < 4) continue;
+            const glm::dvec2 back = 3.0 * glm::normalize(from - end), aside(-0.4 * back.y, 0.4 * back.x);
+            pdf_.shape(std::array{end, end + back + aside, end + back - aside}, true,
+                       {.line_grey = -1, .fill_grey = 0.2});
+        }
+        const auto words = [&](const glm::dvec2& middle, double distance_m) {
+            const std::string text = style_.length(std::abs(distance_m));
+            const double width = pdf_.width_of(text, kTiny) + 3;
+            const double x = std::clamp(middle.x - 0.5 * width, low.x, high.x - width);
+            const double y = std::clamp(middle.y - 4, low.y, high.y - 8);
+            pdf_.fill(x, y, width, 7.5, 1);
+            pdf_.line_of_text(x, y, width, text, kTiny);
+        };
+        if (glm::distance(from, to_centre) > 14) words(0.5 * (from + to_centre), aim.x);
+        if (glm::distance(from, to_set) > 10) words(0.5 * (from + to_set), aim.y);
+    }
+
+    const FocusChart& chart_;
+    const PrintStyle& style_;
+    PdfWriter pdf_;
+    glm::dvec2 card_{0};
+};
+
+} // namespace
+
+Result<std::string> pdf_of(const FocusChart& chart, PaperSize paper) {
+    return FocusPages(chart, paper).draw();
+}
+
+} // namespace ghost::scene

@@ -1,0 +1,87 @@
+#pragma once
+// SPDX-License-Identifier: Apache-2.0
+// Drawing: a plan or a section: laid out once at its scale, then drawn on as many sheets as it takes. Points
+// of the whole drawing, from its upper left corner, are those of the page after an offset. One thread.
+
+#include "base/result.h"
+#include "drawings/drawings.h"
+#include "drawings/labels.h"
+#include "drawings/outlines.h"
+#include "drawings/rigging.h"
+#include "drawings/sheet.h"
+#include "show/show.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace ghost::scene {
+
+inline constexpr double kSheetOverlap_pt = 10 * kPointsOfMm;
+inline constexpr double kLabelLine_pt = 6.8;
+inline constexpr PdfText kLabelText{.size_pt = 5.5, .is_middle = true};
+inline constexpr PdfText kBarText{.size_pt = 7, .is_bold = true};
+
+// Words beside what they name, in points of the whole drawing.
+struct DrawnLabel {
+    Extent2 box, around;
+    std::vector<std::string> lines;
+    bool is_led = false, is_bar = false;
+};
+
+struct DrawnSymbol {
+    SymbolKind kind = SymbolKind::other;
+    SymbolPlace place;
+    std::vector<std::vector<glm::dvec2>> bodies; // in a section
+    Extent2 box;
+};
+
+class Drawing {
+public:
+    Drawing(PdfWriter& pdf, const Show& show, const Stage& stage, const DrawingOptions& options,
+            const View& view, bool is_plan, const std::vector<RiggedFixture>& rig);
+
+    // How many sheets it takes. scale: gets what is asked for, or fits. Error: too many.
+    Result<std::size_t> lay_out(int& scale);
+    void draw(TitleBlock title, std::size_t first_sheet, std::size_t sheets,
+              const std::vector<LegendLine>& legend, std::size_t& legend_drawn);
+
+private:
+    void choose_frame(const Outlines& rough);
+    glm::dvec2 paper_of(const glm::dvec2& point_m) const {
+        const glm::dvec2 from = (point_m - frame_.low) * metre_pt_;
+        return {from.x, (frame_.size().y * metre_pt_) - from.y};
+    }
+    void place_symbols();
+    void place_bars(Labels& labels);
+    void place_labels(Labels& labels);
+    std::vector<std::string> words_of(const std::vector<std::size_t>& group) const;
+    void put(Labels& labels, DrawnLabel label, std::vector<std::string>* without);
+    std::vector<std::string> notes(const std::vector<std::string>& without) const;
+    void draw_grid(const glm::dvec2& offset, const Extent2& window);
+    void draw_lines(const glm::dvec2& offset, const Extent2& window);
+    void draw_rig(const glm::dvec2& offset, const Extent2& window);
+    void draw_scale_bar(const Extent2& window);
+    void draw_match_marks(const Extent2& window, std::size_t column, std::size_t row, std::size_t first);
+    double grid_step_m() const;
+
+    PdfWriter& pdf_;
+    const Show& show_;
+    const Stage& stage_;
+    const DrawingOptions& options_;
+    const PrintStyle& style_;
+    View view_;
+    bool is_plan_;
+    SheetRoom room_;
+    std::vector<RiggedFixture> rig_;
+    Extent2 frame_; // metres
+    double metre_pt_ = 1;
+    std::size_t columns_ = 1, rows_ = 1;
+    Outlines outlines_;
+    std::vector<bool> slender_;
+    std::vector<DrawnSymbol> symbols_;
+    std::vector<DrawnLabel> labels_;
+    std::vector<std::string> notes_;
+};
+
+} // namespace ghost::scene

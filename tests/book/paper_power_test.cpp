@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+// Weight and power by position, and the proposal of phases: sums of what is known, and who is left out.
+#include "book/paper.h"
+
+#include "show/show.h"
+#include "support/mvr_files.h"
+#include "support/tiny_gdtf.h"
+
+#include <gtest/gtest.h>
+#include <memory>
+#include <stdexcept>
+
+namespace ghost::scene {
+namespace {
+
+std::shared_ptr<const fixture::Type> type_of_power(int watts) {
+    fixture::Description description;
+    description.physical = "<Properties><Weight Value=\"10\"/><PowerConsumption Value=\"" +
+                           std::to_string(watts) + "\"/></Properties>";
+    return std::make_shared<const fixture::Type>(fixture::loaded(description).type);
+}
+
+// Six fixtures of 1,000 W on two positions, and one that says nothing.
+Show rig() {
+    Show show;
+    show.plot = std::make_shared<LoadedPlot>(must(load_description(small_xml(""))));
+    Plot& plot = show.plot->plot;
+    plot.positions = {{"p1", "Truss 1", 0}, {"p2", "Truss 2", 0}};
+    const auto type = type_of_power(1000);
+    for (int i = 0; i < 7; ++i) {
+        PlotObject& object = plot.objects.emplace_back();
+        object.uuid = uuid(i);
+        object.name = "Spot " + std::to_string(i + 1);
+        object.device.position = i < 4 ? 0 : 1;
+        object.device.unit_number = i + 1;
+        PatchedFixture& fixture = show.fixtures.emplace_back();
+        fixture.name = object.name;
+        fixture.uuid = uuid(i);
+        if (i < 6) fixture.type = type;
+    }
+    return show;
+}
+
+const PaperTable& table_named(const Paper& paper, const std::string& file) {
+    for (const PaperTable& one : paper.tables)
+        if (one.file == file) return one;
+    throw std::runtime_error("no table " + file);
+}
+
+using Row = std::vector<std::string>;
+
+TEST(HangingPositions, add_up_what_is_known_and_count_what_is_not) {
+    const Paper paper = paper_of(rig());
+    const PaperTable& positions = table_named(paper, "positions");
+    ASSERT_EQ(positions.rows.size(), 2u);
+    EXPECT_EQ(positions.rows[0].cells, (Row{"Truss 1", "4", "40", "", "4000", ""}));
+    EXPECT_EQ(positions.rows[1].cells, (Row{"Truss 2", "3", "20", "1", "2000", "1"}));
+    const Paper pounds = paper_of(rig(), {Language::german, Units::imperial});
+    EXPECT_EQ(table_named(pounds, "positions").rows[0].cells[2], "88,2");
+    EXPECT_EQ(table_named(pounds, "positions").columns[0].title, "hängt an");
+}
+
+TEST(Phases, are_a_proposal_of_circuits_that_hold) {
+    const Paper paper = paper_of(rig(), {}, 2000);
+    const PaperTable& phases = table_named(paper, "phases_proposal");
+    EXPECT_TRUE(phases.unknown.at(0).starts_with("A PROPOSAL"));
+    ASSERT_EQ(phases.rows.size(), 3u); // two on a circuit, none over two positions
+    EXPECT_EQ(phases.rows[0].cells, (Row{"L1", "1", "Truss 1", "Spot 1-2", "2", "2000"}));
+    EXPECT_EQ(phases.rows[2].cells, (Row{"L3", "1", "Truss 2", "Spot 5-6", "2", "2000"}));
+    EXPECT_EQ(phases.unknown.at(2), "Phase L1: 2000 W.");
+    EXPECT_EQ(phases.unknown.back(), "Not in it, for nobody says their power: Spot 7.");
+    const Paper small = paper_of(rig(), {}, 500);
+    EXPECT_EQ(table_named(small, "phases_proposal").unknown.back(), "Above 500 W by itself: Spot 1-6.");
+}
+
+TEST(Phases, are_not_there_where_nobody_says_a_power) {
+    Show show = rig();
+    for (PatchedFixture& fixture : show.fixtures) fixture.type = nullptr;
+    for (const PaperTable& one : paper_of(show).tables) EXPECT_NE(one.file, "phases_proposal");
+}
+
+TEST(Cables, are_those_of_the_plot) {
+    Show show = rig();
+    PlotConnection cable;
+    cable.own = "Power";
+    cable.other = "Out 1";
+    cable.to_object = 1;
+    show.plot->plot.objects[0].device.connections = {cable};
+    const Paper paper = paper_of(show);
+    const PaperTable& cables = table_named(paper, "cables");
+    EXPECT_EQ(cables.rows.at(0).cells, (Row{"Spot 1", "Power", "Spot 2", "Out 1"}));
+}
+
+} // namespace
+} // namespace ghost::scene

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+// Plans and sections: lines of objects, which symbol stands for what, words that cover nothing, sheets.
+#include "drawings/drawings.h"
+
+#include "drawings/labels.h"
+#include "drawings/outlines.h"
+#include "drawings/rigging.h"
+#include "drawings/sheet.h"
+#include "show/show.h"
+#include "stage/primitives.h"
+#include "support/must.h"
+#include "support/tiny_gdtf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+#include <memory>
+
+namespace ghost::scene {
+namespace {
+
+// A cuboid of that size about a point.
+void add_cuboid(Stage& stage, const std::string& name, const glm::vec3& middle, const glm::vec3& size) {
+    if (stage.meshes.empty()) stage.meshes.push_back(primitive_mesh("Cube"));
+    glm::vec3 low(1e9f), high(-1e9f);
+    for (const glm::vec3& position : stage.meshes[0].positions) {
+        low = glm::min(low, position);
+        high = glm::max(high, position);
+    }
+    const glm::mat4 world = glm::translate(glm::mat4(1.0f), middle) *
+                            glm::scale(glm::mat4(1.0f), size / (high - low)) *
+                            glm::translate(glm::mat4(1.0f), -0.5f * (low + high));
+    Instance instance;
+    instance.name = name;
+    instance.world = world;
+    stage.instances.push_back(instance);
+}
+
+std::shared_ptr<const fixture::Type> type_with(const std::string& channels, const std::string& beam = "",
+                                               const std::string& geometries = "") {
+    fixture::Description description;
+    description.geometries = geometries.empty()
+                                 ? R"(<Geometry Name="Base"><Beam Name="Beam" )" + beam + "/></Geometry>"
+                                 : geometries;
+    if (!channels.empty()) description.channels = channels;
+    return std::make_shared<const fixture::Type>(fixture::loaded(description).type);
+}
+
+std::string channel(const std::string& attribute, const std::string& geometry = "Beam",
+                    const std::string& physical = "") {
+    static int offset = 0;
+    return "<DMXChannel Offset=\"" + std::to_string(1 + offset++ % 400) + "\" Geometry=\"" + geometry +
+           "\"><LogicalChannel Attribute=\"" + attribute + "\"><ChannelFunction Name=\"F\" Attribute=\"" +
+           attribute + "\" " + physical + "/></LogicalChannel></DMXChannel>";
+}
+
+SymbolKind kind_of(std::shared_ptr<const fixture::Type> type) {
+    PatchedFixture fixture;
+    fixture.type = std::move(type);
+    return symbol_of(fixture);
+}
+
+Show show_of(int fixtures) {
+    Show show;
+    show.name = "Demo";
+    show.file = "demo/show.toml";
+    static const auto type = type_with("");
+    for (int i = 0; i < fixtures; ++i) {
+        PatchedFixture& fixture = show.fixtures.emplace_back();
+        fixture.name = "Spot " + std::to_string(i + 1);
+        fixture.type = type;
+        fixture.position_m = {-4.5f + static_cast<float>(i % 10), 3.0f + static_cast<float>(i / 10), 6.0f};
+    }
+    return show;
+}
+
+TEST(Outlines, of_a_box_are_four_lines_from_each_side) {
+    Stage stage;
+    add_cuboid(stage, "Truss", {0, 2, 6}, {10, 0.3f, 0.3f});
+    const Outlines above = outlines_of(stage, from_above(), 0.001);
+    ASSERT_EQ(above.objects.size(), 1u);
+    EXPECT_EQ(above.objects[0].ends_m.size(), 8u);
+    EXPECT_NEAR(above.objects[0].extent.size().x, 10, 0.002);
+    EXPECT_NEAR(above.objects[0].extent.size().y, 0.3, 0.002);
+    const Outlines side = outlines_of(stage, from_the_side(std::nullopt), 0.001);
+    EXPECT_EQ(side.objects[0].ends_m.size(), 8u);
+    EXPECT_NEAR(side.objects[0].extent.low.y, 5.85, 0.002);
+}
+
+TEST(Outlines, of_a_section_end_where_it_is_cut) {
+    Stage stage;
+    add_cuboid(stage, "left", {-3, 0, 1}, {1, 1, 1});
+    add_cuboid(stage, "right", {3, 0, 1}, {1, 1, 1});
+    const Outlines cut = outlines_of(stage, from_the_side(0.0), 0.001);
+    ASSERT_EQ(cut.objects.size(), 1u);
+    EXPECT_EQ(cut.objects[0].instance, 0u);
+}
+
+TEST(Outlines, with_too_many_lines_are_the_outermost_one) {
+    Stage stage;
+    Mesh& mesh = stage.meshes.emplace_back();
+    for (std::uint32_t i = 0; i < 5000; ++i) { // loose triangles have three borders each
+        const auto x = static_cast<float>(i % 100), y = static_cast<float>(i / 100);
+        mesh.positions.insert(mesh.positions.end(), {{x, y, 0}, {x + 0.5f, y, 0}, {x, y + 0.5f, 0}});
+        mesh.indices.insert(mesh.indices.end(), {3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    stage.instances.push_back({"many", 0, glm::mat4(1.0f)});
+    const Outlines lines = outlines_of(stage, from_above(), 0.001);
+    EXPECT_EQ(lines.simplified, 1u);
+    EXPECT_LT(lines.objects[0].ends_m.size(), 20u);
+    EXPECT_NEAR(lines.objects[0].extent.size().x, 99.5, 1e-6);
+}
+
+TEST(Hull, is_the_outermost_line) {
+    EXPECT_EQ(hull_of({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 0}}).size(), 4u);
+    EXPECT_TRUE(hull_of({}).empty());
+}
+
+TEST(Symbols, follow_from_what_a_type_does) {
+    const std::string moving =
+        R"(<Geometry Name="Base"><Axis Name="Yoke"><Axis Name="Head"><Beam Name="Beam" FieldAngle="30" BeamType="Wash"/></Axis></Axis></Geometry>)";
+    const std::string axes = channel("Pan", "Yoke", R"(PhysicalFrom="-270" PhysicalTo="270")") +
+                             channel("Tilt", "Head", R"(PhysicalFrom="-130" PhysicalTo="130")");
+    EXPECT_EQ(kind_of(type_with(axes, "", moving)), SymbolKind::moving_wash);
+    EXPECT_EQ(kind_of(type_with(axes + channel("Gobo1"), "", moving)), SymbolKind::moving_profile);
+    EXPECT_EQ(
+        kind_of(type_with(axes + channel("Zoom", "Beam", R"(PhysicalFrom="2" PhysicalTo="6")"), "", moving)),
+        SymbolKind::moving_beam);
+    EXPECT_EQ(kind_of(type_with("", R"(BeamType="Wash")")), SymbolKind::wash);
+    EXPECT_EQ(kind_of(type_with("", R"(BeamType="Spot")")), SymbolKind::profile);
+    EXPECT_EQ(kind_of(type_with(channel("Shutter1Strobe", "Beam", R"(PhysicalFrom="1" PhysicalTo="20")"),
+                                R"(BeamType="Wash")")),
+              SymbolKind::strobe);
+    const std::string beamless = R"(<Geometry Name="Base"><Geometry Name="Beam"/></Geometry>)";
+    EXPECT_EQ(kind_of(type_with(channel("Pan") + channel("Gobo1") + channel("Dimmer"), "", beamless)),
+              SymbolKind::moving_profile);
+    EXPECT_EQ(kind_of(type_with(channel("Dimmer"), "", beamless)), SymbolKind::not_known);
+    EXPECT_EQ(kind_of(type_with(channel("Fog1"), "", beamless)), SymbolKind::other);
+    EXPECT_EQ(kind_of(nullptr), SymbolKind::not_known);
+    PatchedFixture projector;
+    projector.projector.emplace();
+    EXPECT_EQ(symbol_of(projector), SymbolKind::projector);
+}
+
+TEST(Labels, cover_neither_each_other_nor_symbols) {
+    Labels labels({{0, 0}, {400, 300}});
+    std::vector<Extent2> boxes;
+    for (int i = 0; i < 12; ++i) {
+        boxes.push_back({{100.0 + 11 * i, 100}, {110.0 + 11 * i, 110}});
+        labels.keep_free(boxes.back());
+    }
+    for (std::size_t i = 0; i < 12; ++i) {
+        const auto label = labels.place({30, 12}, boxes[i]);
+        ASSERT_TRUE(label) << i;
+        boxes.push_back(label->box);
+    }
+    for (std::size_t a = 0; a < boxes.size(); ++a)
+        for (std::size_t b = 0; b < a; ++b) EXPECT_FALSE(boxes[a].touches(boxes[b])) << a << " " << b;
+    EXPECT_FALSE(labels.place({500, 10}, boxes[0]));
+}
+
+TEST(Bars, are_named_after_where_lamps_hang) {
+    Stage stage;
+    add_cuboid(stage, "Truss A", {0, 3, 6.3f}, {10, 0.3f, 0.3f});
+    add_cuboid(stage, "Truss without lamps", {0, 30, 6.3f}, {10, 0.3f, 0.3f});
+    const Show show = show_of(3);
+    const auto bars = hung_bars(show, stage, rigged_fixtures(show, stage));
+    ASSERT_EQ(bars.size(), 1u);
+    EXPECT_EQ(bars[0].name, "Truss A");
+    EXPECT_NEAR(bars[0].bar.length_m(), 10, 0.01);
+}
+
+TEST(Drawings, have_equal_bytes_and_say_which_scale_fits) {
+    Stage stage;
+    add_cuboid(stage, "Truss A", {0, 3, 6.3f}, {10, 0.3f, 0.3f});
+    const Show show = show_of(30);
+    DrawingOptions options;
+    const Drawings made = must(drawings_of(show, stage, options));
+    EXPECT_TRUE(made.pdf.starts_with("%PDF-1."));
+    EXPECT_EQ(must(drawings_of(show, stage, options)).pdf, made.pdf);
+    EXPECT_EQ(made.sheets, 2u);
+    EXPECT_EQ(made.plan_scale, 50);
+    options.scale = 20; // a plan of 14 m by 9 m: 700 mm by 450 mm
+    EXPECT_GT(must(drawings_of(show, stage, options)).sheets, 4u);
+    options.scale = 1;
+    const auto too_large = drawings_of(show, stage, options);
+    ASSERT_FALSE(too_large.ok());
+    EXPECT_NE(too_large.error().what.find("1:50 fits on one"), std::string::npos) << too_large.error().what;
+    options.scale.reset();
+    options.style.units = Units::imperial;
+    EXPECT_EQ(must(drawings_of(show, stage, options)).plan_scale, 48);
+}
+
+TEST(Drawings, of_bad_input_are_made) {
+    EXPECT_TRUE(drawings_of(Show{}, Stage{}, {}).ok());
+    Show show = show_of(3);
+    show.fixtures[0].type = nullptr;
+    show.fixtures[0].name = std::string(100'000, 'x');
+    show.fixtures[1].name = "\xd7\xa9\xd7\x9c\xd7\x95\xd7\x9d \xe7\x81\xaf\n\x01\xff";
+    show.fixtures[1].position_m = {1e4f, -1e4f, 1e4f};
+    show.fixtures[2].position_m.x = std::nanf("");
+    Stage stage;
+    add_cuboid(stage, "flat", {0, 0, 0}, {1, 1, 0});
+    EXPECT_TRUE(drawings_of(show, stage, {}).ok());
+}
+
+TEST(Scale, is_one_that_people_use) {
+    EXPECT_EQ(scale_text(50), "1:50");
+    EXPECT_EQ(scale_text(48), "1:48 (1/4\" = 1'-0\")");
+    EXPECT_DOUBLE_EQ(points_of_metre(100), 72 / 2.54);
+    EXPECT_EQ(fitting_scale({10, 1}, {100 * kPointsOfMm, 100 * kPointsOfMm}, Units::metric), 100);
+    EXPECT_EQ(fitting_scale({1e9, 1}, {100, 100}, Units::metric), 50'000);
+}
+
+} // namespace
+} // namespace ghost::scene

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// Focus charts: where a beam goes, and the ellipse that its cone cuts out of the floor.
+#include "drawings/focus.h"
+
+#include "drawings/view.h"
+#include "fixture/decode.h"
+#include "show/show.h"
+#include "support/must.h"
+#include "support/tiny_gdtf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+
+namespace ghost::scene {
+namespace {
+
+// A lamp that hangs at (1, 2, 5) and is turned so far about X; field 20 degrees.
+Show lamp_at(float turned_deg) {
+    fixture::Description description;
+    description.geometries =
+        R"(<Geometry Name="Base"><Beam Name="Beam" FieldAngle="20" BeamAngle="20"/></Geometry>)";
+    Show show;
+    PatchedFixture& fixture = show.fixtures.emplace_back();
+    fixture.name = "Lamp";
+    fixture.type = std::make_shared<const fixture::Type>(fixture::loaded(description).type);
+    fixture.position_m = {1, 2, 5};
+    fixture.rotation_deg = {turned_deg, 0, 0};
+    return show;
+}
+
+std::vector<fixture::State> states_of(const Show& show) {
+    std::vector<fixture::State> states;
+    for (const PatchedFixture& fixture : show.fixtures) {
+        if (!fixture.type) {
+            states.emplace_back();
+            continue;
+        }
+        const fixture::Patch patch = fixture.patch();
+        states.push_back(fixture::make_state(patch));
+        fixture::step(states.back(), patch, fixture::decode(patch, {}), 0.0);
+    }
+    return states;
+}
+
+Extent2 extent(const std::vector<glm::dvec2>& points) {
+    Extent2 extent;
+    for (const glm::dvec2& point : points) extent.include(point);
+    return extent;
+}
+
+TEST(Focus, straight_down_is_a_circle_below) {
+    const Show show = lamp_at(0);
+    const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.");
+    ASSERT_EQ(chart.lamps.size(), 1u);
+    const FocusLamp& lamp = chart.lamps[0];
+    ASSERT_TRUE(lamp.hit);
+    EXPECT_NEAR(lamp.hit->distance_m, 5, 1e-4);
+    EXPECT_NEAR(lamp.aim_m().x, 1, 1e-4);
+    EXPECT_NEAR(lamp.aim_m().y, 2, 1e-4);
+    EXPECT_TRUE(lamp.is_pool_whole);
+    const double radius = 5 * std::tan(glm::radians(10.0));
+    EXPECT_NEAR(extent(lamp.pool_m).size().x, 2 * radius, 1e-3);
+    EXPECT_NEAR(extent(lamp.pool_m).size().y, 2 * radius, 1e-3);
+}
+
+TEST(Focus, aslant_is_an_ellipse_of_known_length) {
+    const Show show = lamp_at(45);
+    const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.");
+    const FocusLamp& lamp = chart.lamps[0];
+    ASSERT_TRUE(lamp.hit);
+    EXPECT_NEAR(lamp.hit->distance_m, 5 * std::sqrt(2.0), 1e-3);
+    EXPECT_NEAR(std::abs(lamp.aim_m().y - 2), 5, 1e-3);
+    const double length = 5 * (std::tan(glm::radians(55.0)) - std::tan(glm::radians(35.0)));
+    EXPECT_NEAR(extent(lamp.pool_m).size().y, length, 0.01);
+    const PaperTable table = table_of(chart);
+    EXPECT_EQ(table.rows.size(), 1u);
+    EXPECT_EQ(table.rows[0].cells[8], "7.07");
+}
+
+TEST(Focus, that_hits_no_floor_has_no_pool) {
+    const Show show = lamp_at(0);
+    const FindHit wall = [](const glm::vec3&, const glm::vec3&) {
+        return std::optional(FocusHit{3, {0, -1, 0}, "Curtain"});
+    };
+    const FocusChart chart = focus_of(show, states_of(show), wall, {}, "Now.");
+    EXPECT_FALSE(chart.lamps[0].is_on_floor);
+    EXPECT_TRUE(chart.lamps[0].pool_m.empty());
+    EXPECT_EQ(table_of(chart).rows[0].cells[7], "Curtain");
+    const Show up = lamp_at(180);
+    const FocusChart nothing = focus_of(up, states_of(up), {}, {}, "Now.");
+    EXPECT_FALSE(nothing.lamps[0].hit);
+    EXPECT_EQ(table_of(nothing).rows[0].cells[7], "hits nothing");
+}
+
+TEST(Focus, whose_edge_leaves_the_floor_says_so) {
+    const Show show = lamp_at(85);
+    const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.");
+    ASSERT_TRUE(chart.lamps[0].is_on_floor);
+    EXPECT_FALSE(chart.lamps[0].is_pool_whole);
+    EXPECT_TRUE(must(pdf_of(chart, PaperSize::a4)).starts_with("%PDF-"));
+}
+
+TEST(Focus, charts_have_equal_bytes_and_name_who_has_no_beam) {
+    Show show = lamp_at(30);
+    show.fixtures.push_back(show.fixtures[0]);
+    show.fixtures[1].name = "Dark";
+    show.fixtures[1].type = nullptr;
+    const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.");
+    EXPECT_EQ(chart.lamps.size(), 1u);
+    EXPECT_NE(chart.unknown.back().find("Dark"), std::string::npos);
+    EXPECT_EQ(must(pdf_of(chart, PaperSize::letter)), must(pdf_of(chart, PaperSize::letter)));
+    EXPECT_TRUE(must(pdf_of(FocusChart{}, PaperSize::a4)).starts_with("%PDF-"));
+}
+
+TEST(Focus, says_left_and_right_as_the_house_sees_it) {
+    const PrintStyle english, german{Language::german, Units::metric};
+    EXPECT_EQ(across_text(english, -1.75), "1.75 m left");
+    EXPECT_EQ(along_text(english, 3), "3 m up-stage");
+    EXPECT_EQ(along_text(german, -0.5), "0,5 m zum Saal");
+    EXPECT_EQ(across_text(english, 0), "0 m");
+}
+
+} // namespace
+} // namespace ghost::scene

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// The table of words: whole in both languages; numbers and lengths as each of them writes.
+#include "print/print_style.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace ghost::scene {
+namespace {
+
+TEST(Words, are_there_in_both_languages_with_the_same_values) {
+    std::set<std::string_view> known;
+    for (const Translation& words : kWords) {
+        EXPECT_FALSE(words.english.empty());
+        EXPECT_FALSE(words.german.empty()) << words.english;
+        EXPECT_TRUE(known.insert(words.english).second) << words.english << " is there twice";
+        for (const char digit : {'1', '2', '3', '4'}) {
+            const std::string value = std::string("%") + digit;
+            EXPECT_EQ(words.english.find(value) == std::string_view::npos,
+                      words.german.find(value) == std::string_view::npos)
+                << words.english << " " << value;
+        }
+    }
+}
+
+TEST(Words, take_values) {
+    const PrintStyle english, german{Language::german, Units::metric};
+    EXPECT_EQ(english("%1 of %2", {"1", "3"}), "1 of 3");
+    EXPECT_EQ(german("%1 of %2", {"1", "3"}), "1 von 3");
+    EXPECT_EQ(english("%1 of %2", {"%2", "x"}), "%2 of x"); // a name is no place for a value
+    EXPECT_EQ(german("Plan"), "Grundriss");
+}
+
+TEST(Lengths, are_metres_or_feet_and_inches) {
+    const PrintStyle metric, german{Language::german, Units::metric},
+        imperial{Language::english, Units::imperial};
+    EXPECT_EQ(metric.length_said(6.26), "6.26 m");
+    EXPECT_EQ(german.length_said(6.26), "6,26 m");
+    EXPECT_EQ(imperial.length_said(3.048), "10'-0\"");
+    EXPECT_EQ(imperial.length(6.26), "20'-6 1/2\"");
+    EXPECT_EQ(imperial.length(-0.3048), "-1'-0\"");
+    EXPECT_EQ(imperial.length(-0.0001), "0'-0\"");
+    EXPECT_EQ(imperial.length(0.3047), "1'-0\"");
+    EXPECT_EQ(metric.weight(10), "10");
+    EXPECT_EQ(imperial.weight(10), "22");
+}
+
+} // namespace
+} // namespace ghost::scene
