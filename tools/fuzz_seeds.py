@@ -21,6 +21,8 @@ GLTF = json.dumps({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes":
                    "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "buffers": [{"uri": "a.bin", "byteLength": 36}],
                    "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36}],
                    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 1]}]}).encode()
+DIFFERENCE = json.dumps({"ghostlight_difference": 1, "old_name": "a", "entries": [], "fixtures": [], "unknown": [], "pictures": [
+    {"name": "a", "camera": "c", "file": "pictures/0001-1.png", "old_file": "old/0001-1.png", "map_file": "", "why_not": ""}]}).encode()
 BOOK = json.dumps({"ghostlight_book": 1, "show": "a", "kind": "cues", "size": [64, 36], "ev100": 6, "device": "d", "unknown": [],
                    "fixtures": [{"name": "Spot 1", "id": "1", "uuid": "", "type": "t", "mode": "m", "addresses": [[1, 1]], "position_m": [0, 0, 6]}],
                    "entries": [{"name": "a", "notes": "", "look": "", "at_s": 1.5, "goes_on": False, "fade_s": None, "follow_s": None, "unknown": [],
@@ -91,6 +93,9 @@ def made():
                  b"Sec-WebSocket-Version: 13\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"
                  b"Sec-WebSocket-Protocol: ghostlight.1, t.0123456789abcdef0123456789abcdef\r\n\r\n"],
         "websocket": [masked(1, b'{"type":"watch","width":854,"calm":false}') + masked(2, bytes([1, 7, 0, 0, 0])) + masked(9, b"there?"),
+                      masked(1, b'{"type":"watch","width":640,"calm":true,"camera":"house","probe":[0.5,0.25]}'),
+                      masked(1, b'{"type":"watch","width":9,"calm":false,"own":{"position_m":[0,-9,2],"target_m":[0,0,1],"fov_y_deg":40}}'),
+                      masked(1, b'{"type":"do","n":1,"what":"look","args":["Verse",2.5,true]}') + masked(1, b'{"type":"pictures","on":true}'),
                       masked(1, b'{"type":"explain","fixture":3}') + masked(1, b'{"type":"ping","t":1.5e3}') + masked(8, bytes([3, 232]))],
         "mdns": [bytes.fromhex("000084000000000100000000") + b"\x04_mvr\x04_tcp\x05local\0" + bytes.fromhex("000c000100000078000461616161")],
         "midi": [bytes.fromhex("0ff100f110f120f130f140f150f160f170f07f7f01010203040506f7")],
@@ -103,7 +108,7 @@ def made():
         "picture": [b"<svg viewBox='0 0 9 9'><path d='M0 0L9 0A4 4 0 0 1 9 9z' fill='#fff'/></svg>"],
         "capture": [bytes.fromhex("d4c3b2a1020004000000000000000000ffff000001000000") + bytes(60)],
         "passes": [b'{"format":1,"width":4,"height":4,"folder":"a","lights":[]}'],
-        "book": [BOOK],
+        "book": [BOOK, DIFFERENCE],
     }
 
 

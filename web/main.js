@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // @ts-check
 // Which screen is shown, and the way in.
+import "./book.js";
+import "./looks.js";
 import "./rig.js";
 import "./state.js";
 
+import {streamOf} from "./draw.js";
 import {takePicture} from "./picture.js";
 import {hear, keepToken, make, now, takeToken} from "./store.js";
+import {takeSide} from "./stage.js";
 import {begin} from "./wire.js";
 
-const SCREENS = ["picture", "rig", "state"];
+const SCREENS = ["picture", "rig", "looks", "stage", "book", "state"];
 const wide = matchMedia("(min-width: 900px)");
 let screen = "picture";
 let isIn = false;
@@ -114,9 +118,9 @@ customElements.define("ghost-pair", Pair);
 function enter(token) {
   isIn = true;
   lay();
-  begin(token, takePicture, () => {
+  begin(token, (message) => (streamOf(message) === 0 ? takePicture(message) : takeSide(message)), (why) => {
     isIn = false;
-    line.textContent = "This address is no longer the right one: Ghostlight makes a new one at each start.";
+    line.textContent = why;
     line.classList.add("lost");
     lay();
   });

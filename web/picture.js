@@ -2,56 +2,27 @@
 // @ts-check
 // The picture as it is drawn now: pinch or Ctrl and the wheel enlarge it, a tap leaves it alone on the
 // screen.
-import {clock, hear, make, now} from "./store.js";
-import {ageMs, painted, wish} from "./wire.js";
+import {hearFingers, Painter} from "./draw.js";
+import {clock, hear, isCalm, isHidden, make, now, onShown, setCalm} from "./store.js";
+import {ageMs, wish} from "./wire.js";
 
-const HEAD = 32;  // bytes before the JPEG
 const OLD_MS = 3000;
 const MOST = 8;  // times enlarged
 
-const canvas = /** @type {HTMLCanvasElement} */ (make("canvas", {role: "img", width: "16", height: "9"}));
-const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d", {alpha: false}));
-let newest = {number: 0, drawnMs: 0, deskMs: NaN, flags: 0, paintedMs: 0, latencyMs: NaN};
-let decoding = false;
-/** @type {DataView | null} */
-let waiting = null;
-
-/**
- * The newest one only: what comes while one is decoded waits, and gives way to the next. @param {DataView}
- * message
- */
-export async function takePicture(message) {
-  if (decoding) {
-    waiting = message;
-    return;
-  }
-  decoding = true;
-  for (let next = /** @type {DataView | null} */ (message); next; waiting = null) {
-    await paint(next);
-    next = waiting;
-  }
-  decoding = false;
-}
+let newest = {number: 0, flags: 0, paintedMs: 0, latencyMs: NaN};
+const painter = new Painter((message) => {
+  newest = {
+    number: message.getUint32(4, true),
+    flags: message.getUint8(1),
+    paintedMs: performance.now(),
+    latencyMs: ageMs(message.getFloat64(8, true)) + message.getFloat32(16, true),
+  };
+});
+const {canvas} = painter;
 
 /** @param {DataView} message */
-async function paint(message) {
-  const number = message.getUint32(4, true);
-  try {
-    const bitmap = await createImageBitmap(new Blob([new Uint8Array(message.buffer, HEAD)], {type: "image/jpeg"}));
-    await new Promise(requestAnimationFrame);  // a hidden tab paints nothing, says nothing, and gets nothing
-    if (canvas.width !== bitmap.width || canvas.height !== bitmap.height) {
-      canvas.width = bitmap.width;
-      canvas.height = bitmap.height;
-    }
-    context.drawImage(bitmap, 0, 0);
-    bitmap.close();
-    const drawnMs = message.getFloat64(8, true);
-    const deskMs = message.getFloat32(16, true);
-    newest = {number, drawnMs, deskMs, flags: message.getUint8(1), paintedMs: performance.now(), latencyMs: ageMs(drawnMs) + deskMs};
-  } catch {
-    // A damaged picture: the next one comes all the same.
-  }
-  painted(number);
+export function takePicture(message) {
+  painter.take(message);
 }
 
 class Picture extends HTMLElement {
@@ -63,31 +34,31 @@ class Picture extends HTMLElement {
     this.when = make("p", {class: "quiet"});
     this.calm = make("button", {type: "button", "aria-pressed": "false", title: "Two pictures a second, against strobes"}, "Calm");
     this.append(this.stage, make("div", {class: "under"}, this.facts, this.when, this.calm));
-    this.isCalm = matchMedia("(prefers-reduced-motion: reduce)").matches;
-    this.calm.addEventListener("click", () => {
-      this.isCalm = !this.isCalm;
-      this.ask();
-    });
+    this.calm.addEventListener("click", () => setCalm(!isCalm()));
+    hear("calm", () => this.ask());
     this.scale = 1;
     this.x = this.y = 0;
-    this.fingers = new Map();
-    this.stage.addEventListener("pointerdown", (event) => this.down(event));
-    this.stage.addEventListener("pointermove", (event) => this.move(event));
-    for (const name of ["pointerup", "pointercancel"])
-      this.stage.addEventListener(name, (event) => this.up(/** @type {PointerEvent} */ (event)));
+    hearFingers(this.stage, {
+      drag: (dx, dy) => this.place(this.x + dx, this.y + dy),
+      pinch: (factor, x, y) => this.zoom(factor, x, y),
+      tap: () => this.alone(),
+      end: () => this.ask(),
+    });
     this.stage.addEventListener("wheel", (event) => this.wheel(event), {passive: false});
     this.stage.addEventListener("keydown", (event) => this.key(event));
     addEventListener("resize", () => this.ask());
+    onShown(this, () => this.ask());
     hear("state", () => this.tell());
     setInterval(() => this.tellAge(), 250);
     this.ask();
   }
 
   ask() {
-    this.calm.setAttribute("aria-pressed", String(this.isCalm));
-    if (this.stage.clientWidth === 0) return;  // another screen is shown
-    const width = Math.round(this.stage.clientWidth * devicePixelRatio * Math.min(this.scale, 2));
-    wish({type: "watch", width: Math.min(Math.max(width, 320), 4096), calm: this.isCalm});
+    this.calm.setAttribute("aria-pressed", String(isCalm()));
+    if (!isHidden("stage")) return;  // which watches something else
+    if (this.stage.clientWidth > 0) this.width = this.stage.clientWidth;
+    const width = Math.round((this.width ?? 320) * devicePixelRatio * Math.min(this.scale, 2));
+    wish({type: "watch", width: Math.min(Math.max(width, 320), 4096), calm: isCalm()});
   }
 
   tell() {
@@ -119,39 +90,6 @@ class Picture extends HTMLElement {
   }
 
   // Enlarging. One finger moves what is enlarged, two pinch; a tap that does not move hides all else.
-
-  /** @param {PointerEvent} event */
-  down(event) {
-    this.stage.setPointerCapture(event.pointerId);
-    if (this.fingers.size === 0) this.strayed = false;
-    this.fingers.set(event.pointerId, {x: event.clientX, y: event.clientY});
-    if (this.fingers.size > 1) this.strayed = true;
-  }
-
-  /** @param {PointerEvent} event */
-  move(event) {
-    const before = this.fingers.get(event.pointerId);
-    if (!before) return;
-    const other = [...this.fingers.entries()].find(([id]) => id !== event.pointerId)?.[1];
-    const after = {x: event.clientX, y: event.clientY};
-    if (Math.hypot(after.x - before.x, after.y - before.y) > 3) this.strayed = true;
-    if (other) {
-      const spread = (/** @type {{x: number, y: number}} */ a) => Math.max(Math.hypot(a.x - other.x, a.y - other.y), 1);
-      this.zoom(spread(after) / spread(before), (after.x + other.x) / 2, (after.y + other.y) / 2);
-    } else if (this.strayed) {
-      this.place(this.x + after.x - before.x, this.y + after.y - before.y);
-    } else {
-      return;
-    }
-    this.fingers.set(event.pointerId, after);
-  }
-
-  /** @param {PointerEvent} event */
-  up(event) {
-    if (!this.fingers.delete(event.pointerId) || this.fingers.size > 0) return;
-    if (!this.strayed && event.type === "pointerup") this.alone();
-    this.ask();
-  }
 
   /** @param {WheelEvent} event */
   wheel(event) {

@@ -45,7 +45,7 @@ class State extends HTMLElement {
     this.viewers.replaceChildren(table(
         ["Address", "Since", "Pictures a second", "Width"],
         state.viewers.map(
-            (/** @type {any} */ viewer) => [viewer.from, clock(viewer.seconds), String(viewer.rate_hz), `${viewer.width} px at most`])));
+            (/** @type {any} */ viewer) => [viewer.controls ? `${viewer.from}, may control` : viewer.from, clock(viewer.seconds), String(viewer.rate_hz), `${viewer.width} px at most`])));
   }
 
   /** @param {any} desk */

@@ -13,6 +13,13 @@ export const now = {
                      messages: null,
                      /** @type {any} */
                      explained: null,
+                     /** @type {any} */
+                     hello: null,
+                     /** @type {any} */
+                     looks: null,
+                     /** @type {any} */
+                     measure: null,
+                     refusedView: "",
                      /** @type {{version: number, count: number, bytes: DataView} | null} */
                      levels: null,
                      line: "connecting",  // what the connection is like, in words
@@ -29,6 +36,49 @@ export function hear(topic, tell) {
 export function put(topic, value) {
   now[topic] = value;
   for (const tell of told.get(topic) ?? []) tell();
+}
+
+export function mayControl() {
+  return now.hello?.right === "control";
+}
+
+// Small pictures by kind and name, as blobs. Those of another show go with it.
+const small = new Map();
+
+/** @param {"camera" | "look"} kind @param {string} name @returns {string} its URL; "": there is none yet */
+export function smallPicture(kind, name) {
+  return small.get(`${kind} ${name}`) ?? "";
+}
+
+/** @param {"camera" | "look"} kind @param {string} name @param {Blob} blob */
+export function putSmall(kind, name, blob) {
+  const key = `${kind} ${name}`;
+  if (small.has(key)) URL.revokeObjectURL(small.get(key));
+  small.set(key, URL.createObjectURL(blob));
+  put("small", key);
+}
+
+let calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+/** Two pictures a second, against strobes. */
+export function isCalm() {
+  return calm;
+}
+
+/** @param {boolean} wanted */
+export function setCalm(wanted) {
+  calm = wanted;
+  put("calm", wanted);
+}
+
+/** @param {HTMLElement} element @param {() => void} tell when it is shown, or no more */
+export function onShown(element, tell) {
+  new MutationObserver(tell).observe(element, {attributes: true, attributeFilter: ["hidden"]});
+}
+
+/** @param {string} screen */
+export function isHidden(screen) {
+  return /** @type {HTMLElement | null} */ (document.querySelector(`ghost-${screen}`))?.hidden ?? true;
 }
 
 const KEY = "ghostlight-token";

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // @ts-check
 // The connection: messages in and out, the server's clock, and coming back after it was lost.
-import {dropToken, now, put} from "./store.js";
+import {dropToken, now, put, putSmall} from "./store.js";
 
 const WAITS_S = [0.5, 1, 2, 4];
 const PING_EVERY_MS = 20000;
+const ANSWER_WITHIN_MS = 10000;
 
 /** @type {WebSocket | null} */
 let socket = null;
@@ -14,11 +15,14 @@ let token = "";
 let leastTrip = Infinity, clockOffset = 0, pings = 0;  // ours + offset is the server's
 /** @type {(message: DataView) => void} */
 let onPicture = () => {};
-/** @type {() => void} */
+/** @type {(why: string) => void} */
 let onRefused = () => {};
+let number = 0;  // of what was asked to be done
+/** @type {Map<number, (refused: string) => void>} */
+const asked = new Map();
 const wishes = new Map();  // what the server is told again after each connection
 
-/** @param {string} withToken @param {(message: DataView) => void} picture @param {() => void} refused */
+/** @param {string} withToken @param {(message: DataView) => void} picture @param {(why: string) => void} refused */
 export function begin(withToken, picture, refused) {
   token = withToken;
   onPicture = picture;
@@ -52,6 +56,8 @@ function connect() {
     if (socket !== opening) return;
     socket = null;
     put("isOpen", false);
+    for (const answer of asked.values()) answer("the line was lost");
+    asked.clear();
     if (wasOpen)
       leave(event.reason || "the line was lost");
     else
@@ -68,9 +74,18 @@ async function ask() {
   } catch {
     return leave("Ghostlight does not answer");
   }
+  refuse("This address is no longer the right one: Ghostlight makes new ones.");
+}
+
+/** @param {string} why */
+function refuse(why) {
   token = "";
   dropToken();
-  onRefused();
+  const before = socket;
+  socket = null;
+  before?.close();
+  put("isOpen", false);
+  onRefused(why);
 }
 
 /** @param {string} why */
@@ -93,15 +108,35 @@ function hearText(text) {
   const message = JSON.parse(text);
   if (message.type === "pong")
     hearPong(message);
-  else if (["show", "state", "messages", "explained"].includes(message.type))
+  else if (message.type === "bye")
+    refuse(message.why);
+  else if (message.type === "refused" && message.n === 0)
+    put("refusedView", message.why);
+  else if (message.type === "refused" || message.type === "done")
+    hearAnswer(message);
+  else if (["hello", "show", "state", "messages", "explained", "looks", "measure"].includes(message.type))
     put(message.type, message);
+}
+
+/** @param {{n: number, why?: string}} message */
+function hearAnswer(message) {
+  asked.get(message.n)?.(message.why ?? "");
+  asked.delete(message.n);
 }
 
 /** @param {DataView} bytes */
 function hearBytes(bytes) {
   const kind = bytes.getUint8(0);
   if (kind === 1) onPicture(bytes);
+  if (kind === 3) hearSmall(bytes);
   if (kind === 2) put("levels", {version: bytes.getUint16(2, true), count: bytes.getUint32(4, true), bytes});
+}
+
+/** @param {DataView} bytes */
+function hearSmall(bytes) {
+  const length = bytes.getUint16(2, true);
+  const name = new TextDecoder().decode(new Uint8Array(bytes.buffer, 4, length));
+  putSmall(bytes.getUint8(1) === 1 ? "look" : "camera", name, new Blob([new Uint8Array(bytes.buffer, 4 + length)], {type: "image/jpeg"}));
 }
 
 function ping() {
@@ -127,6 +162,25 @@ export function ageMs(serverMs) {
 /** @param {object} message */
 export function say(message) {
   if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(message));
+}
+
+/**
+ * Asks for something to be done, which needs the right to control. @param {string} what @param {(string |
+ * number | boolean)[]} args @returns {Promise<string>} why not; "": it is done
+ */
+export function doIt(what, args) {
+  if (socket?.readyState !== WebSocket.OPEN) return Promise.resolve("the line is lost");
+  const n = ++number;
+  say({type: "do", n, what, args});
+  return new Promise((answer) => {
+    asked.set(n, answer);
+    setTimeout(() => hearAnswer({n, why: "no answer came"}), ANSWER_WITHIN_MS);
+  });
+}
+
+/** @param {string} path */
+export function fetchWithToken(path) {
+  return fetch(path, {headers: {Authorization: `Bearer ${token}`}, cache: "no-store"});
 }
 
 /** What holds until it is wished otherwise, over lost lines, too. @param {{type: string}} message */

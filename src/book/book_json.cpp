@@ -108,11 +108,12 @@ Book whole_from(const Json& all) {
     return book;
 }
 
-// "pictures/0001-1.png", as we name them.
-bool is_of_book(const std::string& file) {
-    constexpr std::string_view kFolder = "pictures/", kEnding = ".png";
-    if (!file.starts_with(kFolder) || !file.ends_with(kEnding)) return false;
-    const std::string name = file.substr(kFolder.size(), file.size() - kFolder.size() - kEnding.size());
+// "pictures/0001-1.png", as we name them, in that folder of the book.
+bool is_of_book(const std::string& file, std::string_view folder = "pictures/") {
+    constexpr std::string_view kEnding = ".png";
+    if (!file.starts_with(folder) || !file.ends_with(kEnding) || file.size() < folder.size() + kEnding.size())
+        return false;
+    const std::string name = file.substr(folder.size(), file.size() - folder.size() - kEnding.size());
     return !name.empty() && name.find_first_not_of("0123456789-") == std::string::npos;
 }
 
@@ -149,6 +150,49 @@ Result<Book> book_from(std::string_view text, const std::string& where) {
                                  "'; 'pictures/0001-1.png' is expected",
                              where};
     return book;
+}
+
+std::string text_of(const BookDifference& difference) {
+    Json pictures = Json::array();
+    for (const ComparedPicture& picture : difference.pictures) {
+        Json one{{"name", picture.name},         {"camera", picture.camera},
+                 {"file", picture.file},         {"old_file", picture.old_file},
+                 {"map_file", picture.map_file}, {"why_not", picture.why_not}};
+        if (const auto& d = picture.difference) {
+            one["seen"] = words_of(d->seen);
+            one["mean"] = d->mean;
+            one["p99"] = d->p99;
+            one["share"] = d->share;
+        }
+        pictures.push_back(std::move(one));
+    }
+    const Json all = {{"ghostlight_difference", kVersion}, {"old_name", difference.old_name},
+                      {"entries", difference.entries},     {"fixtures", difference.fixtures},
+                      {"unknown", difference.unknown},     {"pictures", pictures}};
+    return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<std::vector<std::string>> files_of_difference(std::string_view text, const std::string& where) {
+    TRY(const Json all, read_ordered_json(text, where, kLimits));
+    const auto version = all.is_object() ? all.find("ghostlight_difference") : all.end();
+    if (version == all.end() || *version != kVersion)
+        return Error{"is no difference between cue books, or of another version", where};
+    std::vector<std::string> files;
+    try {
+        for (const Json& picture : all.at("pictures"))
+            for (const auto& [key, folder] :
+                 {std::pair{"file", "pictures/"}, {"old_file", "old/"}, {"map_file", "differences/"}}) {
+                auto file = picture.at(key).get<std::string>();
+                if (file.empty()) continue;
+                if (!is_of_book(file, folder))
+                    return Error{"has a picture that is not one of a cue book: '" + file.substr(0, 60) + "'",
+                                 where};
+                files.push_back(std::move(file));
+            }
+    } catch (const Json::exception& error) {
+        return Error{std::string("is damaged: ") + error.what(), where};
+    }
+    return files;
 }
 
 } // namespace ghost::scene

@@ -20,6 +20,7 @@ namespace {
 std::vector<BenchTable> all_tables() {
     std::vector<BenchTable> all(tables().begin(), tables().end());
     all.push_back({"window", "The window with a desk at 44 Hz", bench_window});
+    all.push_back({"web", "Browsers that look on", bench_web});
     all.push_back({"start", "Start-up", bench_start});
     return all;
 }
@@ -57,7 +58,7 @@ void add_bench(CLI::App& app, int& exit_code) {
     command->add_option("NAME", a->table, "only this table")->check(CLI::IsMember(names));
     command
         ->add_option("--show", a->options.show,
-                     "show of the tables paper, live, bake, quality, window and start")
+                     "show of the tables paper, live, bake, quality, window, web and start")
         ->capture_default_str();
     command->add_option("--frames", a->options.frames, "frames measured per row")
         ->check(CLI::Range(5, 10000))

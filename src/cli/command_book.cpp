@@ -63,6 +63,8 @@ Result<void> make_book(BookArguments& arguments) {
     }
     const scene::PaperSize paper = scene::paper_named(arguments.paper);
     TRY_VOID(write_file_atomic(folder.written_to() / kBookFile, scene::text_of(drawn.book)));
+    if (difference)
+        TRY_VOID(write_file_atomic(folder.written_to() / "difference.json", scene::text_of(*difference)));
     TRY_VOID(write_file_atomic(
         folder.written_to() / "index.html",
         scene::html_of(drawn.book, difference ? &*difference : nullptr, paper, arguments.book.style)));

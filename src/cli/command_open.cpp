@@ -10,6 +10,7 @@
 #include "cli/options/web_options.h"
 #include "live/engine/engine.h"
 #include "ui/window/open_window.h"
+#include "web/browsers.h"
 
 #include "base/log.h"
 
@@ -72,17 +73,17 @@ Result<void> run(OpenArguments& arguments) {
         return Error{"no such file or folder", show};
     catch_interrupts();
     ui::Link link;
-    std::unique_ptr<web::Server> server;
+    web::Browsers browsers(link);
+    arguments.window.browsers = &browsers;
     if (arguments.server) {
-        TRY(server, web::Server::open(link, *arguments.server));
-        print_addresses(*server, *arguments.server);
+        TRY_VOID(browsers.open(*arguments.server));
+        print_addresses(*browsers.server());
     }
     arguments.window.begin = [&] {
-        if (server)
-            link.on_news = [&server, window = link.on_news] {
-                window();
-                server->news();
-            };
+        link.on_news = [&browsers, window = link.on_news] {
+            window();
+            browsers.news();
+        };
         return std::make_shared<Engine>(link, arguments.engine);
     };
     arguments.window.should_close = interrupted;

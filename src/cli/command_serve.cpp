@@ -3,6 +3,7 @@
 #include "base/interrupt.h"
 #include "base/log.h"
 #include "base/signal.h"
+#include "base/steady_time.h"
 #include "cli/commands.h"
 #include "cli/options/bounce_option.h"
 #include "cli/options/input_options.h"
@@ -11,7 +12,9 @@
 #include "cli/options/web_options.h"
 #include "live/engine/engine.h"
 #include "show/camera_moves.h"
+#include "show/looks.h"
 #include "show/show.h"
+#include "ui/model/look_fade.h"
 
 #include <chrono>
 #include <filesystem>
@@ -55,7 +58,7 @@ Result<void> check_usage(ServeArguments& arguments) {
     return {};
 }
 
-// What the window does elsewhere: says which show and which camera.
+// What the window does elsewhere: says which show, which camera and which look.
 class Onlooker {
 public:
     Onlooker(ui::Link& link, const ServeArguments& arguments) : link_(link), arguments_(arguments) {
@@ -72,11 +75,34 @@ public:
         if (const auto news = link_.failed.take()) return *news;
         if (const auto news = link_.opened.take(); news && !news->is_edit) TRY_VOID(look_at(*news));
         if (const auto call = link_.camera_call.take()) look_from(call->camera);
+        if (const auto news = link_.rig.take()) rig_ = *news;
+        if (const auto call = link_.look_call.take()) recall(*call);
         return {};
+    }
+
+    // A fade that is on its way. False: none is.
+    bool go_on() {
+        if (fade_s_ <= 0) return false;
+        const double share = (steady_now_s() - fade_begin_s_) / fade_s_;
+        if (share >= 1 || !show_) fade_s_ = 0;
+        request_.look =
+            fade_s_ > 0 ? ui::faded(from_, look_, *show_, rig_, static_cast<float>(share)) : look_;
+        send();
+        return fade_s_ > 0;
     }
 
 private:
     Result<void> look_at(const ui::Opened& opened) {
+        show_ = opened.show;
+        look_ = request_.look = {};
+        fade_s_ = 0;
+        Report report;
+        auto looks = scene::load_looks(scene::looks_file(*show_), report);
+        if (!looks.ok()) report.add(Severity::error, looks.error().where, looks.error().what);
+        for (const Message& message : report.messages) log_warning(message.where + ": " + message.what);
+        looks_ = std::make_shared<const std::vector<scene::StoredLook>>(
+            looks.ok() ? std::move(*looks) : std::vector<scene::StoredLook>());
+        publish_looks("");
         if (!arguments_.view.empty() || !opened.show->cameras.empty()) {
             TRY(const std::size_t camera, opened.show->find_camera(arguments_.view));
             look_from(opened.show->cameras[camera]);
@@ -94,6 +120,27 @@ private:
         send();
     }
 
+    void recall(const ui::LookCall& call) {
+        if (!show_) return;
+        const Result<std::size_t> index = scene::find_look(*looks_, call.name);
+        if (!index.ok()) return log_warning("remote control: " + index.error().text());
+        const scene::StoredLook& stored = (*looks_)[*index];
+        from_ = request_.look;
+        look_.fixtures = scene::programmer_of(stored, *show_);
+        look_.scene = stored.scene;
+        fade_s_ = call.seconds < 0 ? static_cast<double>(stored.fade_s) : call.seconds;
+        fade_begin_s_ = steady_now_s();
+        publish_looks(stored.name);
+        if (fade_s_ > 0) return;
+        request_.look = look_;
+        send();
+    }
+
+    void publish_looks(const std::string& current) {
+        link_.looks.put({looks_, current});
+        link_.on_news();
+    }
+
     void send() {
         ++request_.number;
         link_.request.put(request_);
@@ -103,6 +150,11 @@ private:
     ui::Link& link_;
     const ServeArguments& arguments_;
     ui::ViewRequest request_;
+    std::shared_ptr<const scene::Show> show_; // null: none is open
+    std::shared_ptr<const std::vector<scene::StoredLook>> looks_;
+    ui::RigNow rig_;
+    ui::Look look_, from_; // that is meant, and that it fades from
+    double fade_s_ = 0, fade_begin_s_ = 0;
 };
 
 Result<void> run(const ServeArguments& arguments) {
@@ -117,12 +169,12 @@ Result<void> run(const ServeArguments& arguments) {
         news.raise();
         server->news();
     };
-    print_addresses(*server, arguments.server);
+    print_addresses(*server);
     const Engine engine(link, arguments.engine);
     Onlooker onlooker(link, arguments);
     while (!interrupted()) {
         TRY_VOID(onlooker.read_news());
-        (void)news.wait_for(200ms);
+        (void)news.wait_for(onlooker.go_on() ? 33ms : 200ms);
     }
     return {};
 }

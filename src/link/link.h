@@ -3,6 +3,7 @@
 // Link: all that passes between the window and the engine, which draws on a thread of its own. ViewRequest go
 // in, news come out; both are plain values, the newest wins, nobody waits. Metres, degrees, seconds.
 
+#include "base/bounded_queue.h"
 #include "base/mailbox.h"
 #include "base/signal.h"
 #include "diagnose/explain.h"
@@ -10,6 +11,7 @@
 #include "image/false_colour.h"
 #include "image/image.h"
 #include "image/tone.h"
+#include "link/browsers.h"
 #include "link/look.h"
 #include "link/news.h"
 #include "show/bounce_detail.h"
@@ -245,12 +247,6 @@ struct Probed {
     std::string object;
 };
 
-// What a camera of the show saw when the picture rested last.
-struct CameraPicture {
-    std::string camera; // name
-    std::shared_ptr<const image::Image8> image;
-};
-
 struct Picked {
     std::uint64_t number = 0; // of the request
     bool hit = false;         // a surface; what follows is of it
@@ -279,7 +275,7 @@ struct Link {
     Mailbox<Error> not_opened; // the show of the request could not be; what was open stays
     Mailbox<Error> failed;     // something else that the window asked for
     News<Picture> picture;
-    News<RigNow> rig;
+    News<RigNow, Late::waits> rig;
     News<dmx::Statistics> network;
     Mailbox<Explained> explained;
     Mailbox<Explained> hovered;
@@ -297,11 +293,19 @@ struct Link {
     Mailbox<Saved> saved;
     Mailbox<Recorded> recorded;
     Mailbox<CameraCall> camera_call;
-    Mailbox<std::vector<CameraPicture>> camera_pictures; // all there are
+    News<std::vector<NamedPicture>> camera_pictures; // all there are
+    Mailbox<LookCall> look_call;
 
     // Of the second reader of the news: browsers.
     Mailbox<std::size_t> question; // the fixture that is to be explained, once
     Mailbox<Explained> answer;
+    BoundedQueue<Command, kMostCommands> commands;
+    BoundedQueue<CommandAnswer, kMostCommands> command_answers;
+    std::atomic<bool> wants_small_pictures{false};   // of cameras and looks, while the picture rests
+    News<LooksNow> looks;                            // of whoever keeps them: to the engine and to browsers
+    News<std::vector<NamedPicture>> look_pictures;   // all there are; for browsers alone
+    Mailbox<std::vector<SideView>> side_views;       // that are wanted from now on
+    Mailbox<std::vector<SidePicture>> side_pictures; // of them, all there are
 
     // The engine calls it after it put something, on its own thread. Set before the engine starts.
     std::function<void()> on_news;

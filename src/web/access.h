@@ -26,6 +26,7 @@ public:
     Pairing(std::string digits, double now_s) : digits_(std::move(digits)), until_s_(now_s + kValid_s) {}
 
     const std::string& digits() const { return digits_; }
+    double until_s() const { return until_s_; }
     // Each call is a try.
     bool accepts(std::string_view digits, double now_s);
 

@@ -45,8 +45,11 @@ void Connection::end(double now_s) {
     unread_.clear();
 }
 
-bool Connection::is_over(double now_s) const {
-    return is_ending() && now_s - ends_s_ > kEnd_s;
+bool Connection::is_over(double now_s) {
+    if (!is_ending()) return false;
+    if (unsent_ > 0) return now_s - ends_s_ > kSend_s;
+    if (sent_s_ < 0) sent_s_ = now_s;
+    return now_s - sent_s_ > kEnd_s;
 }
 
 } // namespace ghost::web

@@ -16,10 +16,11 @@ constexpr image::JpegQuality kAtRest{92, true}; // saturated beams smear where c
 
 } // namespace
 
-void PicturePacker::put(ui::Picture picture, double drawn_ms) {
+void PicturePacker::put(ui::Picture picture, double drawn_ms, bool is_still) {
     if (!picture.image || picture.image->empty()) return;
     next_ = std::move(picture);
     next_ms_ = drawn_ms;
+    is_still_ = is_still;
 }
 
 void PicturePacker::go_on(double now_s) {
@@ -35,7 +36,7 @@ void PicturePacker::go_on(double now_s) {
 }
 
 void PicturePacker::begin(bool at_rest, double now_s) {
-    ++number_;
+    number_ = ++numbers_;
     at_rest_ = at_rest;
     shown_s_ = now_s;
     packed_.clear();
@@ -57,7 +58,8 @@ Packed PicturePacker::packed(int width) {
         return nullptr;
     }
     const double arrival_ms = std::chrono::duration<double, std::milli>(shown_->arrival).count();
-    const PictureHead head{.number = number_,
+    const PictureHead head{.stream = stream_,
+                           .number = number_,
                            .drawn_ms = shown_ms_,
                            .desk_ms = arrival_ms > 0 ? static_cast<float>(shown_ms_ - arrival_ms)
                                                      : std::numeric_limits<float>::quiet_NaN(),
@@ -67,7 +69,8 @@ Packed PicturePacker::packed(int width) {
                            .coarse = shown_->is_coarse,
                            .baked = shown_->is_baked,
                            .at_rest = at_rest_,
-                           .false_colours = shown_->false_colour.measure != ui::Measure::none};
+                           .false_colours = shown_->false_colour.measure != ui::Measure::none,
+                           .still = is_still_};
     return place->second = std::make_shared<const std::vector<std::uint8_t>>(
                build_frame(Opcode::binary, picture_message(head, *jpeg)));
 }

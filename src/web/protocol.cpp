@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+// What the server says; what it is told: protocol_read.cpp.
 #include "web/protocol.h"
 
 #include "diagnose/doctor.h"
 #include "dmx/merge/merge.h"
 #include "dmx/wire/packet.h"
-#include "json_xml_toml/json.h"
 #include "show/show.h"
 
 #include <nlohmann/json.hpp>
@@ -18,29 +18,11 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr JsonLimits kMessageLimits{.bytes = kMostMessageBytes, .values = 64, .members = 16, .depth = 8};
 constexpr std::size_t kMostSources = 64;
 constexpr float kShines_cd = 1.0f; // less is not seen on any stage
 
 std::string json_text(const ordered_json& json) {
     return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-}
-
-// A whole number of that range.
-Result<long> whole(const nlohmann::json& message, const char* key, long low, long high) {
-    const auto found = message.find(key);
-    if (found == message.end() || !found->is_number_integer() || *found < low || *found > high)
-        return Error{std::string("'") + key + "' is not a whole number of " + std::to_string(low) + ".." +
-                         std::to_string(high),
-                     "message"};
-    return found->get<long>();
-}
-
-Result<bool> flag(const nlohmann::json& message, const char* key) {
-    const auto found = message.find(key);
-    if (found == message.end() || !found->is_boolean())
-        return Error{std::string("'") + key + "' is neither true nor false", "message"};
-    return found->get<bool>();
 }
 
 class Writer {
@@ -59,6 +41,10 @@ private:
     }
     std::vector<std::uint8_t> bytes_;
 };
+
+ordered_json json_of(const glm::vec3& vector) {
+    return {vector.x, vector.y, vector.z};
+}
 
 unsigned byte_of(float share) {
     return std::isfinite(share) ? static_cast<unsigned>(std::lround(255 * std::clamp(share, 0.0f, 1.0f)))
@@ -93,49 +79,13 @@ ordered_json desk_json(const StateNow& now) {
 
 } // namespace
 
-Result<ToServer> read_message(Opcode opcode, Bytes payload) {
-    if (opcode == Opcode::binary) {
-        ByteReader reader(payload);
-        const std::uint8_t kind = reader.u8();
-        const std::uint32_t number = reader.u32_le();
-        if (kind != 1 || !reader.ok() || reader.left() > 0)
-            return Error{"not five bytes that say what was painted", "message"};
-        return ToServer{Painted{number}};
-    }
-    const std::string_view text(reinterpret_cast<const char*>(payload.data()), payload.size());
-    TRY(const nlohmann::json message, read_json(text, "message", kMessageLimits));
-    const auto type = message.is_object() ? message.find("type") : message.end();
-    if (!message.is_object() || type == message.end() || !type->is_string())
-        return Error{"not an object with a 'type'", "message"};
-    if (*type == "watch") {
-        TRY(const long width, whole(message, "width", 1, kMostWidth));
-        TRY(const bool calm, flag(message, "calm"));
-        return ToServer{Watch{static_cast<int>(width), calm}};
-    }
-    if (*type == "levels") {
-        TRY(const bool on, flag(message, "on"));
-        return ToServer{WantLevels{on}};
-    }
-    if (*type == "explain") {
-        TRY(const long fixture, whole(message, "fixture", 0, 1'000'000));
-        return ToServer{Explain{static_cast<std::size_t>(fixture)}};
-    }
-    if (*type == "ping") {
-        const auto t = message.find("t");
-        if (t == message.end() || !t->is_number() || !std::isfinite(t->get<double>()))
-            return Error{"'t' is not a number", "message"};
-        return ToServer{Ping{t->get<double>()}};
-    }
-    return Error{"unknown type, expected watch, levels, explain or ping", "message"};
-}
-
 std::vector<std::uint8_t> picture_message(const PictureHead& head, Bytes jpeg) {
     const unsigned flags = (head.coarse ? 1u : 0u) | (head.baked ? 2u : 0u) | (head.at_rest ? 4u : 0u) |
-                           (head.false_colours ? 8u : 0u);
+                           (head.false_colours ? 8u : 0u) | (head.still ? 16u : 0u);
     std::vector<std::uint8_t> message = Writer()
                                             .u8(1)
                                             .u8(flags)
-                                            .u16(0)
+                                            .u16(static_cast<unsigned>(head.stream))
                                             .u32(head.number)
                                             .f64(head.drawn_ms)
                                             .f32(head.desk_ms)
@@ -144,6 +94,14 @@ std::vector<std::uint8_t> picture_message(const PictureHead& head, Bytes jpeg) {
                                             .u16(static_cast<unsigned>(head.height))
                                             .u32(0)
                                             .take();
+    message.insert(message.end(), jpeg.begin(), jpeg.end());
+    return message;
+}
+
+std::vector<std::uint8_t> small_message(SmallKind kind, std::string_view name, Bytes jpeg) {
+    std::vector<std::uint8_t> message =
+        Writer().u8(3).u8(static_cast<unsigned>(kind)).u16(static_cast<unsigned>(name.size())).take();
+    message.insert(message.end(), name.begin(), name.end());
     message.insert(message.end(), jpeg.begin(), jpeg.end());
     return message;
 }
@@ -161,12 +119,45 @@ std::vector<std::uint8_t> levels_message(std::uint16_t show_version, double at_m
     return writer.take();
 }
 
-std::string hello_text() {
-    return json_text({{"type", "hello"}, {"protocol", 1}, {"right", "view"}});
+std::string hello_text(Right right) {
+    return json_text({{"type", "hello"}, {"protocol", 1}, {"right", name_of(right)}});
+}
+
+std::string looks_text(const ui::LooksNow& looks) {
+    ordered_json list = ordered_json::array();
+    if (looks.looks)
+        for (const scene::StoredLook& look : *looks.looks)
+            list.push_back(
+                {{"name", look.name}, {"fade_s", look.fade_s}, {"fixtures", look.fixtures.size()}});
+    return json_text({{"type", "looks"}, {"current", looks.current}, {"looks", std::move(list)}});
+}
+
+std::string measure_text(const ui::SideMeasure& measure) {
+    ordered_json said{
+        {"type", "measure"}, {"place", {measure.place.x, measure.place.y}}, {"cd_m2", measure.cd_m2}};
+    if (measure.hit) {
+        said["lux"] = measure.lux;
+        said["distance_m"] = measure.distance_m;
+        said["object"] = measure.object;
+    }
+    return json_text(said);
+}
+
+std::string done_text(std::uint32_t n) {
+    return json_text({{"type", "done"}, {"n", n}});
+}
+
+std::string refused_text(std::uint32_t n, const std::string& why) {
+    return json_text({{"type", "refused"}, {"n", n}, {"why", why}});
+}
+
+std::string bye_text(const std::string& why) {
+    return json_text({{"type", "bye"}, {"why", why}});
 }
 
 std::string show_text(std::uint16_t version, const ui::Opened& opened) {
-    ordered_json fixtures = ordered_json::array(), cameras = ordered_json::array();
+    ordered_json fixtures = ordered_json::array(), cameras = ordered_json::array(),
+                 cues = ordered_json::array();
     if (opened.show) {
         for (const scene::PatchedFixture& fixture : opened.show->fixtures)
             fixtures.push_back({{"name", fixture.name},
@@ -174,13 +165,21 @@ std::string show_text(std::uint16_t version, const ui::Opened& opened) {
                                 {"patch", fixture.address > 0 ? std::to_string(fixture.universe) + "." +
                                                                     std::to_string(fixture.address)
                                                               : ""}});
-        for (const scene::Camera& camera : opened.show->cameras) cameras.push_back(camera.name);
+        for (const scene::Camera& camera : opened.show->cameras)
+            cameras.push_back({{"name", camera.name},
+                               {"position_m", json_of(camera.position_m)},
+                               {"target_m", json_of(camera.target_m)},
+                               {"fov_y_deg", camera.fov_y_deg}});
+        for (const scene::Cue& cue : opened.show->cues) cues.push_back(cue.name);
     }
     return json_text({{"type", "show"},
                       {"version", version},
                       {"name", opened.show ? opened.show->name : ""},
                       {"device", opened.device},
                       {"cameras", std::move(cameras)},
+                      {"cues", std::move(cues)},
+                      {"centre_m", json_of(opened.centre_m)},
+                      {"radius_m", opened.radius_m},
                       {"fixtures", std::move(fixtures)}});
 }
 
@@ -209,7 +208,8 @@ std::string state_text(const StateNow& now) {
         lookers.push_back({{"from", looker.from},
                            {"seconds", looker.seconds},
                            {"rate_hz", looker.rate_hz},
-                           {"width", looker.width}});
+                           {"width", looker.width},
+                           {"controls", looker.controls}});
     state["viewers"] = std::move(lookers);
     return json_text(state);
 }

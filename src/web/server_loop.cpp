@@ -3,6 +3,7 @@
 #include "web/private/server_loop.h"
 
 #include "base/log.h"
+#include "net/socket.h"
 #include "show/show.h"
 #include "web/server.h"
 
@@ -33,17 +34,14 @@ std::string short_reason(std::string text) {
 
 } // namespace
 
-ServerLoop::ServerLoop(ui::Link& link, dmx::TcpListener& listener, dmx::StreamWake& wake, Access& access,
-                       double bytes_per_s)
-    : link_(link), listener_(listener), wake_(wake), access_(access), ration_(bytes_per_s) {}
-
-double ServerLoop::now_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
+ServerLoop::ServerLoop(ui::Link& link, dmx::TcpListener& listener, dmx::StreamWake& wake, Gate& gate,
+                       const std::string& book, double bytes_per_s)
+    : link_(link), listener_(listener), wake_(wake), gate_(gate), book_(book), ration_(bytes_per_s) {}
 
 void ServerLoop::round() {
     wait();
     accept();
+    look_at_gate();
     read_news();
     for (auto guest = guests_.begin(); guest != guests_.end();) {
         if (serve(*guest)) {
@@ -56,8 +54,37 @@ void ServerLoop::round() {
     }
     viewers_ = static_cast<std::size_t>(std::count_if(
         guests_.begin(), guests_.end(), [](const Guest& guest) { return guest.viewer != nullptr; }));
+    if (viewers_ == 0) {
+        const std::lock_guard lock(gate_.mutex);
+        gate_.lookers.clear();
+    }
     link_.rig.also_for_second(viewers_ > 0);
+    link_.wants_small_pictures = std::any_of(guests_.begin(), guests_.end(), [](const Guest& guest) {
+        return guest.viewer && guest.viewer->wants_pictures;
+    });
+    choose_sides();
     ask();
+}
+
+void ServerLoop::look_at_gate() {
+    const std::lock_guard lock(gate_.mutex);
+    gate_.cpu_s = std::chrono::duration<double>(dmx::thread_cpu_time()).count();
+    if (gate_.sent_away != sent_away_) {
+        sent_away_ = gate_.sent_away;
+        for (Guest& guest : guests_) {
+            if (!guest.viewer || guest.connection.is_ending()) continue;
+            guest.connection.put(build_text(bye_text("Everybody was sent away.")));
+            end_live(guest, kClosePolicy, "everybody was sent away");
+        }
+    }
+    for (Guest& guest : guests_) {
+        if (!guest.viewer || guest.connection.is_ending() || guest.viewer->keys == gate_.keys) continue;
+        // Whatever token it came with: the one that controls is another now, or none.
+        guest.viewer->keys = gate_.keys;
+        if (guest.viewer->right != Right::control) continue;
+        guest.viewer->right = Right::view;
+        guest.connection.put(build_text(hello_text(Right::view)));
+    }
 }
 
 void ServerLoop::wait() {
@@ -103,12 +130,29 @@ void ServerLoop::read_request(Guest& guest) {
     if (const int status = body_status(parsed.head, body_bytes); status != 200)
         return answer(guest, refusal(status));
     if (connection.unread().size() < parsed.bytes + body_bytes) return;
-    access_.own = own_names(access_.own.port, access_.own.proxied); // cables come and go
     const std::string_view body = text_of(connection.unread(), parsed.bytes).substr(0, body_bytes);
-    const Routed routed = route(parsed.head, body, access_, now_s());
+    std::uint64_t keys = 0; // that the right is of
+    const Routed routed = [&] {
+        const std::lock_guard lock(gate_.mutex);
+        keys = gate_.keys;
+        Access& access = gate_.access;
+        access.own = own_names(access.own.port, access.own.proxied); // cables come and go
+        return route(parsed.head, body, access, now_s());
+    }();
+    if (routed.book) return answer_book(guest, *routed.book);
     if (!routed.is_live) return answer(guest, routed.answer);
     connection.take(parsed.bytes + body_bytes);
-    begin_live(guest, routed.answer);
+    begin_live(guest, routed, keys);
+}
+
+void ServerLoop::answer_book(Guest& guest, const std::string& name) {
+    Result<BookShelf::File> file = book_.file(name);
+    if (file.ok())
+        return answer(guest, {.type = file->type, .body = {}, .text = std::move(file->bytes), .fields = {}});
+    Answer missing = refusal(404);
+    missing.text = file.error().what + "\n"; // no path of this machine
+    missing.body = {};
+    answer(guest, missing);
 }
 
 void ServerLoop::answer(Guest& guest, const Answer& answer) {
@@ -116,14 +160,19 @@ void ServerLoop::answer(Guest& guest, const Answer& answer) {
     guest.connection.end(now_s());
 }
 
-void ServerLoop::begin_live(Guest& guest, const Answer& answer) {
-    if (viewers_ >= static_cast<std::size_t>(kMostViewers)) return this->answer(guest, refusal(503));
+void ServerLoop::begin_live(Guest& guest, const Routed& routed, std::uint64_t keys) {
+    if (viewers_ >= static_cast<std::size_t>(kMostViewers)) return answer(guest, refusal(503));
     ++viewers_;
-    guest.connection.put(answer_text(answer));
-    guest.connection.put(build_text(hello_text()));
+    guest.connection.put(answer_text(routed.answer));
+    guest.connection.put(build_text(hello_text(routed.right)));
     guest.viewer = std::make_unique<Viewer>();
+    guest.viewer->id = ++ids_;
+    guest.viewer->right = routed.right;
+    guest.viewer->keys = keys;
     guest.viewer->asked_if_there_s = now_s();
-    log_info("browsers: " + dmx::address_text(guest.connection.stream().peer()) + " looks on");
+    const bool controls = routed.right == Right::control;
+    log_info("browsers: " + dmx::address_text(guest.connection.stream().peer()) +
+             (controls ? " looks on and may control" : " looks on"));
     read_frames(guest);
 }
 
@@ -145,7 +194,8 @@ void ServerLoop::read_frames(Guest& guest) {
             break;
         case Opcode::text:
         case Opcode::binary:
-            const Result<ToServer> message = read_message(frame.opcode, frame.payload);
+            const Result<ToServer> message =
+                read_message(frame.opcode, frame.payload, guest.viewer->right == Right::control);
             if (!message.ok()) return end_live(guest, kClosePolicy, message.error().what);
             hear(guest, *message);
         }
@@ -157,8 +207,12 @@ void ServerLoop::hear(Guest& guest, const ToServer& message) {
     if (const auto* painted = std::get_if<Painted>(&message)) {
         viewer.flow.painted(painted->number, now_s());
         viewer.count_painted(now_s());
-    } else if (const auto* watch = std::get_if<Watch>(&message)) {
-        viewer.flow.want(watch->width, watch->calm);
+    } else if (const auto* wanted = std::get_if<Watch>(&message)) {
+        watch(guest, *wanted);
+    } else if (const auto* what = std::get_if<Do>(&message)) {
+        command(guest, *what);
+    } else if (const auto* pictures = std::get_if<WantPictures>(&message)) {
+        viewer.wants_pictures = pictures->on;
     } else if (const auto* levels = std::get_if<WantLevels>(&message)) {
         viewer.wants_levels = levels->on;
         viewer.levels = 0;
@@ -167,16 +221,40 @@ void ServerLoop::hear(Guest& guest, const ToServer& message) {
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
                 .count();
         guest.connection.put(build_text(pong_text(ping->t, now_ms)));
-    } else if (const auto* explain = std::get_if<Explain>(&message)) {
-        if (opened_ && opened_->show && explain->fixture < opened_->show->fixtures.size()) {
-            viewer.asks = explain->fixture;
-        } else {
-            ui::Explained none;
-            none.fixture = explain->fixture;
-            none.explanation.verdict = none.words = "the show has no such fixture";
-            guest.connection.put(build_text(explained_text(none)));
-        }
+    } else if (const auto* asked = std::get_if<Explain>(&message)) {
+        explain(guest, asked->fixture);
     }
+}
+
+void ServerLoop::explain(Guest& guest, std::size_t fixture) {
+    if (opened_ && opened_->show && fixture < opened_->show->fixtures.size()) {
+        guest.viewer->asks = fixture;
+        return;
+    }
+    ui::Explained none;
+    none.fixture = fixture;
+    none.explanation.verdict = none.words = "the show has no such fixture";
+    guest.connection.put(build_text(explained_text(none)));
+}
+
+// To the engine, whose answer goes back; what is known to be wrong does not wait for it.
+void ServerLoop::command(Guest& guest, const Do& what) {
+    const auto refuse = [&](const std::string& why) {
+        guest.connection.put(build_text(refused_text(what.n, why)));
+    };
+    if (!opened_ || !opened_->show) return refuse("no show is open");
+    if (what.command.what == "look") {
+        const auto* const name =
+            what.command.arguments.empty() ? nullptr : std::get_if<std::string>(&what.command.arguments[0]);
+        if (!name || !looks_.looks || !scene::find_look(*looks_.looks, *name).ok())
+            return refuse("the show has no such look");
+    }
+    ui::Command command = what.command;
+    command.number = ++commands_;
+    if (asked_.size() >= ui::kMostCommands || !link_.commands.put(command))
+        return refuse("too much is asked for already");
+    asked_.push_back({command.number, guest.viewer->id, what.n});
+    link_.wake.raise();
 }
 
 void ServerLoop::end_live(Guest& guest, int code, const std::string& why) {

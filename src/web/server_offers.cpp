@@ -4,11 +4,15 @@
 #include "web/private/server_loop.h"
 
 #include "diagnose/diagnosis.h"
+#include "image/jpeg.h"
 #include "show/show.h"
+
+#include <algorithm>
 
 namespace ghost::web {
 namespace {
 
+constexpr image::JpegQuality kSmallQuality{85, true};
 constexpr double kStateEvery_s = 0.25;
 constexpr double kLevelsEvery_s = 0.1;
 constexpr double kExplainEvery_s = 0.25;           // for all viewers together
@@ -46,6 +50,16 @@ void ServerLoop::read_news() {
         messages_.reset();
         ++messages_version_;
     }
+    if (auto news = link_.looks.take_second()) {
+        looks_ = std::move(*news);
+        looks_text_.reset();
+        ++looks_version_;
+    }
+    if (auto news = link_.camera_pictures.take_second()) take_small(SmallKind::camera, *news);
+    if (auto news = link_.look_pictures.take_second()) take_small(SmallKind::look, *news);
+    if (auto news = link_.side_pictures.take())
+        for (const ui::SidePicture& picture : *news) take_side(picture);
+    answer_commands();
     if (auto news = link_.answer.take()) {
         const Packed explained = packed_text(explained_text(*news));
         for (Guest& guest : guests_) {
@@ -56,6 +70,35 @@ void ServerLoop::read_news() {
         asking_.reset();
     }
     if (viewers_ > 0) packer_.go_on(now_s());
+    for (Side& side : sides_) side.packer.go_on(now_s());
+}
+
+// Of each the newest, each with a version of its own.
+void ServerLoop::take_small(SmallKind kind, const std::vector<ui::NamedPicture>& pictures) {
+    for (const ui::NamedPicture& picture : pictures) {
+        const auto known = std::find_if(small_.begin(), small_.end(), [&](const Small& one) {
+            return one.kind == kind && one.name == picture.name;
+        });
+        if (known != small_.end()) {
+            if (known->image == picture.image) continue;
+            small_.erase(known);
+        }
+        small_.push_back({kind, picture.name, picture.image, ++small_version_, nullptr});
+    }
+}
+
+void ServerLoop::answer_commands() {
+    for (const ui::CommandAnswer& answered : link_.command_answers.take()) {
+        const auto asked = std::find_if(asked_.begin(), asked_.end(),
+                                        [&](const Asked& one) { return one.number == answered.number; });
+        if (asked == asked_.end()) continue;
+        for (Guest& guest : guests_)
+            if (guest.viewer && guest.viewer->id == asked->viewer)
+                guest.connection.put(build_text(answered.refused.empty()
+                                                    ? done_text(asked->n)
+                                                    : refused_text(asked->n, answered.refused)));
+        asked_.erase(asked);
+    }
 }
 
 void ServerLoop::take_opened(ui::Opened opened) {
@@ -63,6 +106,10 @@ void ServerLoop::take_opened(ui::Opened opened) {
     patch_ = opened_->show ? scene::PatchMap(*opened_->show) : scene::PatchMap();
     rig_.reset();
     asking_.reset();
+    if (!opened_->is_edit) { // those of another show
+        small_.clear();
+        asked_.clear();
+    }
     show_.reset();
     ++show_version_;
 }
@@ -87,6 +134,7 @@ void ServerLoop::offer(Guest& guest) {
     if (guest.connection.unsent() > 0 || guest.connection.is_ending()) return;
     offer_news(guest);
     offer_picture(guest);
+    if (guest.viewer->wants_pictures) offer_small(guest);
 }
 
 void ServerLoop::offer_news(Guest& guest) {
@@ -101,6 +149,11 @@ void ServerLoop::offer_news(Guest& guest) {
         if (!messages_) messages_ = packed_text(messages_text(said_));
         guest.connection.put(messages_);
         viewer.messages = messages_version_;
+    }
+    if (viewer.looks != looks_version_) {
+        if (!looks_text_) looks_text_ = packed_text(looks_text(looks_));
+        guest.connection.put(looks_text_);
+        viewer.looks = looks_version_;
     }
     if (now - viewer.state_s >= kStateEvery_s) {
         viewer.state_s = now;
@@ -122,14 +175,35 @@ void ServerLoop::offer_news(Guest& guest) {
 void ServerLoop::offer_picture(Guest& guest) {
     Viewer& viewer = *guest.viewer;
     const double now = now_s();
-    if (packer_.number() == 0 || viewer.flow.newest() == packer_.number() || !viewer.flow.may_send(now) ||
+    Side* const side = side_for(viewer);
+    PicturePacker& packer = side ? side->packer : packer_;
+    if (packer.number() == 0 || viewer.flow.newest() == packer.number() || !viewer.flow.may_send(now) ||
         !ration_.has_some(now))
         return;
-    const Packed picture = packer_.packed(viewer.flow.width());
+    const Packed picture = packer.packed(viewer.flow.width());
     if (!picture) return;
     ration_.spend(static_cast<double>(picture->size()));
     guest.connection.put(picture);
-    viewer.flow.sent(packer_.number(), now);
+    viewer.flow.sent(packer.number(), now);
+    if (!side || !side->measure || viewer.measure == side->view.number) return;
+    viewer.measure = side->view.number;
+    guest.connection.put(side->measure);
+}
+
+// One at a time: what moves comes first.
+void ServerLoop::offer_small(Guest& guest) {
+    const auto next = std::find_if(small_.begin(), small_.end(),
+                                   [&](const Small& one) { return one.version > guest.viewer->small; });
+    if (next == small_.end() || !ration_.has_some(now_s())) return;
+    guest.viewer->small = next->version;
+    if (!next->packed) {
+        const auto jpeg = image::encode_jpeg(*next->image, kSmallQuality);
+        if (!jpeg.ok()) return;
+        next->packed = std::make_shared<const std::vector<std::uint8_t>>(
+            build_frame(Opcode::binary, small_message(next->kind, next->name, *jpeg)));
+    }
+    ration_.spend(static_cast<double>(next->packed->size()));
+    guest.connection.put(next->packed);
 }
 
 const Packed& ServerLoop::state() {
@@ -145,9 +219,14 @@ const Packed& ServerLoop::state() {
     for (Guest& guest : guests_) {
         if (!guest.viewer) continue;
         guest.viewer->forget_painted(now);
-        what.lookers.push_back(
-            {dmx::address_text(guest.connection.stream().peer()), now - guest.connection.since_s(),
-             static_cast<double>(guest.viewer->painted_s.size()), guest.viewer->flow.width()});
+        what.lookers.push_back({dmx::address_text(guest.connection.stream().peer()),
+                                now - guest.connection.since_s(),
+                                static_cast<double>(guest.viewer->painted_s.size()),
+                                guest.viewer->flow.width(), guest.viewer->right == Right::control});
+    }
+    {
+        const std::lock_guard lock(gate_.mutex);
+        gate_.lookers = what.lookers;
     }
     return state_ = packed_text(state_text(what));
 }

@@ -35,12 +35,19 @@ bool names(std::string_view list, std::string_view word) {
                        [&](std::string_view one) { return trimmed(one) == word; });
 }
 
-bool has_token(std::string_view protocols, const std::string& token) {
-    bool found = false;
+// Of the tokens in a list of protocols the one that opens most.
+Right right_in(std::string_view protocols, const Access& access) {
+    Right right = Right::none;
     for (const std::string_view one : split(protocols, ','))
         if (const std::string_view word = trimmed(one); word.starts_with("t."))
-            found = is_same_secret(word.substr(2), token) || found;
-    return found;
+            right = std::max(right, right_of(word.substr(2), access));
+    return right;
+}
+
+Right right_in_fields(const Head& head, const Access& access) {
+    constexpr std::string_view kBearer = "Bearer ";
+    const std::string_view given = head.field("authorization");
+    return given.starts_with(kBearer) ? right_of(given.substr(kBearer.size()), access) : Right::none;
 }
 
 Routed live(const Head& head, const Access& access) {
@@ -53,22 +60,31 @@ Routed live(const Head& head, const Access& access) {
     }
     if (accept.empty()) return {refusal(400)};
     const std::string_view protocols = head.field("sec-websocket-protocol");
-    if (!names(protocols, kProtocol) || !has_token(protocols, access.token)) return {refusal(401)};
+    const Right right = right_in(protocols, access);
+    if (!names(protocols, kProtocol) || right == Right::none) return {refusal(401)};
     Answer answer{.status = 101, .type = {}, .body = {}, .text = {}, .fields = {}};
     answer.fields = {{"Upgrade", "websocket"},
                      {"Connection", "Upgrade"},
                      {"Sec-WebSocket-Accept", accept},
                      {"Sec-WebSocket-Protocol", std::string(kProtocol)}};
-    return {answer, true};
+    return {answer, true, right, {}};
 }
 
 // Tells a page whose handshake was refused whether it was for its token.
 Answer right(const Head& head, const Access& access) {
-    constexpr std::string_view kBearer = "Bearer ";
-    const std::string_view given = head.field("authorization");
-    if (!given.starts_with(kBearer) || !is_same_secret(given.substr(kBearer.size()), access.token))
-        return refusal(401);
-    return {.type = "application/json", .body = R"({"right":"view"})", .text = {}, .fields = {}};
+    const Right right = right_in_fields(head, access);
+    if (right == Right::none) return refusal(401);
+    return {.type = "application/json",
+            .body = {},
+            .text = nlohmann::json{{"right", name_of(right)}}.dump(),
+            .fields = {}};
+}
+
+Routed book(const Head& head, const Access& access) {
+    constexpr std::string_view kBook = "/book/";
+    const Right right = right_in_fields(head, access);
+    if (right == Right::none) return {refusal(401)};
+    return {refusal(404), false, right, head.target.substr(kBook.size())};
 }
 
 Answer pair(const Head& head, std::string_view body, Access& access, double now_s) {
@@ -86,6 +102,16 @@ Answer pair(const Head& head, std::string_view body, Access& access, double now_
 }
 
 } // namespace
+
+std::string_view name_of(Right right) {
+    return right == Right::control ? "control" : right == Right::view ? "view" : "none";
+}
+
+Right right_of(std::string_view token, const Access& access) {
+    const bool views = is_same_secret(token, access.token);
+    const bool controls = is_same_secret(token, access.control_token);
+    return controls ? Right::control : views ? Right::view : Right::none;
+}
 
 Answer refusal(int status) {
     const char* why = "This is not here.\n";
@@ -131,6 +157,7 @@ Routed route(const Head& head, std::string_view body, Access& access, double now
     if ((is_live || is_pair) && !is_own_origin(head.field("origin"), host, access.own)) return {refusal(403)};
     if (is_live) return live(head, access);
     if (is_pair) return {pair(head, body, access, now_s)};
+    if (head.target.starts_with("/book/")) return book(head, access);
     if (head.target == "/right") return {right(head, access)};
     if (head.target == "/") return {file("index.html")};
     if (head.target.starts_with(kFiles)) return {file(std::string_view(head.target).substr(kFiles.size()))};

@@ -3,6 +3,7 @@
 #include "book/difference.h"
 
 #include "book/book_html.h"
+#include "book/book_json.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -118,6 +119,30 @@ TEST(DifferencePage, has_a_slider_for_what_differs_alone) {
     EXPECT_NE(page.find("type=\"range\""), std::string::npos);
     EXPECT_EQ(page.find("type=\"range\""), page.rfind("type=\"range\""));
     EXPECT_NE(page.find("the same"), std::string::npos);
+}
+
+TEST(DifferenceJson, names_its_pictures_and_no_others) {
+    BookDifference difference;
+    difference.pictures = {{"a", "house", "pictures/0001-1.png", "old/0001-1.png", "differences/0001-1.png",
+                            PictureDifference{PictureDifference::Seen::seen, 0.1, 0.3, 0.5, 0.1}, ""},
+                           {"b", "house", "pictures/0002-1.png", "", "", std::nullopt, "of another size"}};
+    const std::string text = text_of(difference);
+    EXPECT_NE(text.find("\"seen\": \"seen\""), std::string::npos);
+    const auto files = files_of_difference(text, "x");
+    ASSERT_TRUE(files.ok());
+    EXPECT_EQ(*files, (Sentences{"pictures/0001-1.png", "old/0001-1.png", "differences/0001-1.png",
+                                 "pictures/0002-1.png"}));
+    for (std::size_t size = 0; size + 1 < text.size(); ++size)
+        EXPECT_FALSE(files_of_difference(text.substr(0, size), "x").ok()) << size;
+    for (const char* bad :
+         {"[]", "{}", R"({"ghostlight_difference":2,"pictures":[]})", R"({"ghostlight_difference":1})",
+          R"({"ghostlight_difference":1,"pictures":[{}]})", R"({"ghostlight_difference":1,"pictures":7})"})
+        EXPECT_FALSE(files_of_difference(bad, "x").ok()) << bad;
+    for (const char* file : {"/etc/passwd", "old/../../x.png", "pictures/0001-1.png", "old/.png", "old/a.png",
+                             "old/0001-1.png/", "old/0001-1.jpg", "old.png"}) {
+        difference.pictures[0].old_file = file;
+        EXPECT_FALSE(files_of_difference(text_of(difference), "x").ok()) << file;
+    }
 }
 
 } // namespace

@@ -31,7 +31,21 @@ SOURCE, BUILD = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).r
 PICTURES = pathlib.Path(sys.argv[3]).resolve() if len(sys.argv) > 3 else None
 PROGRAM = BUILD / "ghostlight"
 WORK = pathlib.Path(tempfile.mkdtemp(prefix="ghost-web-"))
+LOOKS = """
+[[look]]
+name = "<b>Verse</b>"
+fade_s = 1.5
+[[look.fixture]]
+name = "Wash 1"
+intensity = 1.0
+[[look]]
+name = "Dark"
+[[look.fixture]]
+name = "Wash 1"
+intensity = 0.0
+"""
 LONG_S = 300  # for what a busy machine may take
+SCREENS = ("picture", "rig", "looks", "stage", "book", "state")
 EVIL = "<img src=x onerror=window.hacked=1><script>hacked=1</script>"  # 64 bytes at most, as the name of a source
 
 
@@ -49,15 +63,28 @@ def sacn(number, levels):
 
 
 def make_show():
-    """The demo with a hostile name; a fixture may not have one."""
+    """The demo with a hostile name, looks and cues; a fixture may not have one."""
     show = WORK / "demo"
     shutil.copytree(SOURCE / "assets/demo", show, ignore=shutil.ignore_patterns(".ghost"))
     (WORK / "fixtures").symlink_to(SOURCE / "assets/fixtures")
     toml = show / "show.toml"
     text = toml.read_text(encoding="utf-8")
     assert 'name = "Demo"' in text
-    toml.write_text(text.replace('name = "Demo"', f"name = '{EVIL}'", 1), encoding="utf-8")
+    text = text.replace('name = "Demo"', f"name = '{EVIL}'", 1)
+    toml.write_text(f"{text}\n[[cue]]\nname = '{EVIL}'\nat_s = 20\n[[cue]]\nname = 'Close'\ncamera = 'close'\n", encoding="utf-8")
+    (show / "looks.toml").write_text(LOOKS, encoding="utf-8")
     return show
+
+
+def make_book(show):
+    """One whose entry differs from an older one."""
+    book, old = WORK / "book", WORK / "old"
+    small = ["--size", "160x90", "--looks", "--view", "house", "--quiet"]
+    subprocess.run([PROGRAM, "book", show, "-o", old, *small], check=True)
+    (show / "looks.toml").write_text(LOOKS.replace("intensity = 1.0", "intensity = 0.4"), encoding="utf-8")
+    subprocess.run([PROGRAM, "book", show, "-o", book, "--against", old, *small], check=True)
+    (show / "looks.toml").write_text(LOOKS, encoding="utf-8")
+    return book
 
 
 class Desk(threading.Thread):
@@ -79,6 +106,9 @@ class Desk(threading.Thread):
             out.sendto(sacn(number, self.levels), ("127.0.0.1", self.port))
 
 
+ADDRESS = r"(http://127\.0\.0\.1:\d+/#t=[0-9a-f]{32})"
+
+
 class Serve:
     def __init__(self, show, port, *arguments):
         self.path = WORK / f"serve-{port}-{time.monotonic_ns()}.out"
@@ -86,8 +116,9 @@ class Serve:
         self.process = subprocess.Popen([str(PROGRAM), "serve", str(show), "--web", str(port), "--size", "640x360", "--view", "house",
                                          "--interface", "127.0.0.1", *map(str, arguments)], stdout=self.out, stderr=self.out)
         self.port = port
-        self.address = self.until(r"(http://127\.0\.0\.1:\d+/#t=[0-9a-f]{32})")
+        self.address = self.until(ADDRESS)
         self.token = self.address.rpartition("=")[2]
+        self.control = self.until(r"with control[^\n]*\n\s*" + ADDRESS) if "--control" in arguments else None
         self.digits = self.until(r"the digits (\d{6})")
 
     def text(self):
@@ -115,7 +146,8 @@ class Web(unittest.TestCase):
         cls.sacn = free_port(socket.SOCK_DGRAM)
         cls.desk = Desk(cls.sacn)
         cls.desk.start()
-        cls.serve = Serve(cls.show, free_port(), "--sacn-port", cls.sacn, "--protocols", "sacn")
+        cls.book = make_book(cls.show)
+        cls.serve = Serve(cls.show, free_port(), "--sacn-port", cls.sacn, "--protocols", "sacn", "--control", "--book", cls.book)
         cls.browser = Browser("--host-resolver-rules=MAP rebound.example 127.0.0.1")
 
     @classmethod
@@ -125,7 +157,8 @@ class Web(unittest.TestCase):
         cls.desk.ends.set()
         assert code == 0, cls.serve.text()
         log = re.sub(r"http://127\S+", "", cls.serve.text())
-        assert cls.serve.token not in log, "the token is in an address alone, in no other output"
+        for token in (cls.serve.token, cls.serve.control.rpartition("=")[2]):
+            assert token not in log, "the token is in an address alone, in no other output"
         shutil.rmtree(WORK)
 
     def home(self):
@@ -154,7 +187,7 @@ class Web(unittest.TestCase):
                 self.assertEqual(page.value("location.hash"), "", "the token is wiped from the address")
                 page.until("document.querySelector('.under .grow').textContent.includes('from the desk')")
                 self.until_red(page)
-                for number, screen in enumerate(("picture", "rig", "state"), 1):
+                for number, screen in enumerate(SCREENS, 1):
                     page.value("document.activeElement.blur()")
                     page.key(str(number))
                     page.until(f"!document.querySelector('ghost-{screen}').hidden")
@@ -162,6 +195,17 @@ class Web(unittest.TestCase):
                         page.until("[...document.querySelectorAll('.does')].some(does => does.textContent.startsWith('lit'))")
                         page.value("[...document.querySelectorAll('.lamps button')].find(button => button.textContent.includes('Wash 1')).click()")
                         page.until("document.querySelector('.why pre')?.textContent.length > 100")
+                    if screen == "looks":
+                        page.until("document.querySelectorAll('ghost-looks .card img').length === 2")
+                        self.assertEqual(page.value("document.querySelectorAll('ghost-looks button:not([hidden])').length - "
+                                                    "document.querySelectorAll('ghost-looks .tools button').length"), 0, "who looks on recalls nothing")
+                    if screen == "stage":
+                        page.until("document.querySelectorAll('ghost-stage .card img').length === 3")
+                        page.value("[...document.querySelectorAll('ghost-stage .card button')].find(one => one.textContent === 'high').click()")
+                        page.until("document.querySelector('ghost-stage .grow').textContent.includes('Camera high')")
+                        page.until("document.querySelector('ghost-stage canvas').width > 16")
+                    if screen == "book":
+                        page.until("[...document.querySelectorAll('ghost-book img')].filter(one => one.naturalWidth > 0).length >= 2")
                     if screen == "state":
                         page.until("document.querySelector('ghost-state').innerText.includes('sACN')")
                     time.sleep(0.5)
@@ -176,17 +220,17 @@ class Web(unittest.TestCase):
                 self.assertEqual(page.value("document.querySelector('#show').textContent"), EVIL)
                 self.assertIn(EVIL, page.value("document.querySelector('ghost-state').textContent"), "the name of the source")
                 self.assertEqual(page.value("typeof window.hacked"), "undefined")
-                self.assertEqual(page.value("document.querySelectorAll('main img, main script').length"), 0)
+                self.assertEqual(page.value("[...document.querySelectorAll('main img, main script, main b')].filter(one => !one.src?.startsWith('blob:') && !one.dataset.file).length"), 0)
                 page.call("Page.close")
 
     def test_all_is_reached_by_keys(self):
         page = self.browser.page(self.serve.address, 1280, 800)
         page.until("document.querySelectorAll('.lamps button').length === 10 && document.querySelector('canvas').width > 16")
         reached = []
-        for _ in range(17):
+        for _ in range(20):
             page.key("Tab")
             reached.append(page.value("document.activeElement.textContent.slice(0, 12) || document.activeElement.className || document.activeElement.type"))
-        for what in ("To the scree", "Picture", "Rig", "State", "stage", "Calm", "search"):
+        for what in ("To the scree", "Picture", "Rig", "Looks", "Stage", "Book", "State", "stage", "Calm", "search"):
             self.assertIn(what, reached)
         page.value("document.querySelector('.stage').focus()")
         page.key("Enter")
@@ -196,6 +240,82 @@ class Web(unittest.TestCase):
         page.value("document.querySelector('input[type=search]').focus()")
         page.type("wash 1")
         page.until("document.querySelector('.count').textContent === '1 of 10 lamps'")
+        page.call("Page.close")
+
+    def test_who_controls_recalls_looks_and_calls_cues(self):
+        page = self.browser.page(self.serve.control, 1280, 800)
+        page.until("document.querySelector('.line').textContent === 'live'")
+        page.key("3")
+        page.until("document.querySelectorAll('ghost-looks .card button').length === 2")
+        self.assertEqual(page.value("document.querySelector('ghost-looks .card .name').textContent"), "<b>Verse</b>")
+        page.value("document.querySelector('ghost-looks input').value = '0'")
+        page.value("document.querySelector('ghost-looks .card button').focus()")
+        page.key("Enter")
+        page.until("document.querySelector('ghost-looks .card.now .name')?.textContent === '<b>Verse</b>'")
+        self.assertEqual(page.value("document.querySelector('.badge:not([hidden])').textContent"), "Now")
+        self.assertEqual(page.nameless(), [])
+        if PICTURES:
+            page.screenshot(PICTURES / "web-looks-control-laptop.png")
+            page.size(390, 844)
+            page.screenshot(PICTURES / "web-looks-control-phone.png")
+            page.size(1280, 800)
+        page.key("2")
+        page.until("[...document.querySelectorAll('.lamps button')].find(one => one.textContent.includes('Wash 1')).textContent.includes('100 %')")
+        page.key("4")
+        page.value("[...document.querySelectorAll('ghost-stage .card button')].find(one => one.textContent === 'close').click()")
+        page.value("[...document.querySelectorAll('ghost-stage button')].find(one => one.textContent === 'Put the picture there').click()")
+        page.key("6")
+        page.until("document.querySelector('ghost-state').innerText.includes('close')")
+        # What nobody knows is refused, with the reason, and the line stays.
+        said = page.value("""import('/a/wire.js').then(({doIt}) => Promise.all([doIt('nothing', []), doIt('haze', [1000]), doIt('look', ['x']),
+                             doIt('camera', ['house', 0]), doIt('look', ['Dark', 0])]))""")
+        for refused, part in zip(said, ("no address of ours", "0 to 20", "no such look", "", "")):
+            self.assertTrue(part in refused if part else refused == "", said)
+        page.until("document.querySelector('.line').textContent === 'live'")
+        self.assertEqual(page.console(), [])
+        page.call("Page.close")
+
+    def test_ones_own_view_orbits_and_measures(self):
+        page = self.browser.page(self.serve.address, 1280, 800)
+        page.until("document.querySelector('.line').textContent === 'live'")
+        page.key("4")
+        page.until("document.querySelectorAll('ghost-stage .card').length === 3")
+        page.value("[...document.querySelectorAll('ghost-stage button')].find(one => one.textContent === 'My own view').click()")
+        page.until("document.querySelector('ghost-stage .grow').textContent.includes('a still')")
+        before = page.value("document.querySelector('ghost-stage canvas').toDataURL()")
+        page.value("document.querySelector('ghost-stage .stage').focus()")
+        for _ in range(3):
+            page.key("ArrowRight")
+        page.until(f"document.querySelector('ghost-stage canvas').toDataURL() !== {before!r}")
+        page.key("Enter")
+        page.until("/cd.m\u00b2.*(lux .* on|nothing)/.test(document.querySelector('.measured').textContent)")
+        if PICTURES:
+            page.screenshot(PICTURES / "web-own-laptop.png")
+        # Round a point, by known answers.
+        self.assertEqual(page.value("""import('/a/orbit.js').then(({orbitOf, cameraOf, turn, slide, dolly}) => {
+            const orbit = orbitOf({position_m: [0, -10, 2], target_m: [0, 0, 2], fov_y_deg: 90});
+            turn(orbit, Math.PI / 2, 0); dolly(orbit, 2); slide(orbit, 0.5, 0); return cameraOf(orbit); })"""),
+                         {"position_m": [5, 5, 2], "target_m": [0, 5, 2], "fov_y_deg": 90})
+        page.value("[...document.querySelectorAll('nav button')][0].click()")
+        number = page.value("document.querySelector('ghost-picture canvas').width")
+        self.assertGreater(number, 16, "the window's picture again")
+        self.assertEqual(page.console(), [])
+        page.call("Page.close")
+
+    def test_the_book_is_for_those_with_a_token(self):
+        page = self.browser.page(self.serve.address, 1280, 800)
+        page.until("document.querySelector('.line').textContent === 'live'")
+        page.key("5")
+        page.until("document.querySelector('ghost-book h2').textContent.startsWith('Since')")
+        page.until("document.querySelectorAll('ghost-book article').length === 2")
+        self.assertIn("<b>Verse</b>", page.value("document.querySelector('ghost-book article').textContent"))
+        page.until("document.querySelector('ghost-book .old-one')?.naturalWidth > 0")
+        page.value("document.querySelector('ghost-book input').focus()")
+        page.key("ArrowRight")
+        self.assertIn("49%", page.value("document.querySelector('ghost-book .old-one').style.clipPath"))
+        for path in ("book/book.json", "book/pictures/0001-1.png"):
+            self.assertEqual(page.value(f"fetch('/{path}').then(answer => answer.status)"), 401)
+        self.assertEqual(page.value("document.querySelectorAll('ghost-book b').length"), 0)
         page.call("Page.close")
 
     def test_six_digits_let_in_and_wrong_ones_do_not(self):

@@ -12,6 +12,10 @@ TEST(News, two_readers_get_the_newest_once_each) {
     EXPECT_EQ(news.take_second(), std::nullopt) << "nobody asked for it";
     EXPECT_EQ(news.take(), 1);
     news.also_for_second(true);
+    EXPECT_EQ(news.take_second(), 1) << "who comes late gets the newest";
+    EXPECT_EQ(news.take_second(), std::nullopt) << "once";
+    news.also_for_second(true);
+    EXPECT_EQ(news.take_second(), std::nullopt) << "he was there already";
     news.put(2);
     news.put(3);
     EXPECT_EQ(news.take(), 3);
@@ -21,6 +25,15 @@ TEST(News, two_readers_get_the_newest_once_each) {
     news.also_for_second(false);
     news.put(4);
     EXPECT_EQ(news.take_second(), std::nullopt);
+}
+
+TEST(News, what_comes_often_is_waited_for) {
+    News<int, Late::waits> news;
+    news.put(1);
+    news.also_for_second(true);
+    EXPECT_EQ(news.take_second(), std::nullopt);
+    news.put(2);
+    EXPECT_EQ(news.take_second(), 2);
 }
 
 TEST(News, what_goes_on_goes_on_for_each_reader) {

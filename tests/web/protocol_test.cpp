@@ -35,6 +35,73 @@ TEST(Protocol, what_a_page_says_is_understood) {
     EXPECT_TRUE(std::get<WantLevels>(*say(R"({"type":"levels","on":true})")).on);
     EXPECT_EQ(std::get<Explain>(*say(R"({"type":"explain","fixture":7})")).fixture, 7u);
     EXPECT_EQ(std::get<Ping>(*say(R"({"type":"ping","t":1.5})")).t, 1.5);
+    EXPECT_TRUE(std::get<WantPictures>(*say(R"({"type":"pictures","on":true})")).on);
+}
+
+TEST(Protocol, another_view_than_the_windows_is_watched) {
+    const auto stored = say(R"({"type":"watch","width":640,"calm":false,"camera":"house","probe":[0.25,1]})");
+    ASSERT_TRUE(stored.ok());
+    EXPECT_EQ(std::get<Watch>(*stored).camera, "house");
+    EXPECT_EQ(std::get<Watch>(*stored).probe, glm::vec2(0.25f, 1.0f));
+    const auto own = say(R"({"type":"watch","width":640,"calm":false,"own":{"position_m":[1,-2,3.5],
+                            "target_m":[0,0,1],"fov_y_deg":40}})");
+    ASSERT_TRUE(own.ok());
+    ASSERT_TRUE(std::get<Watch>(*own).own.has_value());
+    EXPECT_EQ(std::get<Watch>(*own).own->position_m, glm::vec3(1, -2, 3.5f));
+    EXPECT_EQ(std::get<Watch>(*own).own->fov_y_deg, 40);
+    const auto is_refused = [](const std::string& more) {
+        return !say(R"({"type":"watch","width":640,"calm":false,)" + more + "}").ok();
+    };
+    for (const char* bad :
+         {R"("camera":"")", R"("camera":7)", R"("camera":"a\nb")", R"("probe":[0])", R"("probe":[0,1.1])",
+          R"("probe":[0,"1"])", R"("own":{})", R"("own":[])",
+          R"("own":{"position_m":[0,0,0],"target_m":[0,0,0],"fov_y_deg":40})",
+          R"("own":{"position_m":[0,0,1e9],"target_m":[0,0,0],"fov_y_deg":40})",
+          R"("own":{"position_m":[0,0,1],"target_m":[0,0,0,0],"fov_y_deg":40})",
+          R"("own":{"position_m":[0,0,1],"target_m":[0,0,null],"fov_y_deg":40})",
+          R"("own":{"position_m":[0,0,1],"target_m":[0,0,0],"fov_y_deg":180})",
+          R"("own":{"position_m":[0,0,1],"target_m":[0,0,0]})",
+          R"("camera":"house","own":{"position_m":[0,0,1],"target_m":[0,0,0],"fov_y_deg":40})"})
+        EXPECT_TRUE(is_refused(bad)) << bad;
+    EXPECT_TRUE(is_refused(R"("camera":")" + std::string(kMostArgumentBytes + 1, 'a') + "\""));
+}
+
+TEST(Protocol, what_is_to_be_done_is_read_for_those_who_may) {
+    const auto order = [](const std::string& text, bool may = true) {
+        return read_message(Opcode::text,
+                            Bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), may);
+    };
+    const auto look = order(R"({"type":"do","n":7,"what":"look","args":["Verse",2.5,true]})");
+    ASSERT_TRUE(look.ok());
+    const Do& what = std::get<Do>(*look);
+    EXPECT_EQ(what.n, 7u);
+    EXPECT_EQ(what.command.what, "look");
+    ASSERT_EQ(what.command.arguments.size(), 3u);
+    EXPECT_EQ(std::get<std::string>(what.command.arguments[0]), "Verse");
+    EXPECT_EQ(std::get<double>(what.command.arguments[1]), 2.5);
+    EXPECT_TRUE(std::get<bool>(what.command.arguments[2]));
+    for (const std::string bad :
+         {R"({"type":"do"})", R"({"type":"do","n":1,"args":[]})", R"({"type":"do","n":1,"what":"cue"})",
+          R"({"type":"do","n":0,"what":"cue","args":[]})",
+          R"({"type":"do","n":2147483648,"what":"cue","args":[]})",
+          R"({"type":"do","n":1,"what":"","args":[]})", R"({"type":"do","n":1,"what":7,"args":[]})",
+          R"({"type":"do","n":1,"what":"cue","args":{}})",
+          R"({"type":"do","n":1,"what":"cue","args":[null]})",
+          R"({"type":"do","n":1,"what":"cue","args":[[1]]})",
+          R"({"type":"do","n":1,"what":"cue","args":[{"a":1}]})",
+          R"({"type":"do","n":1,"what":"cue","args":[1e30]})",
+          R"({"type":"do","n":1,"what":"cue","args":["\u0000"]})",
+          R"({"type":"do","n":1,"what":"cue","args":[1,1,1,1,1,1,1,1,1]})"}) {
+        EXPECT_FALSE(order(bad).ok()) << bad;
+        const auto unread = order(bad, false);
+        ASSERT_TRUE(unread.ok()) << bad;
+        EXPECT_TRUE(std::holds_alternative<Unread>(*unread)) << bad;
+    }
+    EXPECT_FALSE(
+        order(R"({"type":"do","n":1,"what":"look","args":[")" + std::string(257, 'a') + "\"]}").ok());
+    EXPECT_FALSE(order(R"({"type":"do","n":1,"what":")" + std::string(33, 'a') + R"(","args":[]})").ok());
+    EXPECT_FALSE(order(R"({"type":"do","n":1,"what":"cue","args":[[[[[[[[[1]]]]]]]]]})", false).ok())
+        << "depth comes first";
 }
 
 TEST(Protocol, what_it_must_not_say_is_refused) {
@@ -45,7 +112,6 @@ TEST(Protocol, what_it_must_not_say_is_refused) {
                             "\"watch\"",
                             "{}",
                             R"({"type":1})",
-                            R"({"type":"do","what":"cue"})",
                             R"({"type":"watch"})",
                             R"({"type":"watch","width":0,"calm":false})",
                             R"({"type":"watch","width":4097,"calm":false})",
@@ -86,6 +152,35 @@ TEST(Protocol, a_picture_by_its_bytes) {
     EXPECT_EQ(picture_message(head, Buffer{0xFF, 0xD8}),
               (Buffer{1, 5, 0,    0, 4, 3,    2,    1,    0,    0, 0, 0, 0, 0, 0xF0, 0x3F, 0,
                       0, 0, 0x40, 0, 0, 0x80, 0xBF, 0x34, 0x12, 2, 1, 0, 0, 0, 0,    0xFF, 0xD8}));
+}
+
+TEST(Protocol, a_still_of_a_side_view_and_a_small_picture_by_their_bytes) {
+    const Buffer side =
+        picture_message({.stream = 1, .number = 2, .width = 3, .height = 4, .still = true}, {});
+    ASSERT_EQ(side.size(), 32u);
+    EXPECT_EQ((Buffer{side.begin(), side.begin() + 8}), (Buffer{1, 16, 1, 0, 2, 0, 0, 0}));
+    EXPECT_EQ(small_message(SmallKind::look, "Ab", Buffer{0xFF, 0xD8}),
+              (Buffer{3, 1, 2, 0, 'A', 'b', 0xFF, 0xD8}));
+}
+
+TEST(Protocol, answers_and_looks_by_their_texts) {
+    EXPECT_EQ(hello_text(Right::control), R"({"type":"hello","protocol":1,"right":"control"})");
+    EXPECT_EQ(done_text(3), R"({"type":"done","n":3})");
+    EXPECT_EQ(refused_text(3, "no <b>"), R"({"type":"refused","n":3,"why":"no <b>"})");
+    EXPECT_EQ(bye_text("go"), R"({"type":"bye","why":"go"})");
+    EXPECT_EQ(looks_text({}), R"({"type":"looks","current":"","looks":[]})");
+    scene::StoredLook look;
+    look.name = "<i>Verse</i>";
+    look.fade_s = 2.5f;
+    look.fixtures["Spot 1"].intensity = 1;
+    const ui::LooksNow looks{std::make_shared<const std::vector<scene::StoredLook>>(1, look), look.name};
+    EXPECT_EQ(
+        looks_text(looks),
+        R"({"type":"looks","current":"<i>Verse</i>","looks":[{"name":"<i>Verse</i>","fade_s":2.5,"fixtures":1}]})");
+    EXPECT_EQ(read(measure_text({.place = {0.5f, 0.25f}, .cd_m2 = 2}))["cd_m2"], 2);
+    EXPECT_FALSE(read(measure_text({.cd_m2 = 2, .hit = false, .lux = 9})).contains("lux"));
+    EXPECT_EQ(read(measure_text({.hit = true, .lux = 9, .distance_m = 3, .object = "floor"}))["object"],
+              "floor");
 }
 
 TEST(Protocol, levels_by_their_bytes) {

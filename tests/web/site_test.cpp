@@ -137,5 +137,42 @@ TEST_F(Site, a_page_may_ask_whether_its_token_holds) {
         EXPECT_EQ(ask("GET", "/right", wrong).answer.status, 401) << wrong;
 }
 
+TEST_F(Site, control_has_a_token_of_its_own_while_it_is_allowed) {
+    const std::string control(32, 'c');
+    const auto right = [&](const std::string& token) {
+        return ask("GET", "/right", "Authorization: Bearer " + token + "\r\n").answer;
+    };
+    EXPECT_EQ(right(control).status, 401) << "nobody may";
+    EXPECT_EQ(right("").status, 401) << "no token is none";
+    EXPECT_EQ(live().right, Right::view);
+    access.control_token = control;
+    EXPECT_EQ(right(control).text, R"({"right":"control"})");
+    EXPECT_EQ(right(kToken).text, R"({"right":"view"})");
+    EXPECT_EQ(right(control.substr(1)).status, 401);
+    protocols = "ghostlight.1, t." + kToken + ", t." + control;
+    EXPECT_EQ(live().right, Right::control);
+    protocols = "ghostlight.1, t." + control;
+    EXPECT_EQ(live().right, Right::control);
+    EXPECT_EQ(pair(R"({"code":"123456"})"), 200);
+    access.control_token.clear();
+    EXPECT_EQ(live().answer.status, 401);
+}
+
+TEST_F(Site, the_book_is_for_those_with_a_token) {
+    const auto book = [&](const std::string& target, const std::string& token = kToken) {
+        return ask("GET", target, "Authorization: Bearer " + token + "\r\n");
+    };
+    EXPECT_EQ(book("/book/book.json").book, "book.json");
+    EXPECT_EQ(book("/book/pictures/0001-1.png").book, "pictures/0001-1.png");
+    EXPECT_EQ(book("/book/../../etc/passwd").book, "../../etc/passwd") << "a name like any other";
+    EXPECT_EQ(book("/book").answer.status, 404);
+    for (const std::string& wrong : {std::string(), kToken + "0", std::string(32, '0')}) {
+        const Routed routed = book("/book/book.json", wrong);
+        EXPECT_EQ(routed.answer.status, 401) << wrong;
+        EXPECT_FALSE(routed.book) << wrong;
+    }
+    EXPECT_EQ(ask("POST", "/book/book.json").answer.status, 405);
+}
+
 } // namespace
 } // namespace ghost::web

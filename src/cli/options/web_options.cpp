@@ -5,6 +5,7 @@
 #include "cli/options/number_option.h"
 #include "live/inputs/remote_input.h"
 #include "net/socket.h"
+#include "web/invitation.h"
 #include "web/qr.h"
 
 #include <cstdio>
@@ -29,6 +30,14 @@ CLI::Option* add_web_options(CLI::App& command, WebOptions& options) {
         ->check(number_in(0.1, 10'000.0))
         ->needs(web)
         ->capture_default_str();
+    command.add_option("--book", options.book, "a cue book that they may read, as 'ghostlight book' made it")
+        ->type_name("FOLDER")
+        ->check(CLI::ExistingDirectory)
+        ->needs(web);
+    command
+        .add_flag("--control", options.control,
+                  "a second address is printed: who has it recalls looks, cues and cameras")
+        ->needs(web);
     return web;
 }
 
@@ -36,26 +45,30 @@ Result<web::ServerOptions> server_options(const WebOptions& options) {
     TRY(const PortOption port, parse_port(options.web, "--web"));
     if (options.host.find_first_of(" /:@") != std::string::npos)
         return Error{"'" + options.host + "', expected a name alone, like lights.example.org", "--host"};
-    return web::ServerOptions{port.ipv4, port.port, options.host, options.mbit};
+    return web::ServerOptions{.address = port.ipv4,
+                              .port = port.port,
+                              .host = options.host,
+                              .mbit = options.mbit,
+                              .book = options.book,
+                              .control = options.control};
 }
 
-void print_addresses(const web::Server& server, const web::ServerOptions& options) {
-    std::vector<std::string> hosts;
-    if (options.address != 0) hosts.push_back(dmx::ipv4_text(options.address));
-    for (const dmx::NetInterface& interface : dmx::list_interfaces())
-        if (options.address == 0 && interface.address != 0 && !interface.loopback)
-            hosts.push_back(dmx::ipv4_text(interface.address));
-    if (hosts.empty()) hosts.emplace_back("127.0.0.1");
+void print_addresses(const web::Server& server) {
+    const web::ServerOptions& options = server.options();
+    const std::vector<std::string> addresses = web::addresses_of(options, server.port());
+    const web::Keys keys = server.keys();
     std::string text = "in a browser:\n";
-    const auto base = [&](const std::string& host) {
-        return "http://" + host + ":" + std::to_string(server.port()) + "/";
-    };
-    const std::string secret = "#t=" + server.token();
-    for (const std::string& host : hosts) text += "    " + base(host) + secret + "\n";
-    if (!options.host.empty()) text += "    https://" + options.host + "/" + secret + "\n";
-    text += "or " + base(hosts.front()) + " and, within two minutes, the digits " + server.digits() + "\n";
+    for (const std::string& address : addresses)
+        text += "    " + web::with_secret(address, keys.token) + "\n";
+    text += "or " + addresses.front() + " and, within two minutes, the digits " + keys.digits + "\n";
+    if (!keys.control_token.empty()) {
+        text += "with control, for whom you trust with the show:\n";
+        for (const std::string& address : addresses)
+            text += "    " + web::with_secret(address, keys.control_token) + "\n";
+    }
     const dmx::IpAddress address(options.address);
-    if (options.address == 0 || !address.is_loopback()) text += web::qr_text(base(hosts.front()) + secret);
+    if (options.address == 0 || !address.is_loopback())
+        text += web::qr_text(web::with_secret(addresses.front(), keys.token));
     print_text("%s", text.c_str());
     (void)std::fflush(stdout);
 }

@@ -46,6 +46,7 @@ void FilmControls::apply(Session& session, const dmx::Trackers& trackers) {
 void FilmControls::take(Session& session, const RemoteNews& news, double now_s) {
     const RemoteRequest& remote = controls_.remote();
     session.master = remote.light();
+    if (news.look) log_warning("remote control: a film has the look of --look alone");
     const bool moves = news.camera || news.haze || flight_;
     if (moves && session.live) {
         if (news.haze && !flight_ && !news.camera) session.look_from(session.live->camera());

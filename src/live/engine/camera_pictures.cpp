@@ -31,7 +31,7 @@ void CameraPictures::draw(const Session& session, const scene::FrameLights& lit,
     ++next_;
     const auto image = std::make_shared<const image::Image8>(std::move(*picture));
     const auto known = std::find_if(pictures_.begin(), pictures_.end(),
-                                    [&](const ui::CameraPicture& one) { return one.camera == camera.name; });
+                                    [&](const ui::NamedPicture& one) { return one.name == camera.name; });
     if (known == pictures_.end())
         pictures_.push_back({camera.name, image});
     else
@@ -42,6 +42,7 @@ void CameraPictures::draw(const Session& session, const scene::FrameLights& lit,
 
 void CameraPictures::forget() {
     small_.reset();
+    if (!pictures_.empty()) link_.camera_pictures.put({}); // who comes late must not take them for this one's
     pictures_.clear();
     of_s_ = made_s_ = -1;
 }

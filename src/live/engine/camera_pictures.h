@@ -30,7 +30,7 @@ public:
 private:
     ui::Link& link_;
     std::unique_ptr<SmallPicture> small_;
-    std::vector<ui::CameraPicture> pictures_;
+    std::vector<ui::NamedPicture> pictures_;
     std::size_t next_ = 0; // of the cameras whose pictures are of an earlier state
     double of_s_ = -1;     // Now::changed_s of those before it
     double made_s_ = -1;

@@ -100,7 +100,7 @@ void Engine::draw_with_less(const std::string& why) {
             "a smaller picture");
     forget_baked();
     probe_.forget();
-    camera_pictures_.forget();
+    forget_beside();
     look_.reset();
     session_->stop_drawing(); // else what is there now and what comes would be there at once
     options_.session.image_memory_bytes /= 8;
@@ -190,7 +190,7 @@ SessionOptions Engine::session_options(const std::string& path) const {
 void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
     forget_baked(); // all of them refer to the session before
     probe_.forget();
-    camera_pictures_.forget();
+    forget_beside();
     look_.reset();
     std::unique_ptr<Session> session_before = std::exchange(session_, std::move(session));
     if (kind != Opening::Kind::another && session_before)
@@ -226,6 +226,8 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
         request_.explained.reset();
     }
     if (kind == Opening::Kind::another) {
+        for (const ui::Command& command : link_.commands.take())
+            (void)link_.command_answers.put({command.number, "another show was opened"});
         request_.camera.width = 0;
         clean();
     }
@@ -235,6 +237,12 @@ void Engine::adopt(std::unique_ptr<Session> session, Opening::Kind kind) {
 void Engine::forget_baked() {
     baked_.forget();
     shown_.is_baked = false;
+}
+
+void Engine::forget_beside() {
+    camera_pictures_.forget();
+    look_pictures_.forget();
+    side_views_.forget();
 }
 
 // What programs left that were killed while they wrote.

@@ -12,11 +12,13 @@
 #include "live/engine/desk_recorder.h"
 #include "live/engine/live_controls.h"
 #include "live/engine/live_picture.h"
+#include "live/engine/look_pictures.h"
 #include "live/engine/message_board.h"
 #include "live/engine/picture_probe.h"
 #include "live/engine/plot_inbox.h"
 #include "live/engine/rig_news.h"
 #include "live/engine/show_sound.h"
+#include "live/engine/side_views.h"
 #include "live/inputs/live_input.h"
 #include "live/session/applied_look.h"
 #include "live/session/opening.h"
@@ -86,6 +88,8 @@ private:
     render::FrameStatistics draw_live(const scene::Camera& wanted, double begin_s);
     render::FrameStatistics draw_baked(const scene::Camera& wanted, double begin_s);
     std::function<bool()> stop_of(double begin_s);
+    void draw_beside(double begin_s);
+    void forget_beside();
     // That of the picture that is shown.
     render::Relighter& relighter() {
         return shown_.is_baked ? baked_.view().relighter() : *session_->relighter;
@@ -132,7 +136,10 @@ private:
     std::unique_ptr<LiveInput> input_;
     std::unique_ptr<AppliedLook> look_;
     PictureProbe probe_{link_};
-    CameraPictures camera_pictures_{link_};                    // refers to the session, and goes before it
+    // These refer to the session, and go before it.
+    CameraPictures camera_pictures_{link_};
+    LookPictures look_pictures_{link_};
+    SideViews side_views_{link_};
     ui::FalseColour false_colour_;                             // of the picture that was published last
     fixture::Motion motion_ = fixture::Motion::as_the_machine; // of the show
     LivePicture live_{messages_, probe_};

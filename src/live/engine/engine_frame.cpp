@@ -30,10 +30,19 @@ bool same_lit(const scene::FrameLights& a, const scene::FrameLights& b) {
 } // namespace
 
 bool Engine::hear_remote(double now_s) {
+    for (const ui::Command& command : link_.commands.take()) {
+        const Result<void> done = controls_.command(command);
+        (void)link_.command_answers.put({command.number, done.ok() ? "" : done.error().what});
+        link_.on_news();
+    }
     const RemoteNews news = controls_.hear_remote(*session_, now_s);
     const RemoteRequest& asked = controls_.remote();
     if (news.camera) {
         link_.camera_call.put({session_->show->cameras[asked.camera->index], asked.camera->flight_s});
+        link_.on_news();
+    }
+    if (news.look) {
+        link_.look_call.put({asked.look.name, asked.look.seconds});
         link_.on_news();
     }
     if (news.jump) input_->jump(asked.at_s);
@@ -112,6 +121,22 @@ std::function<bool()> Engine::stop_of(double begin_s) {
     return [this, begin_s, plays = request_.transport.playing && !request_.frozen] {
         return link_.wake.is_raised() || stop_ || (plays && input_->plays_else_in(now_s() - begin_s));
     };
+}
+
+// Pictures from elsewhere, in what time the one of the request leaves.
+void Engine::draw_beside(double begin_s) {
+    const bool rests = settled_ == request_.number && !is_moving(begin_s);
+    // Swirls never rest; lamps do.
+    const bool lamps_rest = rests || (session_->atmosphere().is_uneven() && live_.is_whole(shown_.camera) &&
+                                      begin_s - last_change_s_ >= LivePicture::kRest_s);
+    const bool is_whole = shown_.is_baked || live_.is_whole(shown_.camera);
+    side_views_.draw(*session_, shown_.lights, {begin_s, last_change_s_, air_s_, lamps_rest, is_whole},
+                     probe_, stop_of(begin_s));
+    if (!lamps_rest) return;
+    const bool for_browsers = link_.wants_small_pictures;
+    if ((rests && request_.wants_camera_pictures) || for_browsers)
+        camera_pictures_.draw(*session_, shown_.lights, {begin_s, last_change_s_, air_s_}, stop_of(begin_s));
+    if (for_browsers) look_pictures_.draw(*session_, begin_s, stop_of(begin_s));
 }
 
 void Engine::frame() {
@@ -204,8 +229,7 @@ void Engine::frame() {
         link_.on_news();
     }
     publish_rest(begin_s, drew);
-    if (request_.wants_camera_pictures && settled_ == request_.number && !is_moving(begin_s))
-        camera_pictures_.draw(*session_, shown_.lights, {begin_s, last_change_s_, air_s_}, stop_of(begin_s));
+    draw_beside(begin_s);
 }
 
 } // namespace ghost::app

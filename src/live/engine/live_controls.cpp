@@ -22,8 +22,17 @@ Result<void> check_live_controls(const LiveControlOptions& options) {
 
 Result<void> LiveControls::open_remote(const std::string& osc, const scene::Show& show) {
     TRY(const PortOption port, parse_port(osc, "--osc"));
-    TRY(remote_, RemoteInput::open(port, camera_names(show), show.cues));
+    TRY(remote_input_, RemoteInput::open(port));
+    remote_.know(camera_names(show), show.cues);
     return {};
+}
+
+Result<void> LiveControls::command(const ui::Command& command) {
+    std::vector<dmx::OscArgument> arguments;
+    for (const auto& argument : command.arguments)
+        std::visit([&](const auto& value) { arguments.emplace_back(value); }, argument);
+    was_commanded_ = true;
+    return remote_.apply(command.what, arguments, command.what);
 }
 
 Result<void> LiveControls::open_trackers(const std::string& interface) {
@@ -37,13 +46,14 @@ void LiveControls::begin(Session& session) {
 }
 
 void LiveControls::know(Session& session) {
-    if (!remote_) return;
-    remote_->know(camera_names(*session.show), session.show->cues);
+    remote_.know(camera_names(*session.show), session.show->cues);
+    if (!is_heard()) return;
     session.haze_density = request_.haze;
 }
 
 RemoteNews LiveControls::hear_remote(Session& session, double now_s) {
-    return remote_ ? take(remote_->poll(now_s), session) : RemoteNews{};
+    if (remote_input_) remote_input_->poll(remote_, now_s);
+    return is_heard() ? take(remote_.request(), session) : RemoteNews{};
 }
 
 const dmx::Trackers* LiveControls::hear_trackers(Session& session) {
@@ -58,7 +68,8 @@ RemoteNews LiveControls::take(const RemoteRequest& request, Session& session) {
     if (session.live) session.haze_density = request.haze; // baked passes know one haze
     return {.camera = request.calls != before.calls,
             .jump = request.jumps != before.jumps,
-            .haze = request.haze != before.haze};
+            .haze = request.haze != before.haze,
+            .look = request.recalls != before.recalls};
 }
 
 } // namespace ghost::app

@@ -1,10 +1,11 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// LiveControls: what moves a picture besides DMX: a remote control (OSC) and trackers (PosiStageNet). Both
-// are heard before the rig's step: the haze that is asked for goes into the session, heads and objects
-// follow. Light, cameras, exposure and tone are of whoever draws. The thread that draws. Errors: ports that
-// are taken.
+// LiveControls: what moves a picture besides DMX: remote controls (OSC, browsers) and trackers
+// (PosiStageNet). All are heard before the rig's step: the haze that is asked for goes into the session,
+// heads and objects follow. Light, cameras, looks, exposure and tone are of whoever draws. The thread that
+// draws. Errors: ports that are taken.
 
+#include "link/browsers.h"
 #include "live/engine/followers.h"
 #include "live/inputs/remote_input.h"
 #include "live/inputs/tracker_input.h"
@@ -27,15 +28,18 @@ struct RemoteNews {
     bool camera = false; // the same one, perhaps
     bool jump = false;
     bool haze = false; // a live picture has it from the next look_from on
+    bool look = false; // the same one, perhaps
 };
 
 class LiveControls {
 public:
     // osc: as LiveControlOptions has it.
     Result<void> open_remote(const std::string& osc, const scene::Show& show);
+    // Of browsers, from the next hear_remote on. Error: none of ours, as Remote::apply says it.
+    Result<void> command(const ui::Command& command);
     // interface: where they are heard, as ReceiverOptions has it.
     Result<void> open_trackers(const std::string& interface);
-    bool has_remote() const { return remote_ != nullptr; }
+    bool has_remote() const { return remote_input_ != nullptr; }
     bool has_trackers() const { return trackers_ != nullptr; }
 
     // Another session: what follows starts anew; faders stay where they are.
@@ -53,8 +57,12 @@ public:
     const RemoteRequest& remote() const { return request_; }
 
 private:
-    std::unique_ptr<RemoteInput> remote_;    // or null
-    std::unique_ptr<TrackerInput> trackers_; // or null
+    bool is_heard() const { return remote_input_ || was_commanded_; }
+
+    Remote remote_{{}};
+    bool was_commanded_ = false;                // by a browser, ever
+    std::unique_ptr<RemoteInput> remote_input_; // or null
+    std::unique_ptr<TrackerInput> trackers_;    // or null
     Followers followers_;
     RemoteRequest request_;
 };

@@ -11,6 +11,15 @@ namespace {
 
 constexpr double kProbeEvery_s = 0.05;
 
+// (0, 0) is the top left corner.
+float at_place(const image::ImageF& picture, const glm::vec2& place) {
+    const glm::vec2 within = glm::clamp(place, 0.0f, 1.0f);
+    const auto pixel = [](float share, int count) {
+        return std::clamp(static_cast<int>(std::floor(share * static_cast<float>(count))), 0, count - 1);
+    };
+    return *picture.at(pixel(within.x, picture.width), pixel(within.y, picture.height));
+}
+
 } // namespace
 
 void PictureProbe::forget() {
@@ -42,6 +51,23 @@ const bake::Tracer& PictureProbe::tracer(const Session& session) {
     return *tracer_;
 }
 
+ui::SideMeasure PictureProbe::measure(const glm::vec2& wanted, const image::ImageF& luminance,
+                                      const scene::Camera& camera, const Session& session,
+                                      const scene::FrameLights& lit) {
+    ui::SideMeasure measure;
+    measure.place = wanted;
+    measure.cd_m2 = at_place(luminance, wanted);
+    const bake::DenormalsOff mode;
+    const bake::Tracer& rays = tracer(session);
+    const bake::Surface surface = surface_at(camera, glm::clamp(wanted, 0.0f, 1.0f), rays);
+    if (surface.instance < 0) return measure;
+    measure.hit = true;
+    measure.lux = lux_at(surface, lit, session, rays).all;
+    measure.distance_m = surface.distance_m;
+    measure.object = rays.stage().instances[static_cast<std::size_t>(surface.instance)].name;
+    return measure;
+}
+
 void PictureProbe::probe(const std::optional<glm::vec2>& wanted, const ShownPicture& shown, double now_s,
                          bool drew) {
     if (drew) frame_ = {};
@@ -54,12 +80,9 @@ void PictureProbe::probe(const std::optional<glm::vec2>& wanted, const ShownPict
     probed_s_ = now_s;
     if (frame_.empty()) frame_ = luminance_of(shown.relighter.frame());
     const glm::vec2 place = glm::clamp(*wanted, 0.0f, 1.0f);
-    const auto pixel = [](float share, int count) {
-        return std::clamp(static_cast<int>(std::floor(share * static_cast<float>(count))), 0, count - 1);
-    };
     ui::Probed probed;
     probed.place = *wanted;
-    probed.cd_m2 = *frame_.at(pixel(place.x, frame_.width), pixel(place.y, frame_.height));
+    probed.cd_m2 = at_place(frame_, *wanted);
     const bake::DenormalsOff mode;
     const bake::Tracer& rays = tracer(shown.session);
     const bake::Surface surface = surface_at(shown.camera, place, rays);

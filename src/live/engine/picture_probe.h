@@ -29,6 +29,10 @@ public:
                                                        const ShownPicture& shown);
     // drew: it is another picture than at the last call.
     void probe(const std::optional<glm::vec2>& place, const ShownPicture& shown, double now_s, bool drew);
+    // The same of a picture from elsewhere; luminance: of its pixels.
+    ui::SideMeasure measure(const glm::vec2& place, const image::ImageF& luminance,
+                            const scene::Camera& camera, const Session& session,
+                            const scene::FrameLights& lit);
     void pick(const ui::Pick& pick, const Session& session);
     void save(const ui::SaveFrame& wanted, const ShownPicture& shown);
 

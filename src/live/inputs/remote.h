@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ghost::app {
@@ -23,6 +24,11 @@ struct RemoteCamera {
     float flight_s = 0;    // 0: a cut
 };
 
+struct RemoteLook {
+    std::string name;
+    double seconds = -1; // of the fade; below 0: those of the look
+};
+
 struct RemoteRequest {
     float master = 1; // 0..1, of all lamps
     bool blackout = false;
@@ -33,6 +39,8 @@ struct RemoteRequest {
     std::size_t calls = 0;              // of cameras: the same one may be asked for again
     double at_s = 0;                    // of the recording: the last place asked for
     std::size_t jumps = 0;              // to such places
+    RemoteLook look;         // the last one asked for; whoever keeps the looks knows whether it is one
+    std::size_t recalls = 0; // of looks
 
     float light() const { return blackout ? 0.0f : master; }
 };
@@ -45,6 +53,9 @@ public:
 
     // Error: an address that is none of ours, or a value that it does not take; the request stays as it was.
     Result<void> apply(const dmx::OscMessage& message);
+    // The same without "/ghostlight/" before it; where: of the error.
+    Result<void> apply(std::string_view what, const std::vector<dmx::OscArgument>& arguments,
+                       const std::string& where);
     const RemoteRequest& request() const { return request_; }
     // Another show's; the request stays.
     void know(std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
@@ -54,8 +65,10 @@ public:
     }
 
 private:
-    Result<void> recall_camera(const dmx::OscMessage& message);
-    Result<void> call_cue(const dmx::OscMessage& message, int steps);
+    struct Asked;
+    Result<void> recall_camera(const Asked& asked);
+    Result<void> recall_look(const Asked& asked);
+    Result<void> call_cue(const Asked& asked, int steps);
 
     std::vector<std::string> cameras_;
     std::vector<scene::Cue> cues_;

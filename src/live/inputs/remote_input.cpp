@@ -34,11 +34,9 @@ Result<PortOption> parse_port(const std::string& text, const std::string& option
     return result;
 }
 
-Result<std::unique_ptr<RemoteInput>>
-RemoteInput::open(const PortOption& where, std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
+Result<std::unique_ptr<RemoteInput>> RemoteInput::open(const PortOption& where) {
     TRY(auto socket, dmx::UdpSocket::open(where.ipv4, where.port, kRemoteBufferBytes));
-    return std::unique_ptr<RemoteInput>(
-        new RemoteInput(std::move(socket), Remote(std::move(cameras), std::move(cues))));
+    return std::unique_ptr<RemoteInput>(new RemoteInput(std::move(socket)));
 }
 
 void RemoteInput::complain(const std::string& text, double now_s) {
@@ -55,7 +53,7 @@ void RemoteInput::complain(const std::string& text, double now_s) {
     unsaid_ = 0;
 }
 
-const RemoteRequest& RemoteInput::poll(double now_s) {
+void RemoteInput::poll(Remote& remote, double now_s) {
     for (int batch = 0; batch < kMostRemoteBatches; ++batch) {
         const auto datagrams = socket_->receive();
         if (datagrams.empty()) break;
@@ -64,11 +62,9 @@ const RemoteRequest& RemoteInput::poll(double now_s) {
             if (packet.malformed > 0)
                 complain("a packet of " + dmx::address_text(datagram.from) + " is no OSC", now_s);
             for (const dmx::OscMessage& message : packet.messages)
-                if (const auto done = remote_.apply(message); !done.ok())
-                    complain(done.error().text(), now_s);
+                if (const auto done = remote.apply(message); !done.ok()) complain(done.error().text(), now_s);
         }
     }
-    return remote_.request();
 }
 
 } // namespace ghost::app

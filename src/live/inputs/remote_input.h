@@ -23,23 +23,16 @@ Result<PortOption> parse_port(const std::string& text, const std::string& option
 
 class RemoteInput {
 public:
-    static Result<std::unique_ptr<RemoteInput>>
-    open(const PortOption& where, std::vector<std::string> cameras, std::vector<scene::Cue> cues = {});
+    static Result<std::unique_ptr<RemoteInput>> open(const PortOption& where);
 
-    // Of another show.
-    void know(std::vector<std::string> cameras, std::vector<scene::Cue> cues) {
-        remote_.know(std::move(cameras), std::move(cues));
-    }
-    // Takes what has arrived. now_s: any steady seconds.
-    const RemoteRequest& poll(double now_s);
+    // What has arrived goes to the remote. now_s: any steady seconds.
+    void poll(Remote& remote, double now_s);
 
 private:
-    RemoteInput(std::unique_ptr<dmx::UdpSocket> socket, Remote remote)
-        : socket_(std::move(socket)), remote_(std::move(remote)) {}
+    explicit RemoteInput(std::unique_ptr<dmx::UdpSocket> socket) : socket_(std::move(socket)) {}
     void complain(const std::string& text, double now_s);
 
     std::unique_ptr<dmx::UdpSocket> socket_;
-    Remote remote_;
     double quiet_until_s_ = 0;
     long unsaid_ = 0; // complaints that were not printed
 };

@@ -21,6 +21,9 @@ public:
     // From there, all of that camera's frame, lit as lit says (Session::lit). Nothing: stop ended it.
     std::optional<image::Image8> draw(const scene::Camera& camera, const scene::FrameLights& lit,
                                       double air_s, const std::function<bool()>& stop);
+    // Of the picture that was drawn last.
+    image::ImageF frame() const { return relighter_->frame(); } // cd/m^2, scene-linear
+    float ev100_used() const { return relighter_->ev100_used(); }
 
 private:
     const Session& session_;

@@ -122,6 +122,8 @@ void AppModel::read_news() {
         else
             cut_to(news->camera);
     }
+    if (const auto news = link_.look_call.take())
+        Q_EMIT look_called(QString::fromStdString(news->name), news->seconds);
     if (auto news = link_.camera_pictures.take()) {
         camera_pictures_ = std::move(*news);
         Q_EMIT camera_pictures_came();
@@ -151,6 +153,11 @@ void AppModel::read_news() {
         Q_EMIT hovered_came();
     }
     news_cost_ += std::chrono::steady_clock::now() - begin;
+}
+
+void AppModel::publish_looks(LooksNow looks) {
+    link_.looks.put(std::move(looks));
+    link_.on_news();
 }
 
 std::uint64_t AppModel::pick(const glm::vec3& from_m, const glm::vec3& way) {

@@ -48,7 +48,7 @@ public:
     const std::vector<float>& waveform() const { return waveform_; } // of the recording; empty: not known
     const std::optional<Probed>& probed() const { return probed_; }  // of the place that is wished for
     const Recorded& recorded() const { return recorded_; }           // the last one
-    const std::vector<CameraPicture>& camera_pictures() const { return camera_pictures_; }
+    const std::vector<NamedPicture>& camera_pictures() const { return camera_pictures_; }
     std::uint64_t saved() const { return saved_; } // number of the picture that was saved last
     // Came from the network and may be taken; number 0: none yet.
     const ReceivedPlot& plot() const { return plot_; }
@@ -73,6 +73,8 @@ public:
     void set_camera(const scene::Camera& camera);
     // Likewise, with the frame that camera has of its own.
     void cut_to(const scene::Camera& stored);
+    // To browsers, and to the engine, which draws small pictures of them.
+    void publish_looks(LooksNow looks);
     // Pixels of the picture.
     void set_size(int width, int height);
     // Of a second window, empty: there is none. The picture is drawn for the larger of the two.
@@ -155,6 +157,7 @@ Q_SIGNALS:
     void picture_saved(const QString& error); // empty: it is there
     void plot_came();
     void camera_pictures_came();
+    void look_called(const QString& name, double seconds); // by a remote control; below 0: those of the look
     void wishes_changed();
     void look_changed();
     void selection_changed();
@@ -191,7 +194,7 @@ private:
     std::string activity_;
     BounceNow bounce_;
     ReceivedPlot plot_;
-    std::vector<CameraPicture> camera_pictures_;
+    std::vector<NamedPicture> camera_pictures_;
     std::optional<Probed> probed_;
     Picked picked_;
     std::vector<float> waveform_;

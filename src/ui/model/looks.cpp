@@ -64,9 +64,24 @@ Looks::Looks(AppModel& app) : app_(app) {
     connect(&app_, &AppModel::opened_show, this, [this] {
         if (!app_.opened().is_edit) read();
     });
+    connect(this, &Looks::changed, this, &Looks::publish);
+    connect(&app_, &AppModel::look_changed, this, &Looks::publish);
+    connect(&app_, &AppModel::look_called, this, [this](const QString& name, double seconds) {
+        if (const Result<void> done = recall(name.toStdString(), seconds); !done.ok())
+            Q_EMIT app_.failed("Remote control: " + QString::fromStdString(done.error().text()));
+    });
     // The folder, for the file may not be there yet, and programs put another one in its place.
     for (const auto signal : {&QFileSystemWatcher::directoryChanged, &QFileSystemWatcher::fileChanged})
         connect(&watcher_, signal, this, &Looks::take_changes);
+}
+
+void Looks::publish() {
+    const bool are_others = !published_.looks || *published_.looks != looks_;
+    const std::string now = current();
+    if (!are_others && now == published_.current) return;
+    if (are_others) published_.looks = std::make_shared<const List>(looks_);
+    published_.current = now;
+    app_.publish_looks(published_);
 }
 
 void Looks::read() {

@@ -52,10 +52,13 @@ private:
     Result<void> put_in(scene::StoredLook look);
     Result<void> edit(const QString& what, List after);
     Result<void> write(const List& looks);
+    // Where something is another than it was when it was published last.
+    void publish();
 
     AppModel& app_;
     std::filesystem::path file_; // empty: no show
     List looks_;
+    LooksNow published_;
     std::string known_;  // text of the file as it was read or written here
     std::string damage_; // why it is not written; empty: it can be
     std::string last_;   // name

@@ -76,9 +76,9 @@ void CameraStrip::list_cameras() {
 }
 
 void CameraStrip::show_pictures() {
-    for (const CameraPicture& one : app_.camera_pictures())
+    for (const NamedPicture& one : app_.camera_pictures())
         for (QListWidgetItem* const item :
-             findItems(QString::fromStdString(one.camera), Qt::MatchExactly | Qt::MatchCaseSensitive))
+             findItems(QString::fromStdString(one.name), Qt::MatchExactly | Qt::MatchCaseSensitive))
             item->setIcon(icon_of(*one.image));
 }
 

@@ -9,6 +9,10 @@
 #include <memory>
 #include <string>
 
+namespace ghost::web {
+class Browsers;
+} // namespace ghost::web
+
 namespace ghost::ui {
 
 struct WindowOptions {
@@ -24,6 +28,7 @@ struct WindowOptions {
     bool full_screen = false;
     bool draws_into_memory = false; // nobody sees it; for measurements without a display
     bool takes_desk = true;         // false: nothing listens to a desk, and the window does not promise it
+    web::Browsers* browsers = nullptr; // that the window switches on and off; null: it cannot
     // Starts what fills the link; what it returns is destroyed before the window is.
     std::function<std::shared_ptr<void>()> begin;
     std::function<bool()> should_close; // asked a few times a second

@@ -14,6 +14,7 @@
 #include "ui/actions/tone_actions.h"
 #include "ui/model/shortened.h"
 #include "ui/panels/air_panel.h"
+#include "ui/panels/browser_panel.h"
 #include "ui/panels/cue_panel.h"
 #include "ui/panels/export_panel.h"
 #include "ui/panels/fixture_panel.h"
@@ -280,13 +281,34 @@ void Window::add_panels() {
     cue_table_ = new CuePanel(app_, cues_, looks_, actions_, this);
     QDockWidget* cues = add_panel("cues", "Cues", cue_table_, Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, cues);
+    QDockWidget* const browsers = options_.browsers ? add_browsers(*options_.browsers) : nullptr;
+    if (browsers) tabifyDockWidget(air, browsers);
     exports->hide();
     air->hide();
     cues->hide();
+    if (browsers) browsers->hide();
     hand->raise();
     network->hide();
     messages->hide();
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+}
+
+QDockWidget* Window::add_browsers(web::Browsers& browsers) {
+    add_browser_actions(actions_, browsers);
+    auto* panel = new BrowserPanel(browsers, actions_, this);
+    QDockWidget* dock = add_panel("browsers", "In browsers", panel, Qt::RightDockWidgetArea);
+    actions_.add({"in-browsers",
+                  "View",
+                  "In browsers...",
+                  "",
+                  "",
+                  [dock](const QStringList&) -> Result<void> {
+                      dock->show();
+                      dock->raise();
+                      return {};
+                  },
+                  {}});
+    return dock;
 }
 
 // Below the picture, where it is wanted.
@@ -311,8 +333,8 @@ void Window::lay_out() {
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
     if (width() < kTwoColumnsFrom_px) {
         splitDockWidget(list, dock("values"), Qt::Vertical);
-        for (const char* const name : {"programmer", "scene", "looks", "cues", "export", "air"})
-            tabifyDockWidget(dock("values"), dock(name));
+        for (const char* const name : {"programmer", "scene", "looks", "cues", "export", "air", "browsers"})
+            if (dock(name)) tabifyDockWidget(dock("values"), dock(name));
         dock("programmer")->raise();
         resizeDocks({list}, {column_px}, Qt::Horizontal);
         resizeDocks({list, dock("programmer")}, {height() * 4 / 10, height() * 5 / 10}, Qt::Vertical);

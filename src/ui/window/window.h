@@ -52,6 +52,7 @@ private:
     QDockWidget* add_panel(const QString& name, const QString& title, QWidget* panel,
                            Qt::DockWidgetArea area);
     void add_panels();
+    QDockWidget* add_browsers(web::Browsers& browsers);
     void add_strip();
     void add_window_actions();
     void add_view_switches();

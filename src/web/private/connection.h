@@ -42,18 +42,20 @@ public:
     void end(double now_s);
     bool is_ending() const { return ends_s_ >= 0; }
     // Whether there is nothing left to wait for.
-    bool is_over(double now_s) const;
+    bool is_over(double now_s);
 
     double since_s() const { return since_s_; }
     double heard_s() const { return heard_s_; }
     const dmx::TcpStream& stream() const { return *stream_; }
 
 private:
-    static constexpr double kEnd_s = 1; // for the other end to read an answer
+    static constexpr double kEnd_s = 1;   // for the other end to read what was sent last
+    static constexpr double kSend_s = 60; // for all of an answer, however slow the line
 
     std::unique_ptr<dmx::TcpStream> stream_;
     double since_s_, heard_s_;
     double ends_s_ = -1; // since when; below 0: it goes on
+    double sent_s_ = -1; // since when all is sent; below 0: it is not
     bool finished_ = false;
     std::vector<std::uint8_t> unread_;
     std::deque<Packed> out_;

@@ -16,8 +16,11 @@ namespace ghost::web {
 
 class PicturePacker {
 public:
+    // numbers: of all pictures of all packers, the last one; stream: of PictureHead.
+    PicturePacker(std::uint32_t& numbers, int stream) : numbers_(numbers), stream_(stream) {}
+
     // Newer than what there is.
-    void put(ui::Picture picture, double drawn_ms);
+    void put(ui::Picture picture, double drawn_ms, bool is_still = false);
     // The newest picture takes the place of the one that is given out, unless it rests.
     void go_on(double now_s);
 
@@ -32,6 +35,9 @@ private:
 
     void begin(bool at_rest, double now_s);
 
+    std::uint32_t& numbers_;
+    const int stream_;
+    bool is_still_ = false;
     std::optional<ui::Picture> next_, shown_;
     double next_ms_ = 0, shown_ms_ = 0;
     double shown_s_ = 0;

@@ -1,19 +1,21 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // ServerLoop: what the server's thread does, again and again: takes who comes in, reads what they and the
-// engine say, offers each viewer what it may have. Every wait has an end, every queue a limit. Seconds since
-// its beginning.
+// engine say, offers each viewer what it may have. Every wait has an end, every queue a limit. Steady
+// seconds.
 
+#include "base/steady_time.h"
 #include "diagnose/patch_map.h"
 #include "link/link.h"
 #include "net/tcp.h"
+#include "web/book_shelf.h"
 #include "web/private/connection.h"
 #include "web/private/picture_packer.h"
 #include "web/private/viewer.h"
 #include "web/protocol.h"
+#include "web/server.h"
 #include "web/site.h"
 
-#include <chrono>
 #include <list>
 #include <memory>
 #include <optional>
@@ -24,8 +26,9 @@ namespace ghost::web {
 
 class ServerLoop {
 public:
-    ServerLoop(ui::Link& link, dmx::TcpListener& listener, dmx::StreamWake& wake, Access& access,
-               double bytes_per_s);
+    // book: folder of a cue book, or empty.
+    ServerLoop(ui::Link& link, dmx::TcpListener& listener, dmx::StreamWake& wake, Gate& gate,
+               const std::string& book, double bytes_per_s);
 
     // Waits until there is something to do, a moment at most, and does it.
     void round();
@@ -36,38 +39,56 @@ private:
         std::unique_ptr<Viewer> viewer; // null: no WebSocket, or not yet
     };
 
-    double now_s() const;
+    static double now_s() { return steady_now_s(); }
     void wait();
     void accept();
     // False: it is gone.
     bool serve(Guest& guest);
     void read_request(Guest& guest);
-    void begin_live(Guest& guest, const Answer& answer);
+    void begin_live(Guest& guest, const Routed& routed, std::uint64_t keys);
+    void answer_book(Guest& guest, const std::string& name);
     void read_frames(Guest& guest);
     void hear(Guest& guest, const ToServer& message);
+    void watch(Guest& guest, const Watch& watch);
+    void command(Guest& guest, const Do& what);
+    void explain(Guest& guest, std::size_t fixture);
+    // Of the tokens as they are now, and of who is to go.
+    void look_at_gate();
     void end_live(Guest& guest, int code, const std::string& why);
     void answer(Guest& guest, const Answer& answer);
     void end_what_is_late(Guest& guest);
 
     void read_news();
     void take_opened(ui::Opened opened);
+    void take_small(SmallKind kind, const std::vector<ui::NamedPicture>& pictures);
+    void take_side(const ui::SidePicture& picture);
+    void answer_commands();
     void ask();
+    // server_sides.cpp: which side views are wanted now.
+    void choose_sides();
+    std::optional<ui::SideView> side_of(const Watch& watch) const;
+    struct Side;
+    Side* side_for(const Viewer& viewer);
     void offer(Guest& guest);
     void offer_news(Guest& guest);
+    void offer_small(Guest& guest);
     void offer_picture(Guest& guest);
     const Packed& state();
 
     ui::Link& link_;
     dmx::TcpListener& listener_;
     dmx::StreamWake& wake_;
-    Access& access_;
+    Gate& gate_;
+    BookShelf book_;
     Ration ration_;
-    const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     std::list<Guest> guests_;
     std::size_t viewers_ = 0;
+    std::uint64_t ids_ = 0; // of viewers
+    std::uint64_t sent_away_ = 0;
 
     // Of the engine, the newest.
-    PicturePacker packer_;
+    std::uint32_t numbers_ = 0; // of pictures
+    PicturePacker packer_{numbers_, 0};
     std::optional<ui::Picture> picture_;
     std::optional<ui::Opened> opened_;
     std::optional<ui::RigNow> rig_;
@@ -75,9 +96,37 @@ private:
     scene::PatchMap patch_;
     std::vector<std::string> problems_;
     // Made once for all viewers; null: not since the news changed. Versions begin at 1.
-    Packed show_, messages_, levels_, state_;
+    Packed show_, messages_, levels_, state_, looks_text_;
     std::vector<Message> said_;
-    std::uint64_t show_version_ = 0, messages_version_ = 0, levels_version_ = 0;
+    std::uint64_t show_version_ = 0, messages_version_ = 0, levels_version_ = 0, looks_version_ = 0;
+    ui::LooksNow looks_;
+
+    struct Small {
+        SmallKind kind = SmallKind::camera;
+        std::string name;
+        std::shared_ptr<const image::Image8> image;
+        std::uint64_t version = 0;
+        Packed packed; // null: not yet
+    };
+    std::vector<Small> small_; // versions grow
+    std::uint64_t small_version_ = 0;
+
+    struct Side {
+        Watch watch; // that it is for; its width and calm count nothing
+        ui::SideView view;
+        PicturePacker packer;
+        Packed measure;                                       // null: none
+        std::shared_ptr<const image::Image8> image = nullptr; // that came last
+    };
+    std::list<Side> sides_;
+    std::uint64_t side_numbers_ = 0;
+
+    struct Asked {
+        std::uint64_t number = 0, viewer = 0;
+        std::uint32_t n = 0;
+    };
+    std::vector<Asked> asked_; // commands that are not answered
+    std::uint64_t commands_ = 0;
     double state_s_ = -1e9, levels_s_ = -1e9;
 
     std::optional<std::size_t> asking_; // the engine, about this fixture

@@ -4,6 +4,7 @@
 // Seconds of the server's clock. The server's thread.
 
 #include "web/flow.h"
+#include "web/protocol.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -15,13 +16,19 @@ namespace ghost::web {
 inline constexpr int kMostMessagesPerSecond = 60;
 
 struct Viewer {
+    std::uint64_t id = 0; // of none before
     Flow flow;
+    Right right = Right::view;
+    std::uint64_t keys = 0; // of the tokens, when it was told its right
+    Watch watch;
+    bool wants_pictures = false; // small ones
     bool wants_levels = false;
-    std::optional<std::size_t> asks;                  // a fixture to be explained
-    std::uint64_t show = 0, messages = 0, levels = 0; // versions that it has
-    double state_s = -1e9;                            // when it was told the state last
-    double asked_if_there_s = 0;                      // by a ping of the WebSocket
-    std::deque<double> painted_s;                     // in the last second
+    std::optional<std::size_t> asks;                                        // a fixture to be explained
+    std::uint64_t show = 0, messages = 0, levels = 0, looks = 0, small = 0; // versions that it has
+    std::uint64_t measure = 0;                                              // number of the side view
+    double state_s = -1e9;                                                  // when it was told the state last
+    double asked_if_there_s = 0;                                            // by a ping of the WebSocket
+    std::deque<double> painted_s;                                           // in the last second
 
     // False: too many in a second.
     bool may_say(double now_s) {

@@ -62,7 +62,7 @@ TEST(CameraPictures, come_one_by_one_while_nothing_moves_and_never_while_it_does
     EXPECT_FALSE(link.camera_pictures.take()) << "nobody wants them";
 
     ask([](ui::ViewRequest& wanted) { wanted.wants_camera_pictures = true; });
-    std::vector<ui::CameraPicture> pictures;
+    std::vector<ui::NamedPicture> pictures;
     std::size_t seen = 0;
     auto last = std::chrono::steady_clock::now();
     ASSERT_TRUE(within(60 + 3 * static_cast<double>(count), [&] {
@@ -77,7 +77,7 @@ TEST(CameraPictures, come_one_by_one_while_nothing_moves_and_never_while_it_does
         return seen == count;
     }));
     for (std::size_t i = 0; i < count; ++i) {
-        EXPECT_EQ(pictures[i].camera, opened->show->cameras[i].name);
+        EXPECT_EQ(pictures[i].name, opened->show->cameras[i].name);
         EXPECT_EQ(pictures[i].image->width, 160);
     }
     EXPECT_NE(pictures[0].image->samples, pictures[1].image->samples);

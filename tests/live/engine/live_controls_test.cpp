@@ -75,6 +75,22 @@ TEST(LiveControls, without_a_remote_control_or_trackers_nothing_is_heard) {
     EXPECT_FALSE(controls.has_remote());
 }
 
+TEST(LiveControls, a_browser_says_what_a_remote_control_says) {
+    const auto session = open_demo();
+    LiveControls controls;
+    controls.begin(*session);
+    EXPECT_FALSE(controls.command({1, "nothing", {}}).ok());
+    EXPECT_FALSE(controls.command({2, "/ghostlight/haze", {2.0}}).ok()) << "it is said without that";
+    EXPECT_TRUE(controls.command({3, "haze", {2.0}}).ok());
+    EXPECT_TRUE(controls.command({4, "look", {std::string("Verse"), 1.0}}).ok());
+    EXPECT_TRUE(controls.command({5, "camera", {session->show->cameras.front().name}}).ok());
+    const RemoteNews news = controls.hear_remote(*session, 0);
+    EXPECT_TRUE(news.haze && news.look && news.camera);
+    EXPECT_EQ(session->haze_density, 2.0f);
+    EXPECT_EQ(controls.remote().look.name, "Verse");
+    EXPECT_FALSE(is_news(controls.hear_remote(*session, 1)));
+}
+
 TEST(LiveControls, heads_follow_a_tracker) {
     const auto session = open_demo();
     scene::TrackerUse use;

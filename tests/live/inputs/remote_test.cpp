@@ -103,6 +103,24 @@ TEST(Remote, cues_by_name_by_number_and_one_after_another) {
     EXPECT_FALSE(Remote({"house"}).apply(message("/ghostlight/cue/go")).ok());
 }
 
+TEST(Remote, a_look_by_name_and_seconds) {
+    Remote remote({"house"});
+    EXPECT_TRUE(remote.apply(message("/ghostlight/look", {std::string("Verse")})).ok());
+    EXPECT_EQ(remote.request().look.name, "Verse");
+    EXPECT_LT(remote.request().look.seconds, 0) << "those of the look";
+    EXPECT_EQ(remote.request().recalls, 1u);
+    EXPECT_TRUE(remote.apply("look", {std::string("Verse"), 2.5}, "look").ok()) << "as a browser says it";
+    EXPECT_DOUBLE_EQ(remote.request().look.seconds, 2.5);
+    EXPECT_EQ(remote.request().recalls, 2u);
+    for (const std::vector<dmx::OscArgument>& wrong : {std::vector<dmx::OscArgument>{},
+                                                       {1.0},
+                                                       {std::string()},
+                                                       {std::string("Verse"), -1.0},
+                                                       {std::string("Verse"), 1e9}})
+        EXPECT_FALSE(remote.apply(message("/ghostlight/look", wrong)).ok());
+    EXPECT_EQ(remote.request().recalls, 2u);
+}
+
 TEST(Remote, what_is_wrong_changes_nothing) {
     Remote remote({"house"});
     const double nan = std::nan("");
@@ -128,7 +146,8 @@ TEST(ParsePort, this_machine_alone_unless_an_address_is_given) {
 
 TEST(RemoteInput, takes_packets_and_survives_others) {
     const auto port = static_cast<std::uint16_t>(22000 + getpid() % 20000);
-    auto input = RemoteInput::open({0x7F000001, port}, {"house"});
+    auto input = RemoteInput::open({0x7F000001, port});
+    Remote remote({"house"});
     ASSERT_TRUE(input.ok()) << input.error().text();
     auto sender = dmx::UdpSocket::open(0x7F000001, 0, 65536);
     ASSERT_TRUE(sender.ok());
@@ -141,7 +160,8 @@ TEST(RemoteInput, takes_packets_and_survives_others) {
     send("/ghostlight/master\0\0,f\0\0\x3f\0\0\0"sv);
     bool taken = false;
     for (int i = 0; i < 2000 && !taken; ++i) {
-        taken = (*input)->poll(0).master == 0.5f;
+        (*input)->poll(remote, 0);
+        taken = remote.request().master == 0.5f;
         if (!taken) std::this_thread::sleep_for(5ms);
     }
     EXPECT_TRUE(taken);

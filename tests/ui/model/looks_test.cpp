@@ -55,6 +55,34 @@ struct LookBench : Bench {
     }
 };
 
+TEST(UiLooks, what_a_browser_recalls_is_said_to_all_and_can_be_undone) {
+    LookBench bench;
+    bench.read();
+    bench.link.looks.also_for_second(true);
+    bench.set(0, 0.5f);
+    ASSERT_TRUE(bench.looks.store("Verse").ok());
+    auto said = bench.link.looks.take_second();
+    ASSERT_TRUE(said && said->looks);
+    ASSERT_EQ(said->looks->size(), 1u);
+    EXPECT_EQ(said->current, "Verse");
+    EXPECT_TRUE(bench.link.looks.take()) << "the engine draws small pictures of them";
+    bench.set(0, 0.25f);
+    EXPECT_EQ(bench.link.looks.take_second()->current, "") << "a hand has changed it";
+    bench.link.look_call.put({"nowhere", -1});
+    bench.link.on_news();
+    settle();
+    EXPECT_EQ(bench.app.look().fixtures.at(0).intensity, 0.25f) << "there is no such look";
+    bench.link.look_call.put({"Verse", 0});
+    bench.link.on_news();
+    settle();
+    EXPECT_EQ(bench.app.look().fixtures.at(0).intensity, 0.5f);
+    EXPECT_EQ(bench.link.looks.take_second()->current, "Verse");
+    bench.app.undo_stack().undo();
+    settle();
+    EXPECT_EQ(bench.app.look().fixtures.at(0).intensity, 0.25f);
+    EXPECT_EQ(bench.link.looks.take_second()->current, "");
+}
+
 TEST(UiLooks, what_is_stored_is_recalled_by_another_window) {
     LookBench bench;
     bench.read();

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Side views: what viewers watch beside the window's picture, shared by all who watch the same.
+#include "web/private/server_loop.h"
+
+#include "show/show.h"
+
+#include <algorithm>
+
+namespace ghost::web {
+namespace {
+
+bool watch_the_same(const Watch& a, const Watch& b) {
+    return a.camera == b.camera && a.own == b.own && a.probe == b.probe;
+}
+
+bool is_of_window(const Watch& watch) {
+    return watch.camera.empty() && !watch.own;
+}
+
+} // namespace
+
+void ServerLoop::watch(Guest& guest, const Watch& watch) {
+    Viewer& viewer = *guest.viewer;
+    viewer.flow.want(watch.width, watch.calm);
+    if (watch_the_same(viewer.watch, watch)) return;
+    viewer.watch = watch;
+    if (is_of_window(watch)) return;
+    if (!side_of(watch)) {
+        viewer.watch = {};
+        guest.connection.put(build_text(refused_text(0, "the show has no such camera")));
+        return;
+    }
+    choose_sides();
+    if (side_for(viewer)) return;
+    viewer.watch = {};
+    guest.connection.put(
+        build_text(refused_text(0, "two other views are drawn already, for others who look on")));
+}
+
+std::optional<ui::SideView> ServerLoop::side_of(const Watch& watch) const {
+    if (!opened_ || !opened_->show) return std::nullopt;
+    ui::SideView view;
+    view.probe = watch.probe;
+    if (!watch.own) {
+        const auto& cameras = opened_->show->cameras;
+        const auto camera = std::find_if(cameras.begin(), cameras.end(),
+                                         [&](const scene::Camera& one) { return one.name == watch.camera; });
+        if (camera == cameras.end()) return std::nullopt;
+        view.camera = *camera;
+        return view;
+    }
+    view.camera.position_m = watch.own->position_m;
+    view.camera.target_m = watch.own->target_m;
+    view.camera.fov_y_deg = watch.own->fov_y_deg;
+    if (picture_) view.camera.ev100 = picture_->ev100; // as bright as the window's
+    return view;
+}
+
+ServerLoop::Side* ServerLoop::side_for(const Viewer& viewer) {
+    const auto side = std::find_if(sides_.begin(), sides_.end(),
+                                   [&](const Side& one) { return watch_the_same(one.watch, viewer.watch); });
+    return side == sides_.end() ? nullptr : &*side;
+}
+
+// Those that somebody watches; who moves his own camera keeps his place.
+void ServerLoop::choose_sides() {
+    const auto watched = [&](const Watch& watch) {
+        return std::any_of(guests_.begin(), guests_.end(), [&](const Guest& guest) {
+            return guest.viewer && watch_the_same(guest.viewer->watch, watch);
+        });
+    };
+    bool is_new = sides_.remove_if([&](const Side& side) { return !watched(side.watch); }) > 0;
+    for (const Guest& guest : guests_) {
+        if (sides_.size() >= ui::kMostSideViews) break;
+        if (!guest.viewer || is_of_window(guest.viewer->watch) || side_for(*guest.viewer)) continue;
+        std::optional<ui::SideView> view = side_of(guest.viewer->watch);
+        if (!view) continue;
+        view->number = ++side_numbers_;
+        sides_.push_back({guest.viewer->watch, std::move(*view), PicturePacker(numbers_, 1), nullptr});
+        is_new = true;
+    }
+    if (!is_new) return;
+    std::vector<ui::SideView> wanted;
+    for (const Side& side : sides_) wanted.push_back(side.view);
+    link_.side_views.put(std::move(wanted));
+    link_.wake.raise();
+}
+
+void ServerLoop::take_side(const ui::SidePicture& drawn) {
+    const auto side = std::find_if(sides_.begin(), sides_.end(),
+                                   [&](const Side& one) { return one.view.number == drawn.number; });
+    if (side == sides_.end() || side->image == drawn.image) return;
+    side->image = drawn.image;
+    ui::Picture picture;
+    picture.image = drawn.image;
+    picture.ev100 = drawn.ev100;
+    side->packer.put(std::move(picture), 1e3 * steady_now_s(), drawn.is_still);
+    side->measure.reset();
+    if (drawn.measure)
+        side->measure =
+            std::make_shared<const std::vector<std::uint8_t>>(build_text(measure_text(*drawn.measure)));
+    for (Guest& guest : guests_)
+        if (guest.viewer && watch_the_same(guest.viewer->watch, side->watch)) guest.viewer->measure = 0;
+}
+
+} // namespace ghost::web

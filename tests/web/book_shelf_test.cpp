@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "web/book_shelf.h"
+
+#include "book/book_json.h"
+#include "disk/files.h"
+#include "support/test_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace ghost::web {
+namespace {
+
+class Shelf : public ::testing::Test {
+protected:
+    void put(const std::string& file, const std::string& text) {
+        std::filesystem::create_directories((folder.path / file).parent_path());
+        ASSERT_TRUE(write_file_atomic(folder.path / file, text).ok());
+    }
+    void put_book() {
+        scene::Book book;
+        book.show = "tour";
+        scene::BookEntry entry;
+        entry.name = "Verse";
+        entry.pictures = {{"house", "pictures/0001-1.png"}};
+        book.entries.push_back(entry);
+        put("book.json", scene::text_of(book));
+        put("pictures/0001-1.png", "first");
+        put("pictures/0002-1.png", "of no entry");
+        put("secret.txt", "secret");
+    }
+
+    TestFolder folder;
+    BookShelf shelf{folder.path};
+};
+
+TEST_F(Shelf, has_what_the_book_names_and_nothing_else) {
+    put_book();
+    ASSERT_TRUE(shelf.file("book.json").ok());
+    EXPECT_EQ(shelf.file("book.json")->type, "application/json");
+    ASSERT_TRUE(shelf.file("pictures/0001-1.png").ok());
+    EXPECT_EQ(shelf.file("pictures/0001-1.png")->bytes, "first");
+    for (const char* name :
+         {"", "secret.txt", "pictures/0002-1.png", "pictures/../secret.txt", "../book.json", "/etc/passwd",
+          "pictures/", "difference.json", "pictures/0001-1.png/"})
+        EXPECT_FALSE(shelf.file(name).ok()) << name;
+}
+
+TEST_F(Shelf, a_link_in_the_place_of_a_picture_is_not_followed) {
+    put_book();
+    std::filesystem::remove(folder.path / "pictures/0001-1.png");
+    std::filesystem::create_symlink(folder.path / "secret.txt", folder.path / "pictures/0001-1.png");
+    EXPECT_FALSE(shelf.file("pictures/0001-1.png").ok());
+}
+
+TEST_F(Shelf, a_difference_brings_its_pictures) {
+    put_book();
+    scene::BookDifference difference;
+    difference.old_name = "yesterday";
+    scene::ComparedPicture picture;
+    picture.file = "pictures/0001-1.png";
+    picture.old_file = "old/0001-1.png";
+    picture.map_file = "differences/0001-1.png";
+    difference.pictures.push_back(picture);
+    put("difference.json", scene::text_of(difference));
+    put("old/0001-1.png", "before");
+    EXPECT_TRUE(shelf.file("difference.json").ok());
+    ASSERT_TRUE(shelf.file("old/0001-1.png").ok());
+    EXPECT_EQ(shelf.file("old/0001-1.png")->bytes, "before");
+    EXPECT_FALSE(shelf.file("differences/0001-1.png").ok()) << "it is not there";
+}
+
+TEST_F(Shelf, what_is_no_book_is_said) {
+    EXPECT_FALSE(BookShelf("").file("book.json").ok());
+    EXPECT_NE(BookShelf("").file("book.json").error().what.find("--book"), std::string::npos);
+    EXPECT_FALSE(shelf.file("book.json").ok()) << "not made yet";
+    put("book.json", "{]");
+    EXPECT_FALSE(shelf.file("book.json").ok());
+    put_book();
+    EXPECT_TRUE(shelf.file("book.json").ok()) << "it was made meanwhile";
+    put("difference.json", R"({"ghostlight_difference":1,"pictures":[{"file":"../../etc/passwd"}]})");
+    EXPECT_FALSE(BookShelf(folder.path).file("book.json").ok());
+}
+
+} // namespace
+} // namespace ghost::web
