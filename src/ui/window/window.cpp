@@ -20,6 +20,7 @@
 #include "ui/panels/look_panel.h"
 #include "ui/panels/message_panel.h"
 #include "ui/panels/network_panel.h"
+#include "ui/panels/plot_panel.h"
 #include "ui/panels/programmer_panel.h"
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/transport_panel.h"
@@ -28,10 +29,10 @@
 #include "ui/picture/view_bar.h"
 #include "ui/widgets/focus_guide.h"
 #include "ui/widgets/wheel_guard.h"
+#include "ui/window/plot_actions.h"
 #include "ui/window/private/meter_actions.h"
 #include "ui/window/private/notice_bar.h"
 #include "ui/window/private/welcome.h"
-#include "ui/window/substitute.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -46,6 +47,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -57,9 +59,9 @@ constexpr double kDemoBegins_s = 55;     // its first eight seconds are dark
 } // namespace
 
 Window::Window(Link& link, const WindowOptions& options)
-    : options_(options), app_(link), document_(app_), looks_(app_), cues_(app_, document_, looks_),
-      palettes_(app_, document_), exporter_(app_, document_), second_(app_), actions_(*this),
-      view_(new View(app_, this)), recent_(app_, options.remembers),
+    : options_(options), app_(link), document_(app_), looks_(app_), plot_report_(app_, options.fixtures),
+      cues_(app_, document_, looks_), palettes_(app_, document_), exporter_(app_, document_), second_(app_),
+      actions_(*this), view_(new View(app_, this)), recent_(app_, options.remembers),
       menus_(actions_, app_, document_, recent_), toast_(new Toast(view_)), status_input_(new QLabel(this)),
       status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)), status_device_(new QLabel(this)) {
     setWindowTitle("Ghostlight");
@@ -103,7 +105,8 @@ Window::Window(Link& link, const WindowOptions& options)
     add_document_actions(actions_, document_);
     add_show_actions(actions_, app_, document_, options_.docs, *this);
     add_selection_actions(actions_, app_);
-    add_substitute_action(actions_, app_, document_, options_.fixtures, *this);
+    add_plot_actions(actions_, app_, document_, plot_report_);
+    connect(&plot_report_, &PlotReport::changed, this, &Window::show_plot_page);
     new FocusGuide(view_);
     menus_.fill(*menuBar());
     menuBar()->setCornerWidget(new ViewBar(app_, actions_, menuBar()), Qt::TopRightCorner);
@@ -133,6 +136,7 @@ Window::Window(Link& link, const WindowOptions& options)
                                                                         : app_.show()->name) +
                        "[*] - Ghostlight");
         if (app_.opened().is_edit) return;
+        plot_is_new_ = !app_.opened().again && !app_.show()->plot_file.empty();
         end_waiting();
         begin_where_there_is_light();
         view_->setFocus();
@@ -280,9 +284,14 @@ void Window::add_panels() {
     cue_table_ = new CuePanel(app_, cues_, looks_, actions_, this);
     QDockWidget* cues = add_panel("cues", "Cues", cue_table_, Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, cues);
+    QDockWidget* plot =
+        add_panel("plot", "Plot", new PlotPanel(app_, plot_report_, actions_, this), Qt::RightDockWidgetArea);
+    tabifyDockWidget(hand, plot);
+    actions_.item("panel-plot")->setText("What this plot has");
     exports->hide();
     air->hide();
     cues->hide();
+    plot->hide();
     hand->raise();
     network->hide();
     messages->hide();
@@ -311,7 +320,7 @@ void Window::lay_out() {
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
     if (width() < kTwoColumnsFrom_px) {
         splitDockWidget(list, dock("values"), Qt::Vertical);
-        for (const char* const name : {"programmer", "scene", "looks", "cues", "export", "air"})
+        for (const char* const name : {"programmer", "plot", "scene", "looks", "cues", "export", "air"})
             tabifyDockWidget(dock("values"), dock(name));
         dock("programmer")->raise();
         resizeDocks({list}, {column_px}, Qt::Horizontal);
@@ -369,6 +378,15 @@ void Window::say_hand_taken() {
             QString("By hand now: %1. R gives back what is selected, Shift+R all").arg(words_of(app_.look())),
             [this] { actions_.choose("undo"); });
     had_hand_ = has_hand;
+}
+
+// By itself where something is lost, dark or guessed that a designer should know of; in its place among the
+// panels, so that the picture keeps its own.
+void Window::show_plot_page() {
+    const scene::PlotPage* const page = plot_report_.page();
+    if (!page || !std::exchange(plot_is_new_, false)) return;
+    if (page->matters() && !isFullScreen())
+        if (const auto done = actions_.run("panel-plot on"); !done.ok()) actions_.complain(done.error());
 }
 
 void Window::name_cameras() {

@@ -9,6 +9,7 @@
 #include "ui/actions/palette_list.h"
 #include "ui/model/app_model.h"
 #include "ui/model/looks.h"
+#include "ui/model/plot_report.h"
 #include "ui/model/recent_shows.h"
 #include "ui/model/show_document.h"
 #include "ui/picture/view.h"
@@ -62,6 +63,7 @@ private:
     void say_done(const Action& action);
     void say_hand_taken();
     void name_cameras();
+    void show_plot_page();
     void show_status();
     void show_jobs();
     // In the status line, whole as its tool tip.
@@ -75,6 +77,7 @@ private:
     AppModel app_;
     ShowDocument document_;
     Looks looks_;
+    PlotReport plot_report_;
     CueList cues_;
     PaletteList palettes_;
     Exporter exporter_;
@@ -86,7 +89,8 @@ private:
     RecentShows recent_;
     Menus menus_;
     Toast* toast_;
-    bool had_hand_ = false; // something was set by hand when it was last looked at
+    bool plot_is_new_ = false; // its page was not looked at yet
+    bool had_hand_ = false;    // something was set by hand when it was last looked at
     FixturePanel* fixtures_ = nullptr;
     ProgrammerPanel* programmer_ = nullptr;
     LookPanel* look_list_ = nullptr;
