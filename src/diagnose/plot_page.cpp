@@ -64,16 +64,14 @@ struct GeneralLamp {
 };
 constexpr GeneralLamp kGeneral[] = {
     {"Vari-Lite@VL2500_Spot.gdtf",
-     "a moving spot (VL2500 Spot)",
+     "VL2500 Spot",
      {"spot", "profile", "viper", "esprite", "pointe", "beam", "airfx", "fortimo"}},
     {"Vari-Lite@VL2500_Wash.gdtf",
-     "a moving wash (VL2500 Wash)",
+     "VL2500 Wash",
      {"wash", "spiider", "aura", "quantum", "eye", "k20", "tarrantula", "rush"}},
-    {"Ghostlight@LED_Par.gdtf",
-     "an LED par",
-     {"led", "par", "strip", "bar", "pixel", "cluster", "tube", "cyc"}},
+    {"Ghostlight@LED_Par.gdtf", "LED par", {"led", "par", "strip", "bar", "pixel", "cluster", "tube", "cyc"}},
     {"Ghostlight@Dimmer_Lamp.gdtf",
-     "a lamp on a dimmer",
+     "Dimmer lamp",
      {"fresnel", "dimmer", "blinder", "mole", "source", "four", "alc4", "par64"}},
 };
 
@@ -212,9 +210,8 @@ private:
         });
         if (likest) {
             const std::filesystem::path& file = offers_.files[likest->offer];
-            lightless.stand_ins.push_back(
-                {file.filename().string() + mode_words(likest->mode, likest->channels), file, likest->mode,
-                 likest->likeness >= kSameFixture});
+            lightless.stand_ins.push_back({file.filename().string() + length_words(likest->channels), file,
+                                           likest->mode, likest->likeness >= kSameFixture});
         }
         std::vector<std::pair<int, const GeneralLamp*>> general;
         for (const GeneralLamp& lamp : kGeneral) {
@@ -237,13 +234,10 @@ private:
         const int fits = wanted.channels > 0 ? mode_of_length(*type, wanted.channels) : -1;
         const fixture::Mode& mode = type->modes[static_cast<std::size_t>(std::max(fits, 0))];
         const int channels = mode.footprint.empty() ? 0 : mode.footprint.front();
-        lightless.stand_ins.push_back({lamp.label + mode_words(mode.name, channels), *at, mode.name, false});
+        lightless.stand_ins.push_back({lamp.label + length_words(channels), *at, mode.name, false});
     }
 
-    static std::string mode_words(const std::string& mode, int channels) {
-        return ", mode '" + mode + "' (" +
-               counted(static_cast<std::size_t>(channels), "channel", "channels") + ")";
-    }
+    static std::string length_words(int channels) { return " (" + std::to_string(channels) + " ch)"; }
 
     std::shared_ptr<const fixture::Type> load(std::size_t k) {
         const auto [entry, is_new] = loaded_.try_emplace(k);
@@ -325,7 +319,9 @@ std::string text_of(const PlotPage& page) {
     for (const LightlessType& one : page.lightless) {
         text +=
             "  " + counted(one.fixtures.size(), "head", "heads") + ": '" + one.wanted + "' " + one.why + "\n";
-        if (!one.stand_ins.empty()) text += "    could stand in: " + one.stand_ins.front().label + "\n";
+        if (!one.stand_ins.empty())
+            text += "    could stand in: " + one.stand_ins.front().label + ", mode '" +
+                    one.stand_ins.front().mode + "'\n";
     }
     for (const auto& [severity, title] : {std::pair{Severity::error, "Missing"},
                                           {Severity::warning, "Guessed or repaired"},

@@ -16,9 +16,9 @@ namespace ghost::scene {
 inline constexpr std::size_t kMostPageLines = 200; // of one group; what is over is counted
 
 struct StandIn {
-    std::string label; // "Robe@Robin Spiider.gdtf, mode 'Mode 5' (27 channels)"
+    std::string label; // "Robe@Robin Spiider.gdtf (27 ch)"
     std::filesystem::path file;
-    std::string mode;
+    std::string mode;        // of that file
     bool seems_same = false; // its name is that of the fixture that is wanted
 };
 

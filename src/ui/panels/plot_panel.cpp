@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QScrollBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -99,15 +100,19 @@ void PlotPanel::add_lightless(QTreeWidgetItem& section, const scene::LightlessTy
         const QString label = QString::fromStdString(one.label);
         choice->addItem(
             label, QStringList{QString::fromStdString(one.file.string()), QString::fromStdString(one.mode)});
-        choice->setItemData(choice->count() - 1, label, Qt::ToolTipRole);
+        choice->setItemData(choice->count() - 1,
+                            label + ", mode '" + QString::fromStdString(one.mode) + "'\n" +
+                                QString::fromStdString(one.file.string()),
+                            Qt::ToolTipRole);
     }
     choice->addItem("Choose a file...");
-    auto* take = new QPushButton("Take", row);
+    auto* take = new QToolButton(row);
+    take->setText("Take");
     take->setAccessibleName("Take it for " + wanted);
-    const auto say = [choice] { choice->setToolTip(choice->currentText()); };
+    const auto say = [choice] { choice->setToolTip(choice->currentData(Qt::ToolTipRole).toString()); };
     connect(choice, &QComboBox::currentIndexChanged, choice, say);
     say();
-    connect(take, &QPushButton::clicked, this, [this, choice, wanted] {
+    connect(take, &QToolButton::clicked, this, [this, choice, wanted] {
         QStringList file = choice->currentData().toStringList();
         if (file.isEmpty())
             file << QFileDialog::getOpenFileName(this, "A fixture that stands in", {},
@@ -156,7 +161,10 @@ void PlotPanel::fill() {
     same_->hide();
     title_->setText("What a plot has is listed here.");
     if (!page) return;
-    title_->setText(QString::fromStdString(page->name));
+    title_->setText(QString("%1: %2 missing, %3 guessed")
+                        .arg(QString::fromStdString(page->name))
+                        .arg(page->count(Severity::error))
+                        .arg(page->count(Severity::warning)));
     std::size_t dark = 0, assumed = 0;
     for (const scene::LightlessType& type : page->lightless)
         (type.is_dark ? dark : assumed) += type.fixtures.size();

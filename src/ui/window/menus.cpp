@@ -17,7 +17,8 @@ constexpr std::pair<const char*, const char*> kMenus[] = {
              "panel-export cancel-jobs - take-plot - quit"},
     {"Edit",
      "undo redo - select-all select-none select-similar find - hold release release-all - add-fixture "
-     "duplicate remove unpatch hang aim-through - distribute align-x align-y align-z - set-stage add-model "
+     "duplicate remove unpatch hang aim-through - distribute align-x align-y align-z nudge-left nudge-right "
+     "nudge-up-stage nudge-down-stage - set-stage add-model "
      "add-hazer substitute - take-changes drop-changes take-over"},
     {"View",
      "work-light black-out - false-lux false-luminance probe wipe - chips figures frame names addresses aims "

@@ -7,6 +7,7 @@
 #include "ui/actions/fan_actions.h"
 #include "ui/actions/hang_edit.h"
 #include "ui/actions/look_actions.h"
+#include "ui/actions/object_edit.h"
 #include "ui/actions/patch_actions.h"
 #include "ui/actions/patch_edit.h"
 #include "ui/actions/programmer_actions.h"
@@ -100,6 +101,11 @@ Window::Window(Link& link, const WindowOptions& options)
         if (const auto done = PatchEdit(app_, document_).move_by(by_m); !done.ok())
             actions_.complain(done.error());
     };
+    view_->on_move_object = [this](std::size_t object, const glm::vec3& by_m) {
+        if (const auto done = move_object(app_, document_, object, by_m); !done.ok())
+            actions_.complain(done.error());
+    };
+    add_object_actions(actions_, app_, document_);
     add_air_actions(actions_, app_, document_);
     add_bounce_actions(actions_, app_, document_);
     add_document_actions(actions_, document_);
@@ -360,10 +366,10 @@ void Window::begin_where_there_is_light() {
 
 // What else would show nothing.
 void Window::say_done(const Action& action) {
-    static const std::set<QString> kSays{"keep-camera", "hang",       "duplicate",     "remove",
-                                         "unpatch",     "distribute", "add-fixture",   "add-model",
-                                         "set-stage",   "substitute", "palette-store", "palette-remove",
-                                         "cue-add"};
+    static const std::set<QString> kSays{"keep-camera",   "hang",           "duplicate",       "remove",
+                                         "unpatch",       "distribute",     "add-fixture",     "add-model",
+                                         "set-stage",     "substitute",     "substitute-same", "move-object",
+                                         "palette-store", "palette-remove", "cue-add"};
     if (action.name == "save")
         toast_->say("Saved: " + QString::fromStdString(app_.show()->file.filename().string()));
     else if (kSays.contains(action.name))
