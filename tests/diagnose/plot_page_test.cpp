@@ -3,6 +3,7 @@
 // could stand in, for a show that is made here.
 #include "diagnose/plot_page.h"
 #include "show/show.h"
+#include "support/mvr_files.h"
 
 #include <gtest/gtest.h>
 
@@ -28,7 +29,7 @@ std::shared_ptr<const fixture::Type> type_of(const std::string& name, std::vecto
 struct Plot {
     Plot() {
         show.file = show.plot_file = "tour.mvr";
-        show.plot = std::make_shared<LoadedPlot>();
+        show.plot = std::make_shared<LoadedPlot>(must(load_description(small_xml(""))));
         show.plot->plot.gdtf_files = {{"Test@Super Spot 300.gdtf", "", 3},
                                       {"Test@Wash.gdtf", "wash.gdtf", 1}};
         for (int i = 0; i < 4; ++i) {
