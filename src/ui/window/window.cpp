@@ -38,6 +38,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QFileInfo>
+#include <QLayout>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
@@ -238,16 +239,26 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
     docks_.push_back(dock);
     const QString key = docks_.size() <= 9 ? QString("Ctrl+%1").arg(docks_.size()) : QString();
     actions_.add({"panel-" + name, "Panels", title, key, "[on|off]",
-                  [dock](const QStringList& words) -> Result<void> {
+                  [this, dock](const QStringList& words) -> Result<void> {
                       // One that lies behind another's tab counts as visible, but nobody sees it.
                       const bool is_seen = dock->isVisible() && !dock->visibleRegion().isEmpty();
                       dock->setVisible(words.isEmpty() ? !is_seen : words[0] == "on");
                       if (dock->isVisible()) dock->raise();
+                      if (dock->isVisible()) keep_low(*dock);
                       return {};
                   },
                   [dock] { return dock->isVisible(); }});
     connect(dock, &QDockWidget::visibilityChanged, this, [this] { actions_.refresh(); });
     return dock;
+}
+
+// The picture stays the larger part where a panel below it comes for the first time.
+void Window::keep_low(QDockWidget& dock) {
+    const bool is_below = dockWidgetArea(&dock) == Qt::BottomDockWidgetArea && !dock.isFloating();
+    if (!is_below || !came_below_.insert(&dock).second) return;
+    layout()->activate();
+    const int most_px = height() * 3 / 10;
+    if (dock.height() > most_px) resizeDocks({&dock}, {most_px}, Qt::Vertical);
 }
 
 void Window::add_panels() {
@@ -321,7 +332,7 @@ void Window::add_strip() {
 
 // The picture first: of a window of 1366x768, 1920x1080 and 2560x1440 it has 60, 70 and 75 %.
 void Window::lay_out() {
-    const int column_px = std::clamp(width() * 22 / 100, 240, 330);
+    const int column_px = std::clamp(width() * 22 / 100, 264, 330);
     QDockWidget* const list = docks_.front();
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
     if (width() < kTwoColumnsFrom_px) {

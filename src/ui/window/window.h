@@ -26,6 +26,8 @@
 #include <QMainWindow>
 #include <QToolBar>
 
+#include <set>
+
 namespace ghost::ui {
 
 class CuePanel;
@@ -57,6 +59,7 @@ private:
     void add_window_actions();
     void add_view_switches();
     void lay_out();
+    void keep_low(QDockWidget& dock);
     void wait_for_show();
     void end_waiting();
     void begin_where_there_is_light();
@@ -97,6 +100,7 @@ private:
     CuePanel* cue_table_ = nullptr;
     std::vector<QDockWidget*> docks_;
     std::vector<QDockWidget*> docks_waiting_; // shown with the first show
+    std::set<const QDockWidget*> came_below_; // once, or more
     std::vector<bool> docks_shown_;           // before full screen
     std::vector<QDockWidget*> in_front_;      // likewise, of those behind one another
     NoticeBar* notice_ = nullptr;
