@@ -27,8 +27,9 @@ QFont small_font(const QPainter& painter) {
 }
 
 QString address_of(const scene::PatchedFixture& fixture) {
-    return fixture.address > 0 ? QString("%1.%2").arg(fixture.universe).arg(fixture.address)
-                               : QString("no address");
+    return fixture.address > 0
+               ? QString("%1.%2").arg(fixture.universe).arg(fixture.address, 3, 10, QChar('0'))
+               : QString("no address");
 }
 
 // Lines that are no longer than a person reads at a glance, but for single long words.
