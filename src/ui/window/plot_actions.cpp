@@ -21,7 +21,9 @@ public:
         : QObject(&app), actions_(actions), app_(app), document_(document) {
         connect(&app_, &AppModel::opened_show, this, [this] {
             if (waiting_.empty() || app_.opened().is_edit) return;
-            if (const auto done = substitute(app_, document_, std::exchange(waiting_, {})); !done.ok())
+            const std::vector<Substitute> all = std::exchange(waiting_, {});
+            if (app_.show()->plot_file.filename() != plot_) return; // another show was opened meanwhile
+            if (const auto done = substitute(app_, document_, all); !done.ok())
                 actions_.complain(done.error());
         });
         connect(&app_.jobs(), &Jobs::ended, this, [this](const Job& job) {
@@ -34,6 +36,7 @@ public:
         if (app_.show()->file != app_.show()->plot_file) return substitute(app_, document_, all);
         TRY_VOID(actions_.run("import-plot " + quoted(QString::fromStdString(app_.show()->file.string()))));
         waiting_ = all;
+        plot_ = app_.show()->plot_file.filename();
         return {};
     }
 
@@ -42,6 +45,7 @@ private:
     AppModel& app_;
     ShowDocument& document_;
     std::vector<Substitute> waiting_;
+    std::filesystem::path plot_;
 };
 
 Result<const scene::PlotPage*> page_of(const PlotReport& report) {
