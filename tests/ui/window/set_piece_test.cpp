@@ -18,8 +18,8 @@ Object object_at(const char* name, const glm::vec3& centre_m, std::size_t instan
     return object;
 }
 
-struct Stage : Desk {
-    Stage() {
+struct SetPieces : Desk {
+    SetPieces() {
         open();
         add_object_actions(actions, app, document);
         Opened opened = app.opened();
@@ -41,7 +41,7 @@ struct Stage : Desk {
 };
 
 TEST(SetPiece, is_moved_by_name_and_undone_byte_for_byte) {
-    Stage stage;
+    SetPieces stage;
     ASSERT_EQ(stage.complaint("move-object 0.5 -1 0 riser"), "");
     EXPECT_EQ(stage.document.text(), kShow + "\n[[object]]\nname = \"riser\"\nmove_m = [0.5, -1, 0]\n");
     stage.app.undo_stack().undo();
@@ -49,7 +49,7 @@ TEST(SetPiece, is_moved_by_name_and_undone_byte_for_byte) {
 }
 
 TEST(SetPiece, keys_move_the_chosen_one_from_where_it_is_or_the_selected_fixtures) {
-    Stage stage;
+    SetPieces stage;
     EXPECT_NE(stage.complaint("nudge-left").find("no object of the stage is chosen"), std::string::npos);
     ASSERT_EQ(stage.complaint("choose-object riser"), "");
     ASSERT_EQ(stage.complaint("nudge-left"), "");
@@ -62,7 +62,7 @@ TEST(SetPiece, keys_move_the_chosen_one_from_where_it_is_or_the_selected_fixture
 }
 
 TEST(SetPiece, one_of_several_with_one_name_stays_and_the_sentence_says_why) {
-    Stage stage;
+    SetPieces stage;
     EXPECT_NE(stage.complaint("move-object 1 0 0 chair").find("2 objects are called 'chair'"),
               std::string::npos);
     EXPECT_NE(stage.complaint("move-object 1 0 0 rizer").find("did you mean 'riser'"), std::string::npos);
