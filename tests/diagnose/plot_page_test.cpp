@@ -18,7 +18,7 @@ std::shared_ptr<const fixture::Type> type_of(const std::string& name, std::vecto
         type->modes.back().name = "M" + std::to_string(length);
         type->modes.back().footprint = {length};
         type->modes.back().beams = {0};
-        type->modes.back().nodes.emplace_back();
+        type->modes.back().nodes.emplace_back().geometry = 0;
     }
     type->geometries.emplace_back();
     type->geometries.back().beam.emplace();
