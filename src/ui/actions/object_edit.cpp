@@ -32,6 +32,11 @@ Result<std::size_t> object_called(const AppModel& app, const QString& name) {
         "the stage has no object '" + name.toStdString() + "'" + did_you_mean(name.toStdString(), names), ""};
 }
 
+// What has several materials comes as several objects of one name at one place.
+bool is_part_of(const Object& one, const Object& other) {
+    return glm::distance(one.centre_m, other.centre_m) < std::max(one.radius_m, other.radius_m);
+}
+
 // What the show moves it by already.
 glm::vec3 moved_m(const scene::Show& show, const std::string& name) {
     glm::vec3 moved(0);
@@ -47,10 +52,11 @@ Result<void> move_object(AppModel& app, ShowDocument& document, std::size_t obje
     const std::vector<Object>& objects = app.opened().objects;
     if (object >= objects.size()) return Error{"there is no such object", ""};
     const std::string& name = objects[object].name;
-    const auto alike = std::count_if(objects.begin(), objects.end(),
-                                     [&](const Object& one) { return matches(name, one.name); });
-    if (alike > 1)
-        return Error{std::to_string(alike) + " objects are called '" + name +
+    const auto elsewhere = std::count_if(objects.begin(), objects.end(), [&](const Object& one) {
+        return matches(name, one.name) && !is_part_of(one, objects[object]);
+    });
+    if (elsewhere > 0)
+        return Error{std::to_string(elsewhere + 1) + " objects are called '" + name +
                          "', and a show knows them by name: in the model give each its own",
                      ""};
     const glm::vec3 move_m = glm::round((moved_m(*app.show(), name) + by_m) * 1000.0f) / 1000.0f;

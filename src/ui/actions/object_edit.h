@@ -1,8 +1,8 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // Set pieces: which object of the stage is chosen, and where it stands, written as an [[object]] of the show,
-// one step of the undo list. Errors: there is no such object, or others are called the same, for a show knows
-// objects by name. Window thread.
+// one step of the undo list. Errors: there is no such object, or others elsewhere are called the same, for a
+// show knows objects by name; those at the same place are parts of it and go along. Window thread.
 
 #include "ui/actions/actions.h"
 #include "ui/model/show_document.h"

@@ -24,8 +24,8 @@ struct SetPieces : Desk {
         add_object_actions(actions, app, document);
         Opened opened = app.opened();
         opened.is_edit = false;
-        opened.objects = {object_at("riser", {0, 2, 0.3f}, 0), object_at("chair", {1, 2, 0}, 1),
-                          object_at("chair", {2, 2, 0}, 2)};
+        opened.objects = {object_at("riser", {0, 2, 0.3f}, 0), object_at("riser", {0, 2.1f, 0.4f}, 3),
+                          object_at("chair", {1, 2, 0}, 1), object_at("chair", {2.2f, 2, 0}, 2)};
         link.opened.put(std::move(opened));
         link.on_news();
         settle();
