@@ -105,7 +105,7 @@ class FirstMinutes(unittest.TestCase):
             window.do("save")
             self.assertIn('gdtf = "Ghostlight@LED_Par.gdtf"\nmode = "Dimmer RGB"', (WORK / "bare/show.toml").read_text())
             window.do("undo", "undo")
-            window.until(lambda state: state["plot_page"]["lightless"] == page["lightless"])
+            window.until(lambda state: [one["file"] for one in state["plot_page"]["lightless"]] == ["Nobody@Stub.gdtf"])
         finally:
             self.assertEqual(window.close(), 0)
 
