@@ -28,7 +28,7 @@ QString heads(std::size_t count) {
 
 PlotPanel::PlotPanel(AppModel& app, const PlotReport& report, Actions& actions, QWidget* parent)
     : QWidget(parent), app_(app), report_(report), actions_(actions), title_(new QLabel(this)),
-      tree_(new QTreeWidget(this)), same_(new QPushButton(this)),
+      tree_(new QTreeWidget(this)), same_(new QPushButton("Take what seems the same", this)),
       select_(new QPushButton("Select these", this)), copy_(new QPushButton("Copy", this)),
       save_(new QPushButton("Save as text...", this)) {
     title_->setWordWrap(true);

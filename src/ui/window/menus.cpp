@@ -12,7 +12,7 @@ namespace {
 
 // Order and groups; an action that is not named here stands at the end of its menu.
 constexpr std::pair<const char*, const char*> kMenus[] = {
-    {"Show", "new open @recent import-plot open-demo - save save-as save-copy reload - panel-plot "
+    {"Show", "new open @recent import-plot open-demo - save save-as save-copy reload - panel-plot plot-text "
              "save-picture screenshot "
              "panel-export cancel-jobs - take-plot - quit"},
     {"Edit",

@@ -142,8 +142,8 @@ void add_plot_actions(Actions& actions, AppModel& app, ShowDocument& document, c
                  },
                  {}});
     actions.add({"plot-text",
-                 "",
-                 "plot-text",
+                 "Show",
+                 "Save what the plot has as text...",
                  "",
                  "FILE",
                  [&report](const QStringList& words) -> Result<void> {

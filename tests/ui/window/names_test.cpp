@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a screen reader says: every control of the window has a name. And Tab comes by every one of a panel.
 #include "support/test_window.h"
+#include "ui/panels/plot_panel.h"
 #include "ui/window/window.h"
 
 #include <QAbstractButton>
@@ -68,6 +69,8 @@ TEST(Names, tab_goes_down_each_panel) {
     for (const char* const name : {"plot", "looks", "programmer", "air", "export"}) {
         ASSERT_TRUE(window.actions().run(QString("panel-%1 on").arg(name)).ok());
         settle();
+        // The page of the plot is made on a thread of its own.
+        for (int i = 0; i < 100 && !window.findChild<PlotPanel*>()->isEnabled(); ++i) wait_ms(50);
         auto* const dock = window.findChild<QDockWidget*>(name);
         QWidget* first = dock;
         std::vector<QWidget*> in_order;
