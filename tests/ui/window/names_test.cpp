@@ -66,7 +66,7 @@ TEST(Names, tab_goes_down_each_panel) {
     link.on_news();
     settle();
     window.app().select({0, 1});
-    for (const char* const name : {"plot", "looks", "programmer", "scene", "export"}) {
+    for (const char* const name : {"plot", "looks", "scene", "export"}) {
         ASSERT_TRUE(window.actions().run(QString("panel-%1 on").arg(name)).ok());
         settle();
         // The page of the plot is made on a thread of its own.
