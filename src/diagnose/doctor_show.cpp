@@ -33,38 +33,6 @@ std::vector<FixtureSource> sources_of(const Show& show) {
     return parsed.ok() ? std::move(parsed->sources) : std::vector<FixtureSource>{};
 }
 
-std::vector<PatchEntry> entries_of(const Show& show) {
-    const std::vector<FixtureSource> sources = sources_of(show);
-    std::unordered_map<std::string, const PlotObject*> objects;
-    if (show.plot)
-        for (const PlotObject& object : show.plot->plot.objects)
-            objects.emplace(uuid_key(object.uuid), &object);
-    std::vector<PatchEntry> entries;
-    for (std::size_t k = 0; k < show.fixtures.size(); ++k) {
-        const PatchedFixture& fixture = show.fixtures[k];
-        PatchEntry entry{
-            .fixture = &fixture, .where = show.file.string(), .spec = fixture.gdtf.string(), .mode = ""};
-        if (k < sources.size()) {
-            const int line = sources[k].address_line > 0 ? sources[k].address_line : sources[k].line;
-            entry.where = file_line(show.file.string(), line) + ": [[fixture]] '" + fixture.name + "'";
-            entry.mode = sources[k].mode;
-        } else if (show.plot) {
-            entry.of_plot = true;
-            entry.where = show.plot->name;
-            if (const auto found = objects.find(uuid_key(fixture.uuid)); found != objects.end()) {
-                const PlotObject& object = *found->second;
-                entry.where = place_of(*show.plot, object) + ": " + tag_of(object.kind) + " '" +
-                              object.name.substr(0, 60) + "'";
-                entry.mode = object.device.gdtf_mode;
-                entry.is_multipatch = object.device.multipatch >= 0;
-                if (!object.device.gdtf_spec.empty() && !fixture.type) entry.spec = object.device.gdtf_spec;
-            }
-        }
-        entries.push_back(std::move(entry));
-    }
-    return entries;
-}
-
 // What check_rig and same_names say better, for many at once. Tracks and channels that choose a medium are
 // the loader's.
 bool is_said_again(const std::string& what) {
@@ -240,6 +208,38 @@ void same_names(const Show& show, std::vector<Finding>& findings) {
 }
 
 } // namespace
+
+std::vector<PatchEntry> entries_of(const Show& show) {
+    const std::vector<FixtureSource> sources = sources_of(show);
+    std::unordered_map<std::string, const PlotObject*> objects;
+    if (show.plot)
+        for (const PlotObject& object : show.plot->plot.objects)
+            objects.emplace(uuid_key(object.uuid), &object);
+    std::vector<PatchEntry> entries;
+    for (std::size_t k = 0; k < show.fixtures.size(); ++k) {
+        const PatchedFixture& fixture = show.fixtures[k];
+        PatchEntry entry{
+            .fixture = &fixture, .where = show.file.string(), .spec = fixture.gdtf.string(), .mode = ""};
+        if (k < sources.size()) {
+            const int line = sources[k].address_line > 0 ? sources[k].address_line : sources[k].line;
+            entry.where = file_line(show.file.string(), line) + ": [[fixture]] '" + fixture.name + "'";
+            entry.mode = sources[k].mode;
+        } else if (show.plot) {
+            entry.of_plot = true;
+            entry.where = show.plot->name;
+            if (const auto found = objects.find(uuid_key(fixture.uuid)); found != objects.end()) {
+                const PlotObject& object = *found->second;
+                entry.where = place_of(*show.plot, object) + ": " + tag_of(object.kind) + " '" +
+                              object.name.substr(0, 60) + "'";
+                entry.mode = object.device.gdtf_mode;
+                entry.is_multipatch = object.device.multipatch >= 0;
+                if (!object.device.gdtf_spec.empty() && !fixture.type) entry.spec = object.device.gdtf_spec;
+            }
+        }
+        entries.push_back(std::move(entry));
+    }
+    return entries;
+}
 
 std::vector<Finding> findings_of(const Show& show, const Report& report, const FixtureOffers& offers) {
     std::vector<Finding> findings;

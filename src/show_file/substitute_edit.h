@@ -9,9 +9,10 @@
 
 namespace ghost::scene {
 
-// wanted: the file's name as the plot has it. An entry that is for just that name gets the new file, and no
-// mode; else there is one more. Error: no TOML, or written in a way that cannot be edited.
+// wanted: the file's name as the plot has it. mode empty: the one whose name is nearest. An entry that is for
+// just that name gets the new file and mode; else there is one more. Error: no TOML, or written in a way that
+// cannot be edited.
 Result<std::string> set_substitute(const std::string& text, const std::string& wanted,
-                                   const std::string& gdtf);
+                                   const std::string& gdtf, const std::string& mode = "");
 
 } // namespace ghost::scene

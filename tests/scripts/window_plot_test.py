@@ -24,8 +24,8 @@ STUB = """<?xml version="1.0" encoding="UTF-8"?><GDTF DataVersion="1.2"><Fixture
  Attribute="Dimmer" DMXFrom="0/1" Default="0/1"/></LogicalChannel></DMXChannel></DMXChannels></DMXMode></DMXModes></FixtureType></GDTF>"""
 
 
-def plot(path):
-    """Three heads of the stub, in a file with their GDTF."""
+def plot(path, has_file=True):
+    """Three heads of the stub, in a file with their GDTF, or without."""
     stub = path.parent / "stub.gdtf"
     with zipfile.ZipFile(stub, "w") as archive:
         archive.writestr("description.xml", STUB)
@@ -37,7 +37,8 @@ def plot(path):
 <GeneralSceneDescription verMajor="1" verMinor="6" provider="test" providerVersion="1"><Scene><Layers>
 <Layer name="Rig" uuid="11111111-1111-4111-8111-111111111111"><ChildList>{heads}</ChildList></Layer></Layers></Scene>
 </GeneralSceneDescription>""")
-        archive.write(stub, "Nobody@Stub.gdtf")
+        if has_file:
+            archive.write(stub, "Nobody@Stub.gdtf")
 
 
 class FirstMinutes(unittest.TestCase):
@@ -76,6 +77,35 @@ class FirstMinutes(unittest.TestCase):
             window.do("save")
             self.assertIn(f'for = "Nobody@Stub.gdtf"\ngdtf = "{SPOT}"', (WORK / "tour/show.toml").read_text())
             window.do("undo", "wait settled", "redo", "wait settled")
+            window.do(f'plot-text "{WORK / "plot.txt"}"')
+            self.assertIn("3 fixtures of 1 type", (WORK / "plot.txt").read_text())
+        finally:
+            self.assertEqual(window.close(), 0)
+
+    def test_plot_whose_fixture_file_is_missing(self):
+        plot(WORK / "bare.mvr", has_file=False)
+        window = Window("--size", "900x600", "--no-desk", "--quiet", show=WORK / "bare.mvr")
+        try:
+            window.do("wait opened")
+            state = window.until(lambda state: "plot_page" in state and "plot" in state["panels"])
+            page = state["plot_page"]
+            self.assertEqual([(one["file"], one["heads"], one["dark"]) for one in page["lightless"]], [("Nobody@Stub.gdtf", 3, True)])
+            self.assertGreaterEqual(page["missing"], 1)
+            self.assertGreater(state["view"][2], 0.6 * 900, "the picture keeps its share")
+            window.do("plot-select Nobody@Stub.gdtf")
+            self.assertEqual(len(window.state()["selection"]), 3)
+            self.assertIn("no fixtures of a file, a kind or a title", window.ask("plot-select nothing"))
+            window.shoot("plot-page.png")
+            # It is an edit of a show, which the plot becomes by itself.
+            window.do(f'substitute Nobody@Stub.gdtf "{WORK / "fixtures" / "Ghostlight@LED_Par.gdtf"}" "Dimmer RGB"')
+            window.until(lambda state: state["show"].endswith("bare/show.toml") and not state.get("plot_page", page)["lightless"])
+            dark = window.picture("dark")
+            window.do("select *", "intensity 1")
+            self.assertGreater(changed(window.picture("lit"), dark), 0.2)
+            window.do("save")
+            self.assertIn('gdtf = "Ghostlight@LED_Par.gdtf"\nmode = "Dimmer RGB"', (WORK / "bare/show.toml").read_text())
+            window.do("undo", "undo")
+            window.until(lambda state: [one["file"] for one in state["plot_page"]["lightless"]] == ["Nobody@Stub.gdtf"])
         finally:
             self.assertEqual(window.close(), 0)
 

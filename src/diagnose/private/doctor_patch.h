@@ -14,6 +14,7 @@
 namespace ghost::scene {
 
 struct PatchedFixture;
+struct Show;
 
 struct PatchEntry {
     const PatchedFixture* fixture = nullptr; // not owned
@@ -23,6 +24,9 @@ struct PatchEntry {
     bool of_plot = false;       // else of the show file
     bool is_multipatch = false; // the plot says that it follows another one
 };
+
+// One for each fixture of the show, in its order; the show file is read again for its lines.
+std::vector<PatchEntry> entries_of(const Show& show);
 
 std::vector<Finding> check_rig(std::span<const PatchEntry> entries);
 

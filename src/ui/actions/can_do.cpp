@@ -16,7 +16,7 @@ const std::set<QString> kNeedSelection{"select-none", "hold",  "select-similar",
                                        "align-z",     "focus", "aim-through"};
 const std::set<QString> kNeedEditable{"add-fixture", "duplicate", "remove",      "unpatch", "hang",
                                       "distribute",  "align-x",   "align-y",     "align-z", "set-stage",
-                                      "add-model",   "add-hazer", "keep-camera", "save",    "substitute"};
+                                      "add-model",   "add-hazer", "keep-camera", "save"};
 
 } // namespace
 

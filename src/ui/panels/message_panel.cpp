@@ -5,12 +5,12 @@
 #include "show/camera_moves.h"
 #include "show/show.h"
 #include "ui/widgets/theme.h"
+#include "ui/widgets/wrapped_text.h"
 
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QRegularExpression>
-#include <QStyledItemDelegate>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -22,22 +22,6 @@ namespace ghost::ui {
 namespace {
 
 constexpr float kAround_m = 2; // of a fixture that is looked at
-
-// Rows as high as their words need in columns as wide as they are; trees alone ask for one line.
-class WrappedText : public QStyledItemDelegate {
-public:
-    explicit WrappedText(QTreeWidget* list) : QStyledItemDelegate(list), list_(*list) {}
-    QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-        const int margin = 2 * (list_.style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
-        const int width = std::max(list_.columnWidth(index.column()) - margin, 1);
-        const QRect words = option.fontMetrics.boundingRect(QRect(0, 0, width, 10000), Qt::TextWordWrap,
-                                                            index.data().toString());
-        return {width, words.height() + 4};
-    }
-
-private:
-    const QTreeWidget& list_;
-};
 
 } // namespace
 
@@ -54,8 +38,6 @@ MessagePanel::MessagePanel(AppModel& app, QWidget* parent) : QWidget(parent), ap
     for (const auto& [column, letters] : {std::pair{0, 10}, {2, 20}})
         list_->setColumnWidth(column, letters * letter);
     for (const int column : {1, 3}) list_->header()->setSectionResizeMode(column, QHeaderView::Stretch);
-    connect(list_->header(), &QHeaderView::sectionResized, list_, &QTreeView::doItemsLayout,
-            Qt::QueuedConnection);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->addWidget(list_);

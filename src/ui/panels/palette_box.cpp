@@ -57,6 +57,8 @@ PaletteBox::PaletteBox(AppModel& app, PaletteList& palettes, Actions& actions, Q
     store_->setText("+");
     store_->setAccessibleName("Store palette");
     store_->setToolTip("What hands set of it for the selected fixtures, as a new palette of the show");
+    setTabOrder(kinds_->buttons().last(), store_);
+    setTabOrder(store_, list_);
     list_->setAccessibleName("Palettes");
     list_->setFlow(QListView::LeftToRight);
     list_->setWrapping(true);

@@ -50,6 +50,7 @@ StageTree::StageTree(AppModel& app, QWidget* parent)
         app_.mark(object());
         if (!follows_) Q_EMIT chose();
     });
+    connect(&app_, &AppModel::marked_changed, this, &StageTree::follow_mark);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(search_);
@@ -124,6 +125,23 @@ void StageTree::add_groups(QTreeWidgetItem* parent, const std::vector<std::size_
     }
 }
 
+void StageTree::choose(std::size_t object) {
+    for (int i = 0; i < tree_->topLevelItemCount(); ++i)
+        for_each_object(tree_->topLevelItem(i), [&](QTreeWidgetItem* item) {
+            if (item->data(0, kObject).toUInt() == object) tree_->setCurrentItem(item);
+        });
+}
+
+// Chosen in the picture.
+void StageTree::follow_mark() {
+    if (app_.marked() == object()) return;
+    const Following following(follows_);
+    if (app_.marked())
+        choose(*app_.marked());
+    else
+        tree_->setCurrentItem(nullptr);
+}
+
 void StageTree::fill() {
     const Following following(follows_);
     const std::optional<std::size_t> chosen = app_.opened().is_edit ? object() : std::nullopt;
@@ -141,10 +159,7 @@ void StageTree::fill() {
         add_groups(layer.empty() ? tree_->invisibleRootItem()
                                  : add_group(tree_->invisibleRootItem(), layer, objects.size()),
                    objects);
-    for (int i = 0; i < tree_->topLevelItemCount() && chosen; ++i)
-        for_each_object(tree_->topLevelItem(i), [&](QTreeWidgetItem* item) {
-            if (item->data(0, kObject).toUInt() == *chosen) tree_->setCurrentItem(item);
-        });
+    if (chosen) choose(*chosen);
     tree_->header()->resizeSection(0, width() * 2 / 3);
     search(search_->text());
     refresh();

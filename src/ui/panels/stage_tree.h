@@ -28,6 +28,8 @@ public:
     void fill();
     // After the look changed.
     void refresh();
+    void choose(std::size_t object);
+    void follow_mark();
 
 Q_SIGNALS:
     void chose();

@@ -193,6 +193,7 @@ ValuePanel::ValuePanel(AppModel& app, QWidget* parent) : QWidget(parent), app_(a
 void ValuePanel::refresh() {
     const auto current = app_.current();
     if (!app_.show() || !current) {
+        shown_.reset();
         title_->setText("No fixture is selected");
         verdict_->setText("Click a lamp in the picture or a row of the list.");
         model_->show({}, {});
@@ -203,7 +204,11 @@ void ValuePanel::refresh() {
     if (app_.selection().size() > 1) title += QString(" and %1 more").arg(app_.selection().size() - 1);
     title_->setText(title);
     const Explained& explained = app_.explained();
-    if (explained.fixture != *current || explained.words.empty()) return; // it comes
+    if (explained.fixture != *current || explained.words.empty()) { // it comes
+        if (shown_ != current) verdict_->setText("It is being looked at ...");
+        return;
+    }
+    shown_ = current;
     verdict_->setText(QString::fromStdString(explained.explanation.verdict));
     verdict_->setStyleSheet(
         QString("color: %1")

@@ -46,6 +46,7 @@ private:
     ChannelModel* model_;
     QTableView* table_;
     QPlainTextEdit* words_;
+    std::optional<std::size_t> shown_; // the fixture that the words are about
 };
 
 } // namespace ghost::ui

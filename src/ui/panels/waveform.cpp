@@ -18,7 +18,7 @@ constexpr double kShortestLoop_s = 0.2;
 } // namespace
 
 Waveform::Waveform(AppModel& app, QWidget* parent) : QWidget(parent), app_(app) {
-    setMinimumSize(120, kHeight_px);
+    setMinimumSize(80, kHeight_px);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName("The recording: how much changes when, and where it is played");
     setToolTip("Click: go there. Shift+drag: play this part again and again, Shift+click: the whole.");

@@ -27,8 +27,9 @@ QFont small_font(const QPainter& painter) {
 }
 
 QString address_of(const scene::PatchedFixture& fixture) {
-    return fixture.address > 0 ? QString("%1.%2").arg(fixture.universe).arg(fixture.address)
-                               : QString("no address");
+    return fixture.address > 0
+               ? QString("%1.%2").arg(fixture.universe).arg(fixture.address, 3, 10, QChar('0'))
+               : QString("no address");
 }
 
 // Lines that are no longer than a person reads at a glance, but for single long words.
@@ -62,6 +63,14 @@ void paint_ring(QPainter& painter, const QPointF& lamp, const QColor& colour) {
     painter.drawEllipse(lamp, 10, 10);
     painter.setPen(QPen(colour, 2));
     painter.drawEllipse(lamp, 10, 10);
+}
+
+// Of a head that has no fixture file, so that it is seen where it hangs.
+void paint_bodiless(QPainter& painter, const QPointF& at) {
+    constexpr double kHalf_px = 4;
+    painter.setPen(QPen(QColor(235, 235, 235, 200), 1));
+    painter.setBrush(QColor(90, 90, 95, 160));
+    painter.drawRect(QRectF(at.x() - kHalf_px, at.y() - kHalf_px, 2 * kHalf_px, 2 * kHalf_px));
 }
 
 void paint_aim(QPainter& painter, const QRectF& picture, const scene::Camera& camera, const FixtureNow& now,
@@ -183,6 +192,7 @@ void paint_fixtures(QPainter& painter, const SeenHeads& heads, const scene::Show
         const auto lamp = to_widget(picture, camera, now.light_m);
         if (!lamp) continue;
         if (choice.aims || (selected && names_selection)) paint_aim(painter, picture, camera, now, selected);
+        if (!show.fixtures[i].type) paint_bodiless(painter, *lamp);
         if (selected && choice.marks)
             paint_ring(painter, *lamp, accent());
         else if (hovered.fixture == i)
@@ -221,20 +231,44 @@ void paint_moved(QPainter& painter, const SeenHeads& heads, const glm::vec3& by_
         painter.drawLine(*from, *to);
         paint_ring(painter, *to, accent());
     }
-    FixtureLabels labels(painter, painter.window());
-    labels.paint(mouse, {words}, accent());
+    painter.restore();
+    paint_words(painter, mouse, words);
+}
+
+void paint_words(QPainter& painter, const QPointF& beside, const QString& words) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(small_font(painter));
+    FixtureLabels(painter, painter.window()).paint(beside, {words}, accent());
     painter.restore();
 }
 
-void paint_object(QPainter& painter, const QRectF& picture, const scene::Camera& camera,
-                  const Object& object) {
-    const auto middle = to_widget(picture, camera, object.centre_m);
+void paint_handle(QPainter& painter, const QPointF& at) {
+    constexpr double kArm_px = 11, kHead_px = 4;
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const auto& pen : {QPen(QColor(0, 0, 0, 180), 4), QPen(accent(), 1.6)}) {
+        painter.setPen(pen);
+        for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {
+            const QPointF end = at + kArm_px * way, side(kHead_px * way.y(), kHead_px * way.x());
+            painter.drawLine(at, end);
+            painter.drawLine(end, end - kHead_px * way + side);
+            painter.drawLine(end, end - kHead_px * way - side);
+        }
+    }
+    painter.restore();
+}
+
+void paint_object(QPainter& painter, const QRectF& picture, const scene::Camera& camera, const Object& object,
+                  const glm::vec3& by_m) {
+    const glm::vec3 centre_m = object.centre_m + by_m;
+    const auto middle = to_widget(picture, camera, centre_m);
     if (!middle) return;
     // Its radius as seen: that of a point beside its middle, across the view.
-    const glm::vec3 forward = glm::normalize(object.centre_m - camera.position_m);
+    const glm::vec3 forward = glm::normalize(centre_m - camera.position_m);
     const glm::vec3 beside = glm::abs(forward.z) > 0.99f ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1);
     const glm::vec3 across = glm::normalize(glm::cross(forward, beside));
-    const auto edge = to_widget(picture, camera, object.centre_m + object.radius_m * across);
+    const auto edge = to_widget(picture, camera, centre_m + object.radius_m * across);
     if (!edge) return;
     const double radius = std::max(QLineF(*middle, *edge).length(), 10.0);
     painter.save();

@@ -60,9 +60,12 @@ void paint_fixtures(QPainter& painter, const SeenHeads& heads, const scene::Show
 // Where the selection would go, with words beside the mouse.
 void paint_moved(QPainter& painter, const SeenHeads& heads, const glm::vec3& by_m, const QPointF& mouse,
                  const QString& words);
-// A ring round an object, and its name.
-void paint_object(QPainter& painter, const QRectF& picture, const scene::Camera& camera,
-                  const Object& object);
+// A ring round an object, and its name; by_m: as far from where it stands.
+void paint_object(QPainter& painter, const QRectF& picture, const scene::Camera& camera, const Object& object,
+                  const glm::vec3& by_m);
+// What an object is dragged by.
+void paint_handle(QPainter& painter, const QPointF& at);
+void paint_words(QPainter& painter, const QPointF& beside, const QString& words);
 // Lines of text on a dark ground, in the lower left corner. Returns the height that they take.
 double paint_figures(QPainter& painter, const QSizeF& widget, const QStringList& lines);
 // What the colours of the picture mean, in the lower right corner.

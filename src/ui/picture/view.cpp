@@ -83,7 +83,7 @@ View::View(AppModel& app, QWidget* parent) : QWidget(parent), app_(app), figures
     connect(&app_, &AppModel::opened_show, this, [this] {
         set_hovered(std::nullopt);
         if (!app_.opened().is_edit && !app_.opened().again) wipe_.end();
-        if (drag_ == Drag::lamp) drag_ = Drag::none;
+        if (drag_ == Drag::lamp || drag_ == Drag::object) drag_ = Drag::none;
     });
     for (const auto signal :
          {&AppModel::selection_changed, &AppModel::marked_changed, &AppModel::activity_came,
@@ -135,7 +135,11 @@ void View::paintEvent(QPaintEvent*) {
     paint_fixtures(painter, heads, *app_.show(), {hovered_, why_hovered()}, overlays);
     if (drag_ == Drag::lamp) paint_moved(painter, heads, moved_by_m_, drag_at_, lamp_->words(moved_by_m_));
     if (const auto object = app_.marked(); object && overlays.marks)
-        paint_object(painter, place, picture.camera, app_.opened().objects[*object]);
+        paint_object(painter, place, picture.camera, app_.opened().objects[*object],
+                     drag_ == Drag::object ? moved_by_m_ : glm::vec3(0));
+    if (const auto handle = handle_of_object(); handle && drag_ != Drag::object)
+        paint_handle(painter, *handle);
+    if (drag_ == Drag::object) paint_words(painter, drag_at_, lamp_->words(moved_by_m_));
     if (picture.false_colour.measure != Measure::none) paint_legend(painter, size(), picture.false_colour);
     const double figures_px = overlays.figures ? paint_figures(painter, size(), figures_.lines()) : 0;
     if (overlays.chips) paint_chips(painter, size(), chips_of(app_), figures_px);

@@ -24,6 +24,8 @@ public:
     OverlayChoice overlays;
     // The selected fixtures were dragged so far, in metres of the world; none: they cannot be.
     std::function<void(const glm::vec3& by_m)> on_move;
+    // The chosen object of the stage was dragged so far over the floor.
+    std::function<void(std::size_t object, const glm::vec3& by_m)> on_move_object;
     // Shift and a click: the selected heads shall point at what the picture shows there, (0, 0) its top left
     // corner.
     std::function<void(const glm::vec2& place)> on_aim;
@@ -52,7 +54,7 @@ protected:
     void leaveEvent(QEvent*) override;
 
 private:
-    enum class Drag { none, undecided, orbit, turn, pan, box, lamp, wipe };
+    enum class Drag { none, undecided, orbit, turn, pan, box, lamp, object, wipe };
 
     void take_picture();
     void ask_for_size();
@@ -65,12 +67,17 @@ private:
     std::optional<std::size_t> lamp_at(const QPointF& place) const;
     Drag drag_of_left(Qt::KeyboardModifiers keys);
     void drag_lamp(bool upright);
+    // Of the chosen object; nothing: none is, or it is not in sight.
+    std::optional<QPointF> handle_of_object() const;
+    bool is_on_handle(const QPointF& place) const;
+    void drag_object(bool freely);
     void hover_at(const QPointF& place);
     void set_hovered(std::optional<std::size_t> fixture);
     QString why_hovered() const;
     void click(const QPointF& place, Qt::KeyboardModifiers keys);
     void select_one(std::size_t fixture, bool adds);
     void select_picked();
+    void choose_picked(const Picked& picked);
 
     AppModel& app_;
     QTimer resize_timer_;
@@ -84,7 +91,8 @@ private:
     QTimer hover_timer_;                 // until the mouse rests on it
     std::uint64_t picked_ = 0;           // number of the pick that a click waits for; 0: none
     bool adds_picked_ = false;
-    QSet<int> held_; // keys that fly
+    bool chooses_picked_ = false; // an object that was met there
+    QSet<int> held_;              // keys that fly
     QTimer fly_timer_;
     QElapsedTimer fly_clock_;
 

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kClick_px = 4;
 constexpr float kAround_m = 2;
+constexpr double kHandle_px = 16;
+constexpr float kFloorSteps = 10; // of a set piece that is dragged, to the metre
 constexpr float kOrbit_rad_px = 0.006f;
 constexpr float kTurn_rad_px = 0.003f;
 
@@ -45,6 +47,11 @@ void View::mousePressEvent(QMouseEvent* event) {
 // What a drag with the left button is that has begun: of a selected lamp, of a box, of the camera.
 View::Drag View::drag_of_left(Qt::KeyboardModifiers keys) {
     if (keys & Qt::ControlModifier) return Drag::box;
+    if (is_on_handle(drag_from_)) {
+        lamp_ = LampDrag(app_.opened().objects[*app_.marked()].centre_m, {});
+        moved_by_m_ = glm::vec3(0);
+        return Drag::object;
+    }
     const auto hit = lamp_at(drag_from_);
     if (hit && on_move && app_.selection().contains(*hit)) {
         const auto drag_of = [&](std::size_t index) {
@@ -81,9 +88,11 @@ void View::mouseMoveEvent(QMouseEvent* event) {
         app_.set_camera(scene::panned(camera, -x / height, y / height));
     else if (drag_ == Drag::lamp)
         drag_lamp(event->modifiers() & Qt::ShiftModifier);
+    else if (drag_ == Drag::object)
+        drag_object(event->modifiers() & Qt::ShiftModifier);
     else if (drag_ == Drag::wipe)
         wipe_.set_share(drag_at_.x() / std::max(width(), 1));
-    if (drag_ == Drag::lamp || drag_ == Drag::box || drag_ == Drag::wipe) update();
+    if (drag_ == Drag::lamp || drag_ == Drag::object || drag_ == Drag::box || drag_ == Drag::wipe) update();
 }
 
 // The place that was taken hold of stays under the mouse.
@@ -93,9 +102,26 @@ void View::drag_lamp(bool upright) {
                   lamp_->by_m(eye_m, way_of_mouse(drag_from_), upright);
 }
 
+std::optional<QPointF> View::handle_of_object() const {
+    const auto object = app_.marked();
+    if (!object || !on_move_object || !overlays.marks) return std::nullopt;
+    return to_widget(rect_of_picture(), camera_of_picture(), app_.opened().objects[*object].centre_m);
+}
+
+bool View::is_on_handle(const QPointF& place) const {
+    const auto handle = handle_of_object();
+    return handle && QLineF(*handle, place).length() < kHandle_px;
+}
+
+// Over the floor, its height stays.
+void View::drag_object(bool freely) {
+    drag_lamp(false);
+    if (!freely) moved_by_m_ = glm::round(moved_by_m_ * kFloorSteps) / kFloorSteps;
+}
+
 void View::hover_at(const QPointF& place) {
     const auto hit = app_.show() ? lamp_at(place) : std::nullopt;
-    const bool moves = hit && on_move && app_.selection().contains(*hit);
+    const bool moves = is_on_handle(place) || (hit && on_move && app_.selection().contains(*hit));
     setCursor(wipe_.is_near(size(), place.x()) ? Qt::SplitHCursor
               : moves                          ? Qt::SizeAllCursor
                                                : Qt::ArrowCursor);
@@ -157,6 +183,7 @@ void View::click(const QPointF& place, Qt::KeyboardModifiers keys) {
     }
     if (!adds) app_.select({});
     adds_picked_ = adds;
+    chooses_picked_ = false;
     picked_ = app_.pick(camera_of_picture().position_m, way_of_mouse(place));
 }
 
@@ -168,9 +195,28 @@ void View::select_one(std::size_t fixture, bool adds) {
 
 void View::select_picked() {
     const Picked& picked = app_.picked();
-    if (picked.number != picked_ || !picked.fixture) return;
+    if (picked.number != picked_) return;
+    if (chooses_picked_ && picked.hit && !picked.fixture) {
+        choose_picked(picked);
+        return;
+    }
+    if (!picked.fixture) return;
     picked_ = 0;
     if (*picked.fixture < app_.show()->fixtures.size()) select_one(*picked.fixture, adds_picked_);
+}
+
+// Of objects called so the one that is there.
+void View::choose_picked(const Picked& picked) {
+    picked_ = 0;
+    const std::vector<Object>& objects = app_.opened().objects;
+    std::optional<std::size_t> nearest;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (objects[i].name != picked.object) continue;
+        if (!nearest || glm::distance(objects[i].centre_m, picked.at_m) <
+                            glm::distance(objects[*nearest].centre_m, picked.at_m))
+            nearest = i;
+    }
+    app_.mark(nearest);
 }
 
 void View::mouseReleaseEvent(QMouseEvent* event) {
@@ -179,6 +225,10 @@ void View::mouseReleaseEvent(QMouseEvent* event) {
         click(event->position(), event->modifiers());
     } else if (drag == Drag::lamp) {
         if (moved_by_m_ != glm::vec3(0)) on_move(moved_by_m_);
+        update();
+    } else if (drag == Drag::object) {
+        if (const auto object = app_.marked(); object && moved_by_m_ != glm::vec3(0))
+            on_move_object(*object, moved_by_m_);
         update();
     } else if (drag == Drag::box) {
         std::set<std::size_t> selection =
@@ -192,8 +242,12 @@ void View::mouseReleaseEvent(QMouseEvent* event) {
 
 void View::mouseDoubleClickEvent(QMouseEvent* event) {
     if (!app_.show()) return;
-    if (const auto hit = lamp_at(event->position()))
+    if (const auto hit = lamp_at(event->position())) {
         app_.look_at(app_.rig().fixtures[*hit].light_m, kAround_m);
+        return;
+    }
+    chooses_picked_ = true;
+    picked_ = app_.pick(camera_of_picture().position_m, way_of_mouse(event->position()));
 }
 
 void View::wheelEvent(QWheelEvent* event) {

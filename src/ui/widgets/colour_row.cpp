@@ -7,7 +7,21 @@
 
 #include <QHBoxLayout>
 
+#include <cmath>
+
 namespace ghost::ui {
+namespace {
+
+// Words on that ground, black or white, whichever has more contrast (WCAG 2.1: the luminance where both have
+// the same is 0.179).
+QColor words_on(const QColor& ground) {
+    const auto linear = [](float share) { return std::pow(share, 2.2f); };
+    const float luminance = 0.2126f * linear(ground.redF()) + 0.7152f * linear(ground.greenF()) +
+                            0.0722f * linear(ground.blueF());
+    return luminance > 0.179f ? Qt::black : Qt::white;
+}
+
+} // namespace
 
 ColourRow::ColourRow(const QString& name, QWidget* parent)
     : QWidget(parent), label_(new QLabel(name, this)), button_(new QPushButton(this)),
@@ -51,7 +65,7 @@ void ColourRow::show_colour(const QColor& colour, bool by_hand, bool mixed) {
     const QString style =
         QString("QPushButton { background: %1; color: %2; border: 1px solid #55555a; padding: 4px; } "
                 "QPushButton:focus { border: 2px solid %3; }")
-            .arg(colour.name(), colour.lightnessF() > 0.5f ? "#111111" : "#eeeeee", accent().name());
+            .arg(colour.name(), words_on(colour).name(), accent().name());
     if (style != button_->styleSheet()) button_->setStyleSheet(style); // it costs a layout
     release_->setEnabled(by_hand);
     QPalette colours = palette();

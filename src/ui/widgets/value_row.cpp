@@ -28,9 +28,12 @@ MixedSpinBox::MixedSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
 }
 
 void MixedSpinBox::set_mixed(bool mixed) {
-    if (mixed == is_mixed_) return;
+    if (unit_.isEmpty()) unit_ = suffix();
+    const QString unit = mixed ? QString() : unit_; // "mixed" has none, whatever value comes behind it
+    if (mixed == is_mixed_ && suffix() == unit) return;
     is_mixed_ = mixed;
-    lineEdit()->setText(prefix() + textFromValue(value()) + (mixed ? QString() : suffix()));
+    setSuffix(unit);
+    lineEdit()->setText(textFromValue(value()) + unit);
 }
 
 QString MixedSpinBox::textFromValue(double value) const {
@@ -58,7 +61,7 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
     field_->setSuffix(range.unit);
     field_->setKeyboardTracking(false);
     field_->setAccessibleName(name);
-    field_->setFixedWidth(fontMetrics().averageCharWidth() * 14);
+    field_->setFixedWidth(fontMetrics().averageCharWidth() * 13);
     release_->setText("\u21BA"); // back
     release_->setToolTip("Give it back to the show and the desk");
     release_->setEnabled(false);
@@ -83,7 +86,7 @@ ValueRow::ValueRow(const QString& name, const ValueRange& range, QWidget* parent
 }
 
 int ValueRow::label_width(const QWidget& widget) {
-    return widget.fontMetrics().averageCharWidth() * 14;
+    return widget.fontMetrics().averageCharWidth() * 12;
 }
 
 int ValueRow::to_slider(double value) const {

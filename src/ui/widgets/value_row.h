@@ -39,6 +39,7 @@ public:
 
 private:
     bool is_mixed_ = false;
+    QString unit_;
     bool is_typed_over_ = false; // and not finished
 };
 

@@ -12,12 +12,13 @@ namespace {
 
 // Order and groups; an action that is not named here stands at the end of its menu.
 constexpr std::pair<const char*, const char*> kMenus[] = {
-    {"Show",
-     "new open @recent import-plot open-demo - save save-as save-copy reload - save-picture screenshot "
-     "panel-export cancel-jobs - take-plot - quit"},
+    {"Show", "new open @recent import-plot open-demo - save save-as save-copy reload - panel-plot plot-text "
+             "save-picture screenshot "
+             "panel-export cancel-jobs - take-plot - quit"},
     {"Edit",
      "undo redo - select-all select-none select-similar find - hold release release-all - add-fixture "
-     "duplicate remove unpatch hang aim-through - distribute align-x align-y align-z - set-stage add-model "
+     "duplicate remove unpatch hang aim-through - distribute align-x align-y align-z nudge-left nudge-right "
+     "nudge-up-stage nudge-down-stage - set-stage add-model "
      "add-hazer substitute - take-changes drop-changes take-over"},
     {"View",
      "work-light black-out - false-lux false-luminance probe wipe - chips figures frame names addresses aims "

@@ -56,7 +56,7 @@ void NoticeBar::say_without_optics() {
         ask(QString("%1 %2 no optics in %3: what is seen of their light is assumed.")
                 .arg(heads)
                 .arg(heads == 1 ? "head has" : "heads have", heads == 1 ? "its file" : "their files"),
-            {{"Substitute...", "substitute"}, {"All messages", "panel-messages on"}, {"Close", ""}});
+            {{"What this plot has", "panel-plot on"}, {"Close", ""}});
 }
 
 void NoticeBar::say_not_opened() {

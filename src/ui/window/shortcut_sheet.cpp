@@ -15,7 +15,8 @@ const char* const kMouse =
     "<tr><td><b>W A S D, arrows</b></td><td>fly; Q, E or page keys: down, up; Shift: faster</td></tr>"
     "<tr><td><b>click, Ctrl+click</b></td><td>select a fixture, one more</td></tr>"
     "<tr><td><b>Ctrl+drag</b></td><td>select all in a box</td></tr>"
-    "<tr><td><b>double click</b></td><td>go to a fixture</td></tr>";
+    "<tr><td><b>double click</b></td><td>go to a fixture; choose a set piece, which its cross "
+    "moves</td></tr>";
 
 QString rows(const Actions& actions, const QString& menu) {
     QString text;

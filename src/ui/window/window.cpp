@@ -7,6 +7,7 @@
 #include "ui/actions/fan_actions.h"
 #include "ui/actions/hang_edit.h"
 #include "ui/actions/look_actions.h"
+#include "ui/actions/object_edit.h"
 #include "ui/actions/patch_actions.h"
 #include "ui/actions/patch_edit.h"
 #include "ui/actions/programmer_actions.h"
@@ -21,6 +22,7 @@
 #include "ui/panels/look_panel.h"
 #include "ui/panels/message_panel.h"
 #include "ui/panels/network_panel.h"
+#include "ui/panels/plot_panel.h"
 #include "ui/panels/programmer_panel.h"
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/transport_panel.h"
@@ -29,14 +31,15 @@
 #include "ui/picture/view_bar.h"
 #include "ui/widgets/focus_guide.h"
 #include "ui/widgets/wheel_guard.h"
+#include "ui/window/plot_actions.h"
 #include "ui/window/private/meter_actions.h"
 #include "ui/window/private/notice_bar.h"
 #include "ui/window/private/welcome.h"
-#include "ui/window/substitute.h"
 
 #include <QApplication>
 #include <QCloseEvent>
 #include <QFileInfo>
+#include <QLayout>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
@@ -47,6 +50,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 namespace ghost::ui {
 namespace {
@@ -58,9 +62,9 @@ constexpr double kDemoBegins_s = 55;     // its first eight seconds are dark
 } // namespace
 
 Window::Window(Link& link, const WindowOptions& options)
-    : options_(options), app_(link), document_(app_), looks_(app_), cues_(app_, document_, looks_),
-      palettes_(app_, document_), exporter_(app_, document_), second_(app_), actions_(*this),
-      view_(new View(app_, this)), recent_(app_, options.remembers),
+    : options_(options), app_(link), document_(app_), looks_(app_), plot_report_(app_, options.fixtures),
+      cues_(app_, document_, looks_), palettes_(app_, document_), exporter_(app_, document_), second_(app_),
+      actions_(*this), view_(new View(app_, this)), recent_(app_, options.remembers),
       menus_(actions_, app_, document_, recent_), toast_(new Toast(view_)), status_input_(new QLabel(this)),
       status_supply_(new QLabel(this)), status_jobs_(new QLabel(this)), status_device_(new QLabel(this)) {
     setWindowTitle("Ghostlight");
@@ -99,12 +103,18 @@ Window::Window(Link& link, const WindowOptions& options)
         if (const auto done = PatchEdit(app_, document_).move_by(by_m); !done.ok())
             actions_.complain(done.error());
     };
+    view_->on_move_object = [this](std::size_t object, const glm::vec3& by_m) {
+        if (const auto done = move_object(app_, document_, object, by_m); !done.ok())
+            actions_.complain(done.error());
+    };
+    add_object_actions(actions_, app_, document_);
     add_air_actions(actions_, app_, document_);
     add_bounce_actions(actions_, app_, document_);
     add_document_actions(actions_, document_);
     add_show_actions(actions_, app_, document_, options_.docs, *this);
     add_selection_actions(actions_, app_);
-    add_substitute_action(actions_, app_, document_, options_.fixtures, *this);
+    add_plot_actions(actions_, app_, document_, plot_report_);
+    connect(&plot_report_, &PlotReport::changed, this, &Window::show_plot_page);
     new FocusGuide(view_);
     menus_.fill(*menuBar());
     menuBar()->setCornerWidget(new ViewBar(app_, actions_, menuBar()), Qt::TopRightCorner);
@@ -134,6 +144,7 @@ Window::Window(Link& link, const WindowOptions& options)
                                                                         : app_.show()->name) +
                        "[*] - Ghostlight");
         if (app_.opened().is_edit) return;
+        plot_is_new_ = !app_.opened().again && !app_.show()->plot_file.empty();
         end_waiting();
         begin_where_there_is_light();
         view_->setFocus();
@@ -229,16 +240,26 @@ QDockWidget* Window::add_panel(const QString& name, const QString& title, QWidge
     docks_.push_back(dock);
     const QString key = docks_.size() <= 9 ? QString("Ctrl+%1").arg(docks_.size()) : QString();
     actions_.add({"panel-" + name, "Panels", title, key, "[on|off]",
-                  [dock](const QStringList& words) -> Result<void> {
+                  [this, dock](const QStringList& words) -> Result<void> {
                       // One that lies behind another's tab counts as visible, but nobody sees it.
                       const bool is_seen = dock->isVisible() && !dock->visibleRegion().isEmpty();
                       dock->setVisible(words.isEmpty() ? !is_seen : words[0] == "on");
                       if (dock->isVisible()) dock->raise();
+                      if (dock->isVisible()) keep_low(*dock);
                       return {};
                   },
                   [dock] { return dock->isVisible(); }});
     connect(dock, &QDockWidget::visibilityChanged, this, [this] { actions_.refresh(); });
     return dock;
+}
+
+// The picture stays the larger part where a panel below it comes for the first time.
+void Window::keep_low(QDockWidget& dock) {
+    const bool is_below = dockWidgetArea(&dock) == Qt::BottomDockWidgetArea && !dock.isFloating();
+    if (!is_below || !came_below_.insert(&dock).second) return;
+    layout()->activate();
+    const int most_px = height() * 3 / 10;
+    if (dock.height() > most_px) resizeDocks({&dock}, {most_px}, Qt::Vertical);
 }
 
 void Window::add_panels() {
@@ -281,11 +302,16 @@ void Window::add_panels() {
     cue_table_ = new CuePanel(app_, cues_, looks_, actions_, this);
     QDockWidget* cues = add_panel("cues", "Cues", cue_table_, Qt::RightDockWidgetArea);
     tabifyDockWidget(looks, cues);
+    QDockWidget* plot =
+        add_panel("plot", "Plot", new PlotPanel(app_, plot_report_, actions_, this), Qt::RightDockWidgetArea);
+    tabifyDockWidget(hand, plot);
+    actions_.item("panel-plot")->setText("What this plot has");
     QDockWidget* const browsers = options_.browsers ? add_browsers(*options_.browsers) : nullptr;
     if (browsers) tabifyDockWidget(air, browsers);
     exports->hide();
     air->hide();
     cues->hide();
+    plot->hide();
     if (browsers) browsers->hide();
     hand->raise();
     network->hide();
@@ -328,12 +354,13 @@ void Window::add_strip() {
 
 // The picture first: of a window of 1366x768, 1920x1080 and 2560x1440 it has 60, 70 and 75 %.
 void Window::lay_out() {
-    const int column_px = std::clamp(width() * 22 / 100, 240, 330);
+    const int column_px = std::clamp(width() * 22 / 100, 264, 330);
     QDockWidget* const list = docks_.front();
     const auto dock = [this](const char* name) { return findChild<QDockWidget*>(name); };
     if (width() < kTwoColumnsFrom_px) {
         splitDockWidget(list, dock("values"), Qt::Vertical);
-        for (const char* const name : {"programmer", "scene", "looks", "cues", "export", "air", "browsers"})
+        for (const char* const name :
+             {"programmer", "plot", "scene", "looks", "cues", "export", "air", "browsers"})
             if (dock(name)) tabifyDockWidget(dock("values"), dock(name));
         dock("programmer")->raise();
         resizeDocks({list}, {column_px}, Qt::Horizontal);
@@ -373,10 +400,10 @@ void Window::begin_where_there_is_light() {
 
 // What else would show nothing.
 void Window::say_done(const Action& action) {
-    static const std::set<QString> kSays{"keep-camera", "hang",       "duplicate",     "remove",
-                                         "unpatch",     "distribute", "add-fixture",   "add-model",
-                                         "set-stage",   "substitute", "palette-store", "palette-remove",
-                                         "cue-add"};
+    static const std::set<QString> kSays{"keep-camera",   "hang",           "duplicate",       "remove",
+                                         "unpatch",       "distribute",     "add-fixture",     "add-model",
+                                         "set-stage",     "substitute",     "substitute-same", "move-object",
+                                         "palette-store", "palette-remove", "cue-add"};
     if (action.name == "save")
         toast_->say("Saved: " + QString::fromStdString(app_.show()->file.filename().string()));
     else if (kSays.contains(action.name))
@@ -391,6 +418,15 @@ void Window::say_hand_taken() {
             QString("By hand now: %1. R gives back what is selected, Shift+R all").arg(words_of(app_.look())),
             [this] { actions_.choose("undo"); });
     had_hand_ = has_hand;
+}
+
+// By itself where something is lost, dark or guessed that a designer should know of; in its place among the
+// panels, so that the picture keeps its own.
+void Window::show_plot_page() {
+    const scene::PlotPage* const page = plot_report_.page();
+    if (!page || !std::exchange(plot_is_new_, false)) return;
+    if (page->matters() && !isFullScreen())
+        if (const auto done = actions_.run("panel-plot on"); !done.ok()) actions_.complain(done.error());
 }
 
 void Window::name_cameras() {

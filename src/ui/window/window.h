@@ -9,6 +9,7 @@
 #include "ui/actions/palette_list.h"
 #include "ui/model/app_model.h"
 #include "ui/model/looks.h"
+#include "ui/model/plot_report.h"
 #include "ui/model/recent_shows.h"
 #include "ui/model/show_document.h"
 #include "ui/picture/view.h"
@@ -24,6 +25,8 @@
 #include <QLabel>
 #include <QMainWindow>
 #include <QToolBar>
+
+#include <set>
 
 namespace ghost::ui {
 
@@ -57,12 +60,14 @@ private:
     void add_window_actions();
     void add_view_switches();
     void lay_out();
+    void keep_low(QDockWidget& dock);
     void wait_for_show();
     void end_waiting();
     void begin_where_there_is_light();
     void say_done(const Action& action);
     void say_hand_taken();
     void name_cameras();
+    void show_plot_page();
     void show_status();
     void show_jobs();
     // In the status line, whole as its tool tip.
@@ -76,6 +81,7 @@ private:
     AppModel app_;
     ShowDocument document_;
     Looks looks_;
+    PlotReport plot_report_;
     CueList cues_;
     PaletteList palettes_;
     Exporter exporter_;
@@ -87,13 +93,15 @@ private:
     RecentShows recent_;
     Menus menus_;
     Toast* toast_;
-    bool had_hand_ = false; // something was set by hand when it was last looked at
+    bool plot_is_new_ = false; // its page was not looked at yet
+    bool had_hand_ = false;    // something was set by hand when it was last looked at
     FixturePanel* fixtures_ = nullptr;
     ProgrammerPanel* programmer_ = nullptr;
     LookPanel* look_list_ = nullptr;
     CuePanel* cue_table_ = nullptr;
     std::vector<QDockWidget*> docks_;
     std::vector<QDockWidget*> docks_waiting_; // shown with the first show
+    std::set<const QDockWidget*> came_below_; // once, or more
     std::vector<bool> docks_shown_;           // before full screen
     std::vector<QDockWidget*> in_front_;      // likewise, of those behind one another
     NoticeBar* notice_ = nullptr;

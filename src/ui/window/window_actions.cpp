@@ -301,6 +301,20 @@ Result<void> Window::save_state(const QStringList& arguments) {
     state["dark"] = static_cast<int>(
         std::count_if(app_.verdicts().begin(), app_.verdicts().end(),
                       [](const Verdict& verdict) { return verdict.visibility != scene::Visibility::lit; }));
+    if (const scene::PlotPage* const page = plot_report_.page()) {
+        QJsonArray lightless;
+        for (const scene::LightlessType& type : page->lightless)
+            lightless.append(QJsonObject{
+                {"file", QString::fromStdString(type.wanted)},
+                {"heads", static_cast<int>(type.fixtures.size())},
+                {"dark", type.is_dark},
+                {"stand_in",
+                 type.stand_ins.empty() ? QString() : QString::fromStdString(type.stand_ins.front().label)}});
+        state["plot_page"] = QJsonObject{{"missing", page->count(Severity::error)},
+                                         {"guessed", page->count(Severity::warning)},
+                                         {"odd", page->count(Severity::note)},
+                                         {"lightless", lightless}};
+    }
     QJsonArray jobs;
     for (const Job& job : app_.jobs().all())
         jobs.append(QJsonObject{{"title", job.title},

@@ -66,9 +66,9 @@ TEST(Actions, what_asks_a_person_for_a_file_tells_a_script_to_name_it) {
         EXPECT_EQ(opened.error_of(action.name.toStdString()),
                   action.name.toStdString() + ": it needs the name of a file");
     }
-    EXPECT_EQ(asking,
-              (std::set<QString>{"open", "play-file", "save-picture", "screenshot", "add-fixture",
-                                 "add-model", "set-stage", "save-copy", "new", "import-plot", "save-as"}));
+    EXPECT_EQ(asking, (std::set<QString>{"open", "play-file", "save-picture", "screenshot", "add-fixture",
+                                         "add-model", "set-stage", "save-copy", "new", "import-plot",
+                                         "save-as", "plot-text"}));
 }
 
 TEST(Actions, no_name_and_no_key_stands_twice_and_what_is_in_a_menu_has_words) {

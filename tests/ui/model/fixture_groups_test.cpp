@@ -4,7 +4,6 @@
 #include "support/test_desk.h"
 #include "ui/model/fixture_groups.h"
 #include "ui/panels/fixture_panel.h"
-#include "ui/window/substitute.h"
 
 #include "show_file/substitute_edit.h"
 

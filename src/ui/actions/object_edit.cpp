@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/actions/object_edit.h"
+
+#include "base/suggest.h"
+#include "base/text.h"
+#include "show/show.h"
+#include "show_file/object_edit.h"
+#include "stage/overrides.h"
+#include "ui/actions/patch_edit.h"
+
+#include <algorithm>
+
+namespace ghost::ui {
+namespace {
+
+constexpr double kFarthest_m = scene::kMaxCoordinate_m;
+constexpr float kNudge_m = 0.1f;
+
+Result<std::size_t> object_called(const AppModel& app, const QString& name) {
+    if (!app.show()) return Error{"no show is open", ""};
+    if (name.isEmpty()) {
+        if (app.marked()) return *app.marked();
+        return Error{"no object of the stage is chosen: double click one, or choose it in Scene", ""};
+    }
+    std::vector<std::string> names;
+    const std::vector<Object>& objects = app.opened().objects;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        if (objects[i].name == name.toStdString()) return i;
+        names.push_back(objects[i].name);
+    }
+    return Error{
+        "the stage has no object '" + name.toStdString() + "'" + did_you_mean(name.toStdString(), names), ""};
+}
+
+// What has several materials comes as several objects of one name at one place.
+bool is_part_of(const Object& one, const Object& other) {
+    return glm::distance(one.centre_m, other.centre_m) < std::max(one.radius_m, other.radius_m);
+}
+
+// What the show moves it by already.
+glm::vec3 moved_m(const scene::Show& show, const std::string& name) {
+    glm::vec3 moved(0);
+    for (const scene::ObjectSettings& settings : show.objects)
+        if (settings.move_m && matches(settings.name, name)) moved = *settings.move_m;
+    return moved;
+}
+
+} // namespace
+
+Result<void> move_object(AppModel& app, ShowDocument& document, std::size_t object, const glm::vec3& by_m) {
+    TRY_VOID(document.check_editable());
+    const std::vector<Object>& objects = app.opened().objects;
+    if (object >= objects.size()) return Error{"there is no such object", ""};
+    const std::string& name = objects[object].name;
+    const auto elsewhere = std::count_if(objects.begin(), objects.end(), [&](const Object& one) {
+        return matches(name, one.name) && !is_part_of(one, objects[object]);
+    });
+    if (elsewhere > 0)
+        return Error{std::to_string(elsewhere + 1) + " objects are called '" + name +
+                         "', and a show knows them by name: in the model give each its own",
+                     ""};
+    const glm::vec3 move_m = glm::round((moved_m(*app.show(), name) + by_m) * 1000.0f) / 1000.0f;
+    TRY(std::string text, scene::set_object_move(document.text(), name, move_m));
+    return document.edit("Move '" + QString::fromStdString(name) + "'",
+                         {std::move(text), app.look(), app.selection()});
+}
+
+void add_object_actions(Actions& actions, AppModel& app, ShowDocument& document) {
+    actions.add({"choose-object",
+                 "",
+                 "choose-object",
+                 "",
+                 "[OBJECT]",
+                 [&app](const QStringList& words) -> Result<void> {
+                     if (words.isEmpty()) {
+                         app.mark(std::nullopt);
+                         return {};
+                     }
+                     TRY(const std::size_t object, object_called(app, words[0]));
+                     app.mark(object);
+                     return {};
+                 },
+                 {}});
+    actions.add({"move-object",
+                 "",
+                 "move-object",
+                 "",
+                 "X Y Z [OBJECT]",
+                 [&app, &document](const QStringList& words) -> Result<void> {
+                     glm::vec3 by_m(0);
+                     for (int axis = 0; axis < 3; ++axis) {
+                         TRY(const double metres,
+                             number_of(words, axis, "metres", -kFarthest_m, kFarthest_m));
+                         by_m[axis] = static_cast<float>(metres);
+                     }
+                     TRY(const std::size_t object, object_called(app, words.value(3)));
+                     return move_object(app, document, object, by_m);
+                 },
+                 {}});
+    const auto nudge = [&](const QString& name, const QString& where, const QString& key,
+                           const glm::vec3& way) {
+        actions.add({"nudge-" + name,
+                     "Edit",
+                     "Move by 0.1 m " + where,
+                     key,
+                     "",
+                     [&app, &document, way](const QStringList&) -> Result<void> {
+                         // A chosen set piece, where no fixture is selected.
+                         if (!app.selection().empty())
+                             return PatchEdit(app, document).move_by(kNudge_m * way);
+                         TRY(const std::size_t object, object_called(app, {}));
+                         return move_object(app, document, object, kNudge_m * way);
+                     },
+                     {}});
+    };
+    nudge("left", "to the left", "Alt+Left", {-1, 0, 0});
+    nudge("right", "to the right", "Alt+Right", {1, 0, 0});
+    nudge("up-stage", "up-stage", "Alt+Up", {0, 1, 0});
+    nudge("down-stage", "down-stage", "Alt+Down", {0, -1, 0});
+}
+
+} // namespace ghost::ui

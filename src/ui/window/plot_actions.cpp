@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "ui/window/plot_actions.h"
+
+#include "disk/files.h"
+#include "show/show.h"
+#include "show_file/substitute_edit.h"
+#include "ui/actions/patch_edit.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include <utility>
+
+namespace ghost::ui {
+namespace {
+
+// What waits until a plot has become a show.
+class AfterImport : public QObject {
+public:
+    AfterImport(Actions& actions, AppModel& app, ShowDocument& document)
+        : QObject(&app), actions_(actions), app_(app), document_(document) {
+        connect(&app_, &AppModel::opened_show, this, [this] {
+            if (waiting_.empty() || app_.opened().is_edit) return;
+            const std::vector<Substitute> all = std::exchange(waiting_, {});
+            if (app_.show()->plot_file.filename() != plot_) return; // another show was opened meanwhile
+            if (const auto done = substitute(app_, document_, all); !done.ok())
+                actions_.complain(done.error());
+        });
+        connect(&app_.jobs(), &Jobs::ended, this, [this](const Job& job) {
+            if (job.state != Job::State::done) waiting_.clear();
+        });
+    }
+
+    Result<void> take(const std::vector<Substitute>& all) {
+        if (!app_.show()) return Error{"no show is open", ""};
+        if (app_.show()->file != app_.show()->plot_file) return substitute(app_, document_, all);
+        TRY_VOID(actions_.run("import-plot " + quoted(QString::fromStdString(app_.show()->file.string()))));
+        waiting_ = all;
+        plot_ = app_.show()->plot_file.filename();
+        return {};
+    }
+
+private:
+    Actions& actions_;
+    AppModel& app_;
+    ShowDocument& document_;
+    std::vector<Substitute> waiting_;
+    std::filesystem::path plot_;
+};
+
+Result<const scene::PlotPage*> page_of(const PlotReport& report) {
+    if (!report.page()) return Error{"no show is open, or it is still being looked through", ""};
+    return report.page();
+}
+
+std::string some_words(const QStringList& words) {
+    return words.join(' ').toStdString();
+}
+
+// What the page says about a file, or about a kind of fault.
+Result<std::set<std::size_t>> fixtures_of(const scene::PlotPage& page, const std::string& words) {
+    std::set<std::size_t> fixtures;
+    for (const scene::LightlessType& type : page.lightless)
+        if (type.wanted == words) fixtures.insert(type.fixtures.begin(), type.fixtures.end());
+    for (const scene::PageGroup& group : page.groups)
+        if (group.kind == words || group.title == words)
+            fixtures.insert(group.fixtures.begin(), group.fixtures.end());
+    if (fixtures.empty())
+        return Error{"the page of the plot has no fixtures of a file, a kind or a title called so", words};
+    return fixtures;
+}
+
+} // namespace
+
+Result<void> substitute(AppModel& app, ShowDocument& document, const std::vector<Substitute>& all) {
+    TRY_VOID(document.check_editable());
+    std::string text = document.text();
+    for (const Substitute& one : all) {
+        TRY(const std::string inside, PatchEdit(app, document).fixture_beside_show(one.file));
+        TRY(text, scene::set_substitute(text, one.wanted, inside, one.mode));
+    }
+    const QString what = all.size() == 1 ? "Substitute '" + QString::fromStdString(all.front().wanted) + "'"
+                                         : QString("Substitute %1 fixture files").arg(all.size());
+    return document.edit(what, {std::move(text), app.look(), app.selection()});
+}
+
+void add_plot_actions(Actions& actions, AppModel& app, ShowDocument& document, const PlotReport& report) {
+    auto* const after = new AfterImport(actions, app, document);
+    actions.add({"substitute",
+                 "Edit",
+                 "Substitute fixture files",
+                 "",
+                 "[FOR FILE [MODE]]",
+                 [&actions, &app, after](const QStringList& words) -> Result<void> {
+                     if (words.size() == 1)
+                         return Error{"it needs the file to stand in, too", words[0].toStdString()};
+                     if (words.isEmpty()) {
+                         if (!app.show()) return Error{"no show is open", ""};
+                         return actions.run("panel-plot on");
+                     }
+                     return after->take(
+                         {{words[0].toStdString(), words[1].toStdString(), words.value(2).toStdString()}});
+                 },
+                 {}});
+    actions.add(
+        {"substitute-same",
+         "",
+         "substitute-same",
+         "",
+         "",
+         [after, &report](const QStringList&) -> Result<void> {
+             TRY(const scene::PlotPage* const page, page_of(report));
+             std::vector<Substitute> all;
+             for (const scene::LightlessType& type : page->lightless)
+                 if (!type.stand_ins.empty() && type.stand_ins.front().seems_same)
+                     all.push_back({type.wanted, type.stand_ins.front().file, type.stand_ins.front().mode});
+             if (all.empty()) return Error{"there is no fixture file that seems to be the same", ""};
+             return after->take(all);
+         },
+         {}});
+    actions.add({"plot-select",
+                 "",
+                 "plot-select",
+                 "",
+                 "FILE|KIND",
+                 [&app, &report](const QStringList& words) -> Result<void> {
+                     TRY(const scene::PlotPage* const page, page_of(report));
+                     TRY(std::set<std::size_t> fixtures, fixtures_of(*page, some_words(words)));
+                     app.select(std::move(fixtures));
+                     return {};
+                 },
+                 {}});
+    actions.add({"plot-copy",
+                 "",
+                 "plot-copy",
+                 "",
+                 "",
+                 [&report](const QStringList&) -> Result<void> {
+                     TRY(const scene::PlotPage* const page, page_of(report));
+                     QGuiApplication::clipboard()->setText(QString::fromStdString(text_of(*page)));
+                     return {};
+                 },
+                 {}});
+    actions.add({"plot-text",
+                 "Show",
+                 "Save what the plot has as text...",
+                 "",
+                 "FILE",
+                 [&report](const QStringList& words) -> Result<void> {
+                     TRY(const scene::PlotPage* const page, page_of(report));
+                     return write_file_atomic(words.value(0).toStdString(), text_of(*page));
+                 },
+                 {},
+                 {"What the plot has, as text", "Text (*.txt)", "plot.txt"}});
+}
+
+} // namespace ghost::ui

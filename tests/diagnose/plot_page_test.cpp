@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+// The page of a plot: what was found, missing and guessed in groups, fixture files without light with what
+// could stand in, for a show that is made here.
+#include "diagnose/plot_page.h"
+#include "show/show.h"
+#include "support/mvr_files.h"
+
+#include <gtest/gtest.h>
+
+namespace ghost::scene {
+namespace {
+
+std::shared_ptr<const fixture::Type> type_of(const std::string& name, std::vector<int> lengths) {
+    auto type = std::make_shared<fixture::Type>();
+    type->name = name;
+    for (const int length : lengths) {
+        type->modes.emplace_back();
+        type->modes.back().name = "M" + std::to_string(length);
+        type->modes.back().footprint = {length};
+        type->modes.back().beams = {0};
+        type->modes.back().nodes.emplace_back().geometry = 0;
+    }
+    type->geometries.emplace_back();
+    type->geometries.back().beam.emplace();
+    return type;
+}
+
+// A plot of three spots whose file is missing and one wash, which is there.
+struct Plot {
+    Plot() {
+        show.file = show.plot_file = "tour.mvr";
+        show.plot = std::make_shared<LoadedPlot>(must(load_description(small_xml(""))));
+        show.plot->plot.gdtf_files = {{"Test@Super Spot 300.gdtf", "", 3},
+                                      {"Test@Wash.gdtf", "wash.gdtf", 1}};
+        for (int i = 0; i < 4; ++i) {
+            PlotObject object;
+            object.kind = ObjectKind::fixture;
+            object.uuid = "u" + std::to_string(i);
+            object.device.gdtf = i < 3 ? 0 : 1;
+            object.device.gdtf_spec = show.plot->plot.gdtf_files[i < 3 ? 0 : 1].spec;
+            show.plot->plot.objects.push_back(object);
+            PatchedFixture fixture;
+            fixture.name = "Head " + std::to_string(i + 1);
+            fixture.uuid = object.uuid;
+            fixture.gdtf = object.device.gdtf_spec;
+            fixture.address = i < 3 ? 1 + 8 * i : 0;
+            if (i == 3) fixture.type = type_of("Wash", {10});
+            show.fixtures.push_back(fixture);
+        }
+        offers.files = {"lib/Test@Super_Spot_300_rev2.gdtf", "lib/Vari-Lite@VL2500_Spot.gdtf",
+                        "lib/Ghostlight@LED_Par.gdtf"};
+        for (const auto& file : offers.files) offers.names.push_back(file.filename().string());
+        offers.load = [](std::size_t k) {
+            return k == 0 ? type_of("Spot", {8, 20}) : type_of("Other", {22});
+        };
+    }
+    Show show;
+    FixtureOffers offers;
+};
+
+TEST(PlotPage, a_missing_file_has_its_heads_the_likest_other_one_and_lamps_of_its_kind) {
+    const Plot plot;
+    const PlotPage page = plot_page(plot.show, {}, plot.offers);
+    ASSERT_EQ(page.lightless.size(), 1u);
+    const LightlessType& spot = page.lightless.front();
+    EXPECT_EQ(spot.wanted, "Test@Super Spot 300.gdtf");
+    EXPECT_EQ(spot.why, "is not in the plot");
+    EXPECT_EQ(spot.fixtures, (std::vector<std::size_t>{0, 1, 2}));
+    ASSERT_EQ(spot.stand_ins.size(), 3u);
+    EXPECT_EQ(spot.stand_ins[0].label, "Test@Super_Spot_300_rev2.gdtf (8 ch)");
+    EXPECT_EQ(spot.stand_ins[0].mode, "M8") << "that of the patch";
+    EXPECT_TRUE(spot.stand_ins[0].seems_same);
+    EXPECT_EQ(spot.stand_ins[1].label, "VL2500 Spot (22 ch)") << "it is called a spot, too";
+    EXPECT_EQ(spot.stand_ins[2].label, "LED par (22 ch)");
+    EXPECT_TRUE(page.matters());
+    EXPECT_EQ(page.found.front().words, "4 fixtures of 2 types, patched in 1 universe");
+}
+
+TEST(PlotPage, findings_are_grouped_by_kind_and_name_their_fixtures) {
+    const Plot plot;
+    const std::vector<Finding> findings{{Severity::warning, "unpatched",
+                                         "tour.mvr: x.xml:3: Fixture 'Head 4'", "1 fixture has no address",
+                                         "patch it"},
+                                        {Severity::note, "guessed_value", "tour.mvr", "it gets 'a'", ""},
+                                        {Severity::error, "missing_media", "tour.mvr", "no mesh 'b'", "", 2},
+                                        {Severity::error, "missing_media", "tour.mvr", "no mesh 'c'", ""}};
+    const PlotPage page = plot_page(plot.show, findings, plot.offers);
+    ASSERT_EQ(page.groups.size(), 3u);
+    EXPECT_EQ(page.groups[0].title, "Pictures and models that are missing");
+    EXPECT_EQ(page.groups[0].times, 3);
+    EXPECT_EQ(page.groups[0].lines.size(), 2u);
+    EXPECT_EQ(page.groups[1].kind, "unpatched");
+    EXPECT_EQ(page.groups[1].fixtures, (std::vector<std::size_t>{3}));
+    EXPECT_EQ(page.count(Severity::error), 3);
+    const std::string text = text_of(page);
+    EXPECT_NE(text.find("3 heads: 'Test@Super Spot 300.gdtf' is not in the plot"), std::string::npos) << text;
+    EXPECT_NE(text.find("Fixtures without an address: 1\n    Fixture 'Head 4': 1 fixture has no address\n"
+                        "      do: patch it"),
+              std::string::npos)
+        << text;
+}
+
+TEST(PlotPage, what_is_only_odd_does_not_matter) {
+    Plot plot;
+    plot.show.fixtures.erase(plot.show.fixtures.begin(), plot.show.fixtures.begin() + 3);
+    const std::vector<Finding> odd{{Severity::note, "not_used", "tour.mvr", "x", ""},
+                                   {Severity::warning, "guessed_value", "tour.mvr", "y", ""}};
+    const PlotPage page = plot_page(plot.show, odd, plot.offers);
+    EXPECT_TRUE(page.lightless.empty());
+    EXPECT_FALSE(page.matters());
+    EXPECT_TRUE(
+        plot_page(plot.show, {{Severity::error, "missing_file", "a", "b", ""}}, plot.offers).matters());
+}
+
+} // namespace
+} // namespace ghost::scene

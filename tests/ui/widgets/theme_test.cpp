@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+// Contrast of the theme, by the formula of WCAG 2.1 (relative luminance, clause 1.4.3): 4.5:1 for all words
+// that can be read, 3:1 for the ring of the focus.
+#include "support/test_window.h"
+#include "ui/widgets/theme.h"
+
+#include <QPalette>
+
+#include <cmath>
+
+namespace ghost::ui {
+namespace {
+
+double luminance(const QColor& colour) {
+    const auto linear = [](double v) {
+        return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b) {
+    const double x = luminance(a), y = luminance(b);
+    return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+TEST(Theme, the_formula_knows_black_on_white) {
+    EXPECT_NEAR(contrast(Qt::black, Qt::white), 21, 1e-6);
+    EXPECT_NEAR(contrast(QColor(119, 119, 119), Qt::white), 4.48, 0.01);
+}
+
+TEST(Theme, words_have_a_contrast_of_4_5_on_every_ground) {
+    set_theme(*qApp);
+    const QPalette palette = qApp->palette();
+    using Role = QPalette::ColorRole;
+    const std::pair<Role, Role> kPairs[] = {
+        {QPalette::WindowText, QPalette::Window},      {QPalette::Text, QPalette::Base},
+        {QPalette::Text, QPalette::AlternateBase},     {QPalette::ButtonText, QPalette::Button},
+        {QPalette::PlaceholderText, QPalette::Base},   {QPalette::HighlightedText, QPalette::Highlight},
+        {QPalette::ToolTipText, QPalette::ToolTipBase}};
+    for (const auto& [words, ground] : kPairs)
+        EXPECT_GE(contrast(palette.color(words), palette.color(ground)), 4.5) << words << " on " << ground;
+    // What is disabled need not be read, but here it says what there is.
+    for (const auto& [words, ground] : {kPairs[0], kPairs[1], kPairs[3]})
+        EXPECT_GE(
+            contrast(palette.color(QPalette::Disabled, words), palette.color(QPalette::Disabled, ground)),
+            4.5)
+            << words << " on " << ground;
+    for (const QColor& colour : {accent(), bad(), good(), faint()})
+        for (const Role ground : {QPalette::Window, QPalette::Base, QPalette::AlternateBase})
+            EXPECT_GE(contrast(colour, palette.color(ground)), 4.5) << colour.name().toStdString();
+}
+
+TEST(Theme, the_ring_of_the_focus_is_seen_on_every_ground) {
+    set_theme(*qApp);
+    for (const QPalette::ColorRole ground : {QPalette::Window, QPalette::Base, QPalette::Button})
+        EXPECT_GE(contrast(accent(), qApp->palette().color(ground)), 3);
+}
+
+} // namespace
+} // namespace ghost::ui
