@@ -159,7 +159,7 @@ std::string text_of(const BookDifference& difference) {
                  {"file", picture.file},         {"old_file", picture.old_file},
                  {"map_file", picture.map_file}, {"why_not", picture.why_not}};
         if (const auto& d = picture.difference) {
-            one["seen"] = words_of(d->seen);
+            one["seen"] = words_of(d->seen, {}); // a key of programs, in English
             one["mean"] = d->mean;
             one["p99"] = d->p99;
             one["share"] = d->share;
