@@ -92,8 +92,7 @@ MoverWatch::MoverWatch(const Show& show, const Stage& stage) : show_(show), stag
     add(false);
     std::vector<Placed> home;
     for (const Body& body : bodies_) home.push_back(placed(body, nullptr));
-    Report unheard;
-    look_for_meetings(home, 0, unheard);
+    look_for_meetings(home, 0, nullptr);
     for (std::size_t k = 0; k < moving_; ++k)
         if (home[k].round.low_m.z < -kTouch_m) low_.insert(k);
 }
@@ -112,7 +111,8 @@ MoverWatch::Placed MoverWatch::placed(const Body& body, const Rig* rig) const {
     return now;
 }
 
-void MoverWatch::look_for_meetings(const std::vector<Placed>& now, double at_s, Report& report) {
+void MoverWatch::look_for_meetings(const std::vector<Placed>& now, double at_s, Report* report) {
+    if (meetings_ > kMostSaid) return;
     for (std::size_t a = 0; a < moving_; ++a)
         for (std::size_t b = a + 1; b < bodies_.size(); ++b) {
             if (bodies_[a].mover == bodies_[b].mover || !overlap(now[a].round, now[b].round)) continue;
@@ -121,14 +121,19 @@ void MoverWatch::look_for_meetings(const std::vector<Placed>& now, double at_s, 
             const Turned other = turned(bodies_[b].own, now[b].world);
             if (!meet(one, other)) continue;
             said_.insert({a, b});
-            if (report.messages.size() >= kMostSaid) continue;
             const Mover& mover = show_.movers[static_cast<std::size_t>(bodies_[a].mover)];
+            if (!report) continue;
+            if (++meetings_ > kMostSaid) {
+                report->add(Severity::warning, mover.where,
+                            time_text(at_s) + "more bodies of movers meet; they are not named");
+                return;
+            }
             const glm::vec3 low_m = glm::max(now[a].round.low_m, now[b].round.low_m);
             const glm::vec3 high_m = glm::min(now[a].round.high_m, now[b].round.high_m);
-            report.add(Severity::warning, mover.where,
-                       time_text(at_s) + "'" + stage_.instances[bodies_[a].instance].name + "' of mover '" +
-                           mover.name + "' meets '" + stage_.instances[bodies_[b].instance].name + "' at " +
-                           place_text(0.5f * (low_m + high_m)));
+            report->add(Severity::warning, mover.where,
+                        time_text(at_s) + "'" + stage_.instances[bodies_[a].instance].name + "' of mover '" +
+                            mover.name + "' meets '" + stage_.instances[bodies_[b].instance].name + "' at " +
+                            place_text(0.5f * (low_m + high_m)));
         }
 }
 
@@ -160,7 +165,7 @@ void MoverWatch::look(const Rig& rig, double at_s, Report& report) {
                        mover.name + "' is below the floor, at " +
                        place_text({middle_m.x, middle_m.y, low_m}));
     }
-    look_for_meetings(now, at_s, report);
+    look_for_meetings(now, at_s, &report);
 }
 
 } // namespace ghost::scene

@@ -36,13 +36,15 @@ private:
         Box round; // of the world's axes
     };
     Placed placed(const Body& body, const Rig* rig) const;
-    void look_for_meetings(const std::vector<Placed>& now, double at_s, Report& report);
+    // No report: they stand where the model has them, and may meet.
+    void look_for_meetings(const std::vector<Placed>& now, double at_s, Report* report);
 
     const Show& show_;
     const Stage& stage_;
     std::vector<Body> bodies_;                           // those that move first
     std::size_t moving_ = 0;                             // how many of them do
     std::set<std::pair<std::size_t, std::size_t>> said_; // bodies that meet, or met at home
+    std::size_t meetings_ = 0;                           // of them after that
     std::set<std::size_t> low_;                          // bodies below the floor
     std::set<std::pair<std::size_t, std::size_t>> past_; // mover and axis
 };

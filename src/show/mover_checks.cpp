@@ -7,15 +7,60 @@
 #include "show/show.h"
 
 #include <algorithm>
+#include <set>
+#include <span>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
 
 namespace ghost::scene {
 namespace {
 
-std::string called(const Mover& mover) {
-    return "[[mover]] '" + mover.name.substr(0, 60) + "'";
+constexpr std::size_t kMostSaidOfNames = 200;
+constexpr int kChannels = 512; // of a universe
+
+std::string short_name(const std::string& name) {
+    return "'" + name.substr(0, 60) + "'";
 }
 
-void find_parents(std::vector<Mover>& movers, Report& report) {
+std::string called(const Mover& mover) {
+    return "[[mover]] " + short_name(mover.name);
+}
+
+// What is wrong with the names of one check; beyond kMostSaidOfNames it is counted.
+class Sentences {
+public:
+    explicit Sentences(Report& report) : report_(report) {}
+
+    void add(const std::string& where, const std::string& what) {
+        where_ = where;
+        if (++count_ <= kMostSaidOfNames) report_.add(Severity::error, where, what);
+    }
+    // then: after what is suggested.
+    void add_unknown(const std::string& where, const std::string& what, const std::string& name,
+                     std::span<const std::string> known, const std::string& then = "") {
+        const bool is_said = count_ < kMostSaidOfNames;
+        add(where, is_said ? what + suggestions_.did_you_mean(name, known) + then : "");
+    }
+    void add_taken(const Mover& mover, const char* kind, const std::string& name, const Mover& first) {
+        add(mover.where, called(mover) + " carries " + kind + " " + short_name(name) + ", which " +
+                             short_name(first.name) + " carries already; it goes with that one");
+    }
+    void end() {
+        if (count_ > kMostSaidOfNames)
+            report_.add(Severity::error, where_,
+                        std::to_string(count_ - kMostSaidOfNames) +
+                            " more names of [[mover]] entries are wrong; they are not listed");
+    }
+
+private:
+    Report& report_;
+    Suggestions suggestions_;
+    std::size_t count_ = 0;
+    std::string where_; // of the last
+};
+
+void find_parents(std::vector<Mover>& movers, Report& report, Sentences& sentences) {
     std::vector<std::string> names;
     for (const Mover& mover : movers) names.push_back(mover.name);
     for (Mover& mover : movers) {
@@ -23,9 +68,10 @@ void find_parents(std::vector<Mover>& movers, Report& report) {
         if (mover.parent_name.empty()) continue;
         const auto found = std::find(names.begin(), names.end(), mover.parent_name);
         if (found == names.end())
-            report.add(Severity::error, mover.where,
-                       called(mover) + " hangs on '" + mover.parent_name.substr(0, 60) +
-                           "', which is no mover of the show" + did_you_mean(mover.parent_name, names));
+            sentences.add_unknown(mover.where,
+                                  called(mover) + " hangs on " + short_name(mover.parent_name) +
+                                      ", which is no mover of the show",
+                                  mover.parent_name, names);
         else
             mover.parent = static_cast<int>(found - names.begin());
     }
@@ -44,21 +90,38 @@ void find_parents(std::vector<Mover>& movers, Report& report) {
     }
 }
 
+// Names of things, and which is the first of a name.
+struct Names {
+    std::vector<std::string> all;
+    std::unordered_map<std::string, std::size_t> first;
+};
+
+template <class Thing>
+Names names_of(const std::vector<Thing>& things) {
+    Names names;
+    for (const Thing& thing : things) {
+        names.first.try_emplace(thing.name, names.all.size());
+        names.all.push_back(thing.name);
+    }
+    return names;
+}
+
 // The channel of a fixture, as its file has it.
-void find_channel(const Show& show, const Mover& mover, MoverAxis& axis, Report& report) {
+void find_channel(const Show& show, const Names& names, const Mover& mover, MoverAxis& axis,
+                  Sentences& sentences) {
     if (axis.fixture.empty() || axis.attribute.empty()) return;
-    const auto say = [&](const std::string& what) {
-        report.add(Severity::error, axis.where,
-                   called(mover) + " axis '" + axis.name + "' " + what + "; no channel drives it");
-    };
-    std::vector<std::string> names;
-    for (const PatchedFixture& fixture : show.fixtures) names.push_back(fixture.name);
-    const auto found = std::find(names.begin(), names.end(), axis.fixture);
-    if (found == names.end())
-        return say("names fixture '" + axis.fixture.substr(0, 60) + "', which the show does not have" +
-                   did_you_mean(axis.fixture, names));
-    const PatchedFixture& fixture = show.fixtures[static_cast<std::size_t>(found - names.begin())];
-    if (!fixture.type) return say("is driven by '" + axis.fixture + "', whose file cannot be read");
+    const std::string begin = called(mover) + " axis " + short_name(axis.name) + " ";
+    const std::string end = "; no channel drives it";
+    const std::string whose = short_name(axis.fixture), attribute = short_name(axis.attribute);
+    const auto found = names.first.find(axis.fixture);
+    if (found == names.first.end())
+        return sentences.add_unknown(axis.where,
+                                     begin + "names fixture " + whose + ", which the show does not have",
+                                     axis.fixture, names.all, end);
+    const PatchedFixture& fixture = show.fixtures[found->second];
+    if (!fixture.type)
+        return sentences.add(axis.where,
+                             begin + "is driven by " + whose + ", whose file cannot be read" + end);
     const fixture::Patch patch = fixture.patch();
     std::vector<std::string> known;
     for (const fixture::Channel& channel : patch.mode_of().channels) {
@@ -67,10 +130,13 @@ void find_channel(const Show& show, const Mover& mover, MoverAxis& axis, Report&
             if (function.attribute != axis.attribute) continue;
             const auto at = static_cast<std::size_t>(std::max(channel.dmx_break, 1) - 1);
             if (channel.offsets.empty() || at >= patch.addresses.size() || patch.addresses[at].channel == 0)
-                return say("is driven by '" + axis.attribute + "' of '" + axis.fixture +
-                           "', which is not patched");
-            for (const int offset : channel.offsets)
-                axis.levels.push_back({patch.addresses[at].universe, patch.addresses[at].channel + offset});
+                return sentences.add(axis.where, begin + "is driven by " + attribute + " of " + whose +
+                                                     ", which is not patched" + end);
+            const fixture::Address& first = patch.addresses[at];
+            for (const int offset : channel.offsets) {
+                const int place = first.channel - 1 + offset;
+                axis.levels.push_back({first.universe + place / kChannels, place % kChannels + 1});
+            }
             if (axis.from == axis.to) {
                 axis.from = function.physical_from;
                 axis.to = function.physical_to;
@@ -82,53 +148,110 @@ void find_channel(const Show& show, const Mover& mover, MoverAxis& axis, Report&
             return;
         }
     }
-    say("names attribute '" + axis.attribute.substr(0, 60) + "', which '" + axis.fixture + "' does not have" +
-        did_you_mean(axis.attribute, known));
+    sentences.add_unknown(axis.where,
+                          begin + "names attribute " + attribute + ", which " + whose + " does not have",
+                          axis.attribute, known, end);
 }
 
 // Loads of one kind, each carried by the first that names it.
 template <class Thing>
-void load(std::vector<Thing>& things, const std::vector<Mover>& movers, const char* kind,
-          const std::vector<std::string> Mover::*patterns, Report& report) {
-    std::vector<std::string> names;
-    for (Thing& thing : things) {
-        names.push_back(thing.name);
-        thing.mover = kNoMover;
-    }
-    Suggestions suggestions;
-    for (std::size_t m = 0; m < movers.size(); ++m)
+void load(std::vector<Thing>& things, const Names& names, const std::vector<Mover>& movers, const char* kind,
+          const std::vector<std::string> Mover::*patterns, Sentences& sentences) {
+    for (Thing& thing : things) thing.mover = kNoMover;
+    std::vector<int> said(things.size(), kNoMover); // of which mover last
+    for (std::size_t m = 0; m < movers.size(); ++m) {
+        const int mover = static_cast<int>(m);
         for (const std::string& pattern : movers[m].*patterns) {
             bool found = false;
-            for (Thing& thing : things) {
-                if (!matches(pattern, thing.name)) continue;
+            for (std::size_t k = 0; k < things.size(); ++k) {
+                if (!matches(pattern, things[k].name)) continue;
                 found = true;
-                if (thing.mover == kNoMover) {
-                    thing.mover = static_cast<int>(m);
-                } else if (thing.mover != static_cast<int>(m)) {
-                    report.add(Severity::error, movers[m].where,
-                               called(movers[m]) + " carries " + kind + " '" + thing.name + "', which '" +
-                                   movers[static_cast<std::size_t>(thing.mover)].name +
-                                   "' carries already; it goes with that one");
-                }
+                int& by = things[k].mover;
+                if (by == kNoMover) by = mover;
+                if (by != mover && std::exchange(said[k], mover) != mover)
+                    sentences.add_taken(movers[m], kind, things[k].name,
+                                        movers[static_cast<std::size_t>(by)]);
             }
             if (!found)
-                report.add(Severity::error, movers[m].where,
-                           called(movers[m]) + " carries " + kind + " '" + pattern.substr(0, 60) +
-                               "', which the show does not have" + suggestions.did_you_mean(pattern, names));
+                sentences.add_unknown(movers[m].where,
+                                      called(movers[m]) + " carries " + kind + " " + short_name(pattern) +
+                                          ", which the show does not have",
+                                      pattern, names.all);
         }
+    }
 }
 
-std::vector<std::string> names_of(const Stage& stage, const Instance& instance) {
-    if (instance.mesh < 0 || instance.mesh >= static_cast<int>(stage.meshes.size())) return {instance.name};
-    return {instance.name, stage.meshes[static_cast<std::size_t>(instance.mesh)].name};
+// Or null.
+const std::string* mesh_name(const Stage& stage, const Instance& instance) {
+    if (instance.mesh < 0 || instance.mesh >= static_cast<int>(stage.meshes.size())) return nullptr;
+    return &stage.meshes[static_cast<std::size_t>(instance.mesh)].name;
+}
+
+// For each instance its mover. taken(m, instance): m names one that another carries. missing(m, pattern): no
+// instance has such a name.
+template <class Taken, class Missing>
+std::vector<int> carriers(const Show& show, const Stage& stage, const Taken& taken, const Missing& missing) {
+    std::vector<int> result(stage.instances.size(), kNoMover);
+    std::unordered_map<std::string_view, int> walls; // their panels are objects of the stage
+    for (const PatchedFixture& fixture : show.fixtures)
+        if (fixture.wall && fixture.mover != kNoMover) walls[fixture.name] = fixture.mover;
+    for (std::size_t k = 0; k < result.size(); ++k) {
+        const Instance& instance = stage.instances[k];
+        if (instance.fixture != kNone)
+            result[k] = show.fixtures[static_cast<std::size_t>(instance.fixture)].mover;
+        else if (const auto wall = walls.find(instance.name); wall != walls.end())
+            result[k] = wall->second;
+    }
+    // As [[object]] does: the name of the object, else that of its mesh.
+    const auto carry = [&](std::size_t m, const std::string& pattern, bool by_mesh) {
+        bool found = false;
+        for (std::size_t k = 0; k < result.size(); ++k) {
+            const Instance& instance = stage.instances[k];
+            if (instance.fixture != kNone) continue;
+            const std::string* const name = by_mesh ? mesh_name(stage, instance) : &instance.name;
+            if (!name || !matches(pattern, *name)) continue;
+            found = true;
+            if (result[k] == kNoMover) result[k] = static_cast<int>(m);
+            if (result[k] != static_cast<int>(m)) taken(m, k);
+        }
+        return found;
+    };
+    for (std::size_t m = 0; m < show.movers.size(); ++m)
+        for (const std::string& pattern : show.movers[m].objects)
+            if (!carry(m, pattern, false) && !carry(m, pattern, true)) missing(m, pattern);
+    return result;
+}
+
+// Objects that go with a mover and not with their tracker.
+void check_tracked(const Show& show, const Stage& stage, const std::vector<int>& movers,
+                   Sentences& sentences) {
+    std::set<std::string_view> said;
+    for (const TrackerUse& use : show.tracking.uses)
+        for (std::size_t k = 0; k < movers.size(); ++k) {
+            if (movers[k] == kNoMover) continue;
+            const Instance& instance = stage.instances[k];
+            const std::string* const mesh = mesh_name(stage, instance);
+            const auto names_it = [&](const std::string& pattern) {
+                return matches(pattern, instance.name) || (mesh && matches(pattern, *mesh));
+            };
+            if (std::none_of(use.objects.begin(), use.objects.end(), names_it)) continue;
+            if (said.insert(instance.name).second)
+                sentences.add(use.where,
+                              "[[tracker]] object " + short_name(instance.name) + " goes with mover " +
+                                  short_name(show.movers[static_cast<std::size_t>(movers[k])].name) +
+                                  "; the tracker does not move it");
+        }
 }
 
 } // namespace
 
 void check_movers(Show& show, Report& report) {
-    find_parents(show.movers, report);
+    if (show.movers.empty()) return;
+    Sentences sentences(report);
+    find_parents(show.movers, report, sentences);
+    const Names fixtures = names_of(show.fixtures);
     for (Mover& mover : show.movers) {
-        for (MoverAxis& axis : mover.axes) find_channel(show, mover, axis, report);
+        for (MoverAxis& axis : mover.axes) find_channel(show, fixtures, mover, axis, sentences);
         const bool carries_mover =
             std::any_of(show.movers.begin(), show.movers.end(),
                         [&](const Mover& other) { return other.parent_name == mover.name; });
@@ -137,58 +260,40 @@ void check_movers(Show& show, Report& report) {
                        called(mover) + (mover.kind == MoverKind::hoists ? " has no truss" : " has no load") +
                            ", expected fixtures, objects or cameras = a list of names");
     }
-    load(show.fixtures, show.movers, "fixture", &Mover::fixtures, report);
-    load(show.cameras, show.movers, "camera", &Mover::cameras, report);
+    load(show.fixtures, fixtures, show.movers, "fixture", &Mover::fixtures, sentences);
+    load(show.cameras, names_of(show.cameras), show.movers, "camera", &Mover::cameras, sentences);
+    sentences.end();
 }
 
 std::vector<int> movers_of_instances(const Show& show, const Stage& stage) {
-    std::vector<int> result(stage.instances.size(), kNoMover);
-    std::vector<std::pair<std::string, int>> walls; // their panels are objects of the stage
-    for (const PatchedFixture& fixture : show.fixtures)
-        if (fixture.wall && fixture.mover != kNoMover) walls.emplace_back(fixture.name, fixture.mover);
-    for (std::size_t k = 0; k < result.size(); ++k) {
-        const Instance& instance = stage.instances[k];
-        if (instance.fixture != kNone) {
-            result[k] = show.fixtures[static_cast<std::size_t>(instance.fixture)].mover;
-            continue;
-        }
-        for (const auto& [name, mover] : walls)
-            if (instance.name == name) result[k] = mover;
-    }
-    // As [[object]] does: the name of the object, else that of its mesh.
-    for (std::size_t m = 0; m < show.movers.size(); ++m)
-        for (const std::string& pattern : show.movers[m].objects)
-            for (const std::size_t which : {std::size_t{0}, std::size_t{1}}) {
-                bool found = false;
-                for (std::size_t k = 0; k < result.size(); ++k) {
-                    if (stage.instances[k].fixture != kNone) continue;
-                    const std::vector<std::string> names = names_of(stage, stage.instances[k]);
-                    if (which >= names.size() || !matches(pattern, names[which])) continue;
-                    found = true;
-                    if (result[k] == kNoMover) result[k] = static_cast<int>(m);
-                }
-                if (found) break;
-            }
-    return result;
+    return carriers(
+        show, stage, [](std::size_t, std::size_t) {}, [](std::size_t, const std::string&) {});
 }
 
 void check_moved_objects(const Show& show, const Stage& stage, Report& report) {
-    if (stage.instances.empty()) return; // said already
+    if (show.movers.empty() || stage.instances.empty()) return; // an empty stage was said already
+    Sentences sentences(report);
     std::vector<std::string> known;
     for (const Instance& instance : stage.instances) known.push_back(instance.name);
-    Suggestions suggestions;
-    for (const Mover& mover : show.movers)
-        for (const std::string& pattern : mover.objects) {
-            const auto has_name = [&](const Instance& instance) {
-                const std::vector<std::string> names = names_of(stage, instance);
-                return std::any_of(names.begin(), names.end(),
-                                   [&](const std::string& name) { return matches(pattern, name); });
-            };
-            if (std::none_of(stage.instances.begin(), stage.instances.end(), has_name))
-                report.add(Severity::error, mover.where,
-                           called(mover) + " carries object '" + pattern.substr(0, 60) +
-                               "', which the stage does not have" + suggestions.did_you_mean(pattern, known));
-        }
+    std::vector<std::set<std::string_view>> said(show.movers.size());
+    std::vector<std::pair<std::size_t, std::size_t>> taken; // who is first is known at the end
+    const std::vector<int> movers = carriers(
+        show, stage,
+        [&](std::size_t m, std::size_t instance) {
+            if (said[m].insert(stage.instances[instance].name).second) taken.emplace_back(m, instance);
+        },
+        [&](std::size_t m, const std::string& pattern) {
+            const Mover& mover = show.movers[m];
+            sentences.add_unknown(mover.where,
+                                  called(mover) + " carries object " + short_name(pattern) +
+                                      ", which the stage does not have",
+                                  pattern, known);
+        });
+    for (const auto& [m, instance] : taken)
+        sentences.add_taken(show.movers[m], "object", stage.instances[instance].name,
+                            show.movers[static_cast<std::size_t>(movers[instance])]);
+    check_tracked(show, stage, movers, sentences);
+    sentences.end();
 }
 
 } // namespace ghost::scene

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace ghost::scene {
 namespace {
 
 constexpr std::size_t kMostCarried = 10'000;
+constexpr std::size_t kMostCarriedOfAll = 20'000;
 constexpr std::size_t kMostKeys = 10'000;
 constexpr std::size_t kMostPathPoints = 1000;
 constexpr double kLatestKey_s = 366.0 * 86400.0;
@@ -232,10 +234,29 @@ void read_tracker(TableReader& reader, Mover& mover) {
         reader.missing("home_m", "where the tracker is while all stands as it is drawn, [x, y, z]");
 }
 
+// Each once; left: how many the movers together may still have.
+std::vector<std::string> read_carried(TableReader& reader, const std::string& key, std::size_t& left) {
+    std::vector<std::string> names;
+    std::set<std::string> known;
+    for (std::string& name : reader.texts(key, kMostCarried).value_or(std::vector<std::string>{})) {
+        if (!known.insert(name).second) continue;
+        if (names.size() == left) {
+            reader.problem(Severity::error, key,
+                           "is more than the " + std::to_string(kMostCarriedOfAll) +
+                               " names that all movers together may carry; the rest is left out");
+            break;
+        }
+        names.push_back(std::move(name));
+    }
+    left -= names.size();
+    return names;
+}
+
 } // namespace
 
 std::vector<Mover> read_movers(TableReader& top, const std::string& file, Report& report) {
     std::vector<Mover> movers;
+    std::size_t left = kMostCarriedOfAll;
     for (const toml::table* table : top.tables("mover", kMostMovers)) {
         TableReader naming(*table, "[[mover]]", file, report);
         Mover mover;
@@ -265,9 +286,9 @@ std::vector<Mover> read_movers(TableReader& top, const std::string& file, Report
         }
         mover.kind = static_cast<MoverKind>(*known);
         mover.parent_name = reader.text("parent").value_or("");
-        mover.fixtures = reader.texts("fixtures", kMostCarried).value_or(std::vector<std::string>{});
-        mover.objects = reader.texts("objects", kMostCarried).value_or(std::vector<std::string>{});
-        mover.cameras = reader.texts("cameras", kMostCarried).value_or(std::vector<std::string>{});
+        mover.fixtures = read_carried(reader, "fixtures", left);
+        mover.objects = read_carried(reader, "objects", left);
+        mover.cameras = read_carried(reader, "cameras", left);
         read_way(reader, mover);
         read_tracker(reader, mover);
         read_axes(reader, mover, file, report);

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -277,6 +278,103 @@ TEST(MoverFile, what_is_wrong_is_said_with_its_line_and_the_rest_is_kept) {
     for (std::size_t k = 0; k < movers.size(); ++k)
         for (int column = 0; column < 4; ++column)
             EXPECT_TRUE(std::isfinite(glm::dot(motion.moved(k)[column], glm::vec4(1)))) << k;
+}
+
+std::size_t count(const Report& report, const std::string& part) {
+    return static_cast<std::size_t>(
+        std::count_if(report.messages.begin(), report.messages.end(),
+                      [&](const Message& message) { return message.what.find(part) != std::string::npos; }));
+}
+
+// A show with two movers, of names of no use otherwise.
+Show with_movers() {
+    Show show;
+    show.movers = {mover_of(MoverKind::linear, 1), mover_of(MoverKind::linear, 1)};
+    show.movers[0].name = "first";
+    show.movers[1].name = "second";
+    return show;
+}
+
+TEST(MoverFile, a_channel_past_512_is_in_the_next_universe) {
+    auto type = std::make_shared<fixture::Type>();
+    fixture::Mode& mode = type->modes.emplace_back();
+    fixture::Channel& channel = mode.channels.emplace_back();
+    channel.dmx_break = 1;
+    channel.offsets = {1, 2};
+    channel.functions.emplace_back().attribute = "XYZ_Z";
+    Show show = with_movers();
+    PatchedFixture& hoist = show.fixtures.emplace_back();
+    hoist.name = "hoist";
+    hoist.type = type;
+    hoist.universe = 3;
+    hoist.address = 511;
+    MoverAxis& axis = show.movers[0].axes[0];
+    axis.fixture = "hoist";
+    axis.attribute = "XYZ_Z";
+    Report report;
+    check_movers(show, report);
+    const std::vector<fixture::Address>& levels = show.movers[0].axes[0].levels;
+    ASSERT_EQ(levels.size(), 2u);
+    EXPECT_EQ(levels[0].universe, 3);
+    EXPECT_EQ(levels[0].channel, 512);
+    EXPECT_EQ(levels[1].universe, 4);
+    EXPECT_EQ(levels[1].channel, 1);
+}
+
+TEST(MoverFile, what_two_movers_carry_is_said_once) {
+    Show show = with_movers();
+    for (const char* name : {"spot 1", "spot 2"}) show.fixtures.emplace_back().name = name;
+    show.movers[0].fixtures = {"spot*"};
+    show.movers[1].fixtures = {"spot*", "spot ?", "spot 2"};
+    show.movers[0].objects = {"truss"};
+    show.movers[1].objects = {"truss*", "truss", "tr*", "lost"};
+    show.tracking.uses.push_back({.id = 1, .objects = {"tru*", "mic"}});
+    Stage stage;
+    for (const char* name : {"truss", "truss", "mic"}) stage.instances.push_back({.name = name, .mesh = -1});
+    Report report;
+    check_movers(show, report);
+    EXPECT_EQ(count(report, "carries fixture 'spot 1', which 'first' carries already"), 1u);
+    EXPECT_EQ(count(report, "carries already"), 2u);
+    Report of_stage;
+    check_moved_objects(show, stage, of_stage);
+    EXPECT_EQ(count(of_stage,
+                    "'second' carries object 'truss', which 'first' carries already; it goes with that one"),
+              1u);
+    EXPECT_EQ(count(of_stage, "carries object 'lost', which the stage does not have"), 1u);
+    EXPECT_EQ(count(of_stage, "object 'truss' goes with mover 'first'; the tracker does not move it"), 1u);
+    EXPECT_EQ(of_stage.messages.size(), 3u);
+    EXPECT_EQ(movers_of_instances(show, stage), (std::vector<int>{0, 0, kNoMover}));
+}
+
+TEST(MoverFile, thousands_of_wrong_names_are_counted) {
+    Show show = with_movers();
+    for (int k = 0; k < 2000; ++k) {
+        show.fixtures.emplace_back().name = "spot " + std::to_string(k);
+        show.movers[0].fixtures.push_back("wash " + std::to_string(k));
+        show.movers[1].fixtures.push_back("spot*");
+    }
+    show.movers[0].fixtures.push_back("spot*");
+    Report report;
+    check_movers(show, report);
+    EXPECT_EQ(report.messages.size(), 201u);
+    EXPECT_EQ(report.messages.back().what,
+              "3800 more names of [[mover]] entries are wrong; they are not listed");
+}
+
+TEST(MoverFile, names_are_kept_once_and_end_at_the_limit_of_all) {
+    std::string names = "objects = [";
+    for (int k = 0; k < 9000; ++k) names += "\"x" + std::to_string(k) + "\", ";
+    names += "\"x0\"]";
+    const auto table = [&](const char* name) {
+        return "[[mover]]\nname = \"" + std::string(name) + "\"\nkind = \"linear\"\n" + names +
+               "\n[[mover.axis]]\nrange_m = [0, 1]\n";
+    };
+    Report report;
+    const std::vector<Mover> movers = read(table("a") + table("b") + table("c"), report);
+    ASSERT_EQ(movers.size(), 3u);
+    EXPECT_EQ(movers[0].objects.size(), 9000u);
+    EXPECT_EQ(movers[2].objects.size(), 2000u);
+    EXPECT_TRUE(says(report, "20000 names that all movers together may carry"));
 }
 
 TEST(MoverFile, a_file_that_ends_anywhere_is_no_harm) {

@@ -23,7 +23,9 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
+#include <cstdio>
 #include <exception>
 #include <mutex>
 #include <new>
@@ -40,6 +42,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kWatchEvery_s = 0.05;
+constexpr long kMostWatched = 500'000; // steps of movers
 constexpr std::size_t kMaxThreads = 64;
 constexpr std::size_t kMostNames = 16;     // of modes or wheels in a line
 constexpr std::size_t kMaxOffers = 20'000; // files that may stand in for missing ones
@@ -99,14 +102,29 @@ void check_type(const fs::path& path, Checked& result) {
 void watch_movers(const scene::Show& show, const scene::Stage& stage, std::optional<dmx::Player> player,
                   const DoctorOptions& options, Report& report) {
     if (show.movers.empty()) return;
-    double end_s = player ? player->duration_s() : 0;
-    for (const scene::Mover& mover : show.movers)
-        if (!mover.keys.empty()) end_s = std::max(end_s, mover.keys.back().at_s);
+    std::optional<double> first_s, last_s; // keys
+    for (const scene::Mover& mover : show.movers) {
+        if (mover.keys.empty()) continue;
+        first_s = std::min(first_s.value_or(mover.keys.front().at_s), mover.keys.front().at_s);
+        last_s = std::max(last_s.value_or(0), mover.keys.back().at_s);
+    }
+    const double begin_s = player ? 0 : first_s.value_or(0);
+    const double end_s = std::max(player ? player->duration_s() : 0, last_s.value_or(0));
+    const double steps = std::floor((end_s - begin_s) / kWatchEvery_s) + 1;
+    if (steps > static_cast<double>(kMostWatched)) {
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "the movers are watched for %.0f s, from %.0f s on; what they do up to %.0f s is not "
+                      "looked at",
+                      static_cast<double>(kMostWatched) * kWatchEvery_s, begin_s, end_s);
+        report.add(Severity::warning, show.file.string(), text);
+    }
+    const long count = std::lround(std::min(steps, static_cast<double>(kMostWatched)));
     scene::Rig rig(show);
     scene::MoverWatch watch(show, stage);
-    for (long step = 0; static_cast<double>(step) * kWatchEvery_s <= end_s; ++step) {
+    for (long step = 0; step < count; ++step) {
         if (options.stop && options.stop()) return;
-        const double at_s = static_cast<double>(step) * kWatchEvery_s;
+        const double at_s = begin_s + static_cast<double>(step) * kWatchEvery_s;
         rig.set_time(at_s);
         rig.step(player ? player->at(at_s) : dmx::Universes{}, kWatchEvery_s);
         watch.look(rig, at_s, report);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/render/film_controls.h"
 
+#include "light/rig.h"
 #include "show/camera_moves.h"
 
 #include "base/log.h"
@@ -31,7 +32,7 @@ Result<FilmControls> FilmControls::open(const LiveControlOptions& options, const
 
 void FilmControls::before_frame(Session& session, double now_s) {
     if (controls_.has_remote()) take(session, controls_.hear_remote(session, now_s), now_s);
-    if (const dmx::Trackers* const trackers = controls_.hear_trackers(session)) turn(session, *trackers);
+    trackers_ = controls_.hear_trackers(session);
 }
 
 void FilmControls::apply(Session& session, const RemoteRequest& request, double now_s) {
@@ -40,7 +41,7 @@ void FilmControls::apply(Session& session, const RemoteRequest& request, double 
 
 void FilmControls::apply(Session& session, const dmx::Trackers& trackers) {
     controls_.take(trackers, session);
-    turn(session, trackers);
+    turn(session, &trackers);
 }
 
 void FilmControls::take(Session& session, const RemoteNews& news, double now_s) {
@@ -73,21 +74,31 @@ void FilmControls::fly(Session& session, bool is_called, double now_s) {
     }
     if (!flight_) return;
     const double share = flight_->length_s > 0 ? (now_s - flight_->start_s) / flight_->length_s : 1.0;
-    scene::Camera camera = flight_->to;
+    const scene::Camera to = scene::riding(flight_->to, *session.rig);
+    scene::Camera camera = to;
     if (share < 1) {
-        camera = camera_between(flight_->from, flight_->to, static_cast<float>(share));
-        camera.auto_exposure = flight_->to.auto_exposure;
+        camera = camera_between(flight_->from, to, static_cast<float>(share));
+        camera.auto_exposure = to.auto_exposure;
+        exposed_ = camera;
     } else {
+        exposed_ = flight_->to;
         flight_.reset();
     }
-    exposed_ = camera;
     session.look_from(camera);
 }
 
-void FilmControls::turn(Session& session, const dmx::Trackers& trackers) const {
+void FilmControls::turn(Session& session, const dmx::Trackers* trackers) const {
     if (!session.live || flight_) return;
-    const scene::Camera camera = follow(session.live->camera(), *session.show, trackers);
-    if (camera.target_m != session.live->camera().target_m) session.look_from(camera);
+    const scene::Camera& shown = session.live->camera();
+    scene::Camera camera = shown;
+    const scene::Camera& home = exposed_ ? *exposed_ : session.show->cameras[session.camera];
+    if (home.mover != scene::kNoMover) {
+        const scene::Camera rides = scene::riding(home, *session.rig);
+        camera.position_m = rides.position_m;
+        camera.target_m = rides.target_m;
+    }
+    if (trackers) camera = follow(camera, *session.show, *trackers);
+    if (camera.position_m != shown.position_m || camera.target_m != shown.target_m) session.look_from(camera);
 }
 
 } // namespace ghost::app

@@ -22,6 +22,8 @@ public:
 
     // Before the rig's step.
     void before_frame(Session& session, double now_s);
+    // After it: a camera goes along with its mover, and turns to whom it follows.
+    void aim(Session& session) const { turn(session, trackers_); }
     // The same with what was heard, for tests.
     void apply(Session& session, const RemoteRequest& request, double now_s);
     void apply(Session& session, const dmx::Trackers& trackers);
@@ -29,7 +31,7 @@ public:
 private:
     void take(Session& session, const RemoteNews& news, double now_s);
     void fly(Session& session, bool is_called, double now_s);
-    void turn(Session& session, const dmx::Trackers& trackers) const;
+    void turn(Session& session, const dmx::Trackers* trackers) const;
 
     struct Flight {
         scene::Camera from, to;
@@ -37,9 +39,10 @@ private:
         double length_s = 0;
     };
     LiveControls controls_;
+    const dmx::Trackers* trackers_ = nullptr; // of controls_; null: they are not listened to
     std::optional<float> ev100_;
     std::optional<Flight> flight_;
-    std::optional<scene::Camera> exposed_; // whose exposure holds; none: that of the start
+    std::optional<scene::Camera> exposed_; // whose exposure holds and who rides; none: that of the start
     bool said_passes_ = false;
 };
 

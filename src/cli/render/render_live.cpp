@@ -125,6 +125,7 @@ Result<void> render_live(const RenderArguments& arguments, Session& session, Pic
         controls.before_frame(session, std::chrono::duration<double>(now - start).count());
         session.rig->step(universes, std::chrono::duration<double>(now - last_step).count());
         last_step = now;
+        controls.aim(session);
         const render::FrameStatistics frame =
             session.draw(std::chrono::duration<double>(now - start).count());
         tally.add(frame);

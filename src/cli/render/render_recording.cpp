@@ -21,9 +21,9 @@ namespace {
 constexpr double kShort_s = 600; // up to here all that comes before is stepped through
 constexpr double kLeadIn_s = 60; // further on this much: more than the slowest machine needs for any way
 
-// The frame from which machines are moved, so that they stand right in `first`.
-long begin_at(long first, double fps) {
-    if (static_cast<double>(first) / fps <= kShort_s) return 0;
+// The frame from which machines are moved, so that they stand right in `first`. Movers may take any time.
+long begin_at(long first, double fps, bool has_movers) {
+    if (has_movers || static_cast<double>(first) / fps <= kShort_s) return 0;
     return first - std::lround(kLeadIn_s * fps);
 }
 
@@ -86,7 +86,7 @@ Result<void> render_recording(const RenderArguments& arguments, Session& session
         pace.emplace(session.show->fixtures.size());
         session.relighter->set_quality({.grid = true});
     }
-    for (long frame = begin_at(first, fps); frame <= draws_to; ++frame) {
+    for (long frame = begin_at(first, fps, !session.show->movers.empty()); frame <= draws_to; ++frame) {
         if (interrupted()) break;
         session.rig->set_time(static_cast<double>(frame) / fps);
         session.rig->step(player ? player->at(static_cast<double>(frame) / fps) : dmx::Universes{}, 1.0 / fps,

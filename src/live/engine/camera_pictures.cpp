@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "live/engine/camera_pictures.h"
 
+#include "light/rig.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -24,7 +26,7 @@ void CameraPictures::draw(const Session& session, const scene::FrameLights& lit,
         if (!SmallPicture::fits(session)) return;
         small_ = std::make_unique<SmallPicture>(session, kWidth, kHeight);
     }
-    const scene::Camera& camera = cameras[next_];
+    const scene::Camera camera = scene::riding(cameras[next_], *session.rig);
     made_s_ = now.now_s;
     auto picture = small_->draw(camera, lit, now.air_s, stop);
     if (!picture) return;

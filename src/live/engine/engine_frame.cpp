@@ -58,9 +58,7 @@ scene::Camera Engine::wanted_camera() {
     camera.mover = scene::kNoMover; // one that a hand has moved rides on nothing
     for (const scene::Camera& own : session_->show->cameras)
         if (own.position_m == camera.position_m && own.target_m == camera.target_m) camera.mover = own.mover;
-    if (const dmx::Trackers* const trackers = controls_.hear_trackers(*session_))
-        camera = follow(camera, *session_->show, *trackers);
-    return scene::with_frame(camera, request_.frame);
+    return camera;
 }
 
 bool Engine::is_moving(double now_s) const {
@@ -144,7 +142,7 @@ void Engine::frame() {
     const double dt_s = request_.frozen ? 0.0 : std::clamp(begin_s - last_step_s_, 0.0, kLongestStep_s);
     last_step_s_ = begin_s;
     const bool thicker = hear_remote(begin_s);
-    scene::Camera wanted = wanted_camera();
+    const dmx::Trackers* const trackers = controls_.hear_trackers(*session_);
     input_->step(request_.input, request_.transport, dt_s);
     // Motors, too, would wait for ever where time stands still.
     session_->show->motion = request_.frozen ? fixture::Motion::as_commanded : motion_;
@@ -157,7 +155,9 @@ void Engine::frame() {
     drive_movers(request_.look, *session_);
     session_->rig->set_time(session_->media_s);
     session_->rig->step(input_->universes(), dt_s, request_.look.fixtures);
-    wanted = scene::riding(wanted, *session_->rig);
+    scene::Camera wanted = scene::riding(wanted_camera(), *session_->rig);
+    if (trackers) wanted = follow(wanted, *session_->show, *trackers); // trackers do not ride
+    wanted = scene::with_frame(wanted, request_.frame);
     if (arrival_.count() == 0) arrival_ = input_->arrival();
     session_->master =
         request_.black_out ? 0.0f : std::clamp(request_.master, 0.0f, 1.0f) * controls_.remote().light();

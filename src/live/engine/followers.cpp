@@ -50,8 +50,9 @@ void Followers::move_objects(Session& session, const scene::TrackerUse& use, con
         if (home.at_m && use.home_m) home.at_m = use.home_m;
         if (!home.at_m) {
             const std::size_t said = session.report.messages.size();
-            session.report.add(Severity::error, use.where,
-                               "[[tracker]] objects names no object of the stage");
+            session.report.add(
+                Severity::error, use.where,
+                "[[tracker]] objects names no object of the stage, or only such as movers carry");
             print_report(session.report, said);
         }
     }

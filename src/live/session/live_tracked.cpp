@@ -30,12 +30,13 @@ bool any_matches(const std::vector<std::string>& patterns, const std::string& na
 
 } // namespace
 
-// As [[object]] does: the name of the object, else that of its mesh.
+// As [[object]] does: the name of the object, else that of its mesh. What a mover carries goes with that.
 std::vector<std::size_t> LiveView::objects_named(const std::vector<std::string>& patterns) const {
     std::vector<std::size_t> by_name, by_mesh;
     for (std::size_t i = 0; i < stage_.instances.size(); ++i) {
         const scene::Instance& instance = stage_.instances[i];
         if (instance.fixture != scene::kNone || instance.mesh < 0) continue;
+        if (std::ranges::binary_search(carried_, i, {}, &scene::CarriedObject::instance)) continue;
         if (any_matches(patterns, instance.name))
             by_name.push_back(i);
         else if (any_matches(patterns, stage_.meshes[static_cast<std::size_t>(instance.mesh)].name))

@@ -167,7 +167,8 @@ void LiveView::begin_moving_maps(Report& report) {
                               std::vector<std::uint16_t>(texels, scene::kNoSurface)});
         places_m.push_back(place.position_m);
         // Places are in the order of the fixtures.
-        while (show_.fixtures[fixture].name != place.fixture) ++fixture;
+        while (fixture < show_.fixtures.size() && show_.fixtures[fixture].name != place.fixture) ++fixture;
+        CHECK(fixture < show_.fixtures.size());
         if (show_.fixtures[fixture].mover == scene::kNoMover) continue;
         if (hung_.empty() || hung_.back().fixture != fixture) hung_.push_back({fixture, k, {}});
         hung_.back().places_m.push_back(place.position_m);

@@ -385,8 +385,10 @@ render::FrameStatistics Session::draw(double time_s, const std::function<bool()>
             maps_changed_since_parked = true;
         }
         print_report(report, printed);
-        // Where there is no time for all lights, heads turn as often as their beams do.
-        behind_ = is_short_ ? (behind_ + 1) % render::LightBudget::kOldest : 0;
+        // Where there is no time for all lights, heads turn as often as their beams do. What movers carry is
+        // where its light and shadow are.
+        const bool may_lag = is_short_ && show->movers.empty();
+        behind_ = may_lag ? (behind_ + 1) % render::LightBudget::kOldest : 0;
         if (behind_ == 0 && live->follow(*rig)) {
             relighter->touch();
             if (other_light) other_light->touch();

@@ -38,6 +38,7 @@ bool take_patch(Session& session, const scene::Show& edited, const Report& repor
     if (!std::equal(fixtures.begin(), fixtures.end(), edited.fixtures.begin(), edited.fixtures.end(),
                     hangs_the_same))
         return false;
+    if (edited.movers.size() != session.show->movers.size()) return false;
     for (std::size_t i = 0; i < fixtures.size(); ++i) {
         auto type = std::move(fixtures[i].type); // gobos and bodies are those of the old one
         auto shape = std::move(fixtures[i].shape);
