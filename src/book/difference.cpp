@@ -95,8 +95,8 @@ public:
         if (is_new) lines_.push_back({what, {}});
         lines_[found->second].names.push_back(name);
     }
-    void say(std::vector<std::string>& said) const {
-        for (const Line& line : lines_) said.push_back(names_text(line.names) + line.what.substr(2));
+    void say(const PrintStyle& style, std::vector<std::string>& said) const {
+        for (const Line& line : lines_) said.push_back(names_text(line.names, style) + line.what.substr(2));
     }
 
 private:
@@ -157,7 +157,7 @@ void compare_fixtures(const Book& old, const Book& now, const PrintStyle& style,
                       {"%1", quoted(fixture.type), quoted(fixture.mode), quoted(was.type), quoted(was.mode)}),
                 fixture.name);
     }
-    lines.say(said);
+    lines.say(style, said);
 }
 
 } // namespace

@@ -131,7 +131,8 @@ PaperTable patch_of(const Show& show, const PrintStyle& style) {
                          [](const fixture::Address& address) { return address.channel > 0; }))
             unpatched.push_back(fixture.name);
     }
-    if (!unpatched.empty()) table.unknown.push_back(style("Not patched: %1.", {names_text(unpatched)}));
+    if (!unpatched.empty())
+        table.unknown.push_back(style("Not patched: %1.", {names_text(unpatched, style)}));
     drop_empty_columns(table);
     return table;
 }

@@ -65,10 +65,10 @@ std::array<double, 3> share_out(std::vector<Circuit>& circuits) {
     return phases_w;
 }
 
-std::string names_of(const Show& show, const std::vector<std::size_t>& fixtures) {
+std::string names_of(const Show& show, const PrintStyle& style, const std::vector<std::size_t>& fixtures) {
     std::vector<std::string> names;
     for (const std::size_t i : fixtures) names.push_back(show.fixtures[i].name);
-    return names_text(names);
+    return names_text(names, style);
 }
 
 } // namespace
@@ -144,8 +144,9 @@ PaperTable phases_of(const Show& show, const PrintStyle& style, double circuit_w
         for (const Circuit& circuit : circuits)
             if (circuit.phase == phase)
                 table.rows.push_back(
-                    {{name, std::to_string(++number), circuit.position, names_of(show, circuit.fixtures),
-                      std::to_string(circuit.fixtures.size()), style.number(circuit.power_w, 0)}});
+                    {{name, std::to_string(++number), circuit.position,
+                      names_of(show, style, circuit.fixtures), std::to_string(circuit.fixtures.size()),
+                      style.number(circuit.power_w, 0)}});
     }
     std::vector<std::size_t> unsaid, too_much;
     for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
@@ -154,10 +155,10 @@ PaperTable phases_of(const Show& show, const PrintStyle& style, double circuit_w
     }
     if (!unsaid.empty())
         table.unknown.push_back(
-            style("Not in it, for nobody says their power: %1.", {names_of(show, unsaid)}));
+            style("Not in it, for nobody says their power: %1.", {names_of(show, style, unsaid)}));
     if (!too_much.empty())
-        table.unknown.push_back(
-            style("Above %1 W by itself: %2.", {style.number(circuit_w, 0), names_of(show, too_much)}));
+        table.unknown.push_back(style("Above %1 W by itself: %2.",
+                                      {style.number(circuit_w, 0), names_of(show, style, too_much)}));
     drop_empty_columns(table);
     return table;
 }

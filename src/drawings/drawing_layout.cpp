@@ -49,10 +49,10 @@ SymbolPlace place_of(const RiggedFixture& fixture, const View& view) {
 } // namespace
 
 Drawing::Drawing(PdfWriter& pdf, const Show& show, const Stage& stage, const DrawingOptions& options,
-                 const View& view, bool is_plan, const std::vector<RiggedFixture>& rig)
+                 const View& view, bool is_plan, const Rigging& rigging)
     : pdf_(pdf), show_(show), stage_(stage), options_(options), style_(options.style), view_(view),
-      is_plan_(is_plan), room_(room_on(pdf)) {
-    for (const RiggedFixture& fixture : rig)
+      is_plan_(is_plan), rigging_(rigging), room_(room_on(pdf)) {
+    for (const RiggedFixture& fixture : rigging.fixtures)
         if (!view.is_cut_away(show.fixtures[fixture.fixture].position_m) &&
             is_finite(view.flat(show.fixtures[fixture.fixture].position_m)))
             rig_.push_back(fixture);
@@ -61,8 +61,19 @@ Drawing::Drawing(PdfWriter& pdf, const Show& show, const Stage& stage, const Dra
 // All fixtures and whatever of the stage lies among them; of what is larger the part that is there.
 void Drawing::choose_frame(const Outlines& rough) {
     Extent2 rig;
-    for (const RiggedFixture& fixture : rig_)
-        rig.include(view_.flat(show_.fixtures[fixture.fixture].position_m));
+    for (const RiggedFixture& fixture : rig_) {
+        for (std::size_t k = 0; !is_plan_ && k < bodies_[fixture.fixture].size(); ++k)
+            for (const glm::dvec2& point : bodies_[fixture.fixture][k]) rig.include(point);
+        if (!is_plan_ && !bodies_[fixture.fixture].empty()) continue;
+        const glm::dvec2 at = view_.flat(show_.fixtures[fixture.fixture].position_m);
+        const SymbolPlace place = place_of(fixture, view_);
+        for (const double x : {-0.5, 0.5})
+            for (const double y : {-0.5, 0.5}) {
+                const glm::dvec2 off =
+                    x * fixture.size_m.x * place.right + y * fixture.size_m.y * place.front;
+                rig.include(at + glm::dvec2(off.x, -off.y)); // a page runs down
+            }
+    }
     if (rig.is_empty())
         for (const Outline& object : rough.objects) rig.include(object.extent);
     if (rig.is_empty()) rig.include(glm::dvec2(0));
@@ -70,17 +81,24 @@ void Drawing::choose_frame(const Outlines& rough) {
     if (!is_plan_) rig.include(glm::dvec2(rig.middle().x, 0)); // the floor
     frame_ = rig;
     for (const Outline& object : rough.objects)
-        if (rig.holds(object.extent) || (slender_[object.instance] && rig.touches(object.extent)))
+        if (rig.holds(object.extent) || (rigging_.are_slender[object.instance] && rig.touches(object.extent)))
             frame_.include(object.extent);
     frame_.grow(kMarginOfDrawing_m);
 }
 
 Result<std::size_t> Drawing::lay_out(int& scale) {
-    slender_ = slender_instances(stage_);
+    if (!is_plan_) bodies_ = bodies_seen(show_, stage_, view_);
     choose_frame(outlines_of(stage_, view_, 0.02));
     const glm::dvec2 room = room_.drawing.size();
-    const int fits = fitting_scale(frame_.size(), room, style_.units);
-    scale = options_.scale.value_or(fits);
+    const std::optional<int> fits = fitting_scale(frame_.size(), room, style_.units);
+    const std::string format(format_of(options_.paper).name);
+    const double longest_m = std::max(frame_.size().x, frame_.size().y);
+    const std::string none_fits = (rig_.empty() ? "the stage is " : "the fixtures lie ") +
+                                  number_text(static_cast<float>(longest_m), 0) + " m " +
+                                  (rig_.empty() ? "long" : "apart") +
+                                  ": no scale up to 1:50000 fits on a sheet of " + format;
+    if (!options_.scale && !fits) return Error{none_fits, show_.file.string()};
+    scale = options_.scale ? *options_.scale : *fits;
     metre_pt_ = points_of_metre(scale);
     const glm::dvec2 size = frame_.size() * metre_pt_;
     const auto sheets_for = [](double length, double of_sheet) {
@@ -90,10 +108,9 @@ Result<std::size_t> Drawing::lay_out(int& scale) {
     const double columns = sheets_for(size.x, room.x), rows = sheets_for(size.y, room.y);
     if (columns * rows > static_cast<double>(kMostSheets))
         return Error{"a drawing at 1:" + std::to_string(scale) + " would take " +
-                         number_text(static_cast<float>(columns * rows), 0) + " sheets of " +
-                         std::string(format_of(options_.paper).name) + ", at most " +
-                         std::to_string(kMostSheets) + " are made; 1:" + std::to_string(fits) +
-                         " fits on one",
+                         number_text(static_cast<float>(columns * rows), 0) + " sheets of " + format +
+                         ", at most " + std::to_string(kMostSheets) + " are made; " +
+                         (fits ? "1:" + std::to_string(*fits) + " fits on one" : none_fits),
                      show_.file.string()};
     columns_ = static_cast<std::size_t>(columns);
     rows_ = static_cast<std::size_t>(rows);
@@ -107,8 +124,6 @@ Result<std::size_t> Drawing::lay_out(int& scale) {
 }
 
 void Drawing::place_symbols() {
-    std::vector<std::vector<std::vector<glm::dvec2>>> bodies;
-    if (!is_plan_) bodies = bodies_seen(show_, stage_, view_);
     for (const RiggedFixture& fixture : rig_) {
         DrawnSymbol& symbol = symbols_.emplace_back();
         symbol.kind = fixture.kind;
@@ -116,7 +131,7 @@ void Drawing::place_symbols() {
         symbol.place.at = paper_of(view_.flat(show_.fixtures[fixture.fixture].position_m));
         symbol.place.size_pt = glm::max(fixture.size_m * metre_pt_, glm::dvec2(kLeastSymbol_pt));
         if (!is_plan_)
-            for (const auto& body : bodies[fixture.fixture]) {
+            for (const auto& body : bodies_[fixture.fixture]) {
                 auto& drawn = symbol.bodies.emplace_back();
                 for (const glm::dvec2& point : body) {
                     drawn.push_back(paper_of(point));
@@ -151,7 +166,8 @@ void Drawing::put(Labels& labels, DrawnLabel label, std::vector<std::string>* wi
 void Drawing::place_bars(Labels& labels) {
     std::map<std::string, bool> named;
     std::vector<glm::dvec2> places;
-    for (const HungBar& bar : hung_bars(show_, stage_, rig_)) {
+    for (const HungBar& bar : rigging_.bars) {
+        if (view_.is_cut_away(bar.bar.from_m) && view_.is_cut_away(bar.bar.to_m)) continue;
         named[bar.name] = true;
         const glm::dvec2 from = paper_of(view_.flat(bar.bar.from_m)), to = paper_of(view_.flat(bar.bar.to_m));
         const glm::dvec2 end = from.x <= to.x ? from : to;
@@ -198,7 +214,7 @@ std::vector<std::string> Drawing::words_of(const std::vector<std::size_t>& group
         names.push_back(one.fixture_id.empty() ? one.name : one.fixture_id);
     }
     std::stable_sort(names.begin(), names.end(), natural_less);
-    return {std::to_string(group.size()) + ": " + names_text(names)};
+    return {std::to_string(group.size()) + ": " + names_text(names, style_)};
 }
 
 void Drawing::place_labels(Labels& labels) {
@@ -250,6 +266,9 @@ std::vector<std::string> Drawing::notes(const std::vector<std::string>& without)
     if (outlines_.left_out > 0)
         said.push_back(style_("Objects that are not drawn, for there are too many: %1.",
                               {std::to_string(outlines_.left_out)}));
+    if (rigging_.pieces_left_out > 0)
+        said.push_back(style_("Pieces of trusses that are not joined and named, for there are too many: %1.",
+                              {std::to_string(rigging_.pieces_left_out)}));
     return said;
 }
 

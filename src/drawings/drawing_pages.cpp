@@ -66,7 +66,7 @@ void Drawing::draw_lines(const glm::dvec2& offset, const Extent2& window) {
     for (const bool is_bar : {false, true}) {
         std::vector<glm::dvec2> ends;
         for (const Outline& object : outlines_.objects) {
-            if (slender_[object.instance] != is_bar) continue;
+            if (rigging_.are_slender[object.instance] != is_bar) continue;
             for (std::size_t k = 0; k + 1 < object.ends_m.size(); k += 2) {
                 const glm::dvec2 from = paper_of(object.ends_m[k]) + offset;
                 const glm::dvec2 to = paper_of(object.ends_m[k + 1]) + offset;

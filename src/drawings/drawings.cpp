@@ -27,16 +27,16 @@ std::vector<LegendLine> legend_of(const Show& show, const std::vector<RiggedFixt
 
 Result<Drawings> drawings_of(const Show& show, const Stage& stage, const DrawingOptions& options) {
     const PrintStyle& style = options.style;
-    const std::vector<RiggedFixture> rig = rigged_fixtures(show, stage);
-    const std::vector<LegendLine> legend = legend_of(show, rig);
+    const Rigging rigging = rigging_of(show, stage);
+    const std::vector<LegendLine> legend = legend_of(show, rigging.fixtures);
     TitleBlock title;
     title.show = show.name.empty() ? show.folder.filename().string() : show.name;
     title.paper = std::string(format_of(options.paper).name);
     title.date = options.date;
     PdfWriter pdf(options.paper, true, title.show + ": " + style("Plan"));
     Drawings made;
-    Drawing plan(pdf, show, stage, options, from_above(), true, rig);
-    Drawing section(pdf, show, stage, options, from_the_side(options.section_x_m), false, rig);
+    Drawing plan(pdf, show, stage, options, from_above(), true, rigging);
+    Drawing section(pdf, show, stage, options, from_the_side(options.section_x_m), false, rigging);
     TRY(const std::size_t of_plan, plan.lay_out(made.plan_scale));
     TRY(const std::size_t of_section, section.lay_out(made.section_scale));
     made.sheets = of_plan + of_section;

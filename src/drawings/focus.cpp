@@ -38,16 +38,21 @@ void add_pool(FocusLamp& lamp) {
         glm::cross(lamp.way, std::abs(lamp.way.z) < 0.9f ? glm::vec3(0, 0, 1) : glm::vec3(1, 0, 0)));
     const glm::vec3 up = glm::cross(aside, lamp.way);
     const float half = glm::radians(0.5f * lamp.angle_deg);
+    std::size_t after_gap = 0; // the first point behind where the edge misses the floor
     for (int k = 0; k < kEdge; ++k) {
         const float round = 6.2831853f * static_cast<float>(k) / kEdge;
         const glm::vec3 way =
             std::cos(half) * lamp.way + std::sin(half) * (std::cos(round) * aside + std::sin(round) * up);
         const float distance = (floor_m - lamp.lens_m.z) / way.z;
-        if (way.z < -1e-4f && distance < kFarthest_m)
+        if (way.z < -1e-4f && distance < kFarthest_m) {
             lamp.pool_m.emplace_back(lamp.lens_m.x + distance * way.x, lamp.lens_m.y + distance * way.y);
-        else
+        } else {
             lamp.is_pool_whole = false;
+            after_gap = lamp.pool_m.size();
+        }
     }
+    std::rotate(lamp.pool_m.begin(), lamp.pool_m.begin() + static_cast<std::ptrdiff_t>(after_gap),
+                lamp.pool_m.end());
 }
 
 std::string place_text(const PrintStyle& style, const glm::vec3& at_m) {
@@ -107,8 +112,8 @@ FocusChart focus_of(const Show& show, std::span<const fixture::State> states, co
         chart.unknown.push_back(style("The stage model could not be read: what a beam hits is not known, and "
                                       "its floor is z = 0."));
     if (!beamless.empty())
-        chart.unknown.push_back(
-            style("Without a beam, or without a file that could be read: %1.", {names_text(beamless)}));
+        chart.unknown.push_back(style("Without a beam, or without a file that could be read: %1.",
+                                      {names_text(beamless, style)}));
     return chart;
 }
 

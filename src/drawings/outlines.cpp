@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kMostTriangles = 200'000; // of a mesh whose edges are looked at
 constexpr std::size_t kMostLines = 6'000;       // of an object
 constexpr std::size_t kMostLinesOfAll = 120'000;
+constexpr std::size_t kMostKeptEdges = 2'000'000; // of meshes that come again: 80 MB
 constexpr std::size_t kMostObjects = 20'000;
 constexpr float kSharp = 0.48f;    // cosine between its faces: sharper than a tube of six sides
 constexpr double kDotOfLines = 60; // lines of an object: times the finest
@@ -81,11 +82,12 @@ public:
             const Instance& instance = stage_.instances[i];
             if (!instance.shown || instance.fixture != kNone) continue;
             const Mesh& mesh = stage_.meshes[static_cast<std::size_t>(instance.mesh)];
-            if (mesh.positions.empty() || is_cut_away(instance, mesh)) continue;
+            if (mesh.positions.empty()) continue;
             if (all.objects.size() == kMostObjects) {
                 ++all.left_out;
                 continue;
             }
+            if (is_cut_away(instance, mesh)) continue;
             Outline outline{i, {}, {}};
             if (is_small(instance, mesh)) {
                 draw_hull(instance, mesh, outline);
@@ -123,13 +125,20 @@ private:
 
     const std::vector<Edge>& edges(int mesh) {
         const auto [found, is_new] = edges_.try_emplace(mesh);
-        if (is_new) found->second = edges_of(stage_.meshes[static_cast<std::size_t>(mesh)]);
-        return found->second;
+        if (!is_new) return found->second;
+        std::vector<Edge> edges = edges_of(stage_.meshes[static_cast<std::size_t>(mesh)]);
+        if (edges.size() > kMostKeptEdges - kept_) {
+            edges_.clear();
+            kept_ = 0;
+        }
+        kept_ += edges.size();
+        return edges_[mesh] = std::move(edges);
     }
 
     // False: it has too many.
     bool draw_edges(const Instance& instance, const Mesh& mesh, Outline& outline) {
-        if (mesh.indices.size() / 3 > kMostTriangles) return false;
+        if (mesh.indices.size() / 3 > kMostTriangles || lines_ >= kMostLinesOfAll) return false;
+        const std::size_t most = std::min(kMostLines, kMostLinesOfAll - lines_);
         const glm::mat3 turn(instance.world);
         if (!(std::abs(glm::determinant(turn)) > 0)) return false;
         const glm::vec3 to_eye = glm::inverse(turn) * glm::vec3(view_.to_eye());
@@ -144,9 +153,9 @@ private:
                 const bool is_sharp = with_sharp && bend < kSharp;
                 if (!is_border && !is_silhouette && !is_sharp) continue;
                 add(instance, mesh, edge, lines);
-                if (lines.size() > kMostLines) break;
+                if (lines.size() > most) break;
             }
-            if (lines.size() > kMostLines || lines_ + lines.size() > kMostLinesOfAll) continue;
+            if (lines.size() > most) continue;
             for (const auto& [x, y, to_x, to_y] : lines) {
                 outline.ends_m.emplace_back(static_cast<double>(x) * finest_m_,
                                             static_cast<double>(y) * finest_m_);
@@ -191,7 +200,8 @@ private:
     const View& view_;
     double finest_m_;
     std::size_t lines_ = 0;
-    std::map<int, std::vector<Edge>> edges_;
+    std::map<int, std::vector<Edge>> edges_; // of the last meshes
+    std::size_t kept_ = 0;
 };
 
 } // namespace

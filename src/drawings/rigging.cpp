@@ -16,6 +16,8 @@ namespace {
 
 constexpr float kLeastBar_m = 0.8f;
 constexpr float kBeside_m = 1.2f; // from a fixture to the bar that it hangs on
+constexpr float kGap_m = 0.3f;    // between pieces of one truss, as joined() has it
+constexpr float kSameLine_m = 0.06f;
 constexpr double kLeastBody_m = 0.05, kLargestBody_m = 4;
 
 struct Box {
@@ -108,8 +110,10 @@ std::string most_of(const std::map<std::string, std::size_t>& names) {
     return best;
 }
 
-std::vector<std::pair<std::size_t, Bar>> bars_of(const Stage& stage) {
-    std::vector<std::pair<std::size_t, Bar>> bars;
+using Pieces = std::vector<std::pair<std::size_t, Bar>>; // by instance
+
+Pieces pieces_of(const Stage& stage) {
+    Pieces bars;
     for (std::size_t i = 0; i < stage.instances.size(); ++i) {
         const Instance& instance = stage.instances[i];
         if (instance.fixture != kNone || !instance.shown) continue;
@@ -146,7 +150,28 @@ std::vector<glm::vec3> outermost(const Mesh& mesh) {
     return points;
 }
 
-} // namespace
+// Whether some fixture may hang on a piece, or on what it is joined to.
+class Neighbours {
+public:
+    explicit Neighbours(const Show& show) {
+        for (const PatchedFixture& fixture : show.fixtures)
+            if (std::isfinite(fixture.position_m.x)) places_m_.push_back(fixture.position_m);
+        std::sort(places_m_.begin(), places_m_.end(), is_left);
+    }
+    bool has(const Bar& piece) const {
+        const glm::vec3 reach(kBeside_m + kGap_m);
+        const glm::vec3 low = glm::min(piece.from_m, piece.to_m) - reach;
+        const glm::vec3 high = glm::max(piece.from_m, piece.to_m) + reach;
+        for (auto at = std::lower_bound(places_m_.begin(), places_m_.end(), low, is_left);
+             at != places_m_.end() && at->x <= high.x; ++at)
+            if (distance_m(piece, *at) < reach.x) return true;
+        return false;
+    }
+
+private:
+    static bool is_left(const glm::vec3& a, const glm::vec3& b) { return a.x < b.x; }
+    std::vector<glm::vec3> places_m_;
+};
 
 std::vector<RiggedFixture> rigged_fixtures(const Show& show, const Stage& stage) {
     Bodies bodies(show, stage);
@@ -167,25 +192,39 @@ std::vector<RiggedFixture> rigged_fixtures(const Show& show, const Stage& stage)
     return all;
 }
 
-std::vector<bool> slender_instances(const Stage& stage) {
-    std::vector<bool> are(stage.instances.size());
-    for (const auto& [instance, bar] : bars_of(stage)) are[instance] = true;
-    return are;
+// Whole trusses that have a fixture near.
+std::vector<HungBar> whole_bars(const Show& show, const Stage& stage, const Pieces& pieces,
+                                std::size_t& left_out) {
+    const Neighbours neighbours(show);
+    std::vector<Bar> seeds, others;
+    std::vector<std::size_t> instances; // of the seeds
+    for (const auto& [instance, bar] : pieces) {
+        if (seeds.size() < kMostBars && neighbours.has(bar)) {
+            seeds.push_back(bar);
+            instances.push_back(instance);
+        } else {
+            others.push_back(bar);
+        }
+    }
+    const std::size_t more = std::min(others.size(), kMostBars - seeds.size());
+    left_out = others.size() - more;
+    std::vector<Bar> all = seeds;
+    all.insert(all.end(), others.begin(), others.begin() + static_cast<std::ptrdiff_t>(more));
+    std::vector<HungBar> whole;
+    for (std::size_t k = 0; k < seeds.size(); ++k) {
+        const bool is_known = std::any_of(whole.begin(), whole.end(), [&](const HungBar& one) {
+            return distance_m(one.bar, seeds[k].from_m) < kSameLine_m &&
+                   distance_m(one.bar, seeds[k].to_m) < kSameLine_m;
+        });
+        if (is_known) continue;
+        const Bar bar = joined(seeds[k], all);
+        if (bar.length_m() >= kLeastBar_m) whole.push_back({bar, stage.instances[instances[k]].name});
+    }
+    return whole;
 }
 
-std::vector<HungBar> hung_bars(const Show& show, const Stage& stage,
-                               const std::vector<RiggedFixture>& fixtures) {
-    const auto pieces = bars_of(stage);
-    std::vector<Bar> bars;
-    for (const auto& [instance, bar] : pieces) bars.push_back(bar);
-    std::vector<HungBar> whole;
-    for (std::size_t k = 0; k < bars.size(); ++k) {
-        const Bar bar = joined(bars[k], bars);
-        const bool is_known =
-            std::any_of(whole.begin(), whole.end(), [&](const HungBar& one) { return one.bar == bar; });
-        if (!is_known && bar.length_m() >= kLeastBar_m)
-            whole.push_back({bar, stage.instances[pieces[k].first].name});
-    }
+std::vector<HungBar> hung_bars(const Show& show, const std::vector<RiggedFixture>& fixtures,
+                               std::vector<HungBar> whole) {
     std::vector<std::map<std::string, std::size_t>> names(whole.size());
     for (const RiggedFixture& fixture : fixtures) {
         std::size_t best = whole.size();
@@ -207,6 +246,19 @@ std::vector<HungBar> hung_bars(const Show& show, const Stage& stage,
     return hung;
 }
 
+} // namespace
+
+Rigging rigging_of(const Show& show, const Stage& stage) {
+    Rigging rigging;
+    rigging.fixtures = rigged_fixtures(show, stage);
+    const Pieces pieces = pieces_of(stage);
+    rigging.are_slender.resize(stage.instances.size());
+    for (const auto& [instance, bar] : pieces) rigging.are_slender[instance] = true;
+    rigging.bars =
+        hung_bars(show, rigging.fixtures, whole_bars(show, stage, pieces, rigging.pieces_left_out));
+    return rigging;
+}
+
 std::vector<std::vector<std::vector<glm::dvec2>>> bodies_seen(const Show& show, const Stage& stage,
                                                               const View& view) {
     std::vector<std::vector<std::vector<glm::dvec2>>> all(show.fixtures.size());
@@ -221,6 +273,19 @@ std::vector<std::vector<std::vector<glm::dvec2>>> bodies_seen(const Show& show, 
         for (const glm::vec3& point : found->second)
             seen.push_back(view.flat(glm::vec3(instance.world * glm::vec4(point, 1.0f))));
         all[static_cast<std::size_t>(instance.fixture)].push_back(hull_of(std::move(seen)));
+    }
+    for (std::size_t i = 0; i < show.fixtures.size(); ++i) {
+        const std::optional<LedWall>& wall = show.fixtures[i].wall;
+        if (!wall) continue;
+        // Its origin is the middle of its front.
+        const glm::mat4 to_world = fixture_to_world(show.fixtures[i], 0);
+        std::vector<glm::dvec2> seen;
+        for (const float x : {-0.5f, 0.5f})
+            for (const float y : {0.0f, kWallDepth_m})
+                for (const float z : {-0.5f, 0.5f})
+                    seen.push_back(view.flat(
+                        glm::vec3(to_world * glm::vec4(x * wall->size_m.x, y, z * wall->size_m.y, 1.0f))));
+        all[i].push_back(hull_of(std::move(seen)));
     }
     return all;
 }

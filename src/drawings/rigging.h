@@ -17,7 +17,8 @@ namespace ghost::scene {
 
 struct Show;
 
-inline constexpr double kAssumedSize_m = 0.35; // of a body that nobody describes
+inline constexpr std::size_t kMostBars = 4'000; // pieces that are joined, those with fixtures first
+inline constexpr double kAssumedSize_m = 0.35;  // of a body that nobody describes
 
 struct RiggedFixture {
     std::size_t fixture = 0; // of the show
@@ -35,13 +36,16 @@ struct HungBar {
     std::string name; // of the hanging position, else of the object
 };
 
+struct Rigging {
+    std::vector<RiggedFixture> fixtures; // of the show, in its order
+    std::vector<HungBar> bars;
+    std::vector<bool> are_slender;   // instances of the stage that are a truss or a pipe
+    std::size_t pieces_left_out = 0; // of trusses and pipes: there are more than kMostBars
+};
+
 // stage: with the bodies (light/bodies.h).
-std::vector<RiggedFixture> rigged_fixtures(const Show& show, const Stage& stage);
-std::vector<HungBar> hung_bars(const Show& show, const Stage& stage,
-                               const std::vector<RiggedFixture>& fixtures);
-// Instances that are slender enough for a truss or a pipe, by index.
-std::vector<bool> slender_instances(const Stage& stage);
-// The bodies of each fixture as they are seen, a convex polygon for each part.
+Rigging rigging_of(const Show& show, const Stage& stage);
+// The bodies of each fixture as they are seen, a convex polygon for each part; of a wall its panel.
 std::vector<std::vector<std::vector<glm::dvec2>>> bodies_seen(const Show& show, const Stage& stage,
                                                               const View& view);
 

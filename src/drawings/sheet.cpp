@@ -12,6 +12,8 @@ constexpr double kNumbers_pt = 7 * kPointsOfMm; // of the grid, left of the draw
 constexpr double kTitle_pt = 44 * kPointsOfMm;  // height of the block
 constexpr double kPad_pt = 4;
 constexpr double kLine_pt = 17; // of the legend
+constexpr double kNote_pt = 60, kNoteGap_pt = 2;
+constexpr double kMoreNote_pt = 20; // says what is not in the legend: two lines
 
 constexpr PdfInk kFrame{.line_grey = 0, .width_pt = 1};
 constexpr PdfInk kThin{.line_grey = 0.3, .width_pt = 0.4};
@@ -82,18 +84,19 @@ std::size_t draw_column(PdfWriter& pdf, const SheetRoom& room, const PrintStyle&
     double y = room.column.low.y + kPad_pt;
     pdf.line_of_text(x, y, width, style("Legend"), kHead);
     y += 14;
-    // Notes may have a third of the column.
-    const double end = block.low.y - 0.33 * (block.low.y - y);
+    // What is not known is always said: its room comes first.
+    double end = block.low.y - kNoteGap_pt - kMoreNote_pt; // of the legend
+    for (const std::string& note : notes) end -= pdf.height_of(width, kNote_pt, note, kSmall) + kNoteGap_pt;
     std::size_t drawn = 0;
     for (; drawn < legend.size() && y + kLine_pt < end; ++drawn, y += kLine_pt)
         draw_legend_line(pdf, style, legend[drawn], x, y, width);
-    y += 3;
     std::vector<std::string> all = notes;
     if (drawn < legend.size())
         all.insert(all.begin(),
                    style("%1 kinds more: see the last sheet.", {std::to_string(legend.size() - drawn)}));
     for (const std::string& note : all)
-        y += pdf.text(x, y, width, std::min(60.0, block.low.y - y - 2), note, kSmall) + 2;
+        y += pdf.text(x, y, width, std::min(kNote_pt, block.low.y - y - kNoteGap_pt), note, kSmall) +
+             kNoteGap_pt;
     return drawn;
 }
 
@@ -131,7 +134,7 @@ std::string scale_text(int scale) {
     return text;
 }
 
-int fitting_scale(const glm::dvec2& size_m, const glm::dvec2& room_pt, Units units) {
+std::optional<int> fitting_scale(const glm::dvec2& size_m, const glm::dvec2& room_pt, Units units) {
     constexpr std::array kMetric{10,  20,  25,   50,   75,   100,    125,    200,
                                  250, 500, 1000, 2000, 5000, 10'000, 20'000, 50'000};
     constexpr std::array kFeet{12,  16,  24,  32,  48,   64,   96,     128,
@@ -140,7 +143,7 @@ int fitting_scale(const glm::dvec2& size_m, const glm::dvec2& room_pt, Units uni
     for (const int scale : scales)
         if (size_m.x * points_of_metre(scale) <= room_pt.x && size_m.y * points_of_metre(scale) <= room_pt.y)
             return scale;
-    return scales.back();
+    return std::nullopt;
 }
 
 } // namespace ghost::scene

@@ -8,6 +8,7 @@
 #include "drawings/view.h"
 #include "print/pdf_writer.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,8 @@ struct SheetRoom {
 };
 SheetRoom room_on(const PdfWriter& pdf);
 
-// Legend from its first line on, as many as fit; then the notes. How many lines it has drawn.
+// Legend from its first line on, as many as fit above the notes, which all have room. How many lines it has
+// drawn.
 std::size_t draw_column(PdfWriter& pdf, const SheetRoom& room, const PrintStyle& style,
                         const TitleBlock& title, const std::vector<LegendLine>& legend,
                         const std::vector<std::string>& notes);
@@ -46,7 +48,7 @@ std::string scale_text(int scale);
 inline double points_of_metre(int scale) {
     return 1000.0 / scale * kPointsOfMm;
 }
-// The largest usual scale at which so many metres fit into that room.
-int fitting_scale(const glm::dvec2& size_m, const glm::dvec2& room_pt, Units units);
+// The largest usual scale at which so many metres fit into that room. Nothing: none down to 1:50000.
+std::optional<int> fitting_scale(const glm::dvec2& size_m, const glm::dvec2& room_pt, Units units);
 
 } // namespace ghost::scene

@@ -71,8 +71,7 @@ void PdfWriter::set_text(const std::string& text, const PdfText& look) {
     cairo_set_source_rgb(drawing_->cairo.get(), grey, grey, grey);
 }
 
-double PdfWriter::text(double x, double y, double width, double height, const std::string& text,
-                       const PdfText& look) {
+double PdfWriter::height_of(double width, double height, const std::string& text, const PdfText& look) {
     if (text.empty() || height < look.size_pt) return 0;
     PangoLayout* const layout = drawing_->layout;
     set_text(text, look);
@@ -80,11 +79,19 @@ double PdfWriter::text(double x, double y, double width, double height, const st
     pango_layout_set_height(layout, static_cast<int>(height * PANGO_SCALE));
     pango_layout_set_wrap(layout, PANGO_WRAP_WORD_CHAR);
     pango_layout_set_ellipsize(layout, PANGO_ELLIPSIZE_END);
-    cairo_move_to(drawing_->cairo.get(), x, y);
-    pango_cairo_show_layout(drawing_->cairo.get(), layout);
     int taken = 0;
     pango_layout_get_size(layout, nullptr, &taken);
     return static_cast<double>(taken) / PANGO_SCALE;
+}
+
+double PdfWriter::text(double x, double y, double width, double height, const std::string& text,
+                       const PdfText& look) {
+    const double taken = height_of(width, height, text, look);
+    if (taken > 0) {
+        cairo_move_to(drawing_->cairo.get(), x, y);
+        pango_cairo_show_layout(drawing_->cairo.get(), drawing_->layout);
+    }
+    return taken;
 }
 
 void PdfWriter::line_of_text(double x, double y, double width, const std::string& text, const PdfText& look) {

@@ -42,6 +42,8 @@ public:
     // that it takes.
     double text(double x, double y, double width, double height, const std::string& text,
                 const PdfText& look);
+    // The height that it would take; 0: no text, or no room for a line.
+    double height_of(double width, double height, const std::string& text, const PdfText& look);
     // In one line: what is wider ends in "…".
     void line_of_text(double x, double y, double width, const std::string& text, const PdfText& look);
     // Width that it has in one line, at most 1000 letters of it.

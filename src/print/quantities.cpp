@@ -45,7 +45,7 @@ std::size_t digits_at_end(const std::string& name) {
     return digits;
 }
 
-std::string names_text(const std::vector<std::string>& names) {
+std::string names_text(const std::vector<std::string>& names, const PrintStyle& style) {
     std::string text;
     std::size_t pieces = 0, first = 0;
     for (; first < names.size() && pieces < kMostPieces; ++pieces) {
@@ -55,7 +55,7 @@ std::string names_text(const std::vector<std::string>& names) {
         if (last > first) text += "-" + names[last].substr(names[last].size() - digits_at_end(names[last]));
         first = last + 1;
     }
-    if (first < names.size()) text += " and " + std::to_string(names.size() - first) + " more";
+    if (first < names.size()) text = style("%1 and %2 more", {text, std::to_string(names.size() - first)});
     return text;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Numbers and names as people read them on paper. Pure, any thread.
 
+#include "print/print_style.h"
+
 #include <string>
 #include <vector>
 
@@ -11,7 +13,7 @@ namespace ghost::scene {
 std::string number_text(float value, int decimals);
 
 // "Spot 1-8, Wash 3 and 5 more": names that count on are one piece. In the order they come.
-std::string names_text(const std::vector<std::string>& names);
+std::string names_text(const std::vector<std::string>& names, const PrintStyle& style = {});
 
 // Bytes at the end of a name that are digits, at most 9.
 std::size_t digits_at_end(const std::string& name);

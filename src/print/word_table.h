@@ -157,9 +157,12 @@ inline constexpr Translation kWords[] = {
      "Auf ihre äußerste Linie vereinfacht: %1 von %2 Objekten."},
     {"Objects that are not drawn, for there are too many: %1.",
      "Nicht gezeichnete Objekte, denn es sind zu viele: %1."},
+    {"Pieces of trusses that are not joined and named, for there are too many: %1.",
+     "Traversenteile, die nicht verbunden und benannt sind, denn es sind zu viele: %1."},
     {"The show has no stage model: trusses and set are not drawn.",
      "Die Show hat kein Bühnenmodell: Traversen und Bauten sind nicht gezeichnet."},
     {"The show has no fixtures.", "Die Show hat keine Geräte."},
+    {"%1 and %2 more", "%1 und %2 weitere"},
     {"%1 kinds more: see the last sheet.", "%1 Arten mehr: siehe letztes Blatt."},
     // focus charts
     {"Focus charts", "Einleuchtplan"},

@@ -99,6 +99,16 @@ TEST(Focus, whose_edge_leaves_the_floor_says_so) {
     const FocusChart chart = focus_of(show, states_of(show), {}, {}, "Now.");
     ASSERT_TRUE(chart.lamps[0].is_on_floor);
     EXPECT_FALSE(chart.lamps[0].is_pool_whole);
+    // From one end of the gap round to the other: nearer to the lamp first, then farther again.
+    const std::vector<glm::dvec2>& pool = chart.lamps[0].pool_m;
+    const auto nearest = std::min_element(pool.begin(), pool.end(), [](const auto& a, const auto& b) {
+        return glm::distance(a, {1, 2}) < glm::distance(b, {1, 2});
+    });
+    for (auto at = pool.begin(); at + 1 != pool.end(); ++at)
+        EXPECT_EQ(glm::distance(at[1], {1, 2}) < glm::distance(at[0], {1, 2}), at < nearest)
+            << at - pool.begin();
+    EXPECT_GT(nearest - pool.begin(), 10);
+    EXPECT_GT(pool.end() - nearest, 10);
     EXPECT_TRUE(must(pdf_of(chart, PaperSize::a4)).starts_with("%PDF-"));
 }
 

@@ -16,8 +16,8 @@ namespace ghost::app {
 namespace {
 
 Result<scene::PlannedEntry> cue_of(const scene::Show& show, const std::vector<scene::StoredLook>& looks,
-                                   const std::string& name) {
-    TRY(const scene::BookPlan plan, scene::plan_book(show, looks, scene::BookKind::cues, {}));
+                                   const std::string& name, const scene::PrintStyle& style) {
+    TRY(const scene::BookPlan plan, scene::plan_book(show, looks, scene::BookKind::cues, {}, style));
     const auto found =
         std::find_if(plan.entries.begin(), plan.entries.end(),
                      [&](const scene::PlannedEntry& planned) { return planned.entry.name == name; });
@@ -43,7 +43,7 @@ Result<RigMoment> moment_of(const scene::Show& show, const RigMomentOptions& opt
     std::optional<std::size_t> look;
     dmx::Universes levels;
     if (!options.cue.empty()) {
-        TRY(const scene::PlannedEntry planned, cue_of(show, looks, options.cue));
+        TRY(const scene::PlannedEntry planned, cue_of(show, looks, options.cue, style));
         look = planned.look;
         moment.said = style("As in cue '%1'.", {options.cue});
         if (planned.entry.at_s && !show.recording.empty()) {

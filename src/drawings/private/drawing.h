@@ -39,7 +39,7 @@ struct DrawnSymbol {
 class Drawing {
 public:
     Drawing(PdfWriter& pdf, const Show& show, const Stage& stage, const DrawingOptions& options,
-            const View& view, bool is_plan, const std::vector<RiggedFixture>& rig);
+            const View& view, bool is_plan, const Rigging& rigging);
 
     // How many sheets it takes. scale: gets what is asked for, or fits. Error: too many.
     Result<std::size_t> lay_out(int& scale);
@@ -72,13 +72,14 @@ private:
     const PrintStyle& style_;
     View view_;
     bool is_plan_;
+    const Rigging& rigging_;
     SheetRoom room_;
-    std::vector<RiggedFixture> rig_;
-    Extent2 frame_; // metres
+    std::vector<RiggedFixture> rig_;                           // what is not cut away
+    std::vector<std::vector<std::vector<glm::dvec2>>> bodies_; // of the show's fixtures, in a section
+    Extent2 frame_;                                            // metres
     double metre_pt_ = 1;
     std::size_t columns_ = 1, rows_ = 1;
     Outlines outlines_;
-    std::vector<bool> slender_;
     std::vector<DrawnSymbol> symbols_;
     std::vector<DrawnLabel> labels_;
     std::vector<std::string> notes_;
