@@ -103,13 +103,25 @@ Result<void> make_paper(const PaperArguments& arguments) {
     const scene::PrintStyle style = arguments.print.style();
     std::vector<scene::PaperDrawing> drawings;
     const scene::Stage stage = needs_stage ? scene::stage_with_bodies(show, report) : scene::Stage{};
+    const Error interruption{"interrupted: nothing is written", arguments.out};
+    if (interrupted()) return interruption;
+    // A drawing that cannot be made takes no table with it.
+    std::optional<Error> failed;
+    const auto add = [&](const Result<void>& done, const char* file, const std::string& title) {
+        if (done.ok()) {
+            drawings.push_back({file, title});
+            return;
+        }
+        log_error(done.error().text());
+        failed = Error{"not all drawings could be made; the rest is written", arguments.out};
+    };
     if (arguments.plan) {
-        TRY_VOID(draw_plan(arguments, show, stage, folder));
-        drawings.push_back({"plan.pdf", style("Plan") + ", " + style("Section")});
+        add(draw_plan(arguments, show, stage, folder), "plan.pdf", style("Plan") + ", " + style("Section"));
+        if (interrupted()) return interruption;
     }
     if (arguments.focus) {
-        TRY_VOID(draw_focus(arguments, show, stage, folder, report));
-        drawings.push_back({"focus.pdf", style("Focus charts")});
+        add(draw_focus(arguments, show, stage, folder, report), "focus.pdf", style("Focus charts"));
+        if (interrupted()) return interruption;
     }
     print_report(report);
     const scene::Paper paper = scene::paper_of(show, style, arguments.circuit_w);
@@ -121,10 +133,11 @@ Result<void> make_paper(const PaperArguments& arguments) {
         TRY(const std::string pdf, scene::pdf_of(paper, size));
         TRY_VOID(write_file_atomic(folder.written_to() / "paper.pdf", pdf));
     }
-    if (interrupted()) return Error{"interrupted: nothing is written", arguments.out};
+    if (interrupted()) return interruption;
     TRY_VOID(folder.commit());
     log_info("wrote " + arguments.out + ": " + std::to_string(paper.tables.size()) + " tables of " +
              std::to_string(show.fixtures.size()) + " fixtures; open index.html in it");
+    if (failed) return *failed;
     return {};
 }
 

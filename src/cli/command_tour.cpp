@@ -12,6 +12,8 @@
 #include "cli/render/tour_film.h"
 #include "disk/files.h"
 #include "disk/whole_folder.h"
+#include "live/session/session.h"
+#include "show/show.h"
 
 #include "base/log.h"
 
@@ -54,6 +56,12 @@ Result<void> check_usage(TourArguments& arguments) {
 Result<void> make_tour(TourArguments& arguments) {
     TRY(WholeFolder folder, WholeFolder::open(arguments.out, kTourFile));
     TRY_VOID(folder.make_folder("pictures"));
+    if (arguments.film.length_s > 0) {
+        Report report; // is said when the pictures are drawn
+        TRY(const scene::Show show,
+            open_show(arguments.book.session.show, false, arguments.book.session.quiet, report));
+        if (show.recording.empty()) return Error{"has no recording for --film", show.file.string()};
+    }
     std::optional<scene::Book> old;
     if (!arguments.against.empty()) {
         TRY(old, old_book(arguments.against));
