@@ -17,6 +17,7 @@
 namespace ghost::scene {
 namespace {
 
+constexpr std::size_t kMostNameBytes = 100;  // of a type, in a line
 constexpr std::size_t kMostSuggestions = 50; // files of one show that are looked for
 
 struct KindTitle {
@@ -79,6 +80,13 @@ std::string counted(std::size_t count, const char* one, const char* many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+// Whole letters of UTF-8.
+std::string beginning(const std::string& name) {
+    std::size_t end = std::min(name.size(), kMostNameBytes);
+    while (end > 0 && end < name.size() && (static_cast<unsigned char>(name[end]) & 0xC0) == 0x80) --end;
+    return name.substr(0, end);
+}
+
 // What stands between quotes.
 std::vector<std::string> quoted_in(const std::string& text) {
     std::vector<std::string> all;
@@ -98,8 +106,8 @@ public:
     Maker(const Show& show, const FixtureOffers& offers)
         : show_(show), offers_(offers), entries_(entries_of(show)) {
         for (std::size_t i = 0; i < entries_.size(); ++i) {
-            by_name_[show.fixtures[i].name].insert(i);
-            by_name_[entries_[i].spec].insert(i);
+            for (const std::string& name : {show.fixtures[i].name, entries_[i].spec})
+                if (!name.empty()) by_name_[name].insert(i);
         }
         if (show.plot)
             for (const PlotObject& object : show.plot->plot.objects)
@@ -132,7 +140,7 @@ private:
                                {}});
         for (auto& [name, fixtures] : types)
             page_.found.push_back({std::to_string(fixtures.size()) + " " +
-                                       (name.empty() ? std::string("of no type") : name.substr(0, 100)),
+                                       (name.empty() ? std::string("of no type") : beginning(name)),
                                    "", std::move(fixtures)});
         if (show_.plot) {
             const Plot& plot = show_.plot->plot;

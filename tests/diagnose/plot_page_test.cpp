@@ -5,6 +5,7 @@
 #include "show/show.h"
 #include "support/mvr_files.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace ghost::scene {
@@ -74,6 +75,22 @@ TEST(PlotPage, a_missing_file_has_its_heads_the_likest_other_one_and_lamps_of_it
     EXPECT_EQ(spot.stand_ins[2].label, "LED par (22 ch)");
     EXPECT_TRUE(page.matters());
     EXPECT_EQ(page.found.front().words, "4 fixtures of 2 types, patched in 1 universe");
+}
+
+TEST(PlotPage, names_are_cut_between_letters_and_none_is_no_name) {
+    Plot plot;
+    plot.show.fixtures[3].type = type_of(std::string(99, 'x') + "\xc3\xa4", {10});
+    plot.show.fixtures[0].name = "";
+    PlotPage page = plot_page(plot.show,
+                              {{.severity = Severity::warning,
+                                .kind = "missing_link",
+                                .where = "tour.mvr",
+                                .what = "'' leads nowhere"}},
+                              plot.offers);
+    EXPECT_TRUE(std::any_of(page.found.begin(), page.found.end(),
+                            [](const PageLine& line) { return line.words == "1 " + std::string(99, 'x'); }));
+    ASSERT_EQ(page.groups.size(), 1u);
+    EXPECT_TRUE(page.groups[0].fixtures.empty());
 }
 
 TEST(PlotPage, findings_are_grouped_by_kind_and_name_their_fixtures) {
