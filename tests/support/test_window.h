@@ -10,8 +10,11 @@
 #include <QCoreApplication>
 #include <QEventLoop>
 #include <QFile>
+#include <QScreen>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QWidget>
+#include <QWindow>
 
 #include <gtest/gtest.h>
 
@@ -44,6 +47,18 @@ private:
     std::unique_ptr<QApplication> one_;
 };
 inline testing::Environment* const kApplication = testing::AddGlobalTestEnvironment(new Application);
+
+// Qt's platform without a display gives its windows one pixel a point on every screen, from some version on.
+inline constexpr const char* kOnePixel = "this Qt's offscreen windows have one pixel a point on every screen";
+inline bool windows_have_the_pixels_of_their_screen() {
+    QScreen* const fine = QGuiApplication::screens().at(1);
+    QWidget window;
+    window.setGeometry(QRect(fine->geometry().topLeft(), QSize(10, 10)));
+    window.show();
+    window.windowHandle()->setScreen(fine);
+    QCoreApplication::processEvents();
+    return window.devicePixelRatioF() == fine->devicePixelRatio();
+}
 
 // What is posted is done, until nothing is.
 inline void settle() {

@@ -121,7 +121,6 @@ void SecondDisplay::show_on(QScreen* screen) {
     if (screen) {
         window_->setCursor(Qt::BlankCursor);
         window_->setWindowFlag(Qt::FramelessWindowHint);
-        window_->setScreen(screen); // its pixels are counted once, where the window is made
         window_->setGeometry(screen->geometry());
         window_->showFullScreen();
     } else {
