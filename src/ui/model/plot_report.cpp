@@ -6,7 +6,9 @@
 #include "show/show.h"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
+#include <stop_token>
 #include <utility>
 
 namespace ghost::ui {
@@ -17,39 +19,48 @@ namespace fs = std::filesystem;
 constexpr int kPause_ms = 200;
 constexpr std::size_t kMostOffers = 2000;
 
-void add_files(const fs::path& folder, std::vector<fs::path>& files) {
+void add_files(const fs::path& folder, const std::stop_token& stop, std::vector<fs::path>& files) {
     std::error_code code;
-    for (fs::directory_iterator entry(folder, code), end; !code && entry != end && files.size() < kMostOffers;
-         entry.increment(code))
+    for (fs::directory_iterator entry(folder, code), end;
+         !code && entry != end && files.size() < kMostOffers && !stop.stop_requested(); entry.increment(code))
         if (std::error_code other;
             fixture::has_type_extension(entry->path()) && entry->is_regular_file(other))
             files.push_back(entry->path());
 }
 
-scene::FixtureOffers offers_for(const scene::Show& show, const fs::path& library) {
+scene::FixtureOffers offers_for(const scene::Show& show, const fs::path& library,
+                                const std::stop_token& stop) {
     scene::FixtureOffers offers;
     for (const fs::path& folder : {show.folder, show.folder / "fixtures", library})
-        if (!folder.empty()) add_files(folder, offers.files);
+        if (!folder.empty()) add_files(folder, stop, offers.files);
     std::sort(offers.files.begin(), offers.files.end());
     for (const fs::path& file : offers.files) offers.names.push_back(file.filename().string());
-    offers.load = [files = offers.files](std::size_t k) -> std::shared_ptr<const fixture::Type> {
+    offers.load = [files = offers.files, stop](std::size_t k) -> std::shared_ptr<const fixture::Type> {
+        if (stop.stop_requested()) return nullptr;
         auto loaded = fixture::load_type(files[k]);
         return loaded.ok() ? std::make_shared<const fixture::Type>(std::move(loaded->type)) : nullptr;
     };
     return offers;
 }
 
-scene::PlotPage page_of(scene::Show show, std::vector<Message> messages, const fs::path& library) {
-    // The plot that is open belongs to the engine's thread.
-    if (show.plot) {
-        auto plot = scene::load_mvr(show.plot_file);
-        show.plot = plot.ok() ? std::make_shared<scene::LoadedPlot>(std::move(*plot)) : nullptr;
-    }
+// Nothing: it was stopped.
+std::optional<scene::PlotPage> page_of(scene::Show show, std::vector<Message> messages,
+                                       const fs::path& library, const std::stop_token& stop) {
     Report report;
     report.messages = std::move(messages);
-    const scene::FixtureOffers offers = offers_for(show, library);
+    // The plot that is open belongs to the engine's thread.
+    if (show.plot) {
+        std::atomic<bool> is_stopped = false;
+        const std::stop_callback stops(stop, [&] { is_stopped = true; });
+        auto plot = scene::load_mvr(show.plot_file, {.progress = {}, .cancel = &is_stopped});
+        if (!plot.ok()) report.add(Severity::error, plot.error().where, plot.error().what);
+        show.plot = plot.ok() ? std::make_shared<scene::LoadedPlot>(std::move(*plot)) : nullptr;
+    }
+    const scene::FixtureOffers offers = offers_for(show, library, stop);
+    if (stop.stop_requested()) return std::nullopt;
     // Stand-ins are looked for once, by the page.
-    return scene::plot_page(show, scene::findings_of(show, report, {}), offers);
+    scene::PlotPage page = scene::plot_page(show, scene::findings_of(show, report, {}), offers);
+    return stop.stop_requested() ? std::nullopt : std::optional(std::move(page));
 }
 
 } // namespace
@@ -60,9 +71,9 @@ PlotReport::PlotReport(AppModel& app, fs::path library) : app_(app), library_(st
     connect(&pause_, &QTimer::timeout, this, &PlotReport::begin);
     connect(&app_, &AppModel::opened_show, this, [this] {
         pause_.start();
-        if (app_.opened().is_edit || !page_) return;
-        page_.reset();
-        Q_EMIT changed();
+        // Its lines name fixtures by number.
+        if (app_.opened().is_edit && app_.show()->fixtures.size() == fixtures_) return;
+        put(std::nullopt);
     });
     connect(&app_, &AppModel::messages_came, &pause_, qOverload<>(&QTimer::start));
 }
@@ -70,25 +81,37 @@ PlotReport::PlotReport(AppModel& app, fs::path library) : app_(app), library_(st
 void PlotReport::begin() {
     if (!app_.show()) return;
     is_stale_ = worker_.joinable();
-    if (is_stale_) return;
-    worker_ = std::jthread([this, show = app_.show(), messages = app_.messages(), library = library_] {
-        std::optional<scene::PlotPage> page;
-        try {
-            page = page_of(*show, messages, library);
-        } catch (const std::exception&) { // no memory for it: the picture goes on without
-        }
-        QMetaObject::invokeMethod(
-            this,
-            [this, page = std::move(page), show]() mutable {
-                worker_.join();
-                worker_ = {};
-                if (is_stale_) begin();
-                if (!page || show->file != app_.show()->file) return;
-                page_ = std::move(page);
-                Q_EMIT changed();
-            },
-            Qt::QueuedConnection);
-    });
+    if (is_stale_) {
+        // With news of the same show it goes on: such news may come faster than a page is made.
+        if (of_ != app_.show()) worker_.request_stop();
+        return;
+    }
+    of_ = app_.show();
+    worker_ = std::jthread(
+        [this, show = of_, messages = app_.messages(), library = library_](const std::stop_token& stop) {
+            std::optional<scene::PlotPage> page;
+            try {
+                page = page_of(*show, messages, library, stop);
+            } catch (const std::exception&) { // no memory for it: the picture goes on without
+            }
+            QMetaObject::invokeMethod(
+                this,
+                [this, page = std::move(page), show]() mutable {
+                    worker_.join();
+                    worker_ = {};
+                    if (is_stale_) begin();
+                    if (show != app_.show()) return; // the next one comes
+                    fixtures_ = show->fixtures.size();
+                    put(std::move(page));
+                },
+                Qt::QueuedConnection);
+        });
+}
+
+void PlotReport::put(std::optional<scene::PlotPage> page) {
+    const bool was_there = page_.has_value();
+    page_ = std::move(page);
+    if (was_there || page_) Q_EMIT changed();
 }
 
 } // namespace ghost::ui

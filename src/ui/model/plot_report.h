@@ -29,12 +29,15 @@ Q_SIGNALS:
 
 private:
     void begin();
+    void put(std::optional<scene::PlotPage> page);
 
     AppModel& app_;
     std::filesystem::path library_;
     std::optional<scene::PlotPage> page_;
-    QTimer pause_;          // news of one show come one behind the other
-    bool is_stale_ = false; // something came while one was made
+    std::size_t fixtures_ = 0;              // of the show that it is about
+    std::shared_ptr<const scene::Show> of_; // that the last one was begun for
+    QTimer pause_;                          // news of one show come one behind the other
+    bool is_stale_ = false;                 // something came while one was made
     std::jthread worker_;
 };
 

@@ -18,6 +18,7 @@
 namespace ghost::ui {
 namespace {
 
+constexpr std::size_t kMostRows = 50;   // of files, each with widgets; as many have suggestions
 constexpr int kFixtures = Qt::UserRole; // role: which ones a line is about
 
 QString heads(std::size_t count) {
@@ -32,6 +33,7 @@ PlotPanel::PlotPanel(AppModel& app, const PlotReport& report, Actions& actions, 
       select_(new QPushButton("Select these", this)), copy_(new QPushButton("Copy", this)),
       save_(new QPushButton("Save as text...", this)) {
     title_->setWordWrap(true);
+    title_->setTextFormat(Qt::PlainText);
     tree_->setAccessibleName("What the plot has");
     tree_->setHeaderHidden(true);
     tree_->setWordWrap(true);
@@ -174,7 +176,14 @@ void PlotPanel::fill() {
                       : heads(dark) + " without light" +
                             (assumed > 0 ? QString(", %1 with one that is assumed").arg(assumed) : QString()),
             dark > 0 ? bad() : accent());
-        for (const scene::LightlessType& type : page->lightless) add_lightless(*section, type);
+        const std::size_t shown = std::min(page->lightless.size(), kMostRows);
+        for (std::size_t k = 0; k < shown; ++k) add_lightless(*section, page->lightless[k]);
+        std::vector<std::size_t> others;
+        for (std::size_t k = shown; k < page->lightless.size(); ++k)
+            others.insert(others.end(), page->lightless[k].fixtures.begin(),
+                          page->lightless[k].fixtures.end());
+        if (const std::size_t more = page->lightless.size() - shown; more > 0)
+            add(*section, QString(more == 1 ? "and %1 file more" : "and %1 files more").arg(more), others);
     }
     add_groups("Missing", Severity::error, bad());
     add_groups("Guessed or repaired", Severity::warning, accent());

@@ -5,10 +5,14 @@
 #include "show/show.h"
 #include "show_file/substitute_edit.h"
 #include "ui/actions/patch_edit.h"
+#include "ui/actions/show_actions.h"
 
 #include <QClipboard>
 #include <QGuiApplication>
 
+#include <algorithm>
+#include <deque>
+#include <optional>
 #include <utility>
 
 namespace ghost::ui {
@@ -20,32 +24,56 @@ public:
     AfterImport(Actions& actions, AppModel& app, ShowDocument& document)
         : QObject(&app), actions_(actions), app_(app), document_(document) {
         connect(&app_, &AppModel::opened_show, this, [this] {
-            if (waiting_.empty() || app_.opened().is_edit) return;
-            const std::vector<Substitute> all = std::exchange(waiting_, {});
-            if (app_.show()->plot_file.filename() != plot_) return; // another show was opened meanwhile
-            if (const auto done = substitute(app_, document_, all); !done.ok())
+            if (!waiting_ || app_.opened().is_edit) return;
+            const Waiting waiting = *std::exchange(waiting_, std::nullopt);
+            std::error_code code;
+            if (!std::filesystem::equivalent(app_.show()->folder, waiting.folder, code)) {
+                actions_.complain({"another show was opened: no fixture file is substituted",
+                                   app_.show()->folder.string()});
+                return;
+            }
+            if (const auto done = substitute(app_, document_, waiting.all); !done.ok())
                 actions_.complain(done.error());
         });
         connect(&app_.jobs(), &Jobs::ended, this, [this](const Job& job) {
-            if (job.state != Job::State::done) waiting_.clear();
+            if (!waiting_ || job.number != waiting_->import || job.state == Job::State::done) return;
+            waiting_.reset();
+            actions_.complain(
+                {"the plot was not imported: no fixture file is substituted", job.title.toStdString()});
         });
     }
 
     Result<void> take(const std::vector<Substitute>& all) {
         if (!app_.show()) return Error{"no show is open", ""};
         if (app_.show()->file != app_.show()->plot_file) return substitute(app_, document_, all);
-        TRY_VOID(actions_.run("import-plot " + quoted(QString::fromStdString(app_.show()->file.string()))));
-        waiting_ = all;
-        plot_ = app_.show()->plot_file.filename();
+        const QString plot = QString::fromStdString(app_.show()->file.string());
+        if (is_importing())
+            return Error{"the plot is being imported: take it when that is done", plot.toStdString()};
+        TRY_VOID(actions_.run("import-plot " + quoted(plot)));
+        const Job& import = app_.jobs().all().back();
+        if (import.is_over()) return Error{"the plot was not imported: no fixture file is substituted", ""};
+        waiting_ = {import.number, folder_for_plot(plot).toStdString(), all};
         return {};
     }
 
 private:
+    struct Waiting {
+        int import = 0; // number of the job
+        std::filesystem::path folder;
+        std::vector<Substitute> all;
+    };
+
+    bool is_importing() const {
+        const std::deque<Job>& jobs = app_.jobs().all();
+        return waiting_ && std::any_of(jobs.begin(), jobs.end(), [&](const Job& job) {
+                   return job.number == waiting_->import && !job.is_over();
+               });
+    }
+
     Actions& actions_;
     AppModel& app_;
     ShowDocument& document_;
-    std::vector<Substitute> waiting_;
-    std::filesystem::path plot_;
+    std::optional<Waiting> waiting_;
 };
 
 Result<const scene::PlotPage*> page_of(const PlotReport& report) {
