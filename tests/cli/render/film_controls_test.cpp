@@ -147,6 +147,32 @@ TEST_F(FilmControlsTest, a_camera_is_recalled_at_once_or_flown_to) {
     EXPECT_LT(difference(draw(request, 111), house), 0.01);
 }
 
+TEST_F(FilmControlsTest, a_camera_rides_and_then_turns_to_its_tracker) {
+    scene::Show& show = *session_->show;
+    scene::Camera& home = show.cameras[session_->camera];
+    home.mover = 0;
+    show.movers.emplace_back().axes.emplace_back().high = 10; // upwards
+    session_->rig = std::make_unique<scene::Rig>(show);
+    session_->rig->movers().drive(0, {2});
+    session_->rig->step({}, 0.1);
+    controls_.aim(*session_);
+    const glm::vec3 up_m{0, 0, 2};
+    EXPECT_LT(glm::distance(session_->live->camera().position_m, home.position_m + up_m), 1e-4f);
+    EXPECT_LT(glm::distance(session_->live->camera().target_m, home.target_m + up_m), 1e-4f);
+
+    scene::TrackerUse use;
+    use.id = 7;
+    use.camera = home.name;
+    show.tracking.uses = {use};
+    dmx::PsnPacket packet;
+    packet.positions.push_back({7, {2.0f, 1.5f, -3.0f}});
+    dmx::Trackers trackers;
+    trackers.feed(packet, std::chrono::seconds(1));
+    controls_.apply(*session_, trackers);
+    EXPECT_LT(glm::distance(session_->live->camera().position_m, home.position_m + up_m), 1e-4f);
+    EXPECT_LT(glm::distance(session_->live->camera().target_m, glm::vec3(2.0f, 3.0f, 1.5f)), 1e-4f);
+}
+
 TEST_F(FilmControlsTest, heads_and_camera_follow_a_tracker) {
     scene::TrackerUse use;
     use.name = "Singer";
