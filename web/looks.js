@@ -2,7 +2,7 @@
 // @ts-check
 // The looks of the show as cards, the one that is there now marked; with control they are recalled, and cues
 // are called.
-import {hear, isHidden, make, mayControl, now, onShown, smallPicture} from "./store.js";
+import {hear, isHidden, make, mayControl, now, onShown, smallPicture, thumbnail} from "./store.js";
 import {doIt, wish} from "./wire.js";
 
 class Looks extends HTMLElement {
@@ -75,7 +75,7 @@ class Looks extends HTMLElement {
 
   /** @param {{name: string, fade_s: number, fixtures: number}} look */
   card(look) {
-    const picture = make("div", {class: "thumb"}, make("span", {}, "drawn when the lamps rest"));
+    const picture = make("div", {class: "thumb"}, thumbnail(""));
     const state = make("span", {class: "badge"}, "Now");
     const facts = `${look.fixtures} ${look.fixtures === 1 ? "lamp" : "lamps"} \u00b7 ${look.fade_s ? `${Number(look.fade_s.toFixed(1))} s` : "at once"}`;
     const words = make("div", {class: "words"}, make("span", {class: "name"}, look.name), state, make("span", {class: "quiet"}, facts));
@@ -94,9 +94,9 @@ class Looks extends HTMLElement {
     if (this.hidden) return;
     for (const [name, row] of this.rows) {
       const url = smallPicture("look", name);
-      if (!url || url === row.url) continue;
+      if (url === row.url) continue;
       row.url = url;
-      row.picture.replaceChildren(make("img", {src: url, alt: ""}));
+      row.picture.replaceChildren(thumbnail(url));
     }
   }
 }

@@ -3,7 +3,7 @@
 // The stage from elsewhere: the show's cameras as cards, or a view of one's own. A tap measures.
 import {hearFingers, Painter} from "./draw.js";
 import {cameraOf, dolly, orbitOf, round, slide, turn} from "./orbit.js";
-import {hear, isCalm, isHidden, make, mayControl, now, onShown, smallPicture} from "./store.js";
+import {hear, isCalm, isHidden, make, mayControl, now, onShown, smallPicture, thumbnail} from "./store.js";
 import {doIt, wish} from "./wire.js";
 
 const STILL = 16;  // flag of a picture
@@ -53,7 +53,7 @@ class Stage extends HTMLElement {
     if (shape === this.shape) return;
     this.shape = shape;
     this.rows = new Map(cameras.map((/** @type {{name: string}} */ camera) => {
-      const picture = make("div", {class: "thumb"}, make("span", {}, "drawn when the lamps rest"));
+      const picture = make("div", {class: "thumb"}, thumbnail(""));
       const button = make("button", {type: "button", "aria-pressed": "false"}, picture, make("div", {class: "words"}, make("span", {class: "name"}, camera.name)));
       button.addEventListener("click", () => this.choose(camera.name));
       return [camera.name, {item: make("li", {class: "card"}, button), button, picture, url: ""}];
@@ -91,7 +91,7 @@ class Stage extends HTMLElement {
     this.what.classList.remove("bad");
     this.what.textContent = said;
     this.name();
-    this.ask();
+    this.ask(true);
   }
 
   name() {
@@ -109,7 +109,7 @@ class Stage extends HTMLElement {
                                    `Camera ${this.chosen}. Enter measures the middle`);
   }
 
-  ask() {
+  ask(isAgain = false) {
     if (this.hidden || !(this.chosen || this.orbit)) return;
     const width = Math.round(this.view.clientWidth * devicePixelRatio);
     wish({
@@ -118,7 +118,7 @@ class Stage extends HTMLElement {
       calm: isCalm(),
       ...(this.orbit ? {own: cameraOf(this.orbit)} : {camera: this.chosen}),
       ...(this.probe ? {probe: this.probe} : {}),
-    });
+    }, isAgain);
   }
 
   async putPicture() {
@@ -156,9 +156,9 @@ class Stage extends HTMLElement {
     if (this.hidden) return;
     for (const [name, row] of this.rows) {
       const url = smallPicture("camera", name);
-      if (!url || url === row.url) continue;
+      if (url === row.url) continue;
       row.url = url;
-      row.picture.replaceChildren(make("img", {src: url, alt: ""}));
+      row.picture.replaceChildren(thumbnail(url));
     }
   }
 

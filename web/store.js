@@ -58,6 +58,16 @@ export function putSmall(kind, name, blob) {
   put("small", key);
 }
 
+/** @param {any} show of another show the small pictures go first */
+export function putShow(show) {
+  if (now.show && now.show.opens !== show.opens) {
+    for (const url of small.values()) URL.revokeObjectURL(url);
+    small.clear();
+    put("small", "");
+  }
+  put("show", show);
+}
+
 let calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
 
 /** Two pictures a second, against strobes. */
@@ -109,6 +119,11 @@ export function make(name, attributes = {}, ...children) {
   for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
   element.append(...children);
   return element;
+}
+
+/** @param {string} url of a small picture; "": there is none yet */
+export function thumbnail(url) {
+  return url ? make("img", {src: url, alt: ""}) : make("span", {}, "drawn when the lamps rest");
 }
 
 /** @param {number} seconds */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // @ts-check
 // The connection: messages in and out, the server's clock, and coming back after it was lost.
-import {dropToken, now, put, putSmall} from "./store.js";
+import {dropToken, now, put, putShow, putSmall} from "./store.js";
 
 const WAITS_S = [0.5, 1, 2, 4];
 const PING_EVERY_MS = 20000;
@@ -114,7 +114,9 @@ function hearText(text) {
     put("refusedView", message.why);
   else if (message.type === "refused" || message.type === "done")
     hearAnswer(message);
-  else if (["hello", "show", "state", "messages", "explained", "looks", "measure"].includes(message.type))
+  else if (message.type === "show")
+    putShow(message);
+  else if (["hello", "state", "messages", "explained", "looks", "measure"].includes(message.type))
     put(message.type, message);
 }
 
@@ -183,10 +185,13 @@ export function fetchWithToken(path) {
   return fetch(path, {headers: {Authorization: `Bearer ${token}`}, cache: "no-store"});
 }
 
-/** What holds until it is wished otherwise, over lost lines, too. @param {{type: string}} message */
-export function wish(message) {
+/**
+ * What holds until it is wished otherwise, over lost lines, too. @param {{type: string}} message
+ * @param {boolean} isAgain said even if it holds already: the server may have refused it, or forgotten
+ */
+export function wish(message, isAgain = false) {
   const text = JSON.stringify(message);
-  if (wishes.get(message.type) === text) return;
+  if (!isAgain && wishes.get(message.type) === text) return;
   wishes.set(message.type, text);
   say(message);
 }

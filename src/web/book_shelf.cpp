@@ -1,42 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "web/book_shelf.h"
 
+#include "base/log.h"
 #include "book/book_json.h"
 #include "disk/files.h"
 
 namespace ghost::web {
+namespace {
 
-Result<void> BookShelf::read() {
-    if (folder_.empty())
-        return Error{"no cue book is given: start with --book FOLDER, which 'ghostlight book' makes", ""};
-    const std::filesystem::path file = folder_ / "book.json", other = folder_ / "difference.json";
-    std::error_code code;
-    const auto written = std::filesystem::last_write_time(file, code);
-    if (code) return Error{"there is no cue book in the folder of --book", ""};
-    if (!book_.empty() && written == read_at_) return {};
-    book_.clear();
-    difference_.clear();
-    pictures_.clear();
-    TRY(std::string text, read_text_file(file, scene::kMostBookBytes));
-    TRY(const scene::Book book, scene::book_from(text, "book.json"));
+constexpr const char* kNoFile = "the cue book has no such file";
+
+Result<std::vector<std::string>> files_of_book(std::string_view text, const std::string& where) {
+    TRY(const scene::Book book, scene::book_from(text, where));
+    std::vector<std::string> files;
     for (const scene::BookEntry& entry : book.entries)
-        for (const scene::BookPicture& picture : entry.pictures) pictures_.insert(picture.file);
-    if (std::filesystem::exists(other, code)) {
-        TRY(difference_, read_text_file(other, scene::kMostBookBytes));
-        TRY(const std::vector<std::string> files, scene::files_of_difference(difference_, "difference.json"));
-        pictures_.insert(files.begin(), files.end());
+        for (const scene::BookPicture& picture : entry.pictures) files.push_back(picture.file);
+    return files;
+}
+
+} // namespace
+
+void BookShelf::renew(Text& text, const std::string& name, const std::string& missing,
+                      PicturesOf* pictures_of) {
+    const std::filesystem::path file = folder_ / name;
+    std::error_code no_time, no_size;
+    const Stamp stamp{std::filesystem::last_write_time(file, no_time),
+                      std::filesystem::file_size(file, no_size)};
+    if (no_time || no_size) {
+        text = {{}, Error{missing, ""}};
+        return;
     }
-    book_ = std::move(text);
-    read_at_ = written;
-    return {};
+    if (text.stamp == stamp) return;
+    text = {stamp, read_text_file(file, kMostShelfBytes)};
+    if (text.text.ok()) {
+        Result<std::vector<std::string>> pictures = pictures_of(*text.text, name);
+        if (pictures.ok())
+            text.pictures.insert(pictures->begin(), pictures->end());
+        else
+            text.text = pictures.error();
+    }
+    if (!text.text.ok()) log_warning("browsers: " + name + " of the cue book: " + text.text.error().what);
 }
 
 Result<BookShelf::File> BookShelf::file(std::string_view name) {
-    TRY_VOID(read());
-    if (name == "book.json") return File{"application/json", book_};
-    if (name == "difference.json" && !difference_.empty()) return File{"application/json", difference_};
-    const auto picture = pictures_.find(name);
-    if (picture == pictures_.end()) return Error{"the cue book has no such file", ""};
+    if (folder_.empty())
+        return Error{"no cue book is given: start with --book FOLDER, which 'ghostlight book' makes", ""};
+    renew(book_, "book.json", "there is no cue book in the folder of --book", files_of_book);
+    renew(difference_, "difference.json", kNoFile, scene::files_of_difference);
+    if (!book_.text.ok()) return book_.text.error();
+    if (name == "book.json") return File{"application/json", *book_.text};
+    if (name == "difference.json") {
+        if (!difference_.text.ok()) return difference_.text.error();
+        return File{"application/json", *difference_.text};
+    }
+    const Text& naming = book_.pictures.contains(name) ? book_ : difference_;
+    const auto picture = naming.pictures.find(name);
+    if (picture == naming.pictures.end()) return Error{kNoFile, ""};
     const std::filesystem::path path = folder_ / *picture;
     std::error_code code;
     for (const std::filesystem::path& part : {path.parent_path(), path})

@@ -2,18 +2,24 @@
 // SPDX-License-Identifier: Apache-2.0
 // BookShelf: the files of a cue book (docs/guide/cue-book.md) for the page, by their names there: book.json,
 // difference.json where it was made against an older one, and the pictures that these name. No other name
-// leads to the disk. The book is read again when it was made anew. One thread.
+// leads to the disk. A file is read again when it was made anew, one that is damaged, too, and not before.
+// One thread.
 
 #include "base/result.h"
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ghost::web {
 
-inline constexpr std::size_t kMostBookPictureBytes = std::size_t{64} << 20;
+// For one thread that serves all; a book on the disk may be larger.
+inline constexpr std::size_t kMostShelfBytes = std::size_t{32} << 20; // of book.json, of difference.json
+inline constexpr std::size_t kMostBookPictureBytes = std::size_t{16} << 20;
 
 class BookShelf {
 public:
@@ -28,12 +34,22 @@ public:
     Result<File> file(std::string_view name);
 
 private:
-    Result<void> read();
+    struct Stamp {
+        std::filesystem::file_time_type written;
+        std::uintmax_t bytes = 0;
+        bool operator==(const Stamp&) const = default;
+    };
+    struct Text {
+        std::optional<Stamp> stamp; // of what was read last, good or not; none: there is no file
+        Result<std::string> text;
+        std::set<std::string, std::less<>> pictures = {}; // that it names
+    };
+    using PicturesOf = Result<std::vector<std::string>>(std::string_view text, const std::string& where);
+    // As it is on the disk now.
+    void renew(Text& text, const std::string& name, const std::string& missing, PicturesOf* pictures_of);
 
     std::filesystem::path folder_;
-    std::filesystem::file_time_type read_at_{};
-    std::string book_, difference_;
-    std::set<std::string, std::less<>> pictures_;
+    Text book_{{}, Error{}}, difference_{{}, Error{}};
 };
 
 } // namespace ghost::web

@@ -19,6 +19,8 @@ public:
     void want(int width, bool calm);
     bool may_send(double now_s) const;
     void sent(std::uint32_t number, double now_s);
+    // The newest one comes once more.
+    void send_again() { newest_ = 0; }
     // What was sent before that picture is done, too. One that was not sent changes nothing.
     void painted(std::uint32_t number, double now_s);
 

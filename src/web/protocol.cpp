@@ -174,6 +174,7 @@ std::string show_text(std::uint16_t version, const ui::Opened& opened) {
     }
     return json_text({{"type", "show"},
                       {"version", version},
+                      {"opens", opened.opens},
                       {"name", opened.show ? opened.show->name : ""},
                       {"device", opened.device},
                       {"cameras", std::move(cameras)},

@@ -86,13 +86,12 @@ void Server::show_digits(bool shown) {
 
 void Server::renew_token() {
     const std::lock_guard lock(gate_.mutex);
-    gate_.access.token = make_token();
+    gate_.access.renew();
 }
 
 void Server::send_all_away() {
     const std::lock_guard lock(gate_.mutex);
-    gate_.access.token = make_token();
-    if (!gate_.access.control_token.empty()) gate_.access.control_token = make_token();
+    gate_.access.renew();
     ++gate_.keys;
     ++gate_.sent_away;
     wake_->raise();

@@ -115,6 +115,7 @@ bool ServerLoop::serve(Guest& guest) {
         else
             read_request(guest);
         end_what_is_late(guest);
+        if (guest.viewer) go_to_watch(guest);
         if (guest.viewer) offer(guest);
     }
     return guest.connection.send() && !guest.connection.is_over(now_s());

@@ -75,6 +75,11 @@ void ServerLoop::read_news() {
 
 // Of each the newest, each with a version of its own.
 void ServerLoop::take_small(SmallKind kind, const std::vector<ui::NamedPicture>& pictures) {
+    std::erase_if(small_, [&](const Small& one) {
+        return one.kind == kind && std::none_of(pictures.begin(), pictures.end(), [&](const auto& picture) {
+                   return picture.name == one.name;
+               });
+    });
     for (const ui::NamedPicture& picture : pictures) {
         const auto known = std::find_if(small_.begin(), small_.end(), [&](const Small& one) {
             return one.kind == kind && one.name == picture.name;
@@ -106,10 +111,8 @@ void ServerLoop::take_opened(ui::Opened opened) {
     patch_ = opened_->show ? scene::PatchMap(*opened_->show) : scene::PatchMap();
     rig_.reset();
     asking_.reset();
-    if (!opened_->is_edit) { // those of another show
-        small_.clear();
-        asked_.clear();
-    }
+    if (!opened_->is_edit) small_.clear(); // those of another show
+    look_at_sides_anew();
     show_.reset();
     ++show_version_;
 }

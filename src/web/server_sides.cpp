@@ -5,9 +5,13 @@
 #include "show/show.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ghost::web {
 namespace {
+
+constexpr double kNewSideEvery_s = 0.1; // of one viewer
+constexpr const char* kNoCamera = "the show has no such camera";
 
 bool watch_the_same(const Watch& a, const Watch& b) {
     return a.camera == b.camera && a.own == b.own && a.probe == b.probe;
@@ -22,12 +26,28 @@ bool is_of_window(const Watch& watch) {
 void ServerLoop::watch(Guest& guest, const Watch& watch) {
     Viewer& viewer = *guest.viewer;
     viewer.flow.want(watch.width, watch.calm);
-    if (watch_the_same(viewer.watch, watch)) return;
+    viewer.wants_watch = watch;
+    go_to_watch(guest);
+}
+
+void ServerLoop::go_to_watch(Guest& guest) {
+    Viewer& viewer = *guest.viewer;
+    if (!viewer.wants_watch || now_s() - viewer.watched_s < kNewSideEvery_s) return;
+    const Watch watch = std::move(*std::exchange(viewer.wants_watch, std::nullopt));
+    if (watch_the_same(viewer.watch, watch)) {
+        if (viewer.watch.width == watch.width && viewer.watch.calm == watch.calm) { // chosen again
+            viewer.flow.send_again();
+            viewer.measure = 0;
+        }
+        viewer.watch = watch;
+        return;
+    }
+    viewer.watched_s = now_s();
     viewer.watch = watch;
     if (is_of_window(watch)) return;
     if (!side_of(watch)) {
         viewer.watch = {};
-        guest.connection.put(build_text(refused_text(0, "the show has no such camera")));
+        guest.connection.put(build_text(refused_text(0, kNoCamera)));
         return;
     }
     choose_sides();
@@ -62,6 +82,17 @@ ServerLoop::Side* ServerLoop::side_for(const Viewer& viewer) {
     return side == sides_.end() ? nullptr : &*side;
 }
 
+// Cameras of another show have other places, or none.
+void ServerLoop::look_at_sides_anew() {
+    for (Side& side : sides_) side.is_stale = true;
+    for (Guest& guest : guests_) {
+        if (!guest.viewer || is_of_window(guest.viewer->watch) || side_of(guest.viewer->watch)) continue;
+        guest.viewer->watch = {};
+        guest.connection.put(build_text(refused_text(0, kNoCamera)));
+    }
+    choose_sides();
+}
+
 // Those that somebody watches; who moves his own camera keeps his place.
 void ServerLoop::choose_sides() {
     const auto watched = [&](const Watch& watch) {
@@ -69,7 +100,8 @@ void ServerLoop::choose_sides() {
             return guest.viewer && watch_the_same(guest.viewer->watch, watch);
         });
     };
-    bool is_new = sides_.remove_if([&](const Side& side) { return !watched(side.watch); }) > 0;
+    bool is_new =
+        sides_.remove_if([&](const Side& side) { return side.is_stale || !watched(side.watch); }) > 0;
     for (const Guest& guest : guests_) {
         if (sides_.size() >= ui::kMostSideViews) break;
         if (!guest.viewer || is_of_window(guest.viewer->watch) || side_for(*guest.viewer)) continue;
@@ -82,8 +114,7 @@ void ServerLoop::choose_sides() {
     if (!is_new) return;
     std::vector<ui::SideView> wanted;
     for (const Side& side : sides_) wanted.push_back(side.view);
-    link_.side_views.put(std::move(wanted));
-    link_.wake.raise();
+    link_.side_views.put(std::move(wanted)); // a wake-up would end a picture that rests
 }
 
 void ServerLoop::take_side(const ui::SidePicture& drawn) {

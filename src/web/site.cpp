@@ -95,6 +95,7 @@ Answer pair(const Head& head, std::string_view body, Access& access, double now_
         return refusal(400);
     if (!access.pairing || !access.pairing->accepts((*asked)["code"].get<std::string>(), now_s))
         return refusal(401);
+    access.pairing.reset();
     return {.type = "application/json",
             .body = {},
             .text = nlohmann::json{{"token", access.token}, {"right", "view"}}.dump(),
@@ -102,6 +103,12 @@ Answer pair(const Head& head, std::string_view body, Access& access, double now_
 }
 
 } // namespace
+
+void Access::renew() {
+    token = make_token();
+    if (!control_token.empty()) control_token = make_token();
+    pairing.reset();
+}
 
 std::string_view name_of(Right right) {
     return right == Right::control ? "control" : right == Right::view ? "view" : "none";

@@ -20,6 +20,9 @@ struct Access {
     std::string token;
     std::optional<Pairing> pairing; // none: nobody comes in by digits
     std::string control_token = {}; // empty: nobody may control
+
+    // Tokens are others, and no digits hold.
+    void renew();
 };
 
 enum class Right { none, view, control };

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 namespace ghost::web {
 namespace {
 
@@ -78,7 +80,35 @@ TEST_F(Shelf, what_is_no_book_is_said) {
     put_book();
     EXPECT_TRUE(shelf.file("book.json").ok()) << "it was made meanwhile";
     put("difference.json", R"({"ghostlight_difference":1,"pictures":[{"file":"../../etc/passwd"}]})");
-    EXPECT_FALSE(BookShelf(folder.path).file("book.json").ok());
+    EXPECT_TRUE(shelf.file("book.json").ok()) << "what was compared is damaged, not the book";
+    EXPECT_FALSE(shelf.file("difference.json").ok());
+    EXPECT_TRUE(shelf.file("pictures/0001-1.png").ok());
+}
+
+TEST_F(Shelf, a_damaged_book_is_read_again_when_it_is_another_one) {
+    put_book();
+    const std::string good = *read_text_file(folder.path / "book.json", kMostShelfBytes);
+    const std::string bad(good.size(), '{');
+    put("book.json", bad);
+    const auto written = std::filesystem::last_write_time(folder.path / "book.json");
+    const auto first = shelf.file("book.json");
+    ASSERT_FALSE(first.ok());
+    // The same time and size: nothing is read, so what is there now cannot be known.
+    put("book.json", good);
+    std::filesystem::last_write_time(folder.path / "book.json", written);
+    const auto second = shelf.file("book.json");
+    ASSERT_FALSE(second.ok());
+    EXPECT_EQ(second.error().what, first.error().what);
+    std::filesystem::last_write_time(folder.path / "book.json", written + std::chrono::seconds(1));
+    EXPECT_TRUE(shelf.file("book.json").ok());
+}
+
+TEST_F(Shelf, what_is_too_large_is_not_read) {
+    put_book();
+    std::filesystem::resize_file(folder.path / "pictures/0001-1.png", kMostBookPictureBytes + 1);
+    EXPECT_FALSE(shelf.file("pictures/0001-1.png").ok());
+    std::filesystem::resize_file(folder.path / "book.json", kMostShelfBytes + 1);
+    EXPECT_FALSE(shelf.file("book.json").ok());
 }
 
 } // namespace

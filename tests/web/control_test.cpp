@@ -94,21 +94,37 @@ TEST_F(WebServer, all_are_sent_away_and_no_address_that_was_lets_in) {
     Peer peer(server->port());
     const std::string before = server->keys().token;
     ASSERT_EQ(peer.look_on(before), 101);
+    const std::string digits = server->keys().digits;
+    ASSERT_EQ(digits.size(), 6u);
     server->send_all_away();
+    EXPECT_EQ(server->keys().digits, "");
+    EXPECT_EQ(Peer(server->port()).pair(digits), 401);
     EXPECT_FALSE(peer.hear("bye").is_null());
     EXPECT_TRUE(peer.is_closed());
     EXPECT_EQ(Peer(server->port()).look_on(before), 401);
     EXPECT_EQ(Peer(server->port()).look_on(server->keys().token), 101);
 }
 
-TEST_F(WebServer, a_new_token_leaves_who_is_in) {
-    Peer peer(server->port());
-    const std::string before = server->keys().token;
-    ASSERT_EQ(peer.look_on(before), 101);
+TEST_F(WebServer, digits_let_one_in) {
+    const std::string digits = server->keys().digits;
+    EXPECT_EQ(Peer(server->port()).pair(digits), 200);
+    EXPECT_EQ(Peer(server->port()).pair(digits), 401);
+}
+
+TEST_F(WebControl, a_new_token_leaves_who_is_in) {
+    Peer peer(server->port()), other(server->port());
+    const Keys before = server->keys();
+    ASSERT_EQ(peer.look_on(before.token), 101);
+    ASSERT_EQ(other.look_on(before.control_token), 101);
     server->renew_token();
-    EXPECT_EQ(Peer(server->port()).look_on(before), 401);
+    EXPECT_EQ(Peer(server->port()).look_on(before.token), 401);
+    EXPECT_EQ(Peer(server->port()).look_on(before.control_token), 401);
+    EXPECT_EQ(Peer(server->port()).look_on(server->keys().control_token), 101);
+    EXPECT_EQ(Peer(server->port()).pair(before.digits), 401);
     peer.say(R"({"type":"ping","t":7})");
     EXPECT_EQ(peer.hear("pong")["t"], 7);
+    other.say(R"({"type":"do","n":1,"what":"haze","args":[1]})");
+    EXPECT_TRUE(command()) << "he still controls";
     server->show_digits(false);
     EXPECT_EQ(server->keys().digits, "");
     server->show_digits(true);

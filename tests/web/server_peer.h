@@ -74,6 +74,15 @@ public:
         return status();
     }
 
+    // By six digits.
+    int pair(const std::string& digits) {
+        const std::string host = "127.0.0.1:" + std::to_string(port_), body = R"({"code":")" + digits + "\"}";
+        send("POST /pair HTTP/1.1\r\nHost: " + host + "\r\nOrigin: http://" + host +
+             "\r\nContent-Type: application/json\r\nContent-Length: " + std::to_string(body.size()) +
+             "\r\n\r\n" + body);
+        return status();
+    }
+
     // Becomes a viewer. Returns the status.
     int look_on(const std::string& token) {
         const std::string host = "127.0.0.1:" + std::to_string(port_);

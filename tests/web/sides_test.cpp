@@ -7,11 +7,13 @@ namespace {
 
 class WebSides : public WebServer {
 protected:
-    WebSides() {
+    WebSides() { open({"house", "close", "side"}); }
+    void open(const std::vector<std::string>& cameras, const glm::vec3& position_m = glm::vec3(0)) {
         auto show = std::make_shared<scene::Show>();
-        for (const char* name : {"house", "close", "side"}) {
+        for (const std::string& name : cameras) {
             show->cameras.emplace_back();
             show->cameras.back().name = name;
+            show->cameras.back().position_m = position_m;
         }
         ui::Opened opened;
         opened.show = show;
@@ -88,6 +90,43 @@ TEST_F(WebSides, an_own_camera_moves_and_goes_with_who_has_it) {
     }
     peer.reset();
     wanted(0);
+}
+
+TEST_F(WebSides, another_show_has_its_cameras_elsewhere_or_not_at_all) {
+    Peer peer(server->port());
+    ASSERT_EQ(peer.look_on(server->keys().token), 101);
+    ASSERT_FALSE(peer.hear("show").is_null());
+    peer.say(watch(R"(,"camera":"house")"));
+    const ui::SideView before = wanted(1).front();
+    open({"house"}, {1, 2, 3});
+    const ui::SideView after = wanted(1).front();
+    EXPECT_EQ(after.camera.position_m, glm::vec3(1, 2, 3));
+    EXPECT_GT(after.number, before.number);
+    draw(after);
+    for (int i = 0; i < 2; ++i) { // at rest it comes once more, with all its colours
+        const Buffer picture = peer.hear_bytes(1);
+        ASSERT_GT(picture.size(), 32u);
+        peer.paint(number_of(picture));
+    }
+    EXPECT_TRUE(peer.hear_bytes(1, 200ms).empty()) << "and no more";
+    peer.say(watch(R"(,"camera":"house")"));
+    EXPECT_FALSE(peer.hear_bytes(1).empty()) << "chosen again it comes again";
+    open({"close"});
+    EXPECT_EQ(peer.hear("refused")["why"], "the show has no such camera");
+    wanted(0);
+}
+
+TEST_F(WebSides, who_moves_without_end_has_ten_views_a_second) {
+    Peer peer(server->port());
+    ASSERT_EQ(peer.look_on(server->keys().token), 101);
+    ASSERT_FALSE(peer.hear("show").is_null());
+    for (int x = 1; x <= 50; ++x)
+        peer.say(watch(R"(,"own":{"position_m":[)" + std::to_string(x) +
+                       R"(,0,2],"target_m":[0,0,0],"fov_y_deg":50})"));
+    ui::SideView view;
+    for (int tries = 0; tries < 50 && view.camera.position_m.x != 50; ++tries) view = wanted(1).front();
+    EXPECT_EQ(view.camera.position_m.x, 50) << "the newest";
+    EXPECT_LT(view.number, 25u) << "and few of those before";
 }
 
 TEST_F(WebServer, small_pictures_come_to_those_who_want_them) {

@@ -46,6 +46,7 @@ void Engine::take_edit() {
 void Engine::take_air(const scene::Show& edited) {
     if (!app::take_air(edited, *session_)) return;
     live_.take_air(*session_);
+    forget_beside(); // their programs know one air
     last_change_s_ = now_s();
 }
 

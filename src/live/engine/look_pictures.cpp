@@ -18,6 +18,29 @@ scene::FrameLights lit_by(scene::Rig& rig, const scene::StoredLook& look, Sessio
     return rig.lit(session.gobos, session.live->maps());
 }
 
+// The session in the scene of a look, without work light; then as it was before.
+class AsOfLook {
+public:
+    AsOfLook(Session& session, const scene::SceneLook& scene)
+        : session_(session), scene_(std::exchange(session.scene_look, scene)),
+          work_lux_(session.live->work_light()) {
+        session_.live->set_atmosphere(session_.atmosphere());
+        session_.live->set_work_light(0);
+    }
+    ~AsOfLook() {
+        session_.scene_look = scene_;
+        session_.live->set_atmosphere(session_.atmosphere());
+        session_.live->set_work_light(work_lux_);
+    }
+    AsOfLook(const AsOfLook&) = delete;
+    AsOfLook& operator=(const AsOfLook&) = delete;
+
+private:
+    Session& session_;
+    const scene::SceneLook scene_;
+    const float work_lux_;
+};
+
 } // namespace
 
 void LookPictures::draw(Session& session, double now_s, const std::function<bool()>& stop) {
@@ -33,21 +56,28 @@ void LookPictures::draw(Session& session, double now_s, const std::function<bool
     if (next_ == 0) pictures_.clear();
     made_s_ = now_s;
     if (!rig_) rig_ = std::make_unique<scene::Rig>(*session.show);
-    const scene::SceneLook shown = std::exchange(session.scene_look, look.scene);
+    std::optional<image::Image8> picture;
+    {
+        const AsOfLook as_of_look(session, look.scene);
+        picture = drawn(session, look, stop);
+    }
+    if (!picture) return;
+    ++next_;
+    pictures_.push_back({look.name, std::make_shared<const image::Image8>(std::move(*picture))});
+    link_.look_pictures.put(pictures_);
+    link_.on_news();
+}
+
+std::optional<image::Image8> LookPictures::drawn(Session& session, const scene::StoredLook& look,
+                                                 const std::function<bool()>& stop) {
     if (!small_ || drawn_in_ != look.scene) { // its programs know one air
         small_.reset();
         if (SmallPicture::fits(session))
             small_ = std::make_unique<SmallPicture>(session, kLookWidth, kLookHeight);
         drawn_in_ = look.scene;
     }
-    std::optional<image::Image8> picture;
-    if (small_) picture = small_->draw(session.show->cameras.front(), lit_by(*rig_, look, session), 0, stop);
-    session.scene_look = shown;
-    if (!picture) return;
-    ++next_;
-    pictures_.push_back({look.name, std::make_shared<const image::Image8>(std::move(*picture))});
-    link_.look_pictures.put(pictures_);
-    link_.on_news();
+    if (!small_) return std::nullopt;
+    return small_->draw(session.show->cameras.front(), lit_by(*rig_, look, session), 0, stop);
 }
 
 void LookPictures::forget() {

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace ghost::app {
@@ -25,6 +26,10 @@ public:
     void forget();
 
 private:
+    // In the session that is as the look has it.
+    std::optional<image::Image8> drawn(Session& session, const scene::StoredLook& look,
+                                       const std::function<bool()>& stop);
+
     ui::Link& link_;
     ui::LooksNow now_;
     std::unique_ptr<scene::Rig> rig_;

@@ -55,15 +55,16 @@ void SideViews::draw(const Session& session, const scene::FrameLights& lit, cons
         Side& side = sides_[index];
         const bool is_new = side.drawn.number != side.view.number || side.of_changed_s != now.changed_s;
         if (!side.is_wanted || !is_new || stop()) continue;
+        const double begin_s = steady_now_s();
+        const auto rest = [&] { may_go_s_ = now.now_s + (1 + kRestsPerTime) * (steady_now_s() - begin_s); };
         if (!side.small) {
             if (!SmallPicture::fits(session)) return;
             side.small = std::make_unique<SmallPicture>(session, is_still ? kStillWidth : kSideWidth,
                                                         is_still ? kStillHeight : kSideHeight);
         }
-        const double begin_s = steady_now_s();
-        auto picture = side.small->draw(side.view.camera, lit, now.air_s, stop);
-        may_go_s_ = now.now_s + (1 + kRestsPerTime) * (steady_now_s() - begin_s);
-        if (!picture) return;
+        const scene::Camera camera = scene::riding(side.view.camera, *session.rig);
+        auto picture = side.small->draw(camera, lit, now.air_s, stop);
+        if (!picture) return rest();
         last_ = index;
         side.of_changed_s = now.changed_s;
         side.drawn = {side.view.number,
@@ -71,15 +72,15 @@ void SideViews::draw(const Session& session, const scene::FrameLights& lit, cons
                       side.small->ev100_used(),
                       is_still,
                       {}};
-        if (side.view.probe) side.drawn.measure = measure(side, session, lit, probe);
+        if (side.view.probe) side.drawn.measure = measure(side, camera, session, lit, probe);
+        rest();
         publish();
         return;
     }
 }
 
-ui::SideMeasure SideViews::measure(const Side& side, const Session& session, const scene::FrameLights& lit,
-                                   PictureProbe& probe) const {
-    scene::Camera camera = side.view.camera;
+ui::SideMeasure SideViews::measure(const Side& side, scene::Camera camera, const Session& session,
+                                   const scene::FrameLights& lit, PictureProbe& probe) const {
     camera.width = side.drawn.image->width;
     camera.height = side.drawn.image->height;
     return probe.measure(*side.view.probe, luminance_of(side.small->frame()), camera, session, lit);

@@ -41,8 +41,8 @@ private:
         double of_changed_s = -1; // Now::changed_s then
     };
     void take_wishes();
-    ui::SideMeasure measure(const Side& side, const Session& session, const scene::FrameLights& lit,
-                            PictureProbe& probe) const;
+    ui::SideMeasure measure(const Side& side, scene::Camera camera, const Session& session,
+                            const scene::FrameLights& lit, PictureProbe& probe) const;
     void publish();
 
     ui::Link& link_;

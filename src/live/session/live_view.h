@@ -71,6 +71,7 @@ public:
     bool set_forward_per_m(float per_m) { return std::exchange(forward_per_m_, per_m) != per_m; }
     // Likewise, render::Surroundings::work_lux.
     void set_work_light(float lux) { work_lux_ = lux; }
+    float work_light() const { return work_lux_; } // lux
     // For the next look_from. The distance maps of the lights that see it are made again in the background.
     void show(std::size_t instance, bool shown);
     void set_material(std::size_t material, const scene::Material& values) {

@@ -50,6 +50,7 @@ private:
     void read_frames(Guest& guest);
     void hear(Guest& guest, const ToServer& message);
     void watch(Guest& guest, const Watch& watch);
+    void go_to_watch(Guest& guest);
     void command(Guest& guest, const Do& what);
     void explain(Guest& guest, std::size_t fixture);
     // Of the tokens as they are now, and of who is to go.
@@ -66,6 +67,7 @@ private:
     void ask();
     // server_sides.cpp: which side views are wanted now.
     void choose_sides();
+    void look_at_sides_anew(); // the show is another one
     std::optional<ui::SideView> side_of(const Watch& watch) const;
     struct Side;
     Side* side_for(const Viewer& viewer);
@@ -117,6 +119,7 @@ private:
         PicturePacker packer;
         Packed measure;                                       // null: none
         std::shared_ptr<const image::Image8> image = nullptr; // that came last
+        bool is_stale = false;                                // of the show before
     };
     std::list<Side> sides_;
     std::uint64_t side_numbers_ = 0;

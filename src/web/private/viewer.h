@@ -21,7 +21,9 @@ struct Viewer {
     Right right = Right::view;
     std::uint64_t keys = 0; // of the tokens, when it was told its right
     Watch watch;
-    bool wants_pictures = false; // small ones
+    std::optional<Watch> wants_watch; // instead, when its time has come
+    double watched_s = -1e9;          // when it was another one last
+    bool wants_pictures = false;      // small ones
     bool wants_levels = false;
     std::optional<std::size_t> asks;                                        // a fixture to be explained
     std::uint64_t show = 0, messages = 0, levels = 0, looks = 0, small = 0; // versions that it has
