@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/render/film_controls.h"
 
-#include "light/rig.h"
 #include "show/camera_moves.h"
 
 #include "base/log.h"
