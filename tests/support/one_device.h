@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace ghost {
 
@@ -17,9 +19,20 @@ public:
         if (!device_) device_ = must(gpu::Device::create({"", true}));
         return *device_;
     }
-    void TearDown() override { device_.reset(); }
+    // What is made of it once for all tests.
+    template <class T>
+    const T& keep(T made) {
+        auto one = std::make_shared<const T>(std::move(made));
+        kept_.push_back(one);
+        return *one;
+    }
+    void TearDown() override {
+        kept_.clear();
+        device_.reset();
+    }
 
 private:
+    std::vector<std::shared_ptr<const void>> kept_;
     std::unique_ptr<gpu::Device> device_;
 };
 inline auto* const kOneDevice = static_cast<OneDevice*>(testing::AddGlobalTestEnvironment(new OneDevice));

@@ -45,7 +45,7 @@ inline double sum_of(const image::ImageF& pixels, int channel = 1) {
 }
 
 inline const gpu::Texture& gobo_texture() {
-    static const gpu::Texture texture = [] {
+    static const gpu::Texture& texture = kOneDevice->keep([] {
         const shared::Gobos& gobos = test_gobos();
         gpu::Texture made(device(),
                           {shared::kGoboSize, shared::kGoboSize, static_cast<std::uint32_t>(gobos.layers),
@@ -53,7 +53,7 @@ inline const gpu::Texture& gobo_texture() {
         for (std::uint32_t level = 0; level < shared::kGoboLevels; ++level)
             made.write(level, gobos.texels[level].data(), gobos.texels[level].size() * sizeof(std::uint32_t));
         return made;
-    }();
+    }());
     return texture;
 }
 
