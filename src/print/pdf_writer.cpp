@@ -45,8 +45,6 @@ PdfWriter::PdfWriter(PaperSize paper, bool is_wide, const std::string& title)
     if (is_wide) std::swap(width_pt_, height_pt_);
     Drawing& d = *drawing_;
     d.surface.reset(cairo_pdf_surface_create_for_stream(append, &d.bytes, width_pt_, height_pt_));
-    // Newer ones pack what lists the pages, which old readers do not know.
-    cairo_pdf_surface_restrict_to_version(d.surface.get(), CAIRO_PDF_VERSION_1_4);
     cairo_pdf_surface_set_metadata(d.surface.get(), CAIRO_PDF_METADATA_TITLE, one_line(title).c_str());
     cairo_pdf_surface_set_metadata(d.surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, kNoDate);
     d.cairo.reset(cairo_create(d.surface.get()));

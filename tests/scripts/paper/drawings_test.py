@@ -6,6 +6,7 @@ import csv
 import json
 import pathlib
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -158,13 +159,17 @@ class Drawings(unittest.TestCase):
         code, text = run("paper", self.show, "-o", WORK / "none", "--plan", "--scale", "1:1", "--sheet", "A4")
         self.assertEqual(code, 1, text)
         self.assertRegex(text, r"1:\d+ fits on one")
-        self.assertFalse((WORK / "none").exists())
+        self.assertTrue((WORK / "none/instruments.csv").exists())  # a drawing that cannot be takes no table with it
+        self.assertFalse((WORK / "none/plan.pdf").exists())
+        shutil.rmtree(WORK / "none")
         for arguments in (["--plan", "--scale", "half"], ["--scale", "1:50"], ["--plan", "--sheet", "A9"], ["--look", "x"], ["--language", "fr"]):
             code, text = run("paper", self.show, "-o", WORK / "none", *arguments)
             self.assertEqual(code, 2, text)
+        self.assertFalse((WORK / "none").exists())
         code, text = run("paper", self.show, "-o", WORK / "none", "--focus", "--look", "nowhere")
         self.assertEqual(code, 1, text)
-        self.assertFalse((WORK / "none").exists())
+        self.assertTrue((WORK / "none/instruments.csv").exists())
+        self.assertFalse((WORK / "none/focus.pdf").exists())
 
     def test_names_of_any_script_and_length_and_nothing_known(self):
         names = ["ש" * 20, "灯" * 30, "x" * 5000, "<b>\\\"&'", "مصباح 1"]
