@@ -170,9 +170,8 @@ std::string recording_of(const fixture::Type& type) {
 }
 
 Result<fs::path> make_show(const fs::path& demo) {
-    std::error_code code;
     const fs::path folder = fs::absolute(demo) / ".ghost" / "projectors";
-    fs::create_directories(folder, code);
+    TRY_VOID(make_folders(folder, fs::absolute(demo)));
     TRY_VOID(make_film(folder / "waves.mp4", 6, waves));
     TRY_VOID(make_film(folder / "rings.mp4", 4, rings));
     TRY_VOID(make_film(folder / "camera.mp4", 60, face));

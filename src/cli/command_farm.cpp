@@ -17,6 +17,7 @@ struct FarmArguments {
     std::size_t task = 0;
     double most_silence_s = kMostSilence_s;
     bool quiet = false;
+    bool trust = false;
 };
 
 int ended(const Result<void>& done) {
@@ -37,8 +38,9 @@ void add_farm(CLI::App& app, int& exit_code) {
             ->required();
         command->callback([a, act, &exit_code] {
             if (a->quiet) set_log_level(LogLevel::warning);
-            const Result<FarmPlan> plan = find_plan(a->plan);
+            Result<FarmPlan> plan = find_plan(a->plan);
             if (!plan.ok()) log_error(plan.error().text());
+            if (plan.ok()) plan->is_trusted = a->trust;
             exit_code = plan.ok() ? act(*plan) : 1;
         });
         return command;
@@ -52,9 +54,18 @@ void add_farm(CLI::App& app, int& exit_code) {
         ->check(CLI::Range(0.0, 1e6))
         ->type_name("SECONDS")
         ->capture_default_str();
-    add("retry", "do what is missing, and only that", retry_farm);
-    add("cancel", "take it back from the engine; what is done stays", cancel_farm);
-    add("assemble", "put together what the tasks made", [](const FarmPlan& plan) {
+    const auto add_trusting = [&](const char* name, const char* what,
+                                  std::function<int(const FarmPlan&)> act) {
+        CLI::App* command = add(name, what, std::move(act));
+        command->add_flag(
+            "--trust", a->trust,
+            "also a plan that you did not make here, which may have come with the show: it says "
+            "what is run, and what is written where");
+        return command;
+    };
+    add_trusting("retry", "do what is missing, and only that", retry_farm);
+    add_trusting("cancel", "take it back from the engine; what is done stays", cancel_farm);
+    add_trusting("assemble", "put together what the tasks made", [](const FarmPlan& plan) {
         catch_interrupts();
         return ended(assemble_farm(plan));
     });
@@ -62,7 +73,7 @@ void add_farm(CLI::App& app, int& exit_code) {
         for (const std::size_t task : missing_tasks(plan)) print_text("%zu\n", task);
         return 0;
     });
-    CLI::App* run = add("run", "do one task, here", [a](const FarmPlan& plan) {
+    CLI::App* run = add_trusting("run", "do one task, here", [a](const FarmPlan& plan) {
         catch_interrupts();
         return ended(run_farm_task(plan, a->task));
     });

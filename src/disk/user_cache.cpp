@@ -26,6 +26,12 @@ fs::path absolute_in(const char* variable) {
     return path.is_absolute() ? path : fs::path();
 }
 
+// Else this one of the user's folder; empty: neither is set.
+fs::path absolute_or(const char* variable, const char* in_home) {
+    const fs::path path = absolute_in(variable), home = absolute_in("HOME");
+    return !path.empty() || home.empty() ? path : home / in_home;
+}
+
 } // namespace
 
 fs::path user_cache_for(const fs::path& folder) {
@@ -34,16 +40,17 @@ fs::path user_cache_for(const fs::path& folder) {
     if (!fs::is_directory(place, code) || fs::exists(fs::symlink_status(place / ".ghost", code)) ||
         ::access(place.c_str(), W_OK | X_OK) == 0)
         return {};
-    fs::path cache = absolute_in("XDG_CACHE_HOME");
-    if (cache.empty()) {
-        const fs::path home = absolute_in("HOME");
-        if (home.empty()) return {};
-        cache = home / ".cache";
-    }
+    const fs::path cache = absolute_or("XDG_CACHE_HOME", ".cache");
+    if (cache.empty()) return {};
     fs::create_directories(cache, code);
     const fs::path whole = fs::canonical(place, code);
     if (code || ::access(cache.c_str(), W_OK | X_OK) != 0) return {};
     return cache / "ghostlight" / hash_of(whole.string());
+}
+
+fs::path user_state() {
+    const fs::path state = absolute_or("XDG_STATE_HOME", ".local/state");
+    return state.empty() ? state : state / "ghostlight";
 }
 
 } // namespace ghost

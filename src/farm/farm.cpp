@@ -27,7 +27,7 @@ constexpr auto kBetweenTries = std::chrono::milliseconds(100);
 // The right to submit. Who follows a farm has it for a moment, to see whether somebody else does.
 Result<Hold> hold_of(const FarmPlan& plan) {
     for (int attempt = 1;; ++attempt) {
-        auto hold = Hold::take(plan.folder / kSubmittingFile, plan.folder, Hold::Other::keeps);
+        auto hold = Hold::take(plan.folder / kSubmittingFile, home_of(plan), Hold::Other::keeps);
         if (!hold.ok() || hold->is_ours() || attempt == kTries) return hold;
         std::this_thread::sleep_for(kBetweenTries);
     }
@@ -50,8 +50,8 @@ Result<void> do_here(const FarmPlan& plan, const std::vector<std::size_t>& tasks
         for (const std::size_t task : tasks) {
             if (plan.tasks[task].stage != stage || interrupted()) continue;
             if (running == at_once) wait_for_one();
-            TRY_VOID(
-                start_child({program, "farm", "run", plan.folder.string(), std::to_string(task), "--quiet"}));
+            TRY_VOID(start_child(
+                {program, "farm", "run", plan.folder.string(), std::to_string(task), "--quiet", "--trust"}));
             ++running;
         }
         while (running > 0) wait_for_one();
@@ -66,6 +66,16 @@ Result<void> do_here(const FarmPlan& plan, const std::vector<std::size_t>& tasks
         return Error{"interrupted; finished tasks are kept, the same command goes on from there",
                      plan.result_name()};
     return assemble_farm(plan);
+}
+
+// What is in the show's folder may have come with it.
+Result<void> check_submitted_by_us(const FarmPlan& plan, const Submitted& submitted) {
+    TRY_VOID(check_ours(plan));
+    if (submitted.is_ours || plan.is_trusted) return {};
+    return Error{"you did not give it to this farm here: engine '" + submitted.options.engine +
+                     "', its options '" + submitted.options.options +
+                     "'; start the command again, or say --trust if they are yours",
+                 plan.folder.string()};
 }
 
 int ended(const FarmPlan& plan, const Result<void>& done) {
@@ -124,7 +134,7 @@ int do_missing(const FarmPlan& plan, const FarmOptions& options, bool quiet) {
         catch_interrupts();
         return ended(plan, do_here(plan, missing, options.jobs, quiet));
     }
-    if (!before.jobs.empty()) (void)cancel_slurm(before.jobs); // those that it holds back
+    if (before.is_ours && !before.jobs.empty()) (void)cancel_slurm(before.jobs); // those that it holds back
     auto jobs = submit_to_slurm(plan, missing, options.options);
     if (!jobs.ok()) return fail(jobs.error());
     now.jobs = std::move(*jobs);
@@ -183,6 +193,10 @@ int retry_farm(const FarmPlan& plan) {
         log_error(plan.result_name() + ": was given to no farm; start the command again");
         return 1;
     }
+    if (const Result<void> ours = check_submitted_by_us(plan, before); !ours.ok()) {
+        log_error(ours.error().text());
+        return 1;
+    }
     if (const Result<void> same = check_same(plan); !same.ok()) {
         log_error(same.error().text());
         return 1;
@@ -196,7 +210,8 @@ int cancel_farm(const FarmPlan& plan) {
         log_error(plan.result_name() + ": no engine has it; tasks of this machine end with Ctrl-C");
         return 1;
     }
-    const Result<void> done = cancel_slurm(submitted.jobs);
+    const Result<void> ours = check_submitted_by_us(plan, submitted);
+    const Result<void> done = ours.ok() ? cancel_slurm(submitted.jobs) : ours;
     if (!done.ok()) log_error(done.error().text());
     return done.ok() ? 0 : 1;
 }

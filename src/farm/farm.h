@@ -33,6 +33,7 @@ inline constexpr const char* kSubmittingFile = "submitting";
 struct Submitted {
     FarmOptions options;
     std::vector<std::string> jobs; // of Slurm
+    bool is_ours = false;          // this user submitted it
 };
 Result<void> write_submitted(const FarmPlan& plan, const Submitted& submitted);
 Submitted read_submitted(const FarmPlan& plan); // nothing where none is there

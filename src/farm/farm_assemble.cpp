@@ -147,6 +147,7 @@ Result<void> assemble_farm(const FarmPlan& plan) {
         log_info(plan.result_name() + ": is done already");
         return {};
     }
+    TRY_VOID(check_ours(plan));
     TRY_VOID(make_plan_folders(plan));
     const std::size_t as_task = plan.tasks.size();
     std::error_code code;

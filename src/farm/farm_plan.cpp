@@ -2,11 +2,13 @@
 #include "farm/farm_plan.h"
 
 #include "bake/hasher.h"
+#include "base/log.h"
 #include "disk/files.h"
 #include "disk/own_folder.h"
 #include "disk/temporary.h"
 #include "disk/user_cache.h"
 #include "disk/user_file.h"
+#include "farm/private/own_plans.h"
 #include "json_xml_toml/json.h"
 #include "live/session/passes_sources.h"
 
@@ -27,6 +29,7 @@ constexpr std::uintmax_t kMostProgramBytes = std::uintmax_t{1} << 30;
 constexpr std::uintmax_t kMostFailureBytes = 1 << 16;
 constexpr std::uintmax_t kMostNameBytes = 64;
 constexpr std::size_t kMostForeignFiles = 100'000; // beside passes that another program made
+constexpr std::size_t kMostShownOfCommand = 500;
 constexpr const char* kPlanFile = "plan.json";
 constexpr const char* kNewestFile = "newest";
 
@@ -86,14 +89,6 @@ FarmPlan plan_of(const json& all) {
         task.last_frame = entry.at("last_frame").get<long>();
     }
     return plan;
-}
-
-// The folder that .ghost is in, or that stands for it: from there no step follows a link.
-fs::path home_of(const FarmPlan& plan) {
-    fs::path home = plan.folder;
-    while (home.has_relative_path() && home.filename() != ".ghost" && home.filename() != "ghostlight")
-        home = home.parent_path();
-    return home.parent_path();
 }
 
 // As done_file, failed_file and result_file name them.
@@ -174,6 +169,13 @@ std::string farm_inputs(const scene::Show& show, const std::vector<fs::path>& al
     return hasher.hex();
 }
 
+fs::path home_of(const FarmPlan& plan) {
+    fs::path home = plan.folder;
+    while (home.has_relative_path() && home.filename() != ".ghost" && home.filename() != "ghostlight")
+        home = home.parent_path();
+    return home.parent_path();
+}
+
 Result<void> make_plan_folders(const FarmPlan& plan) {
     for (const char* const name : {"done", "failed", "frames", "log"})
         TRY_VOID(make_folders(plan.folder / name, home_of(plan)));
@@ -206,6 +208,9 @@ Result<void> store_plan(FarmPlan& plan, const scene::Show& show) {
     TRY_VOID(make_folders(plan.folder, fs::absolute(show.cache_home(), code)));
     TRY_VOID(make_plan_folders(plan));
     TRY_VOID(write_file_atomic(plan.folder / kPlanFile, text));
+    plan.is_ours = true;
+    if (const Result<void> noted = note_as_ours(plan.folder / kPlanFile, text); !noted.ok())
+        log_warning(noted.error().text() + "; ghostlight farm retry will ask for --trust");
     return write_file_atomic(plan.folder.parent_path() / kNewestFile, plan.folder.filename().string());
 }
 
@@ -222,6 +227,7 @@ Result<FarmPlan> read_plan(const fs::path& folder) {
             return Error{"is of another version of Ghostlight; start the command again", file.string()};
         FarmPlan plan = plan_of(all);
         plan.folder = folder;
+        plan.is_ours = is_noted_as_ours(file, text);
         const bool is_right = !plan.words.empty() && (plan.words[0] == "bake" || plan.words[0] == "render") &&
                               plan.tasks.size() <= kMostFarmTasks &&
                               (!plan.is_film() || (plan.fps > 0 && plan.fps <= 240));
@@ -299,6 +305,17 @@ bool has_result(const FarmPlan& plan) {
     for (const auto& [name, file] : result->files)
         if (fs::file_size(plan.out.parent_path() / name, code) != file.first || code) return false;
     return true;
+}
+
+Result<void> check_ours(const FarmPlan& plan) {
+    if (plan.is_ours || plan.is_trusted) return {};
+    std::string command = "ghostlight";
+    for (const std::string& word : plan.words) command += " " + word;
+    if (command.size() > kMostShownOfCommand) command.replace(kMostShownOfCommand, std::string::npos, "..");
+    return Error{"you did not make this plan here, and it may have come with the show: it runs '" + command +
+                     "'" + (plan.is_film() ? " and writes " + plan.out.string() : "") +
+                     "; start the command again, or say --trust if it is yours",
+                 plan.folder.string()};
 }
 
 std::string failure_of(const FarmPlan& plan, std::size_t task) {

@@ -43,6 +43,8 @@ struct FarmPlan {
     int fps = 0;
     std::vector<std::filesystem::path> also; // files beside the show: recording, looks
     std::vector<FarmTask> tasks;
+    bool is_ours = false;    // this user made it here
+    bool is_trusted = false; // this user says that it may be done, whoever made it
 
     bool is_film() const { return !out.empty(); }
     std::string result_name() const { return (is_film() ? out : show).string(); } // for messages
@@ -67,7 +69,9 @@ std::string farm_inputs(const scene::Show& show, const std::vector<std::filesyst
 
 // Names its folder below the show's cache by all that it depends on, and writes it where it is not yet.
 Result<void> store_plan(FarmPlan& plan, const scene::Show& show);
-// Its folders, reached without following a link.
+// The folder that .ghost is in, or that stands for it: from there no step to a plan follows a link.
+std::filesystem::path home_of(const FarmPlan& plan);
+// Its folders, reached so.
 Result<void> make_plan_folders(const FarmPlan& plan);
 // Files of ours in done or failed; pictures of tasks. No link is followed.
 Result<void> forget_of_tasks(const FarmPlan& plan, const char* folder);
@@ -85,6 +89,8 @@ Result<bool> store_done(const FarmPlan& plan, std::size_t task, const FarmDone& 
 bool has_result(const FarmPlan& plan);
 // The last line of why a task failed; "": it did not.
 std::string failure_of(const FarmPlan& plan, std::size_t task);
+// Error: the plan may have come with the show, from a stranger. What it would do is said.
+Result<void> check_ours(const FarmPlan& plan);
 std::string node_name(); // this machine's, or Slurm's word for it
 
 } // namespace ghost::app

@@ -41,6 +41,16 @@ bool is_plain(const std::string& path) {
     return path.find_first_of("%\\\n") == std::string::npos;
 }
 
+// Slurm appends to what is there, also where that is a link.
+Result<void> check_logs(const fs::path& folder) {
+    std::error_code code;
+    for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code))
+        if (!fs::is_regular_file(entry->symlink_status(code)))
+            return Error{"is no file, expected a log of Slurm: nothing is written there",
+                         entry->path().string()};
+    return {};
+}
+
 std::size_t array_size() {
     const Result<std::string> all = said_by({"scontrol", "show", "config"});
     const std::size_t at = all.ok() ? all->find("MaxArraySize") : std::string::npos;
@@ -118,6 +128,7 @@ Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std
                                                  const std::string& options) {
     if (!is_plain(plan.folder.string()))
         return Error{"Slurm cannot write its log where a folder's name has % or \\", plan.folder.string()};
+    TRY_VOID(check_logs(plan.folder / "log"));
     std::error_code code;
     const Sbatch sbatch{plan, CLI::detail::split_up(options),
                         fs::read_symlink("/proc/self/exe", code).string()};
@@ -135,7 +146,7 @@ Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std
                         part.push_back(task - offset);
                 if (part.empty()) continue;
                 TRY(const std::string id, sbatch.submit("run " + folder + " $((SLURM_ARRAY_TASK_ID+" +
-                                                            std::to_string(offset) + "))",
+                                                            std::to_string(offset) + ")) --trust",
                                                         ranges(part), before));
                 of_stage.push_back(id);
                 jobs.push_back(id);
@@ -143,7 +154,7 @@ Result<std::vector<std::string>> submit_to_slurm(const FarmPlan& plan, const std
             if (!of_stage.empty()) before = of_stage;
         }
         // Whatever becomes of them: it says what is missing. afterok would wait for ever after one failure.
-        TRY(const std::string id, sbatch.submit("assemble " + folder, "", before));
+        TRY(const std::string id, sbatch.submit("assemble " + folder + " --trust", "", before));
         jobs.push_back(id);
         return {};
     };

@@ -99,7 +99,6 @@ Result<void> run_task(const FarmPlan& plan, std::size_t task) {
                      wanted.name};
     TRY_VOID(check_same(plan));
     TRY_VOID(wait_for_stage(plan, wanted.stage));
-    TRY_VOID(make_plan_folders(plan));
     FarmDone done;
     done.host = node_name();
     std::vector<std::string> words{"/proc/self/exe"};
@@ -205,6 +204,8 @@ Result<void> run_farm_task(const FarmPlan& plan, std::size_t task) {
         log_info(plan.tasks[task].name + ": is done already");
         return {};
     }
+    TRY_VOID(check_ours(plan));
+    TRY_VOID(make_plan_folders(plan));
     const Result<void> done = run_task(plan, task);
     std::error_code code;
     if (done.ok()) {

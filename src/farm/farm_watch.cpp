@@ -75,7 +75,7 @@ std::string status_text(const FarmPlan& plan, const Counts& counts, const std::v
 }
 
 bool is_being_submitted(const FarmPlan& plan) {
-    const auto hold = Hold::take(plan.folder / kSubmittingFile, plan.folder, Hold::Other::keeps);
+    const auto hold = Hold::take(plan.folder / kSubmittingFile, home_of(plan), Hold::Other::keeps);
     return hold.ok() && !hold->is_ours();
 }
 
