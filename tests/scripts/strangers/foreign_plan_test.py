@@ -80,6 +80,29 @@ def main(work):
     ghost.run("farm", "retry", show)
     print("another place for the film, options of sbatch, words in place of jobs: a sentence each, and nobody is asked")
 
+    # Links that came with it: who only looks, and a task that fails before it has begun, write nothing behind them.
+    (work / film[0]).unlink()
+    theirs = work / "theirs"
+    shutil.copytree(plan, theirs)
+    (theirs / "submitting").write_text("a letter")
+    aside = plan.rename(work / "aside")
+    plan.symlink_to(theirs)
+    for word in ("status", "wait"):
+        ghost.run("farm", word, show, code=1)
+        assert (theirs / "submitting").read_text() == "a letter", word
+    plan.unlink()
+    aside.rename(plan)
+    (theirs / "1.txt").write_text("a letter")
+    shutil.rmtree(plan / "failed")
+    (plan / "failed").symlink_to(theirs)
+    (plan / "done/1.json").unlink()
+    toml = (show / "show.toml").read_text()
+    (show / "show.toml").write_text(toml.replace("Tiny", "Other"))
+    ghost.run("farm", "run", plan, "1", code=1, says="is a link")
+    assert (theirs / "1.txt").read_text() == "a letter"
+    (show / "show.toml").write_text(toml)
+    print("a plan's folder and what is in it as links: nothing is written behind them")
+
     # What is started for this user needs no note where it runs: a node may have another home.
     log.write_text("")
     watching = ghost.start("bake", show, "--spp", "1", "--farm", "slurm")
