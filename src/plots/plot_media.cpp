@@ -18,7 +18,6 @@
 namespace ghost::scene {
 namespace {
 
-constexpr std::uint64_t kMaxUnpackedBytes = std::uint64_t{2} << 30; // films of one plot
 constexpr std::uintmax_t kMaxListBytes = 1u << 20;
 constexpr float kLeastThrow = 0.1f;
 constexpr float kMostThrow = 100.0f;
@@ -142,7 +141,7 @@ int media_of_source(Show& show, const PlotSource& source, const std::string& nam
     return add_media(show, std::move(media), report);
 }
 
-void unpack_media(const Show& show, Report& report) {
+void unpack_media(const Show& show, Report& report, std::uint64_t most_bytes) {
     const fs::path folder = media_folder(show);
     std::error_code code;
     for (const fs::path& path : {folder.parent_path(), folder})
@@ -167,7 +166,7 @@ void unpack_media(const Show& show, Report& report) {
         if (written.ok()) written = write_file_atomic(list_file, list);
         if (!written.ok()) report.add(Severity::warning, written.error().where, written.error().what);
     }
-    std::uint64_t left_bytes = kMaxUnpackedBytes;
+    std::uint64_t left_bytes = most_bytes;
     for (const Media& media : show.media) {
         const auto member = members.find(media.file.filename().string());
         if (media.file.parent_path() != folder || member == members.end()) continue;

@@ -23,7 +23,11 @@ Result<std::vector<std::string>> files_of_book(std::string_view text, const std:
 void BookShelf::renew(Text& text, const std::string& name, const std::string& missing,
                       PicturesOf* pictures_of) {
     const std::filesystem::path file = folder_ / name;
-    std::error_code no_time, no_size;
+    std::error_code no_time, no_size, no_status;
+    if (std::filesystem::is_symlink(file, no_status)) { // a book may come from strangers
+        text = {{}, Error{"the cue book has a link in the place of " + name + ", which is not followed", ""}};
+        return;
+    }
     const Stamp stamp{std::filesystem::last_write_time(file, no_time),
                       std::filesystem::file_size(file, no_size)};
     if (no_time || no_size) {
@@ -59,7 +63,7 @@ Result<BookShelf::File> BookShelf::file(std::string_view name) {
     const std::filesystem::path path = folder_ / *picture;
     std::error_code code;
     for (const std::filesystem::path& part : {path.parent_path(), path})
-        if (std::filesystem::is_symlink(part, code)) // a book may come from strangers
+        if (std::filesystem::is_symlink(part, code))
             return Error{"the cue book has a link in the place of a picture, which is not followed", ""};
     TRY(std::string bytes, read_text_file(path, kMostBookPictureBytes));
     return File{"image/png", std::move(bytes)};

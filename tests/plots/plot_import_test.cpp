@@ -367,6 +367,27 @@ TEST(ExportPlot, WritesWhatTheShowChangesAndNothingElse) {
     EXPECT_NE(none.error().text().find("a show without a plot"), std::string::npos) << none.error().text();
 }
 
+TEST(ImportPlot, KeepsNoMoreThanNinetyNineOlderVersions) {
+    const fs::path folder = scratch("import_kept"), show = folder / "show";
+    write_mvr(folder / "a.mvr", small_xml(fixture_xml(20, "Spot", kIdentity + "{0,0,0}", "")));
+    Report report;
+    ASSERT_TRUE(imported_into(folder / "a.mvr", show, report).ok());
+    for (int number = 1; number <= 98; ++number)
+        std::ofstream(show / ("a (before " + std::to_string(number) + ").mvr")) << number;
+    write_mvr(folder / "a.mvr", small_xml(fixture_xml(21, "Wash", kIdentity + "{0,0,0}", "")));
+    ASSERT_TRUE(imported_into(folder / "a.mvr", show, report).ok());
+    EXPECT_TRUE(fs::exists(show / "a (before 99).mvr"));
+    const std::string before = read_text(show / "a.mvr");
+    write_mvr(folder / "a.mvr", small_xml(fixture_xml(22, "Beam", kIdentity + "{0,0,0}", "")));
+    const auto refused = imported_into(folder / "a.mvr", show, report);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.error().text().find("99 older versions are kept beside it"), std::string::npos)
+        << refused.error().text();
+    EXPECT_EQ(read_text(show / "a.mvr"), before);
+    EXPECT_EQ(read_text(show / "a (before 7).mvr"), "7");
+    EXPECT_FALSE(fs::exists(show / "a (before 100).mvr"));
+}
+
 TEST(ImportPlot, RefusesWhatItWouldDestroy) {
     const fs::path folder = scratch("import_refuses");
     write_mvr(folder / "a.mvr", small_xml(fixture_xml(20, "Spot", kIdentity + "{0,0,0}", "")));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Films of a plot's archive on the disk: as many as a show has media, once for all versions, gone when no
 // plot needs them.
+#include "plots/private/plot_media.h"
 #include "support/plot_files.h"
 
 namespace ghost::scene {
@@ -40,6 +41,28 @@ TEST(PlotMedia, NoMoreFilmsAreUnpackedThanAShowHasMedia) {
     const std::string said = write_plot(folder / "plot.mvr", static_cast<int>(kMaxMedia) + 20, "film ");
     EXPECT_NE(said.find("more than 64 media in one show"), std::string::npos) << said;
     EXPECT_EQ(files_below(folder / ".ghost"), kMaxMedia);
+}
+
+TEST(PlotMedia, WhatIsUnpackedHasAnEnd) {
+    const fs::path folder = scratch("media_end");
+    std::string screens;
+    Members members;
+    for (int k = 0; k < 3; ++k) {
+        const std::string name = "film" + std::to_string(k) + ".mp4";
+        screens += screen(40 + k, name);
+        members.push_back({name, std::string(1000, static_cast<char>('a' + k))});
+    }
+    write_mvr(folder / "plot.mvr", small_xml(screens), members);
+    Report report;
+    const Show show = opened(folder / "plot.mvr", report);
+    EXPECT_EQ(files_below(folder / ".ghost"), 3u) << messages_of(report);
+    fs::remove_all(folder / ".ghost");
+    Report said;
+    unpack_media(show, said, 2500);
+    EXPECT_EQ(files_below(folder / ".ghost"), 2u);
+    EXPECT_TRUE(says(said, {"film2.mp4", "500 are allowed"})) << messages_of(said);
+    unpack_media(show, said, 2500); // those that are there count
+    EXPECT_EQ(files_below(folder / ".ghost"), 2u);
 }
 
 TEST(PlotMedia, VersionsOfAPlotShareTheirFilms) {

@@ -103,6 +103,22 @@ TEST_F(Shelf, a_damaged_book_is_read_again_when_it_is_another_one) {
     EXPECT_TRUE(shelf.file("book.json").ok());
 }
 
+TEST_F(Shelf, a_book_that_is_a_link_is_not_followed) {
+    put_book();
+    const std::filesystem::path elsewhere = folder.path / "elsewhere.json";
+    for (const char* const name : {"book.json", "difference.json"}) {
+        put("difference.json", R"({"ghostlight_difference":1,"pictures":[]})");
+        std::filesystem::rename(folder.path / name, elsewhere);
+        std::filesystem::create_symlink(elsewhere, folder.path / name);
+        const auto file = shelf.file(name);
+        ASSERT_FALSE(file.ok()) << name;
+        EXPECT_NE(file.error().what.find("is not followed"), std::string::npos) << file.error().what;
+        std::filesystem::remove(folder.path / name);
+        std::filesystem::rename(elsewhere, folder.path / name);
+        EXPECT_TRUE(shelf.file(name).ok()) << name;
+    }
+}
+
 TEST_F(Shelf, what_is_too_large_is_not_read) {
     put_book();
     std::filesystem::resize_file(folder.path / "pictures/0001-1.png", kMostBookPictureBytes + 1);

@@ -9,6 +9,7 @@
 #include "mvr/plot.h"
 #include "show/projector.h"
 
+#include <cstdint>
 #include <string>
 
 namespace ghost::scene {
@@ -19,9 +20,11 @@ struct Show;
 int media_of_source(Show& show, const PlotSource& source, const std::string& name, const std::string& where,
                     Report& report);
 
-// Unpacks what show.media needs of the plot's archive and is not there yet, at most 2 GiB, and removes what
-// no plot of the folder needs any more. After the last media_of_source().
-void unpack_media(const Show& show, Report& report);
+inline constexpr std::uint64_t kMostFilmBytes = std::uint64_t{2} << 30; // of one plot, unpacked
+
+// Unpacks what show.media needs of the plot's archive and is not there yet, and removes what no plot of the
+// folder needs any more. After the last media_of_source().
+void unpack_media(const Show& show, Report& report, std::uint64_t most_bytes = kMostFilmBytes);
 
 // object: of kind projector; throw and shape are those of its type's beam.
 Projector plot_projector(Show& show, const PlotObject& object, const fixture::Type& type,

@@ -194,6 +194,28 @@ TEST(Ghostdmx, a_file_of_one_block_over_and_over_is_searched_once) {
     EXPECT_LT(took.count(), 5.0);
 }
 
+// Each mark that begins nothing costs as much as 8 KiB that are read.
+TEST(Ghostdmx, the_search_for_the_next_good_block_has_an_end) {
+    const TestFolder folder;
+    const auto frames = random_frames(6, 9000, 12);
+    const auto whole = pack(frames, frames.back().time + 1s);
+    auto recording = read_recording(write_bytes(folder.path / "whole.ghostdmx", whole));
+    ASSERT_TRUE(recording.ok());
+    const auto second = static_cast<std::ptrdiff_t>(recording->block_place(1).offset);
+    const auto blocks_behind = [&](std::size_t marks) {
+        std::vector<std::uint8_t> bytes(whole.begin(), whole.begin() + second);
+        for (std::size_t k = 0; k < marks; ++k)
+            bytes.insert(bytes.end(), whole.begin() + ghostdmx::kHeaderBytes,
+                         whole.begin() + ghostdmx::kHeaderBytes + 4);
+        bytes.insert(bytes.end(), whole.begin() + second, whole.end() - 1); // without its index
+        const auto read = read_recording(write_bytes(folder.path / "marks.ghostdmx", bytes));
+        EXPECT_TRUE(read.ok());
+        return read->blocks();
+    };
+    EXPECT_EQ(blocks_behind(1000), recording->blocks());
+    EXPECT_EQ(blocks_behind((1u << 30) / (8u << 10) + 1000), 1u);
+}
+
 TEST(Ghostdmx, what_is_none_is_refused_with_a_reason) {
     const TestFolder folder;
     const auto error_of = [&](const std::vector<std::uint8_t>& bytes) {
