@@ -40,6 +40,15 @@ void add_instances(const Plot& plot, const std::vector<PlotGeometry>& geometries
     }
 }
 
+void place_in_world(const Plot& plot, PlotObject& object) {
+    glm::dmat4 to_world(1.0);
+    if (object.parent >= 0)
+        to_world = plot.objects[static_cast<std::size_t>(object.parent)].world;
+    else if (object.layer >= 0)
+        to_world = plot.layers[static_cast<std::size_t>(object.layer)].local;
+    object.world = to_world * object.local;
+}
+
 } // namespace
 
 const char* name_of(ObjectKind kind) {
@@ -68,12 +77,15 @@ std::string uuid_key(std::string_view uuid) {
     return digits;
 }
 
-int find_object(const Plot& plot, std::string_view uuid) {
-    const std::string key = uuid_key(uuid);
-    if (key.empty()) return -1;
+ObjectIndex::ObjectIndex(const Plot& plot) {
     for (std::size_t i = 0; i < plot.objects.size(); ++i)
-        if (uuid_key(plot.objects[i].uuid) == key) return static_cast<int>(i);
-    return -1;
+        if (std::string key = uuid_key(plot.objects[i].uuid); !key.empty())
+            by_key_.emplace(std::move(key), static_cast<int>(i));
+}
+
+int ObjectIndex::find(std::string_view uuid) const {
+    const auto found = by_key_.find(uuid_key(uuid));
+    return found == by_key_.end() ? -1 : found->second;
 }
 
 int gdtf_break(const PlotDevice& device, const PlotAddress& address) {
@@ -115,14 +127,14 @@ std::vector<MeshInstance> mesh_instances(const Plot& plot) {
 }
 
 void update_world(Plot& plot) {
-    for (PlotObject& object : plot.objects) {
-        glm::dmat4 to_world(1.0);
-        if (object.parent >= 0)
-            to_world = plot.objects[static_cast<std::size_t>(object.parent)].world;
-        else if (object.layer >= 0)
-            to_world = plot.layers[static_cast<std::size_t>(object.layer)].local;
-        object.world = to_world * object.local;
-    }
+    for (PlotObject& object : plot.objects) place_in_world(plot, object);
+}
+
+void update_world(Plot& plot, int object) {
+    std::vector<int> above;
+    for (int i = object; i >= 0; i = plot.objects[static_cast<std::size_t>(i)].parent) above.push_back(i);
+    for (auto i = above.rbegin(); i != above.rend(); ++i)
+        place_in_world(plot, plot.objects[static_cast<std::size_t>(*i)]);
 }
 
 void apply_change(PlotObject& object, const PlotChange& change) {
@@ -153,14 +165,6 @@ void apply_change(PlotObject& object, const PlotChange& change) {
         object.hidden = change.hidden;
         break;
     }
-}
-
-bool apply_change(Plot& plot, const PlotChange& change) {
-    const int found = find_object(plot, change.uuid);
-    if (found < 0) return false;
-    apply_change(plot.objects[static_cast<std::size_t>(found)], change);
-    if (change.what == PlotChange::What::position) update_world(plot);
-    return true;
 }
 
 } // namespace ghost::scene

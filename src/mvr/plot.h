@@ -18,6 +18,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace ghost::scene {
@@ -246,8 +247,15 @@ struct Plot {
 // Small letters, without braces and blanks around: what two spellings of one UUID share.
 std::string uuid_key(std::string_view uuid);
 
-// First object of that UUID, -1: none.
-int find_object(const Plot& plot, std::string_view uuid);
+// The objects of a plot by UUID; of several of one, the first. For as long as none comes or goes.
+class ObjectIndex {
+public:
+    explicit ObjectIndex(const Plot& plot);
+    int find(std::string_view uuid) const; // -1: none
+
+private:
+    std::unordered_map<std::string, int> by_key_; // uuid_key
+};
 
 // The GDTF break (from 1) that an address of this device is for. MVR counts breaks from 0; a device whose
 // lowest break is 1 or more was written by a program that counts as GDTF does.
@@ -268,8 +276,9 @@ struct MeshInstance {
 std::vector<MeshInstance> mesh_instances(const Plot& plot, int object);
 std::vector<MeshInstance> mesh_instances(const Plot& plot);
 
-// World matrices from the local ones.
+// World matrices from the local ones: of all objects; of one and those above it.
 void update_world(Plot& plot);
+void update_world(Plot& plot, int object);
 
 // What a user changed about an object, by UUID, so that it outlives the next version of the plot.
 struct PlotChange {
@@ -285,9 +294,5 @@ struct PlotChange {
 
 // Of one object, whatever UUID the change names; its world matrix is left as it is (see update_world).
 void apply_change(PlotObject& object, const PlotChange& change);
-
-// Nothing happens, and false comes back, where the plot has no object of that UUID. World matrices are
-// updated.
-bool apply_change(Plot& plot, const PlotChange& change);
 
 } // namespace ghost::scene

@@ -86,7 +86,7 @@ struct Fields {
         static const json empty = json::array();
         const json* value = find(key);
         if (value != nullptr && value->is_array() && value->size() <= kMaxLightPasses) return *value;
-        fail(key, "must be a list of at most 4096 entries");
+        fail(key, ("must be a list of at most " + std::to_string(kMaxLightPasses) + " entries").c_str());
         return empty;
     }
 };

@@ -22,17 +22,10 @@ void add_messages(const Report& from, Report& to) {
     to.messages.insert(to.messages.end(), from.messages.begin(), from.messages.end());
 }
 
-// In the order of the file: a child is placed in the frame of a parent that has been moved already.
 std::vector<PlotChange> changes_of(const Plot& plot, const std::vector<ChangeEntry>& entries) {
     Plot changed = plot;
-    const glm::dvec3 origin_m = origin_of(plot);
-    std::vector<PlotChange> changes;
-    for (const ChangeEntry& entry : entries)
-        for (const PlotChange& change : plot_changes(changed, {entry}, origin_m)) {
-            apply_change(changed, change);
-            changes.push_back(change);
-        }
-    return changes;
+    Report unheard; // write_mvr says what is not in the plot
+    return apply_changes(changed, entries, origin_of(plot), unheard);
 }
 
 void say_what_stays(const ParsedShow& parsed, const fs::path& file, Report& report) {
@@ -69,9 +62,9 @@ Result<ExportedPlot> export_plot(const fs::path& show, const fs::path& output, c
     const std::vector<PlotChange> changes = changes_of(loaded.plot, parsed.changes);
     TRY_VOID(write_mvr(loaded, changes, output, report));
     ExportedPlot exported{loaded.plot.objects.size(), loaded.archive.names().size(), 0};
+    const ObjectIndex index(loaded.plot);
     for (const PlotChange& change : changes)
-        exported.changes +=
-            find_object(loaded.plot, change.uuid) >= 0 && change.what != PlotChange::What::hidden;
+        exported.changes += index.find(change.uuid) >= 0 && change.what != PlotChange::What::hidden;
     return exported;
 }
 

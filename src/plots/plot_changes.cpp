@@ -40,57 +40,78 @@ glm::dmat4 parent_world(const Plot& plot, const PlotObject& object) {
     return glm::dmat4(1.0);
 }
 
+// entry: of this object of the plot.
+void add_changes(const Plot& plot, const PlotObject& object, const ChangeEntry& entry,
+                 const glm::dvec3& origin_m, std::vector<PlotChange>& changes) {
+    const auto add = [&](PlotChange::What what) -> PlotChange& {
+        PlotChange& change = changes.emplace_back();
+        change.uuid = entry.uuid;
+        change.what = what;
+        return change;
+    };
+    if (entry.address) {
+        PlotChange& change = add(PlotChange::What::address);
+        change.dmx_break = written_break(object, entry.dmx_break);
+        change.address = *entry.address;
+    }
+    if (entry.mode) add(PlotChange::What::mode).text = *entry.mode;
+    if (entry.name) add(PlotChange::What::name).text = *entry.name;
+    if (entry.hidden) add(PlotChange::What::hidden).hidden = *entry.hidden;
+    if (!entry.position_m && !entry.rotation_deg) return;
+    glm::dmat4 world = object.world;
+    if (entry.rotation_deg) {
+        const glm::dmat3 axes = turned(glm::dmat3(world), *entry.rotation_deg);
+        for (int k = 0; k < 3; ++k) world[k] = glm::dvec4(axes[k], 0.0);
+    }
+    if (entry.position_m) world[3] = glm::dvec4(glm::dvec3(*entry.position_m) + origin_m, 1.0);
+    const glm::dmat4 parent = parent_world(plot, object);
+    PlotChange& change = add(PlotChange::What::position);
+    change.local = std::abs(glm::determinant(parent)) > 1e-12 ? glm::inverse(parent) * world : world;
+}
+
 } // namespace
 
 std::vector<PlotChange> plot_changes(const Plot& plot, const std::vector<ChangeEntry>& entries,
                                      const glm::dvec3& origin_m) {
+    const ObjectIndex index(plot);
+    const PlotObject absent;
     std::vector<PlotChange> changes;
     for (const ChangeEntry& entry : entries) {
-        const int found = find_object(plot, entry.uuid);
-        const PlotObject absent;
-        const PlotObject& object = found < 0 ? absent : plot.objects[static_cast<std::size_t>(found)];
-        const auto add = [&](PlotChange::What what) -> PlotChange& {
-            PlotChange& change = changes.emplace_back();
-            change.uuid = entry.uuid;
-            change.what = what;
-            return change;
-        };
-        if (entry.address) {
-            PlotChange& change = add(PlotChange::What::address);
-            change.dmx_break = written_break(object, entry.dmx_break);
-            change.address = *entry.address;
-        }
-        if (entry.mode) add(PlotChange::What::mode).text = *entry.mode;
-        if (entry.name) add(PlotChange::What::name).text = *entry.name;
-        if (entry.hidden) add(PlotChange::What::hidden).hidden = *entry.hidden;
-        if (!entry.position_m && !entry.rotation_deg) continue;
-        glm::dmat4 world = object.world;
-        if (entry.rotation_deg) {
-            const glm::dmat3 axes = turned(glm::dmat3(world), *entry.rotation_deg);
-            for (int k = 0; k < 3; ++k) world[k] = glm::dvec4(axes[k], 0.0);
-        }
-        if (entry.position_m) world[3] = glm::dvec4(glm::dvec3(*entry.position_m) + origin_m, 1.0);
-        const glm::dmat4 parent = parent_world(plot, object);
-        PlotChange& change = add(PlotChange::What::position);
-        change.local = std::abs(glm::determinant(parent)) > 1e-12 ? glm::inverse(parent) * world : world;
+        const int found = index.find(entry.uuid);
+        add_changes(plot, found < 0 ? absent : plot.objects[static_cast<std::size_t>(found)], entry, origin_m,
+                    changes);
     }
     return changes;
 }
 
-void apply_changes(Plot& plot, const std::vector<ChangeEntry>& entries, const glm::dvec3& origin_m,
-                   Report& report) {
-    // One by one: a child is placed in the frame of a parent that has been moved already.
+std::vector<PlotChange> apply_changes(Plot& plot, const std::vector<ChangeEntry>& entries,
+                                      const glm::dvec3& origin_m, Report& report) {
+    const ObjectIndex index(plot);
+    const PlotObject absent;
+    std::vector<PlotChange> changes;
+    bool is_moved = false;
     for (const ChangeEntry& entry : entries) {
-        if (entry.uuid.empty()) continue;
-        if (find_object(plot, entry.uuid) < 0) {
-            report.add(Severity::warning, entry.where,
-                       "[[change]] uuid '" + entry.uuid.substr(0, 60) + "'" +
-                           (entry.name ? " (" + entry.name->substr(0, 60) + ")" : "") +
-                           " is not in the plot (any more); the change waits for it");
+        const int found = index.find(entry.uuid);
+        if (found < 0) {
+            add_changes(plot, absent, entry, origin_m, changes);
+            if (!entry.uuid.empty())
+                report.add(Severity::warning, entry.where,
+                           "[[change]] uuid '" + entry.uuid.substr(0, 60) + "'" +
+                               (entry.name ? " (" + entry.name->substr(0, 60) + ")" : "") +
+                               " is not in the plot (any more); the change waits for it");
             continue;
         }
-        for (const PlotChange& change : plot_changes(plot, {entry}, origin_m)) apply_change(plot, change);
+        update_world(plot, found); // what is above it may have been moved
+        PlotObject& object = plot.objects[static_cast<std::size_t>(found)];
+        const std::size_t first = changes.size();
+        add_changes(plot, object, entry, origin_m, changes);
+        for (std::size_t k = first; k < changes.size(); ++k) {
+            apply_change(object, changes[k]);
+            is_moved = is_moved || changes[k].what == PlotChange::What::position;
+        }
     }
+    if (is_moved) update_world(plot);
+    return changes;
 }
 
 } // namespace ghost::scene

@@ -20,7 +20,9 @@ namespace ghost::scene {
 std::vector<PlotChange> plot_changes(const Plot& plot, const std::vector<ChangeEntry>& entries,
                                      const glm::dvec3& origin_m);
 
-void apply_changes(Plot& plot, const std::vector<ChangeEntry>& entries, const glm::dvec3& origin_m,
-                   Report& report);
+// One by one, in their order: a child is placed in the frame of a parent that has been moved already. They
+// come back as they were applied.
+std::vector<PlotChange> apply_changes(Plot& plot, const std::vector<ChangeEntry>& entries,
+                                      const glm::dvec3& origin_m, Report& report);
 
 } // namespace ghost::scene

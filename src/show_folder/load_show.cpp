@@ -62,8 +62,8 @@ bool has_idle_zoom(const PatchedFixture& fixture) {
     return false;
 }
 
-std::string plot_place(const Show& show, const PatchedFixture& fixture) {
-    const int object = show.plot ? find_object(show.plot->plot, fixture.uuid) : -1;
+std::string plot_place(const Show& show, const ObjectIndex& index, const PatchedFixture& fixture) {
+    const int object = index.find(fixture.uuid);
     if (object < 0) return show.plot_file.string();
     return place_of(*show.plot, show.plot->plot.objects[static_cast<std::size_t>(object)]);
 }
@@ -86,13 +86,15 @@ std::string overlap_text(const fixture::Overlap& overlap, const std::string& fir
 void check_addresses(const ParsedShow& parsed, Report& report) {
     const Show& show = parsed.show;
     const std::string file = show.file.string();
+    const Plot none;
+    const ObjectIndex index(show.plot ? show.plot->plot : none);
     std::vector<fixture::Patch> patches;
     std::vector<Patched> places;
     for (std::size_t k = 0; k < show.fixtures.size(); ++k) {
         const PatchedFixture& fixture = show.fixtures[k];
         const bool of_plot = k >= parsed.sources.size();
         const int line = of_plot ? 0 : parsed.sources[k].address_line;
-        std::string where = of_plot ? plot_place(show, fixture) : file_line(file, line);
+        std::string where = of_plot ? plot_place(show, index, fixture) : file_line(file, line);
         const bool is_patched =
             fixture.address > 0 ||
             std::any_of(fixture.more_addresses.begin(), fixture.more_addresses.end(),

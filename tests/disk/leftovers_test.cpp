@@ -57,5 +57,15 @@ TEST_F(Leftovers, those_of_killed_programs_go_and_nothing_else_does) {
     EXPECT_EQ(remove_leftovers(root_ / "nowhere", root_, Below::included), 0u);
 }
 
+TEST_F(Leftovers, eight_folders_deep_and_no_deeper) {
+    std::string folder;
+    std::vector<fs::path> left;
+    for (int level = 0; level < 11; ++level, folder += "sub/")
+        left.push_back(write(folder + ".a.part" + kGone + "_1.png", 5));
+    EXPECT_EQ(remove_leftovers(root_, root_, Below::included), 9u);
+    for (std::size_t level = 0; level < left.size(); ++level)
+        EXPECT_EQ(fs::exists(left[level]), level > 8) << level;
+}
+
 } // namespace
 } // namespace ghost

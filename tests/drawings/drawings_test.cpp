@@ -112,6 +112,32 @@ TEST(Outlines, with_too_many_lines_are_the_outermost_one) {
     EXPECT_NEAR(lines.objects[0].extent.size().x, 99.5, 1e-6);
 }
 
+TEST(Outlines, with_too_many_lines_together_are_simple_from_there_on) {
+    Stage stage;
+    Mesh& mesh = stage.meshes.emplace_back();
+    for (std::uint32_t i = 0; i < 1900; ++i) { // 5,700 lines, and 21 such objects are 119,700
+        const auto x = static_cast<float>(i % 50), y = static_cast<float>(i / 50);
+        mesh.positions.insert(mesh.positions.end(), {{x, y, 0}, {x + 0.5f, y, 0}, {x, y + 0.5f, 0}});
+        mesh.indices.insert(mesh.indices.end(), {3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    for (int i = 0; i < 23; ++i) stage.instances.push_back({"many", 0, glm::mat4(1.0f)});
+    const Outlines lines = outlines_of(stage, from_above(), 0.001);
+    ASSERT_EQ(lines.objects.size(), 23u);
+    EXPECT_EQ(lines.objects[20].ends_m.size(), 11'400u);
+    EXPECT_EQ(lines.simplified, 2u);
+    EXPECT_LT(lines.objects[21].ends_m.size(), 20u);
+}
+
+TEST(Outlines, with_too_many_objects_leave_the_last_out_and_count_them) {
+    Stage stage;
+    add_cuboid(stage, "box", {0, 0, 1}, {1, 1, 1});
+    const Instance one = stage.instances.front();
+    stage.instances.assign(20'003, one);
+    const Outlines lines = outlines_of(stage, from_above(), 10.0); // each is a dot on paper
+    EXPECT_EQ(lines.objects.size(), 20'000u);
+    EXPECT_EQ(lines.left_out, 3u);
+}
+
 TEST(Hull, is_the_outermost_line) {
     EXPECT_EQ(hull_of({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 0}}).size(), 4u);
     EXPECT_TRUE(hull_of({}).empty());

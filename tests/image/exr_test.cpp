@@ -145,6 +145,21 @@ TEST(Exr, AFewBytesDoNotAskForGigabytes) {
         << read.error().text();
 }
 
+TEST(Exr, ASideAndAllSamplesHaveAnEnd) {
+    const std::filesystem::path path = exr_scratch("side.exr");
+    const auto error_of = [&](int width, int channels) {
+        ExrFile wide;
+        wide.pixels = ImageF(width, 1, channels);
+        for (int k = 0; k < channels; ++k) wide.channels.push_back("c" + std::to_string(k));
+        EXPECT_TRUE(write_exr(path, wide, ExrSample::half).ok());
+        const auto read = read_exr(path);
+        return read.ok() ? std::string() : read.error().text();
+    };
+    EXPECT_EQ(error_of(16384, 1), "");
+    EXPECT_NE(error_of(16385, 1).find("16385 x 1 pixels, expected 1 to 16384 a side"), std::string::npos)
+        << error_of(16385, 1);
+}
+
 TEST(Exr, ASmallPieceDoesNotAskForAHugePicture) {
     ExrFile small;
     small.pixels = ImageF(16, 16, 4);

@@ -184,6 +184,22 @@ TEST_F(PassesFiles, AManifestNestedWithoutEndIsRefused) {
         << manifest.error().text();
 }
 
+TEST_F(PassesFiles, AManifestOfTooMuchIsRefused) {
+    write_baked();
+    const auto refused = [&](const Result<PassManifest>& manifest, const std::string& words) {
+        EXPECT_FALSE(manifest.ok()) << words;
+        if (!manifest.ok()) {
+            EXPECT_NE(manifest.error().text().find(words), std::string::npos) << manifest.error().text();
+        }
+    };
+    const ManifestLight light = manifest_.lights.front();
+    manifest_.lights.assign(kMaxLightPasses + 1, light);
+    refused(parse_manifest(manifest_text(manifest_), "m"), "a list of at most 2047 entries");
+    text("manifest.json", "{");
+    std::filesystem::resize_file(folder_ / "manifest.json", (16u << 20) + 1);
+    refused(read_manifest(folder_), "more than the limit of 16777216");
+}
+
 TEST_F(PassesFiles, ManifestNamesStayInTheirFolder) {
     for (const char* name : {"../x", "/etc/passwd", "", ".hidden", "a\\b"}) {
         manifest_.width = manifest_.height = 2;

@@ -6,9 +6,12 @@
 #include "beam_groups/light_places.h"
 #include "fixture/decode.h"
 #include "light/rig.h"
+#include "plots/plot_changes.h"
 #include "plots/plot_show.h"
 #include "plots/plot_types.h"
 #include "show_folder/load_show.h"
+
+#include <chrono>
 
 namespace ghost::scene {
 namespace {
@@ -205,6 +208,29 @@ TEST(PlotShow, MissingFixtureFilesAndModes) {
     Rig rig(show);
     rig.step({}, 0.0);
     EXPECT_TRUE(rig.states()[0].beams.empty());
+}
+
+// Each fixture and each change is looked for among all objects.
+TEST(PlotShow, ManyObjectsAreFoundSoon) {
+    constexpr int kMany = 20'000;
+    const auto begun = std::chrono::steady_clock::now();
+    std::string fixtures;
+    for (int k = 0; k < kMany; ++k) fixtures += fixture_xml(100 + k, "Spot", kIdentity + "{0,0,0}", "");
+    const fs::path folder = scratch("many_objects");
+    write_mvr(folder / "plot.mvr", small_xml(fixtures));
+    Report report;
+    const Show show = opened(folder / "plot.mvr", report);
+    EXPECT_EQ(show.fixtures.size(), 10'000u);
+    Plot plot = show.plot->plot;
+    std::vector<ChangeEntry> changes(kMany);
+    for (int k = 0; k < kMany; ++k) {
+        changes[static_cast<std::size_t>(k)].uuid = uuid(100 + k);
+        changes[static_cast<std::size_t>(k)].position_m = glm::vec3(static_cast<float>(k), 0, 1);
+    }
+    apply_changes(plot, changes, glm::dvec3(0), report);
+    expect_near(glm::vec3(plot.objects.back().world[3]), {kMany - 1, 0, 1});
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    EXPECT_LT(took.count(), 10.0); // minutes, each against all
 }
 
 TEST(PlotShow, ModesOfManyNamesAreNotAllComparedWithAllModes) {

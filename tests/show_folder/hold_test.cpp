@@ -73,6 +73,17 @@ TEST_F(Holds, who_was_killed_holds_nothing) {
     EXPECT_TRUE(take().is_ours());
 }
 
+TEST_F(Holds, what_is_no_lock_of_ours_names_nobody) {
+    fs::create_directories(file_.parent_path());
+    ASSERT_TRUE(write_file_atomic(file_, host_name() + "\n1\n" + std::string(1100, 'x')).ok());
+    const Hold hold = take();
+    EXPECT_TRUE(hold.is_ours()) << "nobody locks it";
+    ASSERT_TRUE(write_file_atomic(file_, host_name() + "\n1\n" + std::string(1100, 'x')).ok());
+    EXPECT_FALSE(hold.is_ours());
+    EXPECT_EQ(hold.holder().find(std::string(65, 'x')), std::string::npos);
+    EXPECT_NE(hold.holder().find("process 0 on "), std::string::npos) << hold.holder();
+}
+
 TEST_F(Holds, nothing_is_written_through_a_link) {
     const fs::path letter = show_ / "letter.txt";
     ASSERT_TRUE(write_file_atomic(letter, std::string_view("dear")).ok());

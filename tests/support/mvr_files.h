@@ -200,6 +200,10 @@ inline LoadedPlot full_plot() {
     return must(load_description(full_xml(), full_members()));
 }
 
+inline int find_object(const Plot& plot, std::string_view uuid) {
+    return ObjectIndex(plot).find(uuid);
+}
+
 inline const PlotObject& object_of(const Plot& plot, int number) {
     return plot.objects.at(static_cast<std::size_t>(find_object(plot, uuid(number))));
 }

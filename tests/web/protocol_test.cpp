@@ -104,6 +104,19 @@ TEST(Protocol, what_is_to_be_done_is_read_for_those_who_may) {
         << "depth comes first";
 }
 
+TEST(Protocol, what_is_to_be_done_has_an_end) {
+    const auto order = [](const std::string& what, std::size_t arguments) {
+        std::string text = R"({"type":"do","n":1,"what":")" + what + R"(","args":[)";
+        for (std::size_t k = 0; k < arguments; ++k) text += k > 0 ? ",1" : "1";
+        text += "]}";
+        return read_message(Opcode::text,
+                            Bytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()), true);
+    };
+    EXPECT_TRUE(order(std::string(kMostWordBytes, 'a'), kMostArguments).ok());
+    EXPECT_FALSE(order(std::string(kMostWordBytes + 1, 'a'), 1).ok());
+    EXPECT_FALSE(order("look", kMostArguments + 1).ok());
+}
+
 TEST(Protocol, what_it_must_not_say_is_refused) {
     for (const char* bad : {"",
                             "{",
