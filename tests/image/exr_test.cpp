@@ -146,18 +146,32 @@ TEST(Exr, AFewBytesDoNotAskForGigabytes) {
 }
 
 TEST(Exr, ASideAndAllSamplesHaveAnEnd) {
+    ExrFile small;
+    small.pixels = ImageF(16, 16, 4);
+    small.channels = {"R", "G", "B", "A"};
     const std::filesystem::path path = exr_scratch("side.exr");
-    const auto error_of = [&](int width, int channels) {
-        ExrFile wide;
-        wide.pixels = ImageF(width, 1, channels);
-        for (int k = 0; k < channels; ++k) wide.channels.push_back("c" + std::to_string(k));
-        EXPECT_TRUE(write_exr(path, wide, ExrSample::half).ok());
+    ASSERT_TRUE(write_exr(path, small, ExrSample::full).ok());
+    const auto whole = *read_file(path, 1u << 20);
+    const std::vector<std::uint8_t> window{0, 0, 0, 0, 0, 0, 0, 0, 15, 0, 0, 0, 15, 0, 0, 0};
+    const auto error_of = [&](int width, int height) {
+        auto bytes = whole;
+        for (auto at = bytes.begin();
+             (at = std::search(at, bytes.end(), window.begin(), window.end())) != bytes.end();) {
+            at[8] = static_cast<std::uint8_t>(width - 1);
+            at[9] = static_cast<std::uint8_t>((width - 1) >> 8);
+            at[12] = static_cast<std::uint8_t>(height - 1);
+            at[13] = static_cast<std::uint8_t>((height - 1) >> 8);
+        }
+        EXPECT_TRUE(write_file_atomic(path, bytes).ok());
         const auto read = read_exr(path);
         return read.ok() ? std::string() : read.error().text();
     };
-    EXPECT_EQ(error_of(16384, 1), "");
-    EXPECT_NE(error_of(16385, 1).find("16385 x 1 pixels, expected 1 to 16384 a side"), std::string::npos)
-        << error_of(16385, 1);
+    EXPECT_NE(error_of(16385, 2).find("16385 x 2 pixels, expected 1 to 16384 a side"), std::string::npos)
+        << error_of(16385, 2);
+    EXPECT_NE(error_of(2, 16385).find("2 x 16385 pixels, expected 1 to 16384 a side"), std::string::npos)
+        << error_of(2, 16385);
+    EXPECT_NE(error_of(16384, 16384).find("more than the limit of 512 Mi samples"), std::string::npos)
+        << error_of(16384, 16384);
 }
 
 TEST(Exr, ASmallPieceDoesNotAskForAHugePicture) {

@@ -2,6 +2,7 @@
 #include "show_folder/hold.h"
 
 #include "disk/files.h"
+#include "disk/temporary.h"
 #include "support/must.h"
 
 #include <gtest/gtest.h>
