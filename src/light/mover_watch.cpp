@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace ghost::scene {
 namespace {
@@ -15,6 +16,7 @@ namespace {
 constexpr float kTouch_m = 0.01f;     // what lies closer only touches
 constexpr double kPast = 1e-3;        // metres or degrees past an end stop
 constexpr std::size_t kMostSaid = 50; // sentences; more of them say nothing new
+constexpr std::size_t kMostMet = 100'000;
 
 std::string time_text(double at_s) {
     char text[32];
@@ -72,7 +74,8 @@ bool overlap(const Box& a, const Box& b) {
 
 } // namespace
 
-MoverWatch::MoverWatch(const Show& show, const Stage& stage) : show_(show), stage_(stage) {
+MoverWatch::MoverWatch(const Show& show, const Stage& stage, std::uint64_t most_pairs)
+    : show_(show), stage_(stage), left_pairs_(most_pairs) {
     std::vector<Box> meshes;
     for (const Mesh& mesh : stage.meshes) {
         Box& box = meshes.emplace_back();
@@ -113,7 +116,11 @@ MoverWatch::Placed MoverWatch::placed(const Body& body, const Rig* rig) const {
 
 void MoverWatch::look_for_meetings(const std::vector<Placed>& now, double at_s, Report* report) {
     if (meetings_ > kMostSaid) return;
-    for (std::size_t a = 0; a < moving_; ++a)
+    for (std::size_t a = 0; a < moving_; ++a) {
+        const std::uint64_t pairs = bodies_.size() - a - 1;
+        gave_up_ = gave_up_ || pairs > left_pairs_ || said_.size() > kMostMet;
+        if (gave_up_) return;
+        left_pairs_ -= pairs;
         for (std::size_t b = a + 1; b < bodies_.size(); ++b) {
             if (bodies_[a].mover == bodies_[b].mover || !overlap(now[a].round, now[b].round)) continue;
             if (said_.contains({a, b})) continue;
@@ -135,6 +142,7 @@ void MoverWatch::look_for_meetings(const std::vector<Placed>& now, double at_s, 
                             mover.name + "' meets '" + stage_.instances[bodies_[b].instance].name + "' at " +
                             place_text(0.5f * (low_m + high_m)));
         }
+    }
 }
 
 void MoverWatch::look(const Rig& rig, double at_s, Report& report) {
@@ -166,6 +174,10 @@ void MoverWatch::look(const Rig& rig, double at_s, Report& report) {
                        place_text({middle_m.x, middle_m.y, low_m}));
     }
     look_for_meetings(now, at_s, &report);
+    if (!gave_up_ || std::exchange(said_so_, true)) return;
+    report.add(Severity::warning, show_.movers.front().where,
+               time_text(at_s) +
+                   "and later it is not looked at whether bodies of movers meet: they are too many");
 }
 
 } // namespace ghost::scene

@@ -11,16 +11,20 @@
 #include "stage/box.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <set>
 #include <utility>
 #include <vector>
 
 namespace ghost::scene {
 
+inline constexpr std::uint64_t kMostComparedBodies = 20'000'000'000; // pairs, of all moments: a minute
+
 class MoverWatch {
 public:
-    // stage: that of stage_with_bodies, as the show has it. All must outlive it.
-    MoverWatch(const Show& show, const Stage& stage);
+    // stage: that of stage_with_bodies, as the show has it. All must outlive it. most_pairs: then, which is
+    // said, nobody looks any more whether bodies meet.
+    MoverWatch(const Show& show, const Stage& stage, std::uint64_t most_pairs = kMostComparedBodies);
 
     // After the rig's step.
     void look(const Rig& rig, double at_s, Report& report);
@@ -45,6 +49,8 @@ private:
     std::size_t moving_ = 0;                             // how many of them do
     std::set<std::pair<std::size_t, std::size_t>> said_; // bodies that meet, or met at home
     std::size_t meetings_ = 0;                           // of them after that
+    std::uint64_t left_pairs_;
+    bool gave_up_ = false, said_so_ = false;
     std::set<std::size_t> low_;                          // bodies below the floor
     std::set<std::pair<std::size_t, std::size_t>> past_; // mover and axis
 };

@@ -31,8 +31,8 @@ struct World {
         }
     }
 
-    void look_at(float height_m, Report& report) {
-        MoverWatch watch(show, stage);
+    void look_at(float height_m, Report& report, std::uint64_t most_pairs = kMostComparedBodies) {
+        MoverWatch watch(show, stage, most_pairs);
         Rig rig(show);
         rig.movers().drive(0, {height_m});
         rig.step({}, 0.1);
@@ -68,6 +68,30 @@ TEST(MoverWatch, says_once_that_it_does_not_name_them_all) {
     Report apart;
     World(80).look_at(1.5f, apart);
     EXPECT_TRUE(apart.messages.empty());
+}
+
+TEST(MoverWatch, compares_no_more_bodies_than_it_may) {
+    const std::string words = "it is not looked at whether bodies of movers meet: they are too many";
+    Report enough, short_by_one;
+    World(80).look_at(2.5f, enough, 80 * 2); // where they stand, and once on their way; then 50 were named
+    EXPECT_EQ(count(enough, "' meets '"), 50u);
+    World(30).look_at(2.5f, short_by_one, 30 * 2 - 1);
+    EXPECT_EQ(count(short_by_one, "' meets '"), 0u);
+    EXPECT_EQ(count(short_by_one, words), 1u);
+    EXPECT_EQ(short_by_one.messages.back().what.substr(0, 9), "at 4.00 s");
+}
+
+TEST(MoverWatch, where_too_many_meet_already_none_is_looked_for) {
+    World world(110'000);
+    for (Instance& instance : world.stage.instances) instance.world[3] = glm::vec4(0, 0, 0, 1);
+    Report report;
+    world.look_at(0.5f, report);
+    EXPECT_EQ(count(report, "they are too many"), 0u) << "a single mover is compared to its end";
+    world.show.movers.push_back(world.show.movers[0]);
+    world.show.movers[1].name = "second";
+    world.show.movers[1].objects = {"box 0"};
+    world.look_at(0.5f, report);
+    EXPECT_EQ(count(report, "they are too many"), 1u);
 }
 
 TEST(MoverWatch, what_meets_where_the_model_has_it_may) {
