@@ -19,7 +19,7 @@ sys.path.insert(0, str(SOURCE / "tests/scripts/lib"))
 import needs  # noqa: E402  (the folder is known only now)
 from mistakes import MISTAKES, STANDARD, WELL, sacn  # noqa: E402
 
-LANES = 8  # each waits most of its time
+LANES = 4
 LIMIT_S = 120  # for a sentence to come, on a machine that does other things, too
 WELL_S = 9  # in which nothing may be said; silence is told after 5
 OTHER = """
