@@ -289,6 +289,10 @@ void Device::make_device(const DeviceOptions& options) {
 Device::Device() = default;
 
 Device::~Device() {
+    // Those that are still to be made ask this object.
+    bool stays = pipelines_ && !shaders_ && !keeps_pipeline_statistics_ && are_devices_kept();
+    stays = stays && are_all_made(*pipelines_);
+    if (pipelines_ && !stays) pipelines_->stop();
     DriverDevice driver;
     driver.instance = instance_;
     driver.physical = physical_;
@@ -296,8 +300,7 @@ Device::~Device() {
     driver.queue_family = queue_family_;
     driver.validation = messenger_ != VK_NULL_HANDLE;
     driver.pipelines = std::move(pipelines_);
-    const bool is_usual = driver.pipelines && !shaders_ && !keeps_pipeline_statistics_;
-    if (is_usual && are_devices_kept()) {
+    if (stays) {
         drop_messenger(instance_, std::exchange(messenger_, VK_NULL_HANDLE)); // it speaks to this one
         if (keep(driver)) return;
     }

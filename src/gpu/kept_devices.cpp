@@ -77,12 +77,16 @@ bool are_devices_kept() {
     return kept().room > 0;
 }
 
-bool keep(DriverDevice& device) {
-    try { // those that are still to be made refer to the Device
-        (void)device.pipelines->made();
+bool are_all_made(Pipelines& pipelines) {
+    try {
+        (void)pipelines.made();
+        return true;
     } catch (const std::exception&) {
         return false;
     }
+}
+
+bool keep(DriverDevice& device) {
     if (vkDeviceWaitIdle(device.device) != VK_SUCCESS) return false; // lost
     std::optional<DriverDevice> oldest;                              // goes after the lock
     const std::lock_guard lock(kept().mutex);

@@ -43,7 +43,9 @@ struct DriverDevice {
 };
 
 bool are_devices_kept();
-// Waits for its pipelines. False: it is not kept, and as it was.
+// Waits for them; false: one failed.
+bool are_all_made(Pipelines& pipelines);
+// All pipelines are made. False: it is not kept, and as it was.
 bool keep(DriverDevice& device);
 std::optional<DriverDevice> take_kept(bool validation);
 

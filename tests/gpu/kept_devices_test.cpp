@@ -10,6 +10,7 @@
 #include "gpu/kept_devices.h"
 
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace ghost::gpu {
 namespace {
@@ -46,6 +47,20 @@ TEST(KeptDevices, TheNextDeviceHasThePipelines) {
     EXPECT_EQ(device->work().dispatches, 0u);
     EXPECT_EQ(device->memory().left_bytes(), 1u << 20);
     EXPECT_EQ(device->validation_errors(), 0u);
+}
+
+TEST(KeptDevices, WhatIsStillToBeMadeIsMade) {
+    const KeptDevices keeper;
+    constexpr std::uint32_t kPrograms = 40;
+    {
+        const auto device = own_device();
+        for (std::uint32_t k = 0; k < kPrograms; ++k) Program(*device, kNothing, std::vector{k});
+    }
+    const auto device = own_device();
+    EXPECT_EQ(device->pipelines().count(), kPrograms);
+    const std::uint64_t waited = device->pipelines().waited_for();
+    (void)Program(*device, kNothing, std::vector{kPrograms - 1}).handle();
+    EXPECT_EQ(device->pipelines().waited_for(), waited);
 }
 
 TEST(KeptDevices, TwoAtOnceShareNothing) {
