@@ -95,9 +95,18 @@ Plane halved(const Plane& plane) {
     return result;
 }
 
+// By rows.
+std::vector<bool> pixels_in_gate(const Plane& plane) {
+    std::vector<bool> inside;
+    inside.reserve(plane.pixels.size());
+    for (int y = 0; y < plane.side; ++y)
+        for (int x = 0; x < plane.side; ++x) inside.push_back(gate_radius(plane, x, y) <= 1.0f);
+    return inside;
+}
+
 // Mean over a disc, counting only what lies in the gate. Each row of the disc is a difference of running
 // sums.
-Plane disc_blurred(const Plane& plane, int radius) {
+Plane disc_blurred(const Plane& plane, int radius, const std::vector<bool>& in_gate) {
     const int side = plane.side;
     const auto stride = static_cast<std::size_t>(side) + 1;
     std::vector<glm::vec4> sums(stride * static_cast<std::size_t>(side),
@@ -105,23 +114,28 @@ Plane disc_blurred(const Plane& plane, int radius) {
     for (int y = 0; y < side; ++y)
         for (int x = 0; x < side; ++x) {
             const std::size_t at = static_cast<std::size_t>(y) * stride + static_cast<std::size_t>(x);
-            const bool inside = gate_radius(plane, x, y) <= 1.0f;
+            const bool inside = in_gate[static_cast<std::size_t>(y * side + x)];
             sums[at + 1] = sums[at] + (inside ? glm::vec4(plane.at(x, y), 1.0f) : glm::vec4(0.0f));
         }
+    std::array<int, 2 * kDiscPixels + 1> half{}; // of the rows of the disc
+    for (int dy = -radius; dy <= radius; ++dy)
+        half[static_cast<std::size_t>(dy + radius)] =
+            static_cast<int>(std::sqrt(static_cast<float>(radius * radius - dy * dy)));
     Plane result(side);
-    for (int y = 0; y < side; ++y)
+    for (int y = 0; y < side; ++y) {
+        const int first = std::max(-radius, -y), last = std::min(radius, side - 1 - y);
         for (int x = 0; x < side; ++x) {
             glm::vec4 sum(0.0f);
-            for (int dy = -radius; dy <= radius; ++dy) {
-                if (y + dy < 0 || y + dy >= side) continue;
-                const int half = static_cast<int>(std::sqrt(static_cast<float>(radius * radius - dy * dy)));
+            for (int dy = first; dy <= last; ++dy) {
+                const int across = half[static_cast<std::size_t>(dy + radius)];
                 const std::size_t row = static_cast<std::size_t>(y + dy) * stride;
-                sum += sums[row + static_cast<std::size_t>(std::min(x + half + 1, side))] -
-                       sums[row + static_cast<std::size_t>(std::max(x - half, 0))];
+                sum += sums[row + static_cast<std::size_t>(std::min(x + across + 1, side))] -
+                       sums[row + static_cast<std::size_t>(std::max(x - across, 0))];
             }
             // Too far outside for any: the picture goes on as at the rim.
             result.at(x, y) = sum.w > 0.5f ? vec3(sum) / sum.w : plane.at(x, y);
         }
+    }
     return result;
 }
 
@@ -139,15 +153,17 @@ void append_open_layer(shared::Gobos& gobos) {
 
 void append_plane(shared::Gobos& gobos, const Plane& source) {
     append_level(gobos.texels[0], source);
+    Plane drawn = source;
+    std::vector<bool> in_gate = pixels_in_gate(drawn);
     for (int level = 1; level < shared::kGoboLevels; ++level) {
         // Level k is blurred over 2^k pixels of the full picture, drawn where that is kDiscPixels at most.
         int radius = 1 << level;
-        Plane plane = source;
-        while (radius > kDiscPixels) {
-            plane = halved(plane);
-            radius /= 2;
+        if (radius > kDiscPixels) {
+            radius = kDiscPixels;
+            drawn = halved(drawn);
+            in_gate = pixels_in_gate(drawn);
         }
-        plane = disc_blurred(plane, radius);
+        Plane plane = disc_blurred(drawn, radius, in_gate);
         while (plane.side > (shared::kGoboSize >> level)) plane = halved(plane);
         append_level(gobos.texels[level], plane);
     }

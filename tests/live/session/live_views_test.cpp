@@ -161,19 +161,20 @@ TEST(live_views, HazeAmongThingsAgreesWithTheReference) {
                                                 options));
         };
         const std::vector<std::uint8_t> counts = away_from_silhouettes(tracer, camera);
-        const auto drawn = [&](int size, int supersample) {
-            const scene::DistanceMaps maps = trace_maps(tracer, view.lights, size);
+        const scene::DistanceMaps usual = trace_maps(tracer, view.lights, scene::kDistanceMapSize),
+                                  fine = trace_maps(tracer, view.lights, 2048);
+        const auto drawn = [&](const scene::DistanceMaps& maps, int supersample) {
             LiveScene live{model, camera, view.lights, render::test_gobos(), maps, {}};
             live.settings.haze = haze;
             live.settings.surfaces = false;
             return live_picture(live, supersample);
         };
         const image::ImageF middles = reference(1024, 1);
-        const Likeness away = figures(drawn(scene::kDistanceMapSize, 1), middles, counts);
-        const Likeness sharp = figures(drawn(2048, 1), middles, counts);
+        const Likeness away = figures(drawn(usual, 1), middles, counts);
+        const Likeness sharp = figures(drawn(fine, 1), middles, counts);
         // All pixels, as a still is drawn: each the mean of what it shows.
         const Likeness whole =
-            figures(drawn(2048, 4), reference(128, 4), away_from_lamps(camera, view.lights));
+            figures(drawn(fine, 4), reference(128, 4), away_from_lamps(camera, view.lights));
         std::printf(
             "%-24s away from silhouettes (%2.0f %% of pixels): map 512 %4.1f dB, bias %6.3f %%, map 2048 "
             "%4.1f dB, bias %6.3f %%; all but 4 px round lamps, 4 x as large: %4.1f dB, bias %6.2f %%\n",

@@ -4,6 +4,7 @@
 
 #include "live/engine/engine.h"
 #include "support/demo_copy.h"
+#include "support/kept_devices.h"
 
 #include <gtest/gtest.h>
 

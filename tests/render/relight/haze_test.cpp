@@ -8,6 +8,8 @@
 #include "support/test_view.h"
 
 #include <cstdio>
+#include <map>
+#include <string>
 
 namespace ghost::render {
 namespace {
@@ -236,10 +238,18 @@ std::vector<View> swept_views() {
     return all;
 }
 
+// Of views(), made once for all tests.
+const image::ImageF& kept_reference_of(const View& view) {
+    static std::map<std::string, image::ImageF> kept;
+    const auto [at, is_new] = kept.try_emplace(view.name);
+    if (is_new) at->second = reference_of(view.passes, view.lights);
+    return at->second;
+}
+
 TEST_F(Haze, ConeAndMarchAgreeWithTheReference) {
     for (const View& view : views()) {
         SCOPED_TRACE(view.name);
-        const image::ImageF reference = reference_of(view.passes, view.lights);
+        const image::ImageF& reference = kept_reference_of(view);
         const Difference cone = compare(drawn(view.passes, view.lights, Beams::cone, 0), reference);
         const Difference march = compare(drawn(view.passes, view.lights, Beams::march, 110), reference);
         const Difference fine = compare(drawn(view.passes, view.lights, Beams::march, 4096), reference);
@@ -263,7 +273,7 @@ TEST_F(Haze, ConeAndMarchAgreeWithTheReference) {
 TEST_F(Haze, ALightThatIsDimmerOrAimsElsewhereIsSeen) {
     for (const View& view : views()) {
         SCOPED_TRACE(view.name);
-        const image::ImageF reference = reference_of(view.passes, view.lights);
+        const image::ImageF& reference = kept_reference_of(view);
         const auto is_seen = [&](const shared::Light& light) {
             const Difference cone = compare(drawn(view.passes, {light}, Beams::cone, 0), reference);
             const Difference march = compare(drawn(view.passes, {light}, Beams::march, 110), reference);
