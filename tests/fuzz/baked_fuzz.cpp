@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pictures of a bake: distance maps, pictures and layers of passes, fragments. Input that starts as an EXR file does is taken
-// as it is; of other input one is made, whose size, channels, texts and values it says. As text it is a list of what a stage
-// consists of.
+// The pictures of a bake: distance maps, pictures and layers of passes, fragments. Input that starts as an
+// EXR file does is taken as it is; of other input one is made, whose size, channels, texts and values it
+// says. As text it is a list of what a stage consists of.
 #include "fuzz_folder.h"
 
 #include "image/exr.h"
@@ -55,14 +55,16 @@ void look(const std::filesystem::path& path, int width, int height) {
         const std::filesystem::path copy = fuzz_folder() / "again.exr";
         require(write_distance_map(copy, width, stored).ok());
         const auto again = read_distance_map(copy, width);
-        require(again.ok() && *again && (*again)->distance == stored.distance && (*again)->sees == stored.sees);
+        require(again.ok() && *again && (*again)->distance == stored.distance &&
+                (*again)->sees == stored.sees);
     }
     PassManifest manifest;
     manifest.width = width;
     manifest.height = std::max(1, height / 2); // the other half are extra fragments
     const auto pixels = static_cast<std::size_t>(manifest.width) * static_cast<std::size_t>(manifest.height);
     manifest.extra_count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) - pixels;
-    for (const image::Chromaticities* assumed : {static_cast<const image::Chromaticities*>(nullptr), &image::kRec709})
+    for (const image::Chromaticities* assumed :
+         {static_cast<const image::Chromaticities*>(nullptr), &image::kRec709})
         if (const auto picture = read_picture(path, width, height, 2, "", report, assumed); picture.ok())
             require(picture->size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     const auto table = read_fragments(path.parent_path(), manifest);
@@ -73,9 +75,12 @@ void look(const std::filesystem::path& path, int width, int height) {
     require(write_fragments(fuzz_folder(), *table).ok());
     const auto again = read_fragments(fuzz_folder(), manifest);
     require(again.ok() && again->fragments == table->fragments && again->extra_first == table->extra_first);
-    StoredLayer layer{std::vector<glm::vec3>(pixels, glm::vec3(2)), std::vector<glm::vec3>(manifest.extra_count, glm::vec3(1))};
+    StoredLayer layer{std::vector<glm::vec3>(pixels, glm::vec3(2)),
+                      std::vector<glm::vec3>(manifest.extra_count, glm::vec3(1))};
     require(from_stored(*table, layer).size() == table->fragments.size());
-    require(write_layer(fuzz_folder(), "light", manifest.width, manifest.height, layer, 2, {{"ghost.key", "a"}}).ok());
+    require(
+        write_layer(fuzz_folder(), "light", manifest.width, manifest.height, layer, 2, {{"ghost.key", "a"}})
+            .ok());
     require(read_layer(fuzz_folder(), "light", *table, 2, "a", report).ok());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The links of bounced light as a file of .ghost/bounce: any bytes behind a right head and before a right checksum. Links that are
-// taken carry light to places that are there.
+// The links of bounced light as a file of .ghost/bounce: any bytes behind a right head and before a right
+// checksum. Links that are taken carry light to places that are there.
 #include "fuzz_folder.h"
 
 #include "bounce/bounce_file.h"

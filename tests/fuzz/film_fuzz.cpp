@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Films and sounds of any bytes: what is shown has a size, what is heard is a number. FFmpeg itself has no counters here, so this
-// lives by its seeds: small files of every kind.
+// Films and sounds of any bytes: what is shown has a size, what is heard is a number. FFmpeg itself has no
+// counters here, so this lives by its seeds: small files of every kind.
 #include "fuzz_folder.h"
 
 #include "video/files/movie.h"

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// For fuzzers of what is read from files: a folder of this process, in memory where the system has /dev/shm, and files in it. It
-// goes at the end; after a crash it stays, with what was read last.
+// For fuzzers of what is read from files: a folder of this process, in memory where the system has /dev/shm,
+// and files in it. It goes at the end; after a crash it stays, with what was read last.
 
 #include "base/byte_reader.h"
 
@@ -18,7 +18,8 @@ inline const std::filesystem::path& fuzz_folder() {
         fs::path path;
         Folder() {
             const fs::path memory = "/dev/shm";
-            std::string name = ((fs::exists(memory) ? memory : fs::temp_directory_path()) / "ghost_fuzz_XXXXXX").string();
+            std::string name =
+                ((fs::exists(memory) ? memory : fs::temp_directory_path()) / "ghost_fuzz_XXXXXX").string();
             if (mkdtemp(name.data()) == nullptr) std::abort();
             path = name;
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a gzip file, and as what is in one of two members: read on and on, and again from any place, it is the same; and
-// as a capture.
+// Any bytes as a gzip file, and as what is in one of two members: read on and on, and again from any place,
+// it is the same; and as a capture.
 #include "fuzz_folder.h"
 
 #include "archives/byte_source.h"
@@ -38,7 +38,8 @@ std::vector<std::uint8_t> all_of(ByteSource& source) {
     std::vector<std::uint8_t> all(kMostUnpacked);
     std::size_t size = 0;
     while (size < all.size()) {
-        const std::size_t more = source.read(size, std::span(all).subspan(size, std::min<std::size_t>(all.size() - size, 70'001)));
+        const std::size_t more =
+            source.read(size, std::span(all).subspan(size, std::min<std::size_t>(all.size() - size, 70'001)));
         if (more == 0) break;
         size += more;
     }
@@ -50,15 +51,17 @@ std::vector<std::uint8_t> look(const std::filesystem::path& path) {
     auto source = ByteSource::open(path);
     if (!source.ok()) std::abort();
     const std::vector<std::uint8_t> all = all_of(*source);
-    for (const std::size_t at : {all.size() / 2, std::size_t{0}, all.size() - all.size() / 7}) { // back, to the front, on
+    for (const std::size_t at :
+         {all.size() / 2, std::size_t{0}, all.size() - all.size() / 7}) { // back, to the front, on
         std::vector<std::uint8_t> piece(std::min<std::size_t>(all.size() - at, 999));
         if (source->read(at, piece) != piece.size() ||
             !std::equal(piece.begin(), piece.end(), all.begin() + static_cast<std::ptrdiff_t>(at)))
             std::abort();
     }
     if (all.size() < kMostUnpacked)
-        (void)read_capture(*source, "fuzz", {}, {}, [](std::chrono::microseconds) {},
-                           [](const RecordedFrame&) -> Result<void> { return {}; });
+        (void)read_capture(
+            *source, "fuzz", {}, {}, [](std::chrono::microseconds) {},
+            [](const RecordedFrame&) -> Result<void> { return {}; });
     return all;
 }
 

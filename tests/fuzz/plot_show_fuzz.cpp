@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A plot as a whole: opened, imported into a new folder, opened there, imported once more, exported. What is written is read again and
-// has the same fixtures. Input that starts with "PK" is taken as the .mvr itself, other input as the description of one.
+// A plot as a whole: opened, imported into a new folder, opened there, imported once more, exported. What is
+// written is read again and has the same fixtures. Input that starts with "PK" is taken as the .mvr itself,
+// other input as the description of one.
 #include "fuzz_folder.h"
 #include "stored_zip.h"
 
@@ -42,8 +43,10 @@ Bytes bytes_of(std::string_view text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const Bytes input(data, size);
     const bool is_zip = size >= 2 && data[0] == 'P' && data[1] == 'K';
-    const std::filesystem::path plot =
-        fuzz_file("plot.mvr", is_zip ? input : Bytes(stored_zip({{"GeneralSceneDescription.xml", input}, {"a.obj", bytes_of(kObj)}})));
+    const std::filesystem::path plot = fuzz_file(
+        "plot.mvr",
+        is_zip ? input
+               : Bytes(stored_zip({{"GeneralSceneDescription.xml", input}, {"a.obj", bytes_of(kObj)}})));
     Report report;
     const auto opened = load_show(plot, true, report);
     if (!opened.ok()) return 0;
@@ -54,7 +57,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto show = load_show(folder, false, report);
     require(show.ok() && show->plot && show->fixtures.size() == opened->fixtures.size());
     require(show->cameras.size() == opened->cameras.size());
-    for (std::size_t k = 0; k < show->fixtures.size(); ++k) require(show->fixtures[k].name == opened->fixtures[k].name);
+    for (std::size_t k = 0; k < show->fixtures.size(); ++k)
+        require(show->fixtures[k].name == opened->fixtures[k].name);
     const auto again = import_plot(*opened, folder, report);
     require(again.ok() && again->merge);
     const auto exported = export_plot(folder, fuzz_folder() / "out.mvr", {}, report);

@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
-// For fuzzers of archives: a zip archive of members that are stored as they are, with right checksums, so that what is in them
-// gets to its parser.
+// For fuzzers of archives: a zip archive of members that are stored as they are, with right checksums, so
+// that what is in them gets to its parser.
 
 #include "base/byte_reader.h"
 #include "disk/crc32.h"

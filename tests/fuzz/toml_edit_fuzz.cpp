@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edits of show.toml, a few one after the other: each is refused, or gives a text that is a show as before, with every comment
-// outside of what was edited. Input: sixteen bytes for four edits, then the text.
+// Edits of show.toml, a few one after the other: each is refused, or gives a text that is a show as before,
+// with every comment outside of what was edited. Input: sixteen bytes for four edits, then the text.
 #include "json_xml_toml/toml_text.h"
 #include "show_file/air_edit.h"
 #include "show_file/cue_edit.h"
@@ -19,49 +19,73 @@ using namespace ghost::scene;
 
 namespace {
 
-constexpr int kEdits = 24;
-constexpr int kFirstThatTakesAway = 19; // from here on comments go along with what they are in
+constexpr int kEdits = 23;
+constexpr int kFirstThatTakesAway = 18; // from here on comments go along with what they are in
 
-const char* const kWords[] = {"house", "Spot 1", "a.gdtf", "", "\"", "\\", "[[fixture]]", "# no comment", "a\nb", "\xc3\xa9", "\t", "x.y"};
+const char* const kWords[] = {"house",       "Spot 1",       "a.gdtf", "",         "\"", "\\",
+                              "[[fixture]]", "# no comment", "a\nb",   "\xc3\xa9", "\t", "x.y"};
 
-Result<std::string> edit(const std::string& text, const ParsedShow& parsed, int what, std::size_t index, const std::string& word,
-                         float number) {
+Result<std::string> edit(const std::string& text, const ParsedShow& parsed, int what, std::size_t index,
+                         const std::string& word, float number) {
     const Show& show = parsed.show;
     const glm::vec3 place(number, -number, 2);
     Cue cue;
-    cue.name = word;
+    cue.name = cue.notes = word;
     cue.at_s = number;
-    cue.notes = word;
     Palette palette;
     palette.name = word;
-    palette.values.pan_deg = number;
-    palette.fixtures[word].tilt_deg = number;
+    palette.values.pan_deg = palette.fixtures[word].tilt_deg = number;
     const FixturePlace fixture{index, ""};
     switch (what) {
-    case 0: return edit_fixtures(text, {{fixture, {.name = word, .address = fixture::Address{3, 7}}}});
-    case 1: return edit_fixtures(text, {{fixture, {.position_m = place, .rotation_deg = place}}, {{0, word}, {.hidden = true}}});
-    case 2: return edit_fixtures(text, {{fixture, {.mode = word, .address = fixture::Address{1, 0}}}});
-    case 3: return copy_fixture(text, index, {.name = word, .position_m = place});
-    case 4: return add_fixture(text, {word, {.name = word, .position_m = place}});
-    case 5: return add_camera(text, {.name = word, .position_m = place});
-    case 6: return add_model(text, word, place);
-    case 7: return set_of_show(text, "plot", word);
-    case 8: return edit_haze(text, {.extinction_per_m = number, .wind_m_s = place});
-    case 9: return edit_haze(text, {.preset = word, .unevenness = number});
-    case 10: return edit_hazer(text, show.hazers, index, {.position_m = place, .rate = number});
-    case 11: return add_hazer(text, {.position_m = place});
-    case 12: return edit_bounce(text, BounceDetail::normal);
-    case 13: return edit_cue(text, show.cues, index, cue);
-    case 14: return add_cue(text, cue);
-    case 15: return set_object_move(text, word, place);
-    case 16: return add_palette(text, palette);
-    case 17: return rename_palette(text, show.palettes, index, word);
-    case 18: return set_substitute(text, word, "b.gdtf", word);
-    case 19: return replace_palette(text, show.palettes, index, palette);
-    case 20: return remove_fixtures(text, {index, 0});
-    case 21: return remove_hazer(text, show.hazers, index);
-    case 22: return remove_cue(text, show.cues, index);
-    default: return remove_palette(text, show.palettes, index);
+    case 0:
+        return edit_fixtures(
+            text, {{fixture,
+                    {.name = word, .mode = word, .address = fixture::Address{3, static_cast<int>(index)}}}});
+    case 1:
+        return edit_fixtures(
+            text, {{fixture, {.position_m = place, .rotation_deg = place}}, {{0, word}, {.hidden = true}}});
+    case 2:
+        return copy_fixture(text, index, {.name = word, .position_m = place});
+    case 3:
+        return add_fixture(text, {word, {.name = word, .position_m = place}});
+    case 4:
+        return add_camera(text, {.name = word, .position_m = place});
+    case 5:
+        return add_model(text, word, place);
+    case 6:
+        return set_of_show(text, "plot", word);
+    case 7:
+        return edit_haze(text, {.extinction_per_m = number, .wind_m_s = place});
+    case 8:
+        return edit_haze(text, {.preset = word, .unevenness = number});
+    case 9:
+        return edit_hazer(text, show.hazers, index, {.position_m = place, .rate = number});
+    case 10:
+        return add_hazer(text, {.position_m = place});
+    case 11:
+        return edit_bounce(text, BounceDetail::normal);
+    case 12:
+        return edit_cue(text, show.cues, index, cue);
+    case 13:
+        return add_cue(text, cue);
+    case 14:
+        return set_object_move(text, word, place);
+    case 15:
+        return add_palette(text, palette);
+    case 16:
+        return rename_palette(text, show.palettes, index, word);
+    case 17:
+        return set_substitute(text, word, "b.gdtf", word);
+    case 18:
+        return replace_palette(text, show.palettes, index, palette);
+    case 19:
+        return remove_fixtures(text, {index, 0});
+    case 20:
+        return remove_hazer(text, show.hazers, index);
+    case 21:
+        return remove_cue(text, show.cues, index);
+    default:
+        return remove_palette(text, show.palettes, index);
     }
 }
 
@@ -72,9 +96,11 @@ void mark(const toml::node& node, std::set<std::size_t>& lines) {
     } else if (const toml::array* array = node.as_array(); array && array->is_array_of_tables()) {
         for (const toml::node& entry : *array) mark(entry, lines);
         if (array->front().as_table()->is_inline())
-            for (std::size_t line = array->source().begin.line; line <= array->source().end.line; ++line) lines.insert(line);
+            for (std::size_t line = array->source().begin.line; line <= array->source().end.line; ++line)
+                lines.insert(line);
     } else {
-        for (std::size_t line = node.source().begin.line; line <= node.source().end.line; ++line) lines.insert(line);
+        for (std::size_t line = node.source().begin.line; line <= node.source().end.line; ++line)
+            lines.insert(line);
     }
 }
 
@@ -88,7 +114,8 @@ std::map<std::string, int> comments_of(const TomlText& document) {
     for (std::size_t begin = 0; begin < text.size(); ++number) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         const std::size_t letter = text.find_first_not_of(" \t", begin);
-        if (letter < end && text[letter] == '#' && !of_values.contains(number)) ++comments[text.substr(begin, end - begin)];
+        if (letter < end && text[letter] == '#' && !of_values.contains(number))
+            ++comments[text.substr(begin, end - begin)];
         begin = end + 1;
     }
     return comments;
@@ -105,8 +132,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const auto before = parse_show(text, "fuzz/show.toml", report);
         if (!before.ok()) return 0;
         const int what = byte[0] % kEdits;
-        const auto edited =
-            edit(text, *before, what, byte[1] % 8, kWords[byte[2] % std::size(kWords)], 0.25f * static_cast<float>(byte[3]));
+        const auto edited = edit(text, *before, what, byte[1] % 8, kWords[byte[2] % std::size(kWords)],
+                                 0.25f * static_cast<float>(byte[3]));
         if (!edited.ok()) continue;
         const auto document = TomlText::parse(*edited);
         if (!document.ok() || !parse_show(*edited, "fuzz/show.toml", report).ok()) std::abort();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// MVR-xchange as two stations that mean harm would speak it: one that joins us, one that we join, on two connections each. Input:
-// what one of them does, again and again: a byte (connection, what), two of length, as many of content. Only whole .mvr files lie in
-// our folder afterwards, and nothing beside it.
+// MVR-xchange as two stations that mean harm would speak it: one that joins us, one that we join, on two
+// connections each. Input: what one of them does, again and again: a byte (connection, what), two of length,
+// as many of content. Only whole .mvr files lie in our folder afterwards, and nothing beside it.
 #include "fuzz_folder.h"
 #include "stored_zip.h"
 
@@ -36,10 +36,12 @@ public:
         if (what == What::close || what == What::wait) return;
         if (!stream) connect(stream, place);
         if (!stream) return;
-        const auto kind = what == What::file || what == What::part_of_file ? scene::XchangePayload::file : scene::XchangePayload::message;
+        const auto kind = what == What::file || what == What::part_of_file ? scene::XchangePayload::file
+                                                                           : scene::XchangePayload::message;
         std::vector<std::uint8_t> bytes;
         const bool is_part = what == What::part_of_message || what == What::part_of_file;
-        if (what != What::bytes) bytes = scene::build_xchange_header(kind, content.size() + (is_part ? 9 : 0), 0, is_part ? 2 : 1);
+        if (what != What::bytes)
+            bytes = scene::build_xchange_header(kind, content.size() + (is_part ? 9 : 0), 0, is_part ? 2 : 1);
         bytes.insert(bytes.end(), content.begin(), content.end());
         (void)stream->send(bytes);
     }
@@ -69,7 +71,8 @@ private:
 
 std::set<std::string> names_in(const fs::path& folder) {
     std::set<std::string> names;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) names.insert(entry.path().filename().string());
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        names.insert(entry.path().filename().string());
     return names;
 }
 
@@ -77,12 +80,16 @@ std::set<std::string> names_in(const fs::path& folder) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     static const fs::path ours = [] {
-        constexpr std::string_view kXml = "<GeneralSceneDescription verMajor=\"1\" verMinor=\"6\"><Scene><Layers/></Scene></GeneralSceneDescription>";
-        return fuzz_file("ours.mvr", stored_zip({{"GeneralSceneDescription.xml", {reinterpret_cast<const std::uint8_t*>(kXml.data()), kXml.size()}}}));
+        constexpr std::string_view kXml = "<GeneralSceneDescription verMajor=\"1\" "
+                                          "verMinor=\"6\"><Scene><Layers/></Scene></GeneralSceneDescription>";
+        return fuzz_file("ours.mvr",
+                         stored_zip({{"GeneralSceneDescription.xml",
+                                      {reinterpret_cast<const std::uint8_t*>(kXml.data()), kXml.size()}}}));
     }();
     static const auto theirs = dmx::TcpListener::open(0x7F000001, 0);
     if (!theirs.ok()) std::abort();
-    while ((*theirs)->accept()) {} // of the input before
+    while ((*theirs)->accept()) {
+    } // of the input before
     const fs::path save = fuzz_folder() / "save";
     fs::remove_all(save);
     XchangeOptions options;
@@ -101,7 +108,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         for (std::size_t done = 0; reader.left() >= 3 && done < kMostDone; ++done) {
             const std::uint8_t how = reader.u8();
             const std::size_t bytes = reader.u16_be();
-            stations.act(how & 3, static_cast<What>((how >> 2) % kWhats), reader.take(std::min(bytes, reader.left())));
+            stations.act(how & 3, static_cast<What>((how >> 2) % kWhats),
+                         reader.take(std::min(bytes, reader.left())));
             (*loop)->step(std::chrono::milliseconds(0));
             stations.hear();
         }

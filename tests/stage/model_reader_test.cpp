@@ -194,6 +194,25 @@ TEST(ModelReader, WhatAStageRefersToLiesInTheShowsFolder) {
     EXPECT_FALSE(materials(fs::absolute(folder / "outside.mtl").string()).first);
 }
 
+// By itself Assimp writes to nowhere, and gives up an .obj whose material has an anisotropy.
+TEST(ModelReader, MaterialsOfAnObjAreReadAsTheyAreWritten) {
+    const fs::path folder = scratch("mtl");
+    const fs::path path = folder / "wall.obj";
+    std::ofstream(path) << "mtllib a.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const std::string red = "newmtl red\nKd 1 0 0\n";
+    for (const std::string& text :
+         {red, "a 1\n" + red, "# whose\n  map_Kd b.png\n" + red, "bump b.png\r\n" + red, "Pr 0.5\n" + red,
+          red + "aniso 0.5\nanisor 0\n"}) {
+        std::ofstream(folder / "a.mtl") << text;
+        Report report;
+        const auto stage = load_stage_file(path, report);
+        ASSERT_TRUE(stage.ok()) << text << stage.error().text();
+        const glm::vec3 colour =
+            stage->materials[static_cast<std::size_t>(stage->meshes.front().material)].base_colour;
+        EXPECT_TRUE(colour.x > 0.5f && colour.y < 0.2f) << text;
+    }
+}
+
 // The other end may be in the hands of who wrote the file.
 TEST(ModelWire, WhatComesBackIsLookedAt) {
     Stage stage;
