@@ -94,8 +94,8 @@ PaperTable patch_of(const Show& show, const PrintStyle& style) {
                      {style("channels"), true}, {style("name")},       {style("number")},
                      {style("type")},           {style("mode")},       {style("remarks")}};
     for (const auto& entry : segments_of(show, style)) {
-        const auto& universe = entry.first;
-        const auto& segments = entry.second;
+        const int universe = entry.first;
+        const std::vector<Segment>& segments = entry.second;
         const std::vector<Gap> gaps = gaps_of(segments);
         std::size_t gap = 0;
         const Segment* before = nullptr; // that reaches farthest
