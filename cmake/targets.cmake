@@ -75,8 +75,8 @@ function(ghost_test path)
     set_tests_properties(${folder} PROPERTIES LABELS room TIMEOUT ${limit_s} ENVIRONMENT TEST_TMPDIR=${CMAKE_BINARY_DIR}/tests/tmp)
 endfunction()
 
-# ghost_fuzz(file): libFuzzer target fuzz_<name> of <name>_fuzz.cpp, with the rooms that it, the headers beside it and those of
-# tests/support include.
+# ghost_fuzz(file): libFuzzer target fuzz_<name> of <name>_fuzz.cpp, linked to the rooms that it includes, itself or by
+# headers of tests/.
 function(ghost_fuzz file)
     get_filename_component(folder ${file} DIRECTORY)
     get_filename_component(name ${file} NAME_WE)
@@ -92,7 +92,7 @@ function(ghost_fuzz file)
             get_filename_component(room ${include} DIRECTORY)
             if(room STREQUAL "")
                 list(APPEND files ${folder}/${include})
-            elseif(room STREQUAL "support")
+            elseif(room MATCHES "^(support|fuzz)$")
                 list(APPEND files ${CMAKE_SOURCE_DIR}/tests/${include})
             else()
                 string(REPLACE "/private" "" room ${room})

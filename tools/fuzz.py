@@ -25,6 +25,7 @@ LONGEST = {**dict.fromkeys(["gdtf", "mvr", "plot_show", "model", "gltf_pack", "p
            **dict.fromkeys(["bounce", "toml_edit"], 20_000),
            **dict.fromkeys(["mdns", "osc", "psn", "midi", "usb_pro"], 4096)}
 LONGEST_OF_OTHERS = 200_000
+DICTIONARIES = {"toml_edit": "show", "plot_show": "mvr", "gltf_pack": "model", "xchange_peers": "xchange", "http": "web", "websocket": "web"}
 SLOW_S = 2  # of processor time, an input by itself: what takes longer is a fault
 PATIENCE_S = 120  # by the clock: the machine may be busy with other work
 INTERRUPTED, TIMED_OUT = 72, 70  # libFuzzer's exit codes
@@ -33,7 +34,7 @@ FIGURES = {"executions": r"number_of_executed_units: (\d+)", "edges": r"\bcov: (
 
 
 def targets():
-    return sorted(path.stem.removesuffix("_fuzz") for path in (ROOT / "tests/fuzz").glob("*_fuzz.cpp"))
+    return sorted(path.stem.removesuffix("_fuzz") for path in (ROOT / "tests/fuzz").rglob("*_fuzz.cpp"))
 
 
 def found(folder, target):
@@ -61,11 +62,11 @@ def settle_slow(folder, target):
 
 def run(folder, target, seconds, *inputs):
     """One run with folders of inputs, of which the first gets what is new. Returns the figures, the exit code and what was said."""
-    words = ROOT / f"tests/fuzz/{target}.dict"
+    words = sorted((ROOT / "tests/fuzz").rglob(f"{DICTIONARIES.get(target, target)}.dict"))
     log = folder / f"{target}.log"
     code, used_s, peak_mb = call(
         [folder / f"fuzz_{target}", f"-max_total_time={seconds}", f"-max_len={LONGEST.get(target, LONGEST_OF_OTHERS)}", f"-timeout={PATIENCE_S}",
-         f"-report_slow_units={SLOW_S}", "-print_final_stats=1", f"-artifact_prefix={folder}/{target}-", *([f"-dict={words}"] if words.exists() else []),
+         f"-report_slow_units={SLOW_S}", "-print_final_stats=1", f"-artifact_prefix={folder}/{target}-", *[f"-dict={file}" for file in words],
          *inputs], log)
     settle_slow(folder, target)
     if code == TIMED_OUT and not found(folder, target):

@@ -84,7 +84,7 @@ move_m = [0, 0, 1]
 
 
 def behind_sizes(packets):
-    """As tests/fuzz/network_fuzz.h reads them."""
+    """As tests/fuzz/network/network_fuzz.h reads them."""
     return b"".join(struct.pack(">HBB", len(packet), 1, k & 3) + packet for k, packet in enumerate(packets))
 
 
@@ -202,7 +202,7 @@ def films():
 
 
 def said(*steps):
-    """As tests/fuzz/xchange_peers_fuzz.cpp reads them: connection, what, content."""
+    """As tests/fuzz/network/xchange_peers_fuzz.cpp reads them: connection, what, content."""
     return b"".join(struct.pack(">BH", connection | what << 2, len(content)) + content for connection, what, content in steps)
 
 

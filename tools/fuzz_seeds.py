@@ -61,7 +61,7 @@ def main():
     folders = [ROOT / "assets", ROOT / "tests", shared / "fixtures", shared / "reference"]
     files = sorted(path for folder in folders if folder.is_dir() for path in folder.rglob("*") if path.is_file() and path.stat().st_size <= most)
     extra = made()
-    targets = sorted(path.stem.removesuffix("_fuzz") for path in (ROOT / "tests/fuzz").glob("*_fuzz.cpp"))
+    targets = sorted(path.stem.removesuffix("_fuzz") for path in (ROOT / "tests/fuzz").rglob("*_fuzz.cpp"))
     for target in targets:
         folder = out / target
         folder.mkdir(parents=True, exist_ok=True)

@@ -263,5 +263,38 @@ TEST(ModelWire, WhatComesBackIsLookedAt) {
     EXPECT_FALSE(answer(wrong).first);
 }
 
+std::size_t most_address_space_bytes() {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("VmPeak:")) return std::stoull(line.substr(7)) << 10;
+    return 0;
+}
+
+// A number alone asks for nothing: no 7 GiB for a texture of which nothing comes.
+TEST(ModelWire, LengthsAreBelievedAsFarAsBytesCome) {
+    const std::size_t before = most_address_space_bytes();
+    ASSERT_GT(before, 0u);
+    std::vector<std::uint8_t> answer;
+    const auto put = [&](std::uint64_t number, std::size_t bytes) {
+        for (std::size_t k = 0; k < bytes; ++k)
+            answer.push_back(static_cast<std::uint8_t>(number >> (8 * k)));
+    };
+    put(1, 8); // a model
+    put(1, 8); // one texture
+    put(0, 8); // without a name
+    for (const int side : {9, 9, 4, 1}) put(static_cast<std::uint64_t>(side), 4);
+    put(std::uint64_t{7} << 30, 8); // bytes of pixels
+    std::size_t at = 0;
+    const auto received = receive_model([&](std::span<std::uint8_t> bytes) {
+        if (bytes.size() > answer.size() - at) return false;
+        if (!bytes.empty()) std::memcpy(bytes.data(), answer.data() + at, bytes.size());
+        at += bytes.size();
+        return true;
+    });
+    ASSERT_FALSE(received.ok());
+    EXPECT_EQ(at, answer.size()) << received.error().text();
+    EXPECT_LT(most_address_space_bytes() - before, std::size_t{1} << 30);
+}
+
 } // namespace
 } // namespace ghost::scene

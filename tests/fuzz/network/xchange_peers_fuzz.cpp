@@ -2,8 +2,8 @@
 // MVR-xchange as two stations that mean harm would speak it: one that joins us, one that we join, on two
 // connections each. Input: what one of them does, again and again: a byte (connection, what), two of length,
 // as many of content. Only whole .mvr files lie in our folder afterwards, and nothing beside it.
-#include "fuzz_folder.h"
-#include "stored_zip.h"
+#include "fuzz/fuzz_folder.h"
+#include "fuzz/stored_zip.h"
 
 #include "xchange/private/xchange_loop.h"
 
