@@ -36,6 +36,8 @@ MVR = """<GeneralSceneDescription verMajor="1" verMinor="6" provider="P" provide
 <FocusPoint uuid="f" name="Middle"><Matrix>{1,0,0}{0,1,0}{0,0,1}{0,9000,1000}</Matrix></FocusPoint>
 <VideoScreen uuid="v" name="Wall"><Geometries><Geometry3D fileName="a.obj"/></Geometries></VideoScreen>
 <Projector uuid="j" name="Beamer"/></ChildList></Layer></Layers></Scene></GeneralSceneDescription>""".encode()
+LDT = ("Maker\n1\n2\n4\n90\n3\n45\nreport\nLantern\n7\nfile\ndate\n" + "100\n" * 11 + "1,0\n0\n1\n1\nlamp\n2000\n3200\n1A\n1000\n" + "0.5\n" * 10 +
+       "0\n90\n180\n270\n0\n45\n90\n" + "1\n" * 9).encode()  # EULUMDAT
 TOML = b"""# whose show
 [show] # here
 name = "Fuzz"
@@ -243,7 +245,7 @@ def made():
         "xchange": [b"\x07" + struct.pack(">IIIIIQ", 778682, 1, 0, 1, 0, len(join)) + join],
         "merge": [bytes(8) + bytes([10, 15, 0, 0, 1, k, 100, 255]) * 3 + bytes([10, 4, 0, 0, 0, 0, 0, 0]) for k in range(3)],
         "model": [OBJ, GLTF], "gltf_pack": [GLTF], "model_wire": [struct.pack("<QQQQQQ", 1, 0, 0, 0, 0, 0)],
-        "photometric": [b"IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n1000 0\n"],
+        "photometric": [LDT, b"IESNA:LM-63-2002\n[TEST] x\nTILT=NONE\n1 1000 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n1000 0\n"],
         "picture": [b"<svg viewBox='0 0 9 9'><path d='M0 0L9 0A4 4 0 0 1 9 9z' fill='#fff'/></svg>"],
         "xchange_peers": [said((0, 0, join), (0, 0, commit), (0, 0, request), (0, 0, b'{"Type":"MVR_LEAVE"}')),
                           said((2, 0, answer), (0, 6, b""), (3, 1, b"PK\x03\x04" + bytes(30)), (1, 0, request), (1, 5, b"")),
