@@ -93,7 +93,9 @@ PaperTable patch_of(const Show& show, const PrintStyle& style) {
     table.columns = {{style("universe"), true}, {style("from"), true}, {style("to"), true},
                      {style("channels"), true}, {style("name")},       {style("number")},
                      {style("type")},           {style("mode")},       {style("remarks")}};
-    for (const auto& [universe, segments] : segments_of(show, style)) {
+    for (const auto& entry : segments_of(show, style)) {
+        const int universe = entry.first;
+        const std::vector<Segment>& segments = entry.second;
         const std::vector<Gap> gaps = gaps_of(segments);
         std::size_t gap = 0;
         const Segment* before = nullptr; // that reaches farthest

@@ -138,7 +138,9 @@ void add_ignored(const dmx::Statistics& statistics, Sentences& out) {
     for (const dmx::IgnoredSource& one : statistics.ignored)
         if (one.why == dmx::IgnoredSource::Why::preview)
             preview[source_text(one.name, dmx::address_text(one.from), one.protocol)].insert(one.universe);
-    for (const auto& [who, universes] : preview) {
+    for (const auto& entry : preview) {
+        const std::string& who = entry.first;
+        const std::set<int>& universes = entry.second;
         // Who shows its live look, too, is only said to.
         const bool live = std::all_of(universes.begin(), universes.end(), [&](int universe) {
             return std::any_of(statistics.sources.begin(), statistics.sources.end(),

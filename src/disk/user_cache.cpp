@@ -13,7 +13,7 @@ namespace {
 
 std::string hash_of(const std::string& text) { // FNV-1a
     std::uint64_t hash = 0xcbf29ce484222325u;
-    for (const unsigned char letter : text) hash = (hash ^ letter) * 0x100000001b3u;
+    for (const char letter : text) hash = (hash ^ static_cast<unsigned char>(letter)) * 0x100000001b3u;
     char digits[17];
     std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
     return digits;

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "disk/files.h"
+#include "image/private/exr_header.h"
 
 #include <ImathBox.h>
 #include <OpenEXR/ImfChannelList.h>
@@ -107,14 +108,15 @@ std::uint64_t area_of(const Imath::Box2i& window) {
            static_cast<std::uint64_t>(window.max.y - window.min.y + 1);
 }
 
-// A few bytes can say that they are gigabytes. Nothing that pictures are packed with gets below a thousandth
-// but for one colour all over.
+// A few bytes can say that they are gigabytes, or that their pixels lie in a picture of that many. Nothing
+// that pictures are packed with gets below a thousandth but for one colour all over.
 Result<void> check_packing(const Imf::Header& header, std::uintmax_t file_bytes) {
     constexpr std::uint64_t kMostPacked = 2000;
     std::uint64_t pixel_bytes = 0;
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel)
         pixel_bytes += channel.channel().type == Imf::HALF ? 2 : 4;
-    const std::uint64_t bytes = pixel_bytes * area_of(header.dataWindow());
+    const std::uint64_t bytes =
+        pixel_bytes * std::max(area_of(header.dataWindow()), area_of(header.displayWindow()));
     if (bytes > kUnasked && bytes / kMostPacked > file_bytes)
         return Error{"says that it holds " + std::to_string(bytes >> 20) +
                          " MiB of pixels, but the file has " + std::to_string(file_bytes) + " bytes",
@@ -135,6 +137,7 @@ Result<void> check_empty(const Imath::Box2i& display, const Imath::Box2i& data, 
 
 // Throws what OpenEXR throws.
 Result<ExrFile> read_unguarded(const std::filesystem::path& path) {
+    TRY_VOID(check_exr_attributes(path));
     Imf::InputFile input(path.c_str());
     const Imf::Header& header = input.header();
     const Imath::Box2i data = header.dataWindow();

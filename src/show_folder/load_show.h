@@ -14,8 +14,8 @@
 
 namespace ghost::scene {
 
-// path: show.toml, the folder that holds it, or an .mvr, which then gets cameras of its own (plot_show.h). An
-// error only where nothing can go on (no such file, not TOML, no camera at all, stopped); everything else
+// path: show.toml, the folder that holds it, or an .mvr. Where it says no camera, it gets some of its own
+// (show/default_cameras.h). An error only where nothing can go on (no such file, not TOML, stopped); all else
 // goes to the report with file and line, and the rest is kept. load_stage = false leaves the stage empty (a
 // renderer with baked passes needs no geometry), unless default cameras have to be made from it.
 Result<Show> load_show(const std::filesystem::path& path, bool load_stage, Report& report,

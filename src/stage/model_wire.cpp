@@ -15,7 +15,8 @@ constexpr std::size_t kMaxBytes = std::size_t{8} << 30; // of a model
 constexpr std::size_t kMaxItems = 4'000'000;            // textures, materials, meshes, instances
 constexpr std::size_t kMaxMessages = 100'000;
 constexpr std::size_t kMaxTextBytes = std::size_t{1} << 20;
-constexpr std::size_t kStepBytes = std::size_t{16} << 20; // what is not there yet takes no more memory
+constexpr std::size_t kStepBytes = std::size_t{16} << 20;    // what is not there yet takes no more memory ..
+constexpr std::size_t kAtOnceBytes = std::size_t{256} << 20; // .. and no more of the address space
 constexpr int kMaxSide_px = 16'384;
 
 Error gone() {
@@ -83,7 +84,7 @@ public:
         TRY(const std::size_t count, receive_number(receive_, left_ / sizeof(Item)));
         left_ -= count * sizeof(Item);
         std::vector<Item> items;
-        items.reserve(count);
+        items.reserve(std::min(count, kAtOnceBytes / sizeof(Item)));
         while (items.size() < count) {
             const std::size_t at = items.size();
             items.resize(std::min(count, at + kStepBytes / sizeof(Item)));

@@ -4,6 +4,7 @@
 #include "json_xml_toml/xml_encoding.h"
 #include "stage/gltf_pack.h"
 #include "stage/model_file.h"
+#include "stage/mtl.h"
 #include "stage/stage_checks.h"
 
 #include <assimp/BaseImporter.h>
@@ -115,6 +116,8 @@ public:
             lost_.insert(file);
             return nullptr;
         }
+        if (lower(std::filesystem::path(name_).extension().string()) == ".obj")
+            *read = mtl_for_assimp(*read); // no other files of an .obj are asked for
         return stream(companions_.emplace(file, std::move(*read)).first->second);
     }
     bool Exists(const char* file) const override { return file == name_ || companions_.contains(file); }

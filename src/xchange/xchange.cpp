@@ -125,23 +125,25 @@ std::vector<XchangeEvent> Xchange::Loop::take() {
     return std::exchange(events_, {});
 }
 
-void Xchange::Loop::run() {
-    while (!stop_) {
-        std::vector<dmx::WaitFor> streams{{listener_->handle(), false}};
-        for (const Connection& connection : connections_)
-            streams.push_back({connection.peer->handle(), connection.peer->has_to_send()});
-        dmx::wait_for_streams(streams, kTurn);
-        if (mdns_) {
-            if (now_s() >= next_interfaces_s_) check_interfaces();
-            if (now_s() >= next_question_s_) ask_and_announce(false);
-            hear();
-        }
-        accept();
-        join_known();
-        fetch_wanted();
-        for (Connection& connection : connections_) turn(connection);
-        std::erase_if(connections_, [](const Connection& connection) { return connection.done; });
+void Xchange::Loop::step(std::chrono::milliseconds patience) {
+    std::vector<dmx::WaitFor> streams{{listener_->handle(), false}};
+    for (const Connection& connection : connections_)
+        streams.push_back({connection.peer->handle(), connection.peer->has_to_send()});
+    dmx::wait_for_streams(streams, patience);
+    if (mdns_) {
+        if (now_s() >= next_interfaces_s_) check_interfaces();
+        if (now_s() >= next_question_s_) ask_and_announce(false);
+        hear();
     }
+    accept();
+    join_known();
+    fetch_wanted();
+    for (Connection& connection : connections_) turn(connection);
+    std::erase_if(connections_, [](const Connection& connection) { return connection.done; });
+}
+
+void Xchange::Loop::run() {
+    while (!stop_) step(kTurn);
     leave();
 }
 

@@ -50,8 +50,9 @@ public:
     std::vector<XchangeEvent> take();
     std::uint16_t port() const;
 
+    class Loop; // what the thread does (private/xchange_loop.h)
+
 private:
-    class Loop;
     Xchange();
     std::unique_ptr<Loop> loop_;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // load_mvr, its helpers, the editing of the description and merging, on anything. Input that starts with "PK"
 // is taken as the zip itself, other input as the description of one. Seeds: tests/support/mvr_files.h.
-#include "disk/crc32.h"
+#include "stored_zip.h"
+
 #include "mvr/mvr_edit.h"
 #include "mvr/mvr_load.h"
 #include "mvr/mvr_merge.h"
@@ -16,38 +17,8 @@ namespace {
 using namespace ghost;
 using namespace ghost::scene;
 
-void put(std::vector<std::uint8_t>& out, std::uint32_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
-}
-
 std::vector<std::uint8_t> zip_of(Bytes xml) {
-    constexpr std::string_view kName = "GeneralSceneDescription.xml";
-    const auto size = static_cast<std::uint32_t>(xml.size());
-    std::vector<std::uint8_t> common;
-    for (const std::uint32_t field : {20u, 0u, 0u, 0u, 0x21u}) put(common, field, 2);
-    for (const std::uint32_t field : {crc32(xml), size, size}) put(common, field, 4);
-    put(common, kName.size(), 2);
-    put(common, 0, 2);
-    std::vector<std::uint8_t> zip;
-    put(zip, 0x04034b50, 4);
-    zip.insert(zip.end(), common.begin(), common.end());
-    zip.insert(zip.end(), kName.begin(), kName.end());
-    zip.insert(zip.end(), xml.begin(), xml.end());
-    const auto start = static_cast<std::uint32_t>(zip.size());
-    put(zip, 0x02014b50, 4);
-    put(zip, 20, 2);
-    zip.insert(zip.end(), common.begin(), common.end());
-    for (const int bytes : {2, 2, 2, 4, 4}) put(zip, 0, bytes);
-    zip.insert(zip.end(), kName.begin(), kName.end());
-    const auto directory = static_cast<std::uint32_t>(zip.size()) - start;
-    put(zip, 0x06054b50, 4);
-    put(zip, 0, 4);
-    put(zip, 1, 2);
-    put(zip, 1, 2);
-    put(zip, directory, 4);
-    put(zip, start, 4);
-    put(zip, 0, 2);
-    return zip;
+    return stored_zip({{"GeneralSceneDescription.xml", xml}});
 }
 
 void require(bool holds) {

@@ -195,6 +195,52 @@ TEST(Exr, ASmallPieceDoesNotAskForAHugePicture) {
         << read.error().text();
 }
 
+// Each of the two limits by itself lets it pass: 61 MiB of pixels, a sixteenth of the picture that they lie
+// in.
+TEST(Exr, AFewBytesDoNotAskForAHugePictureAroundALargeOne) {
+    ExrFile small;
+    small.pixels = ImageF(16, 16, 4);
+    small.channels = {"R", "G", "B", "A"};
+    const std::filesystem::path path = exr_scratch("large_in_huge.exr");
+    ASSERT_TRUE(write_exr(path, small, ExrSample::full).ok());
+    auto bytes = *read_file(path, 1u << 20);
+    const std::vector<std::uint8_t> window{0, 0, 0, 0, 0, 0, 0, 0, 15, 0, 0, 0, 15, 0, 0, 0};
+    const auto enlarge = [&](const std::string& name, std::uint8_t low, std::uint8_t high) {
+        const auto named = std::search(bytes.begin(), bytes.end(), name.begin(), name.end());
+        const auto at = std::search(named, bytes.end(), window.begin(), window.end());
+        ASSERT_NE(at, bytes.end());
+        at[8] = at[12] = low;
+        at[9] = at[13] = high;
+    };
+    enlarge("displayWindow", 15, 0x1F);    // 7,952 a side
+    enlarge("dataWindow", 0xCF, 0x07);     // 2,000 a side
+    bytes.resize(bytes.size() + 8 * 2000); // the table of its rows
+    ASSERT_TRUE(write_file_atomic(path, bytes).ok());
+    const auto read = read_exr(path);
+    ASSERT_FALSE(read.ok());
+    EXPECT_NE(read.error().text().find("964 MiB of pixels, but the file has "), std::string::npos)
+        << read.error().text();
+}
+
+TEST(Exr, AnAttributeIsNoLongerThanItsFile) {
+    ExrFile small;
+    small.pixels = ImageF(16, 16, 1);
+    small.channels = {"Z"};
+    small.text = {{"words", "abcd"}};
+    const std::filesystem::path path = exr_scratch("long_attribute.exr");
+    ASSERT_TRUE(write_exr(path, small, ExrSample::full).ok());
+    auto bytes = *read_file(path, 1u << 20);
+    const std::string_view head("words\0string\0\4\0\0\0abcd", 21);
+    const auto at = std::search(bytes.begin(), bytes.end(), head.begin(), head.end());
+    ASSERT_NE(at, bytes.end());
+    at[16] = 0x70; // 1.75 GiB
+    ASSERT_TRUE(write_file_atomic(path, bytes).ok());
+    const auto read = read_exr(path);
+    ASSERT_FALSE(read.ok());
+    EXPECT_NE(read.error().text().find("says that it is 1879048196 bytes long"), std::string::npos)
+        << read.error().text();
+}
+
 TEST(Exr, MissingFileAndFolder) {
     EXPECT_NE(read_exr(exr_scratch("absent.exr")).error().what.find("no such file"), std::string::npos);
     EXPECT_NE(read_exr(exr_scratch("x").parent_path()).error().what.find("not a plain file"),

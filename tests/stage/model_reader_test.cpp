@@ -194,6 +194,25 @@ TEST(ModelReader, WhatAStageRefersToLiesInTheShowsFolder) {
     EXPECT_FALSE(materials(fs::absolute(folder / "outside.mtl").string()).first);
 }
 
+// By itself Assimp writes to nowhere, and gives up an .obj whose material has an anisotropy.
+TEST(ModelReader, MaterialsOfAnObjAreReadAsTheyAreWritten) {
+    const fs::path folder = scratch("mtl");
+    const fs::path path = folder / "wall.obj";
+    std::ofstream(path) << "mtllib a.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    const std::string red = "newmtl red\nKd 1 0 0\n";
+    for (const std::string& text :
+         {red, "a 1\n" + red, "# whose\n  map_Kd b.png\n" + red, "bump b.png\r\n" + red, "Pr 0.5\n" + red,
+          red + "aniso 0.5\nanisor 0\n"}) {
+        std::ofstream(folder / "a.mtl") << text;
+        Report report;
+        const auto stage = load_stage_file(path, report);
+        ASSERT_TRUE(stage.ok()) << text << stage.error().text();
+        const glm::vec3 colour =
+            stage->materials[static_cast<std::size_t>(stage->meshes.front().material)].base_colour;
+        EXPECT_TRUE(colour.x > 0.5f && colour.y < 0.2f) << text;
+    }
+}
+
 // The other end may be in the hands of who wrote the file.
 TEST(ModelWire, WhatComesBackIsLookedAt) {
     Stage stage;
@@ -242,6 +261,39 @@ TEST(ModelWire, WhatComesBackIsLookedAt) {
     wrong = stage;
     wrong.meshes[0].positions[0].x = NAN;
     EXPECT_FALSE(answer(wrong).first);
+}
+
+std::size_t most_address_space_bytes() {
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+        if (line.starts_with("VmPeak:")) return std::stoull(line.substr(7)) << 10;
+    return 0;
+}
+
+// A number alone asks for nothing: no 7 GiB for a texture of which nothing comes.
+TEST(ModelWire, LengthsAreBelievedAsFarAsBytesCome) {
+    const std::size_t before = most_address_space_bytes();
+    ASSERT_GT(before, 0u);
+    std::vector<std::uint8_t> answer;
+    const auto put = [&](std::uint64_t number, std::size_t bytes) {
+        for (std::size_t k = 0; k < bytes; ++k)
+            answer.push_back(static_cast<std::uint8_t>(number >> (8 * k)));
+    };
+    put(1, 8); // a model
+    put(1, 8); // one texture
+    put(0, 8); // without a name
+    for (const int side : {9, 9, 4, 1}) put(static_cast<std::uint64_t>(side), 4);
+    put(std::uint64_t{7} << 30, 8); // bytes of pixels
+    std::size_t at = 0;
+    const auto received = receive_model([&](std::span<std::uint8_t> bytes) {
+        if (bytes.size() > answer.size() - at) return false;
+        if (!bytes.empty()) std::memcpy(bytes.data(), answer.data() + at, bytes.size());
+        at += bytes.size();
+        return true;
+    });
+    ASSERT_FALSE(received.ok());
+    EXPECT_EQ(at, answer.size()) << received.error().text();
+    EXPECT_LT(most_address_space_bytes() - before, std::size_t{1} << 30);
 }
 
 } // namespace

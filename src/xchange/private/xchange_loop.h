@@ -1,7 +1,7 @@
 #pragma once
 // SPDX-License-Identifier: Apache-2.0
 // The inside of Xchange: what it knows of the stations of the network, its connections, and what it does
-// about them. All but take() on the thread of run(). Seconds since the start.
+// about them. All but take() on one thread. Seconds since the start.
 
 #include "base/report.h"
 #include "net/socket.h"
@@ -27,6 +27,8 @@ public:
 
     std::vector<XchangeEvent> take();
     std::uint16_t port() const { return listener_->port(); }
+    // All that there is to do now; waits that long for something. begin() does so again and again.
+    void step(std::chrono::milliseconds patience);
     void begin() {
         thread_ = std::thread([this] { run(); });
     }
