@@ -3,9 +3,11 @@
 
 #include "dmx/wire/universes.h"
 #include "json_xml_toml/toml_reader.h"
+#include "show/show.h"
 #include "show_file/scene_toml.h"
 
 #include <cmath>
+#include <map>
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -90,6 +92,17 @@ void apply_changes(Plot& plot, const std::vector<ChangeEntry>& entries, const gl
             continue;
         }
         for (const PlotChange& change : plot_changes(plot, {entry}, origin_m)) apply_change(plot, change);
+    }
+}
+
+void apply_circuits(Show& show, const std::vector<ChangeEntry>& entries) {
+    std::map<std::string, std::string> circuits;
+    for (const ChangeEntry& entry : entries)
+        if (entry.circuit) circuits[uuid_key(entry.uuid)] = *entry.circuit;
+    for (PatchedFixture& fixture : show.fixtures) {
+        if (fixture.uuid.empty()) continue;
+        if (const auto found = circuits.find(uuid_key(fixture.uuid)); found != circuits.end())
+            fixture.circuit = found->second;
     }
 }
 
