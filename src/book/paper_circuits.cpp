@@ -13,14 +13,14 @@
 namespace ghost::scene {
 namespace {
 
-struct Load {
+struct CircuitLoad {
     std::vector<std::size_t> fixtures;
     std::size_t powerless = 0;  // fixtures whose power nobody says
     std::size_t factorless = 0; // those whose power factor nobody says
     double power_w = 0, apparent_va = 0;
 };
 
-void add(Load& load, const Show& show, std::size_t index) {
+void add_to(CircuitLoad& load, const Show& show, std::size_t index) {
     const PatchedFixture& fixture = show.fixtures[index];
     load.fixtures.push_back(index);
     const double power_w = power_w_of(fixture);
@@ -40,14 +40,14 @@ void add(Load& load, const Show& show, std::size_t index) {
     load.apparent_va += std::max(0.0, power_w - said_w);
 }
 
-std::map<std::string, Load> loads_of(const Show& show) {
-    std::map<std::string, Load> loads;
-    for (std::size_t i = 0; i < show.fixtures.size(); ++i) add(loads[show.fixtures[i].circuit], show, i);
+std::map<std::string, CircuitLoad> loads_of(const Show& show) {
+    std::map<std::string, CircuitLoad> loads;
+    for (std::size_t i = 0; i < show.fixtures.size(); ++i) add_to(loads[show.fixtures[i].circuit], show, i);
     return loads;
 }
 
 // As the show describes them, then those that fixtures only name.
-std::vector<Circuit> all_circuits(const Show& show, const std::map<std::string, Load>& loads) {
+std::vector<Circuit> all_circuits(const Show& show, const std::map<std::string, CircuitLoad>& loads) {
     std::vector<Circuit> circuits = show.circuits, more;
     for (const auto& [name, load] : loads) {
         const bool is_described = std::any_of(circuits.begin(), circuits.end(),
@@ -60,11 +60,11 @@ std::vector<Circuit> all_circuits(const Show& show, const std::map<std::string, 
     return circuits;
 }
 
-std::string count(std::size_t number) {
+std::string count_text(std::size_t number) {
     return number > 0 ? std::to_string(number) : "";
 }
 
-std::string said(const PrintStyle& style, double value, int decimals) {
+std::string said_number(const PrintStyle& style, double value, int decimals) {
     return value > 0 ? style.number(value, decimals) : "";
 }
 
@@ -116,8 +116,8 @@ PaperTable plugs_of(const Show& show, const PrintStyle& style) {
                      : std::vector<fixture::PowerInput>{};
         if (inputs.empty()) unsaid.push_back(i);
         for (const fixture::PowerInput& input : inputs) {
-            const std::string low = said(style, static_cast<double>(input.voltage_low_v), 0),
-                              high = said(style, static_cast<double>(input.voltage_high_v), 0);
+            const std::string low = said_number(style, static_cast<double>(input.voltage_low_v), 0),
+                              high = said_number(style, static_cast<double>(input.voltage_high_v), 0);
             const std::string volts =
                 low.empty() || high.empty() || low == high ? (high.empty() ? low : high) : low + "-" + high;
             Plugs& plugs = kinds[{input.connector, input.plug, volts}];
@@ -140,7 +140,7 @@ PaperTable plugs_of(const Show& show, const PrintStyle& style) {
 }
 
 PaperTable circuits_of(const Show& show, const PrintStyle& style) {
-    const std::map<std::string, Load> loads = loads_of(show);
+    const std::map<std::string, CircuitLoad> loads = loads_of(show);
     PaperTable table{"circuits", style("Circuits"), {}, {}, {}};
     table.columns = {{style("circuit")}, {style("phase")}, {style("fixtures"), true},
                      {style("name")},    {"W", true},      {style("%1 unknown", {"W"}), true},
@@ -149,7 +149,7 @@ PaperTable circuits_of(const Show& show, const PrintStyle& style) {
     std::vector<std::string> voltless, too_much;
     for (const Circuit& circuit : all_circuits(show, loads)) {
         const auto found = loads.find(circuit.name);
-        const Load load = found == loads.end() ? Load{} : found->second;
+        const CircuitLoad load = found == loads.end() ? CircuitLoad{} : found->second;
         const double current_a = circuit.voltage_v > 0 ? load.apparent_va / circuit.voltage_v : 0;
         powerless += load.powerless;
         factorless += load.factorless;
@@ -158,9 +158,9 @@ PaperTable circuits_of(const Show& show, const PrintStyle& style) {
             too_much.push_back(style("%1 (%2 A of %3 A)", {circuit.name, style.number(current_a, 1),
                                                            style.number(circuit.breaker_a, 1)}));
         table.rows.push_back({{circuit.name, circuit.phase, std::to_string(load.fixtures.size()),
-                               names_of(show, style, load.fixtures), said(style, load.power_w, 0),
-                               count(load.powerless), said(style, circuit.voltage_v, 0),
-                               said(style, current_a, 1), said(style, circuit.breaker_a, 1)}});
+                               names_of(show, style, load.fixtures), said_number(style, load.power_w, 0),
+                               count_text(load.powerless), said_number(style, circuit.voltage_v, 0),
+                               said_number(style, current_a, 1), said_number(style, circuit.breaker_a, 1)}});
     }
     drop_empty_columns(table);
     for (const std::string& circuit : too_much)
@@ -178,13 +178,13 @@ PaperTable phases_of(const Show& show, const PrintStyle& style) {
         double power_w = 0, current_a = 0;
         bool is_current_known = true;
     };
-    const std::map<std::string, Load> loads = loads_of(show);
+    const std::map<std::string, CircuitLoad> loads = loads_of(show);
     std::map<std::string, Phase> phases;
     bool is_said = false;
     std::size_t powerless = 0, factorless = 0;
     for (const Circuit& circuit : all_circuits(show, loads)) {
         const auto found = loads.find(circuit.name);
-        const Load load = found == loads.end() ? Load{} : found->second;
+        const CircuitLoad load = found == loads.end() ? CircuitLoad{} : found->second;
         Phase& phase = phases[circuit.phase.empty() ? "~" : circuit.phase]; // nobody's comes last
         is_said = is_said || !circuit.phase.empty();
         ++phase.circuits;
@@ -203,10 +203,10 @@ PaperTable phases_of(const Show& show, const PrintStyle& style) {
     table.columns = {{style("phase")}, {style("circuits"), true},          {style("fixtures"), true},
                      {"W", true},      {style("%1 unknown", {"W"}), true}, {"A", true}};
     for (const auto& [name, phase] : phases)
-        table.rows.push_back(
-            {{name == "~" ? style("nobody says") : name, std::to_string(phase.circuits),
-              std::to_string(phase.fixtures), said(style, phase.power_w, 0), count(phase.powerless),
-              phase.is_current_known ? said(style, phase.current_a, 1) : ""}});
+        table.rows.push_back({{name == "~" ? style("nobody says") : name, std::to_string(phase.circuits),
+                               std::to_string(phase.fixtures), said_number(style, phase.power_w, 0),
+                               count_text(phase.powerless),
+                               phase.is_current_known ? said_number(style, phase.current_a, 1) : ""}});
     drop_empty_columns(table);
     say_unknown(table, show, style, powerless, factorless);
     return table;
