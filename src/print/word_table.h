@@ -223,6 +223,7 @@ inline constexpr Translation kWords[] = {
     {"Pictures of %1 at exposure %2, drawn by %3.", "Bilder von %1 mit Belichtung %2, gezeichnet von %3."},
     {"cues", "Cues"},
     {"looks", "Stimmungen"},
+    {"marks", "Marken"},
     {"moments found", "gefundene Momente"},
     {"one moment", "ein Moment"},
     {"From the dark", "Aus dem Dunkel"},
