@@ -72,11 +72,13 @@ TEST(Symbols, that_fill_a_square_have_the_scale_of_their_model) {
 }
 
 TEST(Symbols, show_what_is_seen) {
-    const SvgSymbol symbol = std::move(symbol_of(kSvg + R"(<style>.a, .b { fill: none; stroke: #000 } .c { opacity: 0 }</style>
+    const SvgSymbol symbol =
+        std::move(symbol_of(kSvg + R"svg(<style>.a, .b { fill: none; stroke: #000 } .c { opacity: 0 }</style>
 <g transform="translate(10 20)"><circle class="a" cx="5" cy="5" r="5"/><rect class="c" width="9" height="9"/>
 <path style="fill:#00ff00;fill-opacity:0;stroke:#00ff00;stroke-opacity:0" d="M0 0H9"/>
 <g fill="none"><path d="M0 0H9"/></g><line x1="1" y1="1" x2="2" y2="2" stroke="red"/></g>
-<image href="http://example.org/a.png" width="9" height="9"/><text>words</text></svg>)").value());
+<image href="http://example.org/a.png" width="9" height="9"/><text>words</text></svg>)svg")
+                      .value());
     ASSERT_EQ(symbol.lines.size(), 2u);
     EXPECT_FALSE(symbol.lines[0].is_filled);
     EXPECT_TRUE(symbol.lines[0].is_closed);
@@ -97,29 +99,29 @@ TEST(Symbols, of_bad_files_are_left_out_with_a_word) {
     for (const std::string& bad :
          {std::string(), std::string("<html/>"), kSvg, kSvg + "</svg>", many + "</svg>", deep + "</svg>",
           long_path + "\"/></svg>", std::string(kMostSymbolBytes + 1, ' '),
-          kSvg + R"(<rect transform="scale(1e6)" width="1e6" height="1e6"/></svg>)"})
+          kSvg + R"svg(<rect transform="scale(1e6)" width="1e6" height="1e6"/></svg>)svg"})
         EXPECT_FALSE(symbol_of(bad).ok()) << bad.substr(0, 80);
-        const LoadedType file = file_with({{"models/svg/base.svg", many + "</svg>"}});
-        EXPECT_TRUE(top_of(file).empty());
-        EXPECT_TRUE(says(file, {"models/svg/base.svg", "more than 1024 lines", "not used on plans"}));
-        const std::string good =
-            kSvg + R"(<g class="a"><path d="M0 0C1 1 2 2 3 3z" fill="none" stroke="red"/></g></svg>)";
-        for (std::size_t size = 0; size < good.size(); ++size) (void)symbol_of(good.substr(0, size));
+    const LoadedType file = file_with({{"models/svg/base.svg", many + "</svg>"}});
+    EXPECT_TRUE(top_of(file).empty());
+    EXPECT_TRUE(says(file, {"models/svg/base.svg", "more than 1024 lines", "not used on plans"}));
+    const std::string good =
+        kSvg + R"(<g class="a"><path d="M0 0C1 1 2 2 3 3z" fill="none" stroke="red"/></g></svg>)";
+    for (std::size_t size = 0; size < good.size(); ++size) (void)symbol_of(good.substr(0, size));
 }
 
 TEST(Symbols, of_a_real_file_are_as_large_as_its_models) {
-        const std::string path = "../shared/fixtures/gdtf/bauke_Martin_Professional@MAC_Viper_AirFX.gdtf";
-        if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
-        const LoadedType file = std::move(load_gdtf(std::filesystem::path(path)).value());
-        glm::vec2 low(1e9f), high(-1e9f);
-        for (const SymbolLine& line : top_of(file))
-            for (const glm::vec2& point : line.points_m) {
-                low = glm::min(low, point);
-                high = glm::max(high, point);
-            }
-        EXPECT_NEAR(high.x - low.x, file.type.models[0].size_m.x, 0.02f);
-        EXPECT_NEAR(high.y - low.y, file.type.models[0].size_m.y, 0.02f);
-        EXPECT_NEAR(high.x, -low.x, 0.02f);
+    const std::string path = "../shared/fixtures/gdtf/bauke_Martin_Professional@MAC_Viper_AirFX.gdtf";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+    const LoadedType file = std::move(load_gdtf(std::filesystem::path(path)).value());
+    glm::vec2 low(1e9f), high(-1e9f);
+    for (const SymbolLine& line : top_of(file))
+        for (const glm::vec2& point : line.points_m) {
+            low = glm::min(low, point);
+            high = glm::max(high, point);
+        }
+    EXPECT_NEAR(high.x - low.x, file.type.models[0].size_m.x, 0.02f);
+    EXPECT_NEAR(high.y - low.y, file.type.models[0].size_m.y, 0.02f);
+    EXPECT_NEAR(high.x, -low.x, 0.02f);
 }
 
 } // namespace
