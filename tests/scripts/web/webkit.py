@@ -13,7 +13,7 @@ import time
 import urllib.error
 import urllib.request
 
-LONG_S = 120  # for what a busy machine may take
+LONG_S = 300  # for what a busy machine may take
 
 # The driver tells nothing of a console, so the page keeps what it complains of.
 LISTEN = """window.complaints = []; for (const kind of ['error', 'warn']) { const before = console[kind];
