@@ -11,6 +11,8 @@ import sys
 import tempfile
 import threading
 import time
+import xml.sax.saxutils
+import zipfile
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 LOOKS = """
@@ -92,10 +94,10 @@ ADDRESS = r"(http://127\.0\.0\.1:\d+/#t=[0-9a-f]{32})"
 
 
 class Serve:
-    def __init__(self, program, show, port, *arguments):
+    def __init__(self, program, show, port, *arguments, view="house"):
         self.path = show.parent / f"serve-{port}-{time.monotonic_ns()}.out"
         self.out = self.path.open("w")
-        self.process = subprocess.Popen([str(program), "serve", str(show), "--web", str(port), "--size", "640x360", "--view", "house",
+        self.process = subprocess.Popen([str(program), "serve", str(show), "--web", str(port), "--size", "640x360", *(["--view", view] if view else []),
                                          "--interface", "127.0.0.1", *map(str, arguments)], stdout=self.out, stderr=self.out)
         self.port = port
         self.address = self.until(ADDRESS)
@@ -135,16 +137,20 @@ class WebShow:
 
     @classmethod
     def of_evil_names(cls, source, build):
-        """With script in the names of fixtures, cameras, cues and looks."""
-        show = cls(source, build, with_book=False)
-        toml = show.show / "show.toml"
-        text = toml.read_text(encoding="utf-8")
-        # A mode, a material or the beam of a lamp are not the show's to name.
-        named = re.sub(r'^name = "([^"]*)"', lambda found: f"name = '{EVIL}{found[1]}'", text, flags=re.M)
-        toml.write_text(named, encoding="utf-8")
-        looks = show.show / "looks.toml"
-        looks.write_text(re.sub(r'^name = "(Wash 1)"', lambda found: f"name = '{EVIL}{found[1]}'", LOOKS, flags=re.M), encoding="utf-8")
-        return show
+        """A plot with script in the names of fixtures, layer and position; show files allow no such fixtures."""
+        made = cls(source, build, with_book=False)
+        type_file = pathlib.Path(source) / "assets/fixtures/Vari-Lite@VL2500_Wash.gdtf"
+        evil = xml.sax.saxutils.quoteattr(EVIL)
+        fixtures = "".join(
+            f'<Fixture uuid="00000000-0000-0000-0000-{number:012}" name={evil}><Matrix>{{1,0,0}}{{0,1,0}}{{0,0,1}}{{{1000 * number},2000,6000}}</Matrix>'
+            f"<GDTFSpec>{type_file.name}</GDTFSpec><FixtureID>{number}</FixtureID><Addresses><Address break=\"0\">{1 + 20 * number}</Address></Addresses></Fixture>"
+            for number in range(1, 4))
+        made.show = made.work / "plot.mvr"
+        with zipfile.ZipFile(made.show, "w") as archive:
+            archive.writestr("GeneralSceneDescription.xml", '<?xml version="1.0"?><GeneralSceneDescription verMajor="1" verMinor="6"><Scene><Layers>'
+                             f'<Layer name={evil} uuid="1"><ChildList>{fixtures}</ChildList></Layer></Layers></Scene></GeneralSceneDescription>')
+            archive.write(type_file, type_file.name)
+        return made
 
     def __enter__(self):
         return self
@@ -152,8 +158,8 @@ class WebShow:
     def __exit__(self, *_):
         self.close()
 
-    def serve(self, *arguments, port=None):
-        return Serve(self.program, self.show, port or free_port(), *arguments)
+    def serve(self, *arguments, port=None, view="house"):
+        return Serve(self.program, self.show, port or free_port(), *arguments, view=view)
 
     def serve_desk(self, *arguments, port=None):
         """What the desk plays; with the book, where there is one."""

@@ -10,7 +10,7 @@ import time
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "lib"))
 import needs  # noqa: E402
 
-needs.packages("firefox-esr", "webkit2gtk-driver", "xvfb")
+needs.packages("firefox-esr", "webkit2gtk-driver", "xvfb", "python3-pil")
 from firefox import Firefox  # noqa: E402
 from web_show import SCREENS, WebShow  # noqa: E402
 from webkit import WebKit  # noqa: E402

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """WebKitGTK, the nearest to an iPhone that Debian has, driven by its WebDriver (JSON over HTTP) on a screen of Xvfb's."""
-import base64
 import glob
 import json
 import os
 import shutil
 import signal
 import socket
+import struct
 import subprocess
 import tempfile
 import time
 import urllib.error
 import urllib.request
+
+from PIL import Image
 
 LONG_S = 300  # for what a busy machine may take
 
@@ -28,7 +30,7 @@ class WebKit:
         self.folder = tempfile.mkdtemp(prefix="ghost-webkit-")
         self.log = open(os.path.join(self.folder, "log"), "w")
         took, tells = os.pipe()
-        self.screen = subprocess.Popen(["Xvfb", "-displayfd", str(tells), "-screen", "0", "1400x1000x24"], pass_fds=[tells], stdout=self.log, stderr=self.log)
+        self.screen = subprocess.Popen(["Xvfb", "-displayfd", str(tells), "-screen", "0", "1400x1000x24", "-fbdir", self.folder], pass_fds=[tells], stdout=self.log, stderr=self.log)
         os.close(tells)
         with os.fdopen(took) as numbers:
             display = numbers.readline().strip()
@@ -36,7 +38,7 @@ class WebKit:
             one.bind(("127.0.0.1", 0))
             self.port = one.getsockname()[1]
         self.driver = subprocess.Popen(["WebKitWebDriver", f"--port={self.port}"], stdout=self.log, stderr=self.log, start_new_session=True,
-                                       env={**os.environ, "DISPLAY": f":{display}", "HOME": self.folder, "WEBKIT_DISABLE_COMPOSITING_MODE": "1"})
+                                       env={**os.environ, "DISPLAY": f":{display}", "HOME": self.folder})
         browser = glob.glob("/usr/lib/*/webkit2gtk-4.*/MiniBrowser")[0]
         options = {"webkitgtk:browserOptions": {"binary": browser, "args": ["--automation"]}}
         end_s = time.monotonic() + LONG_S
@@ -87,8 +89,14 @@ class WebKit:
         return self.value("complaints")
 
     def screenshot(self, path):
-        with open(path, "wb") as out:
-            out.write(base64.b64decode(self.call("GET", "/screenshot")))
+        """What Xvfb shows (XWD, as it keeps it in a file): the driver's own waits for a frame that a page at rest does not draw."""
+        with open(os.path.join(self.folder, "Xvfb_screen0"), "rb") as screen:
+            data = screen.read()
+        fields = struct.unpack(">25I", data[:100])
+        begin, width, height, line = fields[0] + 12 * fields[19], fields[4], fields[5], fields[12]
+        whole = Image.frombuffer("RGB", (width, height), data[begin:begin + line * height], "raw", "BGRX", line, 1)
+        rect = self.call("GET", "/window/rect")
+        whole.crop((rect["x"], rect["y"], min(rect["x"] + rect["width"], width), min(rect["y"] + rect["height"], height))).save(path)
 
     def close(self):
         try:
