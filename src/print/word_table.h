@@ -166,7 +166,8 @@ inline constexpr Translation kWords[] = {
     {"Symbols are those of the fixtures' own files (GDTF) where they have one.",
      "Symbole sind die der Gerätedateien (GDTF), wo sie eines haben."},
     {"Symbols without such a file stand for what a type does, as large as its body, turned as it hangs.",
-     "Symbole ohne solche Datei zeigen, was ein Typ tut, so groß wie sein Gehäuse und gedreht, wie er hängt."},
+     "Symbole ohne solche Datei zeigen, was ein Typ tut, so groß wie sein Gehäuse und gedreht, wie er "
+     "hängt."},
     {"%1, symbol of its file", "%1, Symbol seiner Datei"},
     {"Size not known of %1: drawn %2 wide.", "Größe von %1 nicht bekannt: %2 breit gezeichnet."},
     {"What a type does is not known of %1: its file could not be read, or says nothing.",
